@@ -1,0 +1,1 @@
+"""How a lens is found: parametrisation, loss, stages and the run itself."""

@@ -1,0 +1,119 @@
+"""What a run tells the world: immutable snapshots, and the result they add up to."""
+
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from workbench.optics.ledger import Ledger
+
+Array = npt.NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Snapshot:
+    """The lens and its image after some iterations.
+
+    Attributes
+    ----------
+    iteration : int
+        Steps taken so far; 0 is the lens before the first.
+    iterations : int
+        Steps that the run will take at most.
+    loss : float
+        Paper's loss of this lens (section 2.4) as the optimiser sees it.
+    control_points : ndarray, shape (n_u, n_v)
+        Heights z of the exit face's control points, scene units.
+    irradiance : ndarray, shape (n_y, n_x)
+        Flux per area on the screen, row 0 at +y.
+    ledger : Ledger
+        Where the light went.
+    seconds : float
+        Run time up to here.
+    best : bool
+        Whether this is the best lens of the run so far.
+    """
+
+    iteration: int
+    iterations: int
+    loss: float
+    control_points: Array
+    irradiance: Array
+    ledger: Ledger
+    seconds: float
+    best: bool
+
+
+@dataclass(frozen=True)
+class Result:
+    """The best lens of a run, and how the run went.
+
+    Attributes
+    ----------
+    control_points : ndarray, shape (n_u, n_v)
+        Heights z of the exit face's control points, scene units.
+    irradiance : ndarray, shape (n_y, n_x)
+        Flux per area on the screen, row 0 at +y.
+    losses : ndarray, shape (iterations,)
+        Loss after each iteration.
+    loss : float
+        Loss of this lens.
+    seconds : float
+        Run time.
+    ledger : Ledger
+        Where the light of this lens goes.
+    """
+
+    control_points: Array
+    irradiance: Array
+    losses: Array
+    loss: float
+    seconds: float
+    ledger: Ledger
+
+    @property
+    def iterations(self) -> int:
+        """Iterations taken."""
+        return len(self.losses)
+
+
+class History:
+    """Gathers the snapshots of a run, one after the other, into a `Result`.
+
+    Parameters
+    ----------
+    earlier : Result, optional
+        The result that this run continues; its losses and seconds are counted in.
+    """
+
+    def __init__(self, earlier: Result | None = None) -> None:
+        self._earlier = earlier
+        self._losses: list[float] = []
+        self._best: Snapshot | None = None
+        self._last: Snapshot | None = None
+
+    def add(self, snapshot: Snapshot) -> None:
+        """Take in the next snapshot."""
+        if snapshot.iteration > 0:
+            self._losses.append(snapshot.loss)
+        if snapshot.best:
+            self._best = snapshot
+        self._last = snapshot
+
+    def losses(self) -> Array:
+        """Loss after each iteration so far, those of the continued run first."""
+        new = np.array(self._losses, dtype=np.float64)
+        return new if self._earlier is None else np.concatenate([self._earlier.losses, new])
+
+    def result(self) -> Result | None:
+        """The best lens so far; None before the first snapshot."""
+        if self._best is None or self._last is None:
+            return None
+        return Result(
+            control_points=self._best.control_points,
+            irradiance=self._best.irradiance,
+            losses=self.losses(),
+            loss=self._best.loss,
+            seconds=self._last.seconds + (self._earlier.seconds if self._earlier else 0.0),
+            ledger=self._best.ledger,
+        )

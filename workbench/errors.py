@@ -1,0 +1,23 @@
+"""The two ways in which the engine says no."""
+
+
+class Refused(Exception):
+    """Input that cannot be used, said in one sentence.
+
+    Parameters
+    ----------
+    path : str
+        What is refused: a field of the scene (``lens.control_points[0]``) or a file.
+    reason : str
+        The offending value, what is wrong with it and what is allowed.
+    """
+
+    # Not a ValueError: pydantic would wrap it and lose the path.
+    def __init__(self, path: str, reason: str) -> None:
+        super().__init__(f"{path}: {reason}")
+        self.path = path
+        self.reason = reason
+
+
+class RunFailed(Exception):
+    """A design run that cannot go on, said in one sentence."""

@@ -1,0 +1,1 @@
+"""Where the light goes: source, refraction, screen, irradiance, and an account of all flux."""

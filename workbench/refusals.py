@@ -1,0 +1,120 @@
+"""Turns pydantic's validation errors into one-sentence refusals."""
+
+from typing import Any, get_args
+
+from pydantic import BaseModel, Discriminator, ValidationError
+from pydantic_core import ErrorDetails
+
+from workbench.errors import Refused
+
+# What is wrong, by pydantic's error type; {x} are the values pydantic reports with it.
+_SENTENCES = {
+    "missing": "missing; it is required",
+    "greater_than": "{input} is too small; must be greater than {gt:g}",
+    "greater_than_equal": "{input} is too small; at least {ge:g}",
+    "less_than": "{input} is too large; must be less than {lt:g}",
+    "less_than_equal": "{input} is too large; at most {le:g}",
+    "literal_error": "{input} is not available; allowed: {expected}",
+    "finite_number": "{input} is not finite; a finite number is needed",
+    "float_type": "{input} is not a number; a number is needed",
+    "int_type": "{input} is not a whole number; a whole number is needed",
+    "int_from_float": "{input} is not a whole number; a whole number is needed",
+    "bool_type": "{input} is neither true nor false; true or false is needed",
+    "string_type": "{input} is not text; text is needed",
+    "string_too_short": "{input} is empty; some text is needed",
+    "tuple_type": "{input} is not a list; a list of two is needed",
+    "model_type": "{input} is not an object; an object with named fields is needed",
+    "model_attributes_type": "{input} is not an object; an object with named fields is needed",
+}
+
+
+def told_by(field: str, *tags: str, otherwise: str) -> Discriminator:
+    """Choose a member of a union by the value of ``field``, or ``otherwise`` where it is left out."""
+
+    def tag(value: object) -> str:
+        given = value.get(field) if isinstance(value, dict) else getattr(value, field, None)
+        return otherwise if given is None else str(given)
+
+    return Discriminator(
+        tag,
+        custom_error_type="unknown_kind",
+        custom_error_message="unknown {field}",
+        custom_error_context={"field": field, "allowed": ", ".join(map(repr, tags))},
+    )
+
+
+def refusal(error: ValidationError, model: type[BaseModel]) -> Refused:
+    """Describe the first thing that is wrong.
+
+    Parameters
+    ----------
+    error : pydantic.ValidationError
+        What validation found.
+    model : type[pydantic.BaseModel]
+        The model that was asked for.
+
+    Returns
+    -------
+    Refused
+        With the path of the field, the value and what is allowed.
+    """
+    details = error.errors(include_url=False)[0]
+    path, fields = _follow(details["loc"], model)
+    if details["type"] == "unknown_kind":
+        path += "." + details["ctx"]["field"]
+    return Refused(path or "scene", _sentence(details, fields))
+
+
+def _follow(location: tuple[int | str, ...], model: type[BaseModel]) -> tuple[str, list[str]]:
+    """Path as a person writes it, without union tags, and the fields known beside its last step."""
+    path = ""
+    candidates = [model]
+    fields = list(model.model_fields)
+    for step in location:
+        if isinstance(step, int):
+            path += f"[{step}]"
+            continue
+        tagged = [c for c in candidates if _has_tag(c, step)]
+        if tagged and len(candidates) > 1:
+            candidates = tagged
+            continue
+        path += f".{step}" if path else step
+        fields = sorted({name for c in candidates for name in c.model_fields})
+        annotations = [c.model_fields[step].annotation for c in candidates if step in c.model_fields]
+        candidates = [m for a in annotations for m in _models(a)]
+    return path, fields
+
+
+def _has_tag(model: type[BaseModel], tag: str) -> bool:
+    defaults = [field.default for field in model.model_fields.values()]
+    return tag in defaults or tag in model.model_fields  # `image` is told by its field alone
+
+
+def _models(annotation: object) -> list[type[BaseModel]]:
+    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
+        return [annotation]
+    return [model for part in get_args(annotation) for model in _models(part)]
+
+
+def _sentence(details: ErrorDetails, fields: list[str]) -> str:
+    kind = details["type"]
+    value = _shown(details["input"])
+    context: dict[str, Any] = details.get("ctx", {})
+    if kind == "json_invalid":
+        return f"not valid JSON: {context.get('error', '')}"
+    if kind == "extra_forbidden":
+        return f"unknown field; known here: {', '.join(fields)}"
+    if kind == "unknown_kind":
+        given = details["input"].get(context["field"])
+        return f"{_shown(given)} is not available; allowed: {context['allowed']}"
+    if kind in ("too_short", "too_long"):
+        return f"{context['actual_length']} values given; exactly 2 are needed"
+    if kind in _SENTENCES:
+        return _SENTENCES[kind].format(**{**context, "input": value})
+    message = details["msg"]
+    return f"{value}: {message[:1].lower()}{message[1:]}"
+
+
+def _shown(value: object) -> str:
+    text = repr(value)
+    return text if len(text) <= 60 else text[:57] + "..."
