@@ -7,7 +7,7 @@ possible: whatever cannot be built, traced or made is refused here, with the pat
 import json
 import math
 from collections.abc import Callable
-from typing import Annotated, Any, Literal, Self, TypeVar
+from typing import Annotated, Any, Literal, Self
 
 import numpy as np
 import numpy.typing as npt
@@ -31,9 +31,6 @@ Degree = Annotated[int, Field(ge=1, le=7)]
 NetSize = Annotated[int, Field(ge=2, le=1024)]
 RayCount = Annotated[int, Field(ge=1, le=4096)]
 PixelCount = Annotated[int, Field(ge=1, le=4096)]
-
-Coordinate = TypeVar("Coordinate")
-
 
 class Part(BaseModel):
     """A frozen part of the scene that refuses unknown fields and loose types."""
@@ -78,7 +75,8 @@ class SphereBase(Part):
         return min(rim, self.height), max(rim, self.height)
 
 
-Base = Annotated[
+Base = FlatBase | SphereBase
+_BaseField = Annotated[
     Annotated[FlatBase, Tag("flat")] | Annotated[SphereBase, Tag("sphere")],
     told_by("shape", "flat", "sphere", otherwise="flat"),
 ]
@@ -102,7 +100,7 @@ class Lens(Part):
     wavelength_um: Positive | None = None
     degree: tuple[Degree, Degree] = (3, 3)
     control_points: tuple[NetSize, NetSize]
-    base: Base = Field(
+    base: _BaseField = Field(
         default_factory=lambda data: FlatBase(
             height=data.get("entrance_z", 0.0) + _relative(0.5)(data)
         )
@@ -181,7 +179,7 @@ class Screen(Part):
     half_width: tuple[Positive, Positive]
     pixels: tuple[PixelCount, PixelCount]
 
-    def to_pixels(self, x: Coordinate, y: Coordinate) -> tuple[Coordinate, Coordinate]:
+    def to_pixels(self, x: Any, y: Any) -> tuple[Any, Any]:
         """Continuous image coordinates (column, row) of points on the screen.
 
         Pixel (row i, column j) covers [j, j+1) × [i, i+1). Row 0 is at +y and column 0 at −x.
@@ -193,7 +191,7 @@ class Screen(Part):
             Position on the screen, scene units.
         """
         (r_x, r_y), (n_x, n_y) = self.half_width, self.pixels
-        return (x + r_x) * (n_x / (2 * r_x)), (r_y - y) * (n_y / (2 * r_y))  # type: ignore[operator]
+        return (x + r_x) * (n_x / (2 * r_x)), (r_y - y) * (n_y / (2 * r_y))
 
     @property
     def pixel_area(self) -> float:
@@ -212,7 +210,7 @@ class GaussianFilter(Part):
 
     kind: Literal["gaussian"] = "gaussian"
     size: tuple[Annotated[int, Field(ge=1, le=99)], Annotated[int, Field(ge=1, le=99)]] = (3, 3)
-    alpha: Positive = 1.0
+    alpha: Annotated[float, Field(ge=1e-6, le=1e6)] = 1.0
 
     @model_validator(mode="after")
     def _odd(self) -> Self:
@@ -222,7 +220,8 @@ class GaussianFilter(Part):
         return self
 
 
-Filter = Annotated[
+Filter = GaussianFilter | BoxFilter
+_FilterField = Annotated[
     Annotated[GaussianFilter, Tag("gaussian")] | Annotated[BoxFilter, Tag("box")],
     told_by("kind", "gaussian", "box", otherwise="gaussian"),
 ]
@@ -267,7 +266,8 @@ class BallTarget(Finish):
     radius: Annotated[float, Field(gt=0, le=1)] = 0.8
 
 
-Target = Annotated[
+Target = ImageTarget | TopHatTarget | FlameTarget | BallTarget
+_TargetField = Annotated[
     Annotated[ImageTarget, Tag("image")]
     | Annotated[TopHatTarget, Tag("tophat")]
     | Annotated[FlameTarget, Tag("flame")]
@@ -299,7 +299,8 @@ class PaperRun(RunSettings):
     learning_rate: Positive = 1e-3
 
 
-Run = Annotated[
+Run = AutoRun | PaperRun
+_RunField = Annotated[
     Annotated[AutoRun, Tag("auto")] | Annotated[PaperRun, Tag("paper")],
     told_by("method", "auto", "paper", otherwise="auto"),
 ]
@@ -314,9 +315,9 @@ class Scene(Part):
     lens: Lens
     source: CollimatedSource
     screen: Screen
-    filter: Filter = GaussianFilter()
-    target: Target
-    run: Run = AutoRun()
+    filter: _FilterField = GaussianFilter()
+    target: _TargetField
+    run: _RunField = AutoRun()
 
     @model_validator(mode="after")
     def _screen_clears_the_lens(self) -> Self:

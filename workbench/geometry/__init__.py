@@ -1,0 +1,1 @@
+"""B-spline basis, knots, surface evaluation and knot insertion."""

@@ -1,0 +1,78 @@
+"""Values and derivatives of B-spline basis functions."""
+
+import numpy as np
+import numpy.typing as npt
+
+Array = npt.NDArray[np.float64]
+Indices = npt.NDArray[np.intp]
+
+
+def local_basis(knots: Array, degree: int, u: Array, derivative: int = 0) -> tuple[Indices, Array]:
+    """The ``degree + 1`` basis functions that do not vanish at each u.
+
+    Parameters
+    ----------
+    knots : ndarray, shape (count + degree + 1,)
+        Clamped knot vector on [0, 1].
+    degree : int
+        Polynomial degree p.
+    u : ndarray, shape (m,)
+        Parameters in [0, 1]; u = 1 belongs to the last span.
+    derivative : int
+        Order of the derivative with respect to u.
+
+    Returns
+    -------
+    first : ndarray of int, shape (m,)
+        Index of the first of these functions.
+    values : ndarray, shape (m, degree + 1)
+        Their values, or those of their derivatives.
+
+    Notes
+    -----
+    Cox-de Boor (The NURBS Book, eq. 2.5) and its derivative (eq. 2.7); 0/0 counts as 0.
+    """
+    count = len(knots) - degree - 1
+    span = degree + np.searchsorted(knots[degree + 1 : count], u, side="right")
+    return span - degree, _nonzero(knots, degree, u, span, derivative)
+
+
+def _nonzero(knots: Array, degree: int, u: Array, span: Indices, derivative: int) -> Array:
+    """Functions ``span - degree`` to ``span`` of the given degree, at each u."""
+    if derivative > degree:
+        return np.zeros((len(u), degree + 1))
+    if degree == 0:
+        return np.ones((len(u), 1))
+    lower = _nonzero(knots, degree - 1, u, span, max(derivative - 1, 0))
+    # Function i of degree p has the support [knots[i], knots[i + p + 1]] and comes from the
+    # functions i and i + 1 of degree p - 1, whose supports end at knots[i + p] and begin at
+    # knots[i + 1]. Of these only span - p + 1 ... span are not zero.
+    index = span[:, None] - degree + 1 + np.arange(degree)
+    left, right = knots[index], knots[index + degree]
+    share = lower / (right - left)  # never 0: the span lies within each support
+    values = np.zeros((len(u), degree + 1))
+    if derivative > 0:
+        values[:, 1:] += degree * share
+        values[:, :-1] -= degree * share
+    else:
+        values[:, 1:] += (u[:, None] - left) * share
+        values[:, :-1] += (right - u[:, None]) * share
+    return values
+
+
+def basis_matrix(knots: Array, degree: int, u: Array, derivative: int = 0) -> Array:
+    """All basis functions at each u, as a matrix that turns control values into spline values.
+
+    Parameters
+    ----------
+    knots, degree, u, derivative
+        As for `local_basis`.
+
+    Returns
+    -------
+    ndarray, shape (m, count)
+    """
+    first, values = local_basis(knots, degree, u, derivative)
+    matrix = np.zeros((len(u), len(knots) - degree - 1))
+    np.put_along_axis(matrix, first[:, None] + np.arange(degree + 1), values, axis=1)
+    return matrix

@@ -1,0 +1,198 @@
+"""The exit face: a tensor-product B-spline whose x and y are linear in u and v."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, Generic, TypeVar
+
+import numpy as np
+import numpy.typing as npt
+
+from workbench.geometry.basis import basis_matrix, local_basis
+from workbench.geometry.knots import clamped_knots, greville, insertion_matrix
+from workbench.scene import Lens
+
+if TYPE_CHECKING:
+    import torch
+
+Array = npt.NDArray[np.float64]
+# Evaluation is indexing and matrix products alone, so arrays and tensors go the same way.
+AnyArray = TypeVar("AnyArray", npt.NDArray[np.float64], "torch.Tensor")
+
+
+@dataclass(frozen=True)
+class GridBasis(Generic[AnyArray]):
+    """Basis values on a tensor grid; evaluation is two small matrix products.
+
+    Attributes
+    ----------
+    along_x, slope_x : array, shape (m_x, n_u)
+        Basis functions and their derivatives with respect to x.
+    along_y, slope_y : array, shape (n_v, m_y)
+        The same along y, transposed.
+    """
+
+    along_x: AnyArray
+    slope_x: AnyArray
+    along_y: AnyArray
+    slope_y: AnyArray
+
+    def evaluate(self, heights: AnyArray) -> tuple[AnyArray, AnyArray, AnyArray]:
+        """Height and slopes dz/dx, dz/dy on the grid.
+
+        Parameters
+        ----------
+        heights : array, shape (n_u, n_v)
+            Control heights.
+
+        Returns
+        -------
+        tuple of three arrays, shape (m_x, m_y)
+        """
+        by_row = self.along_x @ heights
+        return by_row @ self.along_y, self.slope_x @ heights @ self.along_y, by_row @ self.slope_y
+
+
+@dataclass(frozen=True)
+class PointBasis(Generic[AnyArray]):
+    """Basis values at scattered points.
+
+    Attributes
+    ----------
+    index_x : integer array, shape (m, p + 1)
+        Control points along x that matter at each point.
+    index_y : integer array, shape (m, q + 1)
+        The same along y.
+    along_x, slope_x : array, shape (m, p + 1)
+        Their basis functions and the derivatives with respect to x.
+    along_y, slope_y : array, shape (m, q + 1)
+        The same along y.
+    """
+
+    index_x: AnyArray
+    index_y: AnyArray
+    along_x: AnyArray
+    slope_x: AnyArray
+    along_y: AnyArray
+    slope_y: AnyArray
+
+    def evaluate(self, heights: AnyArray) -> tuple[AnyArray, AnyArray, AnyArray]:
+        """Height and slopes dz/dx, dz/dy at the points, each of shape (m,)."""
+        near = heights[self.index_x[:, :, None], self.index_y[:, None, :]]  # [m, p+1, q+1]
+        by_row = (near * self.along_y[:, None, :]).sum(2)  # [m, p+1]
+        slope_row = (near * self.slope_y[:, None, :]).sum(2)
+        return (
+            (by_row * self.along_x).sum(1),
+            (by_row * self.slope_x).sum(1),
+            (slope_row * self.along_x).sum(1),
+        )
+
+
+@dataclass(frozen=True)
+class ControlNet:
+    """The B-spline space of an exit face: all that is known of it but the heights.
+
+    Attributes
+    ----------
+    shape : tuple[int, int]
+        Numbers of control points (n_u, n_v).
+    degree : tuple[int, int]
+        Polynomial degrees (p, q).
+    half_width : tuple[float, float]
+        Half-widths (r_x, r_y) of the aperture, scene units.
+    """
+
+    shape: tuple[int, int]
+    degree: tuple[int, int]
+    half_width: tuple[float, float]
+
+    @classmethod
+    def of(cls, lens: Lens) -> "ControlNet":
+        """The net that a lens asks for."""
+        return cls(lens.control_points, lens.degree, lens.half_width)
+
+    @cached_property
+    def knots(self) -> tuple[Array, Array]:
+        """Knot vectors along u and v."""
+        return (
+            clamped_knots(self.shape[0], self.degree[0]),
+            clamped_knots(self.shape[1], self.degree[1]),
+        )
+
+    @cached_property
+    def positions(self) -> tuple[Array, Array]:
+        """x (n_u,) and y (n_v,) of the control points (de Koning et al. 2023, eq. 13)."""
+        u, v = (greville(knots, p) for knots, p in zip(self.knots, self.degree, strict=True))
+        return (2 * u - 1) * self.half_width[0], (2 * v - 1) * self.half_width[1]
+
+    def grid(self, u: Array, v: Array) -> GridBasis[Array]:
+        """Basis values on the tensor grid of parameters u (m_x,) and v (m_y,) in [0, 1]."""
+        (along_x, slope_x), (along_y, slope_y) = self._axes(u, v)
+        return GridBasis(along_x, slope_x, along_y.T, slope_y.T)
+
+    def _axes(self, u: Array, v: Array) -> list[tuple[Array, Array]]:
+        return [
+            (
+                basis_matrix(knots, degree, t),
+                basis_matrix(knots, degree, t, derivative=1) / (2 * r),
+            )
+            for knots, degree, r, t in zip(
+                self.knots, self.degree, self.half_width, (u, v), strict=True
+            )
+        ]
+
+    def points(self, u: Array, v: Array) -> PointBasis[Any]:
+        """Basis values at the points (u[k], v[k]), parameters in [0, 1]."""
+        parts: list[tuple[Any, Array, Array]] = []
+        for knots, degree, r, t in zip(
+            self.knots, self.degree, self.half_width, (u, v), strict=True
+        ):
+            first, values = local_basis(knots, degree, t)
+            slopes = local_basis(knots, degree, t, derivative=1)[1] / (2 * r)
+            parts.append((first[:, None] + np.arange(degree + 1), values, slopes))
+        (index_x, along_x, slope_x), (index_y, along_y, slope_y) = parts
+        return PointBasis(index_x, index_y, along_x, slope_x, along_y, slope_y)
+
+    def refine(self, heights: Array, finer: "ControlNet") -> Array:
+        """The same surface on a finer net, exactly.
+
+        Parameters
+        ----------
+        heights : ndarray, shape (n_u, n_v)
+            Control heights on this net.
+        finer : ControlNet
+            A net whose knots contain this net's.
+
+        Raises
+        ------
+        ValueError
+            If the knots of ``finer`` do not contain this net's.
+        """
+        into_u, into_v = (
+            insertion_matrix(old, new, p)
+            for old, new, p in zip(self.knots, finer.knots, self.degree, strict=True)
+        )
+        return np.asarray(into_u @ heights @ into_v.T)
+
+
+def sample_surface(lens: Lens, control_points: Array, count: tuple[int, int]) -> Array:
+    """Points of the exit face on a regular grid that includes the rim.
+
+    Parameters
+    ----------
+    lens : Lens
+        The lens.
+    control_points : ndarray, shape (n_u, n_v)
+        Control heights, scene units.
+    count : tuple[int, int]
+        Numbers of points along x and y.
+
+    Returns
+    -------
+    ndarray, shape (count_x, count_y, 3)
+        Scene units.
+    """
+    u, v = np.linspace(0, 1, count[0]), np.linspace(0, 1, count[1])
+    z, _, _ = ControlNet.of(lens).grid(u, v).evaluate(control_points)
+    x = (2 * u - 1) * lens.half_width[0]
+    y = (2 * v - 1) * lens.half_width[1]
+    return np.stack(np.broadcast_arrays(x[:, None], y[None, :], z), axis=-1)

@@ -1,0 +1,81 @@
+"""Refraction and reflection at one face. A vector is a tuple of three tensors."""
+
+from typing import NamedTuple
+
+import torch
+from torch import Tensor
+
+Vector = tuple[Tensor, Tensor, Tensor]
+
+
+class Refracted(NamedTuple):
+    """What happens to rays at a face.
+
+    Attributes
+    ----------
+    direction : tuple of three tensors
+        Unit directions of the refracted rays; of totally reflected ones a finite stand-in.
+    cos_in, cos_out : Tensor
+        Cosines of the angles of incidence and refraction; cos_out is 1 under total reflection.
+    passes : Tensor of bool
+        False where the ray is totally reflected.
+    """
+
+    direction: Vector
+    cos_in: Tensor
+    cos_out: Tensor
+    passes: Tensor
+
+
+def refract(direction: Vector, normal: Vector, ratio: float) -> Refracted:
+    """Vector form of Snell's law.
+
+    Parameters
+    ----------
+    direction : tuple of three tensors
+        Unit directions of the incoming rays.
+    normal : tuple of three tensors
+        Unit normals that point the way the light goes (positive product with ``direction``).
+    ratio : float
+        Refractive index before the face over that behind it.
+
+    Notes
+    -----
+    t = η d + (cos θ_t − η cos θ_i) N. The factor of N is taken as (1 − η²) / (cos θ_t + η cos θ_i),
+    the same number without the cancellation that costs all digits as η goes to 1.
+    """
+    (d_x, d_y, d_z), (n_x, n_y, n_z) = direction, normal
+    cos_in = d_x * n_x + d_y * n_y + d_z * n_z
+    cos_out, passes = root_where_positive(1 - ratio**2 * (1 - cos_in.square()))
+    along = (1 - ratio**2) / (cos_out + ratio * cos_in)
+    out = (ratio * d_x + along * n_x, ratio * d_y + along * n_y, ratio * d_z + along * n_z)
+    return Refracted(out, cos_in, cos_out, passes)
+
+
+def root_where_positive(square: Tensor) -> tuple[Tensor, Tensor]:
+    """Square root where a squared cosine is positive, and where that is.
+
+    Within rounding of the critical angle no light passes (its weight is 0 there), which keeps
+    the slope of the root finite; masked rays get the root 1 and with it no gradient.
+    """
+    positive = square > 16 * torch.finfo(square.dtype).eps
+    return torch.where(positive, square, 1.0).sqrt(), positive
+
+
+def schlick_transmittance(cos_thin: Tensor, index: float) -> Tensor:
+    """Part of the light that is refracted, by Schlick's approximation (1994, eq. 24).
+
+    Parameters
+    ----------
+    cos_thin : Tensor
+        Cosine of the angle in the optically thinner medium, the larger of the two angles.
+    index : float
+        Refractive index of the denser medium over that of the thinner.
+    """
+    grazing = 1 - cos_thin
+    return (1 - normal_reflectance(index)) * (1 - grazing.square().square() * grazing)
+
+
+def normal_reflectance(index: float) -> float:
+    """Part of the light that is reflected at normal incidence."""
+    return ((index - 1) / (index + 1)) ** 2
