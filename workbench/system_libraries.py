@@ -1,0 +1,91 @@
+"""The shared libraries that pip cannot bring, and the Debian package that brings each.
+
+Only the standard library is used here: this is asked before anything is installed.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import os
+import shutil
+import sys
+from collections.abc import Iterable, Sequence
+
+# What drawing without a window needs.
+OFF_SCREEN = (
+    # numba asks for this very file and falls back on threads that must not be used from two places.
+    ("libgomp.so.1.0.0", "libgomp1"),
+    # VTK opens these only when it draws, and then crashes when one is absent.
+    ("libGL.so.1", "libgl1"),
+    ("libEGL.so.1", "libegl1"),
+    ("libX11.so.6", "libx11-6"),
+    ("libXcursor.so.1", "libxcursor1"),
+)
+
+# What the window needs besides: Qt's libraries and its X11 plugin are linked to these.
+WINDOW = (
+    *OFF_SCREEN,
+    ("libglib-2.0.so.0", "libglib2.0-0"),
+    ("libdbus-1.so.3", "libdbus-1-3"),
+    ("libfontconfig.so.1", "libfontconfig1"),
+    ("libfreetype.so.6", "libfreetype6"),
+    ("libxkbcommon.so.0", "libxkbcommon0"),
+    ("libxkbcommon-x11.so.0", "libxkbcommon-x11-0"),
+    ("libX11-xcb.so.1", "libx11-xcb1"),
+    ("libxcb.so.1", "libxcb1"),
+    ("libxcb-cursor.so.0", "libxcb-cursor0"),
+    ("libxcb-glx.so.0", "libxcb-glx0"),
+    ("libxcb-icccm.so.4", "libxcb-icccm4"),
+    ("libxcb-image.so.0", "libxcb-image0"),
+    ("libxcb-keysyms.so.1", "libxcb-keysyms1"),
+    ("libxcb-randr.so.0", "libxcb-randr0"),
+    ("libxcb-render.so.0", "libxcb-render0"),
+    ("libxcb-render-util.so.0", "libxcb-render-util0"),
+    ("libxcb-shape.so.0", "libxcb-shape0"),
+    ("libxcb-shm.so.0", "libxcb-shm0"),
+    ("libxcb-sync.so.1", "libxcb-sync1"),
+    ("libxcb-util.so.1", "libxcb-util1"),
+    ("libxcb-xfixes.so.0", "libxcb-xfixes0"),
+    ("libxcb-xkb.so.1", "libxcb-xkb1"),
+)
+
+# What a window needs where there is no display: programs, not libraries.
+VIRTUAL_SCREEN = (("xvfb-run", "xvfb"), ("xauth", "xauth"))
+
+
+def missing(libraries: Iterable[tuple[str, str]] = WINDOW) -> list[tuple[str, str]]:
+    """Return the (library, Debian package) pairs that this machine cannot load.
+
+    Only Linux leaves these libraries to the system; elsewhere nothing is missing.
+    """
+    if sys.platform != "linux":
+        return []
+    return [(library, package) for library, package in libraries if not _loads(library)]
+
+
+def missing_programs(programs: Iterable[tuple[str, str]]) -> list[tuple[str, str]]:
+    """Return the (program, Debian package) pairs whose program is not on the search path."""
+    return [(program, package) for program, package in programs if not shutil.which(program)]
+
+
+def advice(missing: Sequence[tuple[str, str]]) -> str:
+    """Return the line that names what is missing and the command that brings it."""
+    names = ", ".join(name for name, _ in missing)
+    packages = " ".join(package for _, package in missing)
+    sudo = "" if os.geteuid() == 0 else "sudo "
+    return f"This machine lacks {names}; on Debian or Ubuntu type: {sudo}apt-get install {packages}"
+
+
+def has_display() -> bool:
+    """Tell whether a window can be shown: on Linux, whether the session names a display."""
+    if sys.platform != "linux":
+        return True
+    return bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
+
+
+def _loads(library: str) -> bool:
+    try:
+        ctypes.CDLL(library)
+    except OSError:
+        return False
+    return True
