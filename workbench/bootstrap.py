@@ -127,14 +127,7 @@ def _install(extra: str = "") -> None:
     if _run([sys.executable, "-m", "venv", VENV]) != 0:
         raise SetUpFailed(f"Making {VENV} failed; the reason is above.")
     project = f".[{extra}]" if extra else "."
-    pip: list[str | Path] = [
-        SCRIPTS / "python",
-        "-m",
-        "pip",
-        "--quiet",
-        "--disable-pip-version-check",
-    ]
-    if _run([*pip, "install", "--editable", project]) != 0:
+    if _run([SCRIPTS / "python", "-m", "pip", "install", "--quiet", "--editable", project]) != 0:
         raise SetUpFailed("Installing the Python packages failed; pip's reason is above.")
     STAMP.write_text("\n".join({_key(""), _key(extra)}) + "\n")
 
