@@ -1,0 +1,180 @@
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from PIL import Image
+
+from workbench.errors import Refused
+from workbench.scene import Scene
+from workbench.targets import load_target
+
+F = np.array(
+    [
+        [1, 1, 1, 1],
+        [1, 0, 0, 0],
+        [1, 1, 1, 0],
+        [1, 0, 0, 0],
+        [1, 0, 0, 0],
+    ]
+)
+
+
+def scene(target, pixels=(64, 64), half_width=(1.0, 1.0)):
+    return Scene.from_data(
+        {
+            "lens": {"half_width": [1, 1], "refractive_index": 1.5, "control_points": [8, 8]},
+            "source": {"kind": "collimated"},
+            "screen": {"z": 5, "half_width": half_width, "pixels": pixels},
+            "target": target,
+        }
+    )
+
+
+@pytest.fixture
+def load(tmp_path):
+    def load(picture, pixels=(64, 64), half_width=(1.0, 1.0), **finish):
+        np.save(tmp_path / "picture.npy", np.asarray(picture, dtype=float))
+        target = {"image": "picture.npy", **finish}
+        return load_target(scene(target, pixels, half_width), tmp_path)
+
+    return load
+
+
+def test_a_picture_that_fits_is_taken_pixel_by_pixel(load):
+    picture = np.random.default_rng(0).random((48, 64))
+    light = load(picture, pixels=(64, 48), half_width=(4.0, 3.0))
+    np.testing.assert_allclose(light, picture / picture.max(), atol=1e-13)
+
+
+def test_orientation_row_0_stays_on_top_and_column_0_on_the_left(load):
+    light = load(F, pixels=(8, 10), half_width=(4.0, 5.0))
+    np.testing.assert_allclose(light, np.kron(F, np.ones((2, 2))), atol=1e-13)
+    screen = scene({"builtin": "tophat"}, (8, 10), (4.0, 5.0)).screen
+    column, row = screen.to_pixels(3.5, 4.5)  # right end of the letter's top bar
+    assert light[int(row), int(column)] == 1
+    column, row = screen.to_pixels(3.5, -4.5)  # nothing at the letter's lower right
+    assert light[int(row), int(column)] == 0
+
+
+def test_orientation_of_an_image_file(tmp_path):
+    Image.fromarray((F * 255).astype(np.uint8)).save(tmp_path / "f.png")
+    light = load_target(scene({"image": "f.png"}, (4, 5), (4.0, 5.0)), tmp_path)
+    np.testing.assert_allclose(light, F, atol=1e-13)
+
+
+def test_an_absolute_path_needs_no_folder(tmp_path):
+    Image.fromarray((F * 255).astype(np.uint8)).save(tmp_path / "f.png")
+    wish = scene({"image": str(tmp_path / "f.png")}, (4, 5), (4.0, 5.0))
+    light = load_target(wish, Path("elsewhere"))
+    np.testing.assert_allclose(light, F, atol=1e-13)
+
+
+@pytest.mark.parametrize(
+    ("shape", "pixels", "half_width", "bright"),
+    [
+        ((10, 20), (64, 64), (1.0, 1.0), np.s_[16:48, :]),  # wide picture, square screen
+        ((20, 10), (64, 64), (1.0, 1.0), np.s_[:, 16:48]),
+        ((10, 10), (64, 64), (2.0, 1.0), np.s_[:, 16:48]),  # wide pixels
+        ((10, 10), (40, 80), (1.0, 1.0), np.s_[:, :]),  # tall pixels, square screen
+        ((3, 4), (100, 80), (4.0, 4.0), np.s_[10:70, :]),
+    ],
+)
+def test_aspect_is_kept_and_the_rest_is_black(load, shape, pixels, half_width, bright):
+    light = load(np.ones(shape), pixels, half_width)
+    expected = np.zeros(pixels[::-1])
+    expected[bright] = 1
+    np.testing.assert_allclose(light, expected, atol=1e-12)
+
+
+@given(
+    shape=st.tuples(st.integers(1, 30), st.integers(1, 30)),
+    pixels=st.tuples(st.integers(1, 40), st.integers(1, 40)),
+    half_width=st.tuples(st.floats(0.1, 10), st.floats(0.1, 10)),
+    padding=st.floats(0, 0.45),
+    seed=st.integers(0, 2**32 - 1),
+)
+def test_light_is_conserved(tmp_path_factory, shape, pixels, half_width, padding, seed):
+    picture = np.random.default_rng(seed).random(shape)
+    path = tmp_path_factory.getbasetemp() / "any.npy"
+    np.save(path, picture)
+    wish = scene({"image": str(path), "padding": padding}, pixels, half_width)
+    light = load_target(wish, path.parent)
+    inside = 1 - 2 * padding
+    side = 2 * inside * min(half_width[0] / shape[1], half_width[1] / shape[0])
+    flux = (picture / picture.max()).sum() * side**2
+    assert light.shape == pixels[::-1]
+    assert light.min() >= 0
+    assert light.max() <= 1 + 1e-12
+    assert light.sum() * wish.screen.pixel_area == pytest.approx(flux, rel=1e-9)
+
+
+def test_only_ratios_count(load):
+    np.testing.assert_allclose(load(F), load(1e300 * F), atol=1e-13)
+    np.testing.assert_allclose(load(F), load(1e-300 * F), atol=1e-13)
+
+
+def test_padding_leaves_a_black_border_on_every_side(load):
+    light = load(np.ones((5, 5)), pixels=(40, 40), padding=0.1)
+    expected = np.zeros((40, 40))
+    expected[4:36, 4:36] = 1
+    np.testing.assert_allclose(light, expected, atol=1e-12)
+
+
+def test_inversion_stays_within_the_picture(load):
+    light = load(F, pixels=(20, 20), half_width=(5.0, 5.0), invert=True)
+    expected = np.zeros((20, 20))
+    expected[:, 2:18] = np.kron(1 - F, np.ones((4, 4)))
+    np.testing.assert_allclose(light, expected, atol=1e-12)
+
+
+def test_a_built_in_shape_is_inverted_within_the_padding():
+    target = {"builtin": "tophat", "padding": 0.25}
+    disc = load_target(scene(target), Path())
+    inverted = load_target(scene({**target, "invert": True}), Path())
+    square = np.zeros((64, 64))
+    square[16:48, 16:48] = 1
+    np.testing.assert_allclose(disc + inverted, square, atol=1e-12)
+    assert disc.sum() / 64**2 == pytest.approx(np.pi * 0.3**2 / 4, rel=1e-5)
+
+
+@pytest.mark.parametrize("builtin", ["tophat", "flame", "ball"])
+def test_built_in_shapes_follow_the_screen(builtin):
+    light = load_target(scene({"builtin": builtin}, (80, 20), (2.0, 1.0)), Path())
+    assert light.shape == (20, 80)
+    assert light.max() > 0.9
+    assert light[:, :20].sum() == light[:, 60:].sum() == 0  # as high as the screen, not as wide
+
+
+def test_blur_spreads_light_and_loses_what_leaves_the_screen(load):
+    point = np.zeros((41, 41))
+    point[20, 20] = 1
+    light = load(point, pixels=(41, 41), blur=2.0)
+    offset = np.arange(41) - 20
+    variance = np.average(offset**2, weights=light.sum(axis=0))
+    assert light.sum() == pytest.approx(1)
+    assert variance == pytest.approx(4, rel=2e-3)
+    np.testing.assert_allclose(light, light.T, atol=1e-15)
+    corner = np.zeros((41, 41))
+    corner[0, 0] = 1
+    sampled = np.exp(-(np.arange(-8, 9) ** 2) / 8)
+    kept = sampled[8:].sum() / sampled.sum()
+    assert load(corner, pixels=(41, 41), blur=2.0).sum() == pytest.approx(kept**2)
+
+
+def test_black_picture_is_refused(load):
+    with pytest.raises(Refused, match=r"target\.image: .*picture\.npy' is black all over"):
+        load(np.zeros((3, 3)))
+    with pytest.raises(Refused, match=r"target\.image: .*black"):
+        load(np.zeros((3, 3)), invert=True)
+
+
+def test_uniform_picture_cannot_be_inverted(load):
+    with pytest.raises(Refused, match=r"target\.invert: .*picture\.npy.*black"):
+        load(np.full((3, 3), 0.3), invert=True)
+
+
+def test_a_shape_that_no_pixel_sees_is_refused():
+    with pytest.raises(Refused, match="target: is too small"):
+        load_target(scene({"builtin": "tophat", "radius": 1e-9}, (2, 2)), Path())

@@ -1,0 +1,231 @@
+import io
+import struct
+import zlib
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from workbench.errors import Refused
+from workbench.targets.image import LARGEST_SIDE, read_image
+
+LEVELS = np.array([[0, 50, 100, 150], [200, 255, 3, 7], [1, 2, 30, 90]], dtype=np.uint8)
+
+
+def saved(tmp_path, image, name, **options):
+    path = tmp_path / name
+    image.save(path, **options)
+    return path
+
+
+def refusal(path):
+    with pytest.raises(Refused) as caught:
+        read_image(path)
+    assert caught.value.path == "target.image"
+    assert str(path) in caught.value.reason
+    assert "\n" not in caught.value.reason
+    return caught.value.reason
+
+
+@pytest.mark.parametrize("name", ["a.png", "a.tif", "a.bmp", "a.gif", "a.pgm", "a.jp2", "a.PNG"])
+def test_grey_levels_are_linear_and_exact(tmp_path, name):
+    path = saved(tmp_path, Image.fromarray(LEVELS), name)
+    np.testing.assert_allclose(read_image(path), LEVELS / 255, atol=1e-15)
+
+
+def test_lossless_webp_and_tga(tmp_path):
+    grey = Image.fromarray(LEVELS)
+    path = saved(tmp_path, grey.convert("RGB"), "a.webp", lossless=True)
+    np.testing.assert_allclose(read_image(path), LEVELS / 255, atol=1e-15)
+    np.testing.assert_allclose(read_image(saved(tmp_path, grey, "a.tga")), LEVELS / 255)
+
+
+def test_jpeg_to_its_own_precision(tmp_path):
+    smooth = np.tile(np.linspace(20, 220, 32).astype(np.uint8), (32, 1))
+    path = saved(tmp_path, Image.fromarray(smooth), "a.jpg", quality=95)
+    np.testing.assert_allclose(read_image(path), smooth / 255, atol=3 / 255)
+
+
+def test_the_ending_of_a_picture_does_not_matter(tmp_path):
+    path = saved(tmp_path, Image.fromarray(LEVELS), "picture", format="PNG")
+    np.testing.assert_array_equal(read_image(path), LEVELS / 255)
+
+
+@pytest.mark.parametrize("ending", ["png", "tif"])
+def test_sixteen_bits_keep_their_precision(tmp_path, ending):
+    levels = np.array([[0, 1, 256], [257, 40001, 65535]], dtype=np.uint16)
+    read = read_image(saved(tmp_path, Image.fromarray(levels), f"a.{ending}"))
+    ratio = read / read.max()  # only ratios count
+    np.testing.assert_allclose(ratio, levels / 65535, rtol=1e-15)
+
+
+def test_float_tiff(tmp_path):
+    levels = np.array([[0.0, 0.25], [1e6, 3.0]], dtype=np.float32)
+    read = read_image(saved(tmp_path, Image.fromarray(levels), "a.tif"))
+    np.testing.assert_array_equal(read, levels)
+
+
+@pytest.mark.parametrize(
+    ("colour", "grey"),
+    [((255, 0, 0), 0.2126), ((0, 255, 0), 0.7152), ((0, 0, 255), 0.0722), ((51, 51, 51), 0.2)],
+)
+def test_colour_becomes_grey_by_rec_709(tmp_path, colour, grey):
+    image = Image.new("RGB", (3, 2), colour)
+    for picture in (image, image.quantize(4)):  # the second one has a palette
+        read = read_image(saved(tmp_path, picture, "a.png"))
+        np.testing.assert_allclose(read, np.full((2, 3), grey), rtol=1e-12)
+
+
+def test_transparency_lies_over_black(tmp_path):
+    rgba = np.full((2, 2, 4), 255, dtype=np.uint8)
+    rgba[..., 3] = [[0, 51], [102, 255]]
+    alpha = np.array([[0, 0.2], [0.4, 1]])
+    image = Image.fromarray(rgba)
+    np.testing.assert_allclose(read_image(saved(tmp_path, image, "a.png")), alpha, rtol=1e-12)
+    grey_alpha = saved(tmp_path, image.convert("LA"), "b.png")
+    np.testing.assert_allclose(read_image(grey_alpha), alpha, rtol=1e-12)
+
+
+def test_transparent_colour_of_a_palette_is_black(tmp_path):
+    image = Image.fromarray(np.array([[0, 1], [1, 0]], dtype=np.uint8)).convert("P")
+    image.putpalette([255, 255, 255, 255, 255, 255])
+    path = saved(tmp_path, image, "a.gif", transparency=1, optimize=False)
+    np.testing.assert_array_equal(read_image(path), [[1, 0], [0, 1]])
+
+
+def test_first_frame_counts(tmp_path):
+    frames = [Image.new("L", (4, 4), level) for level in (255, 0)]
+    path = tmp_path / "a.gif"
+    frames[0].save(path, save_all=True, append_images=frames[1:])
+    np.testing.assert_array_equal(read_image(path), np.ones((4, 4)))
+
+
+@pytest.mark.parametrize("name", ["a.tif", "a.png", "a.webp"])
+def test_orientation_in_the_file_is_honoured(tmp_path, name):
+    exif = Image.Exif()
+    exif[0x0112] = 6  # row 0 of the stored pixels is the right-hand side
+    path = saved(tmp_path, Image.fromarray(LEVELS), name, exif=exif, lossless=True)
+    np.testing.assert_allclose(read_image(path), np.rot90(LEVELS, -1) / 255, atol=1e-15)
+
+
+@pytest.mark.parametrize("dtype", ["u1", ">u2", "i8", "f2", "f4", ">f8", "?"])
+@pytest.mark.parametrize("order", ["C", "F"])
+def test_npy_holds_the_values_themselves(tmp_path, dtype, order):
+    levels = np.array([[0, 1, 1], [1, 0, 0]], dtype=dtype, order=order)
+    path = tmp_path / "a.npy"
+    np.save(path, levels)
+    read = read_image(path)
+    assert read.dtype == np.float64
+    np.testing.assert_array_equal(read, levels.astype(float))
+
+
+def test_npy_is_released_after_reading(tmp_path):
+    path = tmp_path / "a.npy"
+    np.save(path, np.ones((2, 2)))
+    read = read_image(path)
+    np.save(path, np.zeros((2, 2)))
+    np.testing.assert_array_equal(read, np.ones((2, 2)))
+
+
+@pytest.mark.parametrize(
+    ("array", "said"),
+    [
+        (np.array([[1.0, np.nan]]), "NaN"),
+        (np.array([[1.0, np.inf]]), "infinite"),
+        (np.array([[1.0, -0.5]]), "-0.5"),
+        (np.ones(3), "1 dimensions"),
+        (np.ones((2, 2, 3)), "3 dimensions"),
+        (np.ones((2, 0)), "0 × 2 pixels"),
+        (np.ones((2, 2), dtype=complex), "complex128"),
+        (np.array([["a", "b"]]), "<U1"),
+        (np.array([[{}, 1]], dtype=object), "not a whole .npy"),
+        (np.ones((1, LARGEST_SIDE + 1), dtype=bool), str(LARGEST_SIDE)),
+    ],
+)
+def test_unusable_arrays_are_refused(tmp_path, array, said):
+    path = tmp_path / "a.npy"
+    np.save(path, array, allow_pickle=True)
+    assert said in refusal(path)
+
+
+def test_forged_header_takes_no_memory(tmp_path):
+    path = tmp_path / "a.npy"
+    header = {"descr": "<f8", "fortran_order": False, "shape": (10**9, 10**9)}
+    with open(path, "wb") as file:
+        np.lib.format.write_array_header_1_0(file, header)
+    assert "not a whole .npy" in refusal(path)
+
+
+@pytest.mark.parametrize("content", [b"", b"no array", b"\x93NUMPY\x01\x00", b"PK\x03\x04"])
+def test_foreign_content_named_npy_is_refused(tmp_path, content):
+    path = tmp_path / "a.npy"
+    path.write_bytes(content)
+    refusal(path)
+
+
+def test_missing_file_and_folder_are_refused(tmp_path):
+    assert "not an existing file" in refusal(tmp_path / "missing.png")
+    assert "is a folder" in refusal(tmp_path)
+
+
+@pytest.mark.parametrize("ending", ["png", "npy"])
+def test_refusal_of_the_operating_system_is_passed_on(tmp_path, ending):
+    # A name that no file system takes stands for every error that the system may answer with.
+    assert "cannot be read: " in refusal(tmp_path / ("x" * 300 + "." + ending))
+
+
+@pytest.mark.parametrize("content", [b"", b"hello", b"%!PS-Adobe-3.0 EPSF-3.0\n", b"\x00" * 500])
+def test_other_files_are_refused(tmp_path, content):
+    path = tmp_path / "a.png"
+    path.write_bytes(content)
+    assert "not an image" in refusal(path)
+
+
+@pytest.mark.parametrize("kind", ["PNG", "JPEG", "TIFF", "BMP", "GIF", "WEBP", "PPM", "JPEG2000"])
+def test_half_a_file_is_refused(tmp_path, kind):
+    noise = np.random.default_rng(0).integers(0, 256, (64, 64), dtype=np.uint8)
+    buffer = io.BytesIO()
+    Image.fromarray(noise).save(buffer, kind)
+    whole = buffer.getvalue()
+    path = tmp_path / "a.img"
+    path.write_bytes(whole[: len(whole) // 2])
+    refusal(path)
+
+
+@pytest.mark.parametrize("kind", ["PNG", "JPEG", "TIFF", "BMP", "GIF", "WEBP", "PPM", "JPEG2000"])
+def test_damaged_files_are_read_or_refused(tmp_path, kind):
+    random = np.random.default_rng(1)
+    buffer = io.BytesIO()
+    Image.fromarray(random.integers(0, 256, (16, 16), dtype=np.uint8)).save(buffer, kind)
+    whole = np.frombuffer(buffer.getvalue(), dtype=np.uint8)
+    path = tmp_path / "a.img"
+    for _ in range(100):
+        damaged = whole.copy()
+        damaged[random.integers(0, min(len(whole), 300), 3)] = random.integers(0, 256, 3)
+        path.write_bytes(damaged.tobytes())
+        try:
+            read = read_image(path)
+        except Refused as refused:
+            assert refused.path == "target.image"
+        else:
+            assert read.ndim == 2
+            assert np.isfinite(read).all()
+            assert read.min() >= 0
+
+
+@pytest.mark.parametrize("size", [(LARGEST_SIDE + 1, 1), (12_000, 8_000), (60_000, 60_000)])
+def test_too_many_pixels_are_refused_before_they_are_decoded(tmp_path, size):
+    def chunk(name, data):
+        return (
+            struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
+        )
+
+    header = struct.pack(">IIBBBBB", *size, 8, 0, 0, 0, 0)
+    path = tmp_path / "bomb.png"
+    path.write_bytes(
+        b"\x89PNG\r\n\x1a\n"
+        + chunk(b"IHDR", header)
+        + chunk(b"IDAT", zlib.compress(bytes(1000)))
+        + chunk(b"IEND", b"")
+    )
+    assert str(LARGEST_SIDE) in refusal(path)

@@ -1,0 +1,5 @@
+"""The wish: an image of light on the screen's pixels."""
+
+from workbench.targets.prepare import load_target
+
+__all__ = ["load_target"]

@@ -1,0 +1,137 @@
+"""Reads an image file as brightness."""
+
+import warnings
+from pathlib import Path
+from typing import BinaryIO
+
+import numpy as np
+import numpy.typing as npt
+from PIL import Image, ImageOps, UnidentifiedImageError
+
+from workbench.errors import Refused
+
+Array = npt.NDArray[np.float64]
+
+LARGEST_SIDE = 8192
+"""Most rows or columns that are read; keeps a forged header from filling the memory."""
+
+# Named one by one because pillow knows formats that start other programs (EPS: Ghostscript).
+FORMATS = ("PNG", "JPEG", "TIFF", "BMP", "GIF", "WEBP", "PPM", "JPEG2000", "TGA")
+"""Image formats that are read, by pillow's names, besides .npy."""
+
+# Rec. 709 luminance weights, applied to the stored values: brightness is linear in these.
+_RED_GREEN_BLUE = np.array([0.2126, 0.7152, 0.0722])
+
+
+def read_image(path: Path) -> Array:
+    """Read an image file as grey values, linear in the stored pixel values.
+
+    Colour becomes grey by the Rec. 709 weights of the stored values, without undoing any gamma.
+    Transparency is laid over black. A 16-bit grey image keeps its precision (16-bit colour is
+    read with 8 bits); of several frames or pages the first counts; an orientation noted in the
+    file is honoured. A file that ends in ``.npy`` holds the grey values themselves.
+
+    Parameters
+    ----------
+    path : Path
+        Image file in one of `FORMATS`, or .npy with a 2-D array of numbers.
+
+    Returns
+    -------
+    ndarray, shape (rows, columns)
+        Finite values >= 0, row 0 at the top. 8-bit and 16-bit images span [0, 1].
+
+    Raises
+    ------
+    Refused
+        If the file is missing, not such an image, damaged, empty, larger than `LARGEST_SIDE`
+        on a side, or holds a negative or non-finite value.
+    """
+    try:
+        if path.is_dir():
+            raise _refused(path, "is a folder; an image file is needed")
+        if not path.is_file():
+            raise _refused(path, "is not an existing file; an image file is needed")
+        pixels = _read_npy(path) if path.suffix.lower() == ".npy" else _read_picture(path)
+    except OSError as error:
+        raise _refused(path, f"cannot be read: {error.strerror or error}") from error
+    if not np.isfinite(pixels).all():
+        raise _refused(path, "holds a value that is NaN or infinite; finite values are needed")
+    if pixels.min() < 0:
+        raise _refused(path, f"holds {pixels.min():g}; values of at least 0 are needed")
+    return pixels
+
+
+def _refused(path: Path, reason: str) -> Refused:
+    return Refused("target.image", f"'{path}' {reason}")
+
+
+def _check_size(path: Path, rows: int, columns: int) -> None:
+    if min(rows, columns) < 1:
+        raise _refused(path, f"has {columns} × {rows} pixels; at least one is needed")
+    if max(rows, columns) > LARGEST_SIDE:
+        raise _refused(
+            path, f"has {columns} × {rows} pixels; at most {LARGEST_SIDE} on a side are allowed"
+        )
+
+
+def _read_npy(path: Path) -> Array:
+    try:
+        # Mapped, not read: the shape is known before any memory is taken. Never unpickles.
+        stored = np.lib.format.open_memmap(path, mode="r")
+    except ValueError as error:
+        raise _refused(path, f"is not a whole .npy array of numbers: {error}") from error
+    if stored.ndim != 2:
+        raise _refused(path, f"has {stored.ndim} dimensions; 2 (rows, columns) are needed")
+    if stored.dtype.kind not in "buif":
+        raise _refused(path, f"holds values of type {stored.dtype}; real numbers are needed")
+    _check_size(path, *stored.shape)
+    with np.errstate(over="ignore"):  # too large for float64 becomes infinite, refused above
+        return np.array(stored, dtype=np.float64)
+
+
+def _read_picture(path: Path) -> Array:
+    # Given an open file, not its path: pillow would map an uncompressed TIFF and then garble one
+    # that is stored lying on its side.
+    with path.open("rb") as file:
+        return _decode(path, file)
+
+
+def _decode(path: Path, file: BinaryIO) -> Array:
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", UserWarning)  # damaged metadata do no harm
+            warnings.simplefilter("error", Image.DecompressionBombWarning)
+            with Image.open(file, formats=FORMATS) as image:
+                _check_size(path, image.height, image.width)
+                return _grey(ImageOps.exif_transpose(image))
+    except Refused:
+        raise
+    except UnidentifiedImageError as error:
+        known = ", ".join((*FORMATS, "NPY"))
+        raise _refused(path, f"is not an image that can be read; known: {known}") from error
+    except (Image.DecompressionBombError, Image.DecompressionBombWarning) as error:
+        raise _refused(
+            path, f"has too many pixels; at most {LARGEST_SIDE} on a side are allowed"
+        ) from error
+    except Exception as error:  # decoders raise whatever a damaged file makes them stumble over
+        raise _refused(path, f"is damaged or incomplete: {error}") from error
+
+
+def _grey(image: Image.Image) -> Array:
+    if image.mode.startswith("I;16"):
+        return np.asarray(image) / 65535.0
+    if image.mode in ("I", "F"):  # 32 bits a pixel
+        return np.asarray(image, dtype=np.float64)
+    if image.has_transparency_data:
+        image = image.convert("RGBA")
+        return _weighted(image.convert("RGB")) * (np.asarray(image.getchannel("A")) / 255.0)
+    if image.mode in ("1", "L"):
+        return np.asarray(image.convert("L")) / 255.0
+    return _weighted(image.convert("RGB"))
+
+
+def _weighted(image: Image.Image) -> Array:
+    # einsum converts the bytes in passing, without a float copy of the three channels
+    grey: Array = np.einsum("rcs,s->rc", np.asarray(image), _RED_GREEN_BLUE / 255.0)
+    return grey

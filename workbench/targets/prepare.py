@@ -1,0 +1,97 @@
+"""From the wish in the scene to light on the pixels of the screen."""
+
+from pathlib import Path
+
+import numpy as np
+import numpy.typing as npt
+from scipy.ndimage import gaussian_filter
+from scipy.sparse import csr_array
+
+from workbench.errors import Refused
+from workbench.scene import ImageTarget, Scene, Screen
+from workbench.targets.coverage import coverage
+from workbench.targets.image import read_image
+from workbench.targets.shapes import draw
+
+Array = npt.NDArray[np.float64]
+
+
+def load_target(scene: Scene, folder: Path) -> Array:
+    """Draw the wished image on the pixels of the screen.
+
+    The picture is fitted into the screen less the padding with its aspect kept, averaged over
+    the screen's pixels by area, and blurred; light that the blur carries off the screen is lost.
+    Inversion turns bright to dark within the picture and leaves the border around it black.
+    Only ratios count: the brightest value of the picture is taken as 1.
+
+    Parameters
+    ----------
+    scene : Scene
+        Its target and screen are used.
+    folder : Path
+        Where a relative image path starts.
+
+    Returns
+    -------
+    ndarray, shape (n_y, n_x)
+        Finite, >= 0 and not all zero; row 0 at +y, column 0 at −x.
+
+    Raises
+    ------
+    Refused
+        If the image file cannot be used or nothing is left that is bright.
+    """
+    target, screen = scene.target, scene.screen
+    inside = 1 - 2 * target.padding
+    half_x, half_y = (inside * half_width for half_width in screen.half_width)
+    if isinstance(target, ImageTarget):
+        picture = _bright_pixels(folder / target.image, target.invert)
+        rows, columns = picture.shape
+        scale = min(half_x / columns, half_y / rows)
+        light = _resample(picture, (scale * columns, scale * rows), screen)
+    else:
+        light = draw(target, screen, inside)
+        if target.invert:
+            frame = [(-half_x, -half_y), (half_x, -half_y), (half_x, half_y), (-half_x, half_y)]
+            light = np.maximum(coverage(frame, screen) - light, 0.0)
+    if not light.any():
+        raise Refused("target", "is too small to light any pixel of the screen; enlarge the shape")
+    blurred: Array = gaussian_filter(light, target.blur, mode="constant")
+    return blurred
+
+
+def _bright_pixels(path: Path, invert: bool) -> Array:
+    """Pixels of an image file scaled to a maximum of 1, inverted on request."""
+    picture = read_image(path)
+    if not picture.any():
+        raise Refused("target.image", f"'{path}' is black all over; some light is needed")
+    picture /= picture.max()
+    if invert:
+        np.subtract(1.0, picture, out=picture)
+        if not picture.any():
+            raise Refused(
+                "target.invert", f"true leaves '{path}', which is uniform, black all over"
+            )
+    return picture
+
+
+def _resample(picture: Array, half_width: tuple[float, float], screen: Screen) -> Array:
+    """Average a picture that spans ±half_width on the screen over the screen's pixels."""
+    half_x, half_y = half_width
+    left, top = screen.to_pixels(-half_x, half_y)
+    right, bottom = screen.to_pixels(half_x, -half_y)
+    rows, columns = picture.shape
+    down = _overlap(np.linspace(top, bottom, rows + 1), screen.pixels[1])  # [n_y, rows]
+    across = _overlap(np.linspace(left, right, columns + 1), screen.pixels[0])  # [n_x, columns]
+    light: Array = down @ picture @ across.T
+    return light
+
+
+def _overlap(edges: Array, count: int) -> csr_array:
+    """Which fraction of the unit cells 0..count-1 each of the cells between ``edges`` covers."""
+    cuts = np.union1d(edges, np.arange(count + 1))
+    cuts = cuts[(cuts >= max(edges[0], 0)) & (cuts <= min(edges[-1], count))]
+    start = cuts[:-1]
+    pixels = start.astype(int)
+    cells = np.searchsorted(edges, start, side="right") - 1
+    return csr_array((np.diff(cuts), (pixels, cells)), shape=(count, len(edges) - 1))

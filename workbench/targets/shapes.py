@@ -1,0 +1,163 @@
+"""The built-in targets, drawn as polygons with exact pixel coverage, centred on the screen."""
+
+from itertools import combinations
+
+import numpy as np
+import numpy.typing as npt
+
+from workbench.scene import BallTarget, FlameTarget, Screen, TopHatTarget
+from workbench.targets.coverage import coverage
+
+Array = npt.NDArray[np.float64]
+
+_CORNERS_OF_DISC = 1440
+_POINTS_PER_CURVE = 64
+
+# The flame: three tongues in a box of height 1 around the origin. Each is a closed chain of
+# cubic Bézier curves; of each curve the first point and the two handles are listed, its end is
+# the first point of the next.
+_TONGUES = (
+    (  # the middle one, leaning right and curling back at the tip
+        ((0.02, -0.30), (-0.16, -0.22), (-0.17, -0.05)),
+        ((-0.10, 0.06), (-0.03, 0.17), (0.09, 0.27)),
+        ((0.03, 0.50), (0.22, 0.36), (0.25, 0.18)),
+        ((0.13, 0.00), (0.07, -0.09), (0.06, -0.19)),
+    ),
+    (  # left, embracing it
+        ((-0.03, -0.50), (-0.34, -0.46), (-0.46, -0.12)),
+        ((-0.25, 0.16), (-0.22, 0.20), (-0.19, 0.25)),
+        ((-0.20, 0.34), (-0.07, 0.22), (-0.095, 0.12)),
+        ((-0.17, 0.02), (-0.32, -0.18), (-0.22, -0.38)),
+    ),
+    (  # right, embracing it
+        ((0.03, -0.50), (0.34, -0.46), (0.42, -0.16)),
+        ((0.30, 0.16), (0.30, 0.05), (0.26, -0.01)),
+        ((0.19, -0.11), (0.12, -0.21), (0.19, -0.36)),
+    ),
+)
+
+# The ball: light from the upper left, in front.
+_TOWARDS_LIGHT = np.array([-0.6, 0.7, 0.35])
+_DARKEST = 0.15
+
+
+def draw(target: TopHatTarget | FlameTarget | BallTarget, screen: Screen, scale: float) -> Array:
+    """Draw a built-in target.
+
+    Parameters
+    ----------
+    target : TopHatTarget, FlameTarget or BallTarget
+        Shape and its size relative to the smaller half-width of the screen.
+    screen : Screen
+        Pixel raster.
+    scale : float
+        Shrinks the shape about the centre, in (0, 1].
+
+    Returns
+    -------
+    ndarray, shape (n_y, n_x)
+        Values in [0, 1], row 0 at +y; black outside the shape.
+    """
+    unit = scale * min(screen.half_width)
+    match target:
+        case TopHatTarget():
+            return top_hat(screen, unit * target.radius)
+        case FlameTarget():
+            return flame(screen, 2 * unit * target.height)
+        case BallTarget():
+            return ball(screen, unit * target.radius)
+
+
+def top_hat(screen: Screen, radius: float) -> Array:
+    """Uniform disc; ``radius`` in scene units.
+
+    Returns
+    -------
+    ndarray, shape (n_y, n_x)
+        Fraction of each pixel inside the disc.
+    """
+    angle = 2 * np.pi * np.arange(_CORNERS_OF_DISC) / _CORNERS_OF_DISC
+    return coverage(radius * np.stack([np.cos(angle), np.sin(angle)], axis=1), screen)
+
+
+def flame(screen: Screen, height: float) -> Array:
+    """Logo of a flame with three curved tongues; ``height`` in scene units.
+
+    Returns
+    -------
+    ndarray, shape (n_y, n_x)
+        Fraction of each pixel inside the flame.
+    """
+    light = np.zeros(screen.pixels[::-1])
+    for tongue in _TONGUES:
+        light += coverage(height * _closed_curve(np.array(tongue)), screen)
+    return np.minimum(light, 1.0)  # past 1 by rounding only, the tongues do not overlap
+
+
+def ball(screen: Screen, radius: float) -> Array:
+    """Ball of flat triangular facets, each of one grey; ``radius`` in scene units.
+
+    Returns
+    -------
+    ndarray, shape (n_y, n_x)
+        Grey between 0.15 and 1 on the ball, linear in Lambert's cosine.
+    """
+    light = np.zeros(screen.pixels[::-1])
+    for facet, grey in zip(*_ball_facets(), strict=True):
+        light += grey * coverage(radius * facet, screen)
+    return light
+
+
+def _closed_curve(curves: Array) -> Array:
+    """Points along a closed chain of Bézier curves given as (start, handle, handle)."""
+    ends = np.roll(curves[:, :1], -1, axis=0)
+    control = np.concatenate([curves, ends], axis=1)  # [curve, 4, xy]
+    t = np.arange(_POINTS_PER_CURVE) / _POINTS_PER_CURVE
+    bernstein = np.stack([(1 - t) ** 3, 3 * t * (1 - t) ** 2, 3 * t**2 * (1 - t), t**3])
+    points: Array = np.einsum("bt,cbx->ctx", bernstein, control).reshape(-1, 2)
+    return points
+
+
+def _ball_facets() -> tuple[Array, Array]:
+    """Corners (x, y) of the facets that face the viewer, (n, 3, 2), and their greys, (n,)."""
+    facets = _geodesic_sphere() @ _turned().T
+    normals = np.cross(facets[:, 1] - facets[:, 0], facets[:, 2] - facets[:, 0])
+    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+    normals *= np.sign(np.sum(normals * facets[:, 0], axis=1, keepdims=True))  # outwards
+    # The ball is convex: the facets that face the viewer are those that are seen, whole.
+    seen = normals[:, 2] > 0
+    towards = _TOWARDS_LIGHT / np.linalg.norm(_TOWARDS_LIGHT)
+    cosine = normals[seen] @ towards
+    # Lambert's cosine, stretched over the facets that are seen: clipped at the terminator it
+    # would leave the whole shadow side one grey.
+    grey = _DARKEST + (1 - _DARKEST) * (cosine - cosine.min()) / np.ptp(cosine)
+    return facets[seen, :, :2], grey
+
+
+def _geodesic_sphere() -> Array:
+    """Facets of an icosahedron with every edge halved, corners on the unit sphere; (80, 3, 3)."""
+    golden = (1 + 5**0.5) / 2
+    signs = [(a, b) for a in (-1.0, 1.0) for b in (-golden, golden)]
+    corners = np.array([np.roll([0.0, a, b], k) for k in range(3) for a, b in signs])
+    edge = 2.0
+    faces = [
+        face
+        for face in map(np.array, combinations(corners, 3))
+        if np.allclose(np.linalg.norm(face - np.roll(face, 1, axis=0), axis=1), edge)
+    ]
+    facets = []
+    for a, b, c in faces:
+        ab, bc, ca = a + b, b + c, c + a
+        facets += [(a, ab, ca), (b, bc, ab), (c, ca, bc), (ab, bc, ca)]
+    sphere = np.array(facets)
+    unit: Array = sphere / np.linalg.norm(sphere, axis=2, keepdims=True)
+    return unit
+
+
+def _turned() -> Array:
+    """Rotation that shows the ball from no special side."""
+    a, b = np.deg2rad([17.0, 27.0])
+    about_x = np.array([[1, 0, 0], [0, np.cos(a), -np.sin(a)], [0, np.sin(a), np.cos(a)]])
+    about_y = np.array([[np.cos(b), 0, np.sin(b)], [0, 1, 0], [-np.sin(b), 0, np.cos(b)]])
+    rotation: Array = about_x @ about_y
+    return rotation
