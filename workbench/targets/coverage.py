@@ -1,5 +1,7 @@
 """How much of every screen pixel a polygon covers, exactly."""
 
+from collections.abc import Iterable
+
 import numpy as np
 import numpy.typing as npt
 
@@ -24,25 +26,46 @@ def coverage(outline: npt.ArrayLike, screen: Screen) -> Array:
     ndarray, shape (n_y, n_x)
         Values in [0, 1]; their sum times the pixel area is the polygon's area.
     """
-    n_x, n_y = screen.pixels
-    x, y = np.asarray(outline, dtype=np.float64).T
-    corners = np.stack(screen.to_pixels(x, y), axis=1)  # [n, (column, row)]
-    pieces = zip(corners, np.roll(corners, -1, axis=0), strict=True)
-    start, end = np.concatenate([_cut_at_pixel_edges(*edge) for edge in pieces]).swapaxes(0, 1)
+    return paint([(outline, 1.0)], screen)
 
-    # Green's theorem, row by row: a piece of the outline that descends by `drop` in one pixel
-    # adds `drop` to every pixel to its right, and to its own the part that lies right of it.
-    middle = (start + end) / 2
-    column = np.clip(np.floor(middle[:, 0]).astype(int), 0, n_x - 1)
-    row = np.clip(np.floor(middle[:, 1]).astype(int), 0, n_y - 1)
-    drop = end[:, 1] - start[:, 1]
-    left_part = middle[:, 0] - column
-    change = np.zeros((n_y, n_x + 1))
-    np.add.at(change, (row, column), drop * (1 - left_part))
-    np.add.at(change, (row, column + 1), drop * left_part)
-    # Rounded, so that what is wholly inside or outside is exactly 1 or 0.
-    covered: Array = np.abs(np.cumsum(change, axis=1)[:, :n_x]).round(12)
-    return covered
+
+def paint(polygons: Iterable[tuple[npt.ArrayLike, float]], screen: Screen) -> Array:
+    """Sum of polygons, each of one grey, averaged over the area of every pixel.
+
+    Parameters
+    ----------
+    polygons : iterable of (outline, grey)
+        Outlines as `coverage` takes them.
+    screen : Screen
+        Pixel raster.
+
+    Returns
+    -------
+    ndarray, shape (n_y, n_x)
+        Sum of grey × coverage.
+    """
+    n_x, n_y = screen.pixels
+    change = np.zeros((n_y, n_x + 1))  # from pixel to pixel along a row
+    for outline, grey in polygons:
+        x, y = np.asarray(outline, dtype=np.float64).T
+        corners = np.stack(screen.to_pixels(x, y), axis=1)  # [n, (column, row)]
+        edges = list(zip(corners, np.roll(corners, -1, axis=0), strict=True))
+        turning = np.sign(sum(a[0] * b[1] - a[1] * b[0] for a, b in edges))
+        start, end = np.concatenate([_cut_at_pixel_edges(a, b) for a, b in edges]).swapaxes(0, 1)
+
+        # Green's theorem, row by row: a piece of the outline that crosses some part of a row's
+        # height changes every pixel to its right by that part, and its own pixel by the share
+        # of it that lies to the right of the piece.
+        middle = (start + end) / 2
+        column = np.clip(np.floor(middle[:, 0]).astype(int), 0, n_x - 1)
+        row = np.clip(np.floor(middle[:, 1]).astype(int), 0, n_y - 1)
+        light = -turning * grey * (end[:, 1] - start[:, 1])
+        left_part = middle[:, 0] - column
+        np.add.at(change, (row, column), light * (1 - left_part))
+        np.add.at(change, (row, column + 1), light * left_part)
+    # Rounded, so that what is wholly inside or outside is exactly its grey or 0.
+    painted: Array = np.cumsum(change, axis=1)[:, :n_x].round(12)
+    return painted
 
 
 def _cut_at_pixel_edges(start: Array, end: Array) -> Array:

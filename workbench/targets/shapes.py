@@ -6,7 +6,7 @@ import numpy as np
 import numpy.typing as npt
 
 from workbench.scene import BallTarget, FlameTarget, Screen, TopHatTarget
-from workbench.targets.coverage import coverage
+from workbench.targets.coverage import coverage, paint
 
 Array = npt.NDArray[np.float64]
 
@@ -88,10 +88,7 @@ def flame(screen: Screen, height: float) -> Array:
     ndarray, shape (n_y, n_x)
         Fraction of each pixel inside the flame.
     """
-    light = np.zeros(screen.pixels[::-1])
-    for tongue in _TONGUES:
-        light += coverage(height * _closed_curve(np.array(tongue)), screen)
-    return np.minimum(light, 1.0)  # past 1 by rounding only, the tongues do not overlap
+    return paint(((height * _closed_curve(np.array(tongue)), 1.0) for tongue in _TONGUES), screen)
 
 
 def ball(screen: Screen, radius: float) -> Array:
@@ -102,10 +99,8 @@ def ball(screen: Screen, radius: float) -> Array:
     ndarray, shape (n_y, n_x)
         Grey between 0.15 and 1 on the ball, linear in Lambert's cosine.
     """
-    light = np.zeros(screen.pixels[::-1])
-    for facet, grey in zip(*_ball_facets(), strict=True):
-        light += grey * coverage(radius * facet, screen)
-    return light
+    facets, greys = _ball_facets()
+    return paint(zip(radius * facets, greys, strict=True), screen)
 
 
 def _closed_curve(curves: Array) -> Array:
