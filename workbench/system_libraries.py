@@ -77,10 +77,11 @@ def advice(missing: Sequence[tuple[str, str]]) -> str:
 
 
 def has_display() -> bool:
-    """Tell whether a window can be shown: on Linux, whether the session names a display."""
-    if sys.platform != "linux":
-        return True
-    return bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
+    """Tell whether a window can be shown: on Linux, whether the session names an X display.
+
+    A Wayland session names one too, for programs that, like VTK, draw through X.
+    """
+    return sys.platform != "linux" or bool(os.environ.get("DISPLAY"))
 
 
 def _loads(library: str) -> bool:
