@@ -1,0 +1,59 @@
+"""What the window is shown of a run: one snapshot, ready to draw."""
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+import numpy.typing as npt
+
+if TYPE_CHECKING:
+    from workbench.files.session import Session
+
+    from workbench.design.snapshot import Snapshot
+    from workbench.optics.paths import RayPaths
+
+Array = npt.NDArray[np.float64]
+
+_SURFACE_SAMPLES = (65, 65)
+_RAYS = (15, 15)
+
+
+@dataclass(frozen=True, eq=False)
+class Frame:
+    """A snapshot of a run and what has to be computed to draw it.
+
+    Attributes
+    ----------
+    session : Session
+        What is designed: scene and target of the snapshot.
+    snapshot : Snapshot
+        The lens and its image.
+    surface : ndarray, shape (m_u, m_v, 3)
+        Points of the exit face on a regular grid including its rim.
+    paths : RayPaths
+        A few rays from before the lens to the screen.
+    losses : ndarray, shape (k,)
+        Loss after each iteration so far, those of a continued run first.
+    """
+
+    session: "Session"
+    snapshot: "Snapshot"
+    surface: Array
+    paths: "RayPaths"
+    losses: Array
+
+
+def make_frame(session: "Session", snapshot: "Snapshot", losses: Array) -> Frame:
+    """Sample the surface and follow the rays of a snapshot; meant for the worker's thread."""
+    # Late: torch comes with it, and the window shows before that.
+    from workbench.geometry.surface import sample_surface
+    from workbench.optics.paths import ray_paths
+
+    scene, heights = session.scene, snapshot.control_points
+    return Frame(
+        session=session,
+        snapshot=snapshot,
+        surface=sample_surface(scene.lens, heights, _SURFACE_SAMPLES),
+        paths=ray_paths(scene, heights, _RAYS),
+        losses=losses,
+    )

@@ -1,0 +1,158 @@
+"""Runs designs in a thread of their own and shows the window what comes of them."""
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, QThread, QTimer, Signal, Slot
+
+from ui.worker import Generate, Job, Worker
+from workbench.design.snapshot import Result
+
+if TYPE_CHECKING:
+    from workbench.files.session import Session
+
+_FRAME_MS = 66  # 15 Hz
+
+
+class Runner(QObject):
+    """Owns the worker's thread; lives in the window's.
+
+    While a run is on, `preview` does nothing, since its frames are the lens as it stands. A
+    preview does not count as a run: the state stays "idle", and a run or another preview replaces
+    it. `pause`, `resume` and `stop` out of season do nothing, so that a second click is harmless.
+
+    Parameters
+    ----------
+    parent : QObject, optional
+        The owner.
+    generate : Callable, optional
+        Makes the snapshots of a run; `workbench.design.run.run` by default.
+
+    Attributes
+    ----------
+    state_changed : Signal(str)
+        "idle", "running", "paused" or "stopping".
+    frame_ready : Signal(Frame)
+        At most 15 times a second; the last frame of a run always.
+    finished : Signal(Result or None)
+        A run has ended, however it did, with the best lens so far; None where it had none yet.
+    failed : Signal(str)
+        Why a run or a preview could not go on; of a run, `finished` follows.
+    """
+
+    state_changed = Signal(str)
+    frame_ready = Signal(object)
+    finished = Signal(object)
+    failed = Signal(str)
+
+    _job_given = Signal(object)
+
+    def __init__(self, parent: QObject | None = None, generate: Generate | None = None) -> None:
+        super().__init__(parent)
+        self._generate = generate
+        self._state = "idle"
+        self._job: Job | None = None
+        self._thread: QThread | None = None
+        self._worker: Worker | None = None
+        self._timer = QTimer(self, interval=_FRAME_MS)
+        self._timer.timeout.connect(self._take_frame)
+
+    @property
+    def state(self) -> str:
+        """One of "idle", "running", "paused" and "stopping"."""
+        return self._state
+
+    def start(self, session: "Session", continue_run: bool) -> None:
+        """Begin a run.
+
+        Parameters
+        ----------
+        session : Session
+            What to design.
+        continue_run : bool
+            Go on from the session's result, if it has one.
+
+        Raises
+        ------
+        RuntimeError
+            If a run is on.
+        """
+        if self._state != "idle":
+            raise RuntimeError(f"cannot start a run while one is {self._state}")
+        self._give(Job(session, continue_run=continue_run))
+        self._set_state("running")
+
+    def preview(self, session: "Session") -> None:
+        """Show the lens as it stands: the stored result, or the lens before the first step."""
+        if self._state == "idle":
+            self._give(Job(session, preview=True))
+
+    def pause(self) -> None:
+        """Hold the run before its next iteration."""
+        if self._job is not None and self._state == "running":
+            self._job.gate.hold()
+            self._set_state("paused")
+
+    def resume(self) -> None:
+        """Let a paused run go on."""
+        if self._job is not None and self._state == "paused":
+            self._job.gate.release()
+            self._set_state("running")
+
+    def stop(self) -> None:
+        """End the run before its next iteration; `finished` tells when that is."""
+        if self._job is not None and self._state in ("running", "paused"):
+            self._job.gate.stop()
+            self._set_state("stopping")
+
+    def shutdown(self) -> None:
+        """Stop and wait for the thread; nothing is emitted about the run any more."""
+        self._drop_job()
+        if self._thread is not None:
+            self._thread.quit()
+            self._thread.wait()
+        self._thread = self._worker = None
+        self._set_state("idle")
+
+    def _give(self, job: Job) -> None:
+        self._drop_job()
+        if self._thread is None:
+            self._start_thread()
+        self._job = job
+        self._timer.start()
+        self._job_given.emit(job)
+
+    def _drop_job(self) -> None:
+        self._timer.stop()
+        if self._job is not None:
+            self._job.gate.stop()
+            self._job = None
+
+    def _start_thread(self) -> None:
+        self._thread = QThread()
+        self._worker = Worker(self._generate)
+        self._worker.moveToThread(self._thread)
+        self._worker.ended.connect(self._end)
+        self._job_given.connect(self._worker.work)
+        self._thread.start()
+
+    def _take_frame(self) -> None:
+        frame = None if self._job is None else self._job.mailbox.take()
+        if frame is not None:
+            self.frame_ready.emit(frame)
+
+    @Slot(object, object, str)
+    def _end(self, job: Job, result: Result | None, sentence: str) -> None:
+        if job is not self._job:  # replaced in the meantime
+            return
+        self._take_frame()
+        self._drop_job()
+        self._set_state("idle")
+        if sentence:
+            self.failed.emit(sentence)
+        if not job.preview:
+            self.finished.emit(result)
+
+    def _set_state(self, state: str) -> None:
+        if state != self._state:
+            self._state = state
+            self.state_changed.emit(state)

@@ -1,0 +1,44 @@
+"""A view with one matplotlib canvas."""
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtWidgets import QWidget
+
+from ui.views.canvas import Canvas
+from ui.views.view import View, look_alike
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from matplotlib.artist import Artist
+    from matplotlib.axes import Axes
+    from workbench.files.session import Session
+
+    from ui.frame import Frame
+
+
+class PlotView(View):
+    """Keeps a canvas, and on it a picture of one design."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._canvas = Canvas(self)
+        self._box.addWidget(self._canvas)
+        self._shown: Session | None = None
+
+    def _draw(self, session: "Session", frame: "Frame | None") -> None:
+        if self._shown is None or not look_alike(self._shown, session):
+            self._canvas.animate(self._begin(self._canvas.begin(), session))
+        self._shown = session
+        self._canvas.show_changes(frame is not None and self._change(frame))
+
+    def _recolour(self) -> None:
+        self._canvas.recolour()
+
+    def _begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
+        """Put an empty picture of a design on the axes; the artists that will change."""
+        raise NotImplementedError
+
+    def _change(self, frame: "Frame") -> bool:
+        """Bring the artists up to date; whether more than these changed."""
+        raise NotImplementedError

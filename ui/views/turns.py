@@ -1,0 +1,61 @@
+"""Whose turn it is to draw.
+
+1. Two views that draw in one turn of the event loop hold the window up twice as long. Here one
+   draws at a time, and the loop runs in between.
+2. A window that holds an OpenGL widget is composed anew, all of it, whenever any part of it
+   changes. What a view costs is therefore measured around a synchronous repaint, and after each
+   drawing everything rests for a multiple of its time: slow machines show fewer pictures instead
+   of a window that does not answer.
+"""
+
+from collections import OrderedDict
+from time import perf_counter
+from typing import Protocol
+
+from PySide6.QtCore import QCoreApplication, QObject, QTimer
+
+_REST = 1.5  # seconds of rest for each second of drawing
+
+
+class Drawer(Protocol):
+    """Something that draws when it is its turn."""
+
+    def take_turn(self) -> None:
+        """Draw now, if there is anything to draw that can be seen."""
+
+
+class Turns(QObject):
+    """A queue of those who wait for drawing."""
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
+        self._waiting: OrderedDict[int, Drawer] = OrderedDict()
+        self._timer = QTimer(self, singleShot=True)
+        self._timer.timeout.connect(self._next)
+
+    def ask(self, drawer: Drawer) -> None:
+        """Wait for a turn; asking again meanwhile changes nothing."""
+        self._waiting.setdefault(id(drawer), drawer)
+        if not self._timer.isActive():
+            self._timer.start(0)
+
+    def leave(self, drawer: Drawer) -> None:
+        """Wait no longer."""
+        self._waiting.pop(id(drawer), None)
+
+    def _next(self) -> None:
+        if not self._waiting:
+            return
+        began = perf_counter()
+        _, drawer = self._waiting.popitem(last=False)
+        drawer.take_turn()
+        spent = perf_counter() - began
+        self._timer.start(round(1000 * _REST * spent))
+
+
+def turns() -> Turns:
+    """The one queue of the application."""
+    application = QCoreApplication.instance()
+    assert application is not None
+    found = application.findChild(Turns)
+    return found if isinstance(found, Turns) else Turns(application)

@@ -1,0 +1,94 @@
+"""What all views have in common: they keep the latest and draw it when it can be seen."""
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QEvent
+from PySide6.QtGui import QHideEvent, QShowEvent
+from PySide6.QtWidgets import QVBoxLayout, QWidget
+
+from ui.views.turns import turns
+
+if TYPE_CHECKING:
+    from workbench.files.session import Session
+
+    from ui.frame import Frame
+
+
+class View(QWidget):
+    """Shows one aspect of the design.
+
+    A picture of another design replaces the old one with its first frame, which a preview brings
+    within moments; nothing flashes in between.
+    """
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._session: Session | None = None
+        self._frame: Frame | None = None
+        self._dated = False
+        self._box = QVBoxLayout(self)
+        self._box.setContentsMargins(0, 0, 0, 0)
+
+    def show_design(self, session: "Session") -> None:
+        """Take note of another scene or target."""
+        self._session = session
+        if self._frame is None:
+            self._ask()
+
+    def show_frame(self, frame: "Frame") -> None:
+        """Show a frame of a run or a preview."""
+        self._frame = frame
+        self._ask()
+
+    def take_turn(self) -> None:
+        """Draw now, if there is anything to draw that can be seen."""
+        if not self._dated or not self.isVisible() or self.window().isMinimized():
+            return
+        session = self._session if self._frame is None else self._frame.session
+        if session is not None:
+            self._dated = False
+            self._draw(session, self._frame)
+
+    def is_dark(self) -> bool:
+        """Whether text is brighter than its ground."""
+        palette = self.palette()
+        return palette.windowText().color().lightness() > palette.window().color().lightness()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Catch up with what came while hidden."""
+        super().showEvent(event)
+        if self._dated:
+            turns().ask(self)
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        """Give the turn to others."""
+        turns().leave(self)
+        super().hideEvent(event)
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Follow the palette between light and dark."""
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange:
+            self._recolour()
+            self._ask()
+
+    def _ask(self) -> None:
+        self._dated = True
+        if self.isVisible():
+            turns().ask(self)
+
+    def _draw(self, session: "Session", frame: "Frame | None") -> None:
+        """Bring the picture up to date and paint it before returning."""
+        raise NotImplementedError
+
+    def _recolour(self) -> None:
+        """Take colours from the palette."""
+        raise NotImplementedError
+
+
+def look_alike(one: "Session", other: "Session") -> bool:
+    """Whether pictures of both differ in nothing but the state of the run."""
+    if one is other:
+        return True
+    same = one.scene.model_copy(update={"run": other.scene.run}) == other.scene
+    return same and one.target is other.target

@@ -1,0 +1,178 @@
+"""The side of a run that lives in a thread of its own. No widget is touched from here.
+
+1. A job is complete in itself: session, gate, mailbox. Stopping or replacing one can neither hit
+   the next nor mix their frames.
+2. A frame is made only once the window has taken the last one: what nobody sees is not computed.
+   Before a pause and at the end of a run it is made in any case.
+3. A paused run waits at the gate's condition, which stopping wakes; it never polls.
+"""
+
+from collections.abc import Callable, Generator
+from dataclasses import dataclass, field
+from threading import Condition
+from typing import TYPE_CHECKING
+
+import numpy as np
+from PySide6.QtCore import QObject, Signal, Slot
+
+from ui.frame import Array, Frame, make_frame
+from ui.mailbox import Mailbox
+from workbench.design.snapshot import History, Result, Snapshot
+from workbench.errors import Refused, RunFailed
+
+if TYPE_CHECKING:
+    from workbench.files.session import Session
+
+    from workbench.scene import Scene
+
+Generate = Callable[["Scene", Array, Array | None], Generator[Snapshot, None, None]]
+
+
+class Gate:
+    """Lets a run through, holds it, or turns it away."""
+
+    def __init__(self) -> None:
+        self._changed = Condition()
+        self._held = False
+        self._stopped = False
+
+    @property
+    def held(self) -> bool:
+        """Whether the next pass has to wait."""
+        return self._held
+
+    @property
+    def stopped(self) -> bool:
+        """Whether the run has to end."""
+        return self._stopped
+
+    def hold(self) -> None:
+        """Make the next `passes` wait."""
+        with self._changed:
+            self._held = True
+
+    def release(self) -> None:
+        """Let a waiting run go on."""
+        with self._changed:
+            self._held = False
+            self._changed.notify_all()
+
+    def stop(self) -> None:
+        """Turn the run away at its next `passes`, also if it waits there now."""
+        with self._changed:
+            self._stopped = True
+            self._changed.notify_all()
+
+    def passes(self) -> bool:
+        """Wait while held; whether the run may go on."""
+        with self._changed:
+            self._changed.wait_for(lambda: self._stopped or not self._held)
+            return not self._stopped
+
+
+@dataclass(frozen=True, eq=False)
+class Job:
+    """One task for the worker.
+
+    Attributes
+    ----------
+    session : Session
+        What to design, or to show.
+    preview : bool
+        Show the lens as it stands and stop there.
+    continue_run : bool
+        Go on from the session's result.
+    """
+
+    session: "Session"
+    preview: bool = False
+    continue_run: bool = False
+    gate: Gate = field(default_factory=Gate)
+    mailbox: Mailbox[Frame] = field(default_factory=Mailbox)
+
+
+class Worker(QObject):
+    """Does jobs one after the other in the thread that it was moved to.
+
+    Parameters
+    ----------
+    generate : Callable, optional
+        Makes the snapshots of a run; `workbench.design.run.run` by default.
+    """
+
+    # The job; its result or None; a sentence that says what went wrong, or nothing.
+    ended = Signal(object, object, str)
+
+    def __init__(self, generate: Generate | None) -> None:
+        super().__init__()
+        self._generate = generate
+
+    @Slot(object)
+    def work(self, job: Job) -> None:
+        """Do a job and tell how it ended."""
+        history = History(job.session.result if job.continue_run else None)
+        sentence = ""
+        try:
+            if job.preview:
+                self._show(job)
+            else:
+                self._run(job, history)
+        except (Refused, RunFailed) as error:
+            sentence = str(error)
+        except Exception as error:
+            # A defect of the engine has to reach the person instead of ending the thread.
+            sentence = f"The run ended with an unexpected {type(error).__name__}: {error}"
+        self.ended.emit(job, history.result(), sentence)
+
+    def _run(self, job: Job, history: History) -> None:
+        gate, unseen = job.gate, None
+        snapshots = self._snapshots(job)
+        try:
+            for snapshot in snapshots:
+                history.add(snapshot)
+                unseen = snapshot
+                if gate.held or job.mailbox.empty:
+                    job.mailbox.put(make_frame(job.session, snapshot, history.losses()))
+                    unseen = None
+                if not gate.passes():
+                    break
+        finally:
+            snapshots.close()
+            if unseen is not None:
+                job.mailbox.put(make_frame(job.session, unseen, history.losses()))
+
+    def _show(self, job: Job) -> None:
+        result = job.session.result
+        if job.gate.stopped:
+            return
+        if result is not None:
+            snapshot, losses = _as_snapshot(result, job.session.scene.run.iterations), result.losses
+        else:
+            snapshots = self._snapshots(job)
+            try:
+                snapshot, losses = next(snapshots), np.zeros(0)
+            finally:
+                snapshots.close()
+        job.mailbox.put(make_frame(job.session, snapshot, losses))
+
+    def _snapshots(self, job: Job) -> Generator[Snapshot, None, None]:
+        generate = self._generate
+        if generate is None:
+            # Late: torch comes with it, and the window shows before that.
+            from workbench.design.run import run as generate
+        result = job.session.result
+        start = result.control_points if job.continue_run and result is not None else None
+        return generate(job.session.scene, job.session.target, start)
+
+
+def _as_snapshot(result: Result, iterations: int) -> Snapshot:
+    return Snapshot(
+        iteration=result.iterations,
+        iterations=max(iterations, result.iterations),
+        loss=result.loss,
+        control_points=result.control_points,
+        irradiance=result.irradiance,
+        ledger=result.ledger,
+        seconds=result.seconds,
+        best=True,
+    )

@@ -1,0 +1,264 @@
+"""The lens, its rays and the lit screen in three dimensions.
+
+Right-handed axes: z, the optical axis, runs to the right of the default view, y up. The camera
+stands beyond the exit face, so the screen is seen from behind and reads as its image does: x to
+the right, row 0 at the top.
+
+1. The camera projects in parallel: a screen fifty lens widths away is as easy to see as the lens.
+2. `LensPicture.update` moves points and repaints the texture of actors that stay. Adding them
+   again would cost ten times as much.
+3. Glass is drawn before rays and without depth peeling, which software OpenGL pays dearly for.
+4. Nothing here renders: when to draw is the caller's affair.
+"""
+
+import math
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import numpy.typing as npt
+import pyvista as pv
+from vtkmodules.vtkRenderingCore import vtkBillboardTextActor3D
+
+from workbench.pictures import shapes
+from workbench.pictures.images import full_scale, to_colours
+from workbench.scene import Scene
+
+if TYPE_CHECKING:
+    from workbench.optics.paths import RayPaths
+
+Array = npt.NDArray[np.float64]
+
+_NET_FIELDS = 8
+_BASE_SAMPLES = 33  # per axis, of the base that stands in until the first update
+_TEXTURE_PIXELS = 512  # per axis; more than a view shows
+_MARGIN = 1.12
+_GLASS = "#8fc1e8"
+_INK = {True: "#b4bcc8", False: "#475060"}  # by dark
+_GROUND = {True: ("#12151a", "#2a303a"), False: ("#dfe4eb", "#fcfdfe")}  # bottom and top
+_LANDS = {True: (255, 206, 110), False: (196, 122, 0)}  # light that reaches the screen
+_LOST = {True: (255, 90, 90), False: (200, 30, 30)}
+_AXES = (("x", "#dc5b57"), ("y", "#4caf50"), ("z", "#4a8fe0"))
+
+
+class LensPicture:
+    """Draws one scene on a plotter that the caller owns.
+
+    Parameters
+    ----------
+    plotter : pyvista.BasePlotter
+        Any empty plotter, off screen or in a window. Its background is set; its camera by `fit`.
+    scene : Scene
+        What is drawn; until the first `update` the exit face is the base.
+    target : ndarray, shape (n_y, n_x)
+        Wished image; the brightness of the screen is relative to it.
+    dark : bool
+        Light lines on a dark ground instead of the reverse.
+    """
+
+    def __init__(
+        self, plotter: Any, scene: Scene, target: npt.NDArray[Any], *, dark: bool = False
+    ) -> None:
+        self._plotter = plotter
+        self._scene = scene
+        self._full_scale = full_scale(scene, target)
+        self._dark = dark
+        self._lines: list[Any] = []
+        self._fitted: tuple[object, ...] = ()
+        self._add_lens()
+        self._add_screen()
+        self._add_axes()
+        self._rays = pv.PolyData(np.zeros((2, 3)), lines=[2, 0, 1])
+        self._rays.cell_data["colour"] = np.zeros((1, 4), dtype=np.uint8)
+        self._landing = np.zeros(1, dtype=bool)
+        self._weight = np.zeros(1)
+        self._add(self._rays, scalars="colour", rgba=True, line_width=1.0, lighting=False)
+        self.recolour(dark)
+
+    def update(self, surface: Array, paths: "RayPaths", irradiance: Array) -> None:
+        """Show another state of the same scene; the camera stays.
+
+        Parameters
+        ----------
+        surface : ndarray, shape (m_u, m_v, 3)
+            Points of the exit face on a regular grid including its rim.
+        paths : RayPaths
+            Rays from below the entrance face to the screen plane.
+        irradiance : ndarray, shape (n_y, n_x)
+            Flux per area on the screen, row 0 at +y.
+        """
+        self._place_lens(surface)
+        self._place_rays(paths)
+        self._paint_screen(irradiance)
+        self._plotter.renderer.ResetCameraClippingRange()
+
+    def fit(self) -> None:
+        """Turn the camera to the default three-quarter view and fit everything into it."""
+        corners, toward = space(self._scene), _view_direction(self._scene)
+        right = np.cross([0.0, 1.0, 0.0], toward)
+        right /= np.linalg.norm(right)
+        frame = np.stack([right, np.cross(toward, right), toward])
+        seen = corners @ frame.T
+        low, high = seen.min(axis=0), seen.max(axis=0)
+        half = (high - low) / 2
+        centre = (low + high) / 2 @ frame
+        width, height = self._plotter.window_size
+        camera = self._plotter.camera
+        camera.parallel_projection = True
+        camera.focal_point = centre
+        camera.position = centre + toward * 3 * float(np.linalg.norm(half))
+        camera.up = (0.0, 1.0, 0.0)
+        camera.parallel_scale = _MARGIN * max(half[1], half[0] * height / max(width, 1))
+        self._plotter.renderer.ResetCameraClippingRange()
+        self._fitted = self._camera_state()
+
+    @property
+    def fitted(self) -> bool:
+        """Whether the camera is where `fit` left it."""
+        return self._fitted == self._camera_state()
+
+    def recolour(self, dark: bool) -> None:
+        """Change between the dark and the light ground."""
+        self._dark = dark
+        bottom, top = _GROUND[dark]
+        self._plotter.set_background(bottom, top=top)
+        for actor in self._lines:
+            actor.prop.color = _INK[dark]
+        self._colour_rays()
+
+    def _camera_state(self) -> tuple[object, ...]:
+        camera = self._plotter.camera
+        return camera.position, camera.focal_point, camera.up, camera.parallel_scale
+
+    def _add(self, mesh: pv.PolyData, **look: Any) -> Any:
+        return self._plotter.add_mesh(
+            mesh, **look, copy_mesh=False, show_scalar_bar=False, reset_camera=False, render=False
+        )
+
+    def _add_lens(self) -> None:
+        lens = self._scene.lens
+        x, y = (np.linspace(-r, r, _BASE_SAMPLES) for r in lens.half_width)
+        x, y = np.meshgrid(x, y, indexing="ij")
+        points = np.zeros((1, 3))
+        self._face, self._net, self._walls, self._edges = (pv.PolyData(points) for _ in range(4))
+        self._samples = (0, 0)
+        self._place_lens(np.stack([x, y, lens.base.height_at(x, y)], axis=-1))
+        self._add(self._walls, color=_GLASS, opacity=0.25, ambient=0.3)
+        self._add(
+            self._face,
+            color=_GLASS,
+            opacity=0.8,
+            ambient=0.1,
+            diffuse=0.8,
+            specular=0.5,
+            specular_power=30,
+        )
+        self._lines.append(self._add(self._net, line_width=1.0, opacity=0.4, lighting=False))
+        self._lines.append(self._add(self._edges, line_width=1.5, lighting=False))
+
+    def _place_lens(self, surface: Array) -> None:
+        points = surface.reshape(-1, 3).astype(np.float32)
+        walls = shapes.wall_points(surface, self._scene.lens.entrance_z).astype(np.float32)
+        for mesh in (self._face, self._net):
+            mesh.points = points
+        for mesh in (self._walls, self._edges):
+            mesh.points = walls
+        m_u, m_v = surface.shape[:2]
+        if (m_u, m_v) != self._samples:
+            self._samples = (m_u, m_v)
+            self._face.faces = shapes.quads(m_u, m_v)
+            self._net.lines = shapes.net_lines(m_u, m_v, _NET_FIELDS)
+            self._walls.faces = shapes.wall_faces(m_u, m_v)
+            self._edges.lines = shapes.wall_lines(m_u, m_v)
+            for mesh in (self._net, self._edges):
+                mesh.verts = np.zeros(0, dtype=np.int64)
+        self._face.point_data.active_normals = shapes.normals(surface)
+
+    def _add_screen(self) -> None:
+        (r_x, r_y), z = self._scene.screen.half_width, self._scene.screen.z
+        corners = np.array([[-r_x, -r_y, z], [r_x, -r_y, z], [r_x, r_y, z], [-r_x, r_y, z]])
+        plane = pv.PolyData(corners, faces=[4, 0, 1, 2, 3])
+        # Texture rows count upwards in VTK: the last row of an image lies at its origin.
+        plane.active_texture_coordinates = np.array([[0, 0], [1, 0], [1, 1], [0, 1]], np.float32)
+        self._texels = pv.ImageData()
+        self._texture = pv.Texture()
+        self._texture.SetInputDataObject(self._texels)
+        n_x, n_y = self._scene.screen.pixels
+        self._paint_screen(np.zeros((n_y, n_x)))
+        self._add(plane, texture=self._texture, lighting=False)
+        frame = pv.PolyData(corners, lines=[5, 0, 1, 2, 3, 0])
+        self._lines.append(self._add(frame, line_width=1.5, lighting=False))
+
+    def _paint_screen(self, irradiance: Array) -> None:
+        n_y, n_x = irradiance.shape
+        thin = (slice(None, None, -(-n // _TEXTURE_PIXELS)) for n in (n_y, n_x))
+        colours = to_colours(irradiance[tuple(thin)], self._full_scale)[::-1]
+        self._texels.dimensions = (colours.shape[1], colours.shape[0], 1)
+        self._texels.point_data["colour"] = colours.reshape(-1, 3)
+        self._texels.point_data.active_scalars_name = "colour"
+        self._texels.Modified()
+
+    def _place_rays(self, paths: "RayPaths") -> None:
+        count = len(paths.weight)
+        self._rays.points = paths.points.reshape(-1, 3).astype(np.float32)
+        if count != self._rays.n_cells:
+            ends = np.arange(4 * count).reshape(count, 4)
+            self._rays.lines = np.insert(ends, 0, 4, axis=1).ravel()
+        self._landing, self._weight = paths.on_screen, paths.weight
+        self._colour_rays()
+
+    def _colour_rays(self) -> None:
+        colours = np.empty((len(self._weight), 4), dtype=np.uint8)
+        colours[:, :3] = np.where(self._landing[:, None], _LANDS[self._dark], _LOST[self._dark])
+        # Lost rays have little or no weight and still have to be seen; many rays, less ink each.
+        ink = 255 * min(1.0, 7 / math.sqrt(max(len(self._weight), 1)))
+        colours[:, 3] = ink * np.where(self._landing, 0.25 + 0.75 * self._weight, 0.8)
+        self._rays.cell_data["colour"] = colours
+
+    def _add_axes(self) -> None:
+        lens, screen = self._scene.lens, self._scene.screen
+        start, length = _start_z(self._scene), 0.5 * max(lens.half_width)
+        origin = np.array([-1.1 * lens.half_width[0], -1.1 * lens.half_width[1], start])
+        for direction, (name, colour) in zip(np.eye(3), _AXES, strict=True):
+            arm = pv.Line(origin, origin + length * direction)
+            self._add(arm, color=colour, line_width=2.5, lighting=False)
+            label = vtkBillboardTextActor3D()
+            label.SetInput(name)
+            label.SetPosition(*(origin + 1.25 * length * direction))
+            text = label.GetTextProperty()
+            text.SetColor(pv.Color(colour).float_rgb)
+            text.SetFontSize(16)
+            text.SetJustificationToCentered()
+            text.SetVerticalJustificationToCentered()
+            self._plotter.add_actor(label, reset_camera=False, render=False)
+        optical = pv.Line((0, 0, start), (0, 0, screen.z))
+        self._lines.append(self._add(optical, line_width=1.0, opacity=0.6, lighting=False))
+
+
+def _start_z(scene: Scene) -> float:
+    return scene.lens.entrance_z - 0.5 * max(scene.lens.half_width)
+
+
+def space(scene: Scene) -> Array:
+    """What a picture has to hold: corners where the light starts and of the screen, (8, 3)."""
+    ends = [(scene.lens.half_width, _start_z(scene)), (scene.screen.half_width, scene.screen.z)]
+    return np.array([[i * r[0], j * r[1], z] for r, z in ends for i in (-1, 1) for j in (-1, 1)])
+
+
+def _view_direction(scene: Scene) -> Array:
+    """Unit vector towards the camera.
+
+    The further the screen, the closer to the axis: the distance then looks about as long as the
+    larger of lens and screen is wide, whatever it is.
+    """
+    length = scene.screen.z - _start_z(scene)
+    width = 2 * max(*scene.lens.half_width, *scene.screen.half_width)
+    azimuth = math.asin(min(math.sin(math.radians(58)), 2.4 * width / length))
+    drop = 0.45 * width / (length * math.cos(azimuth))
+    elevation = math.asin(min(math.sin(math.radians(22)), drop))
+    return np.array(
+        [
+            -math.sin(azimuth) * math.cos(elevation),
+            math.sin(elevation),
+            math.cos(azimuth) * math.cos(elevation),
+        ]
+    )

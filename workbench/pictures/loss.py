@@ -1,0 +1,77 @@
+"""The loss curve of a run."""
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+import numpy.typing as npt
+
+if TYPE_CHECKING:
+    from matplotlib.artist import Artist
+    from matplotlib.axes import Axes
+
+Array = npt.NDArray[np.float64]
+
+_FONT = 8
+
+
+class LossCurve:
+    """Loss over iterations, logarithmic, on axes that the caller owns.
+
+    The limits are whole decades and change only when the curve leaves them.
+
+    Attributes
+    ----------
+    artists : list of matplotlib.artist.Artist
+        What `update` changes; the caller may blit them.
+    """
+
+    def __init__(self, axes: "Axes") -> None:
+        self._axes = axes
+        axes.set_yscale("log")
+        axes.set_xlabel("iteration", fontsize=_FONT, labelpad=2)
+        axes.set_ylabel("loss", fontsize=_FONT, labelpad=2)
+        axes.tick_params(labelsize=_FONT)
+        axes.grid(visible=True, which="major", linewidth=0.6, alpha=0.35)
+        (self._line,) = axes.plot([], [], color="#2f86d1", linewidth=1.5)
+        self._value = axes.text(
+            0.97, 0.94, "", transform=axes.transAxes, ha="right", va="top", fontsize=_FONT + 1
+        )
+        self._limits = (0.0, 0.0, 0.0)  # right end, lower and upper end
+        self._set_limits(10.0, 1e-1, 1.0)
+        self.artists: list[Artist] = [self._line, self._value]
+
+    def update(self, losses: Array, iterations: int) -> bool:
+        """Show another course of the loss.
+
+        Parameters
+        ----------
+        losses : ndarray, shape (k,)
+            Loss after each iteration; on a logarithmic axis only positive ones are seen.
+        iterations : int
+            Iterations that the axis should hold at least.
+
+        Returns
+        -------
+        bool
+            Whether more than `artists` changed, so that the whole figure has to be drawn.
+        """
+        steps = np.arange(1, losses.size + 1)
+        self._line.set_data(steps, losses)
+        self._value.set_text(f"{losses[-1]:.3g}" if losses.size else "")
+        right = float(max(iterations, losses.size, 1))
+        seen = losses[np.isfinite(losses) & (losses > 0)]
+        if not seen.size:
+            return self._set_limits(right, *self._limits[1:])
+        low, high = float(seen.min()), float(seen.max())
+        return self._set_limits(
+            right, 10.0 ** math.floor(math.log10(low)), 10.0 ** (math.floor(math.log10(high)) + 1)
+        )
+
+    def _set_limits(self, right: float, low: float, high: float) -> bool:
+        if (right, low, high) == self._limits:
+            return False
+        self._limits = (right, low, high)
+        self._axes.set_xlim(0, right)
+        self._axes.set_ylim(low, high)
+        return True

@@ -1,0 +1,92 @@
+"""Points, faces and lines of the drawn lens, as plain arrays.
+
+Cells are flat lists as pyvista takes them: (n, i_1, ..., i_n, n, ...).
+"""
+
+import numpy as np
+import numpy.typing as npt
+
+Array = npt.NDArray[np.float64]
+Cells = npt.NDArray[np.int64]
+
+
+def quads(rows: int, columns: int) -> Cells:
+    """Faces of a grid of points in row-major order."""
+    index = np.arange(rows * columns).reshape(rows, columns)
+    corners = [index[:-1, :-1], index[1:, :-1], index[1:, 1:], index[:-1, 1:]]
+    return np.stack([np.full_like(corners[0], 4), *corners], axis=-1).ravel()
+
+
+def polylines(lines: list[Cells]) -> Cells:
+    """Lines through the given point indices."""
+    return np.concatenate([np.append(line.size, line) for line in lines])
+
+
+def net_lines(rows: int, columns: int, fields: int) -> Cells:
+    """Isoparametric lines of a grid of points, ``fields`` + 1 along each axis, rim included."""
+    index = np.arange(rows * columns).reshape(rows, columns)
+    along = [index[i] for i in np.linspace(0, rows - 1, fields + 1).round().astype(int)]
+    across = [index[:, j] for j in np.linspace(0, columns - 1, fields + 1).round().astype(int)]
+    return polylines(along + across)
+
+
+def normals(surface: Array) -> npt.NDArray[np.float32]:
+    """Unit normals, towards +z, of a grid of points.
+
+    Parameters
+    ----------
+    surface : ndarray, shape (m_u, m_v, 3)
+        Points, u along x and v along y.
+
+    Returns
+    -------
+    ndarray, shape (m_u * m_v, 3)
+    """
+    across = np.cross(np.gradient(surface, axis=0), np.gradient(surface, axis=1))
+    across /= np.linalg.norm(across, axis=-1, keepdims=True)
+    return across.reshape(-1, 3).astype(np.float32)
+
+
+def wall_points(surface: Array, entrance_z: float) -> Array:
+    """Points of the four side walls: of each the rim, then the same down on the entrance plane.
+
+    Parameters
+    ----------
+    surface : ndarray, shape (m_u, m_v, 3)
+        Points of the exit face.
+    entrance_z : float
+        Where the entrance face is.
+
+    Returns
+    -------
+    ndarray, shape (4 * (m_u + m_v), 3)
+    """
+    parts = []
+    for rim in (surface[:, 0], surface[-1], surface[::-1, -1], surface[0, ::-1]):
+        foot = rim.copy()
+        foot[:, 2] = entrance_z
+        parts += [rim, foot]
+    return np.concatenate(parts)
+
+
+def wall_faces(m_u: int, m_v: int) -> Cells:
+    """Faces between the `wall_points` of each wall, and the entrance face between their feet."""
+    faces, corners, first = [], [], 0
+    for count in (m_u, m_v, m_u, m_v):
+        wall = quads(2, count).reshape(-1, 5)
+        wall[:, 1:] += first
+        faces.append(wall)
+        corners.append(first + count)
+        first += 2 * count
+    entrance = np.array([[4, *corners[::-1]]])  # seen from below, against the light
+    return np.concatenate([*faces, entrance]).ravel()
+
+
+def wall_lines(m_u: int, m_v: int) -> Cells:
+    """Outline of the lens through its `wall_points`: rim, foot and the four upright edges."""
+    lines, first = [], 0
+    for count in (m_u, m_v, m_u, m_v):
+        rim = np.arange(first, first + count)
+        lines += [rim, rim[[0, -1]] + count, np.array([first, first + count])]
+        first += 2 * count
+    return polylines(lines)

@@ -1,0 +1,32 @@
+"""Colours of a matplotlib figure's frame: ink and paper."""
+
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+
+def paint(figure: Figure, ink: str, paper: str) -> None:
+    """Recolour everything but the data.
+
+    Parameters
+    ----------
+    figure : matplotlib.figure.Figure
+        Its axes, and axes inset in them, are recoloured.
+    ink, paper : str
+        Any matplotlib colours for text and lines, and for the ground.
+    """
+    figure.set_facecolor(paper)
+    for axes in figure.get_axes():
+        _paint_axes(axes, ink, paper)
+
+
+def _paint_axes(axes: Axes, ink: str, paper: str) -> None:
+    axes.set_facecolor(paper)
+    axes.title.set_color(ink)
+    for axis in (axes.xaxis, axes.yaxis):
+        axis.label.set_color(ink)
+        axis.set_tick_params(which="both", color=ink, labelcolor=ink)
+        axis.offsetText.set_color(ink)
+    for part in [*axes.spines.values(), *axes.texts]:
+        part.set_color(ink)
+    for inset in axes.child_axes:
+        _paint_axes(inset, ink, paper)
