@@ -1,0 +1,290 @@
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QWheelEvent
+from PySide6.QtWidgets import QApplication, QFileDialog
+
+from ui.document import Document
+from ui.panels.forms import Forms
+from workbench.files.session import Session
+from workbench.scene import Scene
+from workbench.targets import load_target
+
+
+@pytest.fixture
+def document(qapp):
+    scene = Scene.from_data(
+        {
+            "unit": "cm",
+            "lens": {"half_width": [1, 1], "refractive_index": 1.5, "control_points": [6, 6]},
+            "source": {"kind": "collimated", "rays": [16, 16]},
+            "screen": {"z": 5, "half_width": [1, 1], "pixels": [12, 10]},
+            "target": {"builtin": "tophat", "blur": 1.0},
+        }
+    )
+    document = Document(Session(scene, load_target(scene, Path())), "small")
+    yield document
+    document.deleteLater()
+
+
+@pytest.fixture
+def forms(document, qtbot):
+    forms = Forms(document)
+    qtbot.addWidget(forms)
+    forms.resize(330, 900)
+    with qtbot.waitActive(forms):
+        forms.show()
+        forms.activateWindow()
+    return forms
+
+
+def row(forms, path, visible=True):
+    rows = [row for panel in forms.panels for row in panel.rows if row.path == path]
+    return next(row for row in rows if row.isVisible() or not visible)
+
+
+def editor(forms, path):
+    return row(forms, path.partition("[")[0]).editors[path]
+
+
+def enter(qtbot, widget, text, key=Qt.Key.Key_Return):
+    widget.setFocus()
+    widget.selectAll()
+    qtbot.keyClicks(widget, text)
+    qtbot.keyClick(widget, key)
+
+
+def choose(forms, path, value):
+    chooser = row(forms, path).chooser
+    chooser.setCurrentIndex(chooser.findData(value))
+    chooser.activated.emit(chooser.currentIndex())
+
+
+def test_a_number_is_entered_with_return(forms, document, qtbot):
+    enter(qtbot, editor(forms, "screen.z"), "7.25")
+    assert document.session.scene.screen.z == 7.25
+    assert document.undo_stack.undoText() == "change of at z"
+
+
+def test_a_number_is_entered_by_leaving_the_field(forms, document, qtbot):
+    first, second = (editor(forms, f"lens.half_width[{i}]") for i in (0, 1))
+    first.setFocus()
+    first.selectAll()
+    qtbot.keyClicks(first, "1.5")
+    assert document.session.scene.lens.half_width == (1, 1)  # not at every key
+    second.setFocus()
+    qtbot.waitUntil(lambda: document.session.scene.lens.half_width == (1.5, 1))
+
+
+def test_numbers_are_shown_with_all_the_digits_they_have(forms, document, qtbot):
+    enter(qtbot, editor(forms, "lens.half_width[0]"), "0.123456789")
+    enter(qtbot, editor(forms, "lens.half_width[1]"), "1e-3")
+    enter(qtbot, editor(forms, "lens.half_width[1]"), "2")
+    assert editor(forms, "lens.half_width[0]").text() == "0.123456789"
+    assert document.session.scene.lens.half_width == (0.123456789, 2.0)
+
+
+@pytest.mark.parametrize(
+    ("path", "text", "reason"),
+    [
+        ("screen.z", "far", "'far' is not a number"),
+        ("screen.z", "0.1", "may touch the lens"),
+        ("screen.z", "nan", "not finite"),
+        ("lens.half_width[1]", "-1", "must be greater than 0"),
+        ("lens.control_points[0]", "3", "3 is too few for degree 3; at least 4"),
+        ("lens.control_points[0]", "6.5", "is not a whole number"),
+        ("lens.height_range[0]", "1", "low before high"),
+        ("filter.size[0]", "4", "4 is even"),
+        ("run.seed", "", "is not a whole number"),
+        ("target.radius", "2", "at most 1"),
+    ],
+)
+def test_a_refusal_stands_beside_its_field(forms, document, qtbot, path, text, reason):
+    session = document.session
+    enter(qtbot, editor(forms, path), text) if text else _empty(qtbot, editor(forms, path))
+    assert document.session is session
+    assert editor(forms, path).text() == text  # as typed, until it is corrected
+    field = row(forms, path.partition("[")[0])
+    assert reason in field.refusal
+    assert field._refusal.isVisible()
+    assert forms.refused
+
+
+def _empty(qtbot, widget):
+    widget.setFocus()
+    widget.selectAll()
+    qtbot.keyClick(widget, Qt.Key.Key_Delete)
+    qtbot.keyClick(widget, Qt.Key.Key_Return)
+
+
+def test_a_correction_clears_the_refusal(forms, document, qtbot):
+    enter(qtbot, editor(forms, "screen.z"), "far")
+    enter(qtbot, editor(forms, "screen.z"), "6")
+    assert document.session.scene.screen.z == 6
+    assert row(forms, "screen.z").refusal == ""
+    assert not forms.refused
+
+
+def test_escape_takes_refused_text_back(forms, document, qtbot):
+    enter(qtbot, editor(forms, "screen.z"), "far")
+    qtbot.keyClick(editor(forms, "screen.z"), Qt.Key.Key_Escape)
+    assert editor(forms, "screen.z").text() == "5"
+    assert not forms.refused
+
+
+def test_the_whole_refusal_can_be_read(forms, qtbot):
+    enter(qtbot, editor(forms, "screen.z"), "0.1")
+    label = row(forms, "screen.z")._refusal
+    qtbot.waitUntil(lambda: label.height() >= label.heightForWidth(label.width()) > 0)
+
+
+def test_two_values_that_only_fit_together_are_taken_together(forms, document, qtbot):
+    enter(qtbot, editor(forms, "lens.degree[0]"), "7")
+    assert "6 is too few for degree 7" in row(forms, "lens.control_points").refusal
+    assert "6 is too few for degree 7" in row(forms, "lens.degree").refusal
+    enter(qtbot, editor(forms, "lens.control_points[0]"), "9")
+    lens = document.session.scene.lens
+    assert (lens.degree, lens.control_points) == ((7, 3), (9, 6))
+    assert not forms.refused
+
+
+def test_a_good_edit_does_not_wait_for_a_bad_one(forms, document, qtbot):
+    enter(qtbot, editor(forms, "screen.z"), "far")
+    enter(qtbot, editor(forms, "run.seed"), "4")
+    assert document.session.scene.run.seed == 4
+    assert editor(forms, "screen.z").text() == "far"
+    assert "'far'" in row(forms, "screen.z").refusal
+
+
+def test_undo_shows_the_earlier_values_and_drops_what_was_refused(forms, document, qtbot):
+    enter(qtbot, editor(forms, "screen.z"), "7")
+    enter(qtbot, editor(forms, "run.seed"), "x")
+    document.undo_stack.undo()
+    assert editor(forms, "screen.z").text() == "5"
+    assert editor(forms, "run.seed").text() == "0"
+    assert not forms.refused
+
+
+def test_the_wheel_changes_no_choice(forms, document):
+    chooser = row(forms, "unit").chooser
+    where, down = QPointF(5, 5), QPoint(0, -120)
+    wheel = QWheelEvent(
+        where,
+        chooser.mapToGlobal(where),
+        QPoint(),
+        down,
+        Qt.MouseButton.NoButton,
+        Qt.KeyboardModifier.NoModifier,
+        Qt.ScrollPhase.NoScrollPhase,
+        False,
+    )
+    QApplication.sendEvent(chooser, wheel)
+    assert chooser.currentData() == "cm"
+
+
+def test_another_unit_keeps_the_numbers(forms, document):
+    choose(forms, "unit", "inch")
+    scene = document.session.scene
+    assert (scene.unit, scene.screen.z) == ("inch", 5)
+    assert row(forms, "screen.z")._unit.text() == "inch"
+
+
+def test_a_material_brings_its_wavelength_and_an_own_index_takes_it_away(forms, document):
+    choose(forms, "lens.refractive_index", "N-BK7")
+    lens = document.session.scene.lens
+    assert (lens.refractive_index, lens.wavelength_um) == ("N-BK7", 0.5876)
+    assert row(forms, "lens.wavelength_um").isVisible()
+    choose(forms, "lens.refractive_index", "index")
+    lens = document.session.scene.lens
+    assert lens.refractive_index == pytest.approx(1.5168, abs=1e-4)
+    assert lens.wavelength_um is None
+    assert not row(forms, "lens.wavelength_um", visible=False).isVisible()
+
+
+def test_a_sphere_brings_its_fields(forms, document, qtbot):
+    choose(forms, "lens.base.shape", "sphere")
+    assert document.session.scene.lens.base.shape == "sphere"
+    choose(forms, "lens.base.form", "convex")
+    assert document.session.scene.lens.base.form == "convex"
+    enter(qtbot, editor(forms, "lens.base.radius"), "0.5")
+    assert "does not span the lens" in row(forms, "lens.base.radius").refusal
+    choose(forms, "lens.base.shape", "flat")  # the field is gone, and what it held
+    assert not forms.refused
+
+
+def test_the_method_keeps_what_both_have(forms, document, qtbot):
+    enter(qtbot, editor(forms, "run.iterations"), "17")
+    choose(forms, "run.method", "paper")
+    choose(forms, "run.start", "random")
+    enter(qtbot, editor(forms, "run.learning_rate"), "2e-3")
+    run = document.session.scene.run
+    assert (run.method, run.iterations, run.start) == ("paper", 17, "random")
+    assert run.learning_rate == 2e-3
+
+
+def test_another_filter_has_other_fields(forms, document):
+    choose(forms, "filter.kind", "box")
+    assert document.session.scene.filter.kind == "box"
+    assert not row(forms, "filter.alpha", visible=False).isVisible()
+
+
+def test_another_wish_keeps_its_finish(forms, document, qtbot):
+    choose(forms, "target.builtin", "ball")
+    target = document.session.scene.target
+    assert (target.builtin, target.blur) == ("ball", 1.0)
+    box = row(forms, "target.invert").box
+    qtbot.mouseClick(box, Qt.MouseButton.LeftButton, pos=QPoint(8, box.height() // 2))
+    assert document.session.scene.target.invert
+
+
+def test_an_image_is_chosen_from_a_dialog(forms, document, tmp_path, monkeypatch):
+    image = tmp_path / "wish.png"
+    Image.fromarray(np.eye(8, dtype=np.uint8) * 255).save(image)
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(image), ""))
+    choose(forms, "target.builtin", "image")
+    assert document.session.scene.target.image == str(image)
+    assert row(forms, "target.image").editor.text() == str(image)
+
+
+def test_a_dialog_that_is_cancelled_changes_nothing(forms, document, monkeypatch):
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: ("", ""))
+    choose(forms, "target.builtin", "image")
+    assert document.undo_stack.count() == 0
+    assert row(forms, "target.builtin").chooser.currentData() == "tophat"
+
+
+def test_an_image_that_cannot_be_read_is_refused_beside_the_wish(forms, document, tmp_path):
+    text = tmp_path / "notes.txt"
+    text.write_text("no image")
+    forms.choose_image(text)
+    assert "notes.txt" in row(forms, "target.builtin").refusal
+    assert document.undo_stack.count() == 0
+
+
+def test_a_refusal_unfolds_its_panel(forms, qtbot):
+    panel = next(panel for panel in forms.panels if row(forms, "screen.z") in panel.rows)
+    panel.unfold(False)
+    enter(qtbot, editor(forms, "lens.height_range[1]"), "9")
+    assert "may touch the lens" in row(forms, "screen.z").refusal
+
+
+def test_the_form_is_closed_while_a_run_goes_on(forms, document, qtbot):
+    forms.set_running(True)
+    field = editor(forms, "screen.z")
+    assert not field.isEnabled()
+    qtbot.keyClicks(field, "7")
+    assert field.text() == "5"
+    forms.set_running(False)
+    assert field.isEnabled()
+
+
+def test_everything_fits_into_its_narrowest_width(forms):
+    forms.resize(forms.minimumSizeHint().width(), 700)
+    for panel in forms.panels:
+        for field in panel.rows:
+            if field.isVisible():
+                right = field.mapTo(forms, QPoint(field.width(), 0)).x()
+                assert right <= forms.viewport().width(), field.path

@@ -1,0 +1,136 @@
+"""Every command of the window, defined once; menus and toolbar are made of these."""
+
+from dataclasses import dataclass
+
+from PySide6.QtGui import QAction, QKeySequence
+from PySide6.QtWidgets import QMainWindow, QMenu, QToolBar
+
+from ui import theme
+
+
+@dataclass(frozen=True)
+class Command:
+    """One thing that a person can tell the window to do.
+
+    Attributes
+    ----------
+    text : str
+        In the menu; ``&`` marks the mnemonic.
+    tip : str
+        What it does, for tooltip and status bar.
+    shortcut : str or QKeySequence.StandardKey
+        Key that triggers it.
+    icon : str
+        Name in resources/icons; empty for none.
+    """
+
+    text: str
+    tip: str
+    shortcut: str | QKeySequence.StandardKey = ""
+    icon: str = ""
+
+
+_Key = QKeySequence.StandardKey
+
+COMMANDS = {
+    "new_tophat": Command("&Top hat", "Begin with a uniform disc of light", _Key.New, "new"),
+    "new_flame": Command("&Flame", "Begin with a flame-like logo"),
+    "new_ball": Command("&Ball", "Begin with a faceted ball in several greys"),
+    "open": Command("&Open…", "Open a design, or a scene file", _Key.Open, "open"),
+    "save": Command("&Save", "Save scene, target and lens", _Key.Save, "save"),
+    "save_as": Command("Save &as…", "Save under another name", "Ctrl+Shift+S"),
+    "quit": Command("&Quit", "Close the workbench", "Ctrl+Q"),
+    "undo": Command("&Undo", "Take the last change back", _Key.Undo, "undo"),
+    "redo": Command("&Redo", "Make the change again", "Ctrl+Shift+Z", "redo"),
+    "start": Command("&Start", "Design the lens from its start", "F5", "start"),
+    "continue": Command("&Continue", "Go on from the lens as it is", "Shift+F5"),
+    "pause": Command("&Pause", "Hold the design; again to go on", "F6", "pause"),
+    "stop": Command("S&top", "End the design and keep its best lens", "F7", "stop"),
+    "fit_view": Command("&Fit 3D view", "Show lens and screen whole", "Ctrl+0", "fit-view"),
+    "scene_view": Command("&3D scene", "Show or hide the 3D scene", "Ctrl+3"),
+    "about": Command("&About", "What this program is"),
+}
+
+# Menus by name; None is a separator, a tuple a menu within. Open recent and the docks are added
+# by the window, because they come and go.
+MENUS = {
+    "&File": [
+        ("&New from example", ["new_tophat", "new_flame", "new_ball"]),
+        "open",
+        ("Open &recent", []),
+        None,
+        "save",
+        "save_as",
+        None,
+        "quit",
+    ],
+    "&Edit": ["undo", "redo"],
+    "&Run": ["start", "continue", "pause", "stop"],
+    "&View": ["fit_view", None, "scene_view"],
+    "&Help": ["about"],
+}
+TOOLBAR = ["new_tophat", "open", "save", None, "undo", "redo", None, "start", "pause", "stop", None]
+TOOLBAR += ["fit_view"]
+_CHECKABLE = ["scene_view"]
+
+
+class Commands:
+    """The commands as actions of a window, in its menus and its toolbar.
+
+    Parameters
+    ----------
+    window : QMainWindow
+        Gets menus and toolbar.
+    """
+
+    def __init__(self, window: QMainWindow) -> None:
+        self._window = window
+        self._actions = {name: self._action(command) for name, command in COMMANDS.items()}
+        for name in _CHECKABLE:
+            self[name].setCheckable(True)
+        self.menus: dict[str, QMenu] = {}
+        for title, entries in MENUS.items():
+            self._fill(window.menuBar().addMenu(title), title, entries)
+        self.toolbar = QToolBar("Toolbar", window)
+        self.toolbar.setObjectName("toolbar")
+        self.toolbar.setMovable(False)
+        for entry in TOOLBAR:
+            if entry is None:
+                self.toolbar.addSeparator()
+            else:
+                self.toolbar.addAction(self[entry])
+        window.addToolBar(self.toolbar)
+        self.colour_icons()
+
+    def __getitem__(self, name: str) -> QAction:
+        return self._actions[name]
+
+    def enable(self, names: list[str], enabled: bool) -> None:
+        """Make some commands available or not."""
+        for name in names:
+            self[name].setEnabled(enabled)
+
+    def colour_icons(self) -> None:
+        """Draw the icons in the palette's colours of now."""
+        for name, command in COMMANDS.items():
+            if command.icon:
+                self[name].setIcon(theme.icon(command.icon, self._window.palette()))
+
+    def _action(self, command: Command) -> QAction:
+        action = QAction(command.text, self._window)
+        action.setShortcut(QKeySequence(command.shortcut))
+        keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
+        action.setToolTip(f"{command.tip} ({keys})" if keys else command.tip)
+        action.setStatusTip(command.tip)
+        self._window.addAction(action)
+        return action
+
+    def _fill(self, menu: QMenu, title: str, entries: list) -> None:
+        self.menus[title] = menu
+        for entry in entries:
+            if entry is None:
+                menu.addSeparator()
+            elif isinstance(entry, tuple):
+                self._fill(menu.addMenu(entry[0]), *entry)
+            else:
+                menu.addAction(self[entry])

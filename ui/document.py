@@ -1,0 +1,188 @@
+"""The open design: a session, the file it lives in, and every change that was made to it."""
+
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtGui import QUndoCommand, QUndoStack
+
+from workbench.design.snapshot import Result
+from workbench.files.session import Session, is_session, open_design, write_session
+from workbench.scene import ImageTarget, Scene
+from workbench.targets import load_target
+
+ENDING = ".freeform"
+_STEPS = 100  # that can be undone; each may hold an image of its own
+
+
+class Document(QObject):
+    """Owns the session, the file path, the undo stack and with it the dirty flag.
+
+    Sessions are immutable values, so an edit is a step from one session to the next and whatever
+    raises on the way (a refusal, a full disk) leaves the open one as it is.
+
+    Parameters
+    ----------
+    session : Session
+        What is open at first.
+    name : str
+        What the title calls it until it has a file of its own.
+    """
+
+    session_changed = Signal(object)
+    path_changed = Signal()
+    dirty_changed = Signal(bool)
+
+    def __init__(self, session: Session, name: str, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._session = session
+        self._path: Path | None = None
+        self._suggestion = Path(name)
+        self.undo_stack = QUndoStack(self)
+        self.undo_stack.setUndoLimit(_STEPS)
+        self.undo_stack.cleanChanged.connect(self._tell_dirty)
+
+    @property
+    def session(self) -> Session:
+        """Scene, target and, once designed, the result."""
+        return self._session
+
+    @property
+    def path(self) -> Path | None:
+        """The session file that saving writes; None for a design without one."""
+        return self._path
+
+    @property
+    def name(self) -> str:
+        """What the title calls the design."""
+        return self.suggested_path.stem
+
+    @property
+    def suggested_path(self) -> Path:
+        """Where the design is or might be saved."""
+        return self._path or self._suggestion.with_suffix(ENDING)
+
+    @property
+    def dirty(self) -> bool:
+        """Whether closing now would lose changes."""
+        return not self.undo_stack.isClean()
+
+    def edit(self, scene: Scene, text: str, key: str) -> None:
+        """Go on with another scene, as one step that can be undone.
+
+        Parameters
+        ----------
+        scene : Scene
+            Takes the place of the open one.
+        text : str
+            What the undo menu calls the step.
+        key : str
+            Consecutive edits with the same key become one step.
+
+        Raises
+        ------
+        Refused
+            If the scene's target cannot be loaded; nothing has changed then.
+        """
+        old = self._session
+        scene = self._with_absolute_image(scene)
+        if scene == old.scene:
+            return
+        target = old.target
+        if _wish(scene) != _wish(old.scene):
+            target = load_target(scene, Path.cwd())
+        self.undo_stack.push(_Step(self, old, old.with_scene(scene, target), text, key))
+
+    def set_result(self, result: Result, text: str) -> None:
+        """Put a run's result into the session, as one step that can be undone."""
+        old = self._session
+        self.undo_stack.push(_Step(self, old, Session(old.scene, old.target, result), text))
+
+    def new(self, path: Path) -> None:
+        """Start an untitled design from a scene file that is not its own (an example).
+
+        Raises
+        ------
+        Refused
+            If it cannot be read; the open design stays.
+        """
+        self._begin(open_design(path), None, Path(path.stem))
+
+    def open(self, path: Path) -> None:
+        """Open a session, or an untitled design from a scene file.
+
+        Raises
+        ------
+        Refused
+            If it cannot be read; the open design stays.
+        """
+        path = path.absolute()
+        self._begin(open_design(path), path if is_session(path) else None, path)
+
+    def save(self, path: Path) -> None:
+        """Write the session and make ``path`` its file.
+
+        Raises
+        ------
+        Refused
+            If it cannot be written; what was at ``path`` before is still there.
+        """
+        write_session(self._session, path)
+        self._path = path
+        self.undo_stack.setClean()
+        self.path_changed.emit()
+
+    def _tell_dirty(self, clean: bool) -> None:
+        self.dirty_changed.emit(not clean)
+
+    def _begin(self, session: Session, path: Path | None, suggestion: Path) -> None:
+        self._path, self._suggestion = path, suggestion
+        self.undo_stack.clear()
+        self._show(session)
+        self.path_changed.emit()
+
+    def _show(self, session: Session) -> None:
+        self._session = session
+        self.session_changed.emit(session)
+
+    def _with_absolute_image(self, scene: Scene) -> Scene:
+        """A relative path typed by hand starts beside the file, as it will when saved there."""
+        target = scene.target
+        if not isinstance(target, ImageTarget) or Path(target.image).is_absolute():
+            return scene
+        folder = self.suggested_path.parent.absolute()
+        image = target.model_copy(update={"image": str(folder / target.image)})
+        return scene.model_copy(update={"target": image})
+
+
+def _wish(scene: Scene) -> tuple[object, ...]:
+    """All that the target's image depends on."""
+    return scene.target, scene.screen.half_width, scene.screen.pixels
+
+
+class _Step(QUndoCommand):
+    """From one session to the next."""
+
+    _MERGING = 1  # Qt offers only commands of the same id to each other
+
+    def __init__(
+        self, document: Document, before: Session, after: Session, text: str, key: str = ""
+    ) -> None:
+        super().__init__(text)
+        self._document = document
+        self._before, self._after = before, after
+        self._key = key
+
+    def redo(self) -> None:
+        self._document._show(self._after)
+
+    def undo(self) -> None:
+        self._document._show(self._before)
+
+    def id(self) -> int:
+        return self._MERGING if self._key else -1
+
+    def mergeWith(self, other: QUndoCommand) -> bool:
+        if not isinstance(other, _Step) or other._key != self._key:
+            return False
+        self._after = other._after
+        return True

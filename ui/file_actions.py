@@ -1,0 +1,131 @@
+"""New, open and save: dialogs, refusals and the question before changes are lost."""
+
+from collections.abc import Callable
+from enum import Enum
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
+
+import resources
+from ui.document import ENDING, Document
+from ui.message_bar import MessageBar
+from ui.recent import RecentFiles
+from workbench.errors import Refused
+
+_OPENED = f"Designs and scenes (*{ENDING} *.json);;All files (*)"
+_SAVED = f"Designs (*{ENDING})"
+
+
+class Answer(Enum):
+    """What shall become of changes that would be lost."""
+
+    SAVE = QMessageBox.StandardButton.Save
+    DISCARD = QMessageBox.StandardButton.Discard
+    CANCEL = QMessageBox.StandardButton.Cancel
+
+
+def example(name: str) -> Path:
+    """The scene file of an example ("tophat", "flame", "ball")."""
+    return resources.path("examples", f"{name}.json")
+
+
+class FileActions(QObject):
+    """Takes the document to files and back.
+
+    Parameters
+    ----------
+    document : Document
+        What is opened and saved.
+    recent : RecentFiles
+        Learns of every file used.
+    messages : MessageBar
+        Shows refusals.
+    window : QWidget
+        Parent of dialogs.
+    """
+
+    recent_changed = Signal()
+
+    def __init__(
+        self, document: Document, recent: RecentFiles, messages: MessageBar, window: QWidget
+    ) -> None:
+        super().__init__(window)
+        self._document = document
+        self._recent = recent
+        self._messages = messages
+        self._window = window
+
+    def new(self, name: str) -> None:
+        """Begin with an example."""
+        if self.may_leave():
+            self._attempt(lambda: self._document.new(example(name)))
+
+    def choose_and_open(self) -> None:
+        """Ask for a file and open it."""
+        folder = str(self._document.suggested_path.parent)
+        chosen, _ = QFileDialog.getOpenFileName(self._window, "Open", folder, _OPENED)
+        if chosen:
+            self.open(Path(chosen))
+
+    def open(self, path: Path) -> None:
+        """Open a file, unless changes would be lost that should not."""
+        if self.may_leave() and self._attempt(lambda: self._document.open(path)):
+            self._remember(path)
+
+    def open_recent(self, path: Path) -> None:
+        """Open a file of the list, or strike it off the list if it is gone."""
+        if path.exists():
+            self.open(path)
+            return
+        self._recent.remove(path)
+        self.recent_changed.emit()
+        self._messages.warn(f"{path} is no longer there; it was taken off the list.")
+
+    def save(self) -> bool:
+        """Write the design to its file, asking for one where it has none; False if not saved."""
+        path = self._document.path
+        return self.save_as() if path is None else self._write(path)
+
+    def save_as(self) -> bool:
+        """Ask for a file and write the design to it; False if not saved."""
+        suggestion = str(self._document.suggested_path)
+        chosen, _ = QFileDialog.getSaveFileName(self._window, "Save as", suggestion, _SAVED)
+        if not chosen:
+            return False
+        path = Path(chosen)
+        return self._write(path if path.suffix else path.with_suffix(ENDING))
+
+    def may_leave(self) -> bool:
+        """Whether the open design may be left, after saving it if a person wants that."""
+        if not self._document.dirty:
+            return True
+        answer = self.ask(f"Save the changes to {self._document.name}?")
+        return answer is Answer.DISCARD or (answer is Answer.SAVE and self.save())
+
+    def ask(self, question: str) -> Answer:
+        """Put a question with the answers Save, Discard and Cancel."""
+        buttons = Answer.SAVE.value | Answer.DISCARD.value | Answer.CANCEL.value
+        given = QMessageBox.question(
+            self._window, "Unsaved changes", question, buttons, Answer.SAVE.value
+        )
+        return Answer(given)
+
+    def _write(self, path: Path) -> bool:
+        if not self._attempt(lambda: self._document.save(path)):
+            return False
+        self._remember(path)
+        return True
+
+    def _attempt(self, action: Callable[[], None]) -> bool:
+        try:
+            action()
+        except Refused as refused:
+            self._messages.warn(f"{refused}")
+            return False
+        self._messages.clear()
+        return True
+
+    def _remember(self, path: Path) -> None:
+        self._recent.add(path)
+        self.recent_changed.emit()

@@ -1,0 +1,1 @@
+"""Forms bound to the parts of a scene."""

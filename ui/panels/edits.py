@@ -1,0 +1,59 @@
+"""One edit of a scene: where, what, and how it is called."""
+
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Any
+
+from workbench.scene import Scene
+
+_STEP = re.compile(r"[^.\[\]]+")
+
+
+@dataclass(frozen=True)
+class Edit:
+    """What a field asks for; the scene decides whether it is possible.
+
+    Attributes
+    ----------
+    path : str
+        Field that was touched, as refusals name it (``lens.control_points[0]``).
+    text : str
+        What the undo menu calls it.
+    changes : dict
+        New values by path; a kind that changes brings its neighbours along.
+    """
+
+    path: str
+    text: str
+    changes: dict[str, object]
+
+
+def value_at(data: dict[str, Any], path: str) -> Any:
+    """Value at a path of a scene's plain data; None where the scene has no such field."""
+    value: Any = data
+    for step in _STEP.findall(path):
+        if isinstance(value, list):
+            value = value[int(step)]
+        elif step in value:
+            value = value[step]
+        else:
+            return None
+    return value
+
+
+def edited_scene(scene: Scene, edits: Iterable[Edit]) -> Scene:
+    """The scene after some edits.
+
+    Raises
+    ------
+    Refused
+        If that scene is impossible.
+    """
+    data = scene.to_data()
+    for edit in edits:
+        for path, value in edit.changes.items():
+            *parents, last = _STEP.findall(path)
+            place = value_at(data, ".".join(parents)) if parents else data
+            place[int(last) if isinstance(place, list) else last] = value
+    return Scene.from_data(data)

@@ -1,0 +1,373 @@
+"""Rows of a form: editors for one thing in the scene, its unit, and why an edit was refused.
+
+A row shows what the scene holds and tells of what a person asks for; it never judges. Text that
+was refused stays as typed until it is corrected, or taken back with Escape.
+"""
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtGui import QKeyEvent, QKeySequence, QResizeEvent, QWheelEvent
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QComboBox,
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QSizePolicy,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from ui import theme
+from ui.panels.edits import Edit, value_at
+
+LENGTH = "length"  # a unit that stands for the scene's own
+
+Changes = dict[str, object]
+
+
+class TextEditor(QLineEdit):
+    """One value as text; committed by Enter or by leaving it, taken back by Escape."""
+
+    committed = Signal(str)
+    reverted = Signal()
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._settled = ""
+        # Files dropped here are for the window, which knows what to do with them.
+        self.setAcceptDrops(False)
+        self.editingFinished.connect(self.commit)
+
+    def show_value(self, text: str) -> None:
+        """Show what the scene holds."""
+        self._settled = text
+        if text != self.text():
+            self.setText(text)
+            self.setCursorPosition(0)
+
+    def commit(self) -> None:
+        """Tell of the text if it is new since it was last told or shown."""
+        if self.text() != self._settled:
+            self._settled = self.text()
+            self.committed.emit(self._settled)
+
+    def event(self, event: QEvent) -> bool:
+        """Leave undo to the window where there is no typing to undo."""
+        if (
+            event.type() == QEvent.Type.ShortcutOverride
+            and isinstance(event, QKeyEvent)
+            and (
+                (event.matches(QKeySequence.StandardKey.Undo) and not self.isUndoAvailable())
+                or (event.matches(QKeySequence.StandardKey.Redo) and not self.isRedoAvailable())
+            )
+        ):
+            event.ignore()
+            return True
+        return super().event(event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Escape takes the typed text back."""
+        if event.key() == Qt.Key.Key_Escape:
+            self.reverted.emit()
+        else:
+            super().keyPressEvent(event)
+
+
+class NumberEditor(TextEditor):
+    """A number as text, because spin boxes round and change under the mouse wheel."""
+
+    def __init__(self, whole: bool) -> None:
+        super().__init__()
+        self._parse: Callable[[str], float] = int if whole else float
+        self.setMinimumWidth(self.fontMetrics().horizontalAdvance("0000000"))
+
+    def value(self, text: str) -> float | str:
+        """The number, or the text itself, for the scene to refuse."""
+        try:
+            return self._parse(text)
+        except ValueError:
+            return text
+
+
+class Chooser(QComboBox):
+    """A combo box that the mouse wheel scrolls past."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        # Long entries must not widen the whole form.
+        self.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+        self.setMinimumContentsLength(8)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        """Scroll the form instead."""
+        event.ignore()
+
+
+class _Refusal(QLabel):
+    """Wrapped text that is never cut off: forms ask for its height before they know its width."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("refusal")
+        self.setWordWrap(True)
+        self.setTextFormat(Qt.TextFormat.PlainText)
+        self.hide()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Keep the height that fits the width."""
+        super().resizeEvent(event)
+        self._insist()
+
+    def say(self, text: str) -> None:
+        """Show a text; nothing is shown for an empty one."""
+        self.setText(text)
+        self.setVisible(bool(text))
+        self._insist()
+
+    def _insist(self) -> None:
+        self.setMinimumHeight(max(0, self.heightForWidth(self.width())))
+
+
+class Row(QWidget):
+    """Editors side by side, their unit behind them and a refusal below.
+
+    Parameters
+    ----------
+    path : str
+        Field of the scene that the row shows.
+    label : str
+        What stands before the row.
+    tip : str
+        What the value is and why one would change it.
+    unit : str
+        Stands behind the editors; `LENGTH` for the scene's unit.
+    present : callable, optional
+        Whether a scene (as plain data) has such a value; by default whether the path exists.
+    """
+
+    edited = Signal(object)
+    reverted = Signal(object)
+
+    def __init__(
+        self,
+        path: str,
+        label: str,
+        tip: str,
+        unit: str = "",
+        present: Callable[[dict[str, Any]], bool] | None = None,
+    ) -> None:
+        super().__init__()
+        self.path = path
+        self.label = QLabel(label)
+        self._unit_kind = unit
+        self._present = present
+        self._unit = QLabel()
+        self._unit.setVisible(bool(unit))
+        self._refusal = _Refusal()
+        self._editors = QHBoxLayout()
+        self._editors.addWidget(self._unit)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(2)
+        column.addLayout(self._editors)
+        column.addWidget(self._refusal)
+        for widget in (self.label, self):
+            widget.setToolTip(f"<p>{tip}</p>")  # rich text, because only that wraps
+
+    def present(self, data: dict[str, Any]) -> bool:
+        """Whether a scene, as plain data, has this field."""
+        if self._present is not None:
+            return self._present(data)
+        return value_at(data, self.path) is not None
+
+    def show_scene(self, data: dict[str, Any], pending: set[str]) -> None:
+        """Show what the scene holds, except where a refused edit still stands."""
+        if self._unit_kind:
+            self.set_unit(data["unit"] if self._unit_kind == LENGTH else self._unit_kind)
+
+    def set_unit(self, text: str) -> None:
+        """What stands behind the editors."""
+        self._unit.setText(text)
+        self._unit.setVisible(bool(text))
+
+    def commit(self) -> None:
+        """Tell of text that is typed but not yet entered."""
+
+    def concerns(self, path: str) -> bool:
+        """Whether a refusal of ``path`` belongs to this row."""
+        return path == self.path or path.startswith((self.path + "[", self.path + "."))
+
+    def refuse(self, reason: str) -> None:
+        """Show why the edit is not possible; an empty reason clears it."""
+        if reason or self.refusal:
+            self._refusal.say(f"\N{WARNING SIGN} {reason}" if reason else "")
+            self.setProperty("refused", bool(reason))
+            theme.restyle(self)
+
+    @property
+    def refusal(self) -> str:
+        """The text shown below the editors."""
+        return self._refusal.text()
+
+    def _add(self, widget: QWidget, stretch: int = 1) -> None:
+        self._editors.insertWidget(self._editors.count() - 1, widget, stretch)
+        if self.focusProxy() is None:
+            self.setFocusProxy(widget)
+            self.label.setBuddy(widget)
+
+    def _tell(self, path: str, changes: Changes) -> None:
+        self.edited.emit(Edit(path, f"change of {self.label.text().lower()}", changes))
+
+
+class NumberRow(Row):
+    """One number, or two with a word between them.
+
+    Parameters
+    ----------
+    between : str
+        What stands between two numbers; without it there is one.
+    whole : bool
+        Whether only whole numbers make sense.
+    """
+
+    def __init__(
+        self,
+        path: str,
+        label: str,
+        tip: str,
+        unit: str = "",
+        *,
+        between: str = "",
+        whole: bool = False,
+        present: Callable[[dict[str, Any]], bool] | None = None,
+    ) -> None:
+        super().__init__(path, label, tip, unit, present)
+        paths = [f"{path}[0]", f"{path}[1]"] if between else [path]
+        self.editors = {p: NumberEditor(whole) for p in paths}
+        for number, (place, editor) in enumerate(self.editors.items()):
+            if number:
+                self._add(QLabel(between), 0)
+            self._add(editor)
+            editor.committed.connect(lambda text, p=place: self._commit(p, text))
+            editor.reverted.connect(lambda p=place: self.reverted.emit(p))
+
+    def show_scene(self, data: dict[str, Any], pending: set[str]) -> None:
+        """Show the scene's numbers, short but exact."""
+        super().show_scene(data, pending)
+        for path, editor in self.editors.items():
+            if path not in pending:
+                editor.show_value(format(value_at(data, path), ".12g"))
+
+    def commit(self) -> None:
+        """Tell of text that is typed but not yet entered."""
+        for editor in self.editors.values():
+            editor.commit()
+
+    def _commit(self, path: str, text: str) -> None:
+        self._tell(path, {path: self.editors[path].value(text)})
+
+
+class TextRow(Row):
+    """One line of text, with a button behind it that helps to find the text.
+
+    Parameters
+    ----------
+    button_tip : str
+        What the button does.
+    """
+
+    asked = Signal()
+
+    def __init__(self, path: str, label: str, tip: str, button_tip: str) -> None:
+        super().__init__(path, label, tip)
+        self.editor = TextEditor()
+        button = QToolButton()
+        button.setText("…")
+        button.setToolTip(button_tip)
+        button.setAccessibleName(button_tip)
+        button.clicked.connect(self.asked)
+        self._add(self.editor)
+        self._add(button, 0)
+        self.editor.committed.connect(lambda text: self._tell(path, {path: text}))
+        self.editor.reverted.connect(lambda: self.reverted.emit(path))
+
+    def show_scene(self, data: dict[str, Any], pending: set[str]) -> None:
+        """Show the scene's text, its end first, which in a path says most."""
+        super().show_scene(data, pending)
+        if self.path not in pending:
+            self.editor.show_value(value_at(data, self.path))
+            self.editor.end(False)
+
+    def commit(self) -> None:
+        """Tell of text that is typed but not yet entered."""
+        self.editor.commit()
+
+
+class ChoiceRow(Row):
+    """One of a few, entered at once.
+
+    Parameters
+    ----------
+    choices : sequence of (str, str)
+        What the scene calls it and what a person reads.
+    read : callable, optional
+        The scene's choice; by default the value at the path.
+    changes : callable, optional
+        What choosing brings with it, or None to leave all as it is; by default the path's value.
+    """
+
+    def __init__(
+        self,
+        path: str,
+        label: str,
+        tip: str,
+        choices: Sequence[tuple[str, str]],
+        read: Callable[[dict[str, Any]], str] | None = None,
+        changes: Callable[[str], Changes | None] | None = None,
+    ) -> None:
+        super().__init__(path, label, tip)
+        self._read = read or (lambda data: str(value_at(data, path)))
+        self._changes = changes or (lambda choice: {path: choice})
+        self.chooser = Chooser()
+        for value, text in choices:
+            self.chooser.addItem(text, value)
+        self._add(self.chooser)
+        self.chooser.activated.connect(self._choose)
+
+    def present(self, data: dict[str, Any]) -> bool:
+        """Whether a scene, as plain data, has this choice."""
+        return self._read(data) != "None"
+
+    def show_scene(self, data: dict[str, Any], pending: set[str]) -> None:
+        """Show the scene's choice."""
+        super().show_scene(data, pending)
+        if self.path not in pending:
+            self.chooser.setCurrentIndex(self.chooser.findData(self._read(data)))
+
+    def _choose(self, index: int) -> None:
+        changes = self._changes(self.chooser.itemData(index))
+        if changes is None:
+            self.reverted.emit(self.path)
+        else:
+            self._tell(self.path, changes)
+
+
+class CheckRow(Row):
+    """Yes or no."""
+
+    def __init__(self, path: str, label: str, tip: str) -> None:
+        super().__init__(path, label, tip)
+        self.box = QCheckBox()
+        self._add(self.box)
+        self.box.clicked.connect(lambda checked: self._tell(path, {path: checked}))
+
+    def show_scene(self, data: dict[str, Any], pending: set[str]) -> None:
+        """Show the scene's answer."""
+        super().show_scene(data, pending)
+        if self.path not in pending:
+            self.box.setChecked(value_at(data, self.path))

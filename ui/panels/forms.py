@@ -1,0 +1,190 @@
+"""All forms: they turn edits into scenes, and show each refusal where it was caused."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QVBoxLayout, QWidget
+
+from ui.document import Document
+from ui.panels.edits import Edit, edited_scene
+from ui.panels.fields import ChoiceRow, Row
+from ui.panels.lens import LensPanel
+from ui.panels.light import FilterPanel, ScreenPanel, SourcePanel
+from ui.panels.panel import Panel
+from ui.panels.run import RunPanel
+from ui.panels.target import TargetPanel
+from workbench.errors import Refused
+
+
+class Forms(QScrollArea):
+    """The panels below each other.
+
+    Parameters
+    ----------
+    document : Document
+        What is edited. It holds possible scenes only; edits that were refused wait here and are
+        tried again with the next one, because two values may only be possible together.
+    """
+
+    def __init__(self, document: Document) -> None:
+        super().__init__()
+        self._document = document
+        self._pending: dict[str, _Waiting] = {}
+        self._editing = False
+        self._hint = QLabel("The design is running. Stop it to change the scene.")
+        self._hint.setObjectName("hint")
+        self._hint.setWordWrap(True)
+        self._hint.hide()
+        self._target = TargetPanel()
+        self.panels: list[Panel] = [
+            ScenePanel(),
+            self._target,
+            LensPanel(),
+            SourcePanel(),
+            ScreenPanel(),
+            FilterPanel(),
+            RunPanel(),
+        ]
+        self._page = QWidget()
+        column = QVBoxLayout(self._page)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(2)
+        for panel in self.panels:
+            column.addWidget(panel)
+            panel.edited.connect(self.edit)
+            panel.reverted.connect(self._revert)
+        column.addStretch()
+        labels = [row.label.sizeHint().width() for row in self._rows()]
+        for panel in self.panels:
+            panel.align(max(labels))
+        content = QWidget()
+        outer = QVBoxLayout(content)
+        outer.setContentsMargins(0, 0, 0, 0)
+        outer.addWidget(self._hint)
+        outer.addWidget(self._page)
+        self.setWidget(content)
+        self.setWidgetResizable(True)
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        document.session_changed.connect(self._show_change)
+        self._show()
+
+    def minimumSizeHint(self) -> QSize:
+        """Wide enough for every row beside the scroll bar, however few are seen."""
+        size = super().minimumSizeHint()
+        bar = self.verticalScrollBar().sizeHint().width()
+        size.setWidth(self.widget().minimumSizeHint().width() + bar)
+        return size
+
+    @property
+    def refused(self) -> bool:
+        """Whether an edit waits to be corrected."""
+        return bool(self._pending)
+
+    def commit(self) -> None:
+        """Enter what is typed and not yet entered."""
+        for row in self._rows():
+            row.commit()
+
+    def choose_image(self, path: Path) -> None:
+        """Make an image file the target."""
+        self._target.choose_image(path)
+        self.ensureWidgetVisible(self._target)
+
+    def set_running(self, running: bool) -> None:
+        """A run works on the scene as it was when it began; meanwhile it stays so."""
+        self._page.setEnabled(not running)
+        self._hint.setVisible(running)
+
+    def edit(self, edit: Edit) -> None:
+        """Try an edit together with those that wait; keep it waiting if it is refused."""
+        self._pending.pop(edit.path, None)
+        waiting = [waiter.edit for waiter in self._pending.values()]
+        if self._try([*waiting, edit]) is None:
+            self._pending.clear()
+        elif refused := self._try([edit]):
+            self._pending[edit.path] = _Waiting(edit, refused)
+        self._show()
+
+    def _try(self, edits: list[Edit]) -> Refused | None:
+        """Edit the document; the last one names the step."""
+        self._editing = True
+        try:
+            scene = edited_scene(self._document.session.scene, edits)
+            self._document.edit(scene, edits[-1].text, edits[-1].path)
+        except Refused as refused:
+            return refused
+        finally:
+            self._editing = False
+        return None
+
+    def _revert(self, path: str) -> None:
+        self._pending.pop(path, None)
+        self._show()
+
+    def _show_change(self) -> None:
+        """Another session came from elsewhere (undo, a file): what waits is not for this one."""
+        if not self._editing:
+            self._pending.clear()
+            self._show()
+
+    def _show(self) -> None:
+        session = self._document.session
+        data = session.scene.to_data()
+        present = [row for row in self._rows() if row.present(data)]
+        self._pending = {
+            path: waiting
+            for path, waiting in self._pending.items()
+            if any(row.concerns(path) for row in present)
+        }
+        for panel in self.panels:
+            panel.show_session(session, set(self._pending))
+        reasons: dict[Row, str] = {}
+        for path, waiting in self._pending.items():
+            culprit = _row_of(waiting.refused.path, present)
+            edited = _row_of(path, present)
+            reason = waiting.refused.reason
+            if culprit is not None:
+                reasons[culprit] = reason
+            if edited is not None and edited is not culprit:
+                where = culprit.label.text() if culprit is not None else waiting.refused.path
+                reasons[edited] = f"{where}: {reason}"
+        for panel in self.panels:
+            for row in panel.rows:
+                row.refuse(reasons.get(row, ""))
+                if row in reasons:
+                    panel.unfold(True)
+
+    def _rows(self) -> list[Row]:
+        return [row for panel in self.panels for row in panel.rows]
+
+
+@dataclass(frozen=True)
+class _Waiting:
+    """An edit that was refused, and why."""
+
+    edit: Edit
+    refused: Refused
+
+
+class ScenePanel(Panel):
+    """Bound to what concerns the whole scene."""
+
+    def __init__(self) -> None:
+        super().__init__(
+            "Scene",
+            [
+                ChoiceRow(
+                    "unit",
+                    "Unit",
+                    "Unit of every length in the scene. Changing it keeps the numbers: "
+                    "a lens of 1 cm becomes one of 1 mm.",
+                    [(unit, unit) for unit in ("mm", "cm", "m", "inch")],
+                )
+            ],
+        )
+
+
+def _row_of(path: str, rows: list[Row]) -> Row | None:
+    return next((row for row in rows if row.concerns(path)), None)

@@ -1,0 +1,80 @@
+"""A panel: the rows of one part of the scene under a heading that folds them away."""
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QFormLayout, QSizePolicy, QToolButton, QVBoxLayout, QWidget
+
+from ui.panels.fields import Row
+from workbench.files.session import Session
+
+
+class Panel(QWidget):
+    """Rows under a heading. Panels know nothing of each other, nor of the document.
+
+    Parameters
+    ----------
+    title : str
+        The heading.
+    rows : sequence of Row
+        In the order shown.
+    """
+
+    edited = Signal(object)
+    reverted = Signal(object)
+
+    def __init__(self, title: str, rows: Sequence[Row]) -> None:
+        super().__init__()
+        self.rows = rows
+        self._session: Session | None = None
+        self._heading = QToolButton()
+        self._heading.setObjectName("heading")
+        self._heading.setText(title)
+        self._heading.setCheckable(True)
+        self._heading.setChecked(True)
+        self._heading.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        self._heading.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self._heading.toggled.connect(self.unfold)
+        self._body = QWidget()
+        self._form = QFormLayout(self._body)
+        self._form.setContentsMargins(10, 4, 6, 8)
+        self._form.setVerticalSpacing(5)
+        self._form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
+        self._form.setLabelAlignment(Qt.AlignmentFlag.AlignLeft)
+        for row in rows:
+            self._form.addRow(row.label, row)
+            row.edited.connect(self.edited)
+            row.reverted.connect(self.reverted)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addWidget(self._heading)
+        column.addWidget(self._body)
+        self.unfold(True)
+
+    @property
+    def session(self) -> Session:
+        """What the panel shows."""
+        assert self._session is not None  # shown before anything can be edited
+        return self._session
+
+    def show_session(self, session: Session, pending: set[str]) -> None:
+        """Show a session's values, except at paths whose refused edit still stands."""
+        self._session = session
+        data = session.scene.to_data()
+        for row in self.rows:
+            present = row.present(data)
+            self._form.setRowVisible(row, present)
+            if present:
+                row.show_scene(data, pending)
+
+    def unfold(self, unfolded: bool) -> None:
+        """Show or fold away the rows."""
+        self._heading.setChecked(unfolded)
+        self._heading.setArrowType(Qt.ArrowType.DownArrow if unfolded else Qt.ArrowType.RightArrow)
+        self._body.setVisible(unfolded)
+
+    def align(self, width: int) -> None:
+        """Give all labels one width, so that the panels' columns stand below each other."""
+        for row in self.rows:
+            row.label.setMinimumWidth(width)

@@ -1,0 +1,66 @@
+"""How far the design is, in the status bar."""
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QLabel, QProgressBar, QStatusBar
+
+from workbench.design.snapshot import Snapshot
+
+
+class RunStatus:
+    """Progress bar and figures at the right of a status bar.
+
+    Parameters
+    ----------
+    bar : QStatusBar
+        Gets them.
+    """
+
+    def __init__(self, bar: QStatusBar) -> None:
+        self._progress = QProgressBar()
+        self._progress.setFixedWidth(150)
+        self._progress.setTextVisible(False)
+        self._progress.setAccessibleName("Progress of the design")
+        # Widths of the longest text to be expected, so that nothing jumps while it counts.
+        self._iteration = _figure(bar, "Iterations done", "iteration 0000 of 0000")
+        self._loss = _figure(bar, "How far the image is from the target", "loss 0.000e-00")
+        self._light = _figure(
+            bar, "Part of the light that lands on the screen", "on screen 000.0 %"
+        )
+        self._elapsed = _figure(bar, "Run time", "00:00 elapsed")
+        self._left = _figure(bar, "Time left if all iterations are used", "00:00 left")
+        bar.insertPermanentWidget(0, self._progress)
+        self._progress.hide()
+
+    def show_snapshot(self, snapshot: Snapshot, running: bool) -> None:
+        """Show the figures of a lens; progress only while it is being designed."""
+        done, all_of_it = snapshot.iteration, snapshot.iterations
+        self._progress.setVisible(running)
+        self._progress.setMaximum(max(all_of_it, 1))
+        self._progress.setValue(done)
+        counting = running or done > 0
+        self._iteration.setText(f"iteration {done} of {all_of_it}" if counting else "")
+        self._loss.setText(f"loss {snapshot.loss:.3e}")
+        self._light.setText(f"on screen {100 * snapshot.ledger.efficiency:.1f} %")
+        self._elapsed.setText(f"{_clock(snapshot.seconds)} elapsed" if counting else "")
+        left = snapshot.seconds / done * (all_of_it - done) if done else None
+        self._left.setText(f"{_clock(left)} left" if running and left is not None else "")
+
+    def settle(self) -> None:
+        """The run has ended: nothing is in progress any more."""
+        self._progress.hide()
+        self._left.clear()
+
+
+def _figure(bar: QStatusBar, tip: str, longest: str) -> QLabel:
+    label = QLabel()
+    label.setToolTip(tip)
+    label.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+    label.setMinimumWidth(label.fontMetrics().horizontalAdvance(longest))
+    bar.addPermanentWidget(label)
+    return label
+
+
+def _clock(seconds: float) -> str:
+    minutes, rest = divmod(round(seconds), 60)
+    hours, minutes = divmod(minutes, 60)
+    return f"{hours}:{minutes:02}:{rest:02}" if hours else f"{minutes}:{rest:02}"

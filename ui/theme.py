@@ -1,0 +1,86 @@
+"""How the window looks: Fusion in the system's colours, and icons drawn in the text's colour."""
+
+from pathlib import Path
+
+from PySide6.QtCore import QByteArray, Qt
+from PySide6.QtGui import QColor, QIcon, QPainter, QPalette, QPixmap
+from PySide6.QtSvg import QSvgRenderer
+from PySide6.QtWidgets import QApplication, QWidget
+
+import resources
+
+_ICON_SIZES = (16, 24, 32, 48, 64)
+_INK = "#666"  # the one colour of all icons but the program's own
+
+# Beside the palette's greys; readable (7:1) on both grounds, and told by an icon as well.
+_REFUSED = {"light": "#a40020", "dark": "#ff9a8d"}
+_WARNING = {"light": "#fff0c8", "dark": "#4d3f10"}
+_NOTE = {"light": "#dcebfa", "dark": "#1d3a56"}
+
+
+def apply(application: QApplication) -> None:
+    """Dress the application, now and whenever the system turns light or dark."""
+    application.setStyle("Fusion")
+    application.setWindowIcon(QIcon(str(_icon_file("workbench"))))
+    _colour(application)
+    application.styleHints().colorSchemeChanged.connect(lambda _: _colour(application))
+
+
+def is_dark(palette: QPalette) -> bool:
+    """Whether text is brighter than its ground."""
+    return palette.windowText().color().lightness() > palette.window().color().lightness()
+
+
+def icon(name: str, palette: QPalette) -> QIcon:
+    """An icon of resources/icons in the palette's text colour, paler where it is disabled."""
+    drawing = _icon_file(name).read_text(encoding="utf-8")
+    made = QIcon()
+    groups = {
+        QIcon.Mode.Normal: QPalette.ColorGroup.Active,
+        QIcon.Mode.Disabled: QPalette.ColorGroup.Disabled,
+    }
+    for mode, group in groups.items():
+        colour = palette.color(group, QPalette.ColorRole.ButtonText)
+        for size in _ICON_SIZES:
+            made.addPixmap(_drawn(drawing, colour, size), mode)
+    return made
+
+
+def restyle(widget: QWidget) -> None:
+    """Apply the style sheet again after a property that it asks for has changed."""
+    for changed in (widget, *widget.findChildren(QWidget)):
+        changed.style().unpolish(changed)
+        changed.style().polish(changed)
+
+
+def _icon_file(name: str) -> Path:
+    return resources.path("icons", f"{name}.svg")
+
+
+def _drawn(drawing: str, colour: QColor, size: int) -> QPixmap:
+    renderer = QSvgRenderer(QByteArray(drawing.replace(_INK, colour.name()).encode()))
+    pixmap = QPixmap(size, size)
+    pixmap.fill(Qt.GlobalColor.transparent)
+    painter = QPainter(pixmap)
+    renderer.render(painter)
+    painter.end()
+    return pixmap
+
+
+def _colour(application: QApplication) -> None:
+    scheme = "dark" if is_dark(application.palette()) else "light"
+    application.setStyleSheet(
+        f"""
+        QLabel#refusal {{ color: {_REFUSED[scheme]}; }}
+        *[refused="true"] QLineEdit, *[refused="true"] QComboBox {{
+            border: 1px solid {_REFUSED[scheme]}; border-radius: 2px;
+        }}
+        QToolButton#heading {{
+            font-weight: 600; border: none; border-bottom: 1px solid palette(mid); padding: 4px;
+        }}
+        QToolButton#heading:hover, QToolButton#heading:focus {{ background: palette(midlight); }}
+        QLabel#hint {{ background: {_NOTE[scheme]}; padding: 6px; }}
+        QFrame#warning {{ background: {_WARNING[scheme]}; }}
+        QFrame#note {{ background: {_NOTE[scheme]}; }}
+        """
+    )

@@ -1,0 +1,90 @@
+"""Where forms and views stand in the window, before and after the views are there."""
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QDockWidget, QLabel, QMainWindow, QStackedWidget, QVBoxLayout, QWidget
+
+from ui.message_bar import MessageBar
+from ui.panels.forms import Forms
+
+_LEFT = Qt.DockWidgetArea.LeftDockWidgetArea
+_RIGHT = Qt.DockWidgetArea.RightDockWidgetArea
+_BOTTOM = Qt.DockWidgetArea.BottomDockWidgetArea
+
+# Shares of the window for forms, images and the loss curve.
+_FORMS_SHARE = 0.25
+_IMAGES_SHARE = 0.27
+_LOSS_SHARE = 0.24
+
+
+class Workspace:
+    """Docks around the 3D scene; the views come later, because their libraries load slowly.
+
+    Parameters
+    ----------
+    window : QMainWindow
+        Gets docks and a central widget.
+    forms : Forms
+        Stands at the left.
+    messages : MessageBar
+        Stands above the 3D scene.
+    """
+
+    def __init__(self, window: QMainWindow, forms: Forms, messages: MessageBar) -> None:
+        self._window = window
+        self._stage = QStackedWidget()
+        self._curtain = QLabel("Loading the 3D scene…", alignment=Qt.AlignmentFlag.AlignCenter)
+        self._stage.addWidget(self._curtain)
+        centre = QWidget()
+        column = QVBoxLayout(centre)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addWidget(messages)
+        column.addWidget(self._stage, 1)
+        window.setCentralWidget(centre)
+        window.setCorner(Qt.Corner.BottomLeftCorner, _LEFT)
+        window.setCorner(Qt.Corner.BottomRightCorner, _RIGHT)
+        self.docks = {
+            "design": self._dock("design", "Design", _LEFT),
+            "irradiance": self._dock("irradiance", "Irradiance", _RIGHT),
+            "error": self._dock("error", "Irradiance − target", _RIGHT),
+            "loss": self._dock("loss", "Loss", _BOTTOM),
+        }
+        self.docks["design"].setWidget(forms)
+        for name in ("irradiance", "error", "loss"):
+            curtain = QLabel("Loading…", alignment=Qt.AlignmentFlag.AlignCenter)
+            self.docks[name].setWidget(curtain)
+
+    def arrange(self) -> None:
+        """Share the window out among the docks."""
+        docks, width, height = self.docks, self._window.width(), self._window.height()
+        self._window.resizeDocks(
+            [docks["design"], docks["irradiance"]],
+            [int(_FORMS_SHARE * width), int(_IMAGES_SHARE * width)],
+            Qt.Orientation.Horizontal,
+        )
+        self._window.resizeDocks(
+            [docks["irradiance"], docks["error"]], [1, 1], Qt.Orientation.Vertical
+        )
+        self._window.resizeDocks(
+            [docks["loss"]], [int(_LOSS_SHARE * height)], Qt.Orientation.Vertical
+        )
+
+    def raise_curtain(self, scene_view: QWidget, plots: dict[str, QWidget]) -> None:
+        """Put the views where the placeholders stand."""
+        self._stage.addWidget(scene_view)
+        self._stage.setCurrentWidget(scene_view)
+        for name, plot in plots.items():
+            placeholder = self.docks[name].widget()
+            self.docks[name].setWidget(plot)
+            placeholder.deleteLater()
+        self._curtain.setText("The 3D scene is hidden. View > 3D scene shows it again.")
+
+    def show_scene_view(self, shown: bool) -> None:
+        """Show the 3D scene, or nothing in its place (which costs nothing while a run goes on)."""
+        self._stage.setCurrentIndex(1 if shown else 0)
+
+    def _dock(self, name: str, title: str, area: Qt.DockWidgetArea) -> QDockWidget:
+        dock = QDockWidget(title, self._window)
+        dock.setObjectName(name)
+        self._window.addDockWidget(area, dock)
+        return dock
