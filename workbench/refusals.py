@@ -80,7 +80,9 @@ def _follow(location: tuple[int | str, ...], model: type[BaseModel]) -> tuple[st
             continue
         path += f".{step}" if path else step
         fields = sorted({name for c in candidates for name in c.model_fields})
-        annotations = [c.model_fields[step].annotation for c in candidates if step in c.model_fields]
+        annotations = [
+            c.model_fields[step].annotation for c in candidates if step in c.model_fields
+        ]
         candidates = [m for a in annotations for m in _models(a)]
     return path, fields
 

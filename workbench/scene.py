@@ -32,6 +32,7 @@ NetSize = Annotated[int, Field(ge=2, le=1024)]
 RayCount = Annotated[int, Field(ge=1, le=4096)]
 PixelCount = Annotated[int, Field(ge=1, le=4096)]
 
+
 class Part(BaseModel):
     """A frozen part of the scene that refuses unknown fields and loose types."""
 
@@ -133,9 +134,7 @@ class Lens(Part):
                     f"{count} is too few for degree {degree}; at least {degree + 1}",
                 )
         if isinstance(self.refractive_index, str) and self.wavelength_um is None:
-            raise Refused(
-                "lens.wavelength_um", f"missing; it goes with {self.refractive_index!r}"
-            )
+            raise Refused("lens.wavelength_um", f"missing; it goes with {self.refractive_index!r}")
         if not self.index > 1:
             raise Refused("lens.refractive_index", f"{self.index:g}; greater than 1 is needed")
         if isinstance(self.base, SphereBase) and self.base.radius <= math.hypot(*self.half_width):

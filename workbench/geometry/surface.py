@@ -120,7 +120,7 @@ class ControlNet:
 
     @cached_property
     def positions(self) -> tuple[Array, Array]:
-        """x (n_u,) and y (n_v,) of the control points (de Koning et al. 2023, eq. 13)."""
+        """X (n_u,) and y (n_v,) of the control points (de Koning et al. 2023, eq. 13)."""
         u, v = (greville(knots, p) for knots, p in zip(self.knots, self.degree, strict=True))
         return (2 * u - 1) * self.half_width[0], (2 * v - 1) * self.half_width[1]
 
@@ -151,6 +151,24 @@ class ControlNet:
             parts.append((first[:, None] + np.arange(degree + 1), values, slopes))
         (index_x, along_x, slope_x), (index_y, along_y, slope_y) = parts
         return PointBasis(index_x, index_y, along_x, slope_x, along_y, slope_y)
+
+    def embedding(self, coarser: "ControlNet") -> tuple[Array, Array]:
+        """Matrices A_u, A_v that carry a coarser net's heights to this net, A_u P A_vᵀ.
+
+        They interpolate the coarser surface at this net's Greville abscissae: close for any two
+        nets, and exact where this net's knots contain the coarser net's (see also `refine`).
+        """
+        parts: list[Array] = []
+        for axis in (0, 1):
+            fine, coarse = self.knots[axis], coarser.knots[axis]
+            sites = greville(fine, self.degree[axis])
+            parts.append(
+                np.linalg.solve(
+                    basis_matrix(fine, self.degree[axis], sites),
+                    basis_matrix(coarse, coarser.degree[axis], sites),
+                )
+            )
+        return parts[0], parts[1]
 
     def refine(self, heights: Array, finer: "ControlNet") -> Array:
         """The same surface on a finer net, exactly.

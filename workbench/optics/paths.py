@@ -6,8 +6,8 @@ import numpy as np
 import numpy.typing as npt
 import torch
 
+from workbench.geometry.surface import ControlNet
 from workbench.optics.collimated import CollimatedRays
-from workbench.geometry.surface import ControlNet, sample_surface
 from workbench.scene import CollimatedSource, Scene
 
 Array = npt.NDArray[np.float64]

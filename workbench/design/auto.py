@@ -1,0 +1,190 @@
+"""The best this program knows: quasi-Newton from coarse to fine, from the flow of light to its detail.
+
+Three things set it apart from the paper's method:
+
+- Early stages measure the image error in a Sobolev norm that weighs long waves most, the
+  linearised transport distance. It knows in which direction far-away light has to move, where
+  the plain norm sees only pixels that do not overlap.
+- Corrections come first from a coarse control net, then from finer ones, so that the surface
+  stays smooth while large amounts of light move.
+- The image reaches beyond the screen and is compared with all light that passes the lens, so
+  that light beside the screen counts as an error and is called back.
+
+The target goes through the expected reconstruction filter, else the optimum is a lens that is too
+sharp, to undo a blur that only the simulation has.
+"""
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from itertools import islice
+
+import numpy as np
+import numpy.typing as npt
+import torch
+from torch import Tensor
+
+from workbench.design.heights import HeightRange
+from workbench.design.lbfgs import Evaluation, Objective, minimise
+from workbench.design.loss import check_finite, check_gradient, paper_loss, share
+from workbench.design.step import Step
+from workbench.geometry.surface import ControlNet
+from workbench.optics.filtered import expected_image
+from workbench.optics.plan import Plan, device_of
+from workbench.scene import BoxFilter, GaussianFilter, Scene, Screen
+
+Array = npt.NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Stage:
+    """A part of the run.
+
+    Attributes
+    ----------
+    coarsening : int
+        How many times fewer control points per axis the corrections have.
+    cut : float or None
+        Waves with more periods per image width than this lose weight; None weighs all alike.
+    part : float
+        Part of the iterations.
+    """
+
+    coarsening: int
+    cut: float | None
+    part: float
+
+
+STAGES = (
+    Stage(coarsening=4, cut=1.0, part=0.15),
+    Stage(coarsening=2, cut=4.0, part=0.15),
+    Stage(coarsening=1, cut=16.0, part=0.25),
+    Stage(coarsening=1, cut=None, part=0.45),
+)
+
+# Part of the screen's width that the image reaches beyond it on each side.
+_MARGIN = 0.1
+
+
+# The run ends when this many steps together lower the loss by less than this part.
+_PATIENCE, _PROGRESS = 30, 1e-3
+
+
+def auto_steps(scene: Scene, target: Array, start: Array | None) -> Iterator[Step]:
+    """Evaluate lens after lens through all stages; see `workbench.design.run.run`.
+
+    Raises
+    ------
+    RunFailed
+        If the loss or its gradient is not finite.
+    """
+    net = ControlNet.of(scene.lens)
+    free = HeightRange.of(scene.lens, net, device_of(scene))
+    parameters = free.rest if start is None else free.parameters(start)
+    image = _WideImage(scene, target)
+    stages = STAGES if start is None else STAGES[-1:]
+    for number, stage in enumerate(stages):
+        correction = _Correction(net, parameters, stage.coarsening)
+        objective = _objective(image, free, correction, stage.cut)
+        descent = minimise(objective, correction.nothing)
+        if stage is not stages[-1]:
+            descent = islice(descent, 1 + round(scene.run.iterations * stage.part))
+        best: list[float] = []
+        for x, found in descent:
+            parameters = correction.apply(x)
+            if number > 0 and not best:  # this lens ended the stage before
+                best.append(found.seen.loss)
+                continue
+            yield found.seen
+            best.append(min([found.seen.loss, *best[-1:]]))
+            if len(best) > _PATIENCE and best[-1] > (1 - _PROGRESS) * best[-1 - _PATIENCE]:
+                break
+
+
+class _Correction:
+    """Changes of the parameters that live on a coarser control net."""
+
+    def __init__(self, net: ControlNet, parameters: Tensor, coarsening: int) -> None:
+        shape = tuple(
+            max(n // coarsening, p + 1) for n, p in zip(net.shape, net.degree, strict=True)
+        )
+        coarse = ControlNet((shape[0], shape[1]), net.degree, net.half_width)
+        self._base = parameters
+        self._into_x, self._into_y = (
+            torch.as_tensor(a).to(parameters) for a in net.embedding(coarse)
+        )
+        self.nothing = parameters.new_zeros(coarse.shape).flatten()
+        self._shape = coarse.shape
+
+    def apply(self, x: Tensor) -> Tensor:
+        """Parameters of the finished net, shape (n_u, n_v)."""
+        return self._base + self._into_x @ x.view(self._shape) @ self._into_y.T
+
+
+def _objective(
+    image: "_WideImage", free: HeightRange, correction: _Correction, cut: float | None
+) -> Objective[Step]:
+    weight = None if cut is None else image.long_waves(cut)
+
+    def objective(x: Tensor) -> Evaluation[Step]:
+        x = x.detach().requires_grad_()
+        heights = free.heights(correction.apply(x))
+        error, step = image.compare(heights)
+        if weight is not None:
+            spectrum = torch.fft.rfft2(error, norm="ortho") * weight
+            error = torch.view_as_real(spectrum)
+        value = error.square().sum()
+        (gradient,) = torch.autograd.grad(value, [x])
+        check_gradient(gradient)
+        return Evaluation(value.item(), gradient, step)
+
+    return objective
+
+
+class _WideImage:
+    """The image of a lens on the screen and some way beyond, against the wish."""
+
+    def __init__(self, scene: Scene, target: Array) -> None:
+        # A box filter gives no gradient; the design then looks through the usual Gaussian.
+        filter = GaussianFilter() if isinstance(scene.filter, BoxFilter) else scene.filter
+        screen = scene.screen
+        margin = tuple(math.ceil(_MARGIN * n) for n in screen.pixels)
+        wide = Screen(
+            z=screen.z,
+            half_width=tuple(
+                r * (n + 2 * m) / n
+                for r, n, m in zip(screen.half_width, screen.pixels, margin, strict=True)
+            ),
+            pixels=tuple(n + 2 * m for n, m in zip(screen.pixels, margin, strict=True)),
+        )
+        device = device_of(scene)
+        self._plan = Plan(scene.model_copy(update={"screen": wide}), filter=filter)
+        self._on_screen = (
+            slice(margin[1], margin[1] + screen.pixels[1]),
+            slice(margin[0], margin[0] + screen.pixels[0]),
+        )
+        around = ((margin[1], margin[1]), (margin[0], margin[0]))
+        wanted = expected_image(np.pad(share(target), around), filter)
+        self._wanted = torch.as_tensor(wanted, dtype=torch.float32, device=device)
+        self._scale = self._wanted.norm().item()
+
+    def compare(self, heights: Tensor) -> tuple[Tensor, Step]:
+        """Error relative to the norm of the wish, on the wide image, and the step to report."""
+        traced = self._plan.trace(heights)
+        ledger = traced.ledger
+        flux = traced.flux[self._on_screen]
+        visible = flux.detach().sum(dtype=torch.float64).item()
+        beside = ledger.off_screen + ledger.on_screen - visible
+        ledger = replace(ledger, on_screen=visible, off_screen=beside)
+        loss = paper_loss(flux.detach(), self._wanted[self._on_screen])
+        check_finite(loss, ledger)
+        step = Step(loss.item(), heights.detach(), flux.detach(), ledger)
+        error = traced.flux / (ledger.on_screen + ledger.off_screen) - self._wanted
+        return error / self._scale, step
+
+    def long_waves(self, cut: float) -> Tensor:
+        """Weights of a real spectrum that fall off beyond ``cut`` periods per image, H⁻¹ there."""
+        rows, columns = self._wanted.shape
+        k_y = torch.fft.fftfreq(rows, 1 / rows)[:, None]
+        k_x = torch.fft.rfftfreq(columns, 1 / columns)[None, :]
+        return ((k_x.square() + k_y.square()) / cut**2 + 1).rsqrt().to(self._wanted)

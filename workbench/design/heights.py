@@ -1,0 +1,59 @@
+"""Control point freedom: keeps every control height in its range, whatever the optimiser does."""
+
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+import torch
+from torch import Tensor
+
+from workbench.geometry.surface import ControlNet
+from workbench.scene import Lens
+
+Array = npt.NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class HeightRange:
+    """Open interval of each control height, entered through tanh.
+
+    De Koning et al. (2023), eqs. 10 and 28. By the convex-hull property the whole exit face then
+    clears the entrance face by the minimal thickness, at every iteration.
+
+    Attributes
+    ----------
+    lower, upper : Tensor, shape (n_u, n_v), float64
+        Ends of the interval, scene units.
+    rest : Tensor, shape (n_u, n_v), float64
+        Parameters of the undesigned lens: base plus the middle of the height range.
+    """
+
+    lower: Tensor
+    upper: Tensor
+    rest: Tensor
+
+    @classmethod
+    def of(cls, lens: Lens, net: ControlNet, device: torch.device | str = "cpu") -> "HeightRange":
+        """The range that a lens allows on a control net."""
+        x, y = net.positions
+        base = lens.base.height_at(x[:, None], y[None, :])
+        low, high = lens.height_range
+        lower = np.maximum(base + low, lens.entrance_z + lens.min_thickness)
+        upper = base + high
+        rest = _inside(base + (low + high) / 2, lower, upper)
+        return cls(*(torch.as_tensor(part, device=device) for part in (lower, upper, rest)))
+
+    def heights(self, parameters: Tensor) -> Tensor:
+        """Control heights of parameters, shape (n_u, n_v)."""
+        return self.lower + (self.upper - self.lower) * (0.5 * torch.tanh(parameters) + 0.5)
+
+    def parameters(self, heights: Array) -> Tensor:
+        """Parameters of control heights; heights at or beyond an end go just inside it."""
+        lower, upper = self.lower.cpu().numpy(), self.upper.cpu().numpy()
+        return torch.as_tensor(_inside(heights, lower, upper), device=self.lower.device)
+
+
+def _inside(heights: Array, lower: Array, upper: Array) -> Array:
+    # At the very ends the parameter would be infinite and its gradient 0 for ever.
+    y = np.clip(2 * (heights - lower) / (upper - lower) - 1, -0.999, 0.999)
+    return np.arctanh(y)

@@ -1,0 +1,28 @@
+"""What a method hands to the run after each evaluation of a lens."""
+
+from typing import NamedTuple
+
+from torch import Tensor
+
+from workbench.optics.ledger import Ledger
+
+
+class Step(NamedTuple):
+    """One evaluated lens.
+
+    Attributes
+    ----------
+    loss : float
+        Paper's loss, comparable over the whole run.
+    heights : Tensor, shape (n_u, n_v)
+        Control heights of the finished net, no gradient.
+    flux : Tensor, shape (n_y, n_x)
+        Light in each pixel, no gradient.
+    ledger : Ledger
+        Where the light went.
+    """
+
+    loss: float
+    heights: Tensor
+    flux: Tensor
+    ledger: Ledger
