@@ -29,7 +29,7 @@ _SENTENCES = {
 
 
 def told_by(field: str, *tags: str, otherwise: str) -> Discriminator:
-    """Choose a member of a union by the value of ``field``, or ``otherwise`` where it is left out."""
+    """Choose a member of a union by the value of ``field``, ``otherwise`` if it is left out."""
 
     def tag(value: object) -> str:
         given = value.get(field) if isinstance(value, dict) else getattr(value, field, None)

@@ -151,7 +151,8 @@ class Lens(Part):
         if lowest + high <= floor:
             raise Refused(
                 "lens.height_range[1]",
-                f"{high:g} leaves no room above the minimal thickness; more than {floor - lowest:g}",
+                f"{high:g} leaves no room above the minimal thickness; "
+                f"more than {floor - lowest:g}",
             )
         return self
 

@@ -1,4 +1,4 @@
-"""The best this program knows: quasi-Newton from coarse to fine, from the flow of light to its detail.
+"""The best this program knows: quasi-Newton from coarse to fine, from flow of light to detail.
 
 Three things set it apart from the paper's method:
 
@@ -110,9 +110,9 @@ class _Correction:
         )
         coarse = ControlNet((shape[0], shape[1]), net.degree, net.half_width)
         self._base = parameters
-        self._into_x, self._into_y = (
-            torch.as_tensor(a).to(parameters) for a in net.embedding(coarse)
-        )
+        into_x, into_y = net.embedding(coarse)
+        self._into_x = torch.as_tensor(into_x).to(parameters)
+        self._into_y = torch.as_tensor(into_y).to(parameters)
         self.nothing = parameters.new_zeros(coarse.shape).flatten()
         self._shape = coarse.shape
 
@@ -148,22 +148,17 @@ class _WideImage:
         # A box filter gives no gradient; the design then looks through the usual Gaussian.
         filter = GaussianFilter() if isinstance(scene.filter, BoxFilter) else scene.filter
         screen = scene.screen
-        margin = tuple(math.ceil(_MARGIN * n) for n in screen.pixels)
+        (n_x, n_y), (r_x, r_y) = screen.pixels, screen.half_width
+        m_x, m_y = math.ceil(_MARGIN * n_x), math.ceil(_MARGIN * n_y)
         wide = Screen(
             z=screen.z,
-            half_width=tuple(
-                r * (n + 2 * m) / n
-                for r, n, m in zip(screen.half_width, screen.pixels, margin, strict=True)
-            ),
-            pixels=tuple(n + 2 * m for n, m in zip(screen.pixels, margin, strict=True)),
+            half_width=(r_x * (1 + 2 * m_x / n_x), r_y * (1 + 2 * m_y / n_y)),
+            pixels=(n_x + 2 * m_x, n_y + 2 * m_y),
         )
         device = device_of(scene)
         self._plan = Plan(scene.model_copy(update={"screen": wide}), filter=filter)
-        self._on_screen = (
-            slice(margin[1], margin[1] + screen.pixels[1]),
-            slice(margin[0], margin[0] + screen.pixels[0]),
-        )
-        around = ((margin[1], margin[1]), (margin[0], margin[0]))
+        self._on_screen = (slice(m_y, m_y + n_y), slice(m_x, m_x + n_x))
+        around = ((m_y, m_y), (m_x, m_x))
         wanted = expected_image(np.pad(share(target), around), filter)
         self._wanted = torch.as_tensor(wanted, dtype=torch.float32, device=device)
         self._scale = self._wanted.norm().item()
@@ -187,4 +182,5 @@ class _WideImage:
         rows, columns = self._wanted.shape
         k_y = torch.fft.fftfreq(rows, 1 / rows)[:, None]
         k_x = torch.fft.rfftfreq(columns, 1 / columns)[None, :]
-        return ((k_x.square() + k_y.square()) / cut**2 + 1).rsqrt().to(self._wanted)
+        steepness: Tensor = (k_x.square() + k_y.square()) / cut**2
+        return (1 + steepness).rsqrt().to(self._wanted)

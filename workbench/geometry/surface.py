@@ -162,12 +162,9 @@ class ControlNet:
         for axis in (0, 1):
             fine, coarse = self.knots[axis], coarser.knots[axis]
             sites = greville(fine, self.degree[axis])
-            parts.append(
-                np.linalg.solve(
-                    basis_matrix(fine, self.degree[axis], sites),
-                    basis_matrix(coarse, coarser.degree[axis], sites),
-                )
-            )
+            here = basis_matrix(fine, self.degree[axis], sites)
+            there = basis_matrix(coarse, coarser.degree[axis], sites)
+            parts.append(np.asarray(np.linalg.solve(here, there), dtype=np.float64))
         return parts[0], parts[1]
 
     def refine(self, heights: Array, finer: "ControlNet") -> Array:
