@@ -43,7 +43,7 @@ def told_by(field: str, *tags: str, otherwise: str) -> Discriminator:
     )
 
 
-def refusal(error: ValidationError, model: type[BaseModel]) -> Refused:
+def refusal(error: ValidationError, model: type[BaseModel], whole: str = "scene") -> Refused:
     """Describe the first thing that is wrong.
 
     Parameters
@@ -52,6 +52,8 @@ def refusal(error: ValidationError, model: type[BaseModel]) -> Refused:
         What validation found.
     model : type[pydantic.BaseModel]
         The model that was asked for.
+    whole : str
+        The path where no field of it is wrong, but all.
 
     Returns
     -------
@@ -62,7 +64,7 @@ def refusal(error: ValidationError, model: type[BaseModel]) -> Refused:
     path, fields = _follow(details["loc"], model)
     if details["type"] == "unknown_kind":
         path += "." + details["ctx"]["field"]
-    return Refused(path or "scene", _sentence(details, fields))
+    return Refused(path or whole, _sentence(details, fields))
 
 
 def _follow(location: tuple[int | str, ...], model: type[BaseModel]) -> tuple[str, list[str]]:

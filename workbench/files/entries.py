@@ -1,0 +1,90 @@
+"""Zip entries, read without trust."""
+
+import struct
+import zipfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import IO, BinaryIO
+
+import numpy as np
+import numpy.typing as npt
+
+from workbench.errors import Refused
+from workbench.files.npy import largest_size, read_array
+
+Array = npt.NDArray[np.float64]
+
+# What zipfile raises on damaged archives, besides OSError.
+_DAMAGE = (
+    zipfile.BadZipFile,
+    EOFError,
+    NotImplementedError,
+    OverflowError,
+    RuntimeError,
+    ValueError,
+    struct.error,
+)
+
+
+class Entries:
+    """The stored entries of a zip, each checked before any of it is read.
+
+    Parameters
+    ----------
+    path : Path
+        What refusals call the zip.
+    file : BinaryIO
+        The zip, open for reading as long as this is used.
+
+    Raises
+    ------
+    Refused
+        If it is no zip; later, if an entry is not as it must be.
+    """
+
+    def __init__(self, path: Path, file: BinaryIO) -> None:
+        self._path = path
+        with self._whole():
+            self._archive = zipfile.ZipFile(file)
+        self._size = file.seek(0, 2)
+
+    def check_names(self, needed: set[str]) -> None:
+        """Refuse a zip that holds anything else, or anything twice."""
+        for name in self._archive.namelist():
+            if name not in needed:
+                raise Refused(f"{self._path}: {name!r}", "does not belong into this session")
+        if len(self._archive.namelist()) > len(needed):
+            raise Refused(str(self._path), "holds an entry twice; each must be there once")
+
+    def content(self, name: str, largest: int) -> bytes:
+        """The bytes of an entry."""
+        with self._open(name, largest) as entry:
+            return entry.read()
+
+    def array(self, name: str, shape: tuple[int, ...]) -> Array:
+        """The array of an entry."""
+        with self._open(name, largest_size(shape)) as entry:
+            return read_array(entry, shape, f"{self._path}: {name}")
+
+    @contextmanager
+    def _open(self, name: str, largest: int) -> Iterator[IO[bytes]]:
+        where = f"{self._path}: {name}"
+        if name not in self._archive.namelist():
+            raise Refused(where, "is missing; a session holds it")
+        info = self._archive.getinfo(name)
+        if info.compress_type != zipfile.ZIP_STORED or info.compress_size != info.file_size:
+            raise Refused(where, "is compressed or encrypted; sessions store entries as they are")
+        if info.file_size > largest:
+            raise Refused(where, f"has {info.file_size} bytes; at most {largest} are possible")
+        if info.header_offset + info.file_size > self._size:
+            raise Refused(where, "is cut off")
+        with self._whole(), self._archive.open(info) as entry:
+            yield entry
+
+    @contextmanager
+    def _whole(self) -> Iterator[None]:
+        try:
+            yield
+        except _DAMAGE as error:
+            raise Refused(str(self._path), f"is a damaged or incomplete zip: {error}") from error

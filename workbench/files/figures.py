@@ -1,0 +1,46 @@
+"""The figures of a result, as they stand in JSON."""
+
+from typing import Annotated, Self
+
+from pydantic import Field
+
+from workbench.design.snapshot import Result
+from workbench.optics.ledger import Ledger
+from workbench.scene import NonNegative, Part, Positive
+
+
+class LedgerFigures(Part):
+    """`Ledger` as JSON; parts may be negative by a rounding error."""
+
+    emitted: Positive
+    on_screen: float
+    off_screen: float
+    missed_lens: float
+    total_reflection: float
+    fresnel_entrance: float
+    fresnel_exit: float
+
+
+class Figures(Part):
+    """All of a `Result` but its arrays, and its efficiency."""
+
+    loss: NonNegative
+    iterations: Annotated[int, Field(ge=0)]
+    seconds: NonNegative
+    efficiency: float
+    ledger: LedgerFigures
+
+    @classmethod
+    def of(cls, result: Result) -> Self:
+        """The figures of a result."""
+        return cls(
+            loss=result.loss,
+            iterations=result.iterations,
+            seconds=result.seconds,
+            efficiency=result.ledger.efficiency,
+            ledger=LedgerFigures(**result.ledger.to_data()),
+        )
+
+    def to_ledger(self) -> Ledger:
+        """The account of all light."""
+        return Ledger(**self.ledger.model_dump())

@@ -1,0 +1,44 @@
+"""Opens files for reading, or says in one sentence why not."""
+
+import os
+import stat
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import BinaryIO
+
+from workbench.errors import Refused
+
+
+@contextmanager
+def opened(path: Path) -> Iterator[BinaryIO]:
+    """Open an ordinary file for reading.
+
+    Parameters
+    ----------
+    path : Path
+        File to read.
+
+    Yields
+    ------
+    BinaryIO
+        The open file.
+
+    Raises
+    ------
+    Refused
+        If it is missing, no ordinary file, or cannot be read, here or in the block.
+    """
+    try:
+        # Asked first: opening a pipe would wait for someone to write.
+        kind = os.stat(path).st_mode
+        if stat.S_ISDIR(kind):
+            raise Refused(str(path), "is a folder; a file is needed")
+        if not stat.S_ISREG(kind):
+            raise Refused(str(path), "is a device or pipe; an ordinary file is needed")
+        with path.open("rb") as file:
+            yield file
+    except FileNotFoundError as error:
+        raise Refused(str(path), "does not exist; the name of a file is needed") from error
+    except OSError as error:
+        raise Refused(str(path), f"cannot be read: {error.strerror or error}") from error
