@@ -7,7 +7,7 @@
 3. A paused run waits at the gate's condition, which stopping wakes; it never polls.
 """
 
-from collections.abc import Callable, Generator
+from collections.abc import Callable, Generator, Iterator
 from dataclasses import dataclass, field
 from threading import Condition
 from typing import TYPE_CHECKING
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
     from workbench.scene import Scene
 
-Generate = Callable[["Scene", Array, Array | None], Generator[Snapshot, None, None]]
+Generate = Callable[["Scene", Array, Array | None], Iterator[Snapshot]]
 
 
 class Gate:
@@ -156,13 +156,17 @@ class Worker(QObject):
         job.mailbox.put(make_frame(job.session, snapshot, losses))
 
     def _snapshots(self, job: Job) -> Generator[Snapshot, None, None]:
-        generate = self._generate
-        if generate is None:
-            # Late: torch comes with it, and the window shows before that.
-            from workbench.design.run import run as generate
         result = job.session.result
         start = result.control_points if job.continue_run and result is not None else None
-        return generate(job.session.scene, job.session.target, start)
+        generate = self._generate or _engine()
+        yield from generate(job.session.scene, job.session.target, start)
+
+
+def _engine() -> Generate:
+    # Late: torch comes with it, and the window shows before that.
+    from workbench.design.run import run
+
+    return run
 
 
 def _as_snapshot(result: Result, iterations: int) -> Snapshot:

@@ -82,4 +82,4 @@ class Canvas(FigureCanvasQTAgg):
 
     def _draw_artists(self) -> None:
         for artist in self._artists:
-            artist.axes.draw_artist(artist)
+            self.figure.draw_artist(artist)

@@ -125,7 +125,7 @@ class ErrorImage:
     """Signed error on axes that the caller owns.
 
     The scale is symmetric about zero. It is one of 1, 2, 5, 10, ... and changes only when the
-    errors leave it or fill less than a fifth of it.
+    errors leave it or fill less than a third of it.
 
     Attributes
     ----------
@@ -154,7 +154,7 @@ class ErrorImage:
         self._image.set_data(error)
         # A few bright pixels at an edge must not hide the rest.
         largest = float(np.quantile(np.abs(error), 0.995))
-        if self._scale / 5 <= largest <= self._scale:
+        if self._scale / 3 <= largest <= self._scale:
             return False
         scale = round_scale(largest)
         if scale == self._scale:

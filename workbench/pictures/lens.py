@@ -146,9 +146,9 @@ class LensPicture:
         self._add(
             self._face,
             color=_GLASS,
-            opacity=0.8,
-            ambient=0.1,
-            diffuse=0.8,
+            opacity=0.88,
+            ambient=0.05,
+            diffuse=0.9,
             specular=0.5,
             specular_power=30,
         )
@@ -156,8 +156,8 @@ class LensPicture:
         self._lines.append(self._add(self._edges, line_width=1.5, lighting=False))
 
     def _place_lens(self, surface: Array) -> None:
-        points = surface.reshape(-1, 3).astype(np.float32)
-        walls = shapes.wall_points(surface, self._scene.lens.entrance_z).astype(np.float32)
+        points = surface.reshape(-1, 3)
+        walls = shapes.wall_points(surface, self._scene.lens.entrance_z)
         for mesh in (self._face, self._net):
             mesh.points = points
         for mesh in (self._walls, self._edges):
@@ -178,14 +178,16 @@ class LensPicture:
         corners = np.array([[-r_x, -r_y, z], [r_x, -r_y, z], [r_x, r_y, z], [-r_x, r_y, z]])
         plane = pv.PolyData(corners, faces=[4, 0, 1, 2, 3])
         # Texture rows count upwards in VTK: the last row of an image lies at its origin.
-        plane.active_texture_coordinates = np.array([[0, 0], [1, 0], [1, 1], [0, 1]], np.float32)
+        plane.active_texture_coordinates = np.array([[0, 0], [1, 0], [1, 1], [0, 1]], dtype=float)
         self._texels = pv.ImageData()
         self._texture = pv.Texture()
         self._texture.SetInputDataObject(self._texels)
         n_x, n_y = self._scene.screen.pixels
         self._paint_screen(np.zeros((n_y, n_x)))
         self._add(plane, texture=self._texture, lighting=False)
-        frame = pv.PolyData(corners, lines=[5, 0, 1, 2, 3, 0])
+        # A touch larger than the plane, which would swallow parts of it.
+        around = corners * (1.004, 1.004, 1.0)
+        frame = pv.PolyData(around, lines=[5, 0, 1, 2, 3, 0])
         self._lines.append(self._add(frame, line_width=1.5, lighting=False))
 
     def _paint_screen(self, irradiance: Array) -> None:
@@ -199,7 +201,7 @@ class LensPicture:
 
     def _place_rays(self, paths: "RayPaths") -> None:
         count = len(paths.weight)
-        self._rays.points = paths.points.reshape(-1, 3).astype(np.float32)
+        self._rays.points = paths.points.reshape(-1, 3)
         if count != self._rays.n_cells:
             ends = np.arange(4 * count).reshape(count, 4)
             self._rays.lines = np.insert(ends, 0, 4, axis=1).ravel()
@@ -211,7 +213,7 @@ class LensPicture:
         colours[:, :3] = np.where(self._landing[:, None], _LANDS[self._dark], _LOST[self._dark])
         # Lost rays have little or no weight and still have to be seen; many rays, less ink each.
         ink = 255 * min(1.0, 7 / math.sqrt(max(len(self._weight), 1)))
-        colours[:, 3] = ink * np.where(self._landing, 0.25 + 0.75 * self._weight, 0.8)
+        colours[:, 3] = ink * np.where(self._landing, 0.25 + 0.75 * self._weight, 0.5)
         self._rays.cell_data["colour"] = colours
 
     def _add_axes(self) -> None:

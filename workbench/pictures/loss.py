@@ -18,7 +18,7 @@ _FONT = 8
 class LossCurve:
     """Loss over iterations, logarithmic, on axes that the caller owns.
 
-    The limits are whole decades and change only when the curve leaves them.
+    The limits are 1, 2 or 5 times a power of ten and change only when the curve leaves them.
 
     Attributes
     ----------
@@ -31,7 +31,7 @@ class LossCurve:
         axes.set_yscale("log")
         axes.set_xlabel("iteration", fontsize=_FONT, labelpad=2)
         axes.set_ylabel("loss", fontsize=_FONT, labelpad=2)
-        axes.tick_params(labelsize=_FONT)
+        axes.tick_params(which="both", labelsize=_FONT)
         axes.grid(visible=True, which="major", linewidth=0.6, alpha=0.35)
         (self._line,) = axes.plot([], [], color="#2f86d1", linewidth=1.5)
         self._value = axes.text(
@@ -63,9 +63,8 @@ class LossCurve:
         seen = losses[np.isfinite(losses) & (losses > 0)]
         if not seen.size:
             return self._set_limits(right, *self._limits[1:])
-        low, high = float(seen.min()), float(seen.max())
         return self._set_limits(
-            right, 10.0 ** math.floor(math.log10(low)), 10.0 ** (math.floor(math.log10(high)) + 1)
+            right, _round(float(seen.min()), down=True), _round(float(seen.max()), down=False)
         )
 
     def _set_limits(self, right: float, low: float, high: float) -> bool:
@@ -75,3 +74,12 @@ class LossCurve:
         self._axes.set_xlim(0, right)
         self._axes.set_ylim(low, high)
         return True
+
+
+def _round(value: float, *, down: bool) -> float:
+    """The nearest 1, 2 or 5 times a power of ten strictly below or above ``value``."""
+    decade = 10.0 ** math.floor(math.log10(value))
+    steps = [step * decade for step in (0.5, 1, 2, 5, 10)]
+    if down:
+        return max(step for step in steps if step < value)
+    return min(step for step in steps if step > value)

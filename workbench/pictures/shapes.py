@@ -30,7 +30,7 @@ def net_lines(rows: int, columns: int, fields: int) -> Cells:
     return polylines(along + across)
 
 
-def normals(surface: Array) -> npt.NDArray[np.float32]:
+def normals(surface: Array) -> Array:
     """Unit normals, towards +z, of a grid of points.
 
     Parameters
@@ -44,7 +44,7 @@ def normals(surface: Array) -> npt.NDArray[np.float32]:
     """
     across = np.cross(np.gradient(surface, axis=0), np.gradient(surface, axis=1))
     across /= np.linalg.norm(across, axis=-1, keepdims=True)
-    return across.reshape(-1, 3).astype(np.float32)
+    return np.asarray(across.reshape(-1, 3))
 
 
 def wall_points(surface: Array, entrance_z: float) -> Array:

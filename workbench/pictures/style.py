@@ -10,23 +10,22 @@ def paint(figure: Figure, ink: str, paper: str) -> None:
     Parameters
     ----------
     figure : matplotlib.figure.Figure
-        Its axes, and axes inset in them, are recoloured.
+        Its axes are recoloured, those inset in others too.
     ink, paper : str
         Any matplotlib colours for text and lines, and for the ground.
     """
     figure.set_facecolor(paper)
-    for axes in figure.get_axes():
+    for axes in figure.findobj(Axes):
         _paint_axes(axes, ink, paper)
 
 
 def _paint_axes(axes: Axes, ink: str, paper: str) -> None:
     axes.set_facecolor(paper)
-    axes.title.set_color(ink)
     for axis in (axes.xaxis, axes.yaxis):
         axis.label.set_color(ink)
-        axis.set_tick_params(which="both", color=ink, labelcolor=ink)
         axis.offsetText.set_color(ink)
-    for part in [*axes.spines.values(), *axes.texts]:
-        part.set_color(ink)
-    for inset in axes.child_axes:
-        _paint_axes(inset, ink, paper)
+        axis.set_tick_params(which="both", color=ink, labelcolor=ink)
+    for text in (axes.title, *axes.texts):
+        text.set_color(ink)
+    for spine in axes.spines.values():
+        spine.set_edgecolor(ink)
