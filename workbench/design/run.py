@@ -83,6 +83,6 @@ def _steps(scene: Scene, target: Array, start: Array | None) -> Iterator[Step]:
 
 
 def _frozen(values: Tensor) -> Array:
-    copy = np.array(values.cpu(), dtype=np.float64)
+    copy = values.cpu().double().numpy().copy()
     copy.flags.writeable = False
     return copy

@@ -49,14 +49,15 @@ def _nonzero(knots: Array, degree: int, u: Array, span: Indices, derivative: int
     # knots[i + 1]. Of these only span - p + 1 ... span are not zero.
     index = span[:, None] - degree + 1 + np.arange(degree)
     left, right = knots[index], knots[index + degree]
-    share = lower / (right - left)  # never 0: the span lies within each support
+    width = right - left  # never 0: the span lies within each support
     values = np.zeros((len(u), degree + 1))
     if derivative > 0:
-        values[:, 1:] += degree * share
-        values[:, :-1] -= degree * share
+        values[:, 1:] += degree * lower / width
+        values[:, :-1] -= degree * lower / width
     else:
-        values[:, 1:] += (u[:, None] - left) * share
-        values[:, :-1] += (right - u[:, None]) * share
+        # A ratio first, so that the ends of the domain come out as exactly 1.
+        values[:, 1:] += (u[:, None] - left) / width * lower
+        values[:, :-1] += (right - u[:, None]) / width * lower
     return values
 
 

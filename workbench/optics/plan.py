@@ -7,8 +7,8 @@ from torch import Tensor
 
 from workbench.errors import Refused
 from workbench.geometry.surface import ControlNet
-from workbench.optics.collimated import CollimatedRays
-from workbench.optics.irradiance import reconstruct
+from workbench.optics.collimated import CollimatedRays, Hits
+from workbench.optics.irradiance import Image, reconstruct
 from workbench.optics.ledger import Ledger
 from workbench.scene import Filter, Scene
 
@@ -72,8 +72,7 @@ class Plan:
             Control heights, scene units.
         """
         rays = self._rays
-        hits = rays.trace(heights)
-        image = reconstruct(hits.x, hits.y, hits.weight, self._screen, self._filter)
+        hits, image = self._image(heights)
         transmitted = hits.weight.detach().sum(dtype=torch.float64).item()
         arriving = hits.passes.sum().item() * hits.arriving
         ledger = Ledger(
@@ -86,6 +85,14 @@ class Plan:
             fresnel_exit=arriving - transmitted,
         )
         return Traced(image.flux, ledger)
+
+    def flux(self, heights: Tensor) -> Tensor:
+        """The image alone, for `torch.func` transforms such as jvp, which no ledger survives."""
+        return self._image(heights)[1].flux
+
+    def _image(self, heights: Tensor) -> tuple[Hits, Image]:
+        hits = self._rays.trace(heights)
+        return hits, reconstruct(hits.x, hits.y, hits.weight, self._screen, self._filter)
 
 
 def device_of(scene: Scene) -> torch.device:

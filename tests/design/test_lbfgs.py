@@ -1,0 +1,49 @@
+"""The quasi-Newton method on functions whose minimum is known."""
+
+from itertools import islice
+
+import pytest
+import torch
+
+from workbench.design.lbfgs import Evaluation, minimise
+
+
+def objective(function):
+    def evaluate(x):
+        x = x.detach().requires_grad_()
+        value = function(x)
+        (gradient,) = torch.autograd.grad(value, x)
+        return Evaluation(value.item(), gradient, None)
+
+    return evaluate
+
+
+def rosenbrock(x):
+    return (100 * (x[1:] - x[:-1].square()).square() + (1 - x[:-1]).square()).sum()
+
+
+def test_it_finds_the_end_of_a_curved_valley():
+    points = list(islice(minimise(objective(rosenbrock), torch.zeros(6).double()), 200))
+    assert (points[-1][0] - 1).abs().max() < 1e-6
+
+
+def test_it_never_goes_up(rng):
+    matrix = torch.as_tensor(rng.normal(size=(30, 30)))
+    start = torch.as_tensor(rng.normal(size=30))
+    found = islice(minimise(objective(lambda x: (matrix @ x).square().sum()), start), 100)
+    values = [here.value for _, here in found]
+    assert all(later < earlier for earlier, later in zip(values, values[1:], strict=False))
+    assert values[-1] < 1e-6 * values[0]
+
+
+@pytest.mark.parametrize("scale", [1e-12, 1.0, 1e12])
+def test_the_scale_of_the_problem_does_not_matter(scale):
+    found = islice(
+        minimise(objective(lambda x: scale * rosenbrock(x)), torch.zeros(4).double()), 60
+    )
+    assert list(found)[-1][1].value < 1e-3 * scale
+
+
+def test_it_stops_where_there_is_nothing_left_to_gain():
+    at_rest = objective(lambda x: 0 * x.sum() + 3)
+    assert len(list(islice(minimise(at_rest, torch.ones(3).double()), 50))) == 1

@@ -1,0 +1,153 @@
+"""A design run as its consumers see it."""
+
+import numpy as np
+import pytest
+import torch
+
+from workbench.design.run import run
+from workbench.design.snapshot import History
+from workbench.errors import Refused, RunFailed
+
+METHODS = [{"method": "auto"}, {"method": "paper", "learning_rate": 3e-3}]
+
+
+@pytest.fixture
+def disc():
+    across = np.linspace(-1, 1, 32)
+    return (np.hypot(*np.meshgrid(across, across)) < 0.6).astype(float)
+
+
+@pytest.fixture(params=METHODS, ids=["auto", "paper"])
+def scene(request, make_scene):
+    return make_scene({"run": request.param | {"iterations": 30, "seed": 3}})
+
+
+def test_the_first_snapshot_is_the_lens_before_any_step(scene, disc):
+    first = next(run(scene, disc))
+    assert first.iteration == 0 and first.iterations == 30
+    assert first.control_points == pytest.approx(0.5, abs=1e-14)
+    assert first.ledger.efficiency == pytest.approx(0.96**2, rel=0.1)
+    assert first.best
+
+
+def test_a_run_brings_the_image_closer_to_the_wish(scene, disc):
+    snapshots = list(run(scene, disc))
+    assert [s.iteration for s in snapshots] == list(range(31))
+    assert min(s.loss for s in snapshots) < 0.6 * snapshots[0].loss
+    best = [s for s in snapshots if s.best][-1]
+    assert best.loss == min(s.loss for s in snapshots)
+    wanted = disc / disc.sum()
+    far = [np.linalg.norm(s.irradiance / s.irradiance.sum() - wanted) for s in (snapshots[0], best)]
+    assert far[1] < 0.7 * far[0]
+
+
+def test_every_lens_of_a_run_is_possible(make_scene, disc):
+    for method in METHODS:
+        scene = make_scene(
+            {
+                "run": method | {"iterations": 25},
+                "lens.height_range": [-0.02, 0.01],
+                "lens.min_thickness": 0.49,
+            }
+        )
+        for snapshot in run(scene, disc):
+            assert snapshot.control_points.min() >= 0.49
+            assert snapshot.control_points.max() <= 0.51
+            assert np.isfinite(snapshot.irradiance).all()
+            emitted, *parts = snapshot.ledger.to_data().values()
+            assert sum(parts) == pytest.approx(emitted, abs=2e-6)
+
+
+def test_snapshots_cannot_be_changed(scene, disc):
+    snapshot = next(run(scene, disc))
+    with pytest.raises(ValueError, match="read-only"):
+        snapshot.control_points[0, 0] = 1
+    with pytest.raises(ValueError, match="read-only"):
+        snapshot.irradiance[0, 0] = 1
+
+
+def test_irradiance_is_flux_per_area(scene, disc):
+    snapshot = next(run(scene, disc))
+    flux = snapshot.irradiance.sum() * scene.screen.pixel_area
+    assert flux == pytest.approx(snapshot.ledger.on_screen, rel=1e-6)
+
+
+def test_the_same_seed_repeats(make_scene, disc):
+    def heights(seed):
+        settings = {"method": "paper", "start": "random", "seed": seed, "iterations": 3}
+        return [s.control_points for s in run(make_scene({"run": settings}), disc)]
+
+    assert all((a == b).all() for a, b in zip(heights(1), heights(1), strict=True))
+    assert (heights(1)[0] != heights(2)[0]).any()
+
+
+def test_starts_of_the_paper_differ_as_they_should(make_scene, disc):
+    def spread(start):
+        settings = {"method": "paper", "start": start}
+        return np.ptp(next(run(make_scene({"run": settings}), disc)).control_points)
+
+    assert spread("zeros") < 1e-12
+    assert 1e-5 < spread("uniform") < 1e-3
+    assert spread("random") > 1e-3
+
+
+def test_a_run_goes_on_from_given_heights(scene, disc):
+    earlier = [s for s in run(scene, disc) if s.best][-1]
+    again = run(scene, disc, start=earlier.control_points)
+    first = next(again)
+    assert first.control_points == pytest.approx(earlier.control_points, abs=1e-9)
+    assert first.loss == pytest.approx(earlier.loss, rel=1e-3)
+    assert min(s.loss for s in again) <= first.loss
+
+
+def test_no_iterations_show_the_undesigned_lens(make_scene, disc):
+    assert len(list(run(make_scene({"run.iterations": 0}), disc))) == 1
+
+
+def test_a_run_without_light_says_where_it_went(make_scene, disc):
+    for method in METHODS:
+        # Four rays, none of them through the middle, where the tiny screen is.
+        scene = make_scene(
+            {"run": method, "source.rays": [2, 2], "screen.half_width": [1e-3, 1e-3]}
+        )
+        with pytest.raises(RunFailed, match=r"iteration 0: no light reaches the screen: .* 92%"):
+            list(run(scene, disc))
+
+
+def test_a_box_filter_gives_the_papers_method_no_gradient(make_scene, disc):
+    scene = make_scene({"run": {"method": "paper"}, "filter": {"kind": "box"}})
+    with pytest.raises(Refused, match=r"filter\.kind: 'box' is constant"):
+        next(run(scene, disc))
+
+
+def test_auto_designs_behind_a_box_filter_all_the_same(make_scene, disc):
+    losses = [s.loss for s in run(make_scene({"filter": {"kind": "box"}}), disc)]
+    assert losses[-1] < losses[0]
+
+
+@pytest.mark.skipif(torch.cuda.is_available(), reason="there is a GPU here")
+def test_a_gpu_that_is_not_there_is_refused(make_scene, disc):
+    for method in METHODS:
+        with pytest.raises(Refused, match=r"run\.device: 'cuda' needs an NVIDIA GPU"):
+            next(run(make_scene({"run": method | {"device": "cuda"}}), disc))
+
+
+def test_history_gathers_the_best_lens_and_all_losses(scene, disc):
+    history = History()
+    assert history.result() is None
+    snapshots = list(run(scene, disc))
+    for snapshot in snapshots:
+        history.add(snapshot)
+    result = history.result()
+    assert result.iterations == 30
+    assert result.losses.tolist() == [s.loss for s in snapshots[1:]]
+    assert result.loss == min(s.loss for s in snapshots)
+    assert result.seconds == snapshots[-1].seconds
+
+    continued = History(earlier=result)
+    for snapshot in run(scene, disc, start=result.control_points):
+        continued.add(snapshot)
+    both = continued.result()
+    assert both.losses[:30].tolist() == result.losses.tolist()
+    assert both.iterations > 30
+    assert both.seconds > result.seconds

@@ -1,0 +1,81 @@
+"""The exit face: evaluation on grids and at points, refinement, orientation of its axes."""
+
+import numpy as np
+import pytest
+from scipy.interpolate import NdBSpline
+
+from workbench.geometry.surface import ControlNet, sample_surface
+
+NETS = [
+    ControlNet((4, 4), (3, 3), (1.0, 1.0)),
+    ControlNet((9, 14), (2, 5), (0.5, 3.0)),
+    ControlNet((20, 8), (7, 1), (2.0, 0.02)),
+]
+
+
+@pytest.fixture(params=NETS, ids=str)
+def net(request):
+    return request.param
+
+
+def scipy_surface(net, heights, u, v, order):
+    values = NdBSpline(net.knots, heights, net.degree)(np.stack([u, v], axis=-1), nu=order)
+    return values / (2 * net.half_width[0]) ** order[0] / (2 * net.half_width[1]) ** order[1]
+
+
+def test_points_agree_with_scipy(net, rng):
+    heights = rng.normal(size=net.shape)
+    u, v = np.concatenate([rng.random((2, 300)), [[0, 1, 1, 0], [0, 1, 0, 1]]], axis=1)
+    for ours, order in zip(
+        net.points(u, v).evaluate(heights), [(0, 0), (1, 0), (0, 1)], strict=True
+    ):
+        theirs = scipy_surface(net, heights, u, v, order)
+        assert np.abs(ours - theirs).max() <= 1e-12 * max(1, np.abs(theirs).max())
+
+
+def test_grid_agrees_with_points(net, rng):
+    heights = rng.normal(size=net.shape)
+    u, v = rng.random(17), rng.random(11)
+    on_grid = net.grid(u, v).evaluate(heights)
+    at_points = net.points(np.repeat(u, 11), np.tile(v, 17)).evaluate(heights)
+    for grid, points in zip(on_grid, at_points, strict=True):
+        assert np.abs(grid.ravel() - points).max() <= 1e-13 * max(1, np.abs(points).max())
+
+
+def test_a_plane_over_the_positions_is_a_plane(net, rng):
+    x, y = net.positions
+    heights = 0.3 + 2 * x[:, None] - 5 * y[None, :]
+    u, v = rng.random(50), rng.random(50)
+    z, slope_x, slope_y = net.points(u, v).evaluate(heights)
+    plane = 0.3 + 2 * (2 * u - 1) * net.half_width[0] - 5 * (2 * v - 1) * net.half_width[1]
+    assert np.abs(z - plane).max() < 1e-12
+    assert slope_x == pytest.approx(2, abs=1e-11)
+    assert slope_y == pytest.approx(-5, abs=1e-9)
+
+
+def test_refinement_is_exact(net, rng):
+    heights = rng.normal(size=net.shape)
+    shape = tuple(3 * (n - p) + p for n, p in zip(net.shape, net.degree, strict=True))
+    finer = ControlNet(shape, net.degree, net.half_width)
+    u, v = rng.random(100), rng.random(100)
+    before = net.points(u, v).evaluate(heights)[0]
+    after = finer.points(u, v).evaluate(net.refine(heights, finer))[0]
+    assert np.abs(after - before).max() < 1e-12
+
+
+def test_embedding_of_a_nested_net_is_knot_insertion(net, rng):
+    shape = tuple(2 * (n - p) + p for n, p in zip(net.shape, net.degree, strict=True))
+    finer = ControlNet(shape, net.degree, net.half_width)
+    heights = rng.normal(size=net.shape)
+    into_x, into_y = finer.embedding(net)
+    assert np.abs(into_x @ heights @ into_y.T - net.refine(heights, finer)).max() < 1e-10
+
+
+def test_samples_run_along_x_then_y_and_include_the_rim(make_scene):
+    lens = make_scene({"lens.half_width": [2.0, 0.5]}).lens
+    x, y = ControlNet.of(lens).positions
+    points = sample_surface(lens, 0.5 + 0.1 * x[:, None] + 0.2 * y[None, :], (5, 3))
+    assert points.shape == (5, 3, 3)
+    assert points[0, 0] == pytest.approx([-2, -0.5, 0.5 - 0.2 - 0.1])
+    assert points[-1, 0] == pytest.approx([2, -0.5, 0.5 + 0.2 - 0.1])
+    assert points[0, -1] == pytest.approx([-2, 0.5, 0.5 - 0.2 + 0.1])

@@ -1,0 +1,192 @@
+"""Collimated light through the exit face: exact cases, invariances, the account of all light."""
+
+import numpy as np
+import pytest
+import torch
+
+from workbench.geometry.surface import ControlNet
+from workbench.optics.collimated import CollimatedRays
+from workbench.optics.paths import ray_paths
+from workbench.optics.plan import Plan
+from workbench.optics.refraction import refract
+
+DTYPES = [torch.float32, torch.float64]
+
+
+def flat(scene):
+    return torch.full(scene.lens.control_points, scene.lens.base.height, dtype=torch.float64)
+
+
+def wavy(scene, rng, amplitude=0.02):
+    return flat(scene) + amplitude * torch.as_tensor(rng.normal(size=scene.lens.control_points))
+
+
+@pytest.mark.parametrize("dtype", DTYPES)
+def test_a_flat_plate_does_not_deviate(make_scene, dtype):
+    scene = make_scene()
+    hits = CollimatedRays(scene, ControlNet.of(scene.lens), dtype=dtype).trace(flat(scene))
+    centres = (np.arange(64) + 0.5) / 32 - 1
+    assert np.abs(hits.x.numpy() - centres[:, None]).max() < 1e-6
+    assert np.abs(hits.y.numpy() - centres[None, :]).max() < 1e-6
+    assert hits.weight.sum().item() == pytest.approx(0.96**2, rel=1e-5)
+
+
+def test_a_plano_hyperbolic_lens_focuses_to_one_point(make_scene):
+    # Equal optical paths n w + sqrt(r^2 + (d - w)^2) = d: a hyperboloid with focus on the screen.
+    scene = make_scene(
+        {"lens.control_points": [80, 90], "lens.degree": [5, 6], "source.rays": [40, 40]}
+    )
+    n, d = scene.lens.index, scene.screen.z - 0.6
+    net = ControlNet.of(scene.lens)
+    x, y = net.positions
+    r2 = x[:, None] ** 2 + y[None, :] ** 2
+    w = (d * (n - 1) - np.sqrt(d**2 * (n - 1) ** 2 + (n**2 - 1) * r2)) / (n**2 - 1)
+    # Heights at the Greville sites, carried to the control heights that interpolate them.
+    sites = (x + 1) / 2, (y + 1) / 2
+    basis = net.grid(*sites)
+    heights = np.linalg.solve(basis.along_x, np.linalg.solve(basis.along_y.T, (0.6 + w).T).T)
+    hits = CollimatedRays(scene, net, dtype=torch.float64).trace(torch.as_tensor(heights))
+    assert hits.passes.all()
+    assert hits.x.abs().max() < 1e-7
+    assert hits.y.abs().max() < 1e-7
+
+
+def test_the_short_formula_is_snells_law(make_scene, rng):
+    scene = make_scene({"lens.refractive_index": 1.7})
+    heights = wavy(scene, rng)
+    net = ControlNet.of(scene.lens)
+    hits = CollimatedRays(scene, net, dtype=torch.float64).trace(heights)
+    t = (np.arange(64) + 0.5) / 64
+    z, slope_x, slope_y = (torch.as_tensor(a) for a in net.grid(t, t).evaluate(heights.numpy()))
+    length = (1 + slope_x**2 + slope_y**2).sqrt()
+    up = torch.zeros_like(z), torch.zeros_like(z), torch.ones_like(z)
+    out = refract(up, (-slope_x / length, -slope_y / length, 1 / length), 1.7)
+    path = (scene.screen.z - z) / out.direction[2]
+    x = torch.as_tensor(2 * t - 1)[:, None] + path * out.direction[0]
+    y = torch.as_tensor(2 * t - 1)[None, :] + path * out.direction[1]
+    assert torch.equal(hits.passes, out.passes)
+    assert (hits.x - x)[out.passes].abs().max() < 1e-11
+    assert (hits.y - y)[out.passes].abs().max() < 1e-11
+
+
+@pytest.mark.parametrize("unit", [1e-6, 1e-3, 1e3, 1e6])
+@pytest.mark.parametrize("dtype", DTYPES)
+def test_scaling_everything_leaves_the_image_alone(make_scene, scene_data, rng, unit, dtype):
+    heights = wavy(make_scene(), rng)
+
+    def image(s):
+        lens, screen = scene_data["lens"], scene_data["screen"]
+        scene = make_scene(
+            {
+                "lens.half_width": [s * r for r in lens["half_width"]],
+                "lens.base.height": s * lens["base"]["height"],
+                "lens.height_range": [s * h for h in lens["height_range"]],
+                "lens.min_thickness": s * lens["min_thickness"],
+                "screen.z": s * screen["z"],
+                "screen.half_width": [s * r for r in screen["half_width"]],
+            }
+        )
+        return Plan(scene, dtype=dtype).trace(s * heights).flux
+
+    difference = (image(unit) - image(1.0)).abs().sum().item()
+    assert difference < (1e-4 if dtype == torch.float32 else 1e-10)
+
+
+@pytest.mark.parametrize("amplitude", [0.0, 0.02, 0.2, 5.0])
+@pytest.mark.parametrize("kind", ["box", "gaussian"])
+@pytest.mark.parametrize("dtype", DTYPES)
+def test_the_ledger_adds_up_and_nothing_is_nan(make_scene, rng, amplitude, kind, dtype):
+    scene = make_scene({"filter": {"kind": kind}, "source.rays": [128, 100]})
+    heights = wavy(scene, rng, amplitude).requires_grad_()
+    traced = Plan(scene, dtype=dtype).trace(heights)
+    emitted, *parts = traced.ledger.to_data().values()
+    assert emitted == 1
+    assert min(parts) >= -1e-6
+    assert sum(parts) == pytest.approx(1, abs=1e-12 if dtype == torch.float64 else 2e-6)
+    if amplitude == 5.0:
+        assert traced.ledger.total_reflection > 0.5
+    traced.flux.square().sum().backward()
+    assert torch.isfinite(heights.grad).all()
+
+
+@pytest.mark.parametrize("dtype", DTYPES)
+def test_all_light_totally_reflected_is_counted_not_nan(make_scene, dtype):
+    scene = make_scene({"lens.control_points": [4, 4], "lens.half_width": [0.1, 0.1]})
+    x, _ = ControlNet.of(scene.lens).positions
+    steep = torch.as_tensor(np.repeat((0.5 + 3 * x)[:, None], 4, axis=1)).requires_grad_()
+    traced = Plan(scene, dtype=dtype).trace(steep)
+    assert traced.ledger.total_reflection == pytest.approx(0.96)
+    assert traced.flux.sum() == 0
+    traced.flux.sum().backward()
+    assert not steep.grad.any()
+
+
+def test_gradient_is_that_of_central_differences(make_scene, rng):
+    scene = make_scene({"lens.control_points": [6, 7], "source.rays": [37, 41]})
+    plan = Plan(scene, dtype=torch.float64)
+    cotangent = torch.as_tensor(rng.normal(size=(32, 32)))
+    heights = wavy(scene, rng).requires_grad_()
+
+    def value(h):
+        return (plan.trace(h).flux * cotangent).sum()
+
+    (gradient,) = torch.autograd.grad(value(heights), heights)
+    direction = torch.as_tensor(rng.normal(size=(6, 7)))
+    step = 1e-7 * direction
+    with torch.no_grad():
+        central = (value(heights + step) - value(heights - step)) / 2e-7
+    assert (gradient * direction).sum().item() == pytest.approx(central.item(), rel=1e-4)
+
+
+def test_forward_mode_agrees_with_reverse_mode(make_scene, rng):
+    scene = make_scene()
+    plan = Plan(scene, dtype=torch.float64)
+    heights = wavy(scene, rng)
+    tangent = torch.as_tensor(rng.normal(size=heights.shape))
+    cotangent = torch.as_tensor(rng.normal(size=(32, 32)))
+    _, forward = torch.func.jvp(lambda h: plan.flux(h), (heights,), (tangent,))
+    variable = heights.requires_grad_()
+    (reverse,) = torch.autograd.grad((plan.trace(variable).flux * cotangent).sum(), variable)
+    assert (forward * cotangent).sum().item() == pytest.approx((reverse * tangent).sum().item())
+
+
+def test_a_mirrored_lens_gives_a_mirrored_image(make_scene, rng):
+    scene = make_scene()
+    heights = wavy(scene, rng)
+    plan = Plan(scene, dtype=torch.float64)
+    image = plan.trace(heights).flux
+    assert torch.allclose(plan.trace(heights.flip(0)).flux, image.flip(1), atol=1e-14)
+    assert torch.allclose(plan.trace(heights.flip(1)).flux, image.flip(0), atol=1e-14)
+
+
+def test_a_wedge_throws_light_to_its_thick_side(make_scene):
+    # The exit face rises towards +x: light bends to +x, the image moves to the right columns.
+    scene = make_scene()
+    x, _ = ControlNet.of(scene.lens).positions
+    heights = torch.as_tensor(np.repeat((0.5 + 0.1 * x)[:, None], 10, axis=1))
+    flux = Plan(scene).trace(heights).flux.numpy()
+    columns = flux.sum(axis=0)
+    assert columns[16:].sum() > 1.3 * columns[:16].sum()
+
+
+def test_paths_end_where_the_trace_does(make_scene, rng):
+    scene = make_scene({"source.rays": [5, 4]})
+    heights = wavy(scene, rng)
+    paths = ray_paths(scene, heights.numpy(), (5, 4))
+    hits = CollimatedRays(scene, ControlNet.of(scene.lens), dtype=torch.float64).trace(heights)
+    assert paths.points.shape == (20, 4, 3)
+    assert paths.points[:, 3, 0] == pytest.approx(hits.x.numpy().ravel())
+    assert paths.points[:, 3, 2] == pytest.approx(scene.screen.z)
+    assert paths.points[:, 1, 2] == pytest.approx(scene.lens.entrance_z)
+    assert (paths.weight > 0.9).all()
+    expected = (np.abs(paths.points[:, 3, :2]) < 1).all(axis=1)
+    assert (paths.on_screen == expected).all()
+
+
+def test_reflected_paths_stop_at_the_exit_face(make_scene):
+    scene = make_scene({"lens.control_points": [4, 4], "lens.half_width": [0.1, 0.1]})
+    x, _ = ControlNet.of(scene.lens).positions
+    paths = ray_paths(scene, np.repeat((0.5 + 3 * x)[:, None], 4, axis=1), (3, 3))
+    assert (paths.points[:, 3] == paths.points[:, 2]).all()
+    assert not paths.weight.any()
+    assert not paths.on_screen.any()

@@ -1,0 +1,125 @@
+"""Image reconstruction: light is conserved, the right pixel lights up, nothing is NaN."""
+
+import math
+
+import numpy as np
+import pytest
+import torch
+from hypothesis import given
+from hypothesis import strategies as st
+
+from workbench.optics.filtered import expected_image
+from workbench.optics.irradiance import reconstruct
+from workbench.scene import BoxFilter, GaussianFilter, Screen
+
+SCREEN = Screen(z=5.0, half_width=(3.0, 2.0), pixels=(12, 8))  # pixels of 0.5 x 0.5
+FILTERS = [
+    BoxFilter(),
+    GaussianFilter(size=(1, 1)),
+    GaussianFilter(size=(3, 3)),
+    GaussianFilter(size=(11, 5), alpha=0.2),
+    GaussianFilter(size=(3, 7), alpha=1e6),
+    GaussianFilter(size=(3, 3), alpha=1e-6),
+]
+
+
+def points(*xy):
+    x, y = torch.tensor(xy, dtype=torch.float64).T
+    return x, y, torch.ones_like(x)
+
+
+@pytest.mark.parametrize("filter", FILTERS, ids=str)
+@pytest.mark.parametrize("dtype", [torch.float32, torch.float64])
+def test_every_rays_weight_is_conserved(filter, dtype, rng):
+    x = torch.as_tensor(rng.normal(0, 3, 4000), dtype=dtype)
+    y = torch.as_tensor(rng.normal(0, 3, 4000), dtype=dtype)
+    weight = torch.as_tensor(rng.random(4000), dtype=dtype)
+    image = reconstruct(x, y, weight, SCREEN, filter)
+    assert image.flux.shape == (8, 12)
+    assert (image.flux >= 0).all()
+    total = (image.flux.sum() + image.off_screen).item()
+    assert total == pytest.approx(
+        weight.sum().item(), rel=1e-5 if dtype == torch.float32 else 1e-12
+    )
+
+
+@pytest.mark.parametrize("filter", FILTERS, ids=str)
+def test_the_upper_left_pixel_is_at_minus_x_plus_y(filter):
+    x, y, weight = points((-2.75, 1.75))
+    flux = reconstruct(x, y, weight, SCREEN, filter).flux
+    assert flux.argmax() == 0
+    x, y, weight = points((2.75, 1.75))
+    assert reconstruct(x, y, weight, SCREEN, filter).flux.argmax() == 11
+
+
+def test_a_ray_in_the_centre_of_its_pixel_is_spread_by_the_formula():
+    filter = GaussianFilter(size=(3, 3), alpha=1.0)
+    flux = reconstruct(*points((0.25, 0.25)), SCREEN, filter).flux.numpy()
+    tap = np.array([math.exp(-d * d) - math.exp(-2.25) for d in (-1, 0, 1)])
+    tap /= tap.sum()
+    assert flux[2:5, 5:8] == pytest.approx(np.outer(tap, tap), abs=1e-15)
+    assert flux.sum() == pytest.approx(1)
+
+
+def test_ghost_pixels_light_the_edge():
+    filter = GaussianFilter(size=(3, 3), alpha=1.0)
+    just_beside = reconstruct(*points((3.1, 0.25)), SCREEN, filter)
+    assert just_beside.flux[:, -1].sum() > 0.1
+    assert just_beside.off_screen > 0.5
+    beyond = reconstruct(*points((3.51, 0.25)), SCREEN, filter)
+    assert beyond.flux.sum() == 0
+    assert beyond.off_screen == 1
+
+
+@pytest.mark.parametrize("filter", FILTERS, ids=str)
+@pytest.mark.parametrize("bad", [math.inf, -math.inf, math.nan, 1e300])
+def test_rays_that_go_nowhere_light_nothing(filter, bad):
+    x, y, weight = points((bad, 0.1), (0.1, bad), (0.1, 0.1))
+    x.requires_grad_()
+    image = reconstruct(x, y, weight, SCREEN, filter)
+    assert image.flux.sum().item() == pytest.approx(1)
+    if image.flux.requires_grad:  # a box filter has no gradient
+        image.flux.square().sum().backward()
+        assert torch.isfinite(x.grad).all()
+
+
+@given(
+    x=st.floats(-3.4, 3.4),
+    y=st.floats(-2.4, 2.4),
+    alpha=st.floats(1e-3, 10),
+    size=st.sampled_from([3, 5, 9]),
+)
+def test_gradient_is_that_of_central_differences(x, y, alpha, size):
+    column = (x + 3) * 2
+    row = (2 - y) * 2
+    # The derivative jumps where a hit goes from one pixel to the next.
+    if min(abs(column - round(column)), abs(row - round(row))) < 1e-4:
+        return
+    filter = GaussianFilter(size=(size, size), alpha=alpha)
+    cotangent = torch.as_tensor(np.random.default_rng(3).normal(size=(8, 12)))
+
+    def brightness(x, y):
+        one = torch.ones(1, dtype=torch.float64)
+        return (reconstruct(x, y, one, SCREEN, filter).flux * cotangent).sum()
+
+    at = [torch.tensor([c], dtype=torch.float64, requires_grad=True) for c in (x, y)]
+    assert torch.autograd.gradcheck(brightness, at, eps=1e-6, atol=1e-6)
+
+
+@pytest.mark.parametrize("filter", FILTERS[:4], ids=str)
+def test_expected_image_is_the_mean_of_many_rays(filter, rng):
+    wished = rng.random((8, 12))
+    pixels = rng.choice(96, size=400_000, p=wished.ravel() / wished.sum())
+    row, column = np.divmod(pixels, 12)
+    x = torch.as_tensor((column + rng.random(pixels.size)) * 0.5 - 3)
+    y = torch.as_tensor(2 - (row + rng.random(pixels.size)) * 0.5)
+    weight = torch.full_like(x, wished.sum() / pixels.size)
+    flux = reconstruct(x, y, weight, SCREEN, filter).flux.numpy()
+    assert flux == pytest.approx(expected_image(wished, filter), abs=0.03)
+
+
+def test_expected_image_of_even_light_is_even_inside():
+    filter = GaussianFilter(size=(3, 3), alpha=1.0)
+    image = expected_image(np.ones((8, 12)), filter)
+    assert image[1:-1, 1:-1] == pytest.approx(1, abs=1e-14)
+    assert (image[0] < 1).all()
