@@ -5,7 +5,7 @@ import zipfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import IO, BinaryIO
+from typing import BinaryIO
 
 import numpy as np
 import numpy.typing as npt
@@ -58,17 +58,7 @@ class Entries:
             raise Refused(str(self._path), "holds an entry twice; each must be there once")
 
     def content(self, name: str, largest: int) -> bytes:
-        """The bytes of an entry."""
-        with self._open(name, largest) as entry:
-            return entry.read()
-
-    def array(self, name: str, shape: tuple[int, ...]) -> Array:
-        """The array of an entry."""
-        with self._open(name, largest_size(shape)) as entry:
-            return read_array(entry, shape, f"{self._path}: {name}")
-
-    @contextmanager
-    def _open(self, name: str, largest: int) -> Iterator[IO[bytes]]:
+        """The bytes of an entry, at most so many."""
         where = f"{self._path}: {name}"
         if name not in self._archive.namelist():
             raise Refused(where, "is missing; a session holds it")
@@ -79,12 +69,17 @@ class Entries:
             raise Refused(where, f"has {info.file_size} bytes; at most {largest} are possible")
         if info.header_offset + info.file_size > self._size:
             raise Refused(where, "is cut off")
-        with self._whole(), self._archive.open(info) as entry:
-            yield entry
+        with self._whole():
+            return self._archive.read(info)
+
+    def array(self, name: str, shape: tuple[int, ...]) -> Array:
+        """The array of an entry, of a shape known beforehand."""
+        return read_array(self.content(name, largest_size(shape)), shape, f"{self._path}: {name}")
 
     @contextmanager
     def _whole(self) -> Iterator[None]:
         try:
             yield
         except _DAMAGE as error:
-            raise Refused(str(self._path), f"is a damaged or incomplete zip: {error}") from error
+            detail = str(error) or "it ends too soon"
+            raise Refused(str(self._path), f"is a damaged or incomplete zip: {detail}") from error

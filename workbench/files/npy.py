@@ -1,8 +1,9 @@
 """Arrays of float64 in numpy's .npy format, read without trust."""
 
+import io
 import math
-import tokenize
-from typing import IO
+import warnings
+from typing import IO, Any
 
 import numpy as np
 import numpy.typing as npt
@@ -28,13 +29,13 @@ def write_array(file: IO[bytes], array: Array) -> None:
     np.lib.format.write_array(file, np.ascontiguousarray(array, dtype="<f8"), allow_pickle=False)
 
 
-def read_array(file: IO[bytes], shape: tuple[int, ...], where: str) -> Array:
+def read_array(content: bytes, shape: tuple[int, ...], where: str) -> Array:
     """Read an array whose shape is known beforehand.
 
     Parameters
     ----------
-    file : binary file
-        Holds the array and nothing else.
+    content : bytes
+        The whole file.
     shape : tuple of int
         The shape that it must have.
     where : str
@@ -50,24 +51,29 @@ def read_array(file: IO[bytes], shape: tuple[int, ...], where: str) -> Array:
     Refused
         If it is anything but such an array.
     """
-    try:
-        version = np.lib.format.read_magic(file)
-        if version not in _HEADER_READERS:
-            raise Refused(where, f"has .npy version {version}; (1, 0) or (2, 0) is needed")
-        found, fortran, dtype = _HEADER_READERS[version](file, max_header_size=_LONGEST_HEADER)
-    except (ValueError, tokenize.TokenError) as error:
-        raise Refused(where, "is no .npy array: its header cannot be read") from error
+    file = io.BytesIO(content)
+    found, fortran, dtype = _read_header(file, where)
     if dtype != np.dtype("<f8"):
         raise Refused(where, f"holds {dtype}; float64 is needed")
     if found != shape:
         raise Refused(where, f"has shape {found}; the scene needs {shape}")
     if fortran:
         raise Refused(where, "is in Fortran order; C order is needed")
+    values = file.read()
     size = 8 * math.prod(shape)
-    content = file.read(size + 1)
-    if len(content) != size:
-        raise Refused(where, f"does not hold the {size} bytes of an array of shape {shape}")
-    array = np.frombuffer(content, dtype=np.float64).reshape(shape)
+    if len(values) != size:
+        raise Refused(where, f"has {len(values)} bytes of values; shape {shape} needs {size}")
+    array = np.frombuffer(values, dtype=np.float64).reshape(shape)
     if not np.isfinite(array).all():
         raise Refused(where, "holds a value that is NaN or infinite; finite values are needed")
     return array
+
+
+def _read_header(file: IO[bytes], where: str) -> tuple[tuple[int, ...], bool, np.dtype[Any]]:
+    try:
+        with warnings.catch_warnings(action="error"):
+            version = np.lib.format.read_magic(file)
+            read = _HEADER_READERS[version]
+            return read(file, max_header_size=_LONGEST_HEADER)
+    except Exception as error:  # the header is a Python literal: whatever parsing one raises
+        raise Refused(where, "is no .npy array: its header cannot be read") from error

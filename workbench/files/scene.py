@@ -74,8 +74,10 @@ def with_portable_image(scene: Scene, path: Path) -> Scene:
         return scene
     image, folder = Path(scene.target.image), Path(os.path.abspath(path.parent))
     name = image.relative_to(folder).as_posix() if image.is_relative_to(folder) else str(image)
-    if not name.isprintable() and any("\ud800" <= letter <= "\udfff" for letter in name):
-        raise Refused("target.image", f"{name!r} is no Unicode name and cannot be kept in a file")
+    try:
+        name.encode()
+    except UnicodeEncodeError as error:
+        raise Refused("target.image", f"{name!r} is no text and cannot be kept in one") from error
     return _with_image(scene, name)
 
 

@@ -1,0 +1,181 @@
+import errno
+import os
+import shutil
+import stat
+import subprocess
+import tempfile
+from pathlib import Path
+
+import pytest
+
+from workbench.errors import Refused
+from workbench.files import atomic
+from workbench.files.atomic import check_writable, replacing
+
+
+def write(path, content):
+    with replacing(path) as file:
+        file.write(content)
+
+
+@pytest.fixture
+def nobodys_folder():
+    """A folder of an unprivileged user, whom the test runs as: root may write everywhere."""
+    folder = Path(tempfile.mkdtemp())
+    user = 65534 if os.geteuid() == 0 else os.geteuid()
+    os.chown(folder, user, -1)
+    before = os.geteuid()
+    os.seteuid(user)
+    try:
+        yield folder
+    finally:
+        os.seteuid(before)
+        folder.chmod(0o700)
+        shutil.rmtree(folder)
+
+
+@pytest.fixture
+def tiny_disk(tmp_path):
+    """A file system of 64 KiB."""
+    folder = tmp_path / "disk"
+    folder.mkdir()
+    mount = ["mount", "-t", "tmpfs", "-o", "size=64k", "tmpfs", str(folder)]
+    if os.geteuid() != 0 or subprocess.run(mount, capture_output=True).returncode != 0:
+        pytest.skip("needs the right to mount")
+    try:
+        yield folder
+    finally:
+        subprocess.run(["umount", str(folder)], check=True)
+
+
+def test_a_new_file_gets_the_content_and_ordinary_permissions(tmp_path):
+    path = tmp_path / "new"
+    umask = os.umask(0o027)
+    try:
+        write(path, b"content")
+    finally:
+        os.umask(umask)
+    assert path.read_bytes() == b"content"
+    assert stat.S_IMODE(path.stat().st_mode) == 0o640
+    assert os.listdir(tmp_path) == ["new"]
+
+
+def test_a_replaced_file_hands_on_its_permissions(tmp_path):
+    path = tmp_path / "old"
+    path.write_bytes(b"old")
+    path.chmod(0o604)
+    write(path, b"new")
+    assert path.read_bytes() == b"new"
+    assert stat.S_IMODE(path.stat().st_mode) == 0o604
+
+
+def test_a_link_stays_a_link(tmp_path):
+    (tmp_path / "folder").mkdir()
+    real, link = tmp_path / "folder" / "real", tmp_path / "link"
+    real.write_bytes(b"old")
+    link.symlink_to(real)
+    write(link, b"new")
+    assert link.is_symlink()
+    assert real.read_bytes() == b"new"
+
+
+def test_the_old_file_is_there_until_the_block_ends(tmp_path):
+    path = tmp_path / "file"
+    path.write_bytes(b"old")
+    with replacing(path) as file:
+        file.write(b"new")
+        file.flush()
+        assert path.read_bytes() == b"old"
+    assert path.read_bytes() == b"new"
+
+
+@pytest.mark.parametrize("failure", [KeyboardInterrupt, ValueError("a mistake"), SystemExit])
+def test_whatever_is_raised_in_the_block_leaves_the_old_file_alone(tmp_path, failure):
+    path = tmp_path / "file"
+    path.write_bytes(b"old")
+    with pytest.raises(BaseException) as caught, replacing(path) as file:
+        file.write(b"new")
+        raise failure
+    assert not isinstance(caught.value, Refused)
+    assert path.read_bytes() == b"old"
+    assert os.listdir(tmp_path) == ["file"]
+
+
+@pytest.mark.parametrize("step", ["fsync", "chmod", "replace"])
+def test_a_disk_that_fails_at_any_step_leaves_the_old_file_alone(tmp_path, monkeypatch, step):
+    path = tmp_path / "file"
+    path.write_bytes(b"old")
+
+    def fail(*_):
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    monkeypatch.setattr(atomic.os, step, fail)
+    with pytest.raises(Refused, match=r"file: cannot be written: No space left on device$"):
+        write(path, b"new")
+    assert path.read_bytes() == b"old"
+    assert os.listdir(tmp_path) == ["file"]
+
+
+@pytest.mark.parametrize("size", [100_000, 1_000_000])
+def test_a_full_disk_leaves_the_old_file_alone(tiny_disk, size):
+    path = tiny_disk / "file"
+    write(path, b"old")
+    with pytest.raises(Refused, match=r"file: cannot be written: No space left on device$"):
+        write(path, bytes(size))
+    assert path.read_bytes() == b"old"
+    assert os.listdir(tiny_disk) == ["file"]
+
+
+@pytest.mark.parametrize("attempt", [check_writable, lambda path: write(path, b"")])
+class TestRefused:
+    def test_missing_folder(self, tmp_path, attempt):
+        with pytest.raises(Refused, match="its folder does not exist"):
+            attempt(tmp_path / "missing" / "file")
+
+    def test_file_in_place_of_the_folder(self, tmp_path, attempt):
+        (tmp_path / "file").touch()
+        with pytest.raises(Refused, match="Not a directory"):
+            attempt(tmp_path / "file" / "file")
+
+    def test_folder_of_that_name(self, tmp_path, attempt):
+        (tmp_path / "name").mkdir()
+        with pytest.raises(Refused, match="a folder of that name is there"):
+            attempt(tmp_path / "name")
+        assert os.listdir(tmp_path) == ["name"]
+
+    def test_name_too_long(self, tmp_path, attempt):
+        with pytest.raises(Refused, match="File name too long"):
+            attempt(tmp_path / ("n" * 300))
+
+    def test_circle_of_links(self, tmp_path, attempt):
+        (tmp_path / "a").symlink_to(tmp_path / "b")
+        (tmp_path / "b").symlink_to(tmp_path / "a")
+        with pytest.raises(Refused, match="symbolic links"):
+            attempt(tmp_path / "a")
+
+    def test_device(self, attempt):
+        with pytest.raises(Refused, match="a device or pipe is there"):
+            attempt(Path("/dev/null"))
+
+    def test_read_only_folder(self, nobodys_folder, attempt):
+        nobodys_folder.chmod(0o500)
+        with pytest.raises(Refused, match="cannot be written: Permission denied"):
+            attempt(nobodys_folder / "file")
+        assert os.listdir(nobodys_folder) == []
+
+    def test_write_protected_file(self, nobodys_folder, attempt):
+        path = nobodys_folder / "file"
+        path.write_bytes(b"old")
+        path.chmod(0o400)
+        with pytest.raises(Refused, match="the file is write-protected"):
+            attempt(path)
+        assert path.read_bytes() == b"old"
+
+
+def test_asking_changes_nothing(tmp_path):
+    check_writable(tmp_path / "new")
+    assert os.listdir(tmp_path) == []
+    (tmp_path / "old").write_bytes(b"old")
+    check_writable(tmp_path / "old")
+    assert (tmp_path / "old").read_bytes() == b"old"
+    assert os.listdir(tmp_path) == ["old"]
