@@ -18,7 +18,12 @@ BASES = [
 
 
 def lens_with(base, **changes):
-    fields = dict(half_width=(1.0, 1.0), refractive_index=1.5, control_points=(9, 7), base=base)
+    fields = {
+        "half_width": (1.0, 1.0),
+        "refractive_index": 1.5,
+        "control_points": (9, 7),
+        "base": base,
+    }
     return Lens(**(fields | {"height_range": (-0.2, 0.3), "min_thickness": 0.05} | changes))
 
 

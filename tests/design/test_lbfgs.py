@@ -1,6 +1,6 @@
 """The quasi-Newton method on functions whose minimum is known."""
 
-from itertools import islice
+from itertools import islice, pairwise
 
 import pytest
 import torch
@@ -32,7 +32,7 @@ def test_it_never_goes_up(rng):
     start = torch.as_tensor(rng.normal(size=30))
     found = islice(minimise(objective(lambda x: (matrix @ x).square().sum()), start), 100)
     values = [here.value for _, here in found]
-    assert all(later < earlier for earlier, later in zip(values, values[1:], strict=False))
+    assert all(later < earlier for earlier, later in pairwise(values))
     assert values[-1] < 1e-6 * values[0]
 
 
