@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from PySide6.QtWidgets import QApplication
 
     from ui.main_window import MainWindow
+    from ui.warm_up import WarmUp
 
 _PROGRAM = "freeform-workbench"
 
@@ -51,10 +52,11 @@ def main(arguments: list[str] | None = None) -> int:
     first = example("tophat")
     window = MainWindow(Document(open_design(first), first.stem), QSettings())
     _report_exceptions(window)
-    signals = _leave_on_signals(window)
+    signals = _leave_on_signals(window, application)
     window.show()
-    _load_behind(window, options.file, options.start)
+    warm_up = _load_behind(window, options.file, options.start)
     status = application.exec()
+    warm_up.wait()
     signals.close()
     return status
 
@@ -93,13 +95,13 @@ def _application() -> "QApplication":
     return application
 
 
-def _load_behind(window: "MainWindow", file: Path | None, start: bool) -> None:
+def _load_behind(window: "MainWindow", file: Path | None, start: bool) -> "WarmUp":
     """After the first paint: open the file, import what is slow, build the views, start."""
     from PySide6.QtCore import Qt, QTimer
 
     from ui.warm_up import WarmUp
 
-    warm_up = WarmUp(window)
+    warm_up = WarmUp()
     warm_up.done.connect(window.build)
     if start:
         window.built.connect(window.start)
@@ -112,6 +114,7 @@ def _load_behind(window: "MainWindow", file: Path | None, start: bool) -> None:
     window.painted.connect(
         lambda: QTimer.singleShot(0, after_first_paint), Qt.ConnectionType.SingleShotConnection
     )
+    return warm_up
 
 
 def _report_exceptions(window: "MainWindow") -> None:
@@ -127,7 +130,7 @@ def _report_exceptions(window: "MainWindow") -> None:
     sys.excepthook = report
 
 
-def _leave_on_signals(window: "MainWindow") -> socket.socket:
+def _leave_on_signals(window: "MainWindow", application: "QApplication") -> socket.socket:
     """Close on SIGINT and SIGTERM. Python sees a signal only when it runs: a socket wakes it."""
     from PySide6.QtCore import QSocketNotifier
 
@@ -137,6 +140,11 @@ def _leave_on_signals(window: "MainWindow") -> socket.socket:
     signal.set_wakeup_fd(waking.fileno())
     notifier = QSocketNotifier(woken.fileno(), QSocketNotifier.Type.Read, window)
     notifier.activated.connect(lambda: woken.recv(64))
+
+    def leave(*_: object) -> None:
+        window.discard_and_close()
+        application.exit(0)  # also out of a question that is open
+
     for number in (signal.SIGINT, signal.SIGTERM):
-        signal.signal(number, lambda *_: window.discard_and_close())
+        signal.signal(number, leave)
     return waking

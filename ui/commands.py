@@ -1,9 +1,11 @@
 """Every command of the window, defined once; menus and toolbar are made of these."""
 
 from dataclasses import dataclass
+from typing import Any
 
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction, QKeySequence
-from PySide6.QtWidgets import QMainWindow, QMenu, QToolBar
+from PySide6.QtWidgets import QMainWindow, QMenu, QMenuBar, QToolBar, QToolButton
 
 from ui import theme
 
@@ -43,7 +45,7 @@ COMMANDS = {
     "undo": Command("&Undo", "Take the last change back", _Key.Undo, "undo"),
     "redo": Command("&Redo", "Make the change again", "Ctrl+Shift+Z", "redo"),
     "start": Command("&Start", "Design the lens from its start", "F5", "start"),
-    "continue": Command("&Continue", "Go on from the lens as it is", "Shift+F5"),
+    "continue": Command("&Continue", "Go on from the lens as it is", "Shift+F5", "continue"),
     "pause": Command("&Pause", "Hold the design; again to go on", "F6", "pause"),
     "stop": Command("S&top", "End the design and keep its best lens", "F7", "stop"),
     "fit_view": Command("&Fit 3D view", "Show lens and screen whole", "Ctrl+0", "fit-view"),
@@ -51,9 +53,11 @@ COMMANDS = {
     "about": Command("&About", "What this program is"),
 }
 
+_RUN = ["start", "continue", "pause", "stop"]
+
 # Menus by name; None is a separator, a tuple a menu within. Open recent and the docks are added
 # by the window, because they come and go.
-MENUS = {
+MENUS: dict[str, list[Any]] = {
     "&File": [
         ("&New from example", ["new_tophat", "new_flame", "new_ball"]),
         "open",
@@ -65,13 +69,12 @@ MENUS = {
         "quit",
     ],
     "&Edit": ["undo", "redo"],
-    "&Run": ["start", "continue", "pause", "stop"],
+    "&Run": _RUN,
     "&View": ["fit_view", None, "scene_view"],
     "&Help": ["about"],
 }
-TOOLBAR = ["new_tophat", "open", "save", None, "undo", "redo", None, "start", "pause", "stop", None]
-TOOLBAR += ["fit_view"]
-_CHECKABLE = ["scene_view"]
+TOOLBAR = ["new_tophat", "open", "save", None, "undo", "redo", None, *_RUN, None, "fit_view"]
+_CHECKABLE = ["scene_view", "pause"]
 
 
 class Commands:
@@ -90,7 +93,7 @@ class Commands:
             self[name].setCheckable(True)
         self.menus: dict[str, QMenu] = {}
         for title, entries in MENUS.items():
-            self._fill(window.menuBar().addMenu(title), title, entries)
+            self._fill(window.menuBar(), title, entries)
         self.toolbar = QToolBar("Toolbar", window)
         self.toolbar.setObjectName("toolbar")
         self.toolbar.setMovable(False)
@@ -99,6 +102,10 @@ class Commands:
                 self.toolbar.addSeparator()
             else:
                 self.toolbar.addAction(self[entry])
+        for name in _RUN:
+            button = self.toolbar.widgetForAction(self[name])
+            assert isinstance(button, QToolButton)
+            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         window.addToolBar(self.toolbar)
         self.colour_icons()
 
@@ -125,12 +132,14 @@ class Commands:
         self._window.addAction(action)
         return action
 
-    def _fill(self, menu: QMenu, title: str, entries: list) -> None:
+    def _fill(self, place: QMenuBar | QMenu, title: str, entries: list[Any]) -> None:
+        menu = QMenu(title, self._window)
+        place.addMenu(menu)
         self.menus[title] = menu
         for entry in entries:
             if entry is None:
                 menu.addSeparator()
             elif isinstance(entry, tuple):
-                self._fill(menu.addMenu(entry[0]), *entry)
+                self._fill(menu, *entry)
             else:
                 menu.addAction(self[entry])

@@ -5,9 +5,11 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoCommand, QUndoStack
 
+import resources
 from workbench.design.snapshot import Result
+from workbench.files.scene import with_absolute_image
 from workbench.files.session import Session, is_session, open_design, write_session
-from workbench.scene import ImageTarget, Scene
+from workbench.scene import Scene
 from workbench.targets import load_target
 
 ENDING = ".freeform"
@@ -84,28 +86,19 @@ class Document(QObject):
             If the scene's target cannot be loaded; nothing has changed then.
         """
         old = self._session
-        scene = self._with_absolute_image(scene)
+        # A relative path typed by hand starts beside the file, as it will when saved there.
+        scene = with_absolute_image(scene, self.suggested_path)
         if scene == old.scene:
             return
         target = old.target
         if _wish(scene) != _wish(old.scene):
-            target = load_target(scene, Path.cwd())
+            target = load_target(scene, self.suggested_path.parent)
         self.undo_stack.push(_Step(self, old, old.with_scene(scene, target), text, key))
 
     def set_result(self, result: Result, text: str) -> None:
         """Put a run's result into the session, as one step that can be undone."""
         old = self._session
         self.undo_stack.push(_Step(self, old, Session(old.scene, old.target, result), text))
-
-    def new(self, path: Path) -> None:
-        """Start an untitled design from a scene file that is not its own (an example).
-
-        Raises
-        ------
-        Refused
-            If it cannot be read; the open design stays.
-        """
-        self._begin(open_design(path), None, Path(path.stem))
 
     def open(self, path: Path) -> None:
         """Open a session, or an untitled design from a scene file.
@@ -116,7 +109,9 @@ class Document(QObject):
             If it cannot be read; the open design stays.
         """
         path = path.absolute()
-        self._begin(open_design(path), path if is_session(path) else None, path)
+        shipped = path.is_relative_to(resources.path())  # no place to save to
+        suggestion = Path(path.name) if shipped else path
+        self._begin(open_design(path), path if is_session(path) else None, suggestion)
 
     def save(self, path: Path) -> None:
         """Write the session and make ``path`` its file.
@@ -143,15 +138,6 @@ class Document(QObject):
     def _show(self, session: Session) -> None:
         self._session = session
         self.session_changed.emit(session)
-
-    def _with_absolute_image(self, scene: Scene) -> Scene:
-        """A relative path typed by hand starts beside the file, as it will when saved there."""
-        target = scene.target
-        if not isinstance(target, ImageTarget) or Path(target.image).is_absolute():
-            return scene
-        folder = self.suggested_path.parent.absolute()
-        image = target.model_copy(update={"image": str(folder / target.image)})
-        return scene.model_copy(update={"target": image})
 
 
 def _wish(scene: Scene) -> tuple[object, ...]:

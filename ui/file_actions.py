@@ -59,7 +59,7 @@ class FileActions(QObject):
     def new(self, name: str) -> None:
         """Begin with an example."""
         if self.may_leave():
-            self._attempt(lambda: self._document.new(example(name)))
+            self._attempt(lambda: self._document.open(example(name)))
 
     def choose_and_open(self) -> None:
         """Ask for a file and open it."""
@@ -89,12 +89,22 @@ class FileActions(QObject):
 
     def save_as(self) -> bool:
         """Ask for a file and write the design to it; False if not saved."""
-        suggestion = str(self._document.suggested_path)
-        chosen, _ = QFileDialog.getSaveFileName(self._window, "Save as", suggestion, _SAVED)
-        if not chosen:
+        path = self.ask_for_name()
+        if path is None:
             return False
-        path = Path(chosen)
-        return self._write(path if path.suffix else path.with_suffix(ENDING))
+        if path.suffix != ENDING:  # adding it now might overwrite a file without a question
+            self._messages.warn(f"{path.name}: the name of a design ends in {ENDING}")
+            return False
+        return self._write(path)
+
+    def ask_for_name(self) -> Path | None:
+        """Ask where to save."""
+        dialog = QFileDialog(self._window, "Save as", str(self._document.suggested_path.parent))
+        dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
+        dialog.setNameFilter(_SAVED)
+        dialog.setDefaultSuffix(ENDING)
+        dialog.selectFile(self._document.suggested_path.name)
+        return Path(dialog.selectedFiles()[0]) if dialog.exec() else None
 
     def may_leave(self) -> bool:
         """Whether the open design may be left, after saving it if a person wants that."""

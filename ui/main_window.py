@@ -5,7 +5,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QEvent, QSettings, Signal
+from PySide6.QtCore import QEvent, QSettings, QSize, Signal
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QPaintEvent
 from PySide6.QtWidgets import QMainWindow, QMessageBox
 
@@ -25,6 +25,8 @@ if TYPE_CHECKING:
     from ui.views.scene_view import SceneView
 
 TITLE = "Freeform Lens Workbench"
+_SHARE_OF_SCREEN = 0.85
+_SIZE = QSize(1280, 800)  # which smaller screens need whole
 
 # Not while a run works on the design as it was when it began.
 _CHANGING = ["new_tophat", "new_flame", "new_ball", "open", "save", "save_as"]
@@ -47,7 +49,7 @@ class MainWindow(QMainWindow):
     Parameters
     ----------
     document : Document
-        The open design.
+        The open design; the window owns it from now on.
     settings : QSettings
         Where recent files are kept.
     """
@@ -58,6 +60,7 @@ class MainWindow(QMainWindow):
     def __init__(self, document: Document, settings: QSettings) -> None:
         super().__init__()
         self.document = document
+        document.setParent(self)  # so that it goes after all that listens to it
         self.commands = Commands(self)
         self.messages = MessageBar()
         self.forms = Forms(document)
@@ -75,7 +78,8 @@ class MainWindow(QMainWindow):
         self._show_title()
         self._show_recent()
         self._show_state()
-        self.resize(1280, 800)
+        room = self.screen().availableSize()
+        self.resize((room * _SHARE_OF_SCREEN).expandedTo(_SIZE).boundedTo(room))
         self.workspace.arrange()
 
     def build(self) -> None:
@@ -123,6 +127,7 @@ class MainWindow(QMainWindow):
             return
         if self.control is not None:
             self.control.close()
+            self.control = None  # nothing can be started any more
         if self._scene_view is not None:
             self._scene_view.close_plotter()
         super().closeEvent(event)
@@ -147,7 +152,7 @@ class MainWindow(QMainWindow):
     def changeEvent(self, event: QEvent) -> None:
         """Light or dark: draw the icons again."""
         super().changeEvent(event)
-        if event.type() == QEvent.Type.PaletteChange and hasattr(self, "commands"):
+        if event.type() == QEvent.Type.PaletteChange:
             self.commands.colour_icons()
 
     @property
@@ -222,7 +227,8 @@ class MainWindow(QMainWindow):
 
     def _save(self, save: Callable[[], bool]) -> None:
         self.forms.commit()
-        save()
+        if save() and self.forms.refused:
+            self.messages.note("Saved with the last valid value of each marked field.")
 
     def _show_title(self) -> None:
         self.setWindowTitle(f"{self.document.name}[*] - {TITLE}")
@@ -232,7 +238,7 @@ class MainWindow(QMainWindow):
         menu = self.commands.menus["Open &recent"]
         menu.clear()
         for path in self._recent.paths():
-            menu.addAction(str(path), partial(self.files.open_recent, path))
+            menu.addAction(str(path).replace("&", "&&"), partial(self.files.open_recent, path))
         menu.setEnabled(not menu.isEmpty())
 
     def _show_frame(self, frame: "Frame") -> None:
@@ -254,8 +260,8 @@ class MainWindow(QMainWindow):
         commands["redo"].setEnabled(editable and stack.canRedo())
         commands["undo"].setText(f"&Undo {stack.undoText()}")
         commands["redo"].setText(f"&Redo {stack.redoText()}")
-        commands["pause"].setText("&Resume" if state == "paused" else "&Pause")
-        self.statusBar().showMessage(_STATES[state])
+        commands["pause"].setChecked(state == "paused")
+        self._status.show_state(_STATES[state])
 
     def _fit_view(self) -> None:
         if self._scene_view is not None:

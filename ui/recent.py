@@ -22,9 +22,10 @@ class RecentFiles:
 
     def paths(self) -> list[Path]:
         """At most ten files; some may be gone by now."""
-        stored = self._settings.value(_KEY, [])
-        # One entry comes back from an ini file as plain text.
-        return [Path(path) for path in ([stored] if isinstance(stored, str) else stored or [])]
+        stored = self._settings.value(_KEY)
+        if isinstance(stored, str):  # a list of one, as an ini file tells it
+            return [Path(stored)]
+        return [Path(path) for path in stored] if isinstance(stored, list) else []
 
     def add(self, path: Path) -> None:
         """Put a file first."""

@@ -7,7 +7,7 @@ from workbench.design.snapshot import Snapshot
 
 
 class RunStatus:
-    """Progress bar and figures at the right of a status bar.
+    """What goes on at the left of a status bar; progress bar and figures at the right.
 
     Parameters
     ----------
@@ -16,10 +16,14 @@ class RunStatus:
     """
 
     def __init__(self, bar: QStatusBar) -> None:
+        self._state = QLabel()
+        bar.addWidget(self._state)
         self._progress = QProgressBar()
         self._progress.setFixedWidth(150)
         self._progress.setTextVisible(False)
         self._progress.setAccessibleName("Progress of the design")
+        self._progress.hide()
+        bar.addPermanentWidget(self._progress)
         # Widths of the longest text to be expected, so that nothing jumps while it counts.
         self._iteration = _figure(bar, "Iterations done", "iteration 0000 of 0000")
         self._loss = _figure(bar, "How far the image is from the target", "loss 0.000e-00")
@@ -28,8 +32,10 @@ class RunStatus:
         )
         self._elapsed = _figure(bar, "Run time", "00:00 elapsed")
         self._left = _figure(bar, "Time left if all iterations are used", "00:00 left")
-        bar.insertPermanentWidget(0, self._progress)
-        self._progress.hide()
+
+    def show_state(self, text: str) -> None:
+        """Say what goes on."""
+        self._state.setText(text)
 
     def show_snapshot(self, snapshot: Snapshot, running: bool) -> None:
         """Show the figures of a lens; progress only while it is being designed."""

@@ -14,9 +14,18 @@ class WarmUp(QObject):
 
     done = Signal()
 
+    def __init__(self) -> None:
+        super().__init__()
+        self._thread = threading.Thread(target=self._run, name="warm-up")
+
     def start(self) -> None:
         """Begin importing."""
-        threading.Thread(target=self._run, name="warm-up", daemon=True).start()
+        self._thread.start()
+
+    def wait(self) -> None:
+        """Let the imports end; a process that ends in the midst of one may crash."""
+        if self._thread.ident is not None:
+            self._thread.join()
 
     def _run(self) -> None:
         try:

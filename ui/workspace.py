@@ -1,5 +1,7 @@
 """Where forms and views stand in the window, before and after the views are there."""
 
+from collections.abc import Mapping
+
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDockWidget, QLabel, QMainWindow, QStackedWidget, QVBoxLayout, QWidget
 
@@ -69,7 +71,7 @@ class Workspace:
             [docks["loss"]], [int(_LOSS_SHARE * height)], Qt.Orientation.Vertical
         )
 
-    def raise_curtain(self, scene_view: QWidget, plots: dict[str, QWidget]) -> None:
+    def raise_curtain(self, scene_view: QWidget, plots: Mapping[str, QWidget]) -> None:
         """Put the views where the placeholders stand."""
         self._stage.addWidget(scene_view)
         self._stage.setCurrentWidget(scene_view)

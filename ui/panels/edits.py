@@ -54,6 +54,6 @@ def edited_scene(scene: Scene, edits: Iterable[Edit]) -> Scene:
     for edit in edits:
         for path, value in edit.changes.items():
             *parents, last = _STEP.findall(path)
-            place = value_at(data, ".".join(parents)) if parents else data
+            place: Any = value_at(data, ".".join(parents)) if parents else data
             place[int(last) if isinstance(place, list) else last] = value
     return Scene.from_data(data)

@@ -43,11 +43,11 @@ class TextEditor(QLineEdit):
         self.editingFinished.connect(self.commit)
 
     def show_value(self, text: str) -> None:
-        """Show what the scene holds."""
+        """Show what the scene holds; typing before that cannot be undone here any more."""
         self._settled = text
-        if text != self.text():
-            self.setText(text)
-            self.setCursorPosition(0)
+        cursor = self.cursorPosition() if self.hasFocus() else 0
+        self.setText(text)
+        self.setCursorPosition(cursor)
 
     def commit(self) -> None:
         """Tell of the text if it is new since it was last told or shown."""

@@ -58,12 +58,12 @@ class Forms(QScrollArea):
         labels = [row.label.sizeHint().width() for row in self._rows()]
         for panel in self.panels:
             panel.align(max(labels))
-        content = QWidget()
-        outer = QVBoxLayout(content)
+        self._content = QWidget()
+        outer = QVBoxLayout(self._content)
         outer.setContentsMargins(0, 0, 0, 0)
         outer.addWidget(self._hint)
         outer.addWidget(self._page)
-        self.setWidget(content)
+        self.setWidget(self._content)
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
@@ -74,7 +74,7 @@ class Forms(QScrollArea):
         """Wide enough for every row beside the scroll bar, however few are seen."""
         size = super().minimumSizeHint()
         bar = self.verticalScrollBar().sizeHint().width()
-        size.setWidth(self.widget().minimumSizeHint().width() + bar)
+        size.setWidth(self._content.minimumSizeHint().width() + bar)
         return size
 
     @property

@@ -4,9 +4,9 @@ from pathlib import Path
 
 import numpy as np
 import numpy.typing as npt
-from PySide6.QtCore import QSize, Qt
-from PySide6.QtGui import QImage, QPixmap, QResizeEvent
-from PySide6.QtWidgets import QFileDialog, QLabel, QSizePolicy
+from PySide6.QtCore import QPoint, QRect, Qt
+from PySide6.QtGui import QImage, QPainter, QPaintEvent
+from PySide6.QtWidgets import QFileDialog, QWidget
 
 from ui.panels.edits import Edit
 from ui.panels.fields import Changes, CheckRow, ChoiceRow, NumberRow, TextRow
@@ -107,46 +107,36 @@ class TargetPanel(Panel):
         """Ask for an image file as the target."""
         target = {"image": str(path.absolute()), **self._finish()}
         # Where the scene has no image so far, a refusal stands beside the choice of the wish.
-        path = "target.image" if "image" in self.session.scene.to_data()["target"] else _WISH
-        self.edited.emit(Edit(path, "change of target image", {"target": target}))
+        beside = "target.image" if "image" in self.session.scene.to_data()["target"] else _WISH
+        self.edited.emit(Edit(beside, "change of target image", {"target": target}))
 
 
-class Thumbnail(QLabel):
-    """The target in greys, as large as the form is wide but not higher than a hand."""
+class Thumbnail(QWidget):
+    """The target in greys, also while the form is closed."""
 
     _HEIGHT = 110
 
     def __init__(self) -> None:
         super().__init__()
-        self._picture = QPixmap()
+        self._picture = QImage()
         self.setFixedHeight(self._HEIGHT)
-        self.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self.setToolTip("The light that is wished for on the screen")
         self.setAccessibleName("Target image")
 
     def show_target(self, target: npt.NDArray[np.float64]) -> None:
         """Show an image (n_y, n_x), its brightest pixel white."""
-        greys = np.ascontiguousarray(target * (255 / target.max())).astype(np.uint8)
+        greys = (target * (255 / target.max())).astype(np.uint8, order="C")
         rows, columns = greys.shape
-        image = QImage(greys.data, columns, rows, columns, QImage.Format.Format_Grayscale8)
-        self._picture = QPixmap.fromImage(image)  # copies the array
-        self._fit()
+        view = QImage(greys.data, columns, rows, columns, QImage.Format.Format_Grayscale8)
+        self._picture = view.copy()  # the array is gone after this
+        self.update()
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        """Fit the picture again."""
-        super().resizeEvent(event)
-        self._fit()
-
-    def _fit(self) -> None:
-        if self._picture.isNull():
-            return
-        ratio = self.devicePixelRatioF()
-        room = QSize(self.width(), self._HEIGHT) * ratio
-        fitted = self._picture.scaled(
-            room,
-            Qt.AspectRatioMode.KeepAspectRatio,
-            Qt.TransformationMode.SmoothTransformation,
-        )
-        fitted.setDevicePixelRatio(ratio)
-        self.setPixmap(fitted)
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint the picture as large as fits, centred."""
+        size = self._picture.size().scaled(self.size(), Qt.AspectRatioMode.KeepAspectRatio)
+        place = QRect(QPoint(0, 0), size)
+        place.moveCenter(self.rect().center())
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
+        painter.drawImage(place, self._picture)
+        painter.end()

@@ -1,0 +1,345 @@
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+from PySide6.QtCore import QMimeData, QPointF, QSettings, Qt, QUrl
+from PySide6.QtGui import QDropEvent
+from PySide6.QtWidgets import QMessageBox
+
+from ui.commands import COMMANDS
+from ui.document import Document
+from ui.main_window import MainWindow
+from workbench.files.session import Session, read_session
+from workbench.scene import Scene
+from workbench.targets import load_target
+
+SAVE, DISCARD, CANCEL = (
+    QMessageBox.StandardButton.Save,
+    QMessageBox.StandardButton.Discard,
+    QMessageBox.StandardButton.Cancel,
+)
+
+
+def small_session(iterations=2):
+    scene = Scene.from_data(
+        {
+            "lens": {"half_width": [1, 1], "refractive_index": 1.5, "control_points": [6, 6]},
+            "source": {"kind": "collimated", "rays": [16, 16]},
+            "screen": {"z": 5, "half_width": [1, 1], "pixels": [8, 8]},
+            "target": {"builtin": "tophat"},
+            "run": {"method": "paper", "iterations": iterations},
+        }
+    )
+    return Session(scene, load_target(scene, Path()))
+
+
+@pytest.fixture
+def settings(tmp_path):
+    return QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat)
+
+
+@pytest.fixture
+def answers(monkeypatch):
+    """Answers to the questions to come; each is used once."""
+    given = []
+
+    def question(*_):
+        return given.pop(0)
+
+    monkeypatch.setattr(QMessageBox, "question", question)
+    return given
+
+
+@pytest.fixture
+def window(settings, qtbot, answers):
+    window = MainWindow(Document(small_session(), "small"), settings)
+    qtbot.addWidget(window, before_close_func=lambda window: window.discard_and_close())
+    with qtbot.waitActive(window):
+        window.show()
+        window.activateWindow()
+    yield window
+    assert not answers, "a question that was expected was not asked"
+
+
+@pytest.fixture
+def built(window):
+    window.build()
+    return window
+
+
+def screen_z(window):
+    rows = [row for panel in window.forms.panels for row in panel.rows]
+    return next(row for row in rows if row.path == "screen.z").editors["screen.z"]
+
+
+def edit(window, z):
+    screen_z(window).setText(str(z))
+    window.forms.commit()
+
+
+def drop(window, path):
+    data = QMimeData()
+    data.setUrls([QUrl.fromLocalFile(str(path))])
+    window.dropEvent(
+        QDropEvent(
+            QPointF(9, 9),
+            Qt.DropAction.CopyAction,
+            data,
+            Qt.MouseButton.LeftButton,
+            Qt.KeyboardModifier.NoModifier,
+        )
+    )
+
+
+def wait_for_idle(window, qtbot):
+    qtbot.waitUntil(lambda: window.control.runner.state == "idle", timeout=60_000)
+
+
+def test_the_title_tells_name_and_changes(window, tmp_path):
+    assert window.windowTitle() == "small[*] - Freeform Lens Workbench"
+    assert not window.isWindowModified()
+    edit(window, 7)
+    assert window.isWindowModified()
+    window.document.save(tmp_path / "mine.freeform")
+    assert window.windowTitle() == "mine[*] - Freeform Lens Workbench"
+    assert not window.isWindowModified()
+
+
+def test_undo_and_redo_by_keyboard(window, qtbot):
+    edit(window, 7)
+    assert window.commands["undo"].text() == "&Undo change of at z"
+    qtbot.keyClick(window, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    assert window.document.session.scene.screen.z == 5
+    both = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier
+    qtbot.keyClick(window, Qt.Key.Key_Z, both)
+    assert window.document.session.scene.screen.z == 7
+
+
+def test_undo_in_a_field_takes_typing_back_first_then_the_edit(window, qtbot):
+    field = screen_z(window)
+    field.setFocus()
+    field.selectAll()
+    qtbot.keyClicks(field, "7")
+    qtbot.keyClick(field, Qt.Key.Key_Return)
+    qtbot.keyClicks(field, "5")
+    qtbot.keyClick(field, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    assert field.text() == "7"
+    assert window.document.session.scene.screen.z == 7
+    qtbot.keyClick(field, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    assert window.document.session.scene.screen.z == 5
+
+
+def test_shortcuts_are_unique():
+    keys = [str(command.shortcut) for command in COMMANDS.values() if command.shortcut]
+    assert len(keys) == len(set(keys))
+
+
+def test_text_still_being_typed_is_saved(window, tmp_path, monkeypatch):
+    path = tmp_path / "mine.freeform"
+    monkeypatch.setattr(window.files, "ask_for_name", lambda: path)
+    screen_z(window).setText("8")
+    window.commands["save"].trigger()
+    assert read_session(path).scene.screen.z == 8
+
+
+def test_a_name_without_the_ending_is_not_written(window, tmp_path, monkeypatch):
+    path = tmp_path / "task.json"
+    path.write_text("precious")
+    monkeypatch.setattr(window.files, "ask_for_name", lambda: path)
+    window.commands["save"].trigger()
+    assert "ends in .freeform" in window.messages.text
+    assert path.read_text() == "precious"
+
+
+def test_saving_where_nothing_can_be_written_is_said(window, tmp_path, monkeypatch):
+    monkeypatch.setattr(window.files, "ask_for_name", lambda: tmp_path / "no" / "a.freeform")
+    window.commands["save"].trigger()
+    assert str(tmp_path / "no") in window.messages.text
+    assert window.messages.isVisible()
+
+
+@pytest.mark.parametrize(
+    ("answer", "closed", "saved"),
+    [(SAVE, True, True), (DISCARD, True, False), (CANCEL, False, False)],
+)
+def test_closing_asks_before_changes_are_lost(
+    window, answers, answer, closed, saved, tmp_path, monkeypatch
+):
+    path = tmp_path / "mine.freeform"
+    monkeypatch.setattr(window.files, "ask_for_name", lambda: path)
+    edit(window, 7)
+    answers.append(answer)
+    assert window.close() is closed
+    assert path.exists() is saved
+
+
+def test_closing_without_changes_asks_nothing(window):
+    assert window.close()
+
+
+def test_a_save_dialog_that_is_cancelled_keeps_the_window_open(window, answers, monkeypatch):
+    monkeypatch.setattr(window.files, "ask_for_name", lambda: None)
+    edit(window, 7)
+    answers.append(SAVE)
+    assert not window.close()
+    assert window.document.dirty
+
+
+@pytest.mark.parametrize("name", ["tophat", "flame", "ball"])
+def test_an_example_begins_an_untitled_design(window, name):
+    window.commands[f"new_{name}"].trigger()
+    assert window.windowTitle().startswith(f"{name}[*]")
+    assert window.document.path is None
+    assert name in window.document.session.scene.target.image
+
+
+def test_opening_asks_before_changes_are_lost(window, answers):
+    edit(window, 7)
+    answers.append(CANCEL)
+    window.commands["new_flame"].trigger()
+    assert window.document.session.scene.screen.z == 7
+    answers.append(DISCARD)
+    window.commands["new_flame"].trigger()
+    assert window.document.name == "flame"
+
+
+def test_a_refused_file_is_said_and_changes_nothing(window, tmp_path):
+    bad = tmp_path / "bad.freeform"
+    bad.write_bytes(b"PK but no zip")
+    session = window.document.session
+    window.files.open(bad)
+    assert "bad.freeform" in window.messages.text
+    assert window.document.session is session
+    assert window.commands.menus["Open &recent"].isEmpty()
+
+
+def test_recent_files_are_kept_and_struck_off_when_gone(window, tmp_path, settings):
+    paths = [tmp_path / f"{number}.freeform" for number in range(12)]
+    for path in paths:
+        window.document.save(path)
+        window.files.open(path)
+    menu = window.commands.menus["Open &recent"]
+    assert [action.text() for action in menu.actions()] == [str(p) for p in paths[:1:-1]]
+    paths[-1].unlink()
+    menu.actions()[0].trigger()
+    assert str(paths[-1]) in window.messages.text
+    assert menu.actions()[0].text() == str(paths[-2])
+
+
+def test_a_dropped_image_becomes_the_target(window, tmp_path):
+    image = tmp_path / "wish.png"
+    Image.fromarray(np.eye(8, dtype=np.uint8) * 255).save(image)
+    drop(window, image)
+    assert window.document.session.scene.target.image == str(image)
+    np.testing.assert_allclose(window.document.session.target, np.eye(8))
+
+
+def test_a_dropped_design_is_opened(window, tmp_path):
+    path = tmp_path / "other.json"
+    path.write_text(small_session().scene.model_copy(update={"unit": "inch"}).to_json())
+    drop(window, path)
+    assert window.document.session.scene.unit == "inch"
+
+
+def test_nothing_can_be_started_while_libraries_load(window):
+    for name in ("start", "continue", "pause", "stop"):
+        assert not window.commands[name].isEnabled()
+    window.start()
+    assert window.document.undo_stack.count() == 0
+
+
+def test_a_run_leaves_its_result_as_one_step(built, qtbot):
+    with qtbot.waitSignal(built.control.ended, timeout=60_000):
+        built.commands["start"].trigger()
+        assert not built.commands["open"].isEnabled()
+        assert not built.commands["undo"].isEnabled()
+    result = built.document.session.result
+    assert result.iterations == 2
+    assert built.isWindowModified()
+    assert built.commands["undo"].text() == "&Undo design run"
+    with qtbot.waitSignal(built.control.ended, timeout=60_000):
+        built.commands["continue"].trigger()
+    assert built.document.session.result.iterations == 4
+    built.commands["undo"].trigger()
+    assert built.document.session.result is result
+    built.commands["undo"].trigger()
+    assert built.document.session.result is None
+    assert not built.commands["continue"].isEnabled()
+
+
+def test_a_saved_run_goes_on_after_it_is_opened(built, qtbot, tmp_path):
+    with qtbot.waitSignal(built.control.ended, timeout=60_000):
+        built.commands["start"].trigger()
+    path = tmp_path / "run.freeform"
+    built.document.save(path)
+    built.commands["new_flame"].trigger()
+    assert not built.commands["continue"].isEnabled()
+    built.files.open(path)
+    with qtbot.waitSignal(built.control.ended, timeout=60_000):
+        built.commands["continue"].trigger()
+    assert built.document.session.result.iterations == 4
+
+
+def test_pause_and_stop(built, qtbot):
+    built.document.edit(small_session(100_000).scene, "many iterations", "run.iterations")
+    built.commands["start"].trigger()
+    built.commands["pause"].trigger()
+    assert built.control.runner.state == "paused"
+    assert built.commands["pause"].isChecked()
+    built.commands["pause"].trigger()
+    assert built.control.runner.state == "running"
+    assert not built.commands["pause"].isChecked()
+    built.commands["stop"].trigger()
+    wait_for_idle(built, qtbot)
+    assert built.document.session.result.iterations < 100_000
+
+
+def test_a_refused_field_holds_the_start(built):
+    edit(built, "far")
+    built.commands["start"].trigger()
+    assert built.control.runner.state == "idle"
+    assert "marked field" in built.messages.text
+
+
+def test_a_run_that_cannot_begin_is_said(built, qtbot, monkeypatch):
+    scene = built.document.session.scene
+    run = scene.run.model_copy(update={"device": "cuda"})
+    monkeypatch.setattr("torch.cuda.is_available", lambda: False)
+    built.document.edit(scene.model_copy(update={"run": run}), "device", "run.device")
+    built.commands["start"].trigger()
+    wait_for_idle(built, qtbot)
+    qtbot.waitUntil(lambda: "run.device" in built.messages.text)
+    assert built.document.session.result is None
+
+
+@pytest.mark.parametrize(("answer", "saved"), [(SAVE, True), (DISCARD, False)])
+def test_closing_during_a_run_stops_it(built, qtbot, answers, answer, saved, tmp_path, monkeypatch):
+    path = tmp_path / "run.freeform"
+    monkeypatch.setattr(built.files, "ask_for_name", lambda: path)
+    built.document.edit(small_session(100_000).scene, "many iterations", "run.iterations")
+    built.commands["start"].trigger()
+    qtbot.wait(100)
+    answers.append(answer)
+    built.close()
+    qtbot.waitUntil(lambda: not built.isVisible(), timeout=60_000)
+    assert path.exists() is saved
+    if saved:
+        assert read_session(path).result is not None
+
+
+def test_a_cancelled_close_lets_the_run_go_on(built, qtbot, answers):
+    built.document.edit(small_session(100_000).scene, "many iterations", "run.iterations")
+    built.commands["start"].trigger()
+    answers.append(CANCEL)
+    assert not built.close()
+    assert built.control.runner.state == "running"
+
+
+def test_the_3d_scene_can_be_hidden(built):
+    view = built._scene_view
+    assert view.isVisible()
+    built.commands["scene_view"].trigger()
+    assert not view.isVisible()
+    built.commands["scene_view"].trigger()
+    assert view.isVisible()
