@@ -30,27 +30,33 @@ class Turns(QObject):
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
         self._waiting: OrderedDict[int, Drawer] = OrderedDict()
+        self._rested_at = 0.0
         self._timer = QTimer(self, singleShot=True)
         self._timer.timeout.connect(self._next)
 
     def ask(self, drawer: Drawer) -> None:
         """Wait for a turn; asking again meanwhile changes nothing."""
         self._waiting.setdefault(id(drawer), drawer)
-        if not self._timer.isActive():
-            self._timer.start(0)
+        self._wait()
 
     def leave(self, drawer: Drawer) -> None:
         """Wait no longer."""
         self._waiting.pop(id(drawer), None)
+        if not self._waiting:
+            self._timer.stop()
 
     def _next(self) -> None:
-        if not self._waiting:
-            return
-        began = perf_counter()
         _, drawer = self._waiting.popitem(last=False)
+        began = perf_counter()
         drawer.take_turn()
-        spent = perf_counter() - began
-        self._timer.start(round(1000 * _REST * spent))
+        ended = perf_counter()
+        self._rested_at = ended + _REST * (ended - began)
+        if self._waiting:
+            self._wait()
+
+    def _wait(self) -> None:
+        if not self._timer.isActive():
+            self._timer.start(max(0, round(1000 * (self._rested_at - perf_counter()))))
 
 
 def turns() -> Turns:

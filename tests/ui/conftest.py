@@ -1,0 +1,134 @@
+"""Every test of the window leaves nothing behind: no thread, timer, widget or VTK object."""
+
+import gc
+import os
+import sys
+import threading
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QCoreApplication, QEvent, QThread, QTimer
+from PySide6.QtWidgets import QApplication
+from shiboken6 import isValid
+
+from workbench.design.snapshot import Snapshot
+from workbench.files.session import Session
+from workbench.optics.ledger import Ledger
+from workbench.targets import load_target
+
+if sys.platform == "linux" and not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")):
+    os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+
+_SETTLING = 4  # rounds of events that may still be under way
+_VTK = (
+    ("vtkmodules.vtkRenderingCore", "vtkRenderWindow"),
+    ("vtkmodules.vtkRenderingCore", "vtkRenderWindowInteractor"),
+    ("pyvista.plotting.plotter", "BasePlotter"),
+)
+
+
+def living():
+    """Everything that a test must not leave behind, by id, with a name for each."""
+    found = {id(w): f"top-level widget {w!r}" for w in QApplication.topLevelWidgets()}
+    for thread in threading.enumerate():
+        # Python makes up a dummy for every QThread that it meets; those are told below.
+        if not isinstance(thread, threading._DummyThread):
+            found[id(thread)] = f"thread {thread.name}"
+    scene_parts = tuple(
+        getattr(sys.modules[module], name) for module, name in _VTK if module in sys.modules
+    )
+    application = QCoreApplication.instance()
+    window_thread = application.thread() if application else None
+    for thing in gc.get_objects():
+        kind = type(thing)  # isinstance would wake lazy proxies
+        if issubclass(kind, QThread):
+            if isValid(thing) and thing.isRunning() and thing != window_thread:
+                found[id(thing)] = f"running {thing!r}"
+        elif issubclass(kind, QTimer):
+            if isValid(thing) and thing.isActive():
+                found[id(thing)] = f"active {thing!r} of {thing.parent()!r}"
+        elif issubclass(kind, scene_parts):
+            found[id(thing)] = f"VTK's {kind.__name__}"
+    return found
+
+
+def left_behind(before):
+    """Names of what lives now and did not before, after giving it a chance to go."""
+    application = QApplication.instance()
+    for _ in range(_SETTLING):
+        if application is not None:
+            application.processEvents()
+            QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+        found = {key: name for key, name in living().items() if key not in before}
+        if not found:
+            return []
+        gc.collect()
+    return sorted(found.values())
+
+
+@pytest.fixture(autouse=True)
+def nothing_left_behind():
+    """Fail a test that leaves something behind."""
+    before = living()
+    yield
+    left = left_behind(before)
+    if left:
+        pytest.fail("left behind: " + "; ".join(left), pytrace=False)
+
+
+@pytest.fixture
+def leaks():
+    """The two halves of the check, for tests of the check itself."""
+    return living, left_behind
+
+
+@pytest.fixture
+def display(qapp):
+    """A display that OpenGL widgets can draw on."""
+    if qapp.platformName() in ("offscreen", "minimal"):
+        pytest.skip("3D widgets draw nothing without a display; run under xvfb-run")
+
+
+@pytest.fixture
+def session(make_scene):
+    """A small design without a result."""
+    scene = make_scene()
+    return Session(scene, load_target(scene, Path.cwd()))
+
+
+@pytest.fixture
+def snapshots(session):
+    """Makes snapshots of a lens that sinks evenly and gets better all the time."""
+
+    def make(iteration, iterations=10):
+        scene = session.scene
+        n_x, n_y = scene.screen.pixels
+        return Snapshot(
+            iteration=iteration,
+            iterations=iterations,
+            loss=1.0 / (1 + iteration),
+            control_points=np.full(scene.lens.control_points, 0.5 - 0.001 * iteration),
+            irradiance=np.full((n_y, n_x), 0.25),
+            ledger=Ledger(1.0, 0.92, 0.0, 0.0, 0.0, 0.04, 0.04),
+            seconds=0.1 * iteration,
+            best=True,
+        )
+
+    return make
+
+
+@pytest.fixture
+def as_run(snapshots):
+    """A generator function that stands in for the engine's, of so many iterations."""
+
+    def make(iterations, pause=0.0):
+        def run(scene, target, start=None):
+            for iteration in range(iterations + 1):
+                time.sleep(pause)
+                yield snapshots(iteration, iterations)
+
+        return run
+
+    return make

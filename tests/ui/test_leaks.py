@@ -1,0 +1,87 @@
+"""The check that guards all other tests finds each kind of thing left behind."""
+
+import threading
+
+import pytest
+from PySide6.QtCore import QThread, QTimer
+from PySide6.QtWidgets import QWidget
+
+pytest_plugins = ["pytester"]
+
+
+def test_nothing_is_found_where_nothing_is_left(qapp, leaks):
+    living, left_behind = leaks
+    assert left_behind(living()) == []
+
+
+def test_finds_a_python_thread(leaks):
+    living, left_behind = leaks
+    before, release = living(), threading.Event()
+    thread = threading.Thread(target=release.wait, name="forgotten")
+    thread.start()
+    assert left_behind(before) == ["thread forgotten"]
+    release.set()
+    thread.join()
+    assert left_behind(before) == []
+
+
+def test_finds_a_running_qthread(qapp, leaks):
+    living, left_behind = leaks
+    before, thread = living(), QThread()
+    thread.start()
+    (found,) = left_behind(before)
+    assert found.startswith("running") and "QThread" in found
+    thread.quit()
+    thread.wait()
+    assert left_behind(before) == []
+
+
+def test_finds_an_active_timer(qapp, leaks):
+    living, left_behind = leaks
+    before, timer = living(), QTimer(interval=3_600_000)
+    timer.start()
+    (found,) = left_behind(before)
+    assert found.startswith("active") and "QTimer" in found
+    timer.stop()
+    assert left_behind(before) == []
+
+
+def test_finds_a_top_level_widget(qapp, leaks):
+    living, left_behind = leaks
+    before, widget = living(), QWidget()
+    (found,) = left_behind(before)
+    assert found.startswith("top-level widget")
+    widget.deleteLater()
+    del widget
+    assert left_behind(before) == []
+
+
+def test_finds_what_a_plotter_holds(leaks):
+    pyvista = pytest.importorskip("pyvista")
+    living, left_behind = leaks
+    before, plotter = living(), pyvista.Plotter(off_screen=True)
+    found = left_behind(before)
+    assert "VTK's Plotter" in found
+    assert any("RenderWindow" in name for name in found)
+    plotter.close()
+    del plotter
+    pyvista.close_all()
+    assert left_behind(before) == []
+
+
+def test_fails_the_test_that_leaves_something(pytester):
+    with open(__file__.replace("test_leaks.py", "conftest.py")) as source:
+        pytester.makeconftest(source.read())
+    pytester.makepyfile(
+        """
+        from PySide6.QtWidgets import QWidget
+        kept = []
+        def test_forgetful(qapp):
+            kept.append(QWidget())
+        def test_tidy(qapp):
+            pass
+        """
+    )
+    outcome = pytester.runpytest_inprocess("-p", "no:cacheprovider")
+    outcome.assert_outcomes(passed=2, errors=1)
+    outcome.stdout.fnmatch_lines(["*left behind: top-level widget*"])

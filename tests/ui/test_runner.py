@@ -1,0 +1,228 @@
+"""The runner with its thread."""
+
+import threading
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QThread
+
+from ui.runner import Runner
+from workbench.errors import RunFailed
+
+
+class Heard:
+    """What a runner said."""
+
+    def __init__(self, runner):
+        self.states, self.frames, self.results, self.failures, self.threads = [], [], [], [], []
+        runner.state_changed.connect(self.states.append)
+        runner.frame_ready.connect(self.frames.append)
+        runner.frame_ready.connect(lambda _: self.threads.append(QThread.currentThread()))
+        runner.finished.connect(self.results.append)
+        runner.failed.connect(self.failures.append)
+
+
+@pytest.fixture
+def start_runner(qapp):
+    runners = []
+
+    def make(generate):
+        runner = Runner(generate=generate)
+        runners.append(runner)
+        return runner, Heard(runner)
+
+    yield make
+    for runner in runners:
+        runner.shutdown()
+
+
+@pytest.fixture
+def gated(snapshots, start_runner):
+    """An endless run that takes a step each time it is let, and counts them.
+
+    It comes after `start_runner`, and so lets a waiting run go before the runner is shut down.
+    """
+
+    class Steps:
+        def __init__(self):
+            self.allowed = threading.Semaphore(0)
+            self.taken = 0
+
+        def __call__(self, scene, target, start=None):
+            while True:
+                self.allowed.acquire()
+                yield snapshots(self.taken)
+                self.taken += 1
+
+    steps = Steps()
+    yield steps
+    steps.allowed.release(1000)
+
+
+def test_runs_to_the_end(session, as_run, start_runner, qtbot, qapp):
+    runner, heard = start_runner(as_run(5))
+    with qtbot.waitSignal(runner.finished):
+        runner.start(session, continue_run=False)
+        assert runner.state == "running"
+    assert heard.states == ["running", "idle"]
+    assert heard.frames[-1].snapshot.iteration == 5
+    assert heard.results[0].iterations == 5
+    assert set(heard.threads) == {qapp.thread()}
+
+
+def test_stops_before_the_next_iteration(session, gated, start_runner, qtbot):
+    runner, heard = start_runner(gated)
+    runner.start(session, continue_run=False)
+    gated.allowed.release(3)
+    qtbot.waitUntil(lambda: gated.taken == 3)
+    runner.stop()
+    assert runner.state == "stopping"
+    with qtbot.waitSignal(runner.finished):
+        gated.allowed.release(100)
+    assert gated.taken == 3
+    assert heard.states == ["running", "stopping", "idle"]
+    assert heard.results[0].iterations == 3
+    assert heard.frames[-1].snapshot.iteration == 3
+
+
+def test_pauses_shows_the_last_snapshot_and_resumes(session, gated, start_runner, qtbot):
+    runner, heard = start_runner(gated)
+    runner.start(session, continue_run=False)
+    gated.allowed.release(3)
+    qtbot.waitUntil(lambda: gated.taken == 3)
+    runner.pause()
+    assert runner.state == "paused"
+    gated.allowed.release(2)
+    qtbot.waitUntil(lambda: [f.snapshot.iteration for f in heard.frames][-1:] == [3])
+    qtbot.wait(50)
+    assert gated.taken == 3  # the snapshot is out, the next is not asked for
+    runner.resume()
+    assert runner.state == "running"
+    qtbot.waitUntil(lambda: gated.taken == 5)
+    assert heard.states == ["running", "paused", "running"]
+
+
+def test_stop_wakes_a_paused_run(session, gated, start_runner, qtbot):
+    runner, heard = start_runner(gated)
+    runner.start(session, continue_run=False)
+    runner.pause()
+    gated.allowed.release(10)
+    qtbot.waitUntil(lambda: bool(heard.frames))
+    with qtbot.waitSignal(runner.finished):
+        runner.stop()
+    assert gated.taken == 0
+    assert heard.states == ["running", "paused", "stopping", "idle"]
+
+
+def test_orders_out_of_season_do_nothing(session, as_run, start_runner, qtbot):
+    runner, heard = start_runner(as_run(1))
+    for order in (runner.pause, runner.resume, runner.stop):
+        order()
+    assert runner.state == "idle" and heard.states == []
+    with qtbot.waitSignal(runner.finished):
+        runner.start(session, continue_run=False)
+        runner.stop()
+        for order in (runner.pause, runner.resume, runner.stop):
+            order()
+        assert runner.state == "stopping"
+
+
+def test_second_start_is_an_error(session, gated, start_runner):
+    runner, _ = start_runner(gated)
+    runner.start(session, continue_run=False)
+    with pytest.raises(RuntimeError, match="one is running"):
+        runner.start(session, continue_run=False)
+    gated.allowed.release(2)
+
+
+def test_failure_is_told_before_the_end(session, snapshots, start_runner, qtbot):
+    def run(scene, target, start=None):
+        yield snapshots(0)
+        raise RunFailed("the loss is not finite")
+
+    runner, heard = start_runner(run)
+    order = []
+    runner.failed.connect(lambda _: order.append("failed"))
+    runner.finished.connect(lambda _: order.append("finished"))
+    with qtbot.waitSignal(runner.finished):
+        runner.start(session, continue_run=False)
+    assert order == ["failed", "finished"]
+    assert heard.failures == ["the loss is not finite"]
+    np.testing.assert_array_equal(
+        heard.results[0].control_points, heard.frames[-1].snapshot.control_points
+    )
+
+
+def test_preview_is_no_run(session, as_run, start_runner, qtbot):
+    runner, heard = start_runner(as_run(5))
+    with qtbot.waitSignal(runner.frame_ready):
+        runner.preview(session)
+    qtbot.wait(20)
+    assert heard.frames[0].snapshot.iteration == 0
+    assert heard.states == [] and heard.results == []
+
+
+def test_newer_preview_replaces_an_older(session, gated, start_runner, qtbot):
+    runner, heard = start_runner(gated)
+    runner.preview(session)
+    newer = session.with_scene(session.scene, session.target)
+    assert newer is not session
+    runner.preview(newer)
+    gated.allowed.release(10)
+    qtbot.waitUntil(lambda: bool(heard.frames))
+    qtbot.wait(50)
+    assert [frame.session is newer for frame in heard.frames] == [True]
+
+
+def test_start_replaces_a_preview(session, gated, start_runner, qtbot):
+    runner, heard = start_runner(gated)
+    runner.preview(session)
+    runner.start(session, continue_run=False)
+    runner.preview(session)  # its frames come anyway
+    gated.allowed.release(10)
+    qtbot.waitUntil(lambda: gated.taken > 5)
+    with qtbot.waitSignal(runner.finished):
+        runner.stop()
+        gated.allowed.release(10)
+    assert len(heard.results) == 1
+
+
+def test_failed_preview_tells_why(session, start_runner, qtbot):
+    def run(scene, target, start=None):
+        raise RunFailed("no light")
+        yield
+
+    runner, heard = start_runner(run)
+    with qtbot.waitSignal(runner.failed):
+        runner.preview(session)
+    assert heard.failures == ["no light"] and heard.results == []
+
+
+def test_shutdown_in_the_middle_of_a_run(session, as_run, start_runner, qtbot):
+    runner, heard = start_runner(as_run(10_000, pause=0.005))
+    runner.start(session, continue_run=False)
+    qtbot.waitUntil(lambda: bool(heard.frames))
+    runner.shutdown()
+    runner.shutdown()
+    assert runner.state == "idle"
+    seen = len(heard.frames)
+    qtbot.wait(100)
+    assert heard.results == [] and len(heard.frames) == seen
+
+
+def test_shutdown_of_a_paused_run(session, gated, start_runner, qtbot):
+    runner, heard = start_runner(gated)
+    runner.start(session, continue_run=False)
+    gated.allowed.release(1)
+    runner.pause()
+    qtbot.waitUntil(lambda: bool(heard.frames))
+    runner.shutdown()
+    assert heard.states == ["running", "paused", "idle"]
+
+
+def test_runs_again_after_a_shutdown(session, as_run, start_runner, qtbot):
+    runner, heard = start_runner(as_run(2))
+    runner.shutdown()
+    with qtbot.waitSignal(runner.finished):
+        runner.start(session, continue_run=False)
+    assert heard.results[0].iterations == 2

@@ -1,0 +1,166 @@
+"""The worker without its thread: jobs done on the spot."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+
+from ui import worker as worker_module
+from ui.worker import Job, Worker
+from workbench.design.snapshot import History
+from workbench.errors import Refused, RunFailed
+
+
+@pytest.fixture
+def work():
+    """Does a job and returns its result and the sentence of its failure."""
+
+    def do(job, generate):
+        ends = []
+        worker = Worker(generate)
+        worker.ended.connect(lambda *end: ends.append(end))
+        worker.work(job)
+        ((ended, result, sentence),) = ends
+        assert ended is job
+        return result, sentence
+
+    return do
+
+
+@pytest.fixture
+def designed(session, snapshots):
+    history = History()
+    for iteration in range(4):
+        history.add(snapshots(iteration))
+    return dataclasses.replace(session, result=history.result())
+
+
+def test_makes_only_frames_that_somebody_asks_for(session, as_run, work, monkeypatch):
+    made = []
+    make_frame = worker_module.make_frame
+
+    def counted(session, snapshot, losses):
+        made.append(snapshot.iteration)
+        return make_frame(session, snapshot, losses)
+
+    monkeypatch.setattr(worker_module, "make_frame", counted)
+    job = Job(session)
+    work(job, as_run(50))
+    assert made == [0, 50]
+    assert job.mailbox.take().snapshot.iteration == 50
+
+
+def test_frame_holds_what_is_drawn(session, as_run, work):
+    job = Job(session)
+    work(job, as_run(3))
+    frame = job.mailbox.take()
+    assert frame.session is session
+    assert frame.surface.ndim == 3 and frame.surface.shape[2] == 3
+    np.testing.assert_allclose(frame.surface[..., 2], 0.5 - 0.003)
+    assert frame.paths.points.shape[1:] == (4, 3)
+    np.testing.assert_allclose(frame.losses, [1 / 2, 1 / 3, 1 / 4])
+
+
+def test_stopped_job_ends_with_its_first_snapshot(session, as_run, work):
+    job = Job(session)
+    job.gate.stop()
+    result, sentence = work(job, as_run(50))
+    assert result.iterations == 0 and not sentence
+    assert job.mailbox.take().snapshot.iteration == 0
+
+
+@pytest.mark.parametrize(
+    ("error", "sentence"),
+    [
+        (RunFailed("the loss is not finite"), "the loss is not finite"),
+        (Refused("run.device", "no GPU"), "run.device: no GPU"),
+        (ZeroDivisionError("oops"), "The run ended with an unexpected ZeroDivisionError: oops"),
+    ],
+)
+def test_failure_keeps_the_last_good_lens(session, snapshots, work, error, sentence):
+    def run(scene, target, start=None):
+        yield snapshots(0)
+        yield snapshots(1)
+        raise error
+
+    job = Job(session)
+    result, said = work(job, run)
+    assert said == sentence
+    np.testing.assert_array_equal(result.control_points, snapshots(1).control_points)
+    assert job.mailbox.take().snapshot.iteration == 1
+
+
+def test_failure_before_the_first_snapshot_has_no_result(session, work):
+    def run(scene, target, start=None):
+        raise Refused("run.device", "no GPU")
+        yield
+
+    assert work(Job(session), run) == (None, "run.device: no GPU")
+
+
+def test_generator_is_closed_when_stopped(session, snapshots, work):
+    closed = []
+
+    def run(scene, target, start=None):
+        try:
+            while True:
+                yield snapshots(0)
+        finally:
+            closed.append(True)
+
+    job = Job(session)
+    job.gate.stop()
+    work(job, run)
+    assert closed == [True]
+
+
+def test_continues_from_the_result(designed, snapshots, work):
+    starts = []
+
+    def run(scene, target, start=None):
+        starts.append(start)
+        yield snapshots(0)
+        yield snapshots(1)
+
+    result, _ = work(Job(designed, continue_run=True), run)
+    np.testing.assert_array_equal(starts[0], designed.result.control_points)
+    np.testing.assert_allclose(result.losses, [1 / 2, 1 / 3, 1 / 4, 1 / 2])
+    result, _ = work(Job(designed), run)
+    assert starts[1] is None and result.iterations == 1
+
+
+def test_preview_takes_the_first_snapshot_alone(session, as_run, work):
+    job = Job(session, preview=True)
+    assert work(job, as_run(50)) == (None, "")
+    assert job.mailbox.take().snapshot.iteration == 0
+
+
+def test_preview_of_a_result_needs_no_run(designed, work):
+    def run(scene, target, start=None):
+        raise AssertionError("not needed")
+        yield
+
+    job = Job(designed, preview=True)
+    assert work(job, run) == (None, "")
+    frame = job.mailbox.take()
+    assert frame.snapshot.iteration == 3
+    np.testing.assert_array_equal(frame.snapshot.control_points, designed.result.control_points)
+    np.testing.assert_array_equal(frame.losses, designed.result.losses)
+
+
+def test_replaced_preview_does_nothing(session, as_run, work):
+    job = Job(session, preview=True)
+    job.gate.stop()
+    work(job, as_run(50))
+    assert job.mailbox.empty
+
+
+def test_the_engine_is_the_default(session, work):
+    scene = session.scene.model_copy(
+        update={"run": session.scene.run.model_copy(update={"iterations": 2})}
+    )
+    job = Job(dataclasses.replace(session, scene=scene))
+    result, sentence = work(job, None)
+    assert not sentence
+    assert result.iterations == 2
+    assert job.mailbox.take().snapshot.irradiance.shape == session.target.shape
