@@ -374,6 +374,10 @@ class TestRefused:
         told = refused(forge_header({"result": figures}))
         assert told.startswith(": session.json: result.ledger.lost: unknown field")
 
+    def test_a_scene_file(self, path, make_scene):
+        path.write_text(make_scene().to_json())
+        assert refused(path) == ": is no session: it does not begin like a zip"
+
     def test_no_file(self, path, tmp_path):
         assert "does not exist" in refused(path)
         assert "is a folder" in refused(tmp_path)

@@ -150,6 +150,8 @@ def read_session(path: Path) -> Session:
     Refused
         If it cannot be read or is not, in every entry, what `write_session` writes.
     """
+    if not is_session(path):
+        raise Refused(str(path), "is no session: it does not begin like a zip")
     with opened(path) as file:
         entries = Entries(path, file)
         header, scene = _read_header(path, entries)

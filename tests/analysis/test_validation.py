@@ -1,0 +1,230 @@
+import math
+import tracemalloc
+
+import numpy as np
+import pytest
+import torch
+from scipy.interpolate import make_interp_spline
+
+from workbench.analysis import validation
+from workbench.analysis.validation import validate
+from workbench.errors import RunFailed
+from workbench.geometry.surface import ControlNet
+from workbench.optics.plan import Plan
+from workbench.scene import BoxFilter
+
+INDEX = 1.5
+HEAD_ON = 0.04  # ((1.5 - 1) / (1.5 + 1))²
+ALIGNED = 16 * 64 * 64  # rays whose cells, 256 × 256, fill 32 × 32 pixels evenly
+
+
+def net_of(scene, height):
+    """Control heights of the spline that interpolates a height function."""
+    net = ControlNet.of(scene.lens)
+    (x, y), (p, q), (r_x, r_y) = net.positions, scene.lens.degree, scene.lens.half_width
+    knots = [(2 * k - 1) * r for k, r in zip(net.knots, (r_x, r_y), strict=True)]
+    values = height(x[:, None], y[None, :])
+    values = make_interp_spline(x, values, p, t=knots[0], axis=0).c
+    return make_interp_spline(y, values, q, t=knots[1], axis=1).c
+
+
+def uniform(scene):
+    n_x, n_y = scene.screen.pixels
+    return np.ones((n_y, n_x))
+
+
+def parts(ledger):
+    data = ledger.to_data()
+    return data.pop("emitted"), data
+
+
+class TestFlatLens:
+    def test_uniform_image(self, make_scene):
+        scene = make_scene()
+        found = validate(scene, uniform(scene), np.full((12, 10), 0.5), ALIGNED)
+        assert found.rays == ALIGNED
+        assert found.relative_l2 < 1e-12
+        assert found.loss < 1e-12
+        assert found.noise < 1e-12
+        assert found.irradiance == pytest.approx((1 - HEAD_ON) ** 2 / 4, rel=1e-12)
+
+    def test_ledger(self, make_scene):
+        scene = make_scene()
+        ledger = validate(scene, uniform(scene), np.full((12, 10), 0.5), ALIGNED).ledger
+        assert ledger.on_screen == pytest.approx((1 - HEAD_ON) ** 2, rel=1e-12)
+        assert ledger.fresnel_entrance == pytest.approx(HEAD_ON, rel=1e-12)
+        assert ledger.fresnel_exit == pytest.approx(HEAD_ON * (1 - HEAD_ON), rel=1e-12)
+        assert ledger.off_screen == ledger.total_reflection == ledger.missed_lens == 0
+
+    def test_half_of_the_light_beside_a_narrow_screen(self, make_scene):
+        scene = make_scene({"screen.half_width": [0.5, 1.0]})
+        found = validate(scene, uniform(scene), np.full((12, 10), 0.5), ALIGNED)
+        assert found.efficiency == pytest.approx((1 - HEAD_ON) ** 2 / 2, rel=1e-12)
+        assert found.ledger.off_screen == pytest.approx(found.ledger.on_screen, rel=1e-12)
+
+    def test_distance_to_a_target_by_hand(self, make_scene):
+        scene = make_scene({"screen.pixels": [4, 2]})
+        target = np.zeros((2, 4))
+        target[0, 0] = 5.0
+        found = validate(scene, target, np.full((12, 10), 0.5), ALIGNED)
+        distance = math.sqrt((1 - 1 / 8) ** 2 + 7 / 64)
+        assert found.relative_l2 == pytest.approx(distance, rel=1e-12)
+        assert found.loss == pytest.approx(distance / math.sqrt(8), rel=1e-12)
+
+
+@pytest.mark.parametrize("degree", [(1, 1), (2, 5), (3, 3), (7, 4)])
+class TestPrism:
+    """An inclined plane sends all light aside by one angle."""
+
+    def found(self, make_scene, degree, slope_x, slope_y):
+        scene = make_scene({"lens.degree": degree, "screen.half_width": [2.0, 2.0]})
+        x, y = ControlNet.of(scene.lens).positions
+        heights = 0.5 + slope_x * x[:, None] + slope_y * y[None, :]
+        return validate(scene, uniform(scene), heights, ALIGNED)
+
+    @pytest.mark.parametrize("slope", [(0.2, 0.0), (-0.2, 0.0), (0.0, 0.2), (0.0, -0.2)])
+    def test_side_and_shift(self, make_scene, degree, slope):
+        image = self.found(make_scene, degree, *slope).irradiance
+        column, row = np.meshgrid(np.arange(32) + 0.5, np.arange(32) + 0.5)
+        mean = np.array([(image * column).sum(), (image * row).sum()]) / image.sum()
+        angle = math.atan(0.2)
+        shift = (5.0 - 0.5) * math.tan(math.asin(INDEX * math.sin(angle)) - angle)
+        towards = np.array(slope) / 0.2 * [1, -1]  # row 0 is at +y
+        assert mean == pytest.approx(16 + towards * shift * 8, abs=0.02)
+
+    def test_losses(self, make_scene, degree):
+        ledger = self.found(make_scene, degree, 0.3, -0.4).ledger
+        refracted = math.asin(INDEX * math.sin(math.atan(0.5)))
+        reflectance = HEAD_ON + (1 - HEAD_ON) * (1 - math.cos(refracted)) ** 5
+        assert ledger.fresnel_exit == pytest.approx((1 - HEAD_ON) * reflectance, rel=1e-9)
+
+    def test_total_reflection(self, make_scene, degree):
+        with pytest.raises(RunFailed, match="no light of this lens reaches the screen"):
+            self.found(make_scene, degree, 0.9, 0.0)
+
+
+class TestPlanoHyperbolicLens:
+    """The Cartesian oval that brings collimated light to one point."""
+
+    FOCUS = 4.5  # from the vertex at z = 0.5
+
+    def sag(self, x, y):
+        f, n = self.FOCUS, INDEX
+        square = x**2 + y**2
+        root = np.sqrt(((n - 1) * f) ** 2 + (n * n - 1) * square)
+        return (root - (n - 1) * f) / (n * n - 1)
+
+    def trace(self, make_scene, z, half_width, pixels):
+        scene = make_scene(
+            {
+                "lens.degree": [5, 5],
+                "lens.control_points": [40, 40],
+                "screen.z": z,
+                "screen.half_width": [half_width, half_width],
+                "screen.pixels": pixels,
+            }
+        )
+        heights = net_of(scene, lambda x, y: 0.5 - self.sag(x, y))
+        return validate(scene, uniform(scene), heights, ALIGNED)
+
+    def test_all_light_in_the_focus(self, make_scene):
+        found = self.trace(make_scene, 5.0, 3e-6, [3, 3])
+        assert found.irradiance[1, 1] * 4e-12 == pytest.approx(found.ledger.on_screen, rel=1e-12)
+        assert found.ledger.off_screen == 0
+
+    def test_losses(self, make_scene):
+        ledger = self.trace(make_scene, 5.0, 3e-6, [3, 3]).ledger
+        node, share = np.polynomial.legendre.leggauss(60)
+        x, y = node[:, None], node[None, :]
+        t = self.sag(x, y)
+        # From the optical path: ray and face normal at the exit, in air.
+        ray = np.stack([-x + 0 * y, -y + 0 * x, self.FOCUS + t])
+        ray /= np.linalg.norm(ray, axis=0)
+        normal = np.stack([0 * t, 0 * t, INDEX + 0 * t]) - ray  # n d - t is along the normal
+        normal /= np.linalg.norm(normal, axis=0)
+        reflectance = HEAD_ON + (1 - HEAD_ON) * (1 - (ray * normal).sum(0)) ** 5
+        mean = (reflectance * share[:, None] * share[None, :]).sum() / 4
+        assert ledger.fresnel_exit == pytest.approx((1 - HEAD_ON) * mean, rel=1e-6)
+
+    def test_upside_down_behind_the_focus(self, make_scene):
+        found = self.trace(make_scene, 5.0 + self.FOCUS, 2.0, [32, 32])
+        rim = self.FOCUS / (self.FOCUS + self.sag(1.0, 0.0))  # of a ray from (1, 0)
+        lit = np.flatnonzero(found.irradiance[16]) - 16
+        assert lit[0] == -math.ceil(rim * 8)
+        assert lit[-1] == math.ceil(rim * 8) - 1
+
+
+@pytest.fixture
+def rough(make_scene, rng):
+    """A lens that loses light in every way."""
+    scene = make_scene({"screen.half_width": [0.8, 0.9], "screen.pixels": [16, 12]})
+    return scene, 0.5 + 0.3 * rng.random((12, 10))
+
+
+def test_the_ledger_adds_up(rough):
+    scene, heights = rough
+    emitted, where = parts(validate(scene, uniform(scene), heights, 100_000).ledger)
+    assert sum(where.values()) == pytest.approx(emitted, abs=1e-12)
+    assert where.pop("missed_lens") == 0
+    assert min(where.values()) > 1e-3
+
+
+def test_the_optimisers_trace_agrees(rough):
+    scene, heights = rough
+    found = validate(scene, uniform(scene), heights, 1_000_000)
+    source = scene.source.model_copy(update={"rays": (1000, 1000)})
+    plan = Plan(
+        scene.model_copy(update={"source": source}), filter=BoxFilter(), dtype=torch.float64
+    )
+    traced = plan.trace(torch.tensor(heights))
+    for name, value in found.ledger.to_data().items():
+        assert value == pytest.approx(traced.ledger.to_data()[name], abs=2e-4)
+    expected = traced.flux.numpy() / scene.screen.pixel_area
+    error = np.linalg.norm(found.irradiance - expected) / np.linalg.norm(expected)
+    assert error < 0.01
+
+
+class TestRays:
+    def test_the_same_seed_gives_the_same_rays(self, rough):
+        scene, heights = rough
+        first, same, other = (
+            validate(scene, uniform(scene), heights, 10_000, seed) for seed in (1, 1, 2)
+        )
+        assert np.array_equal(first.irradiance, same.irradiance)
+        assert first.noise == same.noise
+        assert not np.array_equal(first.irradiance, other.irradiance)
+
+    @pytest.mark.parametrize("half_width", [(1.0, 1.0), (3.0, 0.02), (0.02, 3.0)])
+    @pytest.mark.parametrize("rays", [1, 999, 50_000])
+    def test_at_least_as_many_as_asked_for(self, make_scene, half_width, rays):
+        scene = make_scene({"lens.half_width": half_width, "screen.half_width": half_width})
+        found = validate(scene, uniform(scene), np.full((12, 10), 0.5), rays)
+        assert rays <= found.rays <= 1.2 * rays + 1000
+        assert found.efficiency == pytest.approx((1 - HEAD_ON) ** 2, rel=1e-12)
+
+    def test_noise_is_an_upper_estimate_of_the_scatter_between_seeds(self, rough):
+        scene, heights = rough
+        runs = [validate(scene, uniform(scene), heights, 8_000, seed) for seed in range(30)]
+        scatter = np.std([run.relative_l2 for run in runs], ddof=1)
+        noise = np.mean([run.noise for run in runs])
+        assert scatter < noise < 6 * scatter
+
+    def test_noise_falls_at_least_with_the_root_of_the_rays(self, rough):
+        scene, heights = rough
+        few, many = (
+            np.mean([validate(scene, uniform(scene), heights, n, seed).noise for seed in range(8)])
+            for n in (4_000, 64_000)
+        )
+        assert many < few / 3.5
+        assert many > few / 16
+
+    def test_memory_does_not_grow_with_the_rays(self, make_scene, monkeypatch):
+        monkeypatch.setattr(validation, "_AT_ONCE", 2048)
+        scene = make_scene()
+        peaks = []
+        for rays in (100_000, 500_000):
+            tracemalloc.start()
+            validate(scene, uniform(scene), np.full((12, 10), 0.5), rays)
+            peaks.append(tracemalloc.get_traced_memory()[1])
+            tracemalloc.stop()
+        assert peaks[1] < 1.2 * peaks[0] < 2e6

@@ -1,0 +1,1 @@
+"""Judges a finished lens by means of its own."""

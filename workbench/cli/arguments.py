@@ -1,0 +1,122 @@
+"""What can be typed.
+
+Commands are imported when they run, so that help and refusals come at once.
+"""
+
+import argparse
+import math
+from collections.abc import Sequence
+from contextlib import suppress
+from pathlib import Path
+from typing import NoReturn
+
+from workbench.errors import Refused
+
+
+def parse(arguments: Sequence[str] | None) -> argparse.Namespace:
+    """Read a command line.
+
+    Returns
+    -------
+    argparse.Namespace
+        With ``command``, a function to be called with the namespace itself.
+
+    Raises
+    ------
+    Refused
+        If it is not understood.
+    """
+    parser = _Parser(prog="freeform", description="Design lenses that throw an image of light.")
+    commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
+
+    design = commands.add_parser(
+        "design",
+        help="design a lens",
+        description="Design a lens. Ctrl-C keeps the best lens so far.",
+    )
+    design.set_defaults(command=_design)
+    design.add_argument(
+        "scene",
+        metavar="SCENE",
+        type=Path,
+        help="scene file, or session; one with a lens goes on from it",
+    )
+    design.add_argument(
+        "-o",
+        dest="output",
+        metavar="OUT.freeform",
+        type=Path,
+        required=True,
+        help="session to write",
+    )
+    design.add_argument(
+        "--iterations", metavar="N", type=int, help="upper limit, in place of the scene's"
+    )
+    design.add_argument(
+        "--seconds", metavar="S", type=_seconds, default=math.inf, help="stop after this time"
+    )
+
+    validate = commands.add_parser(
+        "validate",
+        help="check a lens by an independent trace",
+        description="Trace the lens of a session anew, with other rays and by other means.",
+    )
+    validate.set_defaults(command=_validate)
+    validate.add_argument("session", metavar="SESSION", type=Path, help="session with a lens")
+    validate.add_argument(
+        "--rays", metavar="N", type=_count, default=4_000_000, help="at least; default %(default)s"
+    )
+
+    pictures = commands.add_parser(
+        "pictures",
+        help="draw a lens and its light",
+        description="Draw the lens of a session with its rays, its light and its loss as PNG.",
+    )
+    pictures.set_defaults(command=_pictures)
+    pictures.add_argument("session", metavar="SESSION", type=Path, help="session with a lens")
+    pictures.add_argument("folder", metavar="FOLDER", type=Path, help="where the pictures go")
+
+    for command in (design, validate):
+        command.add_argument(
+            "--json", action="store_true", help="print the figures as one JSON object"
+        )
+    return parser.parse_args(arguments)
+
+
+class _Parser(argparse.ArgumentParser):
+    """Refuses in one line, without the usage."""
+
+    def error(self, message: str) -> NoReturn:
+        raise Refused("usage", f"{message}; {self.prog} --help tells more")
+
+
+def _design(options: argparse.Namespace) -> None:
+    from workbench.cli.design import design
+
+    design(options.scene, options.output, options.iterations, options.seconds, options.json)
+
+
+def _validate(options: argparse.Namespace) -> None:
+    from workbench.cli.validate import validate
+
+    validate(options.session, options.rays, options.json)
+
+
+def _pictures(options: argparse.Namespace) -> None:
+    from workbench.cli.pictures import pictures
+
+    pictures(options.session, options.folder)
+
+
+def _seconds(text: str) -> float:
+    with suppress(ValueError):
+        if (seconds := float(text)) > 0:
+            return seconds
+    raise argparse.ArgumentTypeError(f"{text!r}; a number greater than 0 is needed")
+
+
+def _count(text: str) -> int:
+    with suppress(ValueError):
+        if (count := int(text)) > 0:
+            return count
+    raise argparse.ArgumentTypeError(f"{text!r}; a whole number greater than 0 is needed")

@@ -1,0 +1,84 @@
+"""``freeform design``."""
+
+import json
+from contextlib import closing
+from pathlib import Path
+
+from workbench.cli.interruption import Interruption
+from workbench.cli.progress import Progress
+from workbench.design.snapshot import History, Result
+from workbench.errors import Refused
+from workbench.files.atomic import check_writable
+from workbench.files.figures import Figures
+from workbench.files.session import Session, is_session, open_design, write_session
+from workbench.scene import Scene
+
+
+def design(path: Path, output: Path, iterations: int | None, seconds: float, as_json: bool) -> None:
+    """Run a design and write it, however the run ends.
+
+    Parameters
+    ----------
+    path : Path
+        Scene or session; one with a result is continued.
+    output : Path
+        Session to write.
+    iterations : int, optional
+        Upper limit in place of the scene's.
+    seconds : float
+        Time limit.
+    as_json : bool
+        Whether figures are printed as JSON.
+
+    Raises
+    ------
+    Refused
+        If the scene cannot be run or the output not be written.
+    RunFailed
+        If the run cannot go on; the best lens before is written.
+    KeyboardInterrupt
+        After Ctrl-C; the best lens so far is written.
+    """
+    session = open_design(path)
+    scene = session.scene if iterations is None else _with_iterations(session.scene, iterations)
+    check_writable(output)
+    if output.exists() and output.samefile(path) and not is_session(path):
+        raise Refused(str(output), "is the scene itself; another file is needed for the session")
+    earlier = session.result
+    history = History(earlier)
+    with Interruption() as interruption:
+        from workbench.design.run import run  # late: torch takes seconds to import
+
+        start = None if earlier is None else earlier.control_points
+        try:
+            with closing(Progress(seconds)) as progress:
+                for snapshot in run(scene, session.target, start):
+                    history.add(snapshot)
+                    progress.show(snapshot)
+                    if interruption.asked or snapshot.seconds >= seconds:
+                        break
+        finally:
+            result = history.result()
+            if result is not None:
+                write_session(Session(scene, session.target, result), output)
+    if result is not None:
+        _print(result, as_json)
+    if interruption.asked:
+        raise KeyboardInterrupt(f"interrupted; the best lens so far is in {output}")
+
+
+def _with_iterations(scene: Scene, iterations: int) -> Scene:
+    data = scene.to_data()
+    data["run"]["iterations"] = iterations
+    return Scene.from_data(data)
+
+
+def _print(result: Result, as_json: bool) -> None:
+    figures = Figures.of(result)
+    if as_json:
+        print(json.dumps(figures.model_dump()))
+    else:
+        print(
+            f"loss {figures.loss:.4g} after {figures.iterations} iterations in "
+            f"{figures.seconds:.1f} s; {figures.efficiency:.1%} of the light on the screen"
+        )

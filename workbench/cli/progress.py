@@ -1,0 +1,70 @@
+"""Progress of a run on standard error: a bar on a terminal, plain lines elsewhere."""
+
+import math
+import sys
+
+from tqdm import tqdm
+
+from workbench.design.snapshot import Snapshot
+
+# Elsewhere than on a terminal a line is due after this part of the run or this many seconds.
+_PART, _SECONDS = 0.05, 10.0
+
+
+class Progress:
+    """Shows where a run is, its loss and the time left.
+
+    Parameters
+    ----------
+    limit : float
+        Seconds after which the run is stopped; may be infinite.
+    """
+
+    def __init__(self, limit: float) -> None:
+        self._limit = limit
+        self._bar: tqdm | None = None
+        self._line: Snapshot | None = None  # the last one that got a line
+
+    def show(self, snapshot: Snapshot) -> None:
+        """Show the next snapshot of the run."""
+        if sys.stderr.isatty():
+            self._draw(snapshot)
+        elif self._is_due(snapshot):
+            self._line = snapshot
+            done = f"{snapshot.iteration}/{snapshot.iterations}"
+            print(f"{done}  {self._state(snapshot)}", file=sys.stderr, flush=True)
+
+    def close(self) -> None:
+        """Leave the bar as it is and go on below it."""
+        if self._bar is not None:
+            self._bar.close()
+
+    def _draw(self, snapshot: Snapshot) -> None:
+        if self._bar is None:
+            self._bar = tqdm(
+                total=snapshot.iterations,
+                file=sys.stderr,
+                dynamic_ncols=True,
+                bar_format="{bar} {n_fmt}/{total_fmt}{postfix}",
+            )
+        self._bar.set_postfix_str(self._state(snapshot), refresh=False)
+        self._bar.update(snapshot.iteration - self._bar.n)
+
+    def _is_due(self, snapshot: Snapshot) -> bool:
+        last = self._line
+        return (
+            last is None
+            or snapshot.iteration == snapshot.iterations
+            or snapshot.iteration - last.iteration >= _PART * snapshot.iterations
+            or snapshot.seconds - last.seconds >= _SECONDS
+        )
+
+    def _state(self, snapshot: Snapshot) -> str:
+        left = self._limit - snapshot.seconds
+        if snapshot.iteration > 0:
+            to_do = snapshot.iterations - snapshot.iteration
+            left = min(left, snapshot.seconds / snapshot.iteration * to_do)
+        loss = f"loss {snapshot.loss:.4g}"
+        if math.isinf(left):  # nothing is known yet
+            return loss
+        return f"{loss}  {tqdm.format_interval(max(left, 0.0))} left"
