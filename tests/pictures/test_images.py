@@ -1,0 +1,116 @@
+import numpy as np
+import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+
+from workbench.pictures.images import (
+    ErrorImage,
+    IrradianceImage,
+    full_scale,
+    round_scale,
+    signed_error,
+    target_irradiance,
+    to_colours,
+)
+from workbench.pictures.style import paint
+
+
+@pytest.fixture
+def scene(make_scene):
+    return make_scene({"screen.half_width": [2.0, 1.0], "screen.pixels": [8, 4]})
+
+
+@pytest.fixture
+def axes():
+    return Figure(layout="constrained").subplots()
+
+
+def test_target_irradiance_carries_unit_flux(scene, rng):
+    target = rng.random((4, 8))
+    flux = target_irradiance(scene, target).sum() * scene.screen.pixel_area
+    assert flux == pytest.approx(1, abs=1e-12)
+
+
+def test_error_compares_at_equal_flux(scene, rng):
+    target = rng.random((4, 8))
+    np.testing.assert_allclose(signed_error(scene, target, 3.7 * target), 0, atol=1e-12)
+
+
+def test_error_is_positive_where_light_is_too_much(scene):
+    target = np.ones((4, 8))
+    light = np.zeros((4, 8))
+    light[:, :4] = 1
+    error = signed_error(scene, target, light)
+    np.testing.assert_allclose(error[:, :4], 1 / 8)
+    np.testing.assert_allclose(error[:, 4:], -1 / 8)
+
+
+def test_no_light_at_all_lacks_the_whole_target(scene):
+    target = np.ones((4, 8))
+    np.testing.assert_allclose(signed_error(scene, target, np.zeros((4, 8))), -1 / 8)
+
+
+@pytest.mark.parametrize(
+    ("largest", "scale"), [(0.11, 0.2), (0.5, 0.5), (0.51, 1.0), (7.0, 10.0), (0.0, 1.0)]
+)
+def test_round_scale(largest, scale):
+    assert round_scale(largest) == pytest.approx(scale)
+
+
+def test_colours_saturate_above_the_scale():
+    colours = to_colours(np.array([[0.0, 1.0, 99.0]]), 1.0)
+    assert colours.dtype == np.uint8 and colours.shape == (1, 3, 3)
+    np.testing.assert_array_equal(colours[0, 1], colours[0, 2])
+    assert (colours[0, 0] < colours[0, 1]).any()
+
+
+def drawn_image(figure):
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()
+    return np.asarray(canvas.buffer_rgba())[..., :3].astype(int)
+
+
+def test_row_0_is_at_the_top_and_column_0_at_the_left(scene, axes):
+    target = np.ones((4, 8))
+    light = np.zeros((4, 8))
+    light[0, 0] = full_scale(scene, target)
+    picture = IrradianceImage(axes, scene, target)
+    assert picture.update(light) is False
+    pixels = drawn_image(axes.figure)
+    height = pixels.shape[0]
+    column, row = axes.transData.transform((-1.75, 0.75))  # centre of pixel (0, 0)
+    bright = pixels[height - 1 - int(row), int(column)]
+    column, row = axes.transData.transform((1.75, -0.75))
+    dark = pixels[height - 1 - int(row), int(column)]
+    assert bright.sum() > 600 and dark.sum() < 30
+
+
+def test_axes_and_bar_are_in_scene_units(scene, axes):
+    IrradianceImage(axes, scene, np.ones((4, 8)))
+    assert axes.get_xlim() == (-2, 2) and axes.get_ylim() == (-1, 1)
+    assert axes.get_xlabel() == "x (cm)"
+    (bar,) = axes.child_axes
+    assert bar.get_ylabel() == "flux / cm²"
+
+
+def test_error_scale_follows_the_errors_in_steps(scene, axes):
+    target = np.ones((4, 8))
+    picture = ErrorImage(axes, scene, target)
+    light = np.ones((4, 8))
+    light[::2] += 0.5
+    changes = [picture.update(light) for _ in range(3)]
+    assert changes == [True, False, False]
+    low, high = picture.artists[0].get_clim()
+    assert low == -high
+    largest = np.abs(signed_error(scene, target, light)).max()
+    assert high == round_scale(largest)
+
+
+def test_paint_recolours_the_bar_too(scene, axes):
+    IrradianceImage(axes, scene, np.ones((4, 8)))
+    paint(axes.figure, "#ff0000", "#00ff00")
+    (bar,) = axes.child_axes
+    for part in (axes, bar):
+        assert part.yaxis.label.get_color() == "#ff0000"
+        assert part.spines["left"].get_edgecolor() == (1.0, 0.0, 0.0, 1.0)
+    assert axes.figure.get_facecolor() == (0.0, 1.0, 0.0, 1.0)

@@ -1,0 +1,135 @@
+"""The 3D scene, drawn off screen."""
+
+import numpy as np
+import pytest
+import pyvista
+
+from workbench.geometry.surface import sample_surface
+from workbench.optics.paths import ray_paths
+from workbench.pictures.images import target_irradiance
+from workbench.pictures.lens import LensPicture
+
+
+@pytest.fixture
+def plotter():
+    made = pyvista.Plotter(off_screen=True, window_size=[640, 400])
+    yield made
+    made.close()
+
+
+@pytest.fixture
+def state():
+    def make(scene, offset=0.0, rays=(5, 5)):
+        heights = np.full(scene.lens.control_points, 0.5 + offset)
+        return (
+            sample_surface(scene.lens, heights, (17, 17)),
+            ray_paths(scene, heights, rays),
+            np.zeros(scene.screen.pixels[::-1]),
+        )
+
+    return make
+
+
+def drawn(plotter):
+    plotter.render()
+    return plotter.screenshot(return_img=True)
+
+
+def screen_pixel(plotter, point):
+    """Where a point of the scene is in the picture, (row, column)."""
+    renderer = plotter.renderer
+    renderer.SetWorldPoint(*point, 1.0)
+    renderer.WorldToDisplay()
+    x, y, _ = renderer.GetDisplayPoint()
+    return plotter.window_size[1] - 1 - round(y), round(x)
+
+
+@pytest.mark.parametrize("dark", [False, True])
+def test_screen_reads_as_its_image(make_scene, plotter, state, dark):
+    scene = make_scene({"screen.pixels": [8, 8]})
+    letter = np.zeros((8, 8))
+    letter[:, :3] = 1  # an L: bright at -x and at -y
+    letter[5:] = 1
+    picture = LensPicture(plotter, scene, letter, dark=dark)
+    picture.fit()
+    surface, paths, _ = state(scene, rays=(1, 1))
+    picture.update(surface, paths, target_irradiance(scene, letter))
+    pixels = drawn(plotter).astype(int).sum(axis=-1)
+
+    def brightness(x, y):
+        return pixels[screen_pixel(plotter, (x, y, scene.screen.z))]
+
+    assert brightness(-0.8, 0.8) > 300  # row 0, column 0: top left
+    assert brightness(-0.8, -0.8) > 300
+    assert brightness(0.8, -0.8) > 300
+    assert brightness(0.8, 0.8) < 60
+    left = screen_pixel(plotter, (-0.8, 0, scene.screen.z))[1]
+    right = screen_pixel(plotter, (0.8, 0, scene.screen.z))[1]
+    assert left < right  # the default view reads it unmirrored
+
+
+def test_z_runs_to_the_right_and_y_up(make_scene, plotter):
+    scene = make_scene()
+    LensPicture(plotter, scene, np.ones((32, 32))).fit()
+    (row_0, column_0), (_, column_z) = (screen_pixel(plotter, (0, 0, z)) for z in (0, 5))
+    assert column_z > column_0
+    assert screen_pixel(plotter, (0, 1, 0))[0] < row_0
+
+
+@pytest.mark.parametrize(
+    ("z", "lens", "screen"),
+    [(5, 1.0, 1.0), (32, 0.64, 0.64), (32, 0.64, 6.0), (1.2, 1.0, 1.0), (500, 1.0, 100.0)],
+)
+def test_default_view_holds_lens_and_screen(make_scene, plotter, z, lens, screen):
+    scene = make_scene(
+        {
+            "screen.z": z,
+            "screen.half_width": [screen, screen],
+            "lens.half_width": [lens, lens],
+        }
+    )
+    LensPicture(plotter, scene, np.ones((32, 32))).fit()
+    width, height = plotter.window_size
+    spots = {}
+    for name, r, at in (("lens", lens, 0.0), ("screen", screen, float(z))):
+        corners = [screen_pixel(plotter, (i * r, j * r, at)) for i in (-1, 1) for j in (-1, 1)]
+        rows, columns = np.array(corners).T
+        assert rows.min() >= 0 and rows.max() < height
+        assert columns.min() >= 0 and columns.max() < width
+        spots[name] = rows.max() - rows.min()
+    larger = "screen" if screen >= lens else "lens"
+    assert spots[larger] > height / 4
+
+
+def test_update_keeps_camera_and_actors(make_scene, plotter, state):
+    scene = make_scene()
+    picture = LensPicture(plotter, scene, np.ones((32, 32)))
+    picture.fit()
+    picture.update(*state(scene))
+    assert picture.fitted
+    plotter.camera.azimuth = 20
+    assert not picture.fitted
+    camera, actors = plotter.camera_position, list(plotter.actors)
+    before = drawn(plotter)
+    picture.update(*state(scene, offset=0.3, rays=(3, 3)))
+    assert plotter.camera_position == camera
+    assert list(plotter.actors) == actors
+    assert (drawn(plotter) != before).any()
+    picture.fit()
+    assert picture.fitted
+
+
+def test_recolour_changes_the_ground(make_scene, plotter):
+    picture = LensPicture(plotter, make_scene(), np.ones((32, 32)))
+    light = drawn(plotter)[0, 0].mean()
+    picture.recolour(dark=True)
+    assert drawn(plotter)[0, 0].mean() < light / 2
+
+
+def test_large_irradiance_is_thinned_to_what_a_view_shows(make_scene, plotter, state):
+    scene = make_scene({"screen.pixels": [1200, 700]})
+    target = np.ones((700, 1200))
+    picture = LensPicture(plotter, scene, target)
+    surface, paths, _ = state(scene)
+    picture.update(surface, paths, target)
+    assert picture._texels.dimensions == (400, 350, 1)

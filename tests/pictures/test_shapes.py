@@ -1,0 +1,62 @@
+import numpy as np
+
+from workbench.pictures import shapes
+
+
+def plane(m_u, m_v, slope=0.0):
+    x, y = np.meshgrid(np.linspace(-1, 1, m_u), np.linspace(-2, 2, m_v), indexing="ij")
+    return np.stack([x, y, 0.5 + slope * x], axis=-1)
+
+
+def test_quads_cover_the_grid_once():
+    points = plane(4, 3).reshape(-1, 3)
+    faces = shapes.quads(4, 3).reshape(-1, 5)
+    assert (faces[:, 0] == 4).all() and len(faces) == 6
+    a, b, c, d = (points[faces[:, k]] for k in (1, 2, 3, 4))
+    area = np.cross(c - a, d - b)[:, 2] / 2
+    assert (area > 0).all()  # seen from +z they turn left
+    np.testing.assert_allclose(area.sum(), 2 * 4)
+
+
+def test_normals_of_a_tilted_plane():
+    found = shapes.normals(plane(5, 6, slope=0.75))
+    np.testing.assert_allclose(found, np.tile([-0.6, 0.0, 0.8], (30, 1)), atol=1e-12)
+
+
+def test_walls_join_the_rim_and_the_entrance_face():
+    surface = plane(5, 4, slope=0.1)
+    points = shapes.wall_points(surface, -1.0)
+    assert points.shape == (4 * (5 + 4), 3)
+    np.testing.assert_array_equal(points[:5], surface[:, 0])
+    np.testing.assert_array_equal(points[5:10, :2], surface[:, 0, :2])
+    assert (points[5:10, 2] == -1.0).all()
+
+
+def test_walls_and_exit_face_close_the_lens():
+    """The flux of a constant field through a closed surface is nothing, that of x is its volume."""
+    surface = plane(5, 4, slope=0.1)
+    volume, through = 0.0, np.zeros(3)
+    for points, cells in (
+        (surface.reshape(-1, 3), shapes.quads(5, 4)),
+        (shapes.wall_points(surface, -1.0), shapes.wall_faces(5, 4)),
+    ):
+        for _, *corners in cells.reshape(-1, 5):
+            a, b, c, d = points[corners]
+            area = np.cross(c - a, d - b) / 2
+            through += area
+            volume += area @ points[corners].mean(axis=0) / 3
+    np.testing.assert_allclose(through, 0, atol=1e-12)
+    np.testing.assert_allclose(volume, 2 * 4 * 1.5)
+
+
+def test_net_lines_hold_the_rim():
+    lines = shapes.net_lines(9, 9, fields=4)
+    assert lines.size == 10 * (9 + 1)
+    first, last = lines[1:10], lines[-9:]
+    np.testing.assert_array_equal(first, np.arange(9))
+    np.testing.assert_array_equal(last, np.arange(8, 81, 9))
+
+
+def test_outline_has_rim_foot_and_upright_edges():
+    lines = shapes.wall_lines(3, 2)
+    np.testing.assert_array_equal(lines[:10], [3, 0, 1, 2, 2, 3, 5, 2, 0, 3])
