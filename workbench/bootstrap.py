@@ -76,7 +76,7 @@ def _design_without_window() -> int:
     if status == 0:
         print(
             f"Left in {ROOT}: the session {session}, the light on the screen out/irradiance.png, "
-            "the lens with its rays out/lens.png."
+            "the lens with its rays out/lens.png, the loss out/loss.png."
         )
     return status
 
