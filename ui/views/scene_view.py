@@ -82,6 +82,7 @@ class SceneView(View):
         self._plotter.setAcceptDrops(False)  # files dropped here are for the window
         self._box.addWidget(self._plotter)
         self._box.activate()
+        self._plotter.show()  # a layout shows what joins it only in a later turn
 
     def _begin(self, session: "Session") -> None:
         from workbench.pictures.lens import LensPicture, space

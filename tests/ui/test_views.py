@@ -1,0 +1,296 @@
+"""The views in a window: what they draw, when, and what they leave alone."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+from PySide6.QtGui import QColor, QPalette
+from PySide6.QtWidgets import QMainWindow, QTabWidget
+
+from ui.frame import make_frame
+from ui.views.error_view import ErrorView
+from ui.views.irradiance_view import IrradianceView
+from ui.views.loss_view import LossView
+from ui.views.scene_view import SceneView
+from ui.views.turns import Turns, turns
+
+PLOTS = [IrradianceView, ErrorView, LossView]
+
+
+@pytest.fixture
+def frame(session, snapshots):
+    """A frame of some iteration with an uneven image of its own."""
+
+    def make(iteration, of=session):
+        n_x, n_y = of.scene.screen.pixels
+        image = np.linspace(0, 0.1 * (1 + iteration), n_x * n_y).reshape(n_y, n_x)
+        snapshot = dataclasses.replace(
+            snapshots(iteration),
+            irradiance=image,
+            control_points=np.full(of.scene.lens.control_points, 0.5),
+        )
+        return make_frame(of, snapshot, 1.0 / (1 + np.arange(iteration)))
+
+    return make
+
+
+@pytest.fixture
+def draws(monkeypatch):
+    """Counts how often each view draws."""
+    counts = {}
+    for kind in (*PLOTS, SceneView):
+        original = kind._draw
+
+        def counted(self, *args, kind=kind, original=original):
+            counts[kind] = counts.get(kind, 0) + 1
+            original(self, *args)
+
+        monkeypatch.setattr(kind, "_draw", counted)
+    return counts
+
+
+def dark_palette():
+    palette = QPalette()
+    palette.setColor(QPalette.ColorRole.Window, QColor("#202020"))
+    palette.setColor(QPalette.ColorRole.WindowText, QColor("#f0f0f0"))
+    return palette
+
+
+def grabbed(widget):
+    image = widget.grab().toImage()
+    data = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), image.bytesPerLine())
+    return data[:, : 4 * image.width()].reshape(image.height(), image.width(), 4)[..., :3].copy()
+
+
+@pytest.mark.parametrize("kind", PLOTS)
+def test_plot_draws_the_latest_frame(kind, session, frame, draws, qtbot):
+    view = kind()
+    qtbot.addWidget(view)
+    view.resize(380, 260)
+    view.show_design(session)
+    with qtbot.waitExposed(view):
+        view.show()
+    qtbot.waitUntil(lambda: draws.get(kind) == 1)
+    empty = grabbed(view)
+    for iteration in (1, 2, 3):
+        view.show_frame(frame(iteration))
+    qtbot.waitUntil(lambda: draws[kind] == 2)
+    assert (grabbed(view) != empty).any()
+    qtbot.wait(100)
+    assert draws[kind] == 2  # three frames at once are one drawing
+
+
+@pytest.mark.parametrize("kind", PLOTS)
+def test_blitted_picture_is_the_drawn_picture(kind, session, frame, draws, qtbot):
+    """Blitting leaves the same pixels as drawing everything anew."""
+    view = kind()
+    qtbot.addWidget(view)
+    view.resize(380, 260)
+    with qtbot.waitExposed(view):
+        view.show()
+    for count, iteration in enumerate((3, 5), start=1):
+        view.show_frame(frame(iteration))
+        qtbot.waitUntil(lambda count=count: draws.get(kind) == count)
+    blitted = grabbed(view)
+    view._canvas.draw()
+    np.testing.assert_array_equal(grabbed(view), blitted)
+
+
+@pytest.mark.parametrize("kind", PLOTS)
+def test_hidden_plot_draws_nothing_and_catches_up(kind, session, frame, draws, qtbot):
+    tabs = QTabWidget()
+    qtbot.addWidget(tabs)
+    front, view = IrradianceView(), kind()
+    tabs.addTab(front, "front")
+    tabs.addTab(view, "behind")
+    with qtbot.waitExposed(tabs):
+        tabs.show()
+    view.show_frame(frame(1))
+    view.show_frame(frame(2))
+    qtbot.wait(100)
+    assert not draws
+    tabs.setCurrentWidget(view)
+    qtbot.waitUntil(lambda: draws == {kind: 1})
+    assert view._frame.snapshot.iteration == 2
+
+
+@pytest.mark.parametrize("kind", PLOTS)
+def test_plot_follows_the_palette(kind, session, frame, draws, qtbot):
+    view = kind()
+    qtbot.addWidget(view)
+    view.resize(380, 260)
+    view.show_frame(frame(1))
+    with qtbot.waitExposed(view):
+        view.show()
+    qtbot.waitUntil(lambda: draws.get(kind) == 1)
+    light = grabbed(view)[2, 2].mean()
+    view.setPalette(dark_palette())
+    qtbot.waitUntil(lambda: draws[kind] == 2)
+    dark = grabbed(view)
+    assert dark[2, 2].mean() == 0x20 < light
+    assert (dark.mean(axis=-1) > 200).any()  # ticks and labels are light
+
+
+@pytest.mark.parametrize("kind", PLOTS)
+@pytest.mark.parametrize("size", [(380, 260), (260, 180), (900, 500)])
+def test_labels_lie_inside_at_any_size(kind, size, session, frame, draws, qtbot):
+    view = kind()
+    qtbot.addWidget(view)
+    view.resize(380, 260)
+    view.show_frame(frame(4))
+    with qtbot.waitExposed(view):
+        view.show()
+    view.resize(*size)
+    qtbot.waitUntil(lambda: draws.get(kind, 0) > 0)
+    qtbot.wait(50)
+    figure = view._canvas.figure
+    tight = figure.get_tightbbox()
+    width, height = figure.get_size_inches()
+    assert tight.x0 > 0 and tight.y0 > 0
+    assert tight.x1 < width and tight.y1 < height
+
+
+def test_another_scene_gets_another_picture(session, frame, make_scene, draws, qtbot):
+    view = IrradianceView()
+    qtbot.addWidget(view)
+    view.show_frame(frame(1))
+    with qtbot.waitExposed(view):
+        view.show()
+    qtbot.waitUntil(lambda: draws.get(IrradianceView) == 1)
+    wide = make_scene({"screen.half_width": [3.0, 1.0], "screen.pixels": [24, 8]})
+    other = dataclasses.replace(session, scene=wide, target=np.ones((8, 24)))
+    view.show_design(other)
+    view.show_frame(frame(2, of=other))
+    qtbot.waitUntil(lambda: draws[IrradianceView] == 2)
+    assert view._canvas.figure.axes[0].get_xlim() == (-3, 3)
+
+
+def test_one_view_draws_in_one_turn(qapp, qtbot):
+    order = []
+
+    class Slow:
+        def __init__(self, name):
+            self.name = name
+
+        def take_turn(self):
+            order.append(self.name)
+            queue.ask(last)
+            if len(order) > 3:
+                queue.leave(last)
+
+    queue = Turns(qapp)
+    first, last = Slow("first"), Slow("last")
+    queue.ask(first)
+    queue.ask(last)
+    queue.ask(first)
+    assert order == []
+    qtbot.waitUntil(lambda: len(order) == 4)
+    assert order == ["first", "last", "last", "last"]
+    queue.setParent(None)
+
+
+def test_there_is_one_queue(qapp):
+    assert turns() is turns()
+
+
+# In three dimensions.
+
+
+@pytest.fixture
+def scene_view(display, qtbot):
+    view = SceneView()
+    window = QMainWindow()
+    qtbot.addWidget(window, before_close_func=lambda _: view.close_plotter())
+    window.setCentralWidget(view)
+    window.resize(480, 320)
+    yield view  # the window lives as long
+
+
+def test_scene_is_made_when_first_seen(scene_view, session, frame, draws, qtbot):
+    scene_view.show_design(session)
+    scene_view.show_frame(frame(1))
+    qtbot.wait(50)
+    assert not draws and scene_view._plotter is None
+    with qtbot.waitExposed(scene_view.window()):
+        scene_view.window().show()
+    qtbot.waitUntil(lambda: draws.get(SceneView) == 1)
+    assert len(np.unique(grabbed(scene_view).reshape(-1, 3), axis=0)) > 100
+
+
+def test_scene_is_updated_in_place(scene_view, session, frame, draws, qtbot):
+    scene_view.show_frame(frame(1))
+    scene_view.window().show()
+    qtbot.waitUntil(lambda: draws.get(SceneView) == 1)
+    plotter = scene_view._plotter
+    plotter.camera.azimuth = 15
+    camera, actors = plotter.camera_position, list(plotter.actors)
+    before = grabbed(scene_view)
+    scene_view.show_frame(frame(9))
+    qtbot.waitUntil(lambda: draws[SceneView] == 2)
+    assert plotter.camera_position == camera
+    assert list(plotter.actors) == actors
+    assert (grabbed(scene_view) != before).any()
+    scene_view.fit()
+    assert plotter.camera_position != camera
+
+
+def test_camera_moves_only_with_the_lens_and_screen(
+    scene_view, session, frame, make_scene, draws, qtbot
+):
+    scene_view.show_frame(frame(1))
+    scene_view.window().show()
+    qtbot.waitUntil(lambda: draws.get(SceneView) == 1)
+    plotter = scene_view._plotter
+    plotter.camera.azimuth = 15
+    camera = plotter.camera_position
+    denser = dataclasses.replace(session, scene=make_scene({"lens.control_points": [20, 20]}))
+    scene_view.show_frame(frame(0, of=denser))
+    qtbot.waitUntil(lambda: draws[SceneView] == 2)
+    assert plotter.camera_position == camera
+    farther = dataclasses.replace(session, scene=make_scene({"screen.z": 9.0}))
+    scene_view.show_frame(frame(0, of=farther))
+    qtbot.waitUntil(lambda: draws[SceneView] == 3)
+    assert plotter.camera_position != camera
+
+
+def test_untouched_scene_stays_fitted_on_resize(scene_view, frame, draws, qtbot):
+    scene_view.show_frame(frame(1))
+    scene_view.window().show()
+    qtbot.waitUntil(lambda: draws.get(SceneView) == 1)
+    scale = scene_view._plotter.camera.parallel_scale
+    scene_view.window().resize(300, 500)
+    qtbot.waitUntil(lambda: scene_view._plotter.camera.parallel_scale > scale)
+
+
+def test_hidden_scene_draws_nothing_and_catches_up(scene_view, frame, draws, qtbot):
+    scene_view.show_frame(frame(1))
+    scene_view.window().show()
+    qtbot.waitUntil(lambda: draws.get(SceneView) == 1)
+    scene_view.hide()
+    scene_view.show_frame(frame(2))
+    qtbot.wait(100)
+    assert draws[SceneView] == 1
+    scene_view.show()
+    qtbot.waitUntil(lambda: draws[SceneView] == 2)
+
+
+def test_scene_follows_the_palette(scene_view, frame, draws, qtbot):
+    scene_view.show_frame(frame(1))
+    scene_view.window().show()
+    qtbot.waitUntil(lambda: draws.get(SceneView) == 1)
+    light = grabbed(scene_view)[5, 5].mean()
+    scene_view.setPalette(dark_palette())
+    qtbot.waitUntil(lambda: draws[SceneView] == 2)
+    assert grabbed(scene_view)[5, 5].mean() < light / 2
+
+
+def test_closed_scene_stays_closed(scene_view, frame, draws, qtbot):
+    scene_view.show_frame(frame(1))
+    scene_view.window().show()
+    qtbot.waitUntil(lambda: draws.get(SceneView) == 1)
+    scene_view.close_plotter()
+    scene_view.close_plotter()
+    scene_view.show_frame(frame(2))
+    scene_view.fit()
+    qtbot.wait(50)
+    assert scene_view._plotter is None
