@@ -10,6 +10,7 @@ Only the standard library is used here: this runs before anything is installed.
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
 import importlib.util
 import os
@@ -17,7 +18,7 @@ import shutil
 import signal
 import subprocess
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from workbench import system_libraries
@@ -107,13 +108,14 @@ def _provide(missing: list[tuple[str, str]]) -> None:
 
 
 def _apt_get(*arguments: str) -> None:
-    done = subprocess.run(
-        ["apt-get", "-qq", *arguments],
-        env={**os.environ, "DEBIAN_FRONTEND": "noninteractive"},
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-        text=True,
-    )
+    with _ctrl_c_left_to_commands():
+        done = subprocess.run(
+            ["apt-get", "-qq", *arguments],
+            env={**os.environ, "DEBIAN_FRONTEND": "noninteractive"},
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
+        )
     if done.returncode != 0:
         print(done.stdout, end="", file=sys.stderr)
         raise SetUpFailed(f"apt-get {arguments[0]} failed; its reason is above.")
@@ -139,19 +141,25 @@ def _key(extra: str) -> str:
 
 
 def _run(command: Sequence[str | Path]) -> int:
-    """Run a command in the checkout and return its exit status as a shell would.
+    """Run a command in the checkout and return its exit status as a shell would."""
+    # Idle OpenMP threads would otherwise spin and take the cores from the window.
+    environment = {**os.environ, "OMP_WAIT_POLICY": "PASSIVE"}
+    with _ctrl_c_left_to_commands():
+        status = subprocess.run(command, cwd=ROOT, env=environment).returncode
+    return status if status >= 0 else 128 - status
 
-    Ctrl-C reaches the command too; how to end, and what to save first, is left to it. (A handler
-    that does nothing, unlike an ignored signal, is not passed on to the command.)
+
+@contextlib.contextmanager
+def _ctrl_c_left_to_commands() -> Iterator[None]:
+    """Let a command that Ctrl-C reaches too decide how to end, and what to save first.
+
+    A handler that does nothing, unlike an ignored signal, is not passed on to the command.
     """
     before = signal.signal(signal.SIGINT, lambda signal_number, frame: None)
     try:
-        # Idle OpenMP threads would otherwise spin and take the cores from the window.
-        environment = {**os.environ, "OMP_WAIT_POLICY": "PASSIVE"}
-        status = subprocess.run(command, cwd=ROOT, env=environment).returncode
+        yield
     finally:
         signal.signal(signal.SIGINT, before)
-    return status if status >= 0 else 128 - status
 
 
 if __name__ == "__main__":
