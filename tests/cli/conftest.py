@@ -1,0 +1,56 @@
+import json
+
+import pytest
+
+from workbench.cli import main
+from workbench.design.snapshot import Snapshot
+from workbench.optics.ledger import Ledger
+
+
+@pytest.fixture
+def scene_file(tmp_path, scene_data):
+    path = tmp_path / "scene.json"
+    path.write_text(json.dumps(scene_data))
+    return path
+
+
+@pytest.fixture
+def out(tmp_path):
+    return tmp_path / "lens.freeform"
+
+
+@pytest.fixture
+def freeform(capsys):
+    """Runs a command; gives exit status, standard output and error."""
+
+    def run(*arguments):
+        status = main([str(argument) for argument in arguments])
+        return status, *capsys.readouterr()
+
+    return run
+
+
+@pytest.fixture
+def fake_run(monkeypatch, rng):
+    """Puts a run in place: a second each iteration, loss 1/(i+1), before it ``events[i]()``."""
+
+    def put(events):
+        def run(scene, target, start=None):
+            n_x, n_y = scene.screen.pixels
+            for i in range(scene.run.iterations + 1):
+                if i in events:
+                    events[i]()
+                yield Snapshot(
+                    iteration=i,
+                    iterations=scene.run.iterations,
+                    loss=1 / (i + 1),
+                    control_points=rng.random(scene.lens.control_points),
+                    irradiance=rng.random((n_y, n_x)),
+                    ledger=Ledger(1.0, 0.9, 0.0, 0.0, 0.0, 0.04, 0.06),
+                    seconds=float(i),
+                    best=True,
+                )
+
+        monkeypatch.setattr("workbench.design.run.run", run)
+
+    return put

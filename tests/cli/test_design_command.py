@@ -1,0 +1,190 @@
+import errno
+import json
+import os
+import shutil
+import signal
+
+import numpy as np
+import pytest
+
+from workbench.errors import RunFailed
+from workbench.files.session import read_session
+
+
+def press_ctrl_c():
+    os.kill(os.getpid(), signal.SIGINT)
+
+
+def fail(error):
+    def event():
+        raise error
+
+    return event
+
+
+class TestDone:
+    def test_the_lens_is_written_and_its_figures_are_printed(self, freeform, scene_file, out):
+        status, printed, progress = freeform("design", scene_file, "-o", out, "--json")
+        assert status == 0
+        figures = json.loads(printed.splitlines()[-1])
+        assert sorted(figures) == ["efficiency", "iterations", "ledger", "loss", "seconds"]
+        result = read_session(out).result
+        assert figures["loss"] == result.loss
+        assert figures["iterations"] == result.iterations == 10
+        assert figures["seconds"] == result.seconds
+        assert figures["efficiency"] == result.ledger.efficiency
+        assert figures["ledger"] == result.ledger.to_data()
+        assert result.loss < result.losses[0]
+        assert progress.splitlines()[0].startswith("0/10  loss ")
+        assert progress.splitlines()[-1].startswith("10/10  loss ")
+
+    def test_without_json_a_line_for_people(self, freeform, scene_file, out):
+        status, printed, _ = freeform("design", scene_file, "-o", out)
+        assert status == 0
+        assert printed.count("\n") == 1
+        assert "after 10 iterations" in printed
+
+    def test_a_session_is_continued(self, freeform, scene_file, out):
+        freeform("design", scene_file, "-o", out)
+        first = read_session(out).result
+        status, printed, _ = freeform("design", out, "-o", out, "--iterations", 5, "--json")
+        assert status == 0
+        second = read_session(out).result
+        assert json.loads(printed)["iterations"] == second.iterations == 15
+        assert np.array_equal(second.losses[:10], first.losses)
+        assert second.loss <= first.loss * 1.01
+        assert second.seconds > first.seconds
+
+    def test_a_session_without_a_lens_is_begun(self, freeform, scene_file, out, fake_run):
+        fake_run({})
+        freeform("design", scene_file, "-o", out)
+        assert read_session(out).result.iterations == 10
+
+    def test_no_iterations_give_the_undesigned_lens(self, freeform, scene_file, out):
+        status, _, _ = freeform("design", scene_file, "-o", out, "--iterations", 0)
+        assert status == 0
+        assert read_session(out).result.control_points == pytest.approx(0.5, abs=1e-9)
+
+    def test_the_time_limit_ends_a_run_well(self, freeform, scene_file, out, fake_run):
+        fake_run({})  # each iteration takes a second
+        status, _, progress = freeform("design", scene_file, "-o", out, "--seconds", 3.5)
+        assert status == 0
+        assert read_session(out).result.iterations == 4
+        assert "00:03 left" in progress.splitlines()[0]
+
+    def test_an_image_of_any_depth_with_alpha_is_taken(self, freeform, tmp_path, out, scene_data):
+        from PIL import Image
+
+        ramp = np.linspace(0, 65535, 64).reshape(8, 8)
+        Image.fromarray(ramp.astype(np.uint16)).save(tmp_path / "deep.png")
+        colours = np.zeros((8, 8, 4), dtype=np.uint8)
+        colours[2:6, 2:6] = 200
+        Image.fromarray(colours, "RGBA").save(tmp_path / "alpha.png")
+        for name in ("deep.png", "alpha.png"):
+            scene_data["target"] = {"image": name}
+            (tmp_path / "scene.json").write_text(json.dumps(scene_data))
+            status, _, _ = freeform("design", tmp_path / "scene.json", "-o", out, "--iterations", 1)
+            assert status == 0
+            assert read_session(out).scene.target.image == str(tmp_path / name)
+
+
+class TestInterrupted:
+    def test_the_best_lens_so_far_is_written(self, freeform, scene_file, out, fake_run):
+        fake_run({4: press_ctrl_c})
+        before = signal.getsignal(signal.SIGINT)
+        status, printed, told = freeform("design", scene_file, "-o", out, "--json")
+        assert status == 130
+        assert signal.getsignal(signal.SIGINT) is before
+        assert json.loads(printed)["iterations"] == read_session(out).result.iterations == 4
+        last = told.splitlines()[-1]
+        assert last == f"freeform: interrupted; the best lens so far is in {out}"
+
+    def test_before_the_first_lens_one_is_waited_for(self, freeform, scene_file, out, fake_run):
+        fake_run({0: press_ctrl_c})
+        status, _, _ = freeform("design", scene_file, "-o", out)
+        assert status == 130
+        assert read_session(out).result.iterations == 0
+
+    def test_a_second_time_does_not_wait_for_the_iteration(
+        self, freeform, scene_file, out, fake_run
+    ):
+        def press_twice():
+            press_ctrl_c()
+            press_ctrl_c()
+            raise AssertionError("the iteration went on")
+
+        fake_run({4: press_twice})
+        status, _, told = freeform("design", scene_file, "-o", out)
+        assert status == 130
+        assert read_session(out).result.iterations == 3
+        assert told.splitlines()[-1] == "freeform: interrupted"
+
+    def test_ignored_where_the_shell_ignores_it(self, freeform, scene_file, out, fake_run):
+        fake_run({4: press_ctrl_c})
+        before = signal.signal(signal.SIGINT, signal.SIG_IGN)
+        try:
+            status, _, _ = freeform("design", scene_file, "-o", out)
+        finally:
+            signal.signal(signal.SIGINT, before)
+        assert status == 0
+        assert read_session(out).result.iterations == 10
+
+
+class TestFailed:
+    def test_a_run_that_cannot_go_on_leaves_its_best_lens(
+        self, freeform, scene_file, out, fake_run
+    ):
+        fake_run({6: fail(RunFailed("stopped at iteration 6: no light"))})
+        status, printed, told = freeform("design", scene_file, "-o", out)
+        assert status == 1
+        assert printed == ""
+        assert told.splitlines()[-1] == "freeform: stopped at iteration 6: no light"
+        assert read_session(out).result.iterations == 5
+
+    @pytest.mark.parametrize(
+        "error", [KeyError("a\nmistake"), MemoryError(), BrokenPipeError(errno.EPIPE, "Broken")]
+    )
+    def test_a_defect_is_one_line_and_loses_nothing(
+        self, freeform, scene_file, out, fake_run, error, monkeypatch
+    ):
+        monkeypatch.setattr("workbench.cli._forget", lambda stream: None)  # it is pytest's here
+        fake_run({6: fail(error)})
+        status, _, told = freeform("design", scene_file, "-o", out)
+        assert status == 1
+        assert told.splitlines()[-2].startswith("5/10")
+        assert told.splitlines()[-1].startswith("freeform: ")
+        assert read_session(out).result.iterations == 5
+
+    def test_a_folder_that_goes_away_meanwhile(self, freeform, scene_file, tmp_path, fake_run):
+        folder = tmp_path / "folder"
+        folder.mkdir()
+        fake_run({6: lambda: shutil.rmtree(folder)})
+        status, printed, told = freeform("design", scene_file, "-o", folder / "lens.freeform")
+        assert status == 2
+        assert printed == ""
+        assert told.splitlines()[-1].endswith("cannot be written: its folder does not exist")
+
+
+class TestProgress:
+    def test_lines_come_every_twentieth_of_the_run(self, freeform, scene_file, out, fake_run):
+        fake_run({})
+        status, _, progress = freeform("design", scene_file, "-o", out, "--iterations", 100)
+        assert status == 0
+        lines = progress.splitlines()
+        assert [int(line.split("/")[0]) for line in lines] == list(range(0, 101, 5))
+        assert lines[10] == "50/100  loss 0.01961  00:50 left"
+
+    def test_and_every_ten_seconds(self, freeform, scene_file, out, fake_run):
+        fake_run({})  # each iteration takes a second
+        _, _, progress = freeform("design", scene_file, "-o", out, "--iterations", 1000)
+        assert [int(line.split("/")[0]) for line in progress.splitlines()][:3] == [0, 10, 20]
+
+    def test_a_bar_on_a_terminal(self, freeform, scene_file, out, fake_run, monkeypatch):
+        monkeypatch.setattr("sys.stderr.isatty", lambda: True)
+        monkeypatch.setenv("COLUMNS", "80")
+        fake_run({})
+        status, _, progress = freeform("design", scene_file, "-o", out)
+        assert status == 0
+        last = progress.rstrip("\n").split("\r")[-1]
+        assert last.endswith(" 10/10, loss 0.09091  00:00 left")
+        assert progress.endswith("\n")

@@ -1,0 +1,93 @@
+"""The console script as a shell sees it."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from workbench.files.session import read_session
+
+FREEFORM = Path(sys.executable).with_name("freeform")
+
+
+def shell(command, **changes):
+    environment = {**os.environ, "PYTHONUNBUFFERED": ""}
+    return subprocess.run(
+        ["bash", "-c", command, "bash", FREEFORM],
+        capture_output=True,
+        text=True,
+        env=environment,
+        **changes,
+    )
+
+
+@pytest.mark.parametrize("start", [[FREEFORM], [sys.executable, "-m", "workbench"]])
+def test_both_ways_in_do_the_same(start):
+    done = subprocess.run([*start, "--help"], capture_output=True, text=True)
+    assert done.returncode == 0
+    assert done.stdout.startswith("usage: freeform ")
+    wrong = subprocess.run([*start, "design"], capture_output=True, text=True)
+    assert (wrong.returncode, wrong.stdout) == (2, "")
+    assert wrong.stderr.count("\n") == 1
+
+
+def test_design_to_exit_status_0(scene_file, out):
+    done = subprocess.run(
+        [FREEFORM, "design", scene_file, "-o", out, "--json"], capture_output=True, text=True
+    )
+    assert done.returncode == 0
+    assert json.loads(done.stdout)["loss"] == read_session(out).result.loss
+
+
+def test_ctrl_c_keeps_the_best_lens_and_ends_with_130(scene_file, out):
+    process = subprocess.Popen(
+        [FREEFORM, "design", scene_file, "-o", out, "--json", "--iterations", "1000000"],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        # Where the tests run in the background, Ctrl-C is ignored and that is handed on.
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
+    )
+    with process:
+        first = process.stderr.readline()
+        time.sleep(0.2)
+        process.send_signal(signal.SIGINT)
+        printed, told = process.communicate(timeout=60)
+    assert first.startswith("0/1000000  loss ")
+    assert process.returncode == 130
+    assert told.splitlines()[-1] == f"freeform: interrupted; the best lens so far is in {out}"
+    result = read_session(out).result
+    assert json.loads(printed)["iterations"] == result.iterations > 0
+    assert result.loss <= result.losses.min()
+
+
+def test_help_and_refusals_do_not_wait_for_torch(scene_file):
+    scene_file.write_text("{}")
+    program = (
+        "import sys; from workbench.cli import main; "
+        f"status = main(['design', {str(scene_file)!r}, '-o', 'x']); "
+        "slow = {'torch', 'scipy', 'numba', 'pyvista', 'matplotlib'} & set(sys.modules); "
+        "sys.exit(10 * len(slow) + status)"
+    )
+    assert subprocess.run([sys.executable, "-c", program], capture_output=True).returncode == 2
+
+
+@pytest.mark.parametrize("command", ['"$1" --help', '"$1" design --help'])
+@pytest.mark.parametrize("reader", ["> /dev/full", "| (exec 0<&-; sleep 1)"])
+def test_output_that_nobody_takes_is_one_line(command, reader):
+    done = shell(f"set -o pipefail; {command} {reader}")
+    assert done.returncode == 1
+    assert done.stderr.startswith("freeform: cannot go on: ")
+    assert done.stderr.count("\n") == 1
+
+
+def test_closed_progress_does_not_lose_the_lens(scene_file, out):
+    design = f'"$1" design "{scene_file}" -o "{out}" 2>&1 > /dev/null'
+    done = shell(f"set -o pipefail; {design} | (exec 0<&-; sleep 1)")
+    assert (done.returncode, done.stderr) == (1, "")
+    assert read_session(out).result.iterations == 0

@@ -1,0 +1,58 @@
+import json
+import math
+
+import pytest
+
+from workbench.design.run import run
+from workbench.design.snapshot import History
+from workbench.files.session import Session, write_session
+from workbench.targets import load_target
+
+
+@pytest.fixture
+def lens(make_scene, tmp_path):
+    """A session with the undesigned lens, which is flat."""
+    scene = make_scene({"run.iterations": 0})
+    target = load_target(scene, tmp_path)
+    history = History()
+    for snapshot in run(scene, target):
+        history.add(snapshot)
+    path = tmp_path / "lens.freeform"
+    write_session(Session(scene, target, history.result()), path)
+    return path
+
+
+class TestValidate:
+    def test_figures(self, freeform, lens):
+        status, printed, told = freeform("validate", lens, "--rays", 100_000, "--json")
+        assert (status, told) == (0, "")
+        figures = json.loads(printed)
+        assert sorted(figures) == [
+            "efficiency",
+            "ledger",
+            "loss",
+            "noise",
+            "rays",
+            "relative_l2",
+        ]
+        assert 100_000 <= figures["rays"] < 110_000
+        assert figures["efficiency"] == pytest.approx(0.96**2, rel=1e-6)
+        assert sum(figures["ledger"].values()) == pytest.approx(2.0, abs=1e-12)
+        # A disc of 0.6 of the half-width that is lit a times too weakly, as if by a square.
+        disc = math.pi * 0.36 / 4
+        assert figures["relative_l2"] == pytest.approx(math.sqrt(1 - disc), rel=0.02)
+        assert 0 < figures["noise"] < 0.01
+
+    def test_for_people(self, freeform, lens):
+        status, printed, _ = freeform("validate", lens, "--rays", 10_000)
+        assert status == 0
+        assert printed.startswith("relative L2 ")
+        assert "total reflection  0.00000\n" in printed
+
+
+def test_pictures(freeform, lens, tmp_path):
+    folder = tmp_path / "new" / "folder"
+    status, printed, told = freeform("pictures", lens, folder)
+    assert (status, printed, told) == (0, "", "")
+    for name in ("irradiance.png", "lens.png"):
+        assert (folder / name).read_bytes().startswith(b"\x89PNG")
