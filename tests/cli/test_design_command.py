@@ -6,6 +6,7 @@ import signal
 
 import numpy as np
 import pytest
+import torch
 
 from workbench.errors import RunFailed
 from workbench.files.session import read_session
@@ -163,6 +164,28 @@ class TestFailed:
         assert status == 2
         assert printed == ""
         assert told.splitlines()[-1].endswith("cannot be written: its folder does not exist")
+
+    def test_a_disk_that_is_full_at_the_end(self, freeform, scene_file, out, fake_run, monkeypatch):
+        out.write_bytes(b"old")
+        full = OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+        fake_run({})
+        monkeypatch.setattr("os.fsync", lambda handle: fail(full)())
+        status, printed, told = freeform("design", scene_file, "-o", out)
+        assert (status, printed) == (2, "")
+        reason = f"freeform: {out}: cannot be written: No space left on device"
+        assert told.splitlines()[-1] == reason
+        assert out.read_bytes() == b"old"
+        assert sorted(os.listdir(out.parent)) == ["lens.freeform", "scene.json"]
+
+    @pytest.mark.skipif(torch.cuda.is_available(), reason="there is a GPU")
+    def test_a_gpu_that_is_not_there(self, freeform, scene_file, scene_data, out):
+        scene_data["run"]["device"] = "cuda"
+        scene_file.write_text(json.dumps(scene_data))
+        status, printed, told = freeform("design", scene_file, "-o", out)
+        assert (status, printed) == (2, "")
+        assert told.startswith("freeform: run.device: 'cuda' needs")
+        assert told.count("\n") == 1
+        assert not out.exists()
 
 
 class TestProgress:
