@@ -103,13 +103,12 @@ def _load_behind(window: "MainWindow", file: Path | None, start: bool) -> "WarmU
 
     warm_up = WarmUp()
     warm_up.done.connect(window.build)
-    if start:
-        window.built.connect(window.start)
 
     def after_first_paint() -> None:
+        opened = file is None or window.files.open(file)
+        if start and opened:
+            window.built.connect(window.start)
         warm_up.start()
-        if file is not None:
-            window.files.open(file)
 
     window.painted.connect(
         lambda: QTimer.singleShot(0, after_first_paint), Qt.ConnectionType.SingleShotConnection
@@ -132,7 +131,7 @@ def _report_exceptions(window: "MainWindow") -> None:
 
 def _leave_on_signals(window: "MainWindow", application: "QApplication") -> socket.socket:
     """Close on SIGINT and SIGTERM. Python sees a signal only when it runs: a socket wakes it."""
-    from PySide6.QtCore import QSocketNotifier
+    from PySide6.QtCore import QSocketNotifier, QTimer
 
     waking, woken = socket.socketpair()
     for end in (waking, woken):
@@ -141,10 +140,11 @@ def _leave_on_signals(window: "MainWindow", application: "QApplication") -> sock
     notifier = QSocketNotifier(woken.fileno(), QSocketNotifier.Type.Read, window)
     notifier.activated.connect(lambda: woken.recv(64))
 
-    def leave(*_: object) -> None:
+    def leave() -> None:
         window.discard_and_close()
         application.exit(0)  # also out of a question that is open
 
     for number in (signal.SIGINT, signal.SIGTERM):
-        signal.signal(number, leave)
+        # Through the event loop, which may not have begun yet.
+        signal.signal(number, lambda *_: QTimer.singleShot(0, leave))
     return waking

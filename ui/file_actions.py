@@ -68,10 +68,12 @@ class FileActions(QObject):
         if chosen:
             self.open(Path(chosen))
 
-    def open(self, path: Path) -> None:
-        """Open a file, unless changes would be lost that should not."""
-        if self.may_leave() and self._attempt(lambda: self._document.open(path)):
-            self._remember(path)
+    def open(self, path: Path) -> bool:
+        """Open a file, unless changes would be lost that should not; False if not opened."""
+        if not (self.may_leave() and self._attempt(lambda: self._document.open(path))):
+            return False
+        self._remember(path)
+        return True
 
     def open_recent(self, path: Path) -> None:
         """Open a file of the list, or strike it off the list if it is gone."""

@@ -282,7 +282,7 @@ def test_the_form_is_closed_while_a_run_goes_on(forms, document, qtbot):
 
 
 def test_everything_fits_into_its_narrowest_width(forms):
-    forms.resize(forms.minimumSizeHint().width(), 700)
+    forms.resize(forms.minimumWidth(), 700)
     for panel in forms.panels:
         for field in panel.rows:
             if field.isVisible():

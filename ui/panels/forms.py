@@ -3,7 +3,8 @@
 from dataclasses import dataclass
 from pathlib import Path
 
-from PySide6.QtCore import QSize, Qt
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QVBoxLayout, QWidget
 
 from ui.document import Document
@@ -70,12 +71,11 @@ class Forms(QScrollArea):
         document.session_changed.connect(self._show_change)
         self._show()
 
-    def minimumSizeHint(self) -> QSize:
-        """Wide enough for every row beside the scroll bar, however few are seen."""
-        size = super().minimumSizeHint()
-        bar = self.verticalScrollBar().sizeHint().width()
-        size.setWidth(self._content.minimumSizeHint().width() + bar)
-        return size
+    def showEvent(self, event: QShowEvent) -> None:
+        """Never be narrower than the rows, whose width is known once fonts and style are."""
+        super().showEvent(event)
+        rows = self._content.minimumSizeHint().width()
+        self.setMinimumWidth(rows + self.verticalScrollBar().sizeHint().width())
 
     @property
     def refused(self) -> bool:

@@ -1,0 +1,111 @@
+"""The program as a process of its own: exit status, one line on standard error, signals."""
+
+import os
+import signal
+import subprocess
+import sys
+from types import SimpleNamespace
+
+import pytest
+
+from ui import app, display
+from ui.message_bar import MessageBar
+from workbench import __version__, system_libraries
+
+COMMAND = [sys.executable, "-m", "ui"]
+
+
+def run(*arguments, **environment):
+    return subprocess.run(
+        [*COMMAND, *arguments],
+        env={**os.environ, **environment},
+        capture_output=True,
+        text=True,
+        timeout=120,
+    )
+
+
+def test_the_version_is_told(capsys):
+    with pytest.raises(SystemExit) as left:
+        app.main(["--version"])
+    assert left.value.code == 0
+    assert __version__ in capsys.readouterr().out
+
+
+def test_wrong_use_is_status_2(capsys):
+    with pytest.raises(SystemExit) as left:
+        app.main(["--no-such-option"])
+    assert left.value.code == 2
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="only Linux can be without a display")
+@pytest.mark.parametrize("where", ["", ":987"])
+def test_without_a_display_one_line_says_so(where):
+    done = run(DISPLAY=where, QT_QPA_PLATFORM="")
+    assert done.returncode == 1
+    assert done.stderr.startswith("freeform-workbench: no display: ")
+    assert done.stderr.count("\n") == 1
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="elsewhere the wheels bring all they need")
+def test_missing_system_libraries_are_named_with_their_packages(monkeypatch, capsys):
+    monkeypatch.setattr(
+        system_libraries, "missing", lambda: [("libxcb-cursor.so.0", "libxcb-cursor0")]
+    )
+    assert app.main([]) == 1
+    told = capsys.readouterr().err
+    assert "libxcb-cursor.so.0" in told
+    assert "apt-get install libxcb-cursor0" in told
+    assert told.count("\n") == 1
+
+
+def test_a_window_can_open_on_no_display_where_qt_draws_off_screen(monkeypatch):
+    monkeypatch.setattr(system_libraries, "missing", list)
+    monkeypatch.setenv("QT_QPA_PLATFORM", "offscreen")
+    monkeypatch.delenv("DISPLAY", raising=False)
+    assert display.why_no_window() is None
+
+
+def test_an_unexpected_error_is_said_in_the_window_and_on_standard_error(
+    monkeypatch, capsys, qtbot
+):
+    monkeypatch.setattr(sys, "excepthook", sys.excepthook)  # put back afterwards
+    messages = MessageBar()
+    qtbot.addWidget(messages)
+    app._report_exceptions(SimpleNamespace(messages=messages))
+    sys.excepthook(ValueError, ValueError("odd"), None)
+    assert "ValueError: odd" in messages.text
+    assert messages.isVisible()
+    assert "ValueError: odd" in capsys.readouterr().err
+
+
+def test_nothing_slow_is_imported_before_the_window_is_there():
+    script = (
+        "import sys, ui.main_window, ui.app;"
+        "print([m for m in ('torch', 'numba', 'pyvista', 'matplotlib') if m in sys.modules])"
+    )
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True)
+    assert done.stdout == "[]\n", done.stderr
+
+
+@pytest.mark.skipif(not os.environ.get("DISPLAY"), reason="needs a display")
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_a_signal_closes_the_window_in_the_midst_of_loading_with_status_0(number, tmp_path):
+    script = (
+        "import sys, ui.app, ui.main_window as main_window;"
+        "show = main_window.MainWindow.showEvent;"
+        "main_window.MainWindow.showEvent = lambda *a: (show(*a), print('shown', flush=True))[0];"
+        "sys.exit(ui.app.main([]))"
+    )
+    process = subprocess.Popen(
+        [sys.executable, "-c", script],
+        env={**os.environ, "XDG_CONFIG_HOME": str(tmp_path)},
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    assert process.stdout.readline() == "shown\n"
+    process.send_signal(number)
+    _, told = process.communicate(timeout=120)
+    assert process.returncode == 0, told
+    assert "Traceback" not in told
