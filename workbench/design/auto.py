@@ -22,6 +22,7 @@ from itertools import islice
 import numpy as np
 import numpy.typing as npt
 import torch
+from scipy.fft import dct
 from torch import Tensor
 
 from workbench.design.heights import HeightRange
@@ -56,8 +57,8 @@ class Stage:
 
 
 STAGES = (
-    Stage(coarsening=4, cut=1.0, part=0.15),
-    Stage(coarsening=2, cut=4.0, part=0.15),
+    Stage(coarsening=4, cut=0.25, part=0.15),
+    Stage(coarsening=2, cut=2.0, part=0.15),
     Stage(coarsening=1, cut=16.0, part=0.25),
     Stage(coarsening=1, cut=None, part=0.45),
 )
@@ -124,15 +125,14 @@ class _Correction:
 def _objective(
     image: "_WideImage", free: HeightRange, correction: _Correction, cut: float | None
 ) -> Objective[Step]:
-    weight = None if cut is None else image.long_waves(cut)
+    waves = None if cut is None else image.waves(cut)
 
     def objective(x: Tensor) -> Evaluation[Step]:
         x = x.detach().requires_grad_()
         heights = free.heights(correction.apply(x))
         error, step = image.compare(heights)
-        if weight is not None:
-            spectrum = torch.fft.rfft2(error, norm="ortho") * weight
-            error = torch.view_as_real(spectrum)
+        if waves is not None:
+            error = waves.weigh(error)
         value = error.square().sum()
         (gradient,) = torch.autograd.grad(value, [x])
         check_gradient(gradient)
@@ -177,10 +177,26 @@ class _WideImage:
         error = traced.flux / (ledger.on_screen + ledger.off_screen) - self._wanted
         return error / self._scale, step
 
-    def long_waves(self, cut: float) -> Tensor:
-        """Weights of a real spectrum that fall off beyond ``cut`` periods per image, H⁻¹ there."""
-        rows, columns = self._wanted.shape
-        k_y = torch.fft.fftfreq(rows, 1 / rows)[:, None]
-        k_x = torch.fft.rfftfreq(columns, 1 / columns)[None, :]
-        steepness: Tensor = (k_x.square() + k_y.square()) / cut**2
-        return (1 + steepness).rsqrt().to(self._wanted)
+    def waves(self, cut: float) -> "_Waves":
+        """The norm of a stage."""
+        return _Waves(self._wanted, cut)
+
+
+class _Waves:
+    """Splits an image into cosine waves and weighs the long ones most: the H⁻¹ norm beyond a cut.
+
+    Cosines have no slope at the edge of the image: in this norm no light can improve matters by
+    leaving the image, as it could with waves that wrap around.
+    """
+
+    def __init__(self, like: Tensor, cut: float) -> None:
+        rows, columns = like.shape
+        self._down = torch.as_tensor(dct(np.eye(rows), axis=0, norm="ortho")).to(like)
+        self._across = torch.as_tensor(dct(np.eye(columns), axis=1, norm="ortho")).to(like)
+        periods_y, periods_x = torch.arange(rows) / 2, torch.arange(columns) / 2
+        periods2 = periods_y[:, None].square() + periods_x[None, :].square()
+        self._weight = (1 + periods2 / cut**2).rsqrt().to(like)
+
+    def weigh(self, image: Tensor) -> Tensor:
+        """Weighted amplitudes of the waves in an image, both of shape (rows, columns)."""
+        return self._weight * (self._down @ image @ self._across)

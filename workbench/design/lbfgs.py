@@ -22,6 +22,7 @@ Objective = Callable[[Tensor], Evaluation[Seen]]
 
 _MEMORY = 20
 _ARMIJO = 1e-4
+_CAUTION = 0.1
 _MAX_TRIALS = 12
 
 
@@ -43,8 +44,8 @@ def minimise(objective: Objective[Seen], x: Tensor) -> Iterator[tuple[Tensor, Ev
     Notes
     -----
     Two-loop recursion with backtracking (Nocedal & Wright, Numerical Optimization, 2006,
-    algorithms 7.4 and 3.1). The very first step is Polyak's, value / |gradient|², the one that
-    would reach 0 if the objective fell on at this rate; it needs no length to be set by hand.
+    algorithms 7.4 and 3.1). The very first step is a tenth of Polyak's, value / |gradient|², the
+    one that would reach 0 if the objective fell on at this rate: no length to be set by hand.
     """
     pairs: deque[tuple[Tensor, Tensor]] = deque(maxlen=_MEMORY)
     here = objective(x)
@@ -76,7 +77,8 @@ def minimise(objective: Objective[Seen], x: Tensor) -> Iterator[tuple[Tensor, Ev
 def _direction(pairs: deque[tuple[Tensor, Tensor]], here: Evaluation[Seen]) -> Tensor:
     """Minus the inverse of the Hessian as the pairs know it, times the gradient."""
     if not pairs:
-        return here.gradient * (-here.value / here.gradient.square().sum().clamp_min(1e-300))
+        square = here.gradient.square().sum().clamp_min(1e-300)
+        return here.gradient * (-_CAUTION * here.value / square)
     q = here.gradient.clone()
     factors = []
     for moved, turned in reversed(pairs):
