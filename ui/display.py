@@ -30,8 +30,7 @@ def _display_answers() -> bool:
     xcb.xcb_connect.restype = ctypes.c_void_p
     xcb.xcb_connect.argtypes = (ctypes.c_char_p, ctypes.c_void_p)
     xcb.xcb_connection_has_error.argtypes = (ctypes.c_void_p,)
-    xcb.xcb_disconnect.argtypes = (ctypes.c_void_p,)
+    # Stays open as long as the process: a virtual screen starts anew when its last client leaves,
+    # and would turn Qt away in the meantime.
     connection = xcb.xcb_connect(None, None)
-    answers = bool(xcb.xcb_connection_has_error(connection) == 0)
-    xcb.xcb_disconnect(connection)
-    return answers
+    return bool(xcb.xcb_connection_has_error(connection) == 0)
