@@ -13,7 +13,7 @@ from threading import Condition
 from typing import TYPE_CHECKING
 
 import numpy as np
-from PySide6.QtCore import QObject, Signal, Slot
+from PySide6.QtCore import QObject, QThread, Signal, Slot
 
 from ui.frame import Array, Frame, make_frame
 from ui.mailbox import Mailbox
@@ -22,7 +22,6 @@ from workbench.errors import Refused, RunFailed
 
 if TYPE_CHECKING:
     from workbench.files.session import Session
-
     from workbench.scene import Scene
 
 Generate = Callable[["Scene", Array, Array | None], Iterator[Snapshot]]
@@ -164,8 +163,13 @@ class Worker(QObject):
 
 def _engine() -> Generate:
     # Late: torch comes with it, and the window shows before that.
+    import torch
+
     from workbench.design.run import run
 
+    # For this thread alone. One core stays the window's: threads that wait for each other at
+    # every step are slower, not faster, when one of them has to give way to drawing.
+    torch.set_num_threads(max(1, QThread.idealThreadCount() - 1))
     return run
 
 

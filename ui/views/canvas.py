@@ -3,10 +3,10 @@
 1. A full draw of a small figure takes some 30 ms, blitting its changing artists a third of that.
    The artists are `animated`, so that a full draw leaves them out and its result can be kept as
    the background.
-2. Constrained layout takes as long as drawing. It is solved in the first draw after a resize and
-   frozen afterwards; axes that wobble with the width of their tick labels would be no gain.
-3. `draw` runs on resize, on a change of the device pixel ratio and on a change of colours; each
-   makes a new background.
+2. Constrained layout takes as long as drawing. It is solved in the first draw after a resize or a
+   change of scale, whose labels may be wider, and frozen in between.
+3. `draw` runs on resize, on a change of the device pixel ratio, of scale or of colours; each makes
+   a new background.
 4. Drawing and painting happen before `show_changes` returns, so that their cost can be measured.
 """
 
@@ -51,7 +51,9 @@ class Canvas(FigureCanvasQTAgg):
 
     def show_changes(self, everything: bool) -> None:
         """Paint the artists over the background, or draw all anew."""
-        if everything or self._background is None:
+        if everything:
+            self._thaw()
+        if self._background is None:
             self.draw()
         else:
             self.restore_region(self._background)

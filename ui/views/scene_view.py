@@ -20,9 +20,8 @@ from PySide6.QtWidgets import QWidget
 from ui.views.view import View, look_alike
 
 if TYPE_CHECKING:
-    from workbench.files.session import Session
-
     from ui.frame import Frame
+    from workbench.files.session import Session
     from workbench.pictures.lens import LensPicture
 
 

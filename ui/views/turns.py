@@ -14,7 +14,7 @@ from typing import Protocol
 
 from PySide6.QtCore import QCoreApplication, QObject, QTimer
 
-_REST = 1.5  # seconds of rest for each second of drawing
+_REST = 2.0  # seconds of rest for each second of drawing
 
 
 class Drawer(Protocol):
