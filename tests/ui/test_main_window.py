@@ -108,7 +108,7 @@ def test_the_title_tells_name_and_changes(window, tmp_path):
 
 def test_undo_and_redo_by_keyboard(window, qtbot):
     edit(window, 7)
-    assert window.commands["undo"].text() == "&Undo change of at z"
+    assert window.commands["undo"].text() == "&Undo change of screen at z"
     qtbot.keyClick(window, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
     assert window.document.session.scene.screen.z == 5
     both = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier

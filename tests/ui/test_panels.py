@@ -66,7 +66,7 @@ def choose(forms, path, value):
 def test_a_number_is_entered_with_return(forms, document, qtbot):
     enter(qtbot, editor(forms, "screen.z"), "7.25")
     assert document.session.scene.screen.z == 7.25
-    assert document.undo_stack.undoText() == "change of at z"
+    assert document.undo_stack.undoText() == "change of screen at z"
 
 
 def test_a_number_is_entered_by_leaving_the_field(forms, document, qtbot):
@@ -269,6 +269,7 @@ def test_a_refusal_unfolds_its_panel(forms, qtbot):
     panel.unfold(False)
     enter(qtbot, editor(forms, "lens.height_range[1]"), "9")
     assert "may touch the lens" in row(forms, "screen.z").refusal
+    assert "Screen at z: 5 may touch" in row(forms, "lens.height_range").refusal
 
 
 def test_the_form_is_closed_while_a_run_goes_on(forms, document, qtbot):

@@ -164,6 +164,7 @@ class Row(QWidget):
         super().__init__()
         self.path = path
         self.label = QLabel(label)
+        self.name = label  # told apart from those of other panels by the panel
         self._unit_kind = unit
         self._present = present
         self._unit = QLabel()
@@ -221,7 +222,7 @@ class Row(QWidget):
             self.label.setBuddy(widget)
 
     def _tell(self, path: str, changes: Changes) -> None:
-        self.edited.emit(Edit(path, f"change of {self.label.text().lower()}", changes))
+        self.edited.emit(Edit(path, f"change of {self.name.lower()}", changes))
 
 
 class NumberRow(Row):

@@ -148,7 +148,7 @@ class Forms(QScrollArea):
             if culprit is not None:
                 reasons[culprit] = reason
             if edited is not None and edited is not culprit:
-                where = culprit.label.text() if culprit is not None else waiting.refused.path
+                where = culprit.name if culprit is not None else waiting.refused.path
                 reasons[edited] = f"{where}: {reason}"
         for panel in self.panels:
             for row in panel.rows:

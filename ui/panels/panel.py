@@ -42,6 +42,7 @@ class Panel(QWidget):
         self._form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
         self._form.setLabelAlignment(Qt.AlignmentFlag.AlignLeft)
         for row in rows:
+            row.name = f"{title} {row.label.text().lower()}"
             self._form.addRow(row.label, row)
             row.edited.connect(self.edited)
             row.reverted.connect(self.reverted)
