@@ -10,14 +10,15 @@ if TYPE_CHECKING:
 
     from matplotlib.artist import Artist
     from matplotlib.axes import Axes
-    from workbench.files.session import Session
 
     from ui.frame import Frame
+    from workbench.files.session import Session
 
 
 class LossView(PlotView):
     """Loss of this run and of those that it continues."""
 
+    _HAS_BAR = False
     _curve: LossCurve
 
     def _begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":

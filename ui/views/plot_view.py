@@ -12,17 +12,19 @@ if TYPE_CHECKING:
 
     from matplotlib.artist import Artist
     from matplotlib.axes import Axes
-    from workbench.files.session import Session
 
     from ui.frame import Frame
+    from workbench.files.session import Session
 
 
 class PlotView(View):
     """Keeps a canvas, and on it a picture of one design."""
 
+    _HAS_BAR = True
+
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._canvas = Canvas(self)
+        self._canvas = Canvas(self, bar=self._HAS_BAR)
         self._box.addWidget(self._canvas)
         self._shown: Session | None = None
 
