@@ -47,3 +47,11 @@ def test_the_scale_of_the_problem_does_not_matter(scale):
 def test_it_stops_where_there_is_nothing_left_to_gain():
     at_rest = objective(lambda x: 0 * x.sum() + 3)
     assert len(list(islice(minimise(at_rest, torch.ones(3).double()), 50))) == 1
+
+
+def test_no_step_is_longer_than_its_reach():
+    points = [
+        x for x, _ in islice(minimise(objective(rosenbrock), torch.zeros(6).double(), 0.01), 40)
+    ]
+    steps = [(later - earlier).abs().max().item() for earlier, later in pairwise(points)]
+    assert max(steps) == pytest.approx(0.01)

@@ -13,7 +13,7 @@ from resources import make_resources
 from workbench.scene import Scene
 from workbench.targets import load_target
 
-ICONS = ["start", "pause", "stop", "open", "save", "new", "undo", "redo", "fit-view"]
+ICONS = ["start", "continue", "pause", "stop", "open", "save", "new", "undo", "redo", "fit-view"]
 SVG = "{http://www.w3.org/2000/svg}"
 
 

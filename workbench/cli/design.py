@@ -1,6 +1,7 @@
 """``freeform design``."""
 
 import json
+import os
 from contextlib import closing
 from pathlib import Path
 
@@ -47,6 +48,8 @@ def design(path: Path, output: Path, iterations: int | None, seconds: float, as_
     earlier = session.result
     history = History(earlier)
     with Interruption() as interruption:
+        # Threads of the tracer that wait must sleep: spinning, they take the cores from each other.
+        os.environ.setdefault("OMP_WAIT_POLICY", "PASSIVE")
         from workbench.design.run import run  # late: torch takes seconds to import
 
         start = None if earlier is None else earlier.control_points

@@ -67,6 +67,9 @@ STAGES = (
 _MARGIN = 0.1
 
 
+# The most that a step may change a parameter. Far out tanh is flat: a height that one bold step
+# brings there does not find back.
+_REACH = 0.3
 # The run ends when this many steps together lower the loss by less than this part.
 _PATIENCE, _PROGRESS = 30, 1e-3
 
@@ -87,7 +90,7 @@ def auto_steps(scene: Scene, target: Array, start: Array | None) -> Iterator[Ste
     for number, stage in enumerate(stages):
         correction = _Correction(net, parameters, stage.coarsening)
         objective = _objective(image, free, correction, stage.cut)
-        descent = minimise(objective, correction.nothing)
+        descent = minimise(objective, correction.nothing, _REACH)
         if stage is not stages[-1]:
             descent = islice(descent, 1 + round(scene.run.iterations * stage.part))
         best: list[float] = []

@@ -1,5 +1,6 @@
 """Limited-memory BFGS as a generator, one accepted step after the other."""
 
+import math
 from collections import deque
 from collections.abc import Callable, Iterator
 from typing import Generic, NamedTuple, TypeVar
@@ -26,7 +27,9 @@ _CAUTION = 0.1
 _MAX_TRIALS = 12
 
 
-def minimise(objective: Objective[Seen], x: Tensor) -> Iterator[tuple[Tensor, Evaluation[Seen]]]:
+def minimise(
+    objective: Objective[Seen], x: Tensor, reach: float = math.inf
+) -> Iterator[tuple[Tensor, Evaluation[Seen]]]:
     """Descend from ``x`` until no step along the search direction goes further down.
 
     Parameters
@@ -35,6 +38,8 @@ def minimise(objective: Objective[Seen], x: Tensor) -> Iterator[tuple[Tensor, Ev
         Takes a point, shape (n,), and returns an `Evaluation` with a value that is not negative.
     x : Tensor, shape (n,)
         Where to begin.
+    reach : float
+        The most that a step may change any coordinate.
 
     Yields
     ------
@@ -55,7 +60,7 @@ def minimise(objective: Objective[Seen], x: Tensor) -> Iterator[tuple[Tensor, Ev
         slope = torch.dot(here.gradient, direction).item()
         if not slope < 0:
             return
-        step = 1.0
+        step = min(1.0, reach / direction.abs().max().item())
         for _ in range(_MAX_TRIALS):
             there = objective(x + step * direction)
             if there.value <= here.value + _ARMIJO * step * slope:
