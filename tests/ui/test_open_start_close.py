@@ -1,0 +1,52 @@
+"""The whole life of a window, again and again; the leak check looks at what is left."""
+
+import pytest
+from PySide6.QtCore import QSettings
+
+import resources
+from ui.document import Document
+from ui.main_window import MainWindow
+from workbench.files.session import Session, open_design
+
+TIMES = 50
+
+
+@pytest.fixture
+def session():
+    """The top-hat example, with few rays so that frames come fast."""
+    shipped = open_design(resources.path("examples", "tophat.json"))
+    data = shipped.scene.to_data()
+    data["source"]["rays"] = [64, 64]
+    return Session(shipped.scene.from_data(data), shipped.target)
+
+
+def open_start_close(session, settings, qtbot):
+    window = MainWindow(Document(session, "top hat"), settings)
+    window.show()
+    window.build()
+    with qtbot.waitSignal(window.control.runner.frame_ready):
+        window.start()
+    window.discard_and_close()
+    assert not window.isVisible()
+    assert window.control is None
+    window.deleteLater()
+
+
+def test_a_window_leaves_nothing_behind(display, qtbot, session, tmp_path, leaks):
+    settings = QSettings(str(tmp_path / "s.ini"), QSettings.Format.IniFormat)
+    living, left_behind = leaks
+    before = living()
+    for _ in range(3):
+        open_start_close(session, settings, qtbot)
+        assert not left_behind(before)
+
+
+@pytest.mark.slow
+@pytest.mark.timeout(0)
+def test_fifty_windows_leave_nothing_behind(display, qtbot, session, tmp_path, leaks):
+    settings = QSettings(str(tmp_path / "s.ini"), QSettings.Format.IniFormat)
+    living, left_behind = leaks
+    before = living()
+    for _ in range(TIMES):
+        open_start_close(session, settings, qtbot)
+        assert not left_behind(before)
