@@ -7,9 +7,8 @@ import numpy as np
 import numpy.typing as npt
 
 if TYPE_CHECKING:
-    from workbench.files.session import Session
-
     from workbench.design.snapshot import Snapshot
+    from workbench.files.session import Session
     from workbench.optics.paths import RayPaths
 
 Array = npt.NDArray[np.float64]

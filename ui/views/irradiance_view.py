@@ -10,9 +10,9 @@ if TYPE_CHECKING:
 
     from matplotlib.artist import Artist
     from matplotlib.axes import Axes
-    from workbench.files.session import Session
 
     from ui.frame import Frame
+    from workbench.files.session import Session
 
 
 class IrradianceView(PlotView):

@@ -9,9 +9,8 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 from ui.views.turns import turns
 
 if TYPE_CHECKING:
-    from workbench.files.session import Session
-
     from ui.frame import Frame
+    from workbench.files.session import Session
 
 
 class View(QWidget):
@@ -79,11 +78,9 @@ class View(QWidget):
 
     def _draw(self, session: "Session", frame: "Frame | None") -> None:
         """Bring the picture up to date and paint it before returning."""
-        raise NotImplementedError
 
     def _recolour(self) -> None:
         """Take colours from the palette."""
-        raise NotImplementedError
 
 
 def look_alike(one: "Session", other: "Session") -> bool:
