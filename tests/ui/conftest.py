@@ -153,7 +153,7 @@ class LatencyProbe:
     def report(self, name):
         gaps = np.array(self.gaps_ms)
         p95, most = np.quantile(gaps, 0.95), gaps.max()
-        return f"{name}: p95 {p95:.0f} ms, max {most:.0f} ms over {gaps.size} ticks"
+        return f"{name}: p95 {p95:.1f} ms, max {most:.0f} ms over {gaps.size} ticks"
 
     def _tick(self):
         now = time.perf_counter()

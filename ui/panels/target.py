@@ -38,7 +38,7 @@ class TargetPanel(Panel):
             [
                 ChoiceRow(
                     _WISH,
-                    "Wish",
+                    "Kind",
                     "The image that the light shall draw on the screen. "
                     "An image file can also be dropped onto the window.",
                     [

@@ -2,10 +2,9 @@
 
 1. Two views that draw in one turn of the event loop hold the window up twice as long. Here one
    draws at a time, and the loop runs in between.
-2. A window that holds an OpenGL widget is composed anew, all of it, whenever any part of it
-   changes. What a view costs is therefore measured around a synchronous repaint, and after each
-   drawing everything rests for a multiple of its time: slow machines show fewer pictures instead
-   of a window that does not answer.
+2. What a view costs depends on the machine, most of all in software OpenGL. It is measured around
+   a synchronous repaint, and after each drawing everything rests for a multiple of its time: slow
+   machines show fewer pictures instead of a window that does not answer.
 """
 
 from collections import OrderedDict

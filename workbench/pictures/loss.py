@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
+from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
@@ -13,6 +14,7 @@ if TYPE_CHECKING:
 Array = npt.NDArray[np.float64]
 
 _FONT = 8
+_SHORT_RANGE = 50
 
 
 class LossCurve:
@@ -29,6 +31,8 @@ class LossCurve:
     def __init__(self, axes: "Axes") -> None:
         self._axes = axes
         axes.set_yscale("log")
+        axes.yaxis.set_minor_locator(NullLocator())
+        axes.yaxis.set_major_formatter(FuncFormatter(lambda loss, _: f"{loss:.0e}"))
         axes.set_xlabel("iteration", fontsize=_FONT, labelpad=2)
         axes.set_ylabel("loss", fontsize=_FONT, labelpad=2)
         axes.tick_params(which="both", labelsize=_FONT)
@@ -73,6 +77,10 @@ class LossCurve:
         self._limits = (right, low, high)
         self._axes.set_xlim(0, right)
         self._axes.set_ylim(low, high)
+        # Few enough labels for a low dock, and still two on a short range.
+        short = high / low <= _SHORT_RANGE
+        steps = (1.0, 2.0, 5.0) if short else (1.0,)
+        self._axes.yaxis.set_major_locator(LogLocator(subs=steps))
         return True
 
 
