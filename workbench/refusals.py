@@ -22,16 +22,16 @@ _SENTENCES = {
     "bool_type": "{input} is neither true nor false; true or false is needed",
     "string_type": "{input} is not text; text is needed",
     "string_too_short": "{input} is empty; some text is needed",
-    "tuple_type": "{input} is not a list; a list of two is needed",
+    "tuple_type": "{input} is not a list; a list of numbers is needed",
     "model_type": "{input} is not an object; an object with named fields is needed",
     "model_attributes_type": "{input} is not an object; an object with named fields is needed",
 }
 
 
-def told_by(field: str, *tags: str, otherwise: str) -> Discriminator:
+def told_by(field: str, *tags: str, otherwise: str | None = None) -> Discriminator:
     """Choose a member of a union by the value of ``field``, ``otherwise`` if it is left out."""
 
-    def tag(value: object) -> str:
+    def tag(value: object) -> str | None:
         given = value.get(field) if isinstance(value, dict) else getattr(value, field, None)
         return otherwise if given is None else str(given)
 
@@ -62,7 +62,7 @@ def refusal(error: ValidationError, model: type[BaseModel], whole: str = "scene"
     """
     details = error.errors(include_url=False)[0]
     path, fields = _follow(details["loc"], model)
-    if details["type"] == "unknown_kind":
+    if details["type"] == "unknown_kind" and isinstance(details["input"], dict):
         path += "." + details["ctx"]["field"]
     return Refused(path or whole, _sentence(details, fields))
 
@@ -109,10 +109,16 @@ def _sentence(details: ErrorDetails, fields: list[str]) -> str:
     if kind == "extra_forbidden":
         return f"unknown field; known here: {', '.join(fields)}"
     if kind == "unknown_kind":
+        if not isinstance(details["input"], dict):
+            return _SENTENCES["model_type"].format(input=value)
         given = details["input"].get(context["field"])
+        if given is None:
+            return _SENTENCES["missing"]
         return f"{_shown(given)} is not available; allowed: {context['allowed']}"
-    if kind in ("too_short", "too_long"):
-        return f"{context['actual_length']} values given; exactly 2 are needed"
+    if kind == "too_long":
+        return (
+            f"{context['actual_length']} values given; exactly {context['max_length']} are needed"
+        )
     if kind in _SENTENCES:
         return _SENTENCES[kind].format(**{**context, "input": value})
     message = details["msg"]

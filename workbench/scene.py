@@ -172,6 +172,78 @@ class CollimatedSource(Part):
     rays: tuple[RayCount, RayCount] = (512, 512)
 
 
+Emission = Literal["uniform", "lambertian"]
+Sampling = Literal["sobol", "random"]
+Position = tuple[float, float, float]
+
+
+class PointSource(Part):
+    """Light from one point into the cone that just covers the entrance face.
+
+    Attributes
+    ----------
+    position : tuple[float, float, float]
+        Where it is, before the lens.
+    rays : int
+        Rays in all.
+    emission : str
+        "uniform" in solid angle, or "lambertian": with the cosine to the z axis.
+    sampling : str
+        "sobol" (low discrepancy, scrambled by the seed) or "random".
+    fresh : bool
+        New rays for each iteration of the paper's method; "auto" needs the same ones.
+    """
+
+    kind: Literal["point"]
+    position: Position
+    rays: Annotated[int, Field(ge=1, le=1 << 24)] = 500_000
+    emission: Emission = "uniform"
+    sampling: Sampling = "sobol"
+    fresh: bool = False
+
+    @property
+    def nearest_z(self) -> float:
+        """Where the source comes closest to the lens."""
+        return self.position[2]
+
+
+class GridSource(Part):
+    """Point sources on an equispaced grid, standing for an extended source; ``rays`` of each."""
+
+    kind: Literal["grid"]
+    center: Position
+    half_width: tuple[NonNegative, NonNegative]
+    points: tuple[Annotated[int, Field(ge=1, le=512)], Annotated[int, Field(ge=1, le=512)]]
+    rays: Annotated[int, Field(ge=1, le=1 << 24)] = 1000
+    emission: Emission = "uniform"
+    sampling: Sampling = "sobol"
+    fresh: bool = False
+
+    @property
+    def nearest_z(self) -> float:
+        """Where the source comes closest to the lens."""
+        return self.center[2]
+
+    @model_validator(mode="after")
+    def _within_memory(self) -> Self:
+        if math.prod(self.points) * self.rays > 1 << 24:
+            raise Refused(
+                "source.rays",
+                f"{self.rays} from each of {math.prod(self.points)} points are too many; "
+                f"at most {1 << 24} rays in all",
+            )
+        return self
+
+
+Source = CollimatedSource | PointSource | GridSource
+_SourceField = Annotated[
+    Annotated[CollimatedSource, Tag("collimated")]
+    | Annotated[PointSource, Tag("point")]
+    | Annotated[GridSource, Tag("grid")],
+    told_by("kind", "collimated", "point", "grid"),
+]
+
+
 class Screen(Part):
     """Plane at ``z`` centred on the axis; ``pixels`` are (along x, along y)."""
 
@@ -313,11 +385,23 @@ class Scene(Part):
     version: Literal[1] = 1
     unit: Literal["mm", "cm", "m", "inch"] = "mm"
     lens: Lens
-    source: CollimatedSource
+    source: _SourceField
     screen: Screen
     filter: _FilterField = GaussianFilter()
     target: _TargetField
     run: _RunField = AutoRun()
+
+    @model_validator(mode="after")
+    def _source_stands_before_the_lens(self) -> Self:
+        source = self.source
+        if not isinstance(source, CollimatedSource) and source.nearest_z >= self.lens.entrance_z:
+            field = "position" if isinstance(source, PointSource) else "center"
+            raise Refused(
+                f"source.{field}[2]",
+                f"{source.nearest_z:g} is not before the entrance face; "
+                f"less than {self.lens.entrance_z:g}",
+            )
+        return self
 
     @model_validator(mode="after")
     def _screen_clears_the_lens(self) -> Self:

@@ -5,41 +5,18 @@ and can start on the exit face (de Koning et al. 2023, section 2.2): no entrance
 intersection, and slopes on a tensor grid by small matrix products.
 """
 
-from typing import NamedTuple
-
 import numpy as np
 import torch
 from torch import Tensor
 
 from workbench.geometry.surface import ControlNet, GridBasis
+from workbench.optics.hits import Hits
 from workbench.optics.refraction import (
     normal_reflectance,
     root_where_positive,
     schlick_transmittance,
 )
-from workbench.scene import Scene
-
-
-class Hits(NamedTuple):
-    """Rays on the screen plane.
-
-    Attributes
-    ----------
-    x, y : Tensor, shape (m_x, m_y)
-        Where they hit, scene units.
-    weight : Tensor, shape (m_x, m_y)
-        Flux that arrives; 0 under total reflection.
-    passes : Tensor of bool, shape (m_x, m_y)
-        False under total reflection.
-    arriving : float
-        Flux of each ray before the exit face.
-    """
-
-    x: Tensor
-    y: Tensor
-    weight: Tensor
-    passes: Tensor
-    arriving: float
+from workbench.scene import CollimatedSource, Scene
 
 
 class CollimatedRays:
@@ -51,22 +28,23 @@ class CollimatedRays:
         The scene; source kind "collimated".
     net : ControlNet
         Where the control heights sit.
-    shift : tuple[float, float]
-        Position of the rays in their cells, each in [0, 1); ½ is the centre.
     dtype, device
         Float type and device of the trace.
     """
+
+    emitted = 1.0
+    missed_lens = 0.0
 
     def __init__(
         self,
         scene: Scene,
         net: ControlNet,
-        shift: tuple[float, float] = (0.5, 0.5),
         dtype: torch.dtype = torch.float32,
         device: torch.device | str = "cpu",
     ) -> None:
+        assert isinstance(scene.source, CollimatedSource)
         count = scene.source.rays
-        u, v = ((np.arange(m) + s) / m for m, s in zip(count, shift, strict=True))
+        u, v = ((np.arange(m) + 0.5) / m for m in count)
         r_x, r_y = scene.lens.half_width
 
         def constant(values: np.ndarray) -> Tensor:
@@ -85,7 +63,6 @@ class CollimatedRays:
         self._screen_z = scene.screen.z
         # Near the mean height of the surface float32 keeps the digits that make its shape.
         self._level = scene.lens.base.height
-        self.emitted = 1.0
         self.fresnel_entrance = normal_reflectance(self._index) * self.emitted
         self._arriving = (self.emitted - self.fresnel_entrance) / (count[0] * count[1])
 
@@ -110,4 +87,5 @@ class CollimatedRays:
         y = self._y + slope_y * bend
         transmitted = schlick_transmittance(q * (1 + k).rsqrt(), n) * self._arriving
         weight = torch.where(passes, transmitted, 0.0)
-        return Hits(x, y, weight, passes, self._arriving)
+        arriving = torch.full_like(weight, self._arriving)
+        return Hits(x, y, weight, arriving, passes, left_side=weight.new_zeros(()))

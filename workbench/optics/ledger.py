@@ -15,6 +15,8 @@ class Ledger:
         Flux that reached the screen plane inside and outside the screen.
     missed_lens : float
         Flux that passed the entrance face by.
+    left_side : float
+        Flux that left the lens through its side.
     total_reflection : float
         Flux totally reflected at the exit face.
     fresnel_entrance, fresnel_exit : float
@@ -25,6 +27,7 @@ class Ledger:
     on_screen: float
     off_screen: float
     missed_lens: float
+    left_side: float
     total_reflection: float
     fresnel_entrance: float
     fresnel_exit: float

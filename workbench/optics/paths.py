@@ -1,16 +1,24 @@
 """Whole paths of a few rays, for people to look at."""
 
+import math
 from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 import torch
+from torch import Tensor
 
 from workbench.geometry.surface import ControlNet
 from workbench.optics.collimated import CollimatedRays
-from workbench.scene import CollimatedSource, Scene
+from workbench.optics.emission import Rays, enter
+from workbench.optics.hits import Hits
+from workbench.optics.point import PointRays
+from workbench.scene import CollimatedSource, GridSource, Lens, PointSource, Scene, Source
 
 Array = npt.NDArray[np.float64]
+
+# The middle of an extended source and its corners, in half-widths.
+_FIVE = ((0, 0), (-1, -1), (1, -1), (-1, 1), (1, 1))
 
 
 class RayPaths(NamedTuple):
@@ -19,8 +27,8 @@ class RayPaths(NamedTuple):
     Attributes
     ----------
     points : ndarray, shape (n, 4, 3)
-        Start before the lens, entrance face, exit face, screen plane; scene units. A totally
-        reflected ray ends on the exit face, its last two points are the same.
+        Start, entrance face, exit face, screen plane; scene units. A ray that does not get to
+        the screen plane ends on the exit face or the side: its last two points are the same.
     weight : ndarray, shape (n,)
         Part of the ray's light that arrives, 0 under total reflection.
     on_screen : ndarray of bool, shape (n,)
@@ -45,33 +53,75 @@ def ray_paths(scene: Scene, control_points: Array, count: tuple[int, int]) -> Ra
         Numbers of rays along x and y, spread over the aperture.
     """
     lens, screen = scene.lens, scene.screen
-    source = CollimatedSource(kind="collimated", rays=count)
     net = ControlNet.of(lens)
-    few = CollimatedRays(scene.model_copy(update={"source": source}), net, dtype=torch.float64)
-    hits = few.trace(torch.tensor(control_points))
-    passes = hits.passes.numpy()
-
-    u, v = ((np.arange(m) + 0.5) / m for m in count)
-    z = net.grid(u, v).evaluate(control_points)[0]
-    x = np.broadcast_to((2 * u[:, None] - 1) * lens.half_width[0], z.shape)
-    y = np.broadcast_to((2 * v[None, :] - 1) * lens.half_width[1], z.shape)
-
-    before = lens.entrance_z - 0.5 * max(lens.half_width)
-    exit_face = np.stack([x, y, z], axis=-1)
-    on_plane = np.stack([hits.x.numpy(), hits.y.numpy(), np.full(z.shape, screen.z)], axis=-1)
+    heights = torch.tensor(control_points)
+    if isinstance(scene.source, CollimatedSource):
+        before, entrance, hits, exit_face = _collimated(scene, net, heights, count)
+    else:
+        before, entrance, hits, exit_face = _from_points(scene, net, heights, count)
+    hit = np.stack([hits.x.numpy().ravel(), hits.y.numpy().ravel()], axis=-1)
+    arrives = (hits.weight > 0).numpy().ravel() & np.isfinite(hit).all(axis=1)
+    on_plane = np.column_stack([hit, np.full(len(hit), screen.z)])
     points = np.stack(
-        [
-            np.stack([x, y, np.full(z.shape, before)], axis=-1),
-            np.stack([x, y, np.full(z.shape, lens.entrance_z)], axis=-1),
-            exit_face,
-            np.where(passes[..., None], on_plane, exit_face),
-        ],
-        axis=-2,
+        [before, entrance, exit_face, np.where(arrives[:, None], on_plane, exit_face)], axis=1
     )
-    column, row = screen.to_pixels(hits.x.numpy(), hits.y.numpy())
+    column, row = screen.to_pixels(hit[:, 0], hit[:, 1])
     inside = (column >= 0) & (column < screen.pixels[0]) & (row >= 0) & (row < screen.pixels[1])
-    return RayPaths(
-        points.reshape(-1, 4, 3),
-        (hits.weight.numpy() / hits.arriving).ravel(),
-        (inside & passes).ravel(),
+    share = (hits.weight / hits.arriving.clamp_min(1e-300)).numpy().ravel()
+    return RayPaths(points, share, inside & arrives)
+
+
+def _collimated(
+    scene: Scene, net: ControlNet, heights: Tensor, count: tuple[int, int]
+) -> tuple[Array, Array, Hits, Array]:
+    lens = scene.lens
+    source = CollimatedSource(kind="collimated", rays=count)
+    few = CollimatedRays(scene.model_copy(update={"source": source}), net, dtype=torch.float64)
+    places = _grid(lens, count)
+    u, v = ((np.arange(m) + 0.5) / m for m in count)
+    z = net.grid(u, v).evaluate(heights.numpy())[0]
+    before = lens.entrance_z - 0.5 * max(lens.half_width)
+    return (
+        _at(places, np.full(len(places), before)),
+        _at(places, np.full(len(places), lens.entrance_z)),
+        few.trace(heights),
+        _at(places, z.ravel()),
     )
+
+
+def _from_points(
+    scene: Scene, net: ControlNet, heights: Tensor, count: tuple[int, int]
+) -> tuple[Array, Array, Hits, Array]:
+    """Rays from the middle of the source, and from its corners, to places on the entrance face."""
+    lens = scene.lens
+    origins = _middle_and_corners(scene.source)
+    places = _at(_grid(lens, count), np.full(math.prod(count), lens.entrance_z))
+    origin = origins[np.arange(len(places)) % len(origins)]
+    direction = places - origin
+    direction /= np.linalg.norm(direction, axis=1, keepdims=True)
+    rays = enter(Rays(origin, direction, np.full(len(places), 1 / len(places))), lens)
+    few = PointRays(scene, net, rays, dtype=torch.float64)
+    hits = few.trace(heights)
+    depth = few.depths(heights).numpy()
+    exit_xy = np.stack([rays.x + rays.slope_x * depth, rays.y + rays.slope_y * depth], axis=-1)
+    return origin, places, hits, _at(exit_xy, lens.entrance_z + depth)
+
+
+def _middle_and_corners(source: Source) -> Array:
+    if isinstance(source, GridSource):
+        (x, y, z), (r_x, r_y) = source.center, source.half_width
+        return np.array([[x + i * r_x, y + j * r_y, z] for i, j in _FIVE])
+    assert isinstance(source, PointSource)
+    return np.array([source.position])
+
+
+def _grid(lens: Lens, count: tuple[int, int]) -> Array:
+    """Cell centres of the aperture, shape (n, 2)."""
+    x, y = (
+        ((np.arange(m) + 0.5) / m * 2 - 1) * r for m, r in zip(count, lens.half_width, strict=True)
+    )
+    return np.stack([c.ravel() for c in np.meshgrid(x, y, indexing="ij")], axis=-1)
+
+
+def _at(xy: Array, z: Array) -> Array:
+    return np.column_stack([xy, z])

@@ -7,10 +7,12 @@ from torch import Tensor
 
 from workbench.errors import Refused
 from workbench.geometry.surface import ControlNet
-from workbench.optics.collimated import CollimatedRays, Hits
+from workbench.optics.collimated import CollimatedRays
+from workbench.optics.hits import Hits
 from workbench.optics.irradiance import Image, reconstruct
 from workbench.optics.ledger import Ledger
-from workbench.scene import Filter, Scene
+from workbench.optics.point import PointRays
+from workbench.scene import CollimatedSource, Filter, Scene
 
 
 class Traced(NamedTuple):
@@ -39,8 +41,6 @@ class Plan:
         Control net of the heights to come; the scene's own by default.
     filter : BoxFilter or GaussianFilter, optional
         Reconstruction filter; the scene's own by default.
-    shift : tuple[float, float]
-        Position of the rays in the cells of their grid, each in [0, 1).
     dtype : torch.dtype
         Float type of the trace.
 
@@ -55,13 +55,17 @@ class Plan:
         scene: Scene,
         net: ControlNet | None = None,
         filter: Filter | None = None,
-        shift: tuple[float, float] = (0.5, 0.5),
         dtype: torch.dtype = torch.float32,
     ) -> None:
         self._screen = scene.screen
         self._filter = filter or scene.filter
         net = net or ControlNet.of(scene.lens)
-        self._rays = CollimatedRays(scene, net, shift, dtype, device_of(scene))
+        self._rays: CollimatedRays | PointRays
+        # Collimated light needs no entrance refraction and no intersection: it is not in its plan.
+        if isinstance(scene.source, CollimatedSource):
+            self._rays = CollimatedRays(scene, net, dtype, device_of(scene))
+        else:
+            self._rays = PointRays(scene, net, dtype=dtype, device=device_of(scene))
 
     def trace(self, heights: Tensor) -> Traced:
         """Image and ledger of a lens.
@@ -73,18 +77,23 @@ class Plan:
         """
         rays = self._rays
         hits, image = self._image(heights)
-        transmitted = hits.weight.detach().sum(dtype=torch.float64).item()
-        arriving = hits.passes.sum().item() * hits.arriving
+        arriving, weight, passes = hits.arriving.detach(), hits.weight.detach(), hits.passes
         ledger = Ledger(
             emitted=rays.emitted,
-            on_screen=image.flux.detach().sum(dtype=torch.float64).item(),
+            on_screen=_sum(image.flux.detach()),
             off_screen=image.off_screen.item(),
-            missed_lens=0.0,
-            total_reflection=(~hits.passes).sum().item() * hits.arriving,
+            missed_lens=rays.missed_lens,
+            left_side=hits.left_side.item(),
+            total_reflection=_sum(arriving * ~passes),
             fresnel_entrance=rays.fresnel_entrance,
-            fresnel_exit=arriving - transmitted,
+            fresnel_exit=_sum((arriving - weight) * passes),
         )
         return Traced(image.flux, ledger)
+
+    def redraw(self) -> None:
+        """Trace other rays of the same source from now on; a collimated grid has no others."""
+        if isinstance(self._rays, PointRays):
+            self._rays.redraw()
 
     def flux(self, heights: Tensor) -> Tensor:
         """The image alone, for `torch.func` transforms such as jvp, which no ledger survives."""
@@ -93,6 +102,10 @@ class Plan:
     def _image(self, heights: Tensor) -> tuple[Hits, Image]:
         hits = self._rays.trace(heights)
         return hits, reconstruct(hits.x, hits.y, hits.weight, self._screen, self._filter)
+
+
+def _sum(flux: Tensor) -> float:
+    return float(flux.sum(dtype=torch.float64))
 
 
 def device_of(scene: Scene) -> torch.device:
