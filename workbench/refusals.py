@@ -116,9 +116,8 @@ def _sentence(details: ErrorDetails, fields: list[str]) -> str:
             return _SENTENCES["missing"]
         return f"{_shown(given)} is not available; allowed: {context['allowed']}"
     if kind == "too_long":
-        return (
-            f"{context['actual_length']} values given; exactly {context['max_length']} are needed"
-        )
+        most = context["max_length"]
+        return f"{context['actual_length']} values given; exactly {most} are needed"
     if kind in _SENTENCES:
         return _SENTENCES[kind].format(**{**context, "input": value})
     message = details["msg"]

@@ -118,6 +118,7 @@ def validate(
         on_screen=float(flux.sum()),
         off_screen=off_screen,
         missed_lens=0.0,
+        left_side=0.0,
         total_reflection=total_reflection,
         fresnel_entrance=entrance_loss,
         fresnel_exit=reflected,

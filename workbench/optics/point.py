@@ -100,15 +100,11 @@ class PointRays:
         def constant(values: np.ndarray) -> Tensor:
             return torch.as_tensor(values, dtype=self._dtype, device=self._device)
 
-        self._bundle = Bundle(
-            *map(constant, (rays.x, rays.y, rays.slope_x, rays.slope_y, rays.flux))
-        )
+        parts = (rays.x, rays.y, rays.slope_x, rays.slope_y, rays.flux)
+        self._bundle = Bundle(*map(constant, parts))
         self._intersection = ExactIntersection(
             self._bundle, self._scene.lens.half_width, self._patches
         )
         cos = 1 / np.sqrt(1 + rays.slope_x**2 + rays.slope_y**2)
-        self._direction = (
-            constant(rays.slope_x * cos),
-            constant(rays.slope_y * cos),
-            constant(cos),
-        )
+        direction = rays.slope_x * cos, rays.slope_y * cos, cos
+        self._direction = constant(direction[0]), constant(direction[1]), constant(direction[2])
