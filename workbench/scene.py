@@ -363,12 +363,23 @@ class AutoRun(RunSettings):
 
 
 class PaperRun(RunSettings):
-    """Flat start, Adam on the control heights through tanh, as in the paper."""
+    """Adam on the control heights through tanh, or through a network, as in the paper.
+
+    Attributes
+    ----------
+    parametrisation : str
+        What is optimised: "none", one number per control height; "sparse" or "dense", the
+        weights and biases of a network that puts the heights out.
+    start : str
+        Those numbers before the first step: "zeros", "uniform" on ±1e-4, or "random".
+    learning_rate : float, optional
+        Step of Adam; left out, the one that suits the parametrisation.
+    """
 
     method: Literal["paper"] = "paper"
-    parametrisation: Literal["none"] = "none"
+    parametrisation: Literal["none", "sparse", "dense"] = "none"
     start: Literal["zeros", "uniform", "random"] = "zeros"
-    learning_rate: Positive = 1e-3
+    learning_rate: Positive | None = None
 
 
 Run = AutoRun | PaperRun
