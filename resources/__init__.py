@@ -1,10 +1,8 @@
 """Icons, example scenes and target images that ship with the program."""
 
+from dataclasses import dataclass
 from importlib import resources
 from pathlib import Path
-
-EXAMPLES = ("tophat", "flame", "ball", "flame-512", "ball-512")
-"""Names of the example scenes, ``path("examples", f"{name}.json")``."""
 
 
 def path(*parts: str) -> Path:
@@ -16,3 +14,108 @@ def path(*parts: str) -> Path:
         Folder and file name below this package, such as ``"icons", "start.svg"``.
     """
     return Path(str(resources.files(__name__).joinpath(*parts)))
+
+
+@dataclass(frozen=True)
+class Example:
+    """An example scene.
+
+    Attributes
+    ----------
+    name : str
+        Its file is ``examples/{name}.json``.
+    group : str
+        What it belongs to.
+    title : str
+        What a person reads, within its group.
+    look : str
+        What to look for: one sentence.
+    """
+
+    name: str
+    group: str
+    title: str
+    look: str
+
+    @property
+    def file(self) -> Path:
+        """The scene file."""
+        return path("examples", f"{self.name}.json")
+
+
+_FIRST = "First lenses"
+_FINE = "First lenses, twice as fine"
+_NETWORKS = "Top hat: networks and starts"
+_SIZES = "Flame and ball: magnifications"
+_SOURCES = "Flame: point and extended source"
+
+EXAMPLES = (
+    Example(
+        "tophat", _FIRST, "Top hat", "A uniform disc of light; see how soon its edge is sharp."
+    ),
+    Example(
+        "flame", _FIRST, "Flame", "A flame-like logo on black; see light leave what shall be dark."
+    ),
+    Example(
+        "ball", _FIRST, "Ball", "A faceted ball; see whether each grey comes out evenly bright."
+    ),
+    Example(
+        "flame-512", _FINE, "Flame", "The flame with four times the detail; see its thin parts."
+    ),
+    Example(
+        "ball-512", _FINE, "Ball", "The ball with four times the detail; see the facets' edges."
+    ),
+    Example(
+        "tophat-none-zeros",
+        _NETWORKS,
+        "No network, flat start",
+        "The yardstick for the three networks: a smooth lens that keeps the target's symmetry.",
+    ),
+    Example(
+        "tophat-sparse-uniform",
+        _NETWORKS,
+        "Sparse network, faint start",
+        "Weights a ten-thousandth off zero; compare speed and symmetry with no network.",
+    ),
+    Example(
+        "tophat-sparse-random",
+        _NETWORKS,
+        "Sparse network, random start",
+        "A rough first lens; see how much of its roughness is left in the end.",
+    ),
+    Example(
+        "tophat-dense-uniform",
+        _NETWORKS,
+        "Dense network, faint start",
+        "Two million weights for a thousand heights; compare loss and time with the sparse one.",
+    ),
+    *(
+        Example(
+            f"{shape}-x{magnification}",
+            _SIZES,
+            f"{shape.capitalize()}, magnification {magnification}",
+            look,
+        )
+        for shape in ("flame", "ball")
+        for magnification, look in (
+            (1, "A screen as large as the lens, far away: a few hundredths of height do it all."),
+            (3, "The concave base just fills the screen; see the corners, where rays are steep."),
+            (5, "Steeper still: compare the loss, and the light beside the screen, with 1 and 3."),
+        )
+    ),
+    Example(
+        "flame-point",
+        _SOURCES,
+        "Point source",
+        "Light from one point; see in the light account how much of the cone passes the square "
+        "lens by.",
+    ),
+    Example(
+        "flame-grid",
+        _SOURCES,
+        "Extended source of 25 × 25 points",
+        "The flame is put together from images of the square source: details smaller than these "
+        "stay blurred.",
+    ),
+)
+"""All example scenes, in the order in which menus show them."""

@@ -7,6 +7,7 @@ commit what changed. The icons are drawn by hand.
 import json
 import sys
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from PIL import Image
@@ -18,6 +19,18 @@ from workbench.targets.shapes import draw
 SHAPES = {"tophat": TopHatTarget(), "flame": FlameTarget(), "ball": BallTarget()}
 SIZES = (256, 512)
 
+_RADII = {3: 8.0, 5: 4.0}  # of the base, by magnification
+_SOURCES = {
+    "point": {"kind": "point", "position": [0.0, 0.0, -5.0], "rays": 500_000},
+    "grid": {
+        "kind": "grid",
+        "center": [0.0, 0.0, -5.0],
+        "half_width": [1.0, 1.0],
+        "points": [25, 25],
+        "rays": 1000,
+    },
+}
+
 
 def make(folder: Path) -> None:
     """Write everything that is generated below ``folder``."""
@@ -27,8 +40,9 @@ def make(folder: Path) -> None:
     for name in SHAPES:
         for size in SIZES:
             target_image(name, size).save(targets / f"{name}-{size}.png", optimize=True)
-    for name in resources.EXAMPLES:
-        (examples / f"{name}.json").write_text(example(name).to_json(), encoding="utf-8")
+    for each in resources.EXAMPLES:
+        file = examples / each.file.name
+        file.write_text(example(each.name).to_json(), encoding="utf-8")
     (folder / "scene.schema.json").write_text(schema(), encoding="utf-8")
 
 
@@ -40,31 +54,72 @@ def target_image(name: str, size: int) -> Image.Image:
 
 
 def example(name: str) -> Scene:
-    """Build an example scene; a name that ends in -512 has twice the resolution throughout."""
-    shape, _, size = name.partition("-")
-    size = size or "256"
-    fineness = int(size) // 256
+    """Build the example scene of a name in `resources.EXAMPLES`."""
+    shape, _, variant = name.partition("-")
+    if variant in ("", "512"):
+        return Scene.from_data(_first(shape, fineness=2 if variant else 1))
+    if shape == "tophat":
+        return Scene.from_data(_network(*variant.split("-")))
+    if variant.startswith("x"):
+        return Scene.from_data(_magnified(shape, int(variant[1:])))
+    return Scene.from_data(_lit_from(_SOURCES[variant]))
+
+
+def _first(shape: str, fineness: int = 1) -> dict[str, Any]:
     pixels, rays, control_points = 256 * fineness, 512 * fineness, 64 * fineness
-    return Scene.from_data(
-        {
-            "unit": "cm",
-            "lens": {
-                "half_width": [1.0, 1.0],
-                "entrance_z": 0.0,
-                "refractive_index": 1.5,
-                "degree": [3, 3],
-                "control_points": [control_points, control_points],
-                "base": {"shape": "flat", "height": 0.5},
-                "height_range": [-0.3, 0.3],
-                "min_thickness": 0.05,
-            },
-            "source": {"kind": "collimated", "rays": [rays, rays]},
-            "screen": {"z": 5.0, "half_width": [1.0, 1.0], "pixels": [pixels, pixels]},
-            "filter": {"kind": "gaussian", "size": [3, 3], "alpha": 1.0},
-            "target": {"image": f"../targets/{shape}-{size}.png"},
-            "run": {"method": "auto", "iterations": 300, "seed": 0},
-        }
-    )
+    return {
+        "unit": "cm",
+        "lens": {
+            "half_width": [1.0, 1.0],
+            "entrance_z": 0.0,
+            "refractive_index": 1.5,
+            "degree": [3, 3],
+            "control_points": [control_points, control_points],
+            "base": {"shape": "flat", "height": 0.5},
+            "height_range": [-0.3, 0.3],
+            "min_thickness": 0.05,
+        },
+        "source": {"kind": "collimated", "rays": [rays, rays]},
+        "screen": {"z": 5.0, "half_width": [1.0, 1.0], "pixels": [pixels, pixels]},
+        "filter": {"kind": "gaussian", "size": [3, 3], "alpha": 1.0},
+        "target": {"image": f"../targets/{shape}-{pixels}.png"},
+        "run": {"method": "auto", "iterations": 300, "seed": 0},
+    }
+
+
+def _network(parametrisation: str, start: str) -> dict[str, Any]:
+    """Top hat by the paper's method; a net small enough for a dense network."""
+    data = _first("tophat")
+    data["lens"]["control_points"] = [32, 32]
+    data["run"] = {
+        "method": "paper",
+        "parametrisation": parametrisation,
+        "start": start,
+        "iterations": 1000,
+        "seed": 0,
+    }
+    return data
+
+
+def _magnified(shape: str, magnification: int) -> dict[str, Any]:
+    """Table 1 of the paper; the lens half-width and the distance of 32 are inferred from it.
+
+    The focal lengths -16 and -8 of its bases then just fill the screens.
+    """
+    data = _first(shape)
+    base = {"shape": "flat", "height": 0.5}
+    if magnification > 1:
+        base = {"shape": "sphere", "height": 0.5, "radius": _RADII[magnification]}
+    half_width = round(0.64 * magnification, 2)
+    data["lens"] |= {"half_width": [0.64, 0.64], "base": base, "height_range": [-0.05, 0.05]}
+    data["screen"] |= {"z": 32.5, "half_width": [half_width, half_width]}
+    return data
+
+
+def _lit_from(source: dict[str, Any]) -> dict[str, Any]:
+    data = _first("flame")
+    data["source"] = source
+    return data
 
 
 def schema() -> str:

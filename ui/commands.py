@@ -7,6 +7,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QMainWindow, QMenu, QMenuBar, QToolBar, QToolButton
 
+from resources import EXAMPLES
 from ui import theme
 
 
@@ -34,10 +35,13 @@ class Command:
 
 _Key = QKeySequence.StandardKey
 
+NEW = {f"new_{example.name}": example for example in EXAMPLES}
+"""Commands that begin with an example."""
+_FIRST = NEW["new_tophat"]
+
 COMMANDS = {
-    "new_tophat": Command("&Top hat", "Begin with a uniform disc of light", _Key.New, "new"),
-    "new_flame": Command("&Flame", "Begin with a flame-like logo"),
-    "new_ball": Command("&Ball", "Begin with a faceted ball in several greys"),
+    **{name: Command(example.title, example.look) for name, example in NEW.items()},
+    "new_tophat": Command(_FIRST.title, _FIRST.look, _Key.New, "new"),
     "open": Command("&Open…", "Open a design, or a scene file", _Key.Open, "open"),
     "save": Command("&Save", "Save scene, target and lens", _Key.Save, "save"),
     "save_as": Command("Save &as…", "Save under another name", "Ctrl+Shift+S"),
@@ -53,13 +57,23 @@ COMMANDS = {
     "about": Command("&About", "What this program is"),
 }
 
+
+def _examples() -> list[Any]:
+    """Examples by group; the first group stands in the menu itself, the others in one each."""
+    groups: dict[str, list[str]] = {}
+    for name, example in NEW.items():
+        groups.setdefault(example.group, []).append(name)
+    (_, first), *others = groups.items()
+    return [*first, None, *others]
+
+
 _RUN = ["start", "continue", "pause", "stop"]
 
 # Menus by name; None is a separator, a tuple a menu within. Open recent and the docks are added
 # by the window, because they come and go.
 MENUS: dict[str, list[Any]] = {
     "&File": [
-        ("&New from example", ["new_tophat", "new_flame", "new_ball"]),
+        ("&New from example", _examples()),
         "open",
         ("Open &recent", []),
         None,
@@ -134,6 +148,7 @@ class Commands:
 
     def _fill(self, place: QMenuBar | QMenu, title: str, entries: list[Any]) -> None:
         menu = QMenu(title, self._window)
+        menu.setToolTipsVisible(True)
         place.addMenu(menu)
         self.menus[title] = menu
         for entry in entries:

@@ -7,7 +7,7 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
-import resources
+from resources import Example
 from ui.document import ENDING, Document
 from ui.message_bar import MessageBar
 from ui.recent import RecentFiles
@@ -23,11 +23,6 @@ class Answer(Enum):
     SAVE = QMessageBox.StandardButton.Save
     DISCARD = QMessageBox.StandardButton.Discard
     CANCEL = QMessageBox.StandardButton.Cancel
-
-
-def example(name: str) -> Path:
-    """The scene file of an example ("tophat", "flame", "ball")."""
-    return resources.path("examples", f"{name}.json")
 
 
 class FileActions(QObject):
@@ -56,10 +51,10 @@ class FileActions(QObject):
         self._messages = messages
         self._window = window
 
-    def new(self, name: str) -> None:
-        """Begin with an example."""
-        if self.may_leave():
-            self._attempt(lambda: self._document.open(example(name)))
+    def new(self, example: Example) -> None:
+        """Begin with an example, and say what to look for."""
+        if self.may_leave() and self._attempt(lambda: self._document.open(example.file)):
+            self._messages.note(example.look)
 
     def choose_and_open(self) -> None:
         """Ask for a file and open it."""

@@ -10,7 +10,7 @@ from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QPaintEvent
 from PySide6.QtWidgets import QMainWindow, QMessageBox
 
 import workbench
-from ui.commands import Commands
+from ui.commands import NEW, Commands
 from ui.document import ENDING, Document
 from ui.file_actions import Answer, FileActions
 from ui.message_bar import MessageBar
@@ -29,7 +29,7 @@ _SHARE_OF_SCREEN = 0.85
 _SIZE = QSize(1280, 800)  # which smaller screens need whole
 
 # Not while a run works on the design as it was when it began.
-_CHANGING = ["new_tophat", "new_flame", "new_ball", "open", "save", "save_as"]
+_CHANGING = [*NEW, "open", "save", "save_as"]
 
 _STATES = {
     "loading": "Loading…",
@@ -200,9 +200,7 @@ class MainWindow(QMainWindow):
     def _connect(self) -> None:
         steer, begin = self._steer, self._begin
         slots: dict[str, Callable[[], object]] = {
-            "new_tophat": lambda: self.files.new("tophat"),
-            "new_flame": lambda: self.files.new("flame"),
-            "new_ball": lambda: self.files.new("ball"),
+            **{name: partial(self.files.new, example) for name, example in NEW.items()},
             "open": self.files.choose_and_open,
             "save": lambda: self._save(self.files.save),
             "save_as": lambda: self._save(self.files.save_as),

@@ -1,4 +1,5 @@
 import json
+import math
 import re
 import xml.etree.ElementTree as ET
 from io import BytesIO
@@ -10,10 +11,12 @@ from PIL import Image
 
 import resources
 from resources import make_resources
+from workbench.design.run import run
 from workbench.scene import Scene
 from workbench.targets import load_target
 
 ICONS = ["start", "continue", "pause", "stop", "open", "save", "new", "undo", "redo", "fit-view"]
+examples = pytest.mark.parametrize("example", resources.EXAMPLES, ids=lambda each: each.name)
 SVG = "{http://www.w3.org/2000/svg}"
 
 
@@ -30,7 +33,7 @@ def test_the_script_makes_every_file_that_ships_and_no_other(made):
         return {file.relative_to(folder) for file in found}
 
     assert generated(made) == generated(resources.path())
-    assert {p.stem for p in resources.path("examples").iterdir()} == set(resources.EXAMPLES)
+    assert {*resources.path("examples").iterdir()} == {each.file for each in resources.EXAMPLES}
 
 
 @pytest.mark.parametrize("size", make_resources.SIZES)
@@ -46,9 +49,10 @@ def test_target_images_are_as_the_script_makes_them(made, shape, size):
         np.testing.assert_allclose(np.asarray(shipped, float), np.asarray(new, float), atol=1)
 
 
-@pytest.mark.parametrize("name", [f"examples/{n}.json" for n in resources.EXAMPLES])
-def test_examples_are_as_the_script_makes_them(made, name):
-    assert resources.path(name).read_text("utf-8") == (made / name).read_text("utf-8")
+@examples
+def test_examples_are_as_the_script_makes_them(made, example):
+    new = made / "examples" / example.file.name
+    assert example.file.read_text("utf-8") == new.read_text("utf-8")
 
 
 def test_schema_is_that_of_the_scene(made):
@@ -58,14 +62,57 @@ def test_schema_is_that_of_the_scene(made):
     assert shipped["required"] == ["lens", "source", "screen", "target"]
 
 
-@pytest.mark.parametrize("name", resources.EXAMPLES)
-def test_examples_find_their_targets(name):
-    file = resources.path("examples", f"{name}.json")
-    scene = Scene.from_json(file.read_bytes())
-    target = load_target(scene, file.parent)
+@examples
+def test_examples_find_their_targets(example):
+    scene = Scene.from_json(example.file.read_bytes())
+    target = load_target(scene, example.file.parent)
     # The image fits the screen pixel by pixel: nothing is resampled.
-    with Image.open(file.parent / scene.target.image) as image:
+    with Image.open(example.file.parent / scene.target.image) as image:
         np.testing.assert_allclose(255 * target, np.asarray(image), atol=1e-9)
+
+
+def test_examples_say_what_to_look_for():
+    assert len({each.name for each in resources.EXAMPLES}) == len(resources.EXAMPLES)
+    titles = {(each.group, each.title) for each in resources.EXAMPLES}
+    assert len(titles) == len(resources.EXAMPLES)
+    for each in resources.EXAMPLES:
+        assert each.look.endswith(".") and 30 < len(each.look) <= 100, each.name
+
+
+@pytest.mark.parametrize("magnification", [1, 3, 5])
+def test_bases_of_the_magnifications_just_fill_their_screens(magnification):
+    """A ray at the rim of the undesigned lens meets the rim of the screen, along each axis."""
+    scene = Scene.from_json(_named(f"flame-x{magnification}").file.read_bytes())
+    lens, screen = scene.lens, scene.screen
+    r = lens.half_width[0]
+    z, near = lens.base.height_at(np.array([r, r - 1e-6]), 0.0)
+    incident = math.atan((z - near) / 1e-6)
+    bent = math.asin(lens.index * math.sin(incident)) - incident  # away from the axis
+    met = r + (screen.z - z) * math.tan(bent)
+    assert met == pytest.approx(screen.half_width[0], rel=0.03)
+
+
+@pytest.mark.parametrize(
+    ("name", "part"),
+    # An extended source blurs whatever the lens does.
+    [("flame-point", 0.6), ("flame-grid", 0.9), ("flame-x5", 0.6), ("ball-x3", 0.6)],
+)
+def test_examples_improve(name, part):
+    """With fewer rays, pixels and control points than they have, to be done soon."""
+    example = _named(name)
+    data = json.loads(example.file.read_bytes())
+    few = {"collimated": [128, 128], "point": 20_000, "grid": 30}
+    data["source"]["rays"] = few[data["source"]["kind"]]
+    data["screen"]["pixels"] = [48, 48]
+    data["lens"]["control_points"] = [16, 16]
+    data["run"]["iterations"] = 20
+    scene = Scene.from_data(data)
+    losses = [snapshot.loss for snapshot in run(scene, load_target(scene, example.file.parent))]
+    assert min(losses) < part * losses[0]
+
+
+def _named(name):
+    return next(each for each in resources.EXAMPLES if each.name == name)
 
 
 def test_a_path_leads_to_a_shipped_file():
