@@ -1,14 +1,15 @@
-"""The method of the paper: flat start, Adam on the control heights through tanh."""
+"""The method of the paper: Adam on the control heights through tanh, or through a network."""
 
 from collections.abc import Iterator
 
 import numpy as np
 import numpy.typing as npt
 import torch
-from torch import Tensor
 
 from workbench.design.heights import HeightRange
 from workbench.design.loss import check_finite, check_gradient, paper_loss, share
+from workbench.design.networks import build
+from workbench.design.parametrisation import check_memory, learning_rate
 from workbench.design.step import Step
 from workbench.errors import Refused
 from workbench.geometry.surface import ControlNet
@@ -17,20 +18,20 @@ from workbench.scene import BoxFilter, PaperRun, Scene
 
 Array = npt.NDArray[np.float64]
 
-# Half-widths of the interval, and the scatter, of the start's parameters: small enough to leave
-# the lens flat to the eye, and large enough to make a visibly crooked one.
-_UNIFORM, _RANDOM = 1e-4, 1e-2
-
 
 def paper_steps(
     scene: Scene, target: Array, settings: PaperRun, start: Array | None
 ) -> Iterator[Step]:
     """Evaluate lens after lens, for ever; see `workbench.design.run.run`.
 
+    The inputs of the tanh are those of the undesigned lens, or of ``start``, plus how far the
+    parametrisation has moved since its own start. So a run with a network goes on from any
+    heights exactly, as if the biases of its last layer had been set to them.
+
     Raises
     ------
     Refused
-        If the filter has no gradient.
+        If the filter has no gradient or the parametrisation does not fit into memory.
     RunFailed
         If the loss or its gradient is not finite.
     """
@@ -40,28 +41,26 @@ def paper_steps(
             "'box' is constant within a pixel and gives the paper's method no gradient; 'gaussian'",
         )
     device = device_of(scene)
+    check_memory(scene)
     plan = Plan(scene)
-    free = HeightRange.of(scene.lens, ControlNet.of(scene.lens), device)
+    net = ControlNet.of(scene.lens)
+    free = HeightRange.of(scene.lens, net, device)
     wanted = torch.as_tensor(share(target), dtype=torch.float32, device=device)
-    parameters = _start(free, settings) if start is None else free.parameters(start)
-    parameters.requires_grad_()
-    optimiser = torch.optim.Adam([parameters], lr=settings.learning_rate)
+    shift = build(net, settings, device)
+    rest = free.rest
+    if start is not None:
+        rest = free.parameters(start) - shift().detach()
+    optimiser = torch.optim.Adam(shift.parameters(), lr=learning_rate(settings), fused=True)
     while True:
-        heights = free.heights(parameters)
+        shaped = free.heights(rest + shift())
+        # The light's gradient ends at the heights, where it is checked; the network's begins.
+        heights = shaped.detach().requires_grad_()
         traced = plan.trace(heights)
         loss = paper_loss(traced.flux, wanted)
         check_finite(loss, traced.ledger)
         yield Step(loss.item(), heights.detach(), traced.flux.detach(), traced.ledger)
-        (parameters.grad,) = torch.autograd.grad(loss, [parameters])
-        check_gradient(parameters.grad)
+        (gradient,) = torch.autograd.grad(loss, [heights])
+        check_gradient(gradient)
+        optimiser.zero_grad()  # gives the memory back before the next gradient needs it
+        shaped.backward(gradient)
         optimiser.step()
-
-
-def _start(free: HeightRange, settings: PaperRun) -> Tensor:
-    noise = torch.zeros_like(free.rest)
-    generator = torch.Generator(noise.device).manual_seed(settings.seed)
-    if settings.start == "uniform":
-        noise.uniform_(-_UNIFORM, _UNIFORM, generator=generator)
-    elif settings.start == "random":
-        noise.normal_(0, _RANDOM, generator=generator)
-    return free.rest + noise
