@@ -172,6 +172,27 @@ class CollimatedSource(Part):
     rays: tuple[RayCount, RayCount] = (512, 512)
 
 
+class ExactMethod(Part):
+    """Rays meet the B-spline itself."""
+
+    method: Literal["exact"] = "exact"
+
+
+class MeshMethod(Part):
+    """Rays meet triangles; ``subdivisions`` of each knot span, (along x, along y)."""
+
+    method: Literal["mesh"] = "mesh"
+    subdivisions: tuple[Annotated[int, Field(ge=1, le=64)], Annotated[int, Field(ge=1, le=64)]] = (
+        4,
+        4,
+    )
+
+
+_IntersectionField = Annotated[
+    Annotated[ExactMethod, Tag("exact")] | Annotated[MeshMethod, Tag("mesh")],
+    told_by("method", "exact", "mesh", otherwise="exact"),
+]
+
 Emission = Literal["uniform", "lambertian"]
 Sampling = Literal["sobol", "random"]
 Position = tuple[float, float, float]
@@ -192,6 +213,8 @@ class PointSource(Part):
         "sobol" (low discrepancy, scrambled by the seed) or "random".
     fresh : bool
         New rays for each iteration of the paper's method; "auto" needs the same ones.
+    intersection : ExactMethod or MeshMethod
+        Where rays meet the exit face: on the B-spline, or on triangles as in the paper.
     """
 
     kind: Literal["point"]
@@ -200,6 +223,7 @@ class PointSource(Part):
     emission: Emission = "uniform"
     sampling: Sampling = "sobol"
     fresh: bool = False
+    intersection: _IntersectionField = ExactMethod()
 
     @property
     def nearest_z(self) -> float:
@@ -218,6 +242,7 @@ class GridSource(Part):
     emission: Emission = "uniform"
     sampling: Sampling = "sobol"
     fresh: bool = False
+    intersection: _IntersectionField = ExactMethod()
 
     @property
     def nearest_z(self) -> float:
@@ -412,6 +437,26 @@ class Scene(Part):
                 f"{source.nearest_z:g} is not before the entrance face; "
                 f"less than {self.lens.entrance_z:g}",
             )
+        return self
+
+    @model_validator(mode="after")
+    def _mesh_within_memory(self) -> Self:
+        if isinstance(self.source, CollimatedSource):
+            return self
+        if isinstance(how := self.source.intersection, MeshMethod):
+            lens = self.lens
+            across, up = (
+                (count - degree) * n
+                for count, degree, n in zip(
+                    lens.control_points, lens.degree, how.subdivisions, strict=True
+                )
+            )
+            if across * up > 1 << 24:
+                raise Refused(
+                    "source.intersection.subdivisions",
+                    f"{list(how.subdivisions)} make {across} × {up} rectangles; "
+                    f"at most {1 << 24} in all",
+                )
         return self
 
     @model_validator(mode="after")
