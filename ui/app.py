@@ -44,12 +44,12 @@ def main(arguments: list[str] | None = None) -> int:
 
     from PySide6.QtCore import QSettings
 
+    from resources import EXAMPLES
     from ui.document import Document
-    from ui.file_actions import example
     from ui.main_window import MainWindow
     from workbench.files.session import open_design
 
-    first = example("tophat")
+    first = EXAMPLES[0].file
     window = MainWindow(Document(open_design(first), first.stem), QSettings())
     _report_exceptions(window)
     signals = _leave_on_signals(window, application)

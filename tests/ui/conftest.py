@@ -111,7 +111,7 @@ def snapshots(session):
             loss=1.0 / (1 + iteration),
             control_points=np.full(scene.lens.control_points, 0.5 - 0.001 * iteration),
             irradiance=np.full((n_y, n_x), 0.25),
-            ledger=Ledger(1.0, 0.92, 0.0, 0.0, 0.0, 0.04, 0.04),
+            ledger=Ledger(1.0, 0.92, 0.0, 0.0, 0.0, 0.0, 0.04, 0.04),
             seconds=0.1 * iteration,
             best=True,
         )

@@ -282,10 +282,81 @@ def test_the_form_is_closed_while_a_run_goes_on(forms, document, qtbot):
     assert field.isEnabled()
 
 
-def test_everything_fits_into_its_narrowest_width(forms):
+@pytest.mark.parametrize("kind", ["collimated", "point", "grid"])
+def test_everything_fits_into_its_narrowest_width(forms, kind):
+    choose(forms, "source.kind", kind)
     forms.resize(forms.minimumWidth(), 700)
     for panel in forms.panels:
         for field in panel.rows:
             if field.isVisible():
                 right = field.mapTo(forms, QPoint(field.width(), 0)).x()
                 assert right <= forms.viewport().width(), field.path
+
+
+def test_another_source_stands_before_the_lens(forms, document):
+    choose(forms, "source.kind", "point")
+    source = document.session.scene.source
+    assert (source.kind, source.position) == ("point", (0, 0, -5))
+    choose(forms, "source.emission", "lambertian")
+    choose(forms, "source.kind", "grid")
+    source = document.session.scene.source
+    assert (source.kind, source.center, source.half_width) == ("grid", (0, 0, -5), (0.5, 0.5))
+    assert source.emission == "lambertian"  # what both have is kept
+    choose(forms, "source.kind", "collimated")
+    assert document.session.scene.source.kind == "collimated"
+    assert document.undo_stack.undoText() == "change of source kind"
+
+
+def test_a_source_goes_with_the_size_and_place_of_its_lens(forms, document, qtbot):
+    enter(qtbot, editor(forms, "lens.half_width[1]"), "0.25")
+    enter(qtbot, editor(forms, "lens.entrance_z"), "-2")
+    choose(forms, "source.kind", "grid")
+    source = document.session.scene.source
+    assert (source.center, source.half_width) == ((0, 0, -7), (0.5, 0.125))
+
+
+@pytest.mark.parametrize("kind", ["collimated", "point", "grid"])
+def test_each_source_has_its_fields_once(forms, document, kind):
+    choose(forms, "source.kind", kind)
+    choose(forms, "run.method", "paper")
+    data = document.session.scene.to_data()["source"]
+    shown = [row for panel in forms.panels for row in panel.rows if row.isVisible()]
+    paths = [row.path for row in shown if row.path.startswith("source.")]
+    assert sorted(paths) == sorted(f"source.{name}" for name in data)
+
+
+def test_fresh_rays_are_for_the_papers_method(forms, document, qtbot):
+    choose(forms, "source.kind", "point")
+    assert not row(forms, "source.fresh", visible=False).isVisible()
+    choose(forms, "run.method", "paper")
+    box = row(forms, "source.fresh").box
+    qtbot.mouseClick(box, Qt.MouseButton.LeftButton, pos=QPoint(8, box.height() // 2))
+    assert document.session.scene.source.fresh
+
+
+def test_all_rays_of_a_grid_are_added_up(forms, document, qtbot):
+    choose(forms, "source.kind", "grid")
+    enter(qtbot, editor(forms, "source.points[1]"), "4")
+    assert row(forms, "source.rays")._unit.text() == "= 100\N{THIN SPACE}000 in all"
+
+
+@pytest.mark.parametrize(
+    ("kind", "path", "text", "reason"),
+    [
+        ("point", "source.position[2]", "0", "0 is not before the entrance face; less than 0"),
+        ("point", "source.position[0]", "left", "'left' is not a number"),
+        ("point", "source.rays", "0", "at least 1"),
+        ("grid", "source.center[2]", "1", "1 is not before the entrance face"),
+        ("grid", "source.half_width[0]", "-1", "at least 0"),
+        ("grid", "source.points[0]", "2.5", "not a whole number"),
+        ("grid", "source.rays", "100000", "100000 from each of 625 points are too many"),
+    ],
+)
+def test_a_refusal_of_a_source_stands_beside_its_field(
+    forms, document, qtbot, kind, path, text, reason
+):
+    choose(forms, "source.kind", kind)
+    session = document.session
+    enter(qtbot, editor(forms, path), text)
+    assert document.session is session
+    assert reason in row(forms, path.partition("[")[0]).refusal

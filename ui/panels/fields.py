@@ -80,10 +80,11 @@ class TextEditor(QLineEdit):
 class NumberEditor(TextEditor):
     """A number as text, because spin boxes round and change under the mouse wheel."""
 
-    def __init__(self, whole: bool) -> None:
+    def __init__(self, whole: bool, narrow: bool = False) -> None:
         super().__init__()
         self._parse: Callable[[str], float] = int if whole else float
-        self.setMinimumWidth(self.fontMetrics().horizontalAdvance("0000000"))
+        seen = "0000" if narrow else "0000000"
+        self.setMinimumWidth(self.fontMetrics().horizontalAdvance(seen))
 
     def value(self, text: str) -> float | str:
         """The number, or the text itself, for the scene to refuse."""
@@ -226,12 +227,14 @@ class Row(QWidget):
 
 
 class NumberRow(Row):
-    """One number, or two with a word between them.
+    """One number, or some with a word between them.
 
     Parameters
     ----------
     between : str
-        What stands between two numbers; without it there is one.
+        What stands between numbers; without it there is one.
+    count : int
+        How many numbers there are with something between them.
     whole : bool
         Whether only whole numbers make sense.
     """
@@ -244,12 +247,13 @@ class NumberRow(Row):
         unit: str = "",
         *,
         between: str = "",
+        count: int = 2,
         whole: bool = False,
         present: Callable[[dict[str, Any]], bool] | None = None,
     ) -> None:
         super().__init__(path, label, tip, unit, present)
-        paths = [f"{path}[0]", f"{path}[1]"] if between else [path]
-        self.editors = {p: NumberEditor(whole) for p in paths}
+        paths = [f"{path}[{k}]" for k in range(count)] if between else [path]
+        self.editors = {p: NumberEditor(whole, narrow=len(paths) > 2) for p in paths}
         for number, (place, editor) in enumerate(self.editors.items()):
             if number:
                 self._add(QLabel(between), 0)
@@ -361,8 +365,14 @@ class ChoiceRow(Row):
 class CheckRow(Row):
     """Yes or no."""
 
-    def __init__(self, path: str, label: str, tip: str) -> None:
-        super().__init__(path, label, tip)
+    def __init__(
+        self,
+        path: str,
+        label: str,
+        tip: str,
+        present: Callable[[dict[str, Any]], bool] | None = None,
+    ) -> None:
+        super().__init__(path, label, tip, present=present)
         self.box = QCheckBox()
         self._add(self.box)
         self.box.clicked.connect(lambda checked: self._tell(path, {path: checked}))

@@ -11,9 +11,10 @@ from ui.document import Document
 from ui.panels.edits import Edit, edited_scene
 from ui.panels.fields import ChoiceRow, Row
 from ui.panels.lens import LensPanel
-from ui.panels.light import FilterPanel, ScreenPanel, SourcePanel
+from ui.panels.light import FilterPanel, ScreenPanel
 from ui.panels.panel import Panel
 from ui.panels.run import RunPanel
+from ui.panels.source import SourcePanel
 from ui.panels.target import TargetPanel
 from workbench.errors import Refused
 

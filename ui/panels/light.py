@@ -1,32 +1,7 @@
-"""The light's way outside the lens: source, screen and how rays become an image."""
+"""Behind the lens: the screen, and how rays become an image on it."""
 
 from ui.panels.fields import LENGTH, Changes, ChoiceRow, NumberRow
 from ui.panels.panel import Panel
-
-
-class SourcePanel(Panel):
-    """Bound to ``scene.source``."""
-
-    def __init__(self) -> None:
-        super().__init__(
-            "Source",
-            [
-                ChoiceRow(
-                    "source.kind",
-                    "Kind",
-                    "Parallel light along the optical axis that fills the entrance face.",
-                    [("collimated", "Collimated")],
-                ),
-                NumberRow(
-                    "source.rays",
-                    "Rays",
-                    "Rays traced along x and y in each iteration. More rays give a smoother "
-                    "image and take longer; at least two per pixel and axis are good.",
-                    between="×",
-                    whole=True,
-                ),
-            ],
-        )
 
 
 class ScreenPanel(Panel):

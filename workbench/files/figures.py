@@ -16,6 +16,7 @@ class LedgerFigures(Part):
     on_screen: float
     off_screen: float
     missed_lens: float
+    left_side: float = 0.0  # which sessions of collimated light alone did not have
     total_reflection: float
     fresnel_entrance: float
     fresnel_exit: float
