@@ -1,0 +1,110 @@
+"""Derivative of the whole irradiance image with respect to one control height.
+
+One forward-mode pass (a Jacobian-vector product) gives all pixels at once; reverse mode would need
+one pass per pixel. De Koning et al. (2023), section 3.1.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+import torch
+from torch.autograd import forward_ad
+
+from workbench.errors import Refused
+from workbench.geometry.surface import ControlNet
+from workbench.optics.plan import Plan, device_of
+from workbench.scene import GaussianFilter, Scene
+
+Array = npt.NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class DerivativeMap:
+    """How the image changes as one control point rises.
+
+    Attributes
+    ----------
+    index : tuple[int, int]
+        The control point, along x and along y.
+    position : tuple[float, float]
+        Its x and y, scene units.
+    map : ndarray, shape (n_y, n_x)
+        Change of flux per area, per scene unit of height; row 0 at +y. Exactly 0 in pixels out of
+        the control point's reach.
+    sum : float
+        Change of the flux on the screen per scene unit of height; near 0 where no light crosses
+        the image's border, since a control point moves light and makes none.
+    flux : float
+        Flux on the screen.
+    """
+
+    index: tuple[int, int]
+    position: tuple[float, float]
+    map: Array
+    sum: float
+    flux: float
+
+
+def irradiance_derivative(
+    scene: Scene,
+    control_points: Array,
+    index: tuple[int, int],
+    dtype: torch.dtype = torch.float64,
+) -> DerivativeMap:
+    """Derivative of the irradiance image with respect to one control height.
+
+    Parameters
+    ----------
+    scene : Scene
+        What is traced.
+    control_points : ndarray, shape (n_u, n_v)
+        Control heights of the lens, scene units.
+    index : tuple[int, int]
+        The control point, along x and along y, counted from 0.
+    dtype : torch.dtype
+        Float type of the trace.
+
+    Raises
+    ------
+    Refused
+        If there is no such control point, or if the filter gives pixels that jump instead of
+        changing smoothly as rays move.
+    """
+    _check(scene, index)
+    plan = Plan(scene, dtype=dtype)
+    heights = torch.as_tensor(control_points, dtype=torch.float64, device=device_of(scene))
+    rise = torch.zeros_like(heights)
+    rise[index] = 1.0
+    # Dual numbers rather than `torch.func.jvp`, whose wrapped tensors have no values that the
+    # search for intersections could look at.
+    with torch.no_grad(), forward_ad.dual_level():
+        dual = plan.flux(forward_ad.make_dual(heights, rise))
+        flux, change = forward_ad.unpack_dual(dual)
+    assert change is not None  # every image depends on every height, if only by 0
+    change = change.to(torch.float64)
+    x, y = ControlNet.of(scene.lens).positions
+    return DerivativeMap(
+        index=index,
+        position=(float(x[index[0]]), float(y[index[1]])),
+        map=np.asarray(change.cpu().numpy() / scene.screen.pixel_area),
+        sum=change.sum().item(),
+        flux=flux.sum(dtype=torch.float64).item(),
+    )
+
+
+def _check(scene: Scene, index: tuple[int, int]) -> None:
+    for axis, (i, count) in enumerate(zip(index, scene.lens.control_points, strict=True)):
+        if not 0 <= i < count:
+            raise Refused(f"index[{axis}]", f"{i} is no control point; 0 to {count - 1}")
+    if not isinstance(scene.filter, GaussianFilter):
+        raise Refused(
+            "filter.kind",
+            f"'{scene.filter.kind}' counts rays by pixel, which has no derivative; 'gaussian'",
+        )
+    for axis, size in enumerate(scene.filter.size):
+        if size == 1:
+            raise Refused(
+                f"filter.size[{axis}]",
+                "1 counts rays by pixel, which has no derivative; 3 or more",
+            )
