@@ -151,3 +151,13 @@ def test_history_gathers_the_best_lens_and_all_losses(scene, disc):
     assert both.losses[:30].tolist() == result.losses.tolist()
     assert both.iterations > 30
     assert both.seconds > result.seconds
+
+
+def test_auto_calls_light_back_that_falls_beside_the_screen(make_scene, disc):
+    source = {"kind": "point", "position": [0, 0, -5], "rays": 20_000}
+    scene = make_scene({"source": source, "run": {"method": "auto", "iterations": 40}})
+    snapshots = list(run(scene, disc))
+    first, last = snapshots[0], [s for s in snapshots if s.best][-1]
+    assert first.ledger.off_screen > 0.3
+    assert last.ledger.off_screen < 0.3 * first.ledger.off_screen
+    assert last.loss < 0.5 * first.loss

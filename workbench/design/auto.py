@@ -63,8 +63,9 @@ STAGES = (
     Stage(coarsening=1, cut=None, part=0.45),
 )
 
-# Part of the screen's width that the image reaches beyond it on each side.
-_MARGIN = 0.1
+# Parts of the screen's width that the image reaches beyond it on each side: as far as the light of
+# the first lens falls, within these.
+_MARGINS = 0.1, 1.0
 
 
 # The most that a step may change a parameter. Far out tanh is flat: a height that one bold step
@@ -85,7 +86,7 @@ def auto_steps(scene: Scene, target: Array, start: Array | None) -> Iterator[Ste
     net = ControlNet.of(scene.lens)
     free = HeightRange.of(scene.lens, net, device_of(scene))
     parameters = free.rest if start is None else free.parameters(start)
-    image = _WideImage(scene, target)
+    image = _WideImage(scene, target, free.heights(parameters))
     stages = STAGES if start is None else STAGES[-1:]
     for number, stage in enumerate(stages):
         correction = _Correction(net, parameters, stage.coarsening)
@@ -145,14 +146,18 @@ def _objective(
 
 
 class _WideImage:
-    """The image of a lens on the screen and some way beyond, against the wish."""
+    """The image of a lens on the screen and some way beyond, against the wish.
 
-    def __init__(self, scene: Scene, target: Array) -> None:
+    It holds the light of the first lens, as far as that is possible with few pixels more.
+    """
+
+    def __init__(self, scene: Scene, target: Array, first: Tensor) -> None:
         # A box filter gives no gradient; the design then looks through the usual Gaussian.
         filter = GaussianFilter() if isinstance(scene.filter, BoxFilter) else scene.filter
         screen = scene.screen
         (n_x, n_y), (r_x, r_y) = screen.pixels, screen.half_width
-        m_x, m_y = math.ceil(_MARGIN * n_x), math.ceil(_MARGIN * n_y)
+        reach_x, reach_y = Plan(scene).reach(first)
+        m_x, m_y = _margin(reach_x / r_x, n_x), _margin(reach_y / r_y, n_y)
         wide = Screen(
             z=screen.z,
             half_width=(r_x * (1 + 2 * m_x / n_x), r_y * (1 + 2 * m_y / n_y)),
@@ -183,6 +188,12 @@ class _WideImage:
     def waves(self, cut: float) -> "_Waves":
         """The norm of a stage."""
         return _Waves(self._wanted, cut)
+
+
+def _margin(reach: float, pixels: int) -> int:
+    """Pixels beyond the screen that hold light up to ``reach`` screen half-widths from the axis."""
+    least, most = _MARGINS
+    return math.ceil(min(max((reach - 1) / 2, least), most) * pixels)
 
 
 class _Waves:

@@ -2,6 +2,7 @@
 
 from typing import NamedTuple
 
+import numpy as np
 import torch
 from torch import Tensor
 
@@ -13,6 +14,9 @@ from workbench.optics.irradiance import Image, reconstruct
 from workbench.optics.ledger import Ledger
 from workbench.optics.point import PointRays
 from workbench.scene import CollimatedSource, Filter, Scene
+
+
+_NEARLY_ALL = 0.999
 
 
 class Traced(NamedTuple):
@@ -94,6 +98,16 @@ class Plan:
         """Trace other rays of the same source from now on; a collimated grid has no others."""
         if isinstance(self._rays, PointRays):
             self._rays.redraw()
+
+    def reach(self, heights: Tensor) -> tuple[float, float]:
+        """How far from the axis, along x and y, nearly all light on the screen plane falls."""
+        with torch.no_grad():
+            hits = self._rays.trace(heights)
+        lands = (hits.weight > 0) & hits.x.isfinite()
+        if not lands.any():
+            return 0.0, 0.0
+        x, y = (c[lands].abs().double().cpu().numpy() for c in (hits.x, hits.y))
+        return float(np.quantile(x, _NEARLY_ALL)), float(np.quantile(y, _NEARLY_ALL))
 
     def flux(self, heights: Tensor) -> Tensor:
         """The image alone, for `torch.func` transforms such as jvp, which no ledger survives."""
