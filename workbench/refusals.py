@@ -90,8 +90,8 @@ def _follow(location: tuple[int | str, ...], model: type[BaseModel]) -> tuple[st
 
 
 def _has_tag(model: type[BaseModel], tag: str) -> bool:
-    defaults = [field.default for field in model.model_fields.values()]
-    return tag in defaults or tag in model.model_fields  # `image` is told by its field alone
+    only = [get_args(field.annotation) == (tag,) for field in model.model_fields.values()]
+    return any(only) or tag in model.model_fields  # `image` is told by its field alone
 
 
 def _models(annotation: object) -> list[type[BaseModel]]:
