@@ -15,7 +15,6 @@ from workbench.optics.ledger import Ledger
 from workbench.optics.point import PointRays
 from workbench.scene import CollimatedSource, Filter, Scene
 
-
 _NEARLY_ALL = 0.999
 
 
