@@ -133,3 +133,68 @@ def test_large_irradiance_is_thinned_to_what_a_view_shows(make_scene, plotter, s
     surface, paths, _ = state(scene)
     picture.update(surface, paths, target)
     assert picture._texels.dimensions == (400, 350, 1)
+
+
+POINT = {"kind": "point", "position": [0.5, 1.0, -5.0], "rays": 100}
+GRID = {
+    "kind": "grid",
+    "center": [0.0, 0.0, -5.0],
+    "half_width": [2.0, 1.0],
+    "points": [3, 2],
+    "rays": 10,
+}
+
+
+@pytest.mark.parametrize(
+    ("source", "corners"),
+    [
+        (POINT, [(0.5, 1.0, -5.0)]),
+        (GRID, [(x, y, -5.0) for x in (-2, 2) for y in (-1, 1)]),
+    ],
+)
+@pytest.mark.parametrize("z", [2, 5, 60])
+def test_default_view_holds_the_source(make_scene, plotter, source, corners, z):
+    scene = make_scene({"source": source, "screen.z": z})
+    LensPicture(plotter, scene, np.ones((32, 32))).fit()
+    width, height = plotter.window_size
+    for row, column in (screen_pixel(plotter, corner) for corner in corners):
+        assert 0 <= row < height and 0 <= column < width
+    rows = [screen_pixel(plotter, (0, y, 0))[0] for y in (1, -1)]
+    assert rows[1] - rows[0] > height / 8  # the lens does not shrink to nothing beside it
+
+
+@pytest.mark.parametrize("source", [POINT, GRID])
+def test_a_source_shows_in_the_colour_of_its_light(make_scene, plotter, source):
+    scene = make_scene({"source": source})
+    picture = LensPicture(plotter, scene, np.ones((32, 32)))
+    picture.fit()
+    place = {"point": (0.5, 1.0, -5.0), "grid": (-2.0, 1.0, -5.0)}[source["kind"]]
+    row, column = screen_pixel(plotter, place)
+    for dark in (False, True):
+        picture.recolour(dark)
+        red, _, blue = drawn(plotter)[row, column].astype(int)
+        assert red > blue + 80  # amber on a greyish ground
+
+
+def test_rays_begin_at_their_source(make_scene, plotter, state):
+    scene = make_scene({"source": POINT})
+    picture = LensPicture(plotter, scene, np.ones((32, 32)))
+    picture.update(*state(scene))
+    begins = picture._rays.points.reshape(-1, 4, 3)[:, 0]
+    np.testing.assert_allclose(begins, np.tile(POINT["position"], (25, 1)))
+
+
+def test_a_source_far_away_leaves_the_view_to_lens_and_screen(make_scene, plotter, state):
+    scene = make_scene({"source": {"kind": "point", "position": [0, 0, -1e4], "rays": 100}})
+    picture = LensPicture(plotter, scene, np.ones((32, 32)))
+    picture.fit()
+    picture.update(*state(scene))
+    begins = picture._rays.points.reshape(-1, 4, 3)[:, 0]
+    np.testing.assert_allclose(begins[:, 2], -2.0)
+    assert abs(begins[:, :2]).max() < 1.0
+    width, height = plotter.window_size
+    for corner in ((-1, -1, 0), (1, 1, 0), (-1, -1, 5), (1, 1, 5)):
+        row, column = screen_pixel(plotter, corner)
+        assert 0 <= row < height and 0 <= column < width
+    rows = [screen_pixel(plotter, (0, y, 5))[0] for y in (1, -1)]
+    assert rows[1] - rows[0] > height / 4

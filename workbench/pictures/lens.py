@@ -8,7 +8,9 @@ the right, row 0 at the top.
 2. `LensPicture.update` moves points and repaints the texture of actors that stay. Adding them
    again would cost ten times as much.
 3. Glass is drawn before rays and without depth peeling, which software OpenGL pays dearly for.
-4. Nothing here renders: when to draw is the caller's affair.
+4. A source so far away that lens and screen would shrink to nothing beside it is left out of the
+   view, and its rays begin nearer, on their way from it.
+5. Nothing here renders: when to draw is the caller's affair.
 """
 
 import math
@@ -21,7 +23,7 @@ from vtkmodules.vtkRenderingCore import vtkBillboardTextActor3D
 
 from workbench.pictures import shapes
 from workbench.pictures.images import full_scale, to_colours
-from workbench.scene import Scene
+from workbench.scene import CollimatedSource, GridSource, PointSource, Scene
 
 if TYPE_CHECKING:
     from workbench.optics.paths import RayPaths
@@ -29,6 +31,8 @@ if TYPE_CHECKING:
 Array = npt.NDArray[np.float64]
 
 _NET_FIELDS = 8
+_SOURCE_POINTS = (25, 25)  # of a grid, at most
+_FARTHEST = 3.0  # times the larger of screen's distance and width: a source in view
 _BASE_SAMPLES = 33  # per axis, of the base that stands in until the first update
 _TEXTURE_PIXELS = 512  # per axis; more than a view shows
 _MARGIN = 1.12
@@ -66,6 +70,7 @@ class LensPicture:
         self._fitted: tuple[object, ...] = ()
         self._add_lens()
         self._add_screen()
+        self._add_source()
         self._add_axes()
         self._rays = pv.PolyData(np.zeros((2, 3)), lines=[2, 0, 1])
         self._rays.cell_data["colour"] = np.zeros((1, 4), dtype=np.uint8)
@@ -123,6 +128,8 @@ class LensPicture:
         self._plotter.set_background(bottom, top=top)
         for actor in self._lines:
             actor.prop.color = _INK[dark]
+        if self._source is not None:
+            self._source.prop.color = _LANDS[dark]
         self._colour_rays()
 
     def _camera_state(self) -> tuple[object, ...]:
@@ -199,9 +206,24 @@ class LensPicture:
         self._texels.point_data.active_scalars_name = "colour"
         self._texels.Modified()
 
+    def _add_source(self) -> None:
+        self._source: Any = None
+        source = self._scene.source
+        if isinstance(source, CollimatedSource) or not _in_view(self._scene):
+            return
+        if isinstance(source, PointSource):
+            places, size = np.array([source.position]), 14.0
+        else:
+            places, size = shapes.grid_points(source, _SOURCE_POINTS), 4.0
+        # Sizes in pixels: as easy to see beside a large screen as beside a small lens.
+        look = {"style": "points", "render_points_as_spheres": True, "lighting": False}
+        self._source = self._add(pv.PolyData(places), point_size=size, **look)
+
     def _place_rays(self, paths: "RayPaths") -> None:
         count = len(paths.weight)
-        self._rays.points = paths.points.reshape(-1, 3)
+        points = paths.points.copy()
+        points[:, 0] = shapes.begun_at(points[:, 0], points[:, 1], _start_z(self._scene))
+        self._rays.points = points.reshape(-1, 3)
         if count != self._rays.n_cells:
             ends = np.arange(4 * count).reshape(count, 4)
             self._rays.lines = np.insert(ends, 0, 4, axis=1).ravel()
@@ -218,8 +240,9 @@ class LensPicture:
 
     def _add_axes(self) -> None:
         lens, screen = self._scene.lens, self._scene.screen
-        start, length = _start_z(self._scene), 0.5 * max(lens.half_width)
-        origin = np.array([-1.1 * lens.half_width[0], -1.1 * lens.half_width[1], start])
+        length = 0.5 * max(lens.half_width)
+        corner = (-1.1 * lens.half_width[0], -1.1 * lens.half_width[1])
+        origin = np.array([*corner, lens.entrance_z - length])
         for direction, (name, colour) in zip(np.eye(3), _AXES, strict=True):
             arm = pv.Line(origin, origin + length * direction)
             self._add(arm, color=colour, line_width=2.5, lighting=False)
@@ -232,28 +255,51 @@ class LensPicture:
             text.SetJustificationToCentered()
             text.SetVerticalJustificationToCentered()
             self._plotter.add_actor(label, reset_camera=False, render=False)
-        optical = pv.Line((0, 0, start), (0, 0, screen.z))
+        optical = pv.Line((0, 0, _start_z(self._scene)), (0, 0, screen.z))
         self._lines.append(self._add(optical, line_width=1.0, opacity=0.6, lighting=False))
 
 
+def _in_view(scene: Scene) -> bool:
+    """Whether the source stands where a picture can show it together with the lens."""
+    source, lens = scene.source, scene.lens
+    if isinstance(source, CollimatedSource):
+        return False
+    width = 2 * max(*lens.half_width, *scene.screen.half_width)
+    reach = _FARTHEST * max(scene.screen.z - lens.entrance_z, width)
+    return lens.entrance_z - source.nearest_z <= reach
+
+
 def _start_z(scene: Scene) -> float:
-    return scene.lens.entrance_z - 0.5 * max(scene.lens.half_width)
+    """Where rays begin to be drawn."""
+    source, lens = scene.source, scene.lens
+    if isinstance(source, CollimatedSource):
+        return lens.entrance_z - 0.5 * max(lens.half_width)
+    if _in_view(scene):
+        return source.nearest_z
+    return lens.entrance_z - 2.0 * max(lens.half_width)
 
 
 def space(scene: Scene) -> Array:
-    """What a picture has to hold: corners where the light starts and of the screen, (8, 3)."""
-    ends = [(scene.lens.half_width, _start_z(scene)), (scene.screen.half_width, scene.screen.z)]
-    return np.array([[i * r[0], j * r[1], z] for r, z in ends for i in (-1, 1) for j in (-1, 1)])
+    """What a picture has to hold: corners of the source, of the lens and of the screen, (n, 3)."""
+    lens, screen, source = scene.lens, scene.screen, scene.source
+    before = lens.entrance_z - 0.5 * max(lens.half_width)
+    ends = [(lens.half_width, before), (screen.half_width, screen.z)]
+    corners = [[i * r[0], j * r[1], z] for r, z in ends for i in (-1, 1) for j in (-1, 1)]
+    if isinstance(source, PointSource) and _in_view(scene):
+        corners.append([*source.position])
+    elif isinstance(source, GridSource) and _in_view(scene):
+        corners += shapes.grid_points(source, (2, 2)).tolist()
+    return np.array(corners)
 
 
 def _view_direction(scene: Scene) -> Array:
     """Unit vector towards the camera.
 
-    The further the screen, the closer to the axis: the distance then looks about as long as the
-    larger of lens and screen is wide, whatever it is.
+    The longer the way of the light, the closer to the axis: it then looks about two and a half
+    times as long as the widest of source, lens and screen, however long it is.
     """
-    length = scene.screen.z - _start_z(scene)
-    width = 2 * max(*scene.lens.half_width, *scene.screen.half_width)
+    low, high = space(scene).min(axis=0), space(scene).max(axis=0)
+    length, width = high[2] - low[2], max(high[:2] - low[:2])
     azimuth = math.asin(min(math.sin(math.radians(58)), 2.4 * width / length))
     drop = 0.45 * width / (length * math.cos(azimuth))
     elevation = math.asin(min(math.sin(math.radians(22)), drop))

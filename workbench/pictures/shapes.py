@@ -6,6 +6,8 @@ Cells are flat lists as pyvista takes them: (n, i_1, ..., i_n, n, ...).
 import numpy as np
 import numpy.typing as npt
 
+from workbench.scene import GridSource
+
 Array = npt.NDArray[np.float64]
 Cells = npt.NDArray[np.int64]
 
@@ -90,3 +92,31 @@ def wall_lines(m_u: int, m_v: int) -> Cells:
         lines += [rim, rim[[0, -1]] + count, np.array([first, first + count])]
         first += 2 * count
     return polylines(lines)
+
+
+def grid_points(source: GridSource, most: tuple[int, int]) -> Array:
+    """Points of a source's grid, spread over the same extent where there are more than ``most``.
+
+    Returns
+    -------
+    ndarray, shape (n, 3)
+    """
+    along = (
+        np.linspace(-r, r, min(m, limit)) if m > 1 else np.zeros(1)
+        for r, m, limit in zip(source.half_width, source.points, most, strict=True)
+    )
+    x, y = (c.ravel() for c in np.meshgrid(*along, indexing="ij"))
+    return np.stack([x, y, np.zeros_like(x)], axis=-1) + source.center
+
+
+def begun_at(start: Array, entrance: Array, z: float) -> Array:
+    """Starts of rays, those before the plane ``z`` moved up to it on the way to the entrance.
+
+    Parameters
+    ----------
+    start, entrance : ndarray, shape (n, 3)
+        Where rays start and where they meet the entrance face, which is behind the plane.
+    """
+    rise = entrance[:, 2] - start[:, 2]
+    passed = ((z - start[:, 2]) / rise).clip(0)
+    return start + passed[:, None] * (entrance - start)
