@@ -13,6 +13,7 @@ import torch
 from torch import Tensor
 
 from workbench.geometry.basis import Array, Indices, local_basis
+from workbench.geometry.knots import greville
 from workbench.geometry.surface import ControlNet
 
 
@@ -49,6 +50,7 @@ class Patches:
         self._degree = net.degree
         self._spans = tuple(n - p for n, p in zip(net.shape, net.degree, strict=True))
         self._half_width = net.half_width
+        self._knots = net.knots
         self._positions = net.positions
         self._to_powers, self._members = [], []
         for knots, degree, spans in zip(net.knots, net.degree, self._spans, strict=True):
@@ -75,6 +77,29 @@ class Patches:
             rises = heights.diff(dim=axis).abs().amax(dim=1 - axis).cpu().numpy()
             bounds.append(float((rises / np.diff(sites)).max()))
         return bounds[0], bounds[1]
+
+    def curvature_bounds(self, heights: Tensor) -> tuple[float, float, float]:
+        """The most that |d²z/dx²|, |d²z/dxdy| and |d²z/dy²| can be anywhere, found the same way.
+
+        Infinite where a degree of 1 lets the slope jump.
+        """
+        control = heights.cpu().numpy().astype(np.float64)
+        slopes = [
+            np.diff(control, axis=axis) / _along(np.diff(sites), axis)
+            for axis, sites in enumerate(self._positions)
+        ]
+        twist = np.diff(slopes[0], axis=1) / np.diff(self._positions[1])
+        bends: list[float] = []
+        for axis, (knots, degree, r) in enumerate(
+            zip(self._knots, self._degree, self._half_width, strict=True)
+        ):
+            if degree == 1:
+                bends.append(math.inf if self._spans[axis] > 1 else 0.0)
+                continue
+            sites = greville(knots[1:-1], degree - 1) * (2 * r)
+            turns = np.diff(slopes[axis], axis=axis) / _along(np.diff(sites), axis)
+            bends.append(float(np.abs(turns).max()))
+        return bends[0], float(np.abs(twist).max()), bends[1]
 
     def place(self, x: Tensor, y: Tensor) -> Place:
         """Patch and local coordinates of points; beyond the aperture those of the nearest patch.
@@ -117,6 +142,11 @@ class Patches:
             z = z * s + inner
             z_t = z_t * s + inner_t
         return z, z_s, z_t
+
+
+def _along(values: Array, axis: int) -> Array:
+    """A vector that goes along one axis of a matrix."""
+    return values[:, None] if axis == 0 else values[None, :]
 
 
 def _power_basis(knots: Array, degree: int, spans: int) -> tuple[Array, Indices]:

@@ -5,10 +5,10 @@ f(t) = Z(x(t), y(t)) − z_in − t = 0. By the convex-hull property f is not ne
 is at the height of the lowest control point, and not positive at that of the highest, so the root
 is bracketed unless the ray leaves through the side before.
 
-*Exact*: Newton's method, safeguarded by the bracket, from the root of the last lens. The gradient
-comes from the implicit function theorem, not through the iterations. Where f may have more than
-one root (the slopes of face and ray together exceed 1), steps that no Lipschitz function can take
-too far lead to the first.
+*Exact*: where the slopes of face and ray say that f can only fall, Newton's method, safeguarded by
+the bracket, from the root of the last lens. Elsewhere f may have several roots, and the first
+counts: there the search walks up from below in steps that the bounds of f' and f'' prove not to
+pass a root. The gradient comes from the implicit function theorem, not through the iterations.
 """
 
 from typing import NamedTuple
@@ -18,8 +18,12 @@ from torch import Tensor
 
 from workbench.geometry.patches import Patches
 
-_NEWTON_STEPS = 30
-_MARCH_STEPS = 200
+# Newton's method needs some four steps; where it has not come to rest after these, bisection does.
+_NEWTON_STEPS, _BISECTIONS = 20, 60
+# A walk takes some ten steps, along a degree-1 face (whose f' jumps) some hundred.
+_WALK_STEPS = 2000
+# f counts as falling where it surely falls at least this fast.
+_FALLS = 0.1
 
 
 class Bundle(NamedTuple):
@@ -64,10 +68,6 @@ class ExactIntersection:
         self._bundle = bundle
         self._patches = patches
         self._side = _depth_of_side(bundle, half_width)
-        self._steepest = (
-            bundle.slope_x.abs().max().item() if len(bundle.x) else 0.0,
-            bundle.slope_y.abs().max().item() if len(bundle.x) else 0.0,
-        )
         self._last: Tensor | None = None
 
     def meet(self, heights: Tensor, table: Tensor) -> Met:
@@ -84,63 +84,111 @@ class ExactIntersection:
             depth, found = self._search(heights.detach(), table.detach())
             self._last = depth
         # One step of Newton's method with a constant slope: it moves the depth by rounding at
-        # most, and its derivative is that of the root.
-        f, slope = self._f(table, depth)
-        depth = depth - torch.where(found, f / slope.detach(), 0.0)
+        # most, and its derivative is that of the root. Rays that graze the face, where the slope
+        # vanishes, are totally reflected there and need but a finite stand-in.
+        f, slope = self._f(table, self._bundle, depth)
+        depth = depth - torch.where(found, f / slope.detach().clamp_max(-1e-3), 0.0)
         return Met(depth, found)
 
-    def _f(self, table: Tensor, depth: Tensor) -> tuple[Tensor, Tensor]:
-        bundle, patches = self._bundle, self._patches
+    def _f(self, table: Tensor, bundle: Bundle, depth: Tensor) -> tuple[Tensor, Tensor]:
+        patches = self._patches
         place = patches.place(bundle.x + bundle.slope_x * depth, bundle.y + bundle.slope_y * depth)
         z, z_x, z_y = patches.evaluate(table, place)
         return z - depth, z_x * bundle.slope_x + z_y * bundle.slope_y - 1
 
     def _search(self, heights: Tensor, table: Tensor) -> tuple[Tensor, Tensor]:
-        dtype = self._bundle.x.dtype
-        lowest, highest = heights.min().to(dtype), heights.max().to(dtype)
-        low = torch.full_like(self._side, lowest.item())
-        high = torch.minimum(self._side, highest)
-        leaves_early = self._side < lowest
-        lipschitz = 1 + self._slope_bound(heights)
-        if lipschitz >= 2:
-            low = self._march(table, low, high, lipschitz)
-        # A ray that the side cuts off meets the face before it only where f is not positive there.
-        f_high, _ = self._f(table, high)
-        f_low, _ = self._f(table, low)
-        found = ~leaves_early & ((f_high <= 0) | (f_low <= 0))
+        bundle, dtype = self._bundle, self._bundle.x.dtype
+        lowest, highest = heights.min().item(), heights.max().item()
+        tolerance = 4 * torch.finfo(dtype).eps * max(abs(lowest), abs(highest))
+        # Wider than the hull by more than the rounding of f, which then has its signs at the ends.
+        low = torch.full_like(self._side, lowest - 8 * tolerance)
+        high = self._side.clamp_max(highest + 8 * tolerance)
+        last = (low + high) / 2 if self._last is None else self._last
 
-        start = (low + high) / 2 if self._last is None else self._last
+        bound_x, bound_y = self._patches.slope_bounds(heights)
+        rise = bound_x * bundle.slope_x.abs() + bound_y * bundle.slope_y.abs()
+        depth, found = high.clone(), self._side >= lowest
+        falls = found & (rise < 1 - _FALLS)
+        # A ray that the side cuts off meets the face before it only where f is not positive there.
+        cut = (falls & (self._side <= highest)).nonzero().squeeze(1)
+        found[cut] = self._f(table, _take(bundle, cut), high[cut])[0] <= 0
+
+        for part, method in ((falls & found, self._newton), (found & ~falls, self._walk)):
+            rays = part.nonzero().squeeze(1)
+            if len(rays):
+                few = (_take(bundle, rays), low[rays], high[rays], last[rays])
+                depth[rays], found[rays] = method(table, heights, *few, tolerance)
+        return depth, found
+
+    def _newton(
+        self,
+        table: Tensor,
+        heights: Tensor,
+        bundle: Bundle,
+        low: Tensor,
+        high: Tensor,
+        start: Tensor,
+        tolerance: float,
+    ) -> tuple[Tensor, Tensor]:
+        """The root of each ray between low and high, where f falls all the way."""
         depth = torch.minimum(torch.maximum(start, low), high)
-        tolerance = 4 * torch.finfo(dtype).eps * max(abs(lowest.item()), abs(highest.item()))
-        for _ in range(_NEWTON_STEPS):
-            f, slope = self._f(table, depth)
+        for number in range(_NEWTON_STEPS + _BISECTIONS):
+            f, slope = self._f(table, bundle, depth)
             above = f > 0
             low = torch.where(above, depth, low)
             high = torch.where(above, high, depth)
             step = depth - f / slope
-            inside = (step >= low) & (step <= high) & (slope < 0)
-            new = torch.where(inside, step, (low + high) / 2)
-            moved = torch.where(found, (new - depth).abs(), 0.0).max() if len(new) else 0.0
+            # An end of the bracket is no new place: a step to it may go to and fro for ever.
+            good = ((step > low) & (step < high)) | ((step - depth).abs() <= tolerance)
+            if number >= _NEWTON_STEPS:
+                good = (step - depth).abs() <= tolerance
+            new = torch.where(good, step, (low + high) / 2)
+            moved = (new - depth).abs().max().item()
             depth = new
             if moved <= tolerance:
                 break
+        return depth, torch.ones_like(low, dtype=torch.bool)
+
+    def _walk(
+        self,
+        table: Tensor,
+        heights: Tensor,
+        bundle: Bundle,
+        low: Tensor,
+        high: Tensor,
+        start: Tensor,
+        tolerance: float,
+    ) -> tuple[Tensor, Tensor]:
+        """The first root of each ray between low and high, and where there is one.
+
+        With f' ≥ −L and f'' ≥ −M ahead, f stays positive for f / L, and for as long as the parabola
+        f + f' δ − M δ² / 2 does. The second step is that of Newton's method close to a root.
+        """
+        (bound_x, bound_y) = self._patches.slope_bounds(heights)
+        bend_xx, bend_xy, bend_yy = self._patches.curvature_bounds(heights)
+        eps = torch.finfo(low.dtype).eps  # keeps a product with an infinite bound infinite
+        across, up = bundle.slope_x.abs().clamp_min(eps), bundle.slope_y.abs().clamp_min(eps)
+        steepest = 1 + bound_x * across + bound_y * up
+        bend = bend_xx * across * across + 2 * bend_xy * across * up + bend_yy * up * up
+        found = torch.zeros_like(low, dtype=torch.bool)
+        depth = low.clone()
+        on = torch.arange(len(low), device=low.device)
+        for _ in range(_WALK_STEPS):
+            here = depth[on]
+            f, slope = self._f(table, _take(bundle, on), here)
+            parabola = 2 * f / ((slope.square() + 2 * bend[on] * f).sqrt() - slope)
+            step = torch.maximum(f / steepest[on], parabola)
+            arrived = (f <= 0) | (step <= tolerance)
+            found[on] = arrived
+            depth[on] = torch.where(f > 0, torch.minimum(here + step, high[on]), here)
+            on = on[~arrived & (here < high[on])]
+            if not len(on):
+                break
         return depth, found
 
-    def _slope_bound(self, heights: Tensor) -> float:
-        """The most that the face can rise under a ray, per depth, from its control polygon."""
-        steepest_x, steepest_y = self._patches.slope_bounds(heights)
-        return steepest_x * self._steepest[0] + steepest_y * self._steepest[1]
 
-    def _march(self, table: Tensor, low: Tensor, high: Tensor, lipschitz: float) -> Tensor:
-        """Walk up from below without passing the first root; close to it where there is one."""
-        depth = low
-        for _ in range(_MARCH_STEPS):
-            f, _ = self._f(table, depth)
-            step = torch.minimum(depth + (f / lipschitz).clamp_min(0), high)
-            if bool((step - depth <= 1e-3 * (high - low)).all()):
-                return step
-            depth = step
-        return depth
+def _take(bundle: Bundle, rays: Tensor) -> Bundle:
+    return Bundle(*(part[rays] for part in bundle))
 
 
 def _depth_of_side(bundle: Bundle, half_width: tuple[float, float]) -> Tensor:
