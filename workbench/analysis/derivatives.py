@@ -5,6 +5,7 @@ one pass per pixel. De Koning et al. (2023), section 3.1.
 """
 
 from dataclasses import dataclass
+from threading import Lock
 
 import numpy as np
 import numpy.typing as npt
@@ -17,6 +18,9 @@ from workbench.optics.plan import Plan, device_of
 from workbench.scene import GaussianFilter, Scene
 
 Array = npt.NDArray[np.float64]
+
+# Torch has one level of dual numbers for all threads together.
+_DUAL_NUMBERS = Lock()
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,9 +82,9 @@ def irradiance_derivative(
     rise[index] = 1.0
     # Dual numbers rather than `torch.func.jvp`, whose wrapped tensors have no values that the
     # search for intersections could look at.
-    with torch.no_grad(), forward_ad.dual_level():
-        dual = plan.flux(forward_ad.make_dual(heights, rise))
-        flux, change = forward_ad.unpack_dual(dual)
+    with _DUAL_NUMBERS, torch.no_grad(), forward_ad.dual_level():
+        dual = plan.flux(forward_ad.make_dual(heights, rise))  # type: ignore[no-untyped-call]
+        flux, change = forward_ad.unpack_dual(dual)  # type: ignore[no-untyped-call]
     assert change is not None  # every image depends on every height, if only by 0
     change = change.to(torch.float64)
     x, y = ControlNet.of(scene.lens).positions

@@ -1,0 +1,189 @@
+"""Derivative maps: the paper's three cases, both modes of differentiation, differences, limits."""
+
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+import pytest
+import torch
+
+from workbench.analysis.derivatives import irradiance_derivative
+from workbench.errors import Refused
+from workbench.optics.plan import Plan
+
+PAPER = {  # section 3.1, figure: degrees and filter size
+    "a": {"lens.degree": [3, 3], "filter.size": [3, 3]},
+    "b": {"lens.degree": [3, 3], "filter.size": [11, 11]},
+    "c": {"lens.degree": [5, 3], "filter.size": [3, 3]},
+}
+MIDDLE = (4, 4)
+POINT = {"kind": "point", "position": [0.3, -0.2, -5.0], "rays": 20_000}
+GRID = {
+    "kind": "grid",
+    "center": [0.0, 0.0, -5.0],
+    "half_width": [0.5, 0.5],
+    "points": [5, 5],
+    "rays": 800,
+}
+
+
+@pytest.fixture
+def make(make_scene):
+    """A scene like those of the paper: light through a flat lens onto a screen of its size."""
+
+    def build(case="a", **changes):
+        paper = {"lens.control_points": [9, 9], "source.rays": [192, 192]}
+        paper |= {"screen.pixels": [48, 48]}
+        return make_scene(paper | PAPER[case] | changes)
+
+    return build
+
+
+def flat(scene):
+    return np.full(scene.lens.control_points, scene.lens.base.height)
+
+
+def wavy(scene, rng):
+    return flat(scene) + 0.02 * rng.normal(size=scene.lens.control_points)
+
+
+def derivative_of(scene, heights, weights, index):
+    """Reverse mode: derivative of the weighted sum of the image, at one control height."""
+    leaf = torch.tensor(heights, requires_grad=True)
+    flux = Plan(scene, dtype=torch.float64).flux(leaf)
+    (flux * torch.as_tensor(weights)).sum().backward()
+    return leaf.grad[index].item() / scene.screen.pixel_area
+
+
+@pytest.mark.parametrize("case", ["a", "b"])
+def test_light_is_conserved_where_no_border_pixel_is_reached(make, case):
+    scene = make(case)
+    found = irradiance_derivative(scene, flat(scene), MIDDLE)
+    border = np.ones(found.map.shape, dtype=bool)
+    border[1:-1, 1:-1] = False
+    assert not found.map[border].any()
+    assert abs(found.sum) < 1e-14 * found.flux
+    assert found.sum == pytest.approx(found.map.sum() * scene.screen.pixel_area, abs=1e-14)
+
+
+def test_light_is_all_but_conserved_where_border_pixels_are_reached(make):
+    scene = make("c")
+    found = irradiance_derivative(scene, flat(scene), MIDDLE)
+    assert found.map[:, 0].any()
+    assert 1e-12 * found.flux < abs(found.sum) < 1e-4 * found.flux
+
+
+@pytest.mark.parametrize("case", PAPER)
+def test_a_mountain_rises_from_a_valley(make, case):
+    scene = make(case)
+    found = irradiance_derivative(scene, flat(scene), MIDDLE).map
+    # Even pixels and an even control point: the middle is where four pixels meet.
+    middle = found[23:25, 23:25]
+    assert found.max() == pytest.approx(middle.max()) and middle.min() > 0
+    assert -found.min() < found.max()
+    for line in (found[24], found[:, 24]):
+        half = line[24:]
+        sign = np.sign(half[np.abs(half) > 1e-6 * found.max()])
+        turns = np.flatnonzero(np.diff(sign))
+        assert sign[0] == 1 and sign[turns[0] + 1] == -1  # first up, then below
+        if case != "c":
+            assert turns.size == 1
+    np.testing.assert_allclose(found, found[::-1], atol=1e-11 * found.max())
+    np.testing.assert_allclose(found, found[:, ::-1], atol=1e-11 * found.max())
+
+
+def test_nothing_changes_out_of_reach(make):
+    # Degree 3 on 6 spans: point (5, 2) moves rays within spans 2 to 5 along x, 0 to 2 along y,
+    # of 8 pixels each; the filter carries them 1 pixel further.
+    scene = make()
+    found = irradiance_derivative(scene, flat(scene), (5, 2))
+    reached = found.map != 0
+    inside = np.zeros_like(reached)
+    inside[48 - 24 - 1 :, 16 - 1 :] = True  # row 0 is at +y
+    assert not reached[~inside].any()
+    assert reached[inside].mean() > 0.9
+    assert found.position == pytest.approx((1 / 3, -2 / 3))
+
+
+@pytest.mark.parametrize("case", PAPER)
+def test_forward_mode_is_reverse_mode(make, rng, case):
+    scene = make(case)
+    heights, index = wavy(scene, rng), (3, 5)
+    found = irradiance_derivative(scene, heights, index)
+    scale = np.abs(found.map).max()
+    for _ in range(3):
+        weights = rng.normal(size=found.map.shape)
+        by_reverse = derivative_of(scene, heights, weights, index)
+        assert (weights * found.map).sum() == pytest.approx(by_reverse, abs=1e-11 * scale)
+    rows, columns = np.nonzero(np.abs(found.map) > 0.1 * scale)
+    for k in rng.choice(rows.size, 4, replace=False):
+        pixel = np.zeros(found.map.shape)
+        pixel[rows[k], columns[k]] = 1
+        by_reverse = derivative_of(scene, heights, pixel, index)
+        assert found.map[rows[k], columns[k]] == pytest.approx(by_reverse, abs=1e-12 * scale)
+
+
+@pytest.mark.parametrize("source", [POINT, GRID], ids=["point", "grid"])
+def test_forward_mode_is_reverse_mode_for_point_sources(make, rng, source):
+    scene = make(source=source)
+    heights, index = wavy(scene, rng), (3, 5)
+    found = irradiance_derivative(scene, heights, index)
+    assert np.isfinite(found.map).all() and found.map.any()
+    weights = rng.normal(size=found.map.shape)
+    by_reverse = derivative_of(scene, heights, weights, index)
+    assert (weights * found.map).sum() == pytest.approx(by_reverse, rel=1e-9)
+
+
+@pytest.mark.parametrize("source", [None, POINT, GRID], ids=["collimated", "point", "grid"])
+@pytest.mark.parametrize("case", PAPER)
+def test_differences_of_images_agree(make, rng, case, source):
+    scene = make(case) if source is None else make(case, source=source)
+    heights, index, step = wavy(scene, rng), (4, 3), 1e-8
+    plan = Plan(scene, dtype=torch.float64)
+    found = irradiance_derivative(scene, heights, index)
+    images = []
+    for sign in (1, -1):
+        moved = torch.tensor(heights)
+        moved[index] += sign * step
+        images.append(plan.flux(moved).numpy())
+    differences = (images[0] - images[1]) / (2 * step * scene.screen.pixel_area)
+    # The truncated filter has kinks, and few rays within a step of one make all the difference.
+    error = np.linalg.norm(found.map - differences) / np.linalg.norm(differences)
+    assert error < 1e-4
+
+
+def test_single_precision_is_close(make, rng):
+    scene = make()
+    heights = wavy(scene, rng)
+    exact = irradiance_derivative(scene, heights, MIDDLE).map
+    rough = irradiance_derivative(scene, heights, MIDDLE, dtype=torch.float32).map
+    assert rough.dtype == np.float64
+    assert np.linalg.norm(rough - exact) < 1e-3 * np.linalg.norm(exact)
+
+
+def test_threads_do_not_disturb_each_other(make):
+    scene = make()
+    indices = [(i, j) for i in (3, 4, 5) for j in (3, 4)]
+    alone = [irradiance_derivative(scene, flat(scene), index).map for index in indices]
+    with ThreadPoolExecutor(4) as pool:
+        together = pool.map(lambda i: irradiance_derivative(scene, flat(scene), i).map, indices)
+        for one, other in zip(alone, together, strict=True):
+            np.testing.assert_allclose(other, one, atol=1e-9)
+
+
+@pytest.mark.parametrize(("index", "field"), [((9, 0), "index[0]"), ((0, -1), "index[1]")])
+def test_a_point_that_is_not_there_is_refused(make, index, field):
+    scene = make()
+    with pytest.raises(Refused, match="no control point; 0 to 8") as caught:
+        irradiance_derivative(scene, flat(scene), index)
+    assert caught.value.path == field
+
+
+@pytest.mark.parametrize(
+    ("changes", "field"),
+    [({"filter": {"kind": "box"}}, "filter.kind"), ({"filter.size": [3, 1]}, "filter.size[1]")],
+)
+def test_pixels_that_jump_are_refused(make_scene, changes, field):
+    scene = make_scene(changes)
+    with pytest.raises(Refused, match="no derivative") as caught:
+        irradiance_derivative(scene, flat(scene), MIDDLE)
+    assert caught.value.path == field
