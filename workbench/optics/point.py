@@ -9,8 +9,9 @@ from workbench.geometry.surface import ControlNet
 from workbench.optics.emission import InLens, emit, enter
 from workbench.optics.hits import Hits
 from workbench.optics.intersection import Bundle, ExactIntersection
+from workbench.optics.mesh import MeshIntersection, TriangleMesh
 from workbench.optics.refraction import refract, schlick_transmittance
-from workbench.scene import GridSource, PointSource, Scene
+from workbench.scene import GridSource, MeshMethod, PointSource, Scene
 
 
 class PointRays:
@@ -41,6 +42,13 @@ class PointRays:
         self._scene = scene
         self._dtype, self._device = dtype, device
         self._patches = Patches(net, dtype, device)
+        assert isinstance(scene.source, (PointSource, GridSource))
+        how = scene.source.intersection
+        self._mesh = (
+            TriangleMesh(net, how.subdivisions, dtype, device)
+            if isinstance(how, MeshMethod)
+            else None
+        )
         self._draw = 0
         self._load(self._drawn() if in_lens is None else in_lens)
 
@@ -102,9 +110,13 @@ class PointRays:
 
         parts = (rays.x, rays.y, rays.slope_x, rays.slope_y, rays.flux)
         self._bundle = Bundle(*map(constant, parts))
-        self._intersection = ExactIntersection(
-            self._bundle, self._scene.lens.half_width, self._patches
-        )
+        self._intersection: ExactIntersection | MeshIntersection
+        if self._mesh:
+            self._intersection = MeshIntersection(self._bundle, self._mesh)
+        else:
+            self._intersection = ExactIntersection(
+                self._bundle, self._scene.lens.half_width, self._patches
+            )
         cos = 1 / np.sqrt(1 + rays.slope_x**2 + rays.slope_y**2)
         direction = rays.slope_x * cos, rays.slope_y * cos, cos
         self._direction = constant(direction[0]), constant(direction[1]), constant(direction[2])
