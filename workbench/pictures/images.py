@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 from matplotlib import colormaps
+from matplotlib.colors import Colormap
 
 from workbench.scene import Scene
 
@@ -104,9 +105,9 @@ class IrradianceImage:
     """
 
     def __init__(self, axes: "Axes", scene: Scene, target: npt.NDArray[Any]) -> None:
-        self._image = _image(axes, scene, LIGHT)
+        self._image = screen_image(axes, scene, LIGHT)
         self._image.set_clim(0, full_scale(scene, target))
-        _colour_bar(axes, self._image, scene, extend="max")
+        colour_bar(axes, self._image, scene, extend="max")
         self.artists: list[Artist] = [self._image]
 
     def update(self, irradiance: Array) -> bool:
@@ -136,10 +137,10 @@ class ErrorImage:
     def __init__(self, axes: "Axes", scene: Scene, target: npt.NDArray[Any]) -> None:
         self._scene = scene
         self._target = target
-        self._image = _image(axes, scene, ERROR)
+        self._image = screen_image(axes, scene, ERROR)
         self._scale = round_scale(full_scale(scene, target))
         self._image.set_clim(-self._scale, self._scale)
-        _colour_bar(axes, self._image, scene, extend="both")
+        colour_bar(axes, self._image, scene, extend="both")
         self.artists: list[Artist] = [self._image]
 
     def update(self, irradiance: Array) -> bool:
@@ -164,7 +165,8 @@ class ErrorImage:
         return True
 
 
-def _image(axes: "Axes", scene: Scene, colours: str) -> Any:
+def screen_image(axes: "Axes", scene: Scene, colours: str | Colormap) -> Any:
+    """An image of zeros on the screen's axes, in scene units."""
     (r_x, r_y), (n_x, n_y) = scene.screen.half_width, scene.screen.pixels
     image = axes.imshow(
         np.zeros((n_y, n_x)),
@@ -180,11 +182,12 @@ def _image(axes: "Axes", scene: Scene, colours: str) -> Any:
     return image
 
 
-def _colour_bar(axes: "Axes", image: Any, scene: Scene, extend: str) -> None:
+def colour_bar(axes: "Axes", image: Any, scene: Scene, extend: str, per: str = "") -> None:
+    """The scale of an image of flux per area, or of that per something else."""
     # Beside the image itself, not beside the slot that the image may not fill.
     beside = axes.inset_axes((1.05, 0.0, 0.055, 1.0))
     bar = axes.figure.colorbar(image, cax=beside, extend=extend)
-    bar.set_label(f"flux / {scene.unit}²", fontsize=_FONT)
+    bar.set_label(f"flux / {scene.unit}²{per}", fontsize=_FONT)
     bar.ax.tick_params(labelsize=_FONT)
     bar.outline.set_linewidth(0.6)
 

@@ -1,0 +1,64 @@
+"""Derivative of the irradiance with respect to one control height, as an image."""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+import numpy.typing as npt
+from matplotlib import colormaps
+
+from workbench.pictures.images import ERROR, colour_bar, round_scale, screen_image
+from workbench.scene import Scene
+
+if TYPE_CHECKING:
+    from matplotlib.artist import Artist
+    from matplotlib.axes import Axes
+
+Array = npt.NDArray[np.float64]
+
+_OUT_OF_REACH = "#a8a8a8"  # neither of the colours of gain and loss, nor their white
+
+
+class DerivativeImage:
+    """A derivative map on axes that the caller owns.
+
+    Gains are red, losses blue; what the control point does not reach is grey. The scale is
+    symmetric about zero and one of 1, 2, 5, 10, ...
+
+    Attributes
+    ----------
+    artists : list of matplotlib.artist.Artist
+        What `update` changes; the caller may blit them.
+    """
+
+    def __init__(self, axes: "Axes", scene: Scene) -> None:
+        colours = colormaps[ERROR].with_extremes(bad=_OUT_OF_REACH)
+        self._image = screen_image(axes, scene, colours)
+        self._scale = 1.0
+        self._image.set_clim(-self._scale, self._scale)
+        colour_bar(axes, self._image, scene, extend="neither", per=f" per {scene.unit}")
+        self.update(None)
+        self.artists: list[Artist] = [self._image]
+
+    def update(self, derivative: Array | None) -> bool:
+        """Show another map.
+
+        Parameters
+        ----------
+        derivative : ndarray, shape (n_y, n_x), optional
+            Flux per area per scene unit of height; None for none.
+
+        Returns
+        -------
+        bool
+            Whether more than `artists` changed, so that the whole figure has to be drawn.
+        """
+        if derivative is None:
+            self._image.set_data(np.ma.masked_all(self._image.get_array().shape))
+            return False
+        self._image.set_data(np.ma.masked_equal(derivative, 0))
+        scale = round_scale(float(np.abs(derivative).max()))
+        if scale == self._scale:
+            return False
+        self._scale = scale
+        self._image.set_clim(-scale, scale)
+        return True
