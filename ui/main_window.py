@@ -87,15 +87,21 @@ class MainWindow(QMainWindow):
         from ui.run_control import RunControl
         from ui.views.error_view import ErrorView
         from ui.views.irradiance_view import IrradianceView
+        from ui.views.light_view import LightView
         from ui.views.loss_view import LossView
         from ui.views.scene_view import SceneView
 
         self._scene_view = SceneView()
-        plots = {"irradiance": IrradianceView(), "error": ErrorView(), "loss": LossView()}
-        self.workspace.raise_curtain(self._scene_view, plots)
+        others = {
+            "irradiance": IrradianceView(),
+            "error": ErrorView(),
+            "loss": LossView(),
+            "light": LightView(),
+        }
+        self.workspace.raise_curtain(self._scene_view, others)
         self.control = RunControl(self.document, self)
         runner = self.control.runner
-        for view in (self._scene_view, *plots.values()):
+        for view in (self._scene_view, *others.values()):
             view.show_design(self.document.session)
             self.document.session_changed.connect(view.show_design)
             runner.frame_ready.connect(view.show_frame)

@@ -12,10 +12,10 @@ _LEFT = Qt.DockWidgetArea.LeftDockWidgetArea
 _RIGHT = Qt.DockWidgetArea.RightDockWidgetArea
 _BOTTOM = Qt.DockWidgetArea.BottomDockWidgetArea
 
-# Shares of the window for forms, images and the loss curve.
+# Shares of the window for forms, images and what stands below the 3D scene.
 _FORMS_SHARE = 0.25
 _IMAGES_SHARE = 0.27
-_LOSS_SHARE = 0.24
+_BELOW_SHARE = 0.24
 
 
 class Workspace:
@@ -50,9 +50,10 @@ class Workspace:
             "irradiance": self._dock("irradiance", "Irradiance", _RIGHT),
             "error": self._dock("error", "Irradiance − target", _RIGHT),
             "loss": self._dock("loss", "Loss", _BOTTOM),
+            "light": self._dock("light", "Light account", _BOTTOM),
         }
         self.docks["design"].setWidget(forms)
-        for name in ("irradiance", "error", "loss"):
+        for name in ("irradiance", "error", "loss", "light"):
             curtain = QLabel("Loading…", alignment=Qt.AlignmentFlag.AlignCenter)
             self.docks[name].setWidget(curtain)
 
@@ -68,16 +69,17 @@ class Workspace:
             [docks["irradiance"], docks["error"]], [1, 1], Qt.Orientation.Vertical
         )
         self._window.resizeDocks(
-            [docks["loss"]], [int(_LOSS_SHARE * height)], Qt.Orientation.Vertical
+            [docks["loss"]], [int(_BELOW_SHARE * height)], Qt.Orientation.Vertical
         )
+        self._window.resizeDocks([docks["loss"], docks["light"]], [3, 2], Qt.Orientation.Horizontal)
 
-    def raise_curtain(self, scene_view: QWidget, plots: Mapping[str, QWidget]) -> None:
+    def raise_curtain(self, scene_view: QWidget, others: Mapping[str, QWidget]) -> None:
         """Put the views where the placeholders stand."""
         self._stage.addWidget(scene_view)
         self._stage.setCurrentWidget(scene_view)
-        for name, plot in plots.items():
+        for name, view in others.items():
             placeholder = self.docks[name].widget()
-            self.docks[name].setWidget(plot)
+            self.docks[name].setWidget(view)
             placeholder.deleteLater()
         self._curtain.setText("The 3D scene is hidden. View > 3D scene shows it again.")
 

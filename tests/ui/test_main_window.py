@@ -7,6 +7,7 @@ from PySide6.QtCore import QMimeData, QPointF, QSettings, Qt, QUrl
 from PySide6.QtGui import QDropEvent
 from PySide6.QtWidgets import QMessageBox
 
+from resources import EXAMPLES
 from ui.commands import COMMANDS
 from ui.document import Document
 from ui.main_window import MainWindow
@@ -192,6 +193,24 @@ def test_an_example_begins_an_untitled_design(window, name):
     assert window.windowTitle().startswith(f"{name}[*]")
     assert window.document.path is None
     assert name in window.document.session.scene.target.image
+    look = window.commands[f"new_{name}"].statusTip()
+    assert window.messages.text == look
+
+
+def test_the_menu_has_every_example_in_its_group(window):
+    menu = window.commands.menus["&New from example"]
+    assert menu.toolTipsVisible()
+    found, group = {}, EXAMPLES[0].group
+    for action in menu.actions():
+        if action.menu():
+            found[action.text()] = action.menu().actions()
+        elif not action.isSeparator():
+            found.setdefault(group, []).append(action)
+    for name, actions in found.items():
+        examples = [each for each in EXAMPLES if each.group == name]
+        assert [action.text() for action in actions] == [each.title for each in examples]
+        assert [action.statusTip() for action in actions] == [each.look for each in examples]
+    assert sum(map(len, found.values())) == len(EXAMPLES)
 
 
 def test_opening_asks_before_changes_are_lost(window, answers):

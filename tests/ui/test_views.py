@@ -8,11 +8,14 @@ from PySide6.QtGui import QColor, QPalette
 from PySide6.QtWidgets import QMainWindow, QTabWidget
 
 from ui.frame import make_frame
+from ui.views import light_view
 from ui.views.error_view import ErrorView
 from ui.views.irradiance_view import IrradianceView
+from ui.views.light_view import LightView
 from ui.views.loss_view import LossView
 from ui.views.scene_view import SceneView
 from ui.views.turns import Turns, turns
+from workbench.optics.ledger import Ledger
 
 PLOTS = [IrradianceView, ErrorView, LossView]
 
@@ -38,7 +41,7 @@ def frame(session, snapshots):
 def draws(monkeypatch):
     """Counts how often each view draws."""
     counts = {}
-    for kind in (*PLOTS, SceneView):
+    for kind in (*PLOTS, LightView, SceneView):
         original = kind._draw
 
         def counted(self, *args, kind=kind, original=original):
@@ -294,3 +297,42 @@ def test_closed_scene_stays_closed(scene_view, frame, draws, qtbot):
     scene_view.fit()
     qtbot.wait(50)
     assert scene_view._plotter is None
+
+
+def test_the_light_account_adds_up(frame, qtbot):
+    view = LightView()
+    qtbot.addWidget(view)
+    with qtbot.waitExposed(view):
+        view.show()
+    ledger = Ledger(2.0, 1.0, 0.5, 0.1, 0.06, 0.0, 0.3, 0.04)
+    one = frame(1)
+    view.show_frame(
+        dataclasses.replace(one, snapshot=dataclasses.replace(one.snapshot, ledger=ledger))
+    )
+    qtbot.waitUntil(lambda: view.texts()["All parts"] == "100.00 %")
+    assert view.texts() == {
+        "On the screen": "50.00 %",
+        "Beside the screen": "25.00 %",
+        "Missed the lens": "5.00 %",
+        "Out of the side": "3.00 %",
+        "Totally reflected": "0.00 %",
+        "Reflected on entry": "15.00 %",
+        "Reflected on exit": "2.00 %",
+        "All parts": "100.00 %",
+    }
+
+
+def test_every_part_of_the_ledger_is_in_the_account(qtbot):
+    parts = [field.name for field in dataclasses.fields(Ledger) if field.name != "emitted"]
+    assert list(light_view._PARTS) == parts
+
+
+def test_a_hidden_light_account_does_nothing(frame, draws, qtbot):
+    view = LightView()
+    qtbot.addWidget(view)
+    view.show_frame(frame(1))
+    qtbot.wait(50)
+    assert LightView not in draws
+    view.show()
+    qtbot.waitUntil(lambda: draws.get(LightView) == 1)
+    assert view.texts()["On the screen"] == "92.00 %"

@@ -1,0 +1,127 @@
+"""The account of all light: where it went, part by part."""
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QRectF, Qt
+from PySide6.QtGui import QPainter, QPaintEvent, QPalette
+from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QWidget
+
+from ui.views.view import View
+
+if TYPE_CHECKING:
+    from ui.frame import Frame
+    from workbench.files.session import Session
+
+_PARTS = {
+    "on_screen": ("On the screen", "Light that makes the image."),
+    "off_screen": (
+        "Beside the screen",
+        "Light that passes the lens and the screen by. A lens that sends much light here wastes "
+        "it, or has more than its surface can bend.",
+    ),
+    "missed_lens": (
+        "Missed the lens",
+        "Light of a point source that passes the entrance face by: its cone is round and just "
+        "covers the rectangular face.",
+    ),
+    "left_side": (
+        "Out of the side",
+        "Light that entered the lens so slanted that it meets a side wall before the exit face.",
+    ),
+    "total_reflection": (
+        "Totally reflected",
+        "Light that meets the exit face too steeply to leave the lens there.",
+    ),
+    "fresnel_entrance": (
+        "Reflected on entry",
+        "The part that the entrance face reflects of the light that it refracts.",
+    ),
+    "fresnel_exit": (
+        "Reflected on exit",
+        "The part that the exit face reflects of the light that it refracts.",
+    ),
+}
+_SUM = ("All parts", "The parts together; the account is complete when this is 100 %.")
+
+
+class LightView(View):
+    """A table of the parts of the emitted light, in percent."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        table = QWidget()
+        self._grid = QGridLayout(table)
+        self._grid.setContentsMargins(10, 6, 10, 6)
+        self._grid.setVerticalSpacing(2)
+        self._grid.setHorizontalSpacing(10)
+        self._grid.setColumnStretch(1, 1)
+        self._rows = {name: _Line(self._grid, *text) for name, text in _PARTS.items()}
+        rule = QFrame(frameShape=QFrame.Shape.HLine, frameShadow=QFrame.Shadow.Plain)
+        rule.setForegroundRole(QPalette.ColorRole.Mid)
+        self._grid.addWidget(rule, self._grid.rowCount(), 0, 1, 3)
+        self._sum = _Line(self._grid, *_SUM)
+        self._grid.setRowStretch(self._grid.rowCount(), 1)
+        self._box.addWidget(table)
+
+    def texts(self) -> dict[str, str]:
+        """What the table says, by what it is called there."""
+        return {line.name.text(): line.value.text() for line in (*self._rows.values(), self._sum)}
+
+    def _draw(self, session: "Session", frame: "Frame | None") -> None:
+        if frame is None:
+            return
+        ledger = frame.snapshot.ledger
+        shares = {name: getattr(ledger, name) / ledger.emitted for name in _PARTS}
+        for name, share in shares.items():
+            self._rows[name].show_share(share)
+        self._sum.show_share(sum(shares.values()))
+        self.repaint()
+
+
+class _Line:
+    """Name, bar and percentage of a part."""
+
+    def __init__(self, grid: QGridLayout, name: str, tip: str) -> None:
+        self.name = QLabel(name)
+        self.value = QLabel()
+        self._bar = _Bar()
+        self.value.setAlignment(Qt.AlignmentFlag.AlignRight)
+        self.value.setMinimumWidth(self.value.fontMetrics().horizontalAdvance("100.00 %"))
+        self.value.setAccessibleName(name)
+        row = grid.rowCount()
+        for column, widget in enumerate((self.name, self._bar, self.value)):
+            widget.setToolTip(f"<p>{tip}</p>")
+            grid.addWidget(widget, row, column)
+
+    def show_share(self, share: float) -> None:
+        """Show a part of 1; parts that are nothing are dimmed."""
+        percent = round(100 * share, 2) + 0.0  # no minus before a zero
+        self.value.setText(f"{percent:.2f} %")
+        self._bar.show_share(share)
+        for label in (self.name, self.value):
+            label.setEnabled(percent != 0)
+
+
+class _Bar(QWidget):
+    """A share of 1 as a length."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setMinimumWidth(30)
+        self._share = 0.0
+
+    def show_share(self, share: float) -> None:
+        """Show another share."""
+        if share != self._share:
+            self._share = share
+            self.update()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """A line as long as the share is large, on a track of the whole."""
+        thick = 5.0
+        painter = QPainter(self)
+        track = QRectF(0, (self.height() - thick) / 2, self.width(), thick)
+        painter.fillRect(track, self.palette().midlight())
+        track.setWidth(self.width() * min(max(self._share, 0.0), 1.0))
+        painter.fillRect(track, self.palette().highlight())
+        painter.end()
