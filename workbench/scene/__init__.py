@@ -1,0 +1,58 @@
+"""The scene: what a person edits. Frozen, validated values; every length in one unit.
+
+Field by field this is the scene file (``*.json``), so a scene that exists is a scene that is
+possible: whatever cannot be built, traced or made is refused here, with the path of the field.
+"""
+
+from workbench.scene.lens import Base, FlatBase, Lens, SphereBase
+from workbench.scene.part import NonNegative, Part, Positive
+from workbench.scene.run import AutoRun, PaperRun, Run, RunSettings
+from workbench.scene.screen import BoxFilter, Filter, GaussianFilter, Screen
+from workbench.scene.source import (
+    CollimatedSource,
+    ExactMethod,
+    GridSource,
+    MeshMethod,
+    PointSource,
+    Source,
+)
+from workbench.scene.target import (
+    BallTarget,
+    Finish,
+    FlameTarget,
+    ImageTarget,
+    Target,
+    TopHatTarget,
+)
+from workbench.scene.task import Scene
+
+__all__ = [
+    "AutoRun",
+    "BallTarget",
+    "Base",
+    "BoxFilter",
+    "CollimatedSource",
+    "ExactMethod",
+    "Filter",
+    "Finish",
+    "FlameTarget",
+    "FlatBase",
+    "GaussianFilter",
+    "GridSource",
+    "ImageTarget",
+    "Lens",
+    "MeshMethod",
+    "NonNegative",
+    "PaperRun",
+    "Part",
+    "PointSource",
+    "Positive",
+    "Run",
+    "RunSettings",
+    "Scene",
+    "Screen",
+    "Source",
+    "SphereBase",
+    "Target",
+    "TopHatTarget",
+]

@@ -1,0 +1,116 @@
+"""Light sources before the lens."""
+
+import math
+from typing import Annotated, Literal, Self
+
+from pydantic import Field, Tag, model_validator
+
+from workbench.errors import Refused
+from workbench.refusals import told_by
+from workbench.scene.part import NonNegative, Part
+
+RayCount = Annotated[int, Field(ge=1, le=4096)]
+
+
+class CollimatedSource(Part):
+    """Parallel light along +z that fills the entrance face; ``rays`` per axis."""
+
+    kind: Literal["collimated"]
+    rays: tuple[RayCount, RayCount] = (512, 512)
+
+
+class ExactMethod(Part):
+    """Rays meet the B-spline itself."""
+
+    method: Literal["exact"] = "exact"
+
+
+class MeshMethod(Part):
+    """Rays meet triangles; ``subdivisions`` of each knot span, (along x, along y)."""
+
+    method: Literal["mesh"] = "mesh"
+    subdivisions: tuple[Annotated[int, Field(ge=1, le=64)], Annotated[int, Field(ge=1, le=64)]] = (
+        4,
+        4,
+    )
+
+
+IntersectionField = Annotated[
+    Annotated[ExactMethod, Tag("exact")] | Annotated[MeshMethod, Tag("mesh")],
+    told_by("method", "exact", "mesh", otherwise="exact"),
+]
+
+Emission = Literal["uniform", "lambertian"]
+Sampling = Literal["sobol", "random"]
+Position = tuple[float, float, float]
+
+
+class PointSource(Part):
+    """Light from one point into the cone that just covers the entrance face.
+
+    Attributes
+    ----------
+    position : tuple[float, float, float]
+        Where it is, before the lens.
+    rays : int
+        Rays in all.
+    emission : str
+        "uniform" in solid angle, or "lambertian": with the cosine to the z axis.
+    sampling : str
+        "sobol" (low discrepancy, scrambled by the seed) or "random".
+    fresh : bool
+        New rays for each iteration of the paper's method; "auto" needs the same ones.
+    intersection : ExactMethod or MeshMethod
+        Where rays meet the exit face: on the B-spline, or on triangles as in the paper.
+    """
+
+    kind: Literal["point"]
+    position: Position
+    rays: Annotated[int, Field(ge=1, le=1 << 24)] = 500_000
+    emission: Emission = "uniform"
+    sampling: Sampling = "sobol"
+    fresh: bool = False
+    intersection: IntersectionField = ExactMethod()
+
+    @property
+    def nearest_z(self) -> float:
+        """Where the source comes closest to the lens."""
+        return self.position[2]
+
+
+class GridSource(Part):
+    """Point sources on an equispaced grid, standing for an extended source; ``rays`` of each."""
+
+    kind: Literal["grid"]
+    center: Position
+    half_width: tuple[NonNegative, NonNegative]
+    points: tuple[Annotated[int, Field(ge=1, le=512)], Annotated[int, Field(ge=1, le=512)]]
+    rays: Annotated[int, Field(ge=1, le=1 << 24)] = 1000
+    emission: Emission = "uniform"
+    sampling: Sampling = "sobol"
+    fresh: bool = False
+    intersection: IntersectionField = ExactMethod()
+
+    @property
+    def nearest_z(self) -> float:
+        """Where the source comes closest to the lens."""
+        return self.center[2]
+
+    @model_validator(mode="after")
+    def _within_memory(self) -> Self:
+        if math.prod(self.points) * self.rays > 1 << 24:
+            raise Refused(
+                "source.rays",
+                f"{self.rays} from each of {math.prod(self.points)} points are too many; "
+                f"at most {1 << 24} rays in all",
+            )
+        return self
+
+
+Source = CollimatedSource | PointSource | GridSource
+SourceField = Annotated[
+    Annotated[CollimatedSource, Tag("collimated")]
+    | Annotated[PointSource, Tag("point")]
+    | Annotated[GridSource, Tag("grid")],
+    told_by("kind", "collimated", "point", "grid"),
+]

@@ -1,0 +1,101 @@
+"""The scene as a whole: parts that fit together."""
+
+import json
+from typing import Any, Literal, Self
+
+from pydantic import ValidationError, model_validator
+
+from workbench.errors import Refused
+from workbench.refusals import refusal
+from workbench.scene.lens import Lens
+from workbench.scene.part import Part
+from workbench.scene.run import AutoRun, RunField
+from workbench.scene.screen import FilterField, GaussianFilter, Screen
+from workbench.scene.source import CollimatedSource, PointSource, SourceField
+from workbench.scene.target import TargetField
+
+
+class Scene(Part):
+    """A whole design task. Only lens, source, screen and target are required."""
+
+    format: Literal["freeform-scene"] = "freeform-scene"
+    version: Literal[1] = 1
+    unit: Literal["mm", "cm", "m", "inch"] = "mm"
+    lens: Lens
+    source: SourceField
+    screen: Screen
+    filter: FilterField = GaussianFilter()
+    target: TargetField
+    run: RunField = AutoRun()
+
+    @model_validator(mode="after")
+    def _source_stands_before_the_lens(self) -> Self:
+        source = self.source
+        if not isinstance(source, CollimatedSource) and source.nearest_z >= self.lens.entrance_z:
+            field = "position" if isinstance(source, PointSource) else "center"
+            raise Refused(
+                f"source.{field}[2]",
+                f"{source.nearest_z:g} is not before the entrance face; "
+                f"less than {self.lens.entrance_z:g}",
+            )
+        return self
+
+    @model_validator(mode="after")
+    def _mesh_within_memory(self) -> Self:
+        if isinstance(self.source, CollimatedSource):
+            return self
+        if isinstance(how := self.source.intersection, MeshMethod):
+            lens = self.lens
+            across, up = (
+                (count - degree) * n
+                for count, degree, n in zip(
+                    lens.control_points, lens.degree, how.subdivisions, strict=True
+                )
+            )
+            if across * up > 1 << 24:
+                raise Refused(
+                    "source.intersection.subdivisions",
+                    f"{list(how.subdivisions)} make {across} × {up} rectangles; "
+                    f"at most {1 << 24} in all",
+                )
+        return self
+
+    @model_validator(mode="after")
+    def _screen_clears_the_lens(self) -> Self:
+        lens = self.lens
+        highest = lens.base.extent(lens.half_width)[1] + lens.height_range[1]
+        if self.screen.z <= highest:
+            raise Refused(
+                "screen.z",
+                f"{self.screen.z:g} may touch the lens; "
+                f"more than {highest:g}, the highest that the exit face can become",
+            )
+        return self
+
+    @classmethod
+    def from_json(cls, text: str | bytes) -> Self:
+        """Read a scene from the text of a scene file.
+
+        Raises
+        ------
+        Refused
+            With the path of the field, the value and what is allowed.
+        """
+        try:
+            return cls.model_validate_json(text)
+        except ValidationError as error:
+            raise refusal(error, cls) from None
+
+    @classmethod
+    def from_data(cls, data: dict[str, Any]) -> Self:
+        """Read a scene from plain dictionaries and lists, as `json.loads` gives them."""
+        return cls.from_json(json.dumps(data))
+
+    def to_json(self) -> str:
+        """The text of a scene file, indented."""
+        return self.model_dump_json(indent=2, exclude_none=True) + "\n"
+
+    def to_data(self) -> dict[str, Any]:
+        """The scene as plain dictionaries and lists."""
+        data: dict[str, Any] = self.model_dump(mode="json", exclude_none=True)
+        return data
