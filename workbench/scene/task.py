@@ -11,7 +11,7 @@ from workbench.scene.lens import Lens
 from workbench.scene.part import Part
 from workbench.scene.run import AutoRun, RunField
 from workbench.scene.screen import FilterField, GaussianFilter, Screen
-from workbench.scene.source import CollimatedSource, PointSource, SourceField
+from workbench.scene.source import CollimatedSource, MeshMethod, PointSource, SourceField
 from workbench.scene.target import TargetField
 
 
