@@ -17,9 +17,13 @@ from torch import Tensor, nn
 from workbench.geometry.surface import ControlNet
 from workbench.scene import PaperRun
 
-# Half-width of the interval that the paper draws from; and, without a network, the scatter that
-# makes a visibly crooked lens, where networks take the scatter that is usual for them.
-_UNIFORM, _RANDOM = 1e-4, 1e-2
+# Half-width of the interval that the paper draws from.
+_UNIFORM = 1e-4
+
+# Standard deviation of what goes into the last tanh of a random start, for all parametrisations:
+# it makes a visibly crooked lens. What torch's layers would put out, some twenty times as much,
+# makes one so rough that it throws nearly all light beside the screen and never recovers.
+_RANDOM = 1e-2
 
 
 class Parameters(nn.Module):
@@ -35,7 +39,33 @@ class Parameters(nn.Module):
 
     def scatter(self) -> dict[nn.Parameter, float]:
         """Half-width of the interval in which each parameter begins at random."""
-        return {self.numbers: math.sqrt(3) * _RANDOM}
+        return {self.numbers: 1.0}
+
+    def last(self) -> tuple[nn.Parameter, ...]:
+        """The parameters to which the output is proportional."""
+        return (self.numbers,)
+
+
+class FullLinks(nn.Module):
+    """Layer whose neurons see every neuron of the layer before.
+
+    Attributes
+    ----------
+    weight : Parameter, shape (outputs, inputs)
+    bias : Parameter, shape (outputs,)
+    inputs : int
+        Links into a neuron.
+    """
+
+    def __init__(self, inputs: int, outputs: int, dtype: torch.dtype) -> None:
+        super().__init__()
+        self.inputs = inputs
+        self.weight = nn.Parameter(torch.zeros(outputs, inputs, dtype=dtype))
+        self.bias = nn.Parameter(torch.zeros(outputs, dtype=dtype))
+
+    def forward(self, signal: Tensor) -> Tensor:
+        """Weighted sums plus the biases, shape (outputs,)."""
+        return torch.addmv(self.bias, self.weight, signal)
 
 
 class LocalLinks(nn.Module):
@@ -49,8 +79,10 @@ class LocalLinks(nn.Module):
     ----------
     source, target : Tensor of int64, shape (links,)
         Neurons before and after each link, counted along v first.
-    weight : Tensor, shape (links,)
-    bias : Tensor, shape (n_u * n_v,)
+    weight : Parameter, shape (links,)
+    bias : Parameter, shape (n_u * n_v,)
+    inputs : int
+        Links into a neuron that is not near the border.
     """
 
     source: Tensor
@@ -67,9 +99,9 @@ class LocalLinks(nn.Module):
         source = np.add.outer(from_u * net.shape[1], from_v).ravel()
         self.register_buffer("target", torch.from_numpy(target), persistent=False)
         self.register_buffer("source", torch.from_numpy(source), persistent=False)
+        self.inputs = math.prod(2 * p + 1 for p in net.degree)
         self.weight = nn.Parameter(torch.zeros(len(target), dtype=dtype))
         self.bias = nn.Parameter(torch.zeros(math.prod(net.shape), dtype=dtype))
-        self.in_features = math.prod(2 * p + 1 for p in net.degree)
 
     def forward(self, signal: Tensor) -> Tensor:
         """Weighted sums of the neighbours plus the biases, shape (n_u * n_v,)."""
@@ -104,21 +136,17 @@ class Network(nn.Module):
         self._shape = net.shape
         neurons = math.prod(net.shape)
         self.register_buffer("one", torch.ones(1, dtype=dtype), persistent=False)
-        self.layers = nn.ModuleList([_full_links(1, neurons, dtype)])
-        for _ in range(2):
-            self.layers.append(
-                LocalLinks(net, dtype)
-                if links == "sparse"
-                else _full_links(neurons, neurons, dtype)
-            )
+        self.first = FullLinks(1, neurons, dtype)
+        self.second, self.third = (
+            LocalLinks(net, dtype) if links == "sparse" else FullLinks(neurons, neurons, dtype)
+            for _ in range(2)
+        )
 
     def forward(self) -> Tensor:
         """What goes into the tanh of each control height, shape (n_u, n_v)."""
-        signal = self.one
-        *hidden, last = self.layers
-        for layer in hidden:
-            signal = torch.tanh(layer(signal))
-        output: Tensor = last(signal)
+        signal = torch.tanh(self.first(self.one))
+        signal = torch.tanh(self.second(signal))
+        output: Tensor = self.third(signal)
         return output.view(self._shape)
 
     def scatter(self) -> dict[nn.Parameter, float]:
@@ -127,16 +155,24 @@ class Network(nn.Module):
         That of torch's own layers: one over the root of the number of links into a neuron.
         """
         return {
-            parameter: layer.in_features**-0.5
-            for layer in self.layers
+            parameter: 1 / math.sqrt(layer.inputs)
+            for layer in (self.first, self.second, self.third)
             for parameter in (layer.weight, layer.bias)
         }
+
+    def last(self) -> tuple[nn.Parameter, ...]:
+        """The parameters to which the output is proportional."""
+        return self.third.weight, self.third.bias
 
 
 def build(
     net: ControlNet, settings: PaperRun, device: torch.device | str = "cpu"
 ) -> Parameters | Network:
     """What a run optimises, at its start.
+
+    "zeros" makes a network behave as none: signals and hence all gradients but those of the last
+    biases stay 0. "random" draws as torch's layers do, and then scales the last layer so that
+    all parametrisations begin with lenses that are equally crooked.
 
     Parameters
     ----------
@@ -150,18 +186,15 @@ def build(
     kind = settings.parametrisation
     module = Parameters(net) if kind == "none" else Network(net, kind)
     module.to(device)
-    if settings.start != "zeros":
-        generator = torch.Generator(device).manual_seed(settings.seed)
-        with torch.no_grad():
-            for parameter, width in module.scatter().items():
-                reach = width if settings.start == "random" else _UNIFORM
-                parameter.uniform_(-reach, reach, generator=generator)
+    if settings.start == "zeros":
+        return module
+    generator = torch.Generator(device).manual_seed(settings.seed)
+    with torch.no_grad():
+        for parameter, width in module.scatter().items():
+            reach = width if settings.start == "random" else _UNIFORM
+            parameter.uniform_(-reach, reach, generator=generator)
+        if settings.start == "random":
+            factor = _RANDOM / module().std()
+            for parameter in module.last():
+                parameter *= factor
     return module
-
-
-def _full_links(inputs: int, outputs: int, dtype: torch.dtype) -> nn.Linear:
-    # Without the random numbers that torch would begin with: 33 million take their time.
-    layer = nn.utils.skip_init(nn.Linear, inputs, outputs, dtype=dtype)
-    for parameter in layer.parameters():
-        nn.init.zeros_(parameter)
-    return layer

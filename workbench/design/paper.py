@@ -62,5 +62,5 @@ def paper_steps(
         (gradient,) = torch.autograd.grad(loss, [heights])
         check_gradient(gradient)
         optimiser.zero_grad()  # gives the memory back before the next gradient needs it
-        shaped.backward(gradient)
+        torch.autograd.backward(shaped, gradient)
         optimiser.step()

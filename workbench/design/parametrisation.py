@@ -40,8 +40,7 @@ def parameter_count(scene: Scene) -> int:
 def link_count(lens: Lens) -> int:
     """Links into a layer whose neurons see (2p + 1) × (2q + 1) neighbours, less at the border."""
     return math.prod(
-        n * (2 * p + 1) - p * (p + 1)
-        for n, p in zip(lens.control_points, lens.degree, strict=True)
+        n * (2 * p + 1) - p * (p + 1) for n, p in zip(lens.control_points, lens.degree, strict=True)
     )
 
 
@@ -87,11 +86,11 @@ def available_memory(device: str = "cpu") -> int:
 
 def as_bytes(count: float) -> str:
     """A number of bytes for people: three digits and a decimal prefix."""
-    for prefix in ("", "k", "M", "G", "T"):
+    for unit in ("B", "kB", "MB", "GB"):
         if count < 999.5:
-            break
+            return f"{count:.3g} {unit}"
         count /= 1000
-    return f"{count:.3g} {prefix}B"
+    return f"{count:.3g} TB"
 
 
 def learning_rate(settings: PaperRun) -> float:
