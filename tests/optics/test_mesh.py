@@ -1,0 +1,301 @@
+"""The triangle mesh: watertight, exact in its triangles, close to the B-spline as it is refined."""
+
+import itertools
+import math
+
+import numpy as np
+import pytest
+import torch
+
+from workbench.errors import Refused
+from workbench.geometry.patches import Patches
+from workbench.geometry.surface import ControlNet
+from workbench.optics.intersection import Bundle, ExactIntersection
+from workbench.optics.mesh import MeshIntersection, TriangleMesh
+from workbench.optics.plan import Plan
+from workbench.scene import ExactMethod
+
+DTYPES = [torch.float32, torch.float64]
+NET = ControlNet((7, 6), (3, 2), (1.0, 0.75))
+
+
+def wavy(net=NET, height=0.125, dtype=torch.float64):
+    """Control heights that make every triangle another plane."""
+    x, y = net.positions
+    z = 0.625 + height * np.cos(3 * x)[:, None] * np.sin(2 * y + 0.25)[None]
+    return torch.as_tensor(z, dtype=dtype)
+
+
+def bundle(x, y, slope_x, slope_y, dtype=torch.float64):
+    parts = np.broadcast_arrays(x, y, slope_x, slope_y, 1.0)
+    return Bundle(*(torch.as_tensor(np.array(part), dtype=dtype) for part in parts))
+
+
+def meet(rays, heights, subdivisions=(2, 2), net=NET):
+    heights = heights.to(rays.x.dtype)
+    mesh = TriangleMesh(net, subdivisions, rays.x.dtype)
+    return MeshIntersection(rays, mesh).meet(heights, heights)
+
+
+def exact(rays, heights, net=NET):
+    patches = Patches(net, rays.x.dtype)
+    return ExactIntersection(rays, net.half_width, patches).meet(heights, patches.table(heights))
+
+
+def random_rays(rng, count, steepness=0.5, net=NET, dtype=torch.float64):
+    x, y = (rng.uniform(-r, r, count) for r in net.half_width)
+    slope_x, slope_y = steepness * rng.uniform(-1, 1, (2, count))
+    return bundle(x, y, slope_x, slope_y, dtype)
+
+
+def vertices(heights, subdivisions, net=NET):
+    """Coordinates of the mesh's lines, and heights of its vertices."""
+    mesh = TriangleMesh(net, subdivisions, torch.float64)
+    lines = [
+        np.linspace(-r, r, count + 1) for r, count in zip(net.half_width, mesh.cells, strict=True)
+    ]
+    z = mesh.vertices(heights).reshape(mesh.cells[0] + 1, mesh.cells[1] + 1)
+    return *lines, z.numpy()
+
+
+def by_brute_force(rays, heights, subdivisions, net=NET, slack=1e-11):
+    """First hit among all triangles, each taken with its whole boundary; infinite without any."""
+    x, y, z = vertices(heights, subdivisions, net)
+    first = np.full(len(rays.x), np.inf)
+    o_x, o_y, d_x, d_y = (part.numpy() for part in rays[:4])
+    for i in range(len(x) - 1):
+        for j in range(len(y) - 1):
+            for a, b, c in (
+                ((i, j), (i + 1, j), (i, j + 1)),
+                ((i + 1, j + 1), (i, j + 1), (i + 1, j)),
+            ):
+                slope_x = (z[b] - z[a]) / (x[b[0]] - x[a[0]])
+                slope_y = (z[c] - z[a]) / (y[c[1]] - y[a[1]])
+                rise = z[a] + slope_x * (o_x - x[a[0]]) + slope_y * (o_y - y[a[1]])
+                with np.errstate(divide="ignore", invalid="ignore"):
+                    t = rise / (1 - slope_x * d_x - slope_y * d_y)
+                    e_x = (o_x + d_x * t - x[a[0]]) / (x[b[0]] - x[a[0]])
+                    e_y = (o_y + d_y * t - y[a[1]]) / (y[c[1]] - y[a[1]])
+                    inside = (e_x >= -slack) & (e_y >= -slack) & (e_x + e_y <= 1 + slack)
+                first = np.where(inside & (t > 0), np.minimum(first, t), first)
+    return first
+
+
+@pytest.mark.parametrize("subdivisions", [(1, 1), (2, 3)])
+@pytest.mark.parametrize("rugged", [False, True])
+def test_the_first_of_all_triangles_is_hit(rng, subdivisions, rugged):
+    # Rugged heights and flat rays: many hits of one ray, and walks through the whole mesh.
+    rays = random_rays(rng, 40_000, 5.0 if rugged else 0.9)
+    heights = torch.as_tensor(rng.uniform(0.2, 1.4, NET.shape)) if rugged else wavy()
+    met = meet(rays, heights, subdivisions)
+    first = by_brute_force(rays, heights, subdivisions)
+    assert (met.found.numpy() == np.isfinite(first)).all()
+    found = np.isfinite(first)
+    assert 0.05 < found.mean() < 1
+    assert np.abs(met.depth.numpy() - first)[found].max() < 1e-9
+
+
+def places_on_edges(rng, subdivisions, count):
+    """Points of the mesh on vertices, on edges along x and y, and on diagonals; none on the rim."""
+    x, y, z = vertices(wavy(), subdivisions)
+    i = rng.integers(1, len(x) - 2, count)
+    j = rng.integers(1, len(y) - 2, count)
+    f = rng.uniform(0, 1, count)
+    ends = {
+        "vertex": ((i, j), (i, j)),
+        "along x": ((i, j), (i + 1, j)),
+        "along y": ((i, j), (i, j + 1)),
+        "diagonal": ((i + 1, j), (i, j + 1)),
+    }
+    return {
+        name: (
+            (1 - f) * x[a[0]] + f * x[b[0]],
+            (1 - f) * y[a[1]] + f * y[b[1]],
+            (1 - f) * z[a] + f * z[b],
+        )
+        for name, (a, b) in ends.items()
+    }
+
+
+@pytest.mark.parametrize("dtype", DTYPES)
+def test_no_ray_is_lost_on_vertices_edges_and_diagonals(rng, dtype):
+    subdivisions = (3, 2)
+    tolerance = 40 * torch.finfo(dtype).eps
+    aimed = 0
+    for place in places_on_edges(rng, subdivisions, 30_000).values():
+        p_x, p_y, p_z = place
+        steep = 0.3 * rng.uniform(-1, 1, (2, len(p_x)))
+        steep[:, ::5] = 0  # along the axis
+        steep[0, 1::5] = 0  # within planes of the grid
+        steep[1, 2::5] = 0
+        steep[1, 3::5] = -steep[0, 3::5] * 0.75  # along the diagonals
+        x, y = p_x - steep[0] * p_z, p_y - steep[1] * p_z
+        starts = (np.abs(x) <= NET.half_width[0]) & (np.abs(y) <= NET.half_width[1])
+        rays = bundle(x[starts], y[starts], steep[0][starts], steep[1][starts], dtype)
+        met = meet(rays, wavy(), subdivisions)
+        assert met.found.all()
+        assert np.abs(met.depth.numpy() - p_z[starts]).max() < tolerance
+        aimed += starts.sum()
+    assert aimed > 100_000
+
+
+@pytest.mark.parametrize("dtype", DTYPES)
+def test_the_rim_belongs_to_the_mesh(dtype):
+    # Along the axis, on all four sides, with corners: u = 1 and v = 1 are in the last squares.
+    x, y, z = vertices(wavy(), (2, 2))
+    fine = np.linspace(-1, 1, 4001)
+    (r_x, r_y), one = NET.half_width, np.ones_like(fine)
+    for p_x, p_y, height in (
+        (fine * r_x, -r_y * one, np.interp(fine * r_x, x, z[:, 0])),
+        (fine * r_x, r_y * one, np.interp(fine * r_x, x, z[:, -1])),
+        (-r_x * one, fine * r_y, np.interp(fine * r_y, y, z[0])),
+        (r_x * one, fine * r_y, np.interp(fine * r_y, y, z[-1])),
+    ):
+        met = meet(bundle(p_x, p_y, 0.0, 0.0, dtype), wavy())
+        assert met.found.all()
+        assert np.abs(met.depth.numpy() - height).max() < 20 * torch.finfo(dtype).eps
+
+
+def test_a_ray_is_lost_just_beyond_the_rim_alone(rng):
+    x, _, z = vertices(wavy(), (2, 2))
+    p_x = rng.uniform(-1, 1, 20_000)
+    p_z = np.interp(p_x, x, z[:, -1])
+    r_y, slope_x, slope_y = NET.half_width[1], 0.125, rng.uniform(0.1, 0.5, len(p_x))
+    ray_x = p_x - slope_x * p_z
+    starts = np.abs(ray_x) <= NET.half_width[0]
+    for beyond, found in ((-1e-9, True), (1e-9, False)):
+        y = r_y + beyond - slope_y * p_z
+        met = meet(bundle(ray_x[starts], y[starts], slope_x, slope_y[starts]), wavy())
+        assert (met.found == found).all()
+        assert torch.isfinite(met.depth).all()
+
+
+def test_rays_out_of_the_side_are_told():
+    # They leave at half the height of a plate 1/2 high, on each of its sides.
+    x, y = np.array([0.9375, -0.9375, 0, 0]), np.array([0, 0, 0.6875, -0.6875])
+    slope_x, slope_y = np.array([0.25, -0.25, 0, 0]), np.array([0, 0, 0.25, -0.25])
+    met = meet(bundle(x, y, slope_x, slope_y), torch.full(NET.shape, 0.5))
+    assert not met.found.any()
+    assert (met.depth - 0.25).abs().max() < 1e-15
+
+
+@pytest.mark.parametrize("dtype", DTYPES)
+def test_a_flat_face_is_met_everywhere_at_its_height(rng, dtype):
+    rays = random_rays(rng, 20_000, dtype=dtype)
+    heights = torch.full(NET.shape, 0.6, dtype=dtype)
+    met = meet(rays, heights, (2, 3))
+    inside = ((rays.x + 0.6 * rays.slope_x).abs() < 0.999) & (
+        (rays.y + 0.6 * rays.slope_y).abs() < 0.749
+    )
+    assert met.found[inside].all()
+    assert (met.depth[met.found] - 0.6).abs().max() < 4 * torch.finfo(dtype).eps
+
+
+def test_a_tilted_plane_is_exact_with_any_subdivision(rng):
+    x, y = NET.positions
+    heights = torch.as_tensor(0.6 + 0.2 * x[:, None] - 0.1 * y[None])
+    rays = random_rays(rng, 20_000)
+    here = 0.6 + 0.2 * rays.x - 0.1 * rays.y
+    depth = here / (1 - 0.2 * rays.slope_x + 0.1 * rays.slope_y)
+    for subdivisions in ((1, 1), (3, 2)):
+        met = meet(rays, heights, subdivisions)
+        assert (met.depth - depth)[met.found].abs().max() < 1e-14
+
+
+def test_a_bilinear_face_is_met_exactly_on_its_edges_and_off_by_the_twist_between(rng):
+    # In a unit square z = f + ... + w st, and the triangles leave out w st or w (1 − s)(1 − t):
+    # nothing on the edges, and w/4 in the middle of the diagonal.
+    net = ControlNet((4, 3), (1, 1), (1.5, 1.0))
+    heights = torch.as_tensor(0.5 + 0.2 * rng.uniform(-1, 1, net.shape))
+    twist = heights[:-1, :-1] + heights[1:, 1:] - heights[1:, :-1] - heights[:-1, 1:]
+    assert twist.abs().max() > 0.1
+    centres = bundle(*np.meshgrid([-1.0, 0.0, 1.0], [-0.5, 0.5], indexing="ij"), 0.0, 0.0)
+    rays = Bundle(*(part.flatten() for part in centres))
+    off = meet(rays, heights, (1, 1), net).depth - exact(rays, heights, net).depth
+    assert torch.allclose(off, -twist.flatten() / 4, atol=1e-14)
+
+    on_edges = bundle(np.array([-0.5, 0.5]), np.array([0.3, -0.7]), 0.0, 0.0)
+    off = meet(on_edges, heights, (1, 1), net).depth - exact(on_edges, heights, net).depth
+    assert off.abs().max() < 1e-14
+
+
+def test_the_error_falls_with_the_square_of_the_subdivision(rng):
+    rays = random_rays(rng, 40_000)
+    truth = exact(rays, wavy())
+    errors = []
+    for n in (4, 8, 16, 32):
+        met = meet(rays, wavy(), (n, n))
+        both = met.found & truth.found
+        assert (met.found != truth.found).sum() < 20  # near the rim
+        errors.append((met.depth - truth.depth)[both].abs().max().item())
+    assert errors[-1] < 1e-4
+    for coarse, fine in itertools.pairwise(errors):
+        assert 3.6 < coarse / fine < 4.4
+
+
+def test_the_gradient_is_that_of_central_differences(rng):
+    rays = random_rays(rng, 2_000)
+    weight = torch.as_tensor(rng.uniform(-1, 1, 2_000))
+    heights = wavy().requires_grad_()
+
+    def total(z):
+        met = meet(rays, z)
+        return (weight * met.depth * met.found).sum()
+
+    (gradient,) = torch.autograd.grad(total(heights), heights)
+    direction = torch.as_tensor(rng.standard_normal(NET.shape))
+    # The depth is continuous, its derivative jumps between triangles: short steps, few rays there.
+    h = 1e-7
+    with torch.no_grad():
+        difference = (total(heights + h * direction) - total(heights - h * direction)) / (2 * h)
+    assert (gradient * direction).sum().item() == pytest.approx(difference.item(), rel=1e-5)
+
+
+@pytest.mark.parametrize("dtype", DTYPES)
+def test_rays_along_triangles_give_numbers(dtype):
+    # A ramp of slope 1/2 along x, above flat land; rays of slope 2 lie in its planes.
+    net = ControlNet((9, 9), (1, 1), (1.0, 1.0))
+    x = torch.linspace(-1, 1, 9, dtype=dtype)
+    heights = (0.25 + 0.5 * (x + 0.5).clamp(0, 1))[:, None].repeat(1, 9).requires_grad_()
+    start = np.linspace(-1, 1, 161)
+    for slope_y in (0.0, 0.25):
+        rays = bundle(start, -0.3, 2.0, slope_y, dtype)
+        met = meet(rays, heights, (1, 1), net)
+        assert torch.isfinite(met.depth).all()
+        (gradient,) = torch.autograd.grad(met.depth.sum(), heights)
+        assert torch.isfinite(gradient).all()
+
+
+def mesh_scene(make_scene, subdivisions, **changes):
+    source = {
+        "kind": "point",
+        "position": [0.0, 0.0, -5.0],
+        "rays": 4096,
+        "intersection": {"method": "mesh", "subdivisions": subdivisions},
+    }
+    return make_scene({"source": source, **changes})
+
+
+def test_a_scene_chooses_its_mesh(make_scene):
+    scene = mesh_scene(make_scene, [2, 3])
+    net = ControlNet.of(scene.lens)
+    heights = wavy(net)
+    mesh = Plan(scene, dtype=torch.float64).trace(heights)
+    source = scene.source.model_copy(update={"intersection": ExactMethod()})
+    plain_scene = scene.model_copy(update={"source": source})
+    plain = Plan(plain_scene, dtype=torch.float64).trace(heights)
+    assert not torch.equal(mesh.flux, plain.flux)
+    assert (mesh.flux - plain.flux).abs().max() < 0.05 * plain.flux.max()
+    parts = mesh.ledger.to_data()
+    assert math.isclose(parts.pop("emitted"), sum(parts.values()), rel_tol=1e-12)
+
+
+@pytest.mark.parametrize("subdivisions", [[0, 1], [1, 65], [2]])
+def test_impossible_subdivisions_are_refused(make_scene, subdivisions):
+    with pytest.raises(Refused, match=r"source\.intersection\.subdivisions\[[01]\]"):
+        mesh_scene(make_scene, subdivisions)
+
+
+def test_meshes_beyond_memory_are_refused(make_scene):
+    with pytest.raises(Refused, match=r"source\.intersection\.subdivisions.*16777216 in all"):
+        mesh_scene(make_scene, [64, 64], **{"lens.control_points": [128, 128]})
