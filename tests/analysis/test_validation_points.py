@@ -1,0 +1,77 @@
+"""The independent check of lenses lit by points."""
+
+import math
+
+import numpy as np
+import pytest
+import torch
+
+from workbench.analysis.validation import validate
+from workbench.optics.plan import Plan
+from workbench.scene import BoxFilter
+
+POINT = {"kind": "point", "position": [0.4, -0.3, -2.0]}
+GRID = {"kind": "grid", "center": [0.1, 0, -2], "half_width": [0.5, 1], "points": [3, 4]}
+
+
+def uniform(scene):
+    n_x, n_y = scene.screen.pixels
+    return np.ones((n_y, n_x))
+
+
+@pytest.fixture(params=["wavy", "rough"])
+def heights(request, rng):
+    """A smooth lens, and one so steep that some rays could meet it several times."""
+    amplitude = {"wavy": 0.05, "rough": 0.6}[request.param]
+    return 0.5 + amplitude * (rng.random((12, 10)) - 0.5)
+
+
+@pytest.mark.parametrize("emission", ["uniform", "lambertian"])
+@pytest.mark.parametrize("source", [POINT, GRID], ids=["point", "grid"])
+def test_the_optimisers_trace_agrees(make_scene, heights, source, emission):
+    rays = 1 << 17 if source is POINT else (1 << 17) // 12
+    scene = make_scene(
+        {
+            "source": source | {"emission": emission, "rays": rays},
+            "screen.half_width": [2.0, 1.5],
+            "screen.pixels": [4, 3],
+        }
+    )
+    found = validate(scene, uniform(scene), heights, 1 << 17)
+    traced = Plan(scene, filter=BoxFilter(), dtype=torch.float64).trace(torch.tensor(heights))
+    for name, value in found.ledger.to_data().items():
+        assert value == pytest.approx(traced.ledger.to_data()[name], abs=2e-3)
+    expected = traced.flux.numpy() / scene.screen.pixel_area
+    error = np.linalg.norm(found.irradiance - expected) / np.linalg.norm(expected)
+    assert error < 0.02
+    emitted, *parts = found.ledger.to_data().values()
+    assert sum(parts) == pytest.approx(emitted, abs=1e-12)
+
+
+def test_a_flat_plate_shifts_each_ray_by_its_own_angle(make_scene):
+    # On the axis the cone is the circle around the square face: it hits 4 r² of its disc.
+    scene = make_scene(
+        {
+            "source": {"kind": "point", "position": [0, 0, -5]},
+            "screen.pixels": [1, 1],
+            "screen.half_width": [0.8, 0.8],
+        }
+    )
+    found = validate(scene, uniform(scene), np.full((12, 10), 0.5), 1 << 17)
+    # Rays that hit the screen's edge, to third order in the angle, against the solid angle of the
+    # square that they span: Ω(s) for half-side s at distance 1 is 4 asin(s² / (1 + s²)).
+    slope = 0.8 / (5 + 4.5 + 0.5 / math.sqrt(1.5**2 + (1.5**2 - 1) * (0.8 / 10) ** 2))
+    cap = 2 * math.pi * (1 - 5 / math.sqrt(27))
+    part = 4 * math.asin(slope**2 / (1 + slope**2)) / cap
+    assert found.ledger.on_screen == pytest.approx(part * 0.96**2, rel=3e-3)
+    hits = 4 * math.asin(1 / 26) / cap
+    assert 1 - found.ledger.missed_lens == pytest.approx(hits, rel=1e-3)
+
+
+def test_the_same_seed_gives_the_same_rays(make_scene, heights):
+    scene = make_scene({"source": GRID})
+    first, same, other = (
+        validate(scene, uniform(scene), heights, 10_000, seed) for seed in (1, 1, 2)
+    )
+    assert np.array_equal(first.irradiance, same.irradiance)
+    assert not np.array_equal(first.irradiance, other.irradiance)
