@@ -1,14 +1,27 @@
 """How the design is found."""
 
-from ui.panels.fields import Changes, ChoiceRow, NumberRow
+from typing import Any
+
+from PySide6.QtWidgets import QLabel
+
+from ui.panels.edits import value_at
+from ui.panels.fields import Changes, ChoiceRow, NumberRow, Row
 from ui.panels.panel import Panel
-from workbench.scene import RunSettings
+from workbench.design.parametrisation import (
+    LEARNING_RATES,
+    as_bytes,
+    memory_bytes,
+    parameter_count,
+)
+from workbench.files.session import Session
+from workbench.scene import RunSettings, Scene
 
 
 class RunPanel(Panel):
     """Bound to ``scene.run``."""
 
     def __init__(self) -> None:
+        self._size = _SizeRow()
         super().__init__(
             "Run",
             [
@@ -27,17 +40,27 @@ class RunPanel(Panel):
                     whole=True,
                 ),
                 ChoiceRow(
+                    "run.parametrisation",
+                    "Optimises",
+                    "What the optimiser moves: one number per control height, or the weights of a "
+                    "network that puts the heights out. In a sparse network the neurons of control "
+                    "points that share a piece of the face are linked, in a dense one all are.",
+                    [
+                        ("none", "Control heights"),
+                        ("sparse", "Sparse network"),
+                        ("dense", "Dense network"),
+                    ],
+                ),
+                self._size,
+                ChoiceRow(
                     "run.start",
                     "Start",
-                    "Control heights before the first iteration: in the middle of their range, "
-                    "or drawn at random from the seed.",
+                    "Parameters before the first iteration: all zero, in ±0.0001, or drawn from "
+                    "the seed so that the lens is crooked. A network that starts with zeros "
+                    "behaves as if there were none.",
                     [("zeros", "Flat"), ("uniform", "Faint noise"), ("random", "Random")],
                 ),
-                NumberRow(
-                    "run.learning_rate",
-                    "Learning rate",
-                    "Step of the optimiser. Too large and the loss jumps, too small and it creeps.",
-                ),
+                _LearningRateRow(),
                 NumberRow(
                     "run.seed",
                     "Seed",
@@ -53,7 +76,61 @@ class RunPanel(Panel):
             ],
         )
 
+    def show_session(self, session: Session, pending: set[str]) -> None:
+        """Show a session's values, and what they come to."""
+        super().show_session(session, pending)
+        self._size.show_size(session.scene)
+
     def _change_method(self, choice: str) -> Changes:
         run = self.session.scene.run
         kept = {name: getattr(run, name) for name in RunSettings.model_fields}
         return {"run": {"method": choice, **kept}}
+
+
+class _SizeRow(Row):
+    """What a parametrisation costs, known before it is built."""
+
+    def __init__(self) -> None:
+        super().__init__(
+            "run.parameters",
+            "Parameters",
+            "How many numbers are optimised, and the memory that they take with their gradient "
+            "and the optimiser's two moments. A network that does not fit is refused at the start.",
+            present=lambda data: value_at(data, "run.parametrisation") is not None,
+        )
+        self._text = QLabel()
+        self._add(self._text)
+
+    def show_size(self, scene: Scene) -> None:
+        """Show what a scene's parametrisation comes to."""
+        self._text.setText(f"{parameter_count(scene):,} ({as_bytes(memory_bytes(scene))})")
+
+    @property
+    def text(self) -> str:
+        """What is shown."""
+        return self._text.text()
+
+
+class _LearningRateRow(NumberRow):
+    """A number that may be left empty; then the one that would be taken is shown faintly."""
+
+    def __init__(self) -> None:
+        super().__init__(
+            "run.learning_rate",
+            "Learning rate",
+            "Step of the optimiser. Too large and the loss jumps, too small and it creeps. "
+            "Left empty, it is the one that suits what is optimised.",
+            present=lambda data: value_at(data, "run.parametrisation") is not None,
+        )
+
+    def show_scene(self, data: dict[str, Any], pending: set[str]) -> None:
+        """Show the scene's number, or none, before what stands in for it."""
+        Row.show_scene(self, data, pending)
+        (editor,) = self.editors.values()
+        editor.setPlaceholderText(f"{LEARNING_RATES[value_at(data, 'run.parametrisation')]:g}")
+        if self.path not in pending:
+            rate = value_at(data, self.path)
+            editor.show_value("" if rate is None else format(rate, ".12g"))
+
+    def _commit(self, path: str, text: str) -> None:
+        self._tell(path, {path: self.editors[path].value(text) if text.strip() else None})

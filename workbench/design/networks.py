@@ -196,5 +196,5 @@ def build(
         if settings.start == "random":
             factor = _RANDOM / module().std()
             for parameter in module.last():
-                parameter *= factor
+                parameter.mul_(factor)
     return module
