@@ -46,7 +46,7 @@ def fake_run(monkeypatch, rng):
                     loss=1 / (i + 1),
                     control_points=rng.random(scene.lens.control_points),
                     irradiance=rng.random((n_y, n_x)),
-                    ledger=Ledger(1.0, 0.9, 0.0, 0.0, 0.0, 0.04, 0.06),
+                    ledger=Ledger(1.0, 0.9, 0.0, 0.0, 0.0, 0.0, 0.04, 0.06),
                     seconds=float(i),
                     best=True,
                 )

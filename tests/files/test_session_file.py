@@ -34,7 +34,7 @@ def session(make_scene, rng):
         losses=rng.random(8),
         loss=1 / 3,
         seconds=2.1,
-        ledger=Ledger(1.0, 0.7, 0.1, 0.0, 0.06, 0.04, 0.1 - 1e-17),
+        ledger=Ledger(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1 - 1e-17),
     )
     return Session(scene, rng.random((6, 7)), result)
 

@@ -31,7 +31,7 @@ def lens_result():
         losses=np.array([2.0, 1.0]),
         loss=1.0,
         seconds=0.5,
-        ledger=Ledger(1.0, 0.9, 0.0, 0.0, 0.0, 0.04, 0.06),
+        ledger=Ledger(1.0, 0.9, 0.0, 0.0, 0.0, 0.0, 0.04, 0.06),
     )
 
 
