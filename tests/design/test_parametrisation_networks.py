@@ -40,7 +40,7 @@ def paper(make_scene, **settings):
             "lens.control_points": [9, 7],
             "lens.degree": [3, 2],
             "lens.height_range": [-0.1, 0.1],
-            "run": {"method": "paper", "iterations": 5, "learning_rate": 1e-3, **settings},
+            "run": {"method": "paper", "iterations": 3, "learning_rate": 1e-3, **settings},
         }
     )
 
@@ -221,3 +221,15 @@ def test_the_gradient_is_that_of_central_differences(make_scene, kind):
             parameter += 1e-6 * along
         difference = float(ahead - behind) / 2e-6
         assert float((gradient * along).sum()) == pytest.approx(difference, rel=1e-4, abs=1e-9)
+
+
+@pytest.mark.parametrize("fresh", [False, True])
+def test_rays_are_drawn_anew_where_the_source_wants_it(make_scene, fresh):
+    scene = make_scene(
+        {
+            "source": {"kind": "point", "position": [0, 0, -5], "rays": 2000, "fresh": fresh},
+            "run": {"method": "paper", "iterations": 2, "learning_rate": 1e-30},
+        }
+    )
+    images = [snapshot.irradiance for snapshot in run(scene, load_target(scene, None))]
+    assert all((image != images[0]).any() == fresh for image in images[1:])

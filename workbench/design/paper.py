@@ -14,7 +14,7 @@ from workbench.design.step import Step
 from workbench.errors import Refused
 from workbench.geometry.surface import ControlNet
 from workbench.optics.plan import Plan, device_of
-from workbench.scene import BoxFilter, PaperRun, Scene
+from workbench.scene import BoxFilter, CollimatedSource, PaperRun, Scene
 
 Array = npt.NDArray[np.float64]
 
@@ -42,6 +42,7 @@ def paper_steps(
         )
     device = device_of(scene)
     check_memory(scene)
+    fresh = not isinstance(scene.source, CollimatedSource) and scene.source.fresh
     plan = Plan(scene)
     net = ControlNet.of(scene.lens)
     free = HeightRange.of(scene.lens, net, device)
@@ -64,3 +65,5 @@ def paper_steps(
         optimiser.zero_grad()  # gives the memory back before the next gradient needs it
         torch.autograd.backward(shaped, gradient)
         optimiser.step()
+        if fresh:
+            plan.redraw()
