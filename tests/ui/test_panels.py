@@ -321,8 +321,20 @@ def test_each_source_has_its_fields_once(forms, document, kind):
     choose(forms, "run.method", "paper")
     data = document.session.scene.to_data()["source"]
     shown = [row for panel in forms.panels for row in panel.rows if row.isVisible()]
-    paths = [row.path for row in shown if row.path.startswith("source.")]
-    assert sorted(paths) == sorted(f"source.{name}" for name in data)
+    names = [row.path.split(".")[1] for row in shown if row.path.startswith("source.")]
+    assert sorted(names) == sorted(data)
+
+
+def test_a_mesh_brings_its_subdivisions_and_stays_with_another_source(forms, document, qtbot):
+    choose(forms, "source.kind", "point")
+    assert not row(forms, "source.intersection.subdivisions", visible=False).isVisible()
+    choose(forms, "source.intersection.method", "mesh")
+    enter(qtbot, editor(forms, "source.intersection.subdivisions[0]"), "65")
+    assert "at most 64" in row(forms, "source.intersection.subdivisions").refusal
+    enter(qtbot, editor(forms, "source.intersection.subdivisions[0]"), "8")
+    choose(forms, "source.kind", "grid")
+    intersection = document.session.scene.source.intersection
+    assert (intersection.method, intersection.subdivisions) == ("mesh", (8, 4))
 
 
 def test_fresh_rays_are_for_the_papers_method(forms, document, qtbot):

@@ -7,12 +7,12 @@ from typing import Any
 from ui.panels.fields import LENGTH, Changes, CheckRow, ChoiceRow, NumberRow
 from ui.panels.panel import Panel
 from workbench.files.session import Session
-from workbench.scene import CollimatedSource, GridSource, Lens, PointSource
+from workbench.scene import GridSource, Lens
 
 # A new source stands this many lens half-widths before the entrance face.
 _DISTANCE = 5.0
 # What a point source and a grid of them have in common; an exchange keeps it.
-_EMITTING = ("emission", "sampling", "fresh")
+_COMMON = ("emission", "sampling", "fresh", "intersection")
 
 
 class SourcePanel(Panel):
@@ -113,6 +113,23 @@ class SourcePanel(Panel):
                     "rays and does not have this.",
                     present=_can_be_fresh,
                 ),
+                ChoiceRow(
+                    "source.intersection.method",
+                    "Intersection",
+                    "How it is found where a ray meets the exit face. Exact: on the B-spline "
+                    "itself, fast and without an error of its own. Triangle mesh: as in the "
+                    "paper, for comparison.",
+                    [("exact", "Exact"), ("mesh", "Triangle mesh")],
+                    changes=self._change_intersection,
+                ),
+                NumberRow(
+                    "source.intersection.subdivisions",
+                    "Subdivisions",
+                    "Parts along x and y that each knot span is cut into, two triangles each. "
+                    "Twice as many make a quarter of the error, and four times the triangles.",
+                    between="×",
+                    whole=True,
+                ),
             ],
         )
 
@@ -130,24 +147,22 @@ class SourcePanel(Panel):
             return {}
         if choice == "collimated":
             return {"source": {"kind": choice}}
-        at, kept = _place(scene.lens), {}
-        if not isinstance(scene.source, CollimatedSource):
-            kept = {name: getattr(scene.source, name) for name in _EMITTING}
-            at = _middle(scene.source)
+        data = scene.to_data()["source"]
+        kept = {name: data[name] for name in _COMMON if name in data}
+        at = data.get("position") or data.get("center") or _place(scene.lens)
         if choice == "point":
             return {"source": {"kind": choice, "position": at, **kept}}
         half_width = [r / 2 for r in scene.lens.half_width]
         grid = {"center": at, "half_width": half_width, "points": [25, 25]}
         return {"source": {"kind": choice, **grid, **kept}}
 
+    def _change_intersection(self, choice: str) -> Changes:
+        return {"source.intersection": {"method": choice}}
 
-def _place(lens: Lens) -> tuple[float, float, float]:
+
+def _place(lens: Lens) -> list[float]:
     """On the axis, far enough away for the lens to bend all its light."""
-    return 0.0, 0.0, lens.entrance_z - _DISTANCE * max(lens.half_width)
-
-
-def _middle(source: PointSource | GridSource) -> tuple[float, float, float]:
-    return source.position if isinstance(source, PointSource) else source.center
+    return [0.0, 0.0, lens.entrance_z - _DISTANCE * max(lens.half_width)]
 
 
 def _of_kind(kind: str) -> Callable[[dict[str, Any]], bool]:
