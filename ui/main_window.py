@@ -22,6 +22,7 @@ from ui.workspace import Workspace
 if TYPE_CHECKING:
     from ui.frame import Frame
     from ui.run_control import RunControl
+    from ui.views.derivative_view import DerivativeView
     from ui.views.scene_view import SceneView
 
 TITLE = "Freeform Lens Workbench"
@@ -70,6 +71,7 @@ class MainWindow(QMainWindow):
         self._status = RunStatus(self.statusBar())
         self.control: RunControl | None = None
         self._scene_view: SceneView | None = None
+        self._derivative_view: DerivativeView | None = None
         self._leaving = False  # whatever would be lost
         self._closing = False  # as soon as the run has ended
         self.setAcceptDrops(True)
@@ -85,16 +87,18 @@ class MainWindow(QMainWindow):
     def build(self) -> None:
         """Add runner and views; imports what they stand on."""
         from ui.run_control import RunControl
+        from ui.views.derivative_view import DerivativeView
         from ui.views.error_view import ErrorView
         from ui.views.irradiance_view import IrradianceView
         from ui.views.light_view import LightView
         from ui.views.loss_view import LossView
         from ui.views.scene_view import SceneView
 
-        self._scene_view = SceneView()
+        self._scene_view, self._derivative_view = SceneView(), DerivativeView()
         others = {
             "irradiance": IrradianceView(),
             "error": ErrorView(),
+            "derivative": self._derivative_view,
             "loss": LossView(),
             "light": LightView(),
         }
@@ -136,6 +140,8 @@ class MainWindow(QMainWindow):
             self.control = None  # nothing can be started any more
         if self._scene_view is not None:
             self._scene_view.close_plotter()
+        if self._derivative_view is not None:
+            self._derivative_view.close_thread()
         super().closeEvent(event)
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:

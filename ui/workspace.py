@@ -49,13 +49,16 @@ class Workspace:
             "design": self._dock("design", "Design", _LEFT),
             "irradiance": self._dock("irradiance", "Irradiance", _RIGHT),
             "error": self._dock("error", "Irradiance − target", _RIGHT),
+            "derivative": self._dock("derivative", "Derivative", _RIGHT),
             "loss": self._dock("loss", "Loss", _BOTTOM),
             "light": self._dock("light", "Light account", _BOTTOM),
         }
         self.docks["design"].setWidget(forms)
-        for name in ("irradiance", "error", "loss", "light"):
+        for name in ("irradiance", "error", "derivative", "loss", "light"):
             curtain = QLabel("Loading…", alignment=Qt.AlignmentFlag.AlignCenter)
             self.docks[name].setWidget(curtain)
+        window.tabifyDockWidget(self.docks["error"], self.docks["derivative"])
+        self.docks["derivative"].hide()
 
     def arrange(self) -> None:
         """Share the window out among the docks."""

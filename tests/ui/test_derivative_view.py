@@ -1,0 +1,158 @@
+"""The derivative dock's view: when it computes, of which lens, what it tells."""
+
+import dataclasses
+import threading
+from pathlib import Path
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QThread
+
+import workbench.analysis.derivatives
+from ui.derivatives import Derivatives, Question
+from ui.views.derivative_view import DerivativeView
+from workbench.analysis.derivatives import DerivativeMap, irradiance_derivative
+from workbench.files.session import Session
+from workbench.targets import load_target
+
+
+@pytest.fixture
+def frame(session, snapshots):
+    """What the view needs of a frame: a lens, lower with each iteration, and its scene."""
+
+    def make(iteration, of=session):
+        heights = np.full(of.scene.lens.control_points, 0.5 - 0.01 * iteration)
+        snapshot = dataclasses.replace(snapshots(iteration), control_points=heights)
+        return SimpleNamespace(session=of, snapshot=snapshot)
+
+    return make
+
+
+@pytest.fixture
+def asked(monkeypatch):
+    """What the engine was asked for, and in which thread; answers with a map of ones."""
+    calls = []
+
+    def stand_in(scene, control_points, index):
+        calls.append((scene, control_points, index, QThread.currentThread()))
+        n_x, n_y = scene.screen.pixels
+        return DerivativeMap(index, (0.0, 0.0), np.ones((n_y, n_x)), 0.5, 2.0)
+
+    monkeypatch.setattr(workbench.analysis.derivatives, "irradiance_derivative", stand_in)
+    return calls
+
+
+@pytest.fixture
+def view(qtbot):
+    view = DerivativeView()
+    view.resize(380, 380)
+    qtbot.addWidget(view)
+    return view
+
+
+@pytest.fixture
+def seen(view, qtbot):
+    with qtbot.waitExposed(view):
+        view.show()
+    return view
+
+
+def test_shows_the_map_of_the_middle_point_and_its_sum(seen, frame, session, qtbot):
+    seen.show_frame(frame(1))
+    assert seen.index == (6, 5)
+    qtbot.waitUntil(lambda: "changes by" in seen._sum.text(), timeout=20_000)
+    scene = session.scene
+    wished = irradiance_derivative(scene, np.full((12, 10), 0.49), (6, 5))
+    qtbot.waitUntil(lambda: seen._image.artists[0].get_array().count() > 0)
+    shown = seen._image.artists[0].get_array()
+    np.testing.assert_allclose(shown.filled(0), wished.map, atol=1e-12)
+    np.testing.assert_array_equal(shown.mask, wished.map == 0)
+    assert f"{wished.sum:.1e} per cm of height" in seen._sum.text()
+    assert seen._place.text() == "x = 0.111, y = 0.143 cm"
+
+
+def test_nothing_is_computed_while_hidden(view, frame, asked, qtbot):
+    view.show_frame(frame(1))
+    view.show_frame(frame(2))
+    qtbot.wait(400)
+    assert not asked
+    with qtbot.waitExposed(view):
+        view.show()
+    qtbot.waitUntil(lambda: len(asked) == 1)
+    assert asked[0][1][0, 0] == 0.48
+    view.hide()
+    view.show_frame(frame(3))
+    qtbot.wait(400)
+    assert len(asked) == 1
+
+
+def test_many_frames_are_one_map_of_the_last(seen, frame, asked, qtbot, qapp):
+    for iteration in range(5):
+        seen.show_frame(frame(iteration))
+        qtbot.wait(30)
+    qtbot.waitUntil(lambda: "changes by 5.0e-01 per cm" in seen._sum.text())
+    assert [call[1][0, 0] for call in asked] == [0.46]
+    assert asked[0][3] != qapp.thread()
+    assert "2.5e-01 of all light" in seen._sum.text()
+
+
+def test_another_point_is_another_map(seen, frame, asked, qtbot):
+    seen.show_frame(frame(1))
+    qtbot.waitUntil(lambda: len(asked) == 1)
+    seen._boxes[0].setValue(2)
+    seen._boxes[1].setValue(7)
+    qtbot.waitUntil(lambda: len(asked) == 2)
+    assert asked[1][2] == (2, 7)
+
+
+def test_only_points_of_the_net_can_be_chosen(seen, frame, asked, make_scene, qtbot):
+    seen.show_frame(frame(1))
+    seen._boxes[0].setValue(99)
+    assert seen.index == (11, 5)
+    scene = make_scene({"lens.control_points": [7, 10]})
+    other = Session(scene, load_target(scene, Path.cwd()))
+    seen.show_frame(frame(1, of=other))
+    assert seen.index == (3, 5)
+    qtbot.waitUntil(lambda: bool(asked) and asked[-1][2] == (3, 5))
+
+
+def test_a_refusal_is_told_and_the_old_map_goes(seen, frame, make_scene, qtbot):
+    seen.show_frame(frame(1))
+    qtbot.waitUntil(lambda: seen._map is not None, timeout=20_000)
+    scene = make_scene({"filter": {"kind": "box"}})
+    seen.show_frame(frame(1, of=Session(scene, load_target(scene, Path.cwd()))))
+    qtbot.waitUntil(lambda: "filter.kind: 'box' counts rays" in seen._sum.text())
+    qtbot.waitUntil(lambda: seen._image.artists[0].get_array().count() == 0)
+    assert seen._place.text() == ""
+
+
+def test_defects_reach_the_person(seen, frame, monkeypatch, qtbot):
+    def broken(*_):
+        raise ZeroDivisionError("by zero")
+
+    monkeypatch.setattr(workbench.analysis.derivatives, "irradiance_derivative", broken)
+    seen.show_frame(frame(1))
+    qtbot.waitUntil(lambda: "unexpected ZeroDivisionError: by zero" in seen._sum.text())
+
+
+def test_questions_that_wait_are_replaced(session, monkeypatch, qtbot):
+    gate, taken = threading.Semaphore(0), []
+
+    def slow(scene, control_points, index):
+        taken.append(index)
+        gate.acquire()
+
+    monkeypatch.setattr(workbench.analysis.derivatives, "irradiance_derivative", slow)
+    derivatives, answered = Derivatives(), []
+    derivatives.answered.connect(lambda question, *_: answered.append(question.index))
+    for i in range(5):
+        derivatives.ask(Question(session.scene, np.zeros((12, 10)), (i, 0)))
+    gate.release(5)
+    qtbot.waitUntil(lambda: len(answered) == 2)
+    assert taken == answered == [(0, 0), (4, 0)]
+    derivatives.ask(Question(session.scene, np.zeros((12, 10)), (9, 9)))
+    derivatives.close()
+    derivatives.close()
+    qtbot.wait(50)
+    assert len(answered) == 2

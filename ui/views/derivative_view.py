@@ -1,0 +1,152 @@
+"""The derivative of the irradiance with respect to the height of one control point.
+
+1. A map is computed only for eyes: never while the view is hidden.
+2. It follows the lens when it rests: while a run brings frame after frame, a map of each would
+   take the run's time and be of the past when it is there.
+"""
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QSignalBlocker, QTimer
+from PySide6.QtGui import QCloseEvent, QHideEvent, QShowEvent
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QSpinBox, QWidget
+
+from ui.derivatives import Derivatives, Question
+from ui.views.plot_view import PlotView
+from ui.views.view import look_alike
+from workbench.pictures.derivative import DerivativeImage
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from matplotlib.artist import Artist
+    from matplotlib.axes import Axes
+
+    from ui.frame import Frame
+    from workbench.analysis.derivatives import DerivativeMap
+    from workbench.files.session import Session
+
+_REST_MS = 250  # longer than between two frames of a run, or two steps of a spin box
+
+
+class DerivativeView(PlotView):
+    """A control point to choose, the map of its influence, and the sum of that map."""
+
+    _image: DerivativeImage
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._derivatives = Derivatives(self)
+        self._derivatives.answered.connect(self._take)
+        self._wanted: Question | None = None
+        self._map: DerivativeMap | None = None
+        self._rest = QTimer(self, singleShot=True, interval=_REST_MS)
+        self._rest.timeout.connect(self._ask_for_map)
+        self._boxes = (_index_box("along x"), _index_box("along y"))
+        self._place = QLabel()
+        self._sum = QLabel(wordWrap=True)
+        self._box.insertLayout(0, self._row())
+        self._box.addWidget(self._sum)
+        self._sum.setContentsMargins(6, 0, 6, 4)
+        for box in self._boxes:
+            box.valueChanged.connect(self._want)
+
+    @property
+    def index(self) -> tuple[int, int]:
+        """The chosen control point, along x and along y."""
+        return self._boxes[0].value(), self._boxes[1].value()
+
+    def close_thread(self) -> None:
+        """Wait for the last computation; nothing is computed any more. Safe to call twice."""
+        self._rest.stop()
+        self._derivatives.close()
+
+    def show_frame(self, frame: "Frame") -> None:
+        """Take note of another lens."""
+        if self._frame is None or not look_alike(self._frame.session, frame.session):
+            self._map = None
+            self._offer(frame.session.scene.lens.control_points)
+        super().show_frame(frame)
+        self._want()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Compute what came while hidden."""
+        super().showEvent(event)
+        if self._wanted is None:
+            self._want()
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        """Compute nothing that nobody sees."""
+        self._rest.stop()
+        self._derivatives.forget()
+        self._wanted = None
+        super().hideEvent(event)
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        """End the thread with the view."""
+        self.close_thread()
+        super().closeEvent(event)
+
+    def _row(self) -> QHBoxLayout:
+        row = QHBoxLayout()
+        row.setContentsMargins(6, 4, 6, 0)
+        row.addWidget(QLabel("Control point"))
+        for box in self._boxes:
+            row.addWidget(box)
+        row.addWidget(self._place, 1)
+        return row
+
+    def _offer(self, count: tuple[int, int]) -> None:
+        """Let only points of the net be chosen; of another net, the middle one to begin with."""
+        for box, n in zip(self._boxes, count, strict=True):
+            if box.maximum() != n - 1:
+                with QSignalBlocker(box):
+                    box.setMaximum(n - 1)
+                    box.setValue(n // 2)
+
+    def _want(self) -> None:
+        """The map on show is not of this lens or point any more."""
+        self._wanted = None
+        if self._frame is not None and self.isVisible():
+            self._sum.setText("Computed when the lens rests…")
+            self._rest.start()
+
+    def _ask_for_map(self) -> None:
+        frame = self._frame
+        assert frame is not None
+        self._wanted = Question(frame.session.scene, frame.snapshot.control_points, self.index)
+        self._sum.setText("Computing…")
+        self._derivatives.ask(self._wanted)
+
+    def _take(self, question: Question, found: "DerivativeMap | None", sentence: str) -> None:
+        if question is not self._wanted:
+            return
+        self._map = found
+        self._place.setText("" if found is None else _place(found, question.scene.unit))
+        self._sum.setText(sentence if found is None else _sum(found, question.scene.unit))
+        self._ask()
+
+    def _begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
+        self._image = DerivativeImage(axes, session.scene)
+        return self._image.artists
+
+    def _change(self, frame: "Frame") -> bool:
+        return self._image.update(None if self._map is None else self._map.map)
+
+
+def _index_box(along: str) -> QSpinBox:
+    box = QSpinBox()
+    box.setKeyboardTracking(False)
+    box.setToolTip(f"Number of the control point {along}, counted from 0")
+    box.setAccessibleName(f"Control point {along}")
+    return box
+
+
+def _place(found: "DerivativeMap", unit: str) -> str:
+    x, y = found.position
+    return f"x = {x:.3g}, y = {y:.3g} {unit}"
+
+
+def _sum(found: "DerivativeMap", unit: str) -> str:
+    part = f", {found.sum / found.flux:.1e} of all light there" if found.flux else ""
+    return f"Light on the screen changes by {found.sum:.1e} per {unit} of height{part}"
