@@ -6,6 +6,7 @@ import math
 import numpy as np
 import pytest
 import torch
+from torch.autograd import forward_ad
 
 from workbench.errors import Refused
 from workbench.geometry.patches import Patches
@@ -249,6 +250,17 @@ def test_the_gradient_is_that_of_central_differences(rng):
     with torch.no_grad():
         difference = (total(heights + h * direction) - total(heights - h * direction)) / (2 * h)
     assert (gradient * direction).sum().item() == pytest.approx(difference.item(), rel=1e-5)
+
+
+def test_dual_numbers_and_the_gradient_agree(rng):
+    rays = random_rays(rng, 2_000)
+    direction = torch.as_tensor(rng.standard_normal(NET.shape))
+    with torch.no_grad(), forward_ad.dual_level():
+        dual = meet(rays, forward_ad.make_dual(wavy(), direction)).depth
+        change = forward_ad.unpack_dual(dual).tangent.clone()
+    heights = wavy().requires_grad_()
+    (gradient,) = torch.autograd.grad(meet(rays, heights).depth.sum(), heights)
+    assert change.sum().item() == pytest.approx((gradient * direction).sum().item(), rel=1e-10)
 
 
 @pytest.mark.parametrize("dtype", DTYPES)

@@ -9,6 +9,8 @@ is bracketed unless the ray leaves through the side before.
 the bracket, from the root of the last lens. Elsewhere f may have several roots, and the first
 counts: there the search walks up from below in steps that the bounds of f' and f'' prove not to
 pass a root. The gradient comes from the implicit function theorem, not through the iterations.
+
+The triangle mesh of the paper is in `workbench.optics.mesh`, with the figures of both methods.
 """
 
 from typing import NamedTuple

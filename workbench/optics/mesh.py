@@ -22,6 +22,23 @@ The depth has the derivative of the triangle's plane, through basis matrices tha
 slopes that refract the ray belong to the B-spline at the hit, not to the triangle: planes would
 make a lens of flat facets, whose light comes in separate patches, and whose directions, constant
 within a facet, do not tell which way a hit moves. So the mesh errs in the place of the hit alone.
+
+Both methods for 5·10⁵ rays on a 64² net (a shallow cap with ripples, half-width 0.64, heights
+about 1/2, float32), an image and its gradient, on one core of a PC:
+
+==================  =======  ======================
+method              seconds  largest error of depth
+==================  =======  ======================
+exact               0.22     6.0e-7 (rounding)
+mesh, 1 per span    0.18     5.8e-5
+mesh, 2             0.17     1.5e-5
+mesh, 4             0.18     3.7e-6
+mesh, 8             0.18     1.7e-6
+==================  =======  ======================
+
+In float64 the error falls to a quarter with every doubling. The exact method is the default: for
+a quarter more time it needs no subdivision to be chosen, and the derivative of its depth is
+continuous, where that of a mesh jumps on every edge.
 """
 
 from typing import NamedTuple
@@ -172,8 +189,9 @@ class MeshIntersection:
         """
         vertices = self._mesh.vertices(heights)
         with torch.no_grad():
-            start, inside = self._rise(heights)
-            hit = self._cross(vertices, start, inside, heights.max())
+            still = heights.detach()
+            start, inside = self._rise(still)
+            hit = self._cross(vertices.detach(), start, inside, still.max())
         walk, s = self._in_cells, hit.sign
         height, rise_x, rise_y = self._planes(vertices, hit.corner_x, hit.corner_y, s)
         e_x = s * (walk.a_x + walk.b_x * hit.depth - hit.corner_x)
