@@ -29,7 +29,7 @@ def heights(request, rng):
 @pytest.mark.parametrize("emission", ["uniform", "lambertian"])
 @pytest.mark.parametrize("source", [POINT, GRID], ids=["point", "grid"])
 def test_the_optimisers_trace_agrees(make_scene, heights, source, emission):
-    rays = 1 << 17 if source is POINT else (1 << 17) // 12
+    rays = 1 << 16 if source is POINT else (1 << 16) // 12
     scene = make_scene(
         {
             "source": source | {"emission": emission, "rays": rays},
@@ -37,13 +37,13 @@ def test_the_optimisers_trace_agrees(make_scene, heights, source, emission):
             "screen.pixels": [4, 3],
         }
     )
-    found = validate(scene, uniform(scene), heights, 1 << 17)
+    found = validate(scene, uniform(scene), heights, 1 << 16)
     traced = Plan(scene, filter=BoxFilter(), dtype=torch.float64).trace(torch.tensor(heights))
     for name, value in found.ledger.to_data().items():
-        assert value == pytest.approx(traced.ledger.to_data()[name], abs=2e-3)
+        assert value == pytest.approx(traced.ledger.to_data()[name], abs=5e-3)
     expected = traced.flux.numpy() / scene.screen.pixel_area
     error = np.linalg.norm(found.irradiance - expected) / np.linalg.norm(expected)
-    assert error < 0.02
+    assert error < 0.06
     emitted, *parts = found.ledger.to_data().values()
     assert sum(parts) == pytest.approx(emitted, abs=1e-12)
 
@@ -57,7 +57,7 @@ def test_a_flat_plate_shifts_each_ray_by_its_own_angle(make_scene):
             "screen.half_width": [0.8, 0.8],
         }
     )
-    found = validate(scene, uniform(scene), np.full((12, 10), 0.5), 1 << 17)
+    found = validate(scene, uniform(scene), np.full((12, 10), 0.5), 1 << 16)
     # Rays that hit the screen's edge, to third order in the angle, against the solid angle of the
     # square that they span: Ω(s) for half-side s at distance 1 is 4 asin(s² / (1 + s²)).
     slope = 0.8 / (5 + 4.5 + 0.5 / math.sqrt(1.5**2 + (1.5**2 - 1) * (0.8 / 10) ** 2))

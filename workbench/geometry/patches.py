@@ -25,7 +25,7 @@ class Place(NamedTuple):
     row : Tensor of int64, shape (m,)
         Patch of each point.
     s, t : Tensor, shape (m,)
-        Local coordinates in it, [0, 1], along x and y.
+        Local coordinates in it, [−½, ½], along x and y.
     """
 
     row: Tensor
@@ -112,7 +112,7 @@ class Patches:
             scaled = (c + r) * (count / (2 * r))
             span = scaled.detach().floor().clamp(0, count - 1)
             spans.append(span)
-            local.append(scaled - span)
+            local.append(scaled - (span + 0.5))
         row = (spans[0] * self._spans[1] + spans[1]).long()
         return Place(row, local[0], local[1])
 
@@ -152,12 +152,13 @@ def _along(values: Array, axis: int) -> Array:
 def _power_basis(knots: Array, degree: int, spans: int) -> tuple[Array, Indices]:
     """Power coefficients of the basis functions on each span, and which functions these are.
 
-    Taylor's series at the left end of the span: coefficient m is the m-th derivative times h^m/m!.
+    Taylor's series at the middle of the span, where it loses the fewest digits: coefficient m is
+    the m-th derivative times h^m/m!.
     """
-    left = np.arange(spans) / spans
+    middle = (np.arange(spans) + 0.5) / spans
     powers = np.zeros((spans, degree + 1, degree + 1))
-    first, _ = local_basis(knots, degree, left)
+    first, _ = local_basis(knots, degree, middle)
     for m in range(degree + 1):
-        _, derivative = local_basis(knots, degree, left, derivative=m)
+        _, derivative = local_basis(knots, degree, middle, derivative=m)
         powers[:, :, m] = derivative / (math.factorial(m) * float(spans) ** m)
     return powers, first[:, None] + np.arange(degree + 1)

@@ -1,0 +1,117 @@
+"""Rays of points and grids, and what the entrance face makes of them."""
+
+import numpy as np
+import pytest
+
+from workbench.optics.cap import covering_cap
+from workbench.optics.emission import Rays, emit, enter
+from workbench.scene import GridSource, PointSource
+
+POINT = PointSource(kind="point", position=(0.4, -0.2, -3.0), rays=1 << 16)
+GRID = GridSource(
+    kind="grid", center=(0.2, 0.0, -5.0), half_width=(1.0, 0.5), points=(25, 25), rays=64
+)
+
+
+@pytest.fixture
+def lens(make_scene):
+    return make_scene({"lens.half_width": [1.0, 0.8]}).lens
+
+
+@pytest.mark.parametrize("sampling", ["sobol", "random"])
+def test_emission_is_uniform_in_solid_angle(lens, sampling):
+    source = POINT.model_copy(update={"sampling": sampling})
+    rays = emit(source, lens, seed=3)
+    cap = covering_cap(np.array(source.position), lens.half_width, lens.entrance_z)
+    assert np.linalg.norm(rays.direction, axis=1) == pytest.approx(1, abs=1e-14)
+    assert (rays.origin == source.position).all()
+    cos = rays.direction @ cap.axis
+    assert cos.min() >= cap.cos_max - 1e-14
+    # Zones of equal height hold equal solid angles (Archimedes), and so do sectors.
+    zones = np.histogram(cos, bins=8, range=(cap.cos_max, 1))[0]
+    assert zones == pytest.approx(source.rays / 8, rel=0.04)
+    across = np.linalg.svd(cap.axis[None])[2][1:]
+    sectors = np.histogram(np.arctan2(*(across @ rays.direction.T)), 8, (-np.pi, np.pi))[0]
+    assert sectors == pytest.approx(source.rays / 8, rel=0.04)
+    assert rays.direction.mean(axis=0) == pytest.approx(
+        cap.axis * (1 + cap.cos_max) / 2, abs=1e-4 if sampling == "sobol" else 3e-3
+    )
+
+
+@pytest.mark.parametrize("source", [POINT, GRID], ids=["point", "grid"])
+@pytest.mark.parametrize("emission", ["uniform", "lambertian"])
+def test_flux_sums_to_one(lens, source, emission):
+    rays = emit(source.model_copy(update={"emission": emission}), lens, seed=0)
+    assert rays.flux.sum() == pytest.approx(1, abs=1e-12)
+    if emission == "lambertian":
+        ratio = rays.flux / rays.direction[:, 2]
+        assert ratio == pytest.approx(ratio[0])
+    else:
+        assert (rays.flux == rays.flux[0]).all()
+
+
+def test_a_grid_is_one_batch_of_all_its_points(lens):
+    rays = emit(GRID, lens, seed=0)
+    assert rays.direction.shape == (25 * 25 * 64, 3)
+    places, counts = np.unique(rays.origin, axis=0, return_counts=True)
+    assert (counts == 64).all()
+    x, y = np.meshgrid(np.linspace(-0.8, 1.2, 25), np.linspace(-0.5, 0.5, 25), indexing="ij")
+    assert places[:, :2] == pytest.approx(np.stack([x.ravel(), y.ravel()], axis=-1))
+    assert (places[:, 2] == -5).all()
+    # Each point has directions of its own, within its own cap.
+    first, last = rays.direction[:64], rays.direction[-64:]
+    for point, directions in ((places[0], first), (places[-1], last)):
+        cap = covering_cap(point, lens.half_width, lens.entrance_z)
+        assert (directions @ cap.axis >= cap.cos_max - 1e-14).all()
+        assert directions.mean(axis=0) == pytest.approx(cap.axis, abs=0.05)
+
+
+def test_a_grid_of_one_point_is_that_point(lens):
+    one = GRID.model_copy(update={"points": (1, 1), "rays": 128})
+    point = PointSource(kind="point", position=one.center, rays=128)
+    assert np.array_equal(emit(one, lens, 5).direction, emit(point, lens, 5).direction)
+
+
+@pytest.mark.parametrize("sampling", ["sobol", "random"])
+def test_the_same_seed_repeats_and_another_draw_differs(lens, sampling):
+    source = POINT.model_copy(update={"sampling": sampling, "rays": 100})
+    first = emit(source, lens, seed=1).direction
+    assert np.array_equal(first, emit(source, lens, seed=1).direction)
+    assert not np.isin(first, emit(source, lens, seed=1, draw=1).direction).any()
+    assert not np.isin(first, emit(source, lens, seed=2).direction).any()
+
+
+class TestEntrance:
+    def test_snells_law_by_angles(self, lens):
+        rays = emit(POINT, lens, seed=0)
+        inside = enter(rays, lens)
+        height = lens.entrance_z - rays.origin[:, 2]
+        x, y = (rays.origin + rays.direction * (height / rays.direction[:, 2])[:, None]).T[:2]
+        meets = (np.abs(x) <= 1.0) & (np.abs(y) <= 0.8)
+        assert inside.x == pytest.approx(x[meets], abs=1e-14)
+        assert inside.y == pytest.approx(y[meets], abs=1e-14)
+        outer = np.arccos(rays.direction[meets, 2])
+        inner = np.arctan(np.hypot(inside.slope_x, inside.slope_y))
+        assert 1.5 * np.sin(inner) == pytest.approx(np.sin(outer), abs=1e-12)
+        azimuth = np.arctan2(rays.direction[meets, 1], rays.direction[meets, 0])
+        assert np.arctan2(inside.slope_y, inside.slope_x) == pytest.approx(azimuth, abs=1e-9)
+        reflectance = 0.04 + 0.96 * (1 - np.cos(outer)) ** 5
+        assert inside.flux == pytest.approx(rays.flux[meets] * (1 - reflectance), rel=1e-12)
+        assert inside.missed == pytest.approx((~meets).mean(), abs=1e-12)
+        assert inside.flux.sum() + inside.missed + inside.reflected == pytest.approx(1, abs=1e-12)
+
+    def test_rays_that_never_get_there_miss(self, lens):
+        directions = np.array([[0, 0, -1.0], [1, 0, 0], [0, 0, 1.0]])
+        origin = np.array([[0, 0, -1.0]] * 3)
+        inside = enter(Rays(origin, directions, np.full(3, 1 / 3)), lens)
+        assert len(inside.x) == 1
+        assert inside.missed == pytest.approx(2 / 3)
+
+    def test_rays_that_graze_the_face_stay_finite(self, lens):
+        near = POINT.model_copy(update={"position": (0.3, 0.2, -1e-9), "rays": 10_000})
+        inside = enter(emit(near, lens, seed=0), lens)
+        for part in (inside.x, inside.y, inside.slope_x, inside.slope_y, inside.flux):
+            assert np.isfinite(part).all()
+        # No ray in the lens is flatter than at the critical angle.
+        assert np.hypot(inside.slope_x, inside.slope_y).max() <= 1 / np.sqrt(1.5**2 - 1) + 1e-12
+        assert inside.flux.sum() + inside.missed + inside.reflected == pytest.approx(1, abs=1e-12)
