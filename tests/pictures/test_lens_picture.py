@@ -198,3 +198,22 @@ def test_a_source_far_away_leaves_the_view_to_lens_and_screen(make_scene, plotte
         assert 0 <= row < height and 0 <= column < width
     rows = [screen_pixel(plotter, (0, y, 5))[0] for y in (1, -1)]
     assert rows[1] - rows[0] > height / 4
+
+
+def test_a_stage_may_have_a_source_of_its_own(make_scene, plotter, state):
+    scene = make_scene({"source": GRID})
+    earlier = make_scene({"source": POINT})
+    picture = LensPicture(plotter, scene, np.ones((32, 32)))
+    picture.fit()
+    picture.update(*state(earlier), earlier.source)
+    begins = picture._rays.points.reshape(-1, 4, 3)[:, 0]
+    np.testing.assert_allclose(picture._places.points, [POINT["position"]])
+    np.testing.assert_allclose(begins, np.tile(POINT["position"], (25, 1)))
+    drawn(plotter)
+    picture.update(*state(scene))
+    assert len(picture._places.points) == picture._places.n_cells == 6
+    drawn(plotter)
+    collimated = make_scene()
+    picture.update(*state(collimated), collimated.source)
+    assert not picture._source.GetVisibility()
+    assert picture.fitted

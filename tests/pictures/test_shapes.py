@@ -68,13 +68,13 @@ def grid(points, half_width=(2.0, 1.0)):
 
 
 def test_grid_points_reach_the_rim_of_the_source():
-    found = shapes.grid_points(grid((3, 2)), (25, 25))
+    found = shapes.source_points(grid((3, 2)), (25, 25))
     expected = [[x, y, -3] for x in (-1, 1, 3) for y in (-1, 1)]
     np.testing.assert_allclose(found, expected)
 
 
 def test_many_grid_points_are_thinned_over_the_same_extent():
-    found = shapes.grid_points(grid((401, 1)), (5, 5))
+    found = shapes.source_points(grid((401, 1)), (5, 5))
     np.testing.assert_allclose(found, [[x, 0, -3] for x in (-1, 0, 1, 2, 3)])
 
 

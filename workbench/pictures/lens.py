@@ -23,7 +23,7 @@ from vtkmodules.vtkRenderingCore import vtkBillboardTextActor3D
 
 from workbench.pictures import shapes
 from workbench.pictures.images import full_scale, to_colours
-from workbench.scene import CollimatedSource, GridSource, PointSource, Scene
+from workbench.scene import CollimatedSource, PointSource, Scene, Source
 
 if TYPE_CHECKING:
     from workbench.optics.paths import RayPaths
@@ -79,7 +79,13 @@ class LensPicture:
         self._add(self._rays, scalars="colour", rgba=True, line_width=1.0, lighting=False)
         self.recolour(dark)
 
-    def update(self, surface: Array, paths: "RayPaths", irradiance: Array) -> None:
+    def update(
+        self,
+        surface: Array,
+        paths: "RayPaths",
+        irradiance: Array,
+        source: Source | None = None,
+    ) -> None:
         """Show another state of the same scene; the camera stays.
 
         Parameters
@@ -90,9 +96,13 @@ class LensPicture:
             Rays from below the entrance face to the screen plane.
         irradiance : ndarray, shape (n_y, n_x)
             Flux per area on the screen, row 0 at +y.
+        source : Source, optional
+            Where these rays come from in a stage of the run that has a source of its own.
         """
+        lit = self._scene.model_copy(update={"source": source or self._scene.source})
         self._place_lens(surface)
-        self._place_rays(paths)
+        self._place_source(lit)
+        self._place_rays(paths, lit)
         self._paint_screen(irradiance)
         self._plotter.renderer.ResetCameraClippingRange()
 
@@ -128,8 +138,7 @@ class LensPicture:
         self._plotter.set_background(bottom, top=top)
         for actor in self._lines:
             actor.prop.color = _INK[dark]
-        if self._source is not None:
-            self._source.prop.color = _LANDS[dark]
+        self._source.prop.color = _LANDS[dark]
         self._colour_rays()
 
     def _camera_state(self) -> tuple[object, ...]:
@@ -207,22 +216,28 @@ class LensPicture:
         self._texels.Modified()
 
     def _add_source(self) -> None:
-        self._source: Any = None
-        source = self._scene.source
-        if isinstance(source, CollimatedSource) or not _in_view(self._scene):
-            return
-        if isinstance(source, PointSource):
-            places, size = np.array([source.position]), 14.0
-        else:
-            places, size = shapes.grid_points(source, _SOURCE_POINTS), 4.0
+        self._places = pv.PolyData(np.zeros((1, 3)))
         # Sizes in pixels: as easy to see beside a large screen as beside a small lens.
         look = {"style": "points", "render_points_as_spheres": True, "lighting": False}
-        self._source = self._add(pv.PolyData(places), point_size=size, **look)
+        self._source = self._add(self._places, **look)
+        self._place_source(self._scene)
 
-    def _place_rays(self, paths: "RayPaths") -> None:
+    def _place_source(self, lit: Scene) -> None:
+        source = lit.source
+        shown = _in_view(lit)
+        self._source.SetVisibility(shown)
+        if not shown:
+            return
+        places = shapes.source_points(source, _SOURCE_POINTS)
+        if not np.array_equal(places, self._places.points):
+            self._places.points = places
+            self._places.verts = np.insert(np.arange(len(places)), np.arange(len(places)), 1)
+        self._source.prop.point_size = 14.0 if isinstance(source, PointSource) else 4.0
+
+    def _place_rays(self, paths: "RayPaths", lit: Scene) -> None:
         count = len(paths.weight)
         points = paths.points.copy()
-        points[:, 0] = shapes.begun_at(points[:, 0], points[:, 1], _start_z(self._scene))
+        points[:, 0] = shapes.begun_at(points[:, 0], points[:, 1], _start_z(lit))
         self._rays.points = points.reshape(-1, 3)
         if count != self._rays.n_cells:
             ends = np.arange(4 * count).reshape(count, 4)
@@ -285,10 +300,8 @@ def space(scene: Scene) -> Array:
     before = lens.entrance_z - 0.5 * max(lens.half_width)
     ends = [(lens.half_width, before), (screen.half_width, screen.z)]
     corners = [[i * r[0], j * r[1], z] for r, z in ends for i in (-1, 1) for j in (-1, 1)]
-    if isinstance(source, PointSource) and _in_view(scene):
-        corners.append([*source.position])
-    elif isinstance(source, GridSource) and _in_view(scene):
-        corners += shapes.grid_points(source, (2, 2)).tolist()
+    if _in_view(scene):
+        corners += shapes.source_points(source, (2, 2)).tolist()
     return np.array(corners)
 
 

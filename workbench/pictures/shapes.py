@@ -6,7 +6,7 @@ Cells are flat lists as pyvista takes them: (n, i_1, ..., i_n, n, ...).
 import numpy as np
 import numpy.typing as npt
 
-from workbench.scene import GridSource
+from workbench.scene import CollimatedSource, PointSource, Source
 
 Array = npt.NDArray[np.float64]
 Cells = npt.NDArray[np.int64]
@@ -94,13 +94,17 @@ def wall_lines(m_u: int, m_v: int) -> Cells:
     return polylines(lines)
 
 
-def grid_points(source: GridSource, most: tuple[int, int]) -> Array:
-    """Points of a source's grid, spread over the same extent where there are more than ``most``.
+def source_points(source: Source, most: tuple[int, int]) -> Array:
+    """Points of a source, spread over the same extent where a grid has more than ``most``.
 
     Returns
     -------
     ndarray, shape (n, 3)
     """
+    if isinstance(source, CollimatedSource):
+        return np.zeros((0, 3))
+    if isinstance(source, PointSource):
+        return np.array([source.position])
     along = (
         np.linspace(-r, r, min(m, limit)) if m > 1 else np.zeros(1)
         for r, m, limit in zip(source.half_width, source.points, most, strict=True)
