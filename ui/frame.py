@@ -7,7 +7,7 @@ import numpy as np
 import numpy.typing as npt
 
 if TYPE_CHECKING:
-    from workbench.design.snapshot import Snapshot
+    from workbench.design.snapshot import History, Snapshot
     from workbench.files.session import Session
     from workbench.optics.paths import RayPaths
 
@@ -33,6 +33,8 @@ class Frame:
         A few rays from before the lens to the screen.
     losses : ndarray, shape (k,)
         Loss after each iteration so far, those of a continued run first.
+    stage_starts : tuple of int
+        Numbers of losses before each stage but the first began.
     """
 
     session: "Session"
@@ -40,9 +42,10 @@ class Frame:
     surface: Array
     paths: "RayPaths"
     losses: Array
+    stage_starts: tuple[int, ...]
 
 
-def make_frame(session: "Session", snapshot: "Snapshot", losses: Array) -> Frame:
+def make_frame(session: "Session", snapshot: "Snapshot", history: "History") -> Frame:
     """Sample the surface and follow the rays of a snapshot; meant for the worker's thread."""
     # Late: torch comes with it, and the window shows before that.
     from workbench.geometry.surface import sample_surface
@@ -54,5 +57,6 @@ def make_frame(session: "Session", snapshot: "Snapshot", losses: Array) -> Frame
         snapshot=snapshot,
         surface=sample_surface(scene.lens, heights, _SURFACE_SAMPLES),
         paths=ray_paths(scene, heights, _RAYS),
-        losses=losses,
+        losses=history.losses(),
+        stage_starts=history.stage_starts(),
     )

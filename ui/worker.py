@@ -12,7 +12,6 @@ from dataclasses import dataclass, field
 from threading import Condition
 from typing import TYPE_CHECKING
 
-import numpy as np
 from PySide6.QtCore import QObject, QThread, Signal, Slot
 
 from ui.frame import Array, Frame, make_frame
@@ -131,28 +130,28 @@ class Worker(QObject):
                 history.add(snapshot)
                 unseen = snapshot
                 if gate.held or job.mailbox.empty:
-                    job.mailbox.put(make_frame(job.session, snapshot, history.losses()))
+                    job.mailbox.put(make_frame(job.session, snapshot, history))
                     unseen = None
                 if not gate.passes():
                     break
         finally:
             snapshots.close()
             if unseen is not None:
-                job.mailbox.put(make_frame(job.session, unseen, history.losses()))
+                job.mailbox.put(make_frame(job.session, unseen, history))
 
     def _show(self, job: Job) -> None:
         result = job.session.result
         if job.gate.stopped:
             return
         if result is not None:
-            snapshot, losses = _as_snapshot(result, job.session.scene.run.iterations), result.losses
+            snapshot = _as_snapshot(result, job.session.scene.run.iterations)
         else:
             snapshots = self._snapshots(job)
             try:
-                snapshot, losses = next(snapshots), np.zeros(0)
+                snapshot = next(snapshots)
             finally:
                 snapshots.close()
-        job.mailbox.put(make_frame(job.session, snapshot, losses))
+        job.mailbox.put(make_frame(job.session, snapshot, History(result)))
 
     def _snapshots(self, job: Job) -> Generator[Snapshot, None, None]:
         result = job.session.result

@@ -38,8 +38,8 @@ def told_by(field: str, *tags: str, otherwise: str | None = None) -> Discriminat
     return Discriminator(
         tag,
         custom_error_type="unknown_kind",
-        custom_error_message="unknown {field}",
-        custom_error_context={"field": field, "allowed": ", ".join(map(repr, tags))},
+        # In the message, not in a context: a dictionary would make the annotation unhashable.
+        custom_error_message=f"{field}: {', '.join(map(repr, tags))}",
     )
 
 
@@ -63,7 +63,7 @@ def refusal(error: ValidationError, model: type[BaseModel], whole: str = "scene"
     details = error.errors(include_url=False)[0]
     path, fields = _follow(details["loc"], model)
     if details["type"] == "unknown_kind" and isinstance(details["input"], dict):
-        path += "." + details["ctx"]["field"]
+        path += "." + details["msg"].split(": ")[0]
     return Refused(path or whole, _sentence(details, fields))
 
 
@@ -111,10 +111,11 @@ def _sentence(details: ErrorDetails, fields: list[str]) -> str:
     if kind == "unknown_kind":
         if not isinstance(details["input"], dict):
             return _SENTENCES["model_type"].format(input=value)
-        given = details["input"].get(context["field"])
+        field, allowed = details["msg"].split(": ", 1)
+        given = details["input"].get(field)
         if given is None:
             return _SENTENCES["missing"]
-        return f"{_shown(given)} is not available; allowed: {context['allowed']}"
+        return f"{_shown(given)} is not available; allowed: {allowed}"
     if kind == "too_long":
         most = context["max_length"]
         return f"{context['actual_length']} values given; exactly {most} are needed"

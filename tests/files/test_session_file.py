@@ -421,3 +421,9 @@ def test_a_disk_that_fails_leaves_the_old_session(session, path, monkeypatch, tm
             write_session(Session(session.scene, session.target), path)
     assert path.read_bytes() == before
     assert os.listdir(tmp_path) == ["lens.freeform"]
+
+
+def test_stages_of_a_run_are_kept(session, path):
+    staged = replace(session.result, stage_starts=(2,))
+    write_session(replace(session, result=staged), path)
+    assert read_session(path).result.stage_starts == (2,)

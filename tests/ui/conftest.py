@@ -13,7 +13,7 @@ from PySide6.QtCore import QCoreApplication, QEvent, Qt, QThread, QTimer
 from PySide6.QtWidgets import QApplication
 from shiboken6 import isValid
 
-from workbench.design.snapshot import Snapshot
+from workbench.design.snapshot import History, Snapshot
 from workbench.files.session import Session
 from workbench.optics.ledger import Ledger
 from workbench.targets import load_target
@@ -115,6 +115,19 @@ def snapshots(session):
             seconds=0.1 * iteration,
             best=True,
         )
+
+    return make
+
+
+@pytest.fixture
+def history(snapshots):
+    """Gathers so many iterations."""
+
+    def make(iterations):
+        gathered = History()
+        for iteration in range(iterations + 1):
+            gathered.add(snapshots(iteration))
+        return gathered
 
     return make
 

@@ -39,9 +39,9 @@ def test_makes_only_frames_that_somebody_asks_for(session, as_run, work, monkeyp
     made = []
     make_frame = worker_module.make_frame
 
-    def counted(session, snapshot, losses):
+    def counted(session, snapshot, history):
         made.append(snapshot.iteration)
-        return make_frame(session, snapshot, losses)
+        return make_frame(session, snapshot, history)
 
     monkeypatch.setattr(worker_module, "make_frame", counted)
     job = Job(session)

@@ -21,7 +21,7 @@ PLOTS = [IrradianceView, ErrorView, LossView]
 
 
 @pytest.fixture
-def frame(session, snapshots):
+def frame(session, snapshots, history):
     """A frame of some iteration with an uneven image of its own."""
 
     def make(iteration, of=session):
@@ -32,7 +32,7 @@ def frame(session, snapshots):
             irradiance=image,
             control_points=np.full(of.scene.lens.control_points, 0.5),
         )
-        return make_frame(of, snapshot, 1.0 / (1 + np.arange(iteration)))
+        return make_frame(of, snapshot, history(iteration))
 
     return make
 

@@ -27,4 +27,4 @@ class LossView(PlotView):
 
     def _change(self, frame: "Frame") -> bool:
         ahead = frame.snapshot.iterations - frame.snapshot.iteration
-        return self._curve.update(frame.losses, frame.losses.size + ahead)
+        return self._curve.update(frame.losses, frame.losses.size + ahead, frame.stage_starts)

@@ -7,17 +7,17 @@ so both take effect within one iteration.
 import math
 import time
 from collections.abc import Iterator
-from itertools import count, islice
+from itertools import islice
 
 import numpy as np
 import numpy.typing as npt
-from torch import Tensor
 
 from workbench.design.auto import auto_steps
 from workbench.design.paper import paper_steps
 from workbench.design.snapshot import Snapshot
 from workbench.design.step import Step
 from workbench.errors import RunFailed
+from workbench.geometry.surface import ControlNet
 from workbench.scene import PaperRun, Scene
 
 Array = npt.NDArray[np.float64]
@@ -47,33 +47,45 @@ def run(scene: Scene, target: Array, start: Array | None = None) -> Iterator[Sna
     RunFailed
         If the run cannot go on; the snapshots up to then stay good.
     """
-    settings = scene.run
-    steps = islice(_steps(scene, target, start), settings.iterations + 1)
-    lowest = math.inf
+    # Given heights stand at the end of all stages already.
+    parts = scene.parts() if start is None else scene.parts()[-1:]
+    finished = ControlNet.of(scene.lens)
+    iteration = 0
     seconds = 0.0  # time spent here, not where the snapshots go: a pause is not run time
-    for iteration in count():
-        resumed = time.perf_counter()
-        try:
-            step = next(steps, None)
-        except RunFailed as error:
-            raise RunFailed(f"stopped at iteration {iteration}: {error}") from None
-        if step is None:
-            return
-        best = step.loss < lowest
-        lowest = min(lowest, step.loss)
-        control_points = _frozen(step.heights)
-        irradiance = _frozen(step.flux / scene.screen.pixel_area)
-        seconds += time.perf_counter() - resumed
-        yield Snapshot(
-            iteration=iteration,
-            iterations=settings.iterations,
-            loss=step.loss,
-            control_points=control_points,
-            irradiance=irradiance,
-            ledger=step.ledger,
-            seconds=seconds,
-            best=best,
-        )
+    for stage, part in enumerate(parts):
+        net = ControlNet.of(part.lens)
+        # The first lens of a later stage counts as an iteration: its loss is one of another task.
+        steps = islice(_steps(part, target, start), part.run.iterations + (stage == 0))
+        lowest = math.inf
+        while True:
+            resumed = time.perf_counter()
+            try:
+                step = next(steps, None)
+            except RunFailed as error:
+                raise RunFailed(f"stopped at iteration {iteration}: {error}") from None
+            if step is None:
+                break
+            heights = step.heights.cpu().double().numpy()
+            best = step.loss < lowest
+            if best:
+                lowest, best_heights = step.loss, heights
+            control_points = heights if net == finished else net.carry(heights, finished)
+            irradiance = step.flux.cpu().double().numpy() / scene.screen.pixel_area
+            seconds += time.perf_counter() - resumed
+            yield Snapshot(
+                iteration=iteration,
+                iterations=scene.run.iterations,
+                loss=step.loss,
+                control_points=_frozen(control_points),
+                irradiance=_frozen(irradiance),
+                ledger=step.ledger,
+                seconds=seconds,
+                best=best,
+                stage=stage,
+            )
+            iteration += 1
+        if stage + 1 < len(parts):
+            start = net.carry(best_heights, ControlNet.of(parts[stage + 1].lens))
 
 
 def _steps(scene: Scene, target: Array, start: Array | None) -> Iterator[Step]:
@@ -82,7 +94,7 @@ def _steps(scene: Scene, target: Array, start: Array | None) -> Iterator[Step]:
     return auto_steps(scene, target, start)
 
 
-def _frozen(values: Tensor) -> Array:
-    copy = values.cpu().double().numpy().copy()
+def _frozen(values: Array) -> Array:
+    copy = values.copy()
     copy.flags.writeable = False
     return copy

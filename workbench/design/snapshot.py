@@ -31,7 +31,9 @@ class Snapshot:
     seconds : float
         Run time up to here.
     best : bool
-        Whether this is the best lens of the run so far.
+        Whether this is the best lens of its stage so far.
+    stage : int
+        Number of the stage, from 0.
     """
 
     iteration: int
@@ -42,6 +44,7 @@ class Snapshot:
     ledger: Ledger
     seconds: float
     best: bool
+    stage: int = 0
 
 
 @dataclass(frozen=True)
@@ -56,6 +59,8 @@ class Result:
         Flux per area on the screen, row 0 at +y.
     losses : ndarray, shape (iterations,)
         Loss after each iteration.
+    stage_starts : tuple of int
+        Numbers of losses before each stage but the first began.
     loss : float
         Loss of this lens.
     seconds : float
@@ -70,6 +75,7 @@ class Result:
     loss: float
     seconds: float
     ledger: Ledger
+    stage_starts: tuple[int, ...] = ()
 
     @property
     def iterations(self) -> int:
@@ -91,9 +97,12 @@ class History:
         self._losses: list[float] = []
         self._best: Snapshot | None = None
         self._last: Snapshot | None = None
+        self._stage_starts: list[int] = []
 
     def add(self, snapshot: Snapshot) -> None:
         """Take in the next snapshot."""
+        if self._last is not None and snapshot.stage != self._last.stage:
+            self._stage_starts.append(len(self._losses))
         if snapshot.iteration > 0:
             self._losses.append(snapshot.loss)
         if snapshot.best:
@@ -104,6 +113,18 @@ class History:
         """Loss after each iteration so far, those of the continued run first."""
         new = np.array(self._losses, dtype=np.float64)
         return new if self._earlier is None else np.concatenate([self._earlier.losses, new])
+
+    def stage_starts(self) -> tuple[int, ...]:
+        """Numbers of losses before each stage but the first began, the continued run included."""
+        if self._earlier is None:
+            return tuple(self._stage_starts)
+        before = self._earlier.iterations
+        resumed = () if self._last is None else (before,)
+        return (
+            *self._earlier.stage_starts,
+            *resumed,
+            *(before + start for start in self._stage_starts),
+        )
 
     def result(self) -> Result | None:
         """The best lens so far; None before the first snapshot."""
@@ -116,4 +137,5 @@ class History:
             loss=self._best.loss,
             seconds=self._last.seconds + (self._earlier.seconds if self._earlier else 0.0),
             ledger=self._best.ledger,
+            stage_starts=self.stage_starts(),
         )

@@ -30,6 +30,7 @@ class Figures(Part):
     seconds: NonNegative
     efficiency: float
     ledger: LedgerFigures
+    stage_starts: tuple[int, ...] | None = None  # of a run in stages
 
     @classmethod
     def of(cls, result: Result) -> Self:
@@ -40,6 +41,7 @@ class Figures(Part):
             seconds=result.seconds,
             efficiency=result.ledger.efficiency,
             ledger=LedgerFigures(**result.ledger.to_data()),
+            stage_starts=result.stage_starts or None,
         )
 
     def to_ledger(self) -> Ledger:

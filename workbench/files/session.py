@@ -176,6 +176,7 @@ def read_session(path: Path) -> Session:
         loss=figures.loss,
         seconds=figures.seconds,
         ledger=figures.to_ledger(),
+        stage_starts=figures.stage_starts or (),
     )
     return Session(scene, target, result)
 

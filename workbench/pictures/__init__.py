@@ -115,6 +115,6 @@ def _write_loss(result: "Result", path: Path) -> Path:
     from workbench.pictures.loss import LossCurve
 
     figure = Figure(figsize=(7, 4), layout="constrained")
-    LossCurve(figure.subplots()).update(result.losses, result.losses.size)
+    LossCurve(figure.subplots()).update(result.losses, result.losses.size, result.stage_starts)
     figure.savefig(path, dpi=_DPI)
     return path

@@ -15,6 +15,7 @@ Array = npt.NDArray[np.float64]
 
 _FONT = 8
 _SHORT_RANGE = 50
+_MARK = "#8a8f98"  # seen on light and dark
 
 
 class LossCurve:
@@ -41,11 +42,13 @@ class LossCurve:
         self._value = axes.text(
             0.97, 0.94, "", transform=axes.transAxes, ha="right", va="top", fontsize=_FONT + 1
         )
+        self._marks: list[Artist] = []
+        self._marked: tuple[int, ...] = ()
         self._limits = (0.0, 0.0, 0.0)  # right end, lower and upper end
         self._set_limits(10.0, 1e-1, 1.0)
         self.artists: list[Artist] = [self._line, self._value]
 
-    def update(self, losses: Array, iterations: int) -> bool:
+    def update(self, losses: Array, iterations: int, stage_starts: tuple[int, ...] = ()) -> bool:
         """Show another course of the loss.
 
         Parameters
@@ -55,6 +58,9 @@ class LossCurve:
         iterations : int
             Iterations that the axis should hold at least.
 
+        stage_starts : tuple of int
+            Numbers of losses before each stage but the first; marked by upright lines.
+
         Returns
         -------
         bool
@@ -63,13 +69,25 @@ class LossCurve:
         steps = np.arange(1, losses.size + 1)
         self._line.set_data(steps, losses)
         self._value.set_text(f"{losses[-1]:.3g}" if losses.size else "")
+        marked = self._mark(stage_starts)
         right = float(max(iterations, losses.size, 1))
         seen = losses[np.isfinite(losses) & (losses > 0)]
         if not seen.size:
-            return self._set_limits(right, *self._limits[1:])
-        return self._set_limits(
-            right, _round(float(seen.min()), down=True), _round(float(seen.max()), down=False)
-        )
+            return self._set_limits(right, *self._limits[1:]) or marked
+        low, high = _round(float(seen.min()), down=True), _round(float(seen.max()), down=False)
+        return self._set_limits(right, low, high) or marked
+
+    def _mark(self, stage_starts: tuple[int, ...]) -> bool:
+        if stage_starts == self._marked:
+            return False
+        for line in self._marks:
+            line.remove()
+        self._marks = [
+            self._axes.axvline(start + 0.5, color=_MARK, linewidth=1.0, linestyle=":")
+            for start in stage_starts
+        ]
+        self._marked = stage_starts
+        return True
 
     def _set_limits(self, right: float, low: float, high: float) -> bool:
         if (right, low, high) == self._limits:

@@ -6,7 +6,7 @@ possible: whatever cannot be built, traced or made is refused here, with the pat
 
 from workbench.scene.lens import Base, FlatBase, Lens, SphereBase
 from workbench.scene.part import NonNegative, Part, Positive
-from workbench.scene.run import AutoRun, PaperRun, Run, RunSettings
+from workbench.scene.run import AutoRun, PaperRun, Run, RunSettings, Stage
 from workbench.scene.screen import BoxFilter, Filter, GaussianFilter, Screen
 from workbench.scene.source import (
     CollimatedSource,
@@ -53,6 +53,7 @@ __all__ = [
     "Screen",
     "Source",
     "SphereBase",
+    "Stage",
     "Target",
     "TopHatTarget",
 ]

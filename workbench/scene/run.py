@@ -5,13 +5,45 @@ from typing import Annotated, Literal
 from pydantic import Field, Tag
 
 from workbench.refusals import told_by
+from workbench.scene.lens import NetSize
 from workbench.scene.part import Part, Positive
+from workbench.scene.screen import FilterField
+from workbench.scene.source import SourceField
+
+
+class Stage(Part):
+    """A part of the run, before the scene itself is run, with some things different.
+
+    Attributes
+    ----------
+    iterations : int
+        Upper limit of this stage; counted within those of the whole run.
+    source, filter : optional
+        In place of the scene's.
+    control_points : tuple[int, int], optional
+        A coarser net; the lens is carried on to the next net by knot insertion.
+    method : str, optional
+        "auto" or "paper", the latter with the plain settings if the scene's method is another.
+    learning_rate : float, optional
+        For the paper's method.
+    """
+
+    iterations: Annotated[int, Field(ge=1, le=1_000_000)]
+    source: SourceField | None = None
+    filter: FilterField | None = None
+    control_points: tuple[NetSize, NetSize] | None = None
+    method: Literal["auto", "paper"] | None = None
+    learning_rate: Positive | None = None
 
 
 class RunSettings(Part):
-    """What every design run has: an upper limit of iterations, a seed, where it computes."""
+    """What every design run has: an upper limit of iterations, a seed, where it computes.
+
+    ``stages`` come first; the scene as it stands is run for the iterations that they leave.
+    """
 
     iterations: Annotated[int, Field(ge=0, le=1_000_000)] = 300
+    stages: tuple[Stage, ...] = ()
     seed: Annotated[int, Field(ge=0, lt=2**63)] = 0
     device: Literal["cpu", "cuda"] = "cpu"
 

@@ -9,7 +9,7 @@ from workbench.errors import Refused
 from workbench.refusals import refusal
 from workbench.scene.lens import Lens
 from workbench.scene.part import Part
-from workbench.scene.run import AutoRun, RunField
+from workbench.scene.run import AutoRun, RunField, RunSettings, Stage
 from workbench.scene.screen import FilterField, GaussianFilter, Screen
 from workbench.scene.source import CollimatedSource, MeshMethod, PointSource, SourceField
 from workbench.scene.target import TargetField
@@ -72,6 +72,41 @@ class Scene(Part):
             )
         return self
 
+    @model_validator(mode="after")
+    def _stages_are_possible(self) -> Self:
+        self.parts()
+        return self
+
+    def parts(self) -> tuple[Self, ...]:
+        """The run as scenes without stages, one after the other; the last is what is wanted.
+
+        Raises
+        ------
+        Refused
+            If a stage is not possible, or the stages leave no iteration for the scene itself.
+        """
+        stages = self.run.stages
+        if not stages:
+            return (self,)
+        left = self.run.iterations - sum(stage.iterations for stage in stages)
+        if left < 1:
+            raise Refused(
+                "run.stages",
+                f"they leave none of the {self.run.iterations} iterations for the scene itself; "
+                f"more than {self.run.iterations - left} in all are needed",
+            )
+        data = self.to_data()
+        del data["run"]["stages"]
+        parts = []
+        for number, stage in enumerate(stages):
+            try:
+                parts.append(self.from_data(_with_stage(data, stage)))
+            except Refused as refused:
+                path = refused.path.removeprefix("lens.").removeprefix("run.")
+                raise Refused(f"run.stages[{number}].{path}", refused.reason) from None
+        last = self.run.model_copy(update={"stages": (), "iterations": left})
+        return (*parts, self.model_copy(update={"run": last}))
+
     @classmethod
     def from_json(cls, text: str | bytes) -> Self:
         """Read a scene from the text of a scene file.
@@ -99,3 +134,17 @@ class Scene(Part):
         """The scene as plain dictionaries and lists."""
         data: dict[str, Any] = self.model_dump(mode="json", exclude_none=True)
         return data
+
+
+def _with_stage(scene: dict[str, Any], stage: Stage) -> dict[str, Any]:
+    """Data of a scene with what a stage changes."""
+    changes = stage.model_dump(mode="json", exclude_none=True)
+    run = scene["run"]
+    if changes.get("method", run["method"]) != run["method"]:
+        # Settings of the one method mean nothing to the other.
+        shared = set(RunSettings.model_fields)
+        run = {name: value for name, value in run.items() if name in shared}
+    run = run | {k: v for k, v in changes.items() if k in ("iterations", "method", "learning_rate")}
+    parts = {name: changes[name] for name in ("source", "filter") if name in changes}
+    lens = scene["lens"] | {k: changes[k] for k in ("control_points",) if k in changes}
+    return scene | parts | {"lens": lens, "run": run}
