@@ -117,5 +117,12 @@ EXAMPLES = (
         "The flame is put together from images of the square source: details smaller than these "
         "stay blurred.",
     ),
+    Example(
+        "flame-stages",
+        _SOURCES,
+        "Point source, then the extended one",
+        "The loss jumps when the sharp image is lit by the extended source at iteration 200; see "
+        "what is won back.",
+    ),
 )
 """All example scenes, in the order in which menus show them."""

@@ -62,6 +62,8 @@ def example(name: str) -> Scene:
         return Scene.from_data(_network(*variant.split("-")))
     if variant.startswith("x"):
         return Scene.from_data(_magnified(shape, int(variant[1:])))
+    if variant == "stages":
+        return Scene.from_data(_first_from_a_point())
     return Scene.from_data(_lit_from(_SOURCES[variant]))
 
 
@@ -119,6 +121,13 @@ def _magnified(shape: str, magnification: int) -> dict[str, Any]:
 def _lit_from(source: dict[str, Any]) -> dict[str, Any]:
     data = _first("flame")
     data["source"] = source
+    return data
+
+
+def _first_from_a_point() -> dict[str, Any]:
+    """The paper's run: a point source, and after some 200 iterations the extended one."""
+    data = _lit_from(_SOURCES["grid"])
+    data["run"]["stages"] = [{"iterations": 200, "source": _SOURCES["point"]}]
     return data
 
 

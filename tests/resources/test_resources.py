@@ -111,6 +111,12 @@ def test_examples_improve(name, part):
     assert min(losses) < part * losses[0]
 
 
+def test_the_staged_example_goes_from_one_point_to_many():
+    scene = Scene.from_json(_named("flame-stages").file.read_bytes())
+    stages = [(part.source.kind, part.run.iterations) for part in scene.parts()]
+    assert stages == [("point", 200), ("grid", 100)]
+
+
 def _named(name):
     return next(each for each in resources.EXAMPLES if each.name == name)
 
