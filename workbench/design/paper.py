@@ -65,5 +65,6 @@ def paper_steps(
         optimiser.zero_grad()  # gives the memory back before the next gradient needs it
         torch.autograd.backward(shaped, gradient)
         optimiser.step()
+        plan.next_iteration()
         if fresh:
             plan.redraw()

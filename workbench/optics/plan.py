@@ -63,6 +63,7 @@ class Plan:
         self._screen = scene.screen
         self._filter = filter or scene.filter
         net = net or ControlNet.of(scene.lens)
+        self._fresh = not isinstance(scene.source, CollimatedSource) and scene.source.fresh
         self._rays: CollimatedRays | PointRays
         # Collimated light needs no entrance refraction and no intersection: it is not in its plan.
         if isinstance(scene.source, CollimatedSource):
@@ -93,9 +94,9 @@ class Plan:
         )
         return Traced(image.flux, ledger)
 
-    def redraw(self) -> None:
-        """Trace other rays of the same source from now on; a collimated grid has no others."""
-        if isinstance(self._rays, PointRays):
+    def next_iteration(self) -> None:
+        """Take new rays, if the source is to have fresh ones for each iteration."""
+        if isinstance(self._rays, PointRays) and self._fresh:
             self._rays.redraw()
 
     def reach(self, heights: Tensor) -> tuple[float, float]:
