@@ -59,6 +59,18 @@ def test_the_papers_settings_are_there_with_its_method_alone(rows, document):
     assert all(rows[path].isVisible() for path in PAPER_ONLY)
 
 
+def test_another_method_keeps_the_stages(qapp, qtbot, make_scene):
+    scene = make_scene({"run": {"stages": [{"iterations": 2, "filter": {"size": [5, 5]}}]}})
+    document = Document(Session(scene, load_target(scene, Path())), "staged")
+    forms = Forms(document)
+    qtbot.addWidget(forms)
+    rows = {row.path: row for panel in forms.panels for row in panel.rows}
+    choose(rows, "run.method", "paper")
+    assert document.session.scene.run.method == "paper"
+    assert document.session.scene.run.stages == scene.run.stages
+    document.deleteLater()
+
+
 @pytest.mark.parametrize(
     ("kind", "size"),
     [

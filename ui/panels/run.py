@@ -82,8 +82,8 @@ class RunPanel(Panel):
         self._size.show_size(session.scene)
 
     def _change_method(self, choice: str) -> Changes:
-        run = self.session.scene.run
-        kept = {name: getattr(run, name) for name in RunSettings.model_fields}
+        run = self.session.scene.to_data()["run"]
+        kept = {name: value for name, value in run.items() if name in RunSettings.model_fields}
         return {"run": {"method": choice, **kept}}
 
 
