@@ -69,7 +69,59 @@ REFUSED = [
     ("lens.refractive_index", "PMMA", "lens.wavelength_um: missing; it goes with 'PMMA'"),
     ("lens.height_range", [0.3, -0.3], "lens.height_range: [0.3, -0.3] is empty"),
     ("lens.height_range", [-0.5, -0.45], "lens.height_range[1]: -0.45 leaves no room above"),
-    ("source", {"kind": "point", "position": [0, 0, -5]}, "source.kind: 'point' is not available"),
+    ("source", {"kind": "laser"}, "source.kind: 'laser' is not available; allowed: 'collimated'"),
+    ("source", {"kind": "point"}, "source.position: missing; it is required"),
+    (
+        "source",
+        {"kind": "point", "position": [0, 0]},
+        "source.position[2]: missing; it is required",
+    ),
+    (
+        "source",
+        {"kind": "point", "position": [0, 0, 0.2]},
+        "source.position[2]: 0.2 is not before the entrance face; less than 0",
+    ),
+    (
+        "source",
+        {"kind": "point", "position": [9, 9, 7]},
+        "source.position[2]: 7 is not before the entrance face; less than 0",
+    ),
+    (
+        "source",
+        {"kind": "point", "position": [0, 0, -5], "rays": 0},
+        "source.rays: 0 is too small; at least 1",
+    ),
+    (
+        "source",
+        {"kind": "point", "position": [0, 0, -5], "rays": (1 << 24) + 1},
+        "source.rays: 16777217 is too large; at most",
+    ),
+    (
+        "source",
+        {"kind": "point", "position": [0, 0, -5], "emission": "dark"},
+        "source.emission: 'dark' is not available; allowed: 'uniform' or 'lambertian'",
+    ),
+    (
+        "source",
+        {"kind": "grid", "center": [0, 0, 0], "half_width": [1, 1], "points": [25, 25]},
+        "source.center[2]: 0 is not before the entrance face; less than 0",
+    ),
+    (
+        "source",
+        {"kind": "grid", "center": [0, 0, -5], "half_width": [1, 1]},
+        "source.points: missing; it is required",
+    ),
+    (
+        "source",
+        {
+            "kind": "grid",
+            "center": [0, 0, -5],
+            "half_width": [1, 1],
+            "points": [300, 300],
+            "rays": 1000,
+        },
+        "source.rays: 1000 from each of 90000 points are too many; at most 16777216 rays in all",
+    ),
     ("source", {}, "source.kind: missing; it is required"),
     ("screen.z", 0.8, "screen.z: 0.8 may touch the lens; more than 0.8"),
     ("screen.z", math.nan, "screen.z: nan is not finite"),
@@ -96,6 +148,20 @@ def test_refusals_name_the_field_the_value_and_what_is_allowed(make_scene, path,
     assert str(refused.value).startswith(sentence)
     assert refused.value.path == sentence.split(":")[0]
     assert "\n" not in str(refused.value)
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        {"kind": "point", "position": [7, -9, -1e-9]},
+        {"kind": "grid", "center": [0, 0, -5], "half_width": [0, 1], "points": [1, 512]},
+    ],
+)
+def test_sources_before_the_lens_survive_their_file(make_scene, source):
+    scene = make_scene({"source": source})
+    assert Scene.from_json(scene.to_json()) == scene
+    assert scene.source.emission == "uniform"
+    assert scene.source.rays == (500_000 if source["kind"] == "point" else 1000)
 
 
 @pytest.mark.parametrize("text", ["", "{", "[]", "null", '{"lens": 5}', "\x00", '{"a": 1} x'])

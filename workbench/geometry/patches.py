@@ -72,23 +72,16 @@ class Patches:
         The slope along x is a B-spline of degree p − 1, with differences of control heights over
         differences of Greville abscissae as its control values.
         """
-        bounds = []
-        for axis, sites in enumerate(self._positions):
-            rises = heights.diff(dim=axis).abs().amax(dim=1 - axis).cpu().numpy()
-            bounds.append(float((rises / np.diff(sites)).max()))
-        return bounds[0], bounds[1]
+        steepest_x, steepest_y = (slopes.abs().max().item() for slopes in self._slopes(heights))
+        return steepest_x, steepest_y
 
     def curvature_bounds(self, heights: Tensor) -> tuple[float, float, float]:
         """The most that |d²z/dx²|, |d²z/dxdy| and |d²z/dy²| can be anywhere, found the same way.
 
         Infinite where a degree of 1 lets the slope jump.
         """
-        control = heights.cpu().numpy().astype(np.float64)
-        slopes = [
-            np.diff(control, axis=axis) / _along(np.diff(sites), axis)
-            for axis, sites in enumerate(self._positions)
-        ]
-        twist = np.diff(slopes[0], axis=1) / np.diff(self._positions[1])
+        slopes = self._slopes(heights)
+        twist = _rises(slopes[0], self._positions[1], axis=1)
         bends: list[float] = []
         for axis, (knots, degree, r) in enumerate(
             zip(self._knots, self._degree, self._half_width, strict=True)
@@ -97,9 +90,13 @@ class Patches:
                 bends.append(math.inf if self._spans[axis] > 1 else 0.0)
                 continue
             sites = greville(knots[1:-1], degree - 1) * (2 * r)
-            turns = np.diff(slopes[axis], axis=axis) / _along(np.diff(sites), axis)
-            bends.append(float(np.abs(turns).max()))
-        return bends[0], float(np.abs(twist).max()), bends[1]
+            bends.append(_rises(slopes[axis], sites, axis).abs().max().item())
+        return bends[0], twist.abs().max().item(), bends[1]
+
+    def _slopes(self, heights: Tensor) -> tuple[Tensor, Tensor]:
+        """Control values of dz/dx and dz/dy."""
+        x, y = self._positions
+        return _rises(heights, x, axis=0), _rises(heights, y, axis=1)
 
     def place(self, x: Tensor, y: Tensor) -> Place:
         """Patch and local coordinates of points; beyond the aperture those of the nearest patch.
@@ -144,9 +141,11 @@ class Patches:
         return z, z_s, z_t
 
 
-def _along(values: Array, axis: int) -> Array:
-    """A vector that goes along one axis of a matrix."""
-    return values[:, None] if axis == 0 else values[None, :]
+def _rises(values: Tensor, sites: Array, axis: int) -> Tensor:
+    """Differences of neighbours along an axis over the distances of their sites."""
+    # In tensors all the way: numpy cannot look into those of `torch.func`.
+    distance = torch.as_tensor(np.diff(sites)).to(values)
+    return values.diff(dim=axis) / (distance[:, None] if axis == 0 else distance)
 
 
 def _power_basis(knots: Array, degree: int, spans: int) -> tuple[Array, Indices]:

@@ -1,0 +1,376 @@
+"""Light of points through the whole lens: exact cases, gradients, the account of all light."""
+
+import numpy as np
+import pytest
+import torch
+from scipy.interpolate import make_interp_spline
+from scipy.optimize import brentq
+
+from workbench.geometry.surface import ControlNet
+from workbench.optics.emission import InLens, Rays, enter
+from workbench.optics.plan import Plan
+from workbench.optics.point import PointRays
+
+INDEX = 1.5
+HEAD_ON = 0.04
+POINT = {"kind": "point", "position": [0.3, -0.2, -5.0], "rays": 4096}
+GRID = {"kind": "grid", "center": [0, 0.1, -5], "half_width": [1, 1], "points": [5, 4], "rays": 200}
+SOURCES = pytest.mark.parametrize("source", [POINT, GRID], ids=["point", "grid"])
+DTYPES = [torch.float32, torch.float64]
+
+
+def interpolating(net, height):
+    """Control heights of the spline that interpolates a height function."""
+    (x, y), (p, q) = net.positions, net.degree
+    knots = [(2 * k - 1) * r for k, r in zip(net.knots, net.half_width, strict=True)]
+    values = height(x[:, None], y[None, :])
+    values = make_interp_spline(x, values, p, t=knots[0], axis=0).c
+    return torch.as_tensor(make_interp_spline(y, values.T, q, t=knots[1], axis=0).c.T.copy())
+
+
+def towards(scene, origin, count=40):
+    """Rays from a point on the axis to a grid of places on the entrance face."""
+    lens = scene.lens
+    place = ((np.arange(count) + 0.5) / count * 2 - 1) * 0.8
+    x, y = (c.ravel() for c in np.meshgrid(place, place, indexing="ij"))
+    direction = np.column_stack([x, y, np.full(len(x), lens.entrance_z)]) - origin
+    direction /= np.linalg.norm(direction, axis=1, keepdims=True)
+    rays = Rays(np.tile(origin, (len(x), 1)), direction, np.full(len(x), 1 / len(x)))
+    return x, y, enter(rays, lens)
+
+
+def smooth(scene, bend=0.05):
+    """A lens of soft waves, which keeps rays away from the rim of its side."""
+    net = ControlNet.of(scene.lens)
+    x, y = (torch.as_tensor(c) for c in net.positions)
+    return 0.5 + bend * torch.sin(3 * x[:, None] + 1) * torch.cos(2 * y[None, :])
+
+
+def parts(ledger):
+    emitted, *where = ledger.to_data().values()
+    return emitted, where
+
+
+class TestCartesianOval:
+    """A face of equal optical paths brings all light of a point to one point."""
+
+    DISTANCE, VERTEX, FOCUS = 3.0, 0.6, 5.0
+
+    def profile(self, count=400):
+        """Radius and height of the oval, by its rays: n h_in + air before and behind is constant.
+
+        A ray from (0, −d) that crosses the entrance face at radius ρ is refracted there; how far
+        it goes in the glass is what makes its optical path to the focus that along the axis.
+        """
+        d, n, focus = self.DISTANCE, INDEX, self.FOCUS
+        axial = d + n * self.VERTEX + focus - self.VERTEX
+        radii, heights = [], []
+        for rho in np.linspace(0, 1.7, count):
+            outer = np.arctan2(rho, d)
+            inner = np.arcsin(np.sin(outer) / n)
+
+            def excess(s, rho=rho, outer=outer, inner=inner):
+                r, z = rho + s * np.sin(inner), s * np.cos(inner)
+                return d / np.cos(outer) + n * s + np.hypot(r, focus - z) - axial
+
+            s = brentq(excess, -2, 3, xtol=1e-15, rtol=1e-15)
+            radii.append(rho + s * np.sin(inner))
+            heights.append(s * np.cos(inner))
+        return np.array(radii), np.array(heights)
+
+    @pytest.mark.parametrize("dtype", DTYPES)
+    def test_all_light_in_one_point(self, make_scene, dtype):
+        scene = make_scene(
+            {"source": POINT, "lens.control_points": [60, 50], "lens.degree": [5, 5]}
+        )
+        radii, heights = self.profile()
+        # Even in the radius, so that it is smooth in x and y.
+        even = np.concatenate([-radii[:0:-1], radii]), np.concatenate([heights[:0:-1], heights])
+        oval = make_interp_spline(*even, k=7)
+        net = ControlNet.of(scene.lens)
+        control = interpolating(net, lambda x, y: oval(np.hypot(x, y)))
+        _, _, rays = towards(scene, np.array([0, 0, -self.DISTANCE]))
+        hits = PointRays(scene, net, rays, dtype=dtype).trace(control)
+        arrives = (hits.weight > 0).numpy()
+        assert arrives.mean() > 0.9
+        accuracy = 1e-6 if dtype == torch.float64 else 3e-5
+        assert hits.x[arrives].abs().max() < accuracy
+        assert hits.y[arrives].abs().max() < accuracy
+
+
+class TestFlatPlate:
+    def test_rays_are_shifted_not_turned(self, make_scene):
+        scene = make_scene({"source": POINT})
+        origin = np.array([0, 0, -2.0])
+        x, y, rays = towards(scene, origin)
+        net = ControlNet.of(scene.lens)
+        flat = torch.full(net.shape, 0.5, dtype=torch.float64)
+        hits = PointRays(scene, net, rays, dtype=torch.float64).trace(flat)
+        radius = np.hypot(x, y)
+        outer = np.arctan2(radius, 2.0)
+        inner = np.arcsin(np.sin(outer) / INDEX)
+        reach = radius + 0.5 * np.tan(inner) + 4.5 * np.tan(outer)
+        assert np.hypot(hits.x, hits.y).numpy() == pytest.approx(reach, abs=1e-12)
+        share = 0.96 * (1 - (1 - np.cos(outer)) ** 5)  # Schlick, the same at both faces
+        assert hits.weight.numpy() == pytest.approx(share**2 / len(x), rel=1e-12)
+
+    @pytest.mark.parametrize(("emission", "power"), [("uniform", 3), ("lambertian", 4)])
+    def test_irradiance_falls_with_a_power_of_the_cosine(self, make_scene, emission, power):
+        """A thin plate leaves the inverse square and the cosines: cos³, Lambertian cos⁴."""
+        scene = make_scene(
+            {
+                "lens.base": {"shape": "flat", "height": 1e-6},
+                "lens.height_range": [-1e-6, 1e-6],
+                "lens.min_thickness": 0,
+                "screen.z": 1.0,
+                "source": {
+                    "kind": "point",
+                    "position": [0, 0, -1.0],
+                    "rays": 1 << 20,
+                    "emission": emission,
+                },
+                "filter": {"kind": "box"},
+                "screen.pixels": [10, 10],
+            }
+        )
+        heights = torch.full(scene.lens.control_points, 1e-6, dtype=torch.float64)
+        traced = Plan(scene, dtype=torch.float64).trace(heights)
+        edge = np.linspace(-1, 1, 10 * 40 + 1)
+        centre = (edge[1:] + edge[:-1]) / 2
+        cos = 2 / np.sqrt(4 + centre[:, None] ** 2 + centre[None, :] ** 2)
+        share = 0.96 * (1 - (1 - cos) ** 5)
+        fine = cos**power * share**2
+        profile = fine.reshape(10, 40, 10, 40).mean(axis=(1, 3))
+        # Intensity on the axis: 1 over the solid angle of the cap, or over that of its projection.
+        rim = 1 / np.sqrt(3)
+        whole = 2 * np.pi * (1 - rim) if emission == "uniform" else np.pi * (1 - rim**2)
+        expected = profile * scene.screen.pixel_area / (whole * 4)
+        assert traced.flux.numpy() == pytest.approx(expected, rel=0.02)
+        assert traced.flux.sum().item() == pytest.approx(expected.sum(), rel=1e-3)
+
+
+def test_a_spherical_lens_focuses_where_the_lens_maker_says(make_scene):
+    """Paraxial image of a plano-convex lens, its vertex in glass thickness t: n/s' + vergences."""
+    radius, distance, thickness = 4.0, 12.0, 0.5
+    base = {"shape": "sphere", "height": thickness, "radius": radius, "form": "convex"}
+    scene = make_scene(
+        {
+            "source": POINT,
+            "lens.base": base,
+            "lens.control_points": [40, 40],
+            "screen.z": 60.0,
+            "lens.degree": [5, 5],
+        }
+    )
+    net = ControlNet.of(scene.lens)
+    control = interpolating(net, scene.lens.base.height_at)
+    # Behind the entrance face the object seems n times as far; the exit face adds (n − 1)/R.
+    vergence = -INDEX / (INDEX * distance + thickness) + (INDEX - 1) / radius
+    image = thickness + 1 / vergence
+    crossings = []
+    for aperture in (0.01, 0.02, 0.4):
+        x = np.array([aperture])
+        direction = np.array([[aperture, 0, distance]]) / np.hypot(aperture, distance)
+        rays = enter(Rays(np.array([[0, 0, -distance]]), direction, np.ones(1)), scene.lens)
+        hits = PointRays(scene, net, rays, dtype=torch.float64).trace(control)
+        few = PointRays(scene, net, rays, dtype=torch.float64)
+        depth = few.depths(control).numpy()
+        start = x + rays.slope_x * depth
+        slope = (hits.x.numpy() - start) / (60.0 - depth)
+        crossings.append(float((depth - start / slope)[0]))
+    paraxial = (4 * crossings[0] - crossings[1]) / 3  # without the term of second order
+    assert paraxial == pytest.approx(image, rel=1e-4)
+    assert crossings[2] < image * 0.99  # undercorrected spherical aberration
+
+
+@SOURCES
+@pytest.mark.parametrize("amplitude", [0.0, 0.02, 0.2, 3.0])
+@pytest.mark.parametrize("kind", ["box", "gaussian"])
+@pytest.mark.parametrize("dtype", DTYPES)
+def test_the_ledger_adds_up_and_nothing_is_nan(make_scene, rng, source, amplitude, kind, dtype):
+    scene = make_scene({"filter": {"kind": kind}, "source": source, "lens.degree": [2, 3]})
+    noise = torch.as_tensor(rng.uniform(-1, 1, size=scene.lens.control_points))
+    heights = (3.5 + amplitude * noise).requires_grad_()
+    traced = Plan(scene, dtype=dtype).trace(heights)
+    emitted, where = parts(traced.ledger)
+    assert emitted == 1
+    assert min(where) >= -1e-6
+    assert sum(where) == pytest.approx(1, abs=1e-9 if dtype == torch.float64 else 3e-6)
+    if amplitude == 3.0:
+        assert traced.ledger.total_reflection > 0.2
+    traced.flux.square().sum().backward()
+    assert torch.isfinite(heights.grad).all()
+
+
+@SOURCES
+@pytest.mark.parametrize("degree", [(3, 3), (5, 3)])
+def test_gradient_is_that_of_central_differences(make_scene, rng, source, degree):
+    scene = make_scene(
+        {
+            "source": source,
+            "lens.degree": degree,
+            # All light far from the edges of pixels' reach: a wide filter, a screen for all.
+            "screen.half_width": [4, 4],
+            "screen.pixels": [8, 8],
+            "filter": {"kind": "gaussian", "size": [5, 5], "alpha": 0.3},
+        }
+    )
+    plan = Plan(scene, dtype=torch.float64)
+    heights = smooth(scene).requires_grad_()
+    wanted = torch.as_tensor(rng.random((8, 8)))
+
+    def loss(h):
+        flux = plan.trace(h).flux
+        return (flux / flux.sum() - wanted / wanted.sum()).norm() / 8
+
+    (gradient,) = torch.autograd.grad(loss(heights), heights)
+    x, y = (torch.as_tensor(c) for c in ControlNet.of(scene.lens).positions)
+    # A tilt, a focus and a bump, all of them away from the rim, where rays change their side.
+    window = (1 - x[:, None] ** 2) * (1 - y[None, :] ** 2)
+    for direction in (window * x[:, None], window**2, window * torch.sin(4 * y[None, :])):
+        with torch.no_grad():
+            central = []
+            for step in (2e-5, 1e-5):
+                ahead, behind = loss(heights + step * direction), loss(heights - step * direction)
+                central.append((ahead - behind).item() / (2 * step))
+        extrapolated = (4 * central[1] - central[0]) / 3
+        assert (gradient * direction).sum().item() == pytest.approx(extrapolated, rel=1e-6)
+
+
+@SOURCES
+def test_forward_mode_agrees_with_reverse_mode(make_scene, rng, source):
+    scene = make_scene({"source": source})
+    plan = Plan(scene, dtype=torch.float64)
+    heights = smooth(scene)
+    tangent = torch.as_tensor(rng.normal(size=heights.shape))
+    cotangent = torch.as_tensor(rng.normal(size=(32, 32)))
+    _, forward = torch.func.jvp(plan.flux, (heights,), (tangent,))
+    variable = heights.requires_grad_()
+    (reverse,) = torch.autograd.grad((plan.trace(variable).flux * cotangent).sum(), variable)
+    assert (forward * cotangent).sum().item() == pytest.approx((reverse * tangent).sum().item())
+
+
+@pytest.mark.parametrize("dtype", DTYPES)
+def test_single_precision_is_enough(make_scene, dtype):
+    scene = make_scene({"source": POINT, "screen.pixels": [8, 8]})
+    heights = smooth(scene)
+    image = Plan(scene, dtype=dtype).trace(heights).flux.double()
+    exact = Plan(scene, dtype=torch.float64).trace(heights).flux
+    assert (image - exact).norm() / exact.norm() < (1e-5 if dtype == torch.float32 else 1e-15)
+
+
+def test_a_mirrored_scene_gives_a_mirrored_ledger_and_shifted_rays_their_own(make_scene):
+    scene = make_scene({"source": POINT | {"rays": 1 << 17}, "screen.pixels": [4, 4]})
+    mirrored = make_scene(
+        {"source": POINT | {"rays": 1 << 17, "position": [-0.3, -0.2, -5]}, "screen.pixels": [4, 4]}
+    )
+    heights = smooth(scene)
+    image = Plan(scene, dtype=torch.float64).trace(heights).flux
+    other = Plan(mirrored, dtype=torch.float64).trace(heights.flip(0)).flux
+    assert (image - other.flip(1)).norm() / image.norm() < 0.01
+
+
+def test_where_the_search_starts_leaves_the_image_alone(make_scene, rng):
+    scene = make_scene({"source": POINT})
+    rough = 0.5 + 0.25 * torch.as_tensor(rng.uniform(-1, 1, size=(12, 10)))
+    fresh = Plan(scene, dtype=torch.float64).trace(rough).flux
+    warm = Plan(scene, dtype=torch.float64)
+    for bend in (0.0, 0.2):
+        warm.trace(smooth(scene, bend))
+    assert (warm.trace(rough).flux - fresh).abs().max() < 1e-12
+
+
+def test_redrawn_rays_are_others_of_the_same_light(make_scene):
+    scene = make_scene({"source": POINT, "screen.pixels": [4, 4]})
+    plan, again = Plan(scene, dtype=torch.float64), Plan(scene, dtype=torch.float64)
+    heights = smooth(scene)
+    first = plan.trace(heights).flux
+    plan.redraw()
+    second = plan.trace(heights).flux
+    assert not torch.equal(first, second)
+    assert (first - second).norm() / first.norm() < 0.1
+    again.redraw()
+    assert torch.equal(again.trace(heights).flux, second)
+
+
+class TestHardCases:
+    def gradient_of(self, plan, heights):
+        heights = heights.clone().requires_grad_()
+        traced = plan.trace(heights)
+        (gradient,) = torch.autograd.grad(traced.flux.sum(), heights)
+        assert torch.isfinite(traced.flux).all()
+        assert torch.isfinite(gradient).all()
+        emitted, where = parts(traced.ledger)
+        assert sum(where) == pytest.approx(emitted, abs=1e-5)
+        return traced.ledger
+
+    @pytest.mark.parametrize("dtype", DTYPES)
+    @pytest.mark.parametrize("position", [[0, 0, -1e-6], [0.999, -0.5, -1e-6], [40, 30, -0.01]])
+    def test_a_source_a_hair_in_front_or_far_aside(self, make_scene, dtype, position):
+        scene = make_scene({"source": POINT | {"position": position}})
+        ledger = self.gradient_of(Plan(scene, dtype=dtype), smooth(scene))
+        assert ledger.missed_lens + ledger.fresnel_entrance > 0.1
+
+    @pytest.mark.parametrize("dtype", DTYPES)
+    @pytest.mark.parametrize("degree", [(1, 1), (1, 3), (3, 3)])
+    @pytest.mark.parametrize("half_width", [(100.0, 1.0), (1.0, 1.0), (0.01, 1.0)])
+    def test_minimal_nets_and_long_lenses(self, make_scene, dtype, degree, half_width):
+        scene = make_scene(
+            {
+                "source": POINT,
+                "lens.degree": degree,
+                "lens.control_points": [degree[0] + 1, degree[1] + 1],
+                "lens.half_width": half_width,
+            }
+        )
+        heights = torch.linspace(0.4, 0.6, (degree[0] + 1) * (degree[1] + 1))
+        heights = heights.view(scene.lens.control_points).double()
+        ledger = self.gradient_of(Plan(scene, dtype=dtype), heights)
+        assert ledger.missed_lens + ledger.left_side < 0.9999
+
+    @pytest.mark.parametrize("dtype", DTYPES)
+    def test_rays_that_graze_the_face(self, make_scene, dtype):
+        scene = make_scene({"source": POINT, "lens.degree": [2, 2], "lens.control_points": [3, 3]})
+        net = ControlNet.of(scene.lens)
+        # Z = 0.5 + x². Its tangent at x = 0.5 has slope 1 and comes from the entrance at x = −0.25.
+        control = torch.tensor([[1.5], [-0.5], [1.5]], dtype=torch.float64).repeat(1, 3)
+        lift = np.array([0.0, 1e-12, 1e-6, -1e-12, -1e-6])
+        rays = InLens(
+            np.full(5, -0.25) + lift, np.zeros(5), np.ones(5), np.zeros(5), np.full(5, 0.2), 0, 0
+        )
+        trace = PointRays(scene, net, rays, dtype=dtype)
+        control.requires_grad_()
+        hits = trace.trace(control)
+        assert not hits.weight.any()  # a grazing ray is totally reflected, or leaves by the side
+        lost = hits.left_side + (hits.arriving * ~hits.passes).sum()
+        assert lost.item() == pytest.approx(1, rel=1e-6)
+        (gradient,) = torch.autograd.grad(hits.weight.sum(), control)
+        assert torch.isfinite(gradient).all()
+
+    @pytest.mark.parametrize("dtype", DTYPES)
+    def test_every_ray_lost(self, make_scene, dtype):
+        scene = make_scene({"lens.half_width": [0.1, 0.1], "source": POINT})
+        net = ControlNet.of(scene.lens)
+        # Rays that all leave through the side, and rays that all miss the entrance face.
+        aside = InLens(
+            *(np.full(9, c) for c in (0.05, 0.0, 0.8, 0.1, 1 / 9)), missed=0, reflected=0
+        )
+        hits = PointRays(scene, net, aside, dtype=dtype).trace(smooth(scene))
+        assert hits.left_side.item() == pytest.approx(1, rel=1e-6)
+        assert not hits.weight.any()
+        assert torch.isinf(hits.x).all()
+        none = InLens(*(np.empty(0) for _ in range(5)), missed=1.0, reflected=0.0)
+        hits = PointRays(scene, net, none, dtype=dtype).trace(smooth(scene))
+        assert hits.left_side == 0
+        assert len(hits.x) == 0
+
+    @pytest.mark.parametrize("dtype", DTYPES)
+    def test_all_light_totally_reflected(self, make_scene, dtype):
+        scene = make_scene(
+            {"lens.control_points": [4, 4], "lens.half_width": [0.1, 0.1], "source": POINT}
+        )
+        x, _ = ControlNet.of(scene.lens).positions
+        steep = torch.as_tensor(np.repeat((0.5 + 3 * x)[:, None], 4, axis=1))
+        ledger = self.gradient_of(Plan(scene, dtype=dtype), steep)
+        assert ledger.total_reflection > 0.1
+        assert ledger.on_screen == ledger.off_screen == 0
