@@ -103,6 +103,8 @@ class MainWindow(QMainWindow):
             "light": LightView(),
         }
         self.workspace.raise_curtain(self._scene_view, others)
+        shown = self.workspace.docks["derivative"].visibilityChanged
+        shown.connect(self._derivative_view.uncover)
         self.control = RunControl(self.document, self)
         runner = self.control.runner
         for view in (self._scene_view, *others.values()):

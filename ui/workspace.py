@@ -94,4 +94,6 @@ class Workspace:
         dock = QDockWidget(title, self._window)
         dock.setObjectName(name)
         self._window.addDockWidget(area, dock)
+        # Qt shows a tab of the menu's choice behind the other.
+        dock.toggleViewAction().triggered.connect(lambda shown: dock.raise_() if shown else None)
         return dock

@@ -68,7 +68,7 @@ def test_shows_the_map_of_the_middle_point_and_its_sum(seen, frame, session, qtb
     shown = seen._image.artists[0].get_array()
     np.testing.assert_allclose(shown.filled(0), wished.map, atol=1e-12)
     np.testing.assert_array_equal(shown.mask, wished.map == 0)
-    assert f"{wished.sum:.1e} per cm of height" in seen._sum.text()
+    assert f"{wished.sum:.1e} per cm," in seen._sum.text()
     assert seen._place.text() == "x = 0.111, y = 0.143 cm"
 
 
@@ -94,7 +94,7 @@ def test_many_frames_are_one_map_of_the_last(seen, frame, asked, qtbot, qapp):
     qtbot.waitUntil(lambda: "changes by 5.0e-01 per cm" in seen._sum.text())
     assert [call[1][0, 0] for call in asked] == [0.46]
     assert asked[0][3] != qapp.thread()
-    assert "2.5e-01 of all light" in seen._sum.text()
+    assert "2.5e-01 of the total flux" in seen._sum.text()
 
 
 def test_another_point_is_another_map(seen, frame, asked, qtbot):

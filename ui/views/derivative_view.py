@@ -39,6 +39,7 @@ class DerivativeView(PlotView):
         self._derivatives = Derivatives(self)
         self._derivatives.answered.connect(self._take)
         self._wanted: Question | None = None
+        self._covered = False
         self._map: DerivativeMap | None = None
         self._rest = QTimer(self, singleShot=True, interval=_REST_MS)
         self._rest.timeout.connect(self._ask_for_map)
@@ -69,17 +70,22 @@ class DerivativeView(PlotView):
         super().show_frame(frame)
         self._want()
 
+    def uncover(self, uncovered: bool) -> None:
+        """Compute, or not; a dock behind another tab is not hidden, but covered."""
+        self._covered = not uncovered
+        if uncovered:
+            self._want()
+        else:
+            self._want_nothing()
+
     def showEvent(self, event: QShowEvent) -> None:
         """Compute what came while hidden."""
         super().showEvent(event)
-        if self._wanted is None:
-            self._want()
+        self._want()
 
     def hideEvent(self, event: QHideEvent) -> None:
         """Compute nothing that nobody sees."""
-        self._rest.stop()
-        self._derivatives.forget()
-        self._wanted = None
+        self._want_nothing()
         super().hideEvent(event)
 
     def closeEvent(self, event: QCloseEvent) -> None:
@@ -107,9 +113,14 @@ class DerivativeView(PlotView):
     def _want(self) -> None:
         """The map on show is not of this lens or point any more."""
         self._wanted = None
-        if self._frame is not None and self.isVisible():
+        if self._frame is not None and self.isVisible() and not self._covered:
             self._sum.setText("Computed when the lens rests…")
             self._rest.start()
+
+    def _want_nothing(self) -> None:
+        self._wanted = None
+        self._rest.stop()
+        self._derivatives.forget()
 
     def _ask_for_map(self) -> None:
         frame = self._frame
@@ -148,5 +159,5 @@ def _place(found: "DerivativeMap", unit: str) -> str:
 
 
 def _sum(found: "DerivativeMap", unit: str) -> str:
-    part = f", {found.sum / found.flux:.1e} of all light there" if found.flux else ""
-    return f"Light on the screen changes by {found.sum:.1e} per {unit} of height{part}"
+    part = f", {found.sum / found.flux:.1e} of the total flux there" if found.flux else ""
+    return f"Sum: flux on the screen changes by {found.sum:.1e} per {unit}{part}"

@@ -77,7 +77,7 @@ def irradiance_derivative(
     """
     _check(scene, index)
     plan = Plan(scene, dtype=dtype)
-    heights = torch.as_tensor(control_points, dtype=torch.float64, device=device_of(scene))
+    heights = torch.tensor(control_points, dtype=torch.float64, device=device_of(scene))
     rise = torch.zeros_like(heights)
     rise[index] = 1.0
     # Dual numbers rather than `torch.func.jvp`, whose wrapped tensors have no values that the

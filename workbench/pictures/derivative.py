@@ -6,7 +6,7 @@ import numpy as np
 import numpy.typing as npt
 from matplotlib import colormaps
 
-from workbench.pictures.images import ERROR, colour_bar, round_scale, screen_image
+from workbench.pictures.images import ERROR, colour_bar, screen_image
 from workbench.scene import Scene
 
 if TYPE_CHECKING:
@@ -22,7 +22,7 @@ class DerivativeImage:
     """A derivative map on axes that the caller owns.
 
     Gains are red, losses blue; what the control point does not reach is grey. The scale is
-    symmetric about zero and one of 1, 2, 5, 10, ...
+    symmetric about zero and no wider than the map: losses are faint beside the gains already.
 
     Attributes
     ----------
@@ -53,10 +53,9 @@ class DerivativeImage:
             Whether more than `artists` changed, so that the whole figure has to be drawn.
         """
         if derivative is None:
-            self._image.set_data(np.ma.masked_all(self._image.get_array().shape))
-            return False
+            derivative = np.zeros(self._image.get_array().shape)
         self._image.set_data(np.ma.masked_equal(derivative, 0))
-        scale = round_scale(float(np.abs(derivative).max()))
+        scale = float(np.abs(derivative).max()) or 1.0
         if scale == self._scale:
             return False
         self._scale = scale
