@@ -14,7 +14,7 @@ from workbench.design.step import Step
 from workbench.errors import Refused
 from workbench.geometry.surface import ControlNet
 from workbench.optics.plan import Plan, device_of
-from workbench.scene import BoxFilter, CollimatedSource, PaperRun, Scene
+from workbench.scene import BoxFilter, PaperRun, Scene
 
 Array = npt.NDArray[np.float64]
 
@@ -42,7 +42,6 @@ def paper_steps(
         )
     device = device_of(scene)
     check_memory(scene)
-    fresh = not isinstance(scene.source, CollimatedSource) and scene.source.fresh
     plan = Plan(scene)
     net = ControlNet.of(scene.lens)
     free = HeightRange.of(scene.lens, net, device)
@@ -66,5 +65,3 @@ def paper_steps(
         torch.autograd.backward(shaped, gradient)
         optimiser.step()
         plan.next_iteration()
-        if fresh:
-            plan.redraw()

@@ -48,14 +48,15 @@ def run(scene: Scene, target: Array, start: Array | None = None) -> Iterator[Sna
         If the run cannot go on; the snapshots up to then stay good.
     """
     # Given heights stand at the end of all stages already.
-    parts = scene.parts() if start is None else scene.parts()[-1:]
+    parts = scene.parts()
+    first = 0 if start is None else len(parts) - 1
     finished = ControlNet.of(scene.lens)
     iteration = 0
     seconds = 0.0  # time spent here, not where the snapshots go: a pause is not run time
-    for stage, part in enumerate(parts):
+    for stage, part in enumerate(parts[first:], first):
         net = ControlNet.of(part.lens)
         # The first lens of a later stage counts as an iteration: its loss is one of another task.
-        steps = islice(_steps(part, target, start), part.run.iterations + (stage == 0))
+        steps = islice(_steps(part, target, start), part.run.iterations + (stage == first))
         lowest = math.inf
         while True:
             resumed = time.perf_counter()

@@ -33,7 +33,7 @@ class Snapshot:
     best : bool
         Whether this is the best lens of its stage so far.
     stage : int
-        Number of the stage, from 0.
+        Number of the stage, an index of `Scene.parts`.
     """
 
     iteration: int
