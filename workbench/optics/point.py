@@ -11,7 +11,7 @@ from workbench.optics.hits import Hits
 from workbench.optics.intersection import Bundle, ExactIntersection
 from workbench.optics.mesh import MeshIntersection, TriangleMesh
 from workbench.optics.refraction import refract, schlick_transmittance
-from workbench.scene import GridSource, MeshMethod, PointSource, Scene
+from workbench.scene import CollimatedSource, GridSource, MeshMethod, PointSource, Scene
 
 
 class PointRays:
@@ -42,8 +42,7 @@ class PointRays:
         self._scene = scene
         self._dtype, self._device = dtype, device
         self._patches = Patches(net, dtype, device)
-        assert isinstance(scene.source, (PointSource, GridSource))
-        how = scene.source.intersection
+        how = None if isinstance(scene.source, CollimatedSource) else scene.source.intersection
         self._mesh = (
             TriangleMesh(net, how.subdivisions, dtype, device)
             if isinstance(how, MeshMethod)
