@@ -121,8 +121,8 @@ EXAMPLES = (
         "flame-stages",
         _SOURCES,
         "Point source, then the extended one",
-        "The loss jumps when the sharp image is lit by the extended source at iteration 200; see "
-        "what is won back.",
+        "The loss jumps when the extended source takes over at iteration 200; see what is won "
+        "back.",
     ),
 )
 """All example scenes, in the order in which menus show them."""

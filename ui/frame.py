@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from workbench.design.snapshot import History, Snapshot
     from workbench.files.session import Session
     from workbench.optics.paths import RayPaths
+    from workbench.scene import Source
 
 Array = npt.NDArray[np.float64]
 
@@ -29,6 +30,8 @@ class Frame:
         The lens and its image.
     surface : ndarray, shape (m_u, m_v, 3)
         Points of the exit face on a regular grid including its rim.
+    source : Source
+        What lights the lens in the snapshot's stage.
     paths : RayPaths
         A few rays from before the lens to the screen.
     losses : ndarray, shape (k,)
@@ -40,6 +43,7 @@ class Frame:
     session: "Session"
     snapshot: "Snapshot"
     surface: Array
+    source: "Source"
     paths: "RayPaths"
     losses: Array
     stage_starts: tuple[int, ...]
@@ -52,11 +56,14 @@ def make_frame(session: "Session", snapshot: "Snapshot", history: "History") -> 
     from workbench.optics.paths import ray_paths
 
     scene, heights = session.scene, snapshot.control_points
+    source = scene.parts()[snapshot.stage].source
+    lit = scene.model_copy(update={"source": source})
     return Frame(
         session=session,
         snapshot=snapshot,
         surface=sample_surface(scene.lens, heights, _SURFACE_SAMPLES),
-        paths=ray_paths(scene, heights, _RAYS),
+        source=source,
+        paths=ray_paths(lit, heights, _RAYS),
         losses=history.losses(),
         stage_starts=history.stage_starts(),
     )

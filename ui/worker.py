@@ -21,7 +21,7 @@ from workbench.errors import Refused, RunFailed
 
 if TYPE_CHECKING:
     from workbench.files.session import Session
-    from workbench.scene import Scene
+    from workbench.scene import Run, Scene
 
 Generate = Callable[["Scene", Array, Array | None], Iterator[Snapshot]]
 
@@ -144,7 +144,7 @@ class Worker(QObject):
         if job.gate.stopped:
             return
         if result is not None:
-            snapshot = _as_snapshot(result, job.session.scene.run.iterations)
+            snapshot = _as_snapshot(result, job.session.scene.run)
         else:
             snapshots = self._snapshots(job)
             try:
@@ -172,14 +172,15 @@ def _engine() -> Generate:
     return run
 
 
-def _as_snapshot(result: Result, iterations: int) -> Snapshot:
+def _as_snapshot(result: Result, run: "Run") -> Snapshot:
     return Snapshot(
         iteration=result.iterations,
-        iterations=max(iterations, result.iterations),
+        iterations=max(run.iterations, result.iterations),
         loss=result.loss,
         control_points=result.control_points,
         irradiance=result.irradiance,
         ledger=result.ledger,
         seconds=result.seconds,
         best=True,
+        stage=min(len(result.stage_starts), len(run.stages)),
     )

@@ -97,7 +97,7 @@ def test_history_knows_where_stages_began(make_scene, disc):
     continued = History(result)
     assert continued.stage_starts() == (3,)
     for snapshot in run(scene, disc, start=result.control_points):
-        assert snapshot.stage == 0  # given heights stand behind all stages
+        assert snapshot.stage == 1  # given heights stand behind all stages
         continued.add(snapshot)
     assert continued.result().stage_starts == (3, 6)
 

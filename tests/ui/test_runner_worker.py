@@ -164,3 +164,18 @@ def test_the_engine_is_the_default(session, work):
     assert not sentence
     assert result.iterations == 2
     assert job.mailbox.take().snapshot.irradiance.shape == session.target.shape
+
+
+@pytest.mark.parametrize(("stage_starts", "shown"), [((), "point"), ((2,), "collimated")])
+def test_rays_come_from_the_source_of_the_stage(
+    make_scene, designed, work, as_run, stage_starts, shown
+):
+    point = {"kind": "point", "position": [0.0, 0.0, -5.0], "rays": 100}
+    run = {"iterations": 9, "stages": [{"iterations": 4, "source": point}]}
+    result = dataclasses.replace(designed.result, stage_starts=stage_starts)
+    job = Job(dataclasses.replace(designed, scene=make_scene({"run": run}), result=result), True)
+    work(job, as_run(0))
+    frame = job.mailbox.take()
+    assert frame.source.kind == shown
+    starts = np.unique(frame.paths.points[:, 0], axis=0)
+    assert (len(starts) == 1) is (shown == "point")

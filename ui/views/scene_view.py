@@ -75,7 +75,8 @@ class SceneView(View):
             self._begin(session)
         self._shown = session
         if self._picture is not None and frame is not None:
-            self._picture.update(frame.surface, frame.paths, frame.snapshot.irradiance)
+            lit = frame.snapshot.irradiance
+            self._picture.update(frame.surface, frame.paths, lit, frame.source)
         self._plotter.repaint()
 
     def _open_plotter(self) -> None:
