@@ -34,10 +34,12 @@ def wheel(tmp_path_factory):
 
 
 def resource_files():
+    """All that the program reads; the README's pictures stay behind."""
     return {
         path.relative_to(ROOT).as_posix()
         for ending in ("json", "png", "svg")
         for path in (ROOT / "resources").rglob(f"*.{ending}")
+        if path.parent.name != "readme"
     }
 
 
@@ -50,6 +52,7 @@ def test_the_wheel_holds_every_module_and_every_resource(wheel):
     }
     assert {"resources/examples/tophat.json", "resources/scene.schema.json"} <= resource_files()
     assert modules | resource_files() <= held
+    assert not any("readme" in name for name in held)
 
 
 def test_the_wheel_holds_nothing_but_the_packages_and_its_licence(wheel):
