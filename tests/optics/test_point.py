@@ -281,15 +281,15 @@ def test_where_the_search_starts_leaves_the_image_alone(make_scene, rng):
 
 
 def test_redrawn_rays_are_others_of_the_same_light(make_scene):
-    scene = make_scene({"source": POINT, "screen.pixels": [4, 4]})
+    scene = make_scene({"source": POINT | {"fresh": True}, "screen.pixels": [4, 4]})
     plan, again = Plan(scene, dtype=torch.float64), Plan(scene, dtype=torch.float64)
     heights = smooth(scene)
     first = plan.trace(heights).flux
-    plan.redraw()
+    plan.next_iteration()
     second = plan.trace(heights).flux
     assert not torch.equal(first, second)
     assert (first - second).norm() / first.norm() < 0.1
-    again.redraw()
+    again.next_iteration()
     assert torch.equal(again.trace(heights).flux, second)
 
 
