@@ -10,10 +10,10 @@ from workbench.errors import Refused
 # What is wrong, by pydantic's error type; {x} are the values pydantic reports with it.
 _SENTENCES = {
     "missing": "missing; it is required",
-    "greater_than": "{input} is too small; must be greater than {gt:g}",
-    "greater_than_equal": "{input} is too small; at least {ge:g}",
-    "less_than": "{input} is too large; must be less than {lt:g}",
-    "less_than_equal": "{input} is too large; at most {le:g}",
+    "greater_than": "{input} is too small; must be greater than {gt:.10g}",
+    "greater_than_equal": "{input} is too small; at least {ge:.10g}",
+    "less_than": "{input} is too large; must be less than {lt:.10g}",
+    "less_than_equal": "{input} is too large; at most {le:.10g}",
     "literal_error": "{input} is not available; allowed: {expected}",
     "finite_number": "{input} is not finite; a finite number is needed",
     "float_type": "{input} is not a number; a number is needed",
