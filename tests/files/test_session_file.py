@@ -427,3 +427,10 @@ def test_stages_of_a_run_are_kept(session, path):
     staged = replace(session.result, stage_starts=(2,))
     write_session(replace(session, result=staged), path)
     assert read_session(path).result.stage_starts == (2,)
+
+
+def test_a_ledger_from_before_there_was_light_through_the_side(session, path, forge_header):
+    write_session(session, path)
+    figures = json.loads(entries_of(path)["session.json"])["result"]
+    del figures["ledger"]["left_side"]
+    assert read_session(forge_header({"result": figures})).result.ledger.left_side == 0
