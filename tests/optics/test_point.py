@@ -110,7 +110,7 @@ class TestFlatPlate:
         outer = np.arctan2(radius, 2.0)
         inner = np.arcsin(np.sin(outer) / INDEX)
         reach = radius + 0.5 * np.tan(inner) + 4.5 * np.tan(outer)
-        assert np.hypot(hits.x, hits.y).numpy() == pytest.approx(reach, abs=1e-12)
+        assert torch.hypot(hits.x, hits.y).numpy() == pytest.approx(reach, abs=1e-12)
         share = 0.96 * (1 - (1 - np.cos(outer)) ** 5)  # Schlick, the same at both faces
         assert hits.weight.numpy() == pytest.approx(share**2 / len(x), rel=1e-12)
 
