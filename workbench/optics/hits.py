@@ -11,7 +11,7 @@ class Hits(NamedTuple):
     Attributes
     ----------
     x, y : Tensor
-        Where they hit, scene units; infinite for light that leaves the exit face away from it.
+        Where they hit, scene units; infinite for rays that do not get there.
     weight : Tensor
         Flux that left the exit face; 0 under total reflection.
     arriving : Tensor
