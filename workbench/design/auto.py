@@ -2,7 +2,7 @@
 
 Three things set it apart from the paper's method:
 
-- Early stages measure the image error in a Sobolev norm that weighs long waves most, the
+- Early phases measure the image error in a Sobolev norm that weighs long waves most, the
   linearised transport distance. It knows in which direction far-away light has to move, where
   the plain norm sees only pixels that do not overlap.
 - Corrections come first from a coarse control net, then from finer ones, so that the surface
@@ -38,8 +38,8 @@ Array = npt.NDArray[np.float64]
 
 
 @dataclass(frozen=True)
-class Stage:
-    """A part of the run.
+class Phase:
+    """A part of the run; every stage of a scene goes through all of them.
 
     Attributes
     ----------
@@ -56,18 +56,16 @@ class Stage:
     part: float
 
 
-STAGES = (
-    Stage(coarsening=4, cut=0.25, part=0.15),
-    Stage(coarsening=2, cut=2.0, part=0.15),
-    Stage(coarsening=1, cut=16.0, part=0.25),
-    Stage(coarsening=1, cut=None, part=0.45),
+PHASES = (
+    Phase(coarsening=4, cut=0.25, part=0.15),
+    Phase(coarsening=2, cut=2.0, part=0.15),
+    Phase(coarsening=1, cut=16.0, part=0.25),
+    Phase(coarsening=1, cut=None, part=0.45),
 )
 
 # Parts of the screen's width that the image reaches beyond it on each side: as far as the light of
 # the first lens falls, within these.
 _MARGINS = 0.1, 1.0
-
-
 # The most that a step may change a parameter. Far out tanh is flat: a height that one bold step
 # brings there does not find back.
 _REACH = 0.3
@@ -76,7 +74,7 @@ _PATIENCE, _PROGRESS = 30, 1e-3
 
 
 def auto_steps(scene: Scene, target: Array, start: Array | None) -> Iterator[Step]:
-    """Evaluate lens after lens through all stages; see `workbench.design.run.run`.
+    """Evaluate lens after lens through all phases; see `workbench.design.run.run`.
 
     Raises
     ------
@@ -87,17 +85,17 @@ def auto_steps(scene: Scene, target: Array, start: Array | None) -> Iterator[Ste
     free = HeightRange.of(scene.lens, net, device_of(scene))
     parameters = free.rest if start is None else free.parameters(start)
     image = _WideImage(scene, target, free.heights(parameters))
-    stages = STAGES if start is None else STAGES[-1:]
-    for number, stage in enumerate(stages):
-        correction = _Correction(net, parameters, stage.coarsening)
-        objective = _objective(image, free, correction, stage.cut)
+    phases = PHASES if start is None else PHASES[-1:]
+    for number, phase in enumerate(phases):
+        correction = _Correction(net, parameters, phase.coarsening)
+        objective = _objective(image, free, correction, phase.cut)
         descent = minimise(objective, correction.nothing, _REACH)
-        if stage is not stages[-1]:
-            descent = islice(descent, 1 + round(scene.run.iterations * stage.part))
+        if phase is not phases[-1]:
+            descent = islice(descent, 1 + round(scene.run.iterations * phase.part))
         best: list[float] = []
         for x, found in descent:
             parameters = correction.apply(x)
-            if number > 0 and not best:  # this lens ended the stage before
+            if number > 0 and not best:  # this lens ended the phase before
                 best.append(found.seen.loss)
                 continue
             yield found.seen
@@ -156,7 +154,8 @@ class _WideImage:
         filter = GaussianFilter() if isinstance(scene.filter, BoxFilter) else scene.filter
         screen = scene.screen
         (n_x, n_y), (r_x, r_y) = screen.pixels, screen.half_width
-        reach_x, reach_y = Plan(scene).reach(first)
+        plan = Plan(scene, filter=filter)
+        reach_x, reach_y = plan.reach(first)
         m_x, m_y = _margin(reach_x / r_x, n_x), _margin(reach_y / r_y, n_y)
         wide = Screen(
             z=screen.z,
@@ -164,7 +163,7 @@ class _WideImage:
             pixels=(n_x + 2 * m_x, n_y + 2 * m_y),
         )
         device = device_of(scene)
-        self._plan = Plan(scene.model_copy(update={"screen": wide}), filter=filter)
+        self._plan = plan.on(wide)
         self._on_screen = (slice(m_y, m_y + n_y), slice(m_x, m_x + n_x))
         around = ((m_y, m_y), (m_x, m_x))
         wanted = expected_image(np.pad(share(target), around), filter)
@@ -186,7 +185,7 @@ class _WideImage:
         return error / self._scale, step
 
     def waves(self, cut: float) -> "_Waves":
-        """The norm of a stage."""
+        """The norm of a phase."""
         return _Waves(self._wanted, cut)
 
 

@@ -1,5 +1,6 @@
 """The plan of a trace: which steps a scene needs, and all that stays constant while it runs."""
 
+import copy
 from typing import NamedTuple
 
 import numpy as np
@@ -13,7 +14,7 @@ from workbench.optics.hits import Hits
 from workbench.optics.irradiance import Image, reconstruct
 from workbench.optics.ledger import Ledger
 from workbench.optics.point import PointRays
-from workbench.scene import CollimatedSource, Filter, Scene
+from workbench.scene import CollimatedSource, Filter, Scene, Screen
 
 _NEARLY_ALL = 0.999
 
@@ -108,6 +109,12 @@ class Plan:
             return 0.0, 0.0
         x, y = (c[lands].abs().double().cpu().numpy() for c in (hits.x, hits.y))
         return float(np.quantile(x, _NEARLY_ALL)), float(np.quantile(y, _NEARLY_ALL))
+
+    def on(self, screen: Screen) -> "Plan":
+        """The same rays on another part of the same plane; nothing of them is computed again."""
+        other = copy.copy(self)
+        other._screen = screen
+        return other
 
     def flux(self, heights: Tensor) -> Tensor:
         """The image alone, for `torch.func` transforms such as jvp, which no ledger survives."""
