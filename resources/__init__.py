@@ -60,6 +60,15 @@ EXAMPLES = (
         "ball", _FIRST, "Ball", "A faceted ball; see whether each grey comes out evenly bright."
     ),
     Example(
+        "photo",
+        _FIRST,
+        "Photograph",
+        "Every grey from black to white; see texture and shadow come.",
+    ),
+    Example(
+        "letter", _FIRST, "Letter", "A bold letter on black; see its straight edges and corners."
+    ),
+    Example(
         "flame-512", _FINE, "Flame", "The flame with four times the detail; see its thin parts."
     ),
     Example(

@@ -10,14 +10,18 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 from PIL import Image
 
 import resources
+from resources import drawings
 from workbench.scene import BallTarget, FlameTarget, Scene, Screen, TopHatTarget
 from workbench.targets.shapes import draw
 
 SHAPES = {"tophat": TopHatTarget(), "flame": FlameTarget(), "ball": BallTarget()}
 SIZES = (256, 512)
+DRAWINGS = {"photo": drawings.photograph, "letter": drawings.letter}
+DRAWING_SIZE = 256
 
 _RADII = {3: 8.0, 5: 4.0}  # of the base, by magnification
 _SOURCES = {
@@ -40,6 +44,8 @@ def make(folder: Path) -> None:
     for name in SHAPES:
         for size in SIZES:
             target_image(name, size).save(targets / f"{name}-{size}.png", optimize=True)
+    for name in DRAWINGS:
+        drawing(name).save(targets / f"{name}-{DRAWING_SIZE}.png", optimize=True)
     for each in resources.EXAMPLES:
         file = examples / each.file.name
         file.write_text(example(each.name).to_json(), encoding="utf-8")
@@ -49,7 +55,15 @@ def make(folder: Path) -> None:
 def target_image(name: str, size: int) -> Image.Image:
     """Draw a built-in shape as a square 8-bit grey image of ``size`` pixels a side."""
     screen = Screen(z=1.0, half_width=(1.0, 1.0), pixels=(size, size))
-    light = draw(SHAPES[name], screen, 1.0)
+    return _grey_image(draw(SHAPES[name], screen, 1.0))
+
+
+def drawing(name: str) -> Image.Image:
+    """Draw what no scene has built in, likewise."""
+    return _grey_image(DRAWINGS[name](DRAWING_SIZE))
+
+
+def _grey_image(light: npt.NDArray[np.float64]) -> Image.Image:
     return Image.fromarray(np.rint(255 * light).astype(np.uint8))
 
 

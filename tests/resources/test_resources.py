@@ -39,7 +39,22 @@ def test_the_script_makes_every_file_that_ships_and_no_other(made):
 @pytest.mark.parametrize("size", make_resources.SIZES)
 @pytest.mark.parametrize("shape", make_resources.SHAPES)
 def test_target_images_are_as_the_script_makes_them(made, shape, size):
-    name = f"{shape}-{size}.png"
+    _same_images(made, f"{shape}-{size}.png", size)
+
+
+@pytest.mark.parametrize("name", make_resources.DRAWINGS)
+def test_drawings_are_as_the_script_makes_them(made, name):
+    size = make_resources.DRAWING_SIZE
+    _same_images(made, f"{name}-{size}.png", size)
+
+
+def test_the_photograph_has_every_grey():
+    with Image.open(resources.path("targets", "photo-256.png")) as image:
+        used = np.bincount(np.asarray(image).ravel(), minlength=256)
+    assert (used > 0).all()
+
+
+def _same_images(made, name, size):
     with (
         Image.open(made / "targets" / name) as new,
         resources.path("targets", name).open("rb") as file,
