@@ -1,0 +1,265 @@
+"""The normalised taps of a reconstruction filter as short series, which vectorise.
+
+A tap is a smooth function of the offset o ∈ [−½, ½) of a hit from the centre of its pixel, and
+tap −k at o is tap k at −o. So both come from two even functions,
+
+    tap ±k = E_k(x) ± o F_k(x)   with x = 8 o² − 1 ∈ [−1, 1],
+
+and so do their slopes, ± G_k(x) + o H_k(x). Each is a Chebyshev series, cut off where it is below
+rounding. The middle tap is what the others leave of 1, so that light is conserved.
+
+Filters that are nearly steps (a large α) would need long series. They are computed from their
+exponentials, one ray after the other: right, but slow.
+"""
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+from numba import njit
+from scipy.fft import dct
+
+# No 'nnan' or 'ninf': rays that go nowhere have such numbers.
+FAST = {"contract", "reassoc", "arcp", "nsz"}
+# Longest series; a step of a filter with α = 16 takes 21 terms in float32, 43 in float64.
+_LONGEST = 48
+_SAMPLES = 64
+# So many terms the common filters need in float32; a fixed number lets the compiler unroll.
+SHORT = 6
+
+
+class Taps(NamedTuple):
+    """Filter weights along one axis.
+
+    Attributes
+    ----------
+    reach : int
+        Pixels on each side of that of the hit, (ν − 1) / 2.
+    alpha : floating
+        α of the Gaussian, per pixel², in the trace's float type.
+    series : ndarray, shape (reach, 4, terms)
+        Chebyshev coefficients of E_k, F_k, G_k and H_k for k = 1 ... reach; no terms where the
+        exponentials are to be taken.
+    """
+
+    reach: int
+    alpha: np.floating[Any]
+    series: npt.NDArray[np.floating[Any]]
+
+
+def make_taps(alpha: float, size: int, dtype: npt.DTypeLike) -> Taps:
+    """Taps of a Gaussian filter (size > 1), or of a box (size 1)."""
+    kind = np.dtype(dtype).type
+    reach = size // 2
+    series = np.zeros((reach, 4, SHORT))
+    if reach > 0:
+        series = _fit(alpha, reach, float(np.finfo(kind).eps))
+    return Taps(reach, kind(alpha), np.ascontiguousarray(series, dtype=kind))
+
+
+def _fit(alpha: float, reach: int, eps: float) -> npt.NDArray[np.float64]:
+    angle = np.pi * (np.arange(_SAMPLES) + 0.5) / _SAMPLES
+    functions = _even_functions(np.sqrt((np.cos(angle) + 1) / 8), alpha, reach)
+    series = dct(functions, axis=-1) / _SAMPLES
+    series[..., 0] /= 2
+    # Slopes may be steep; taps are not above 1.
+    scale = np.maximum(1, np.abs(functions).max(axis=(0, 2)))[:, None]
+    # In float64 the coefficients have some rounding of their own, which is no reason to keep them.
+    kept = (np.abs(series) / scale > max(eps / 4, 4e-16)).any(axis=(0, 1)).nonzero()[0]
+    terms = int(kept[-1]) + 1
+    if terms > _LONGEST:
+        return np.zeros((reach, 4, 0))
+    return np.asarray(series[:, :, : max(SHORT, terms + terms % 2)])
+
+
+def _even_functions(o: npt.NDArray[np.float64], alpha: float, reach: int) -> Any:
+    """E_k, F_k, G_k and H_k at offsets above 0, shape (reach, 4, m); without cancellation."""
+    k = np.arange(1, reach + 1)[:, None]
+    rim2 = (reach + 0.5) ** 2
+    # As in `irradiance._taps`, scaled by e^(α o²).
+    rim = np.exp(alpha * (np.square(o) - rim2))
+    bell = np.exp(2 * alpha * k * o - alpha * k * k)
+    bell_below = np.exp(-2 * alpha * k * o - alpha * k * k)
+    difference = -bell * np.expm1(-4 * alpha * k * o)
+    pair = -bell * np.expm1(alpha * (np.square(o - k) - rim2))
+    pair -= bell_below * np.expm1(alpha * (np.square(o + k) - rim2))
+    total = pair.sum(axis=0) - np.expm1(alpha * (np.square(o) - rim2))
+    pair_rise = 2 * alpha * k * difference / o - 4 * alpha * rim  # over o, like the next
+    total_rise = pair_rise.sum(axis=0) - 2 * alpha * rim
+    difference_rise = 2 * alpha * k * (bell + bell_below)
+    return np.stack(
+        [
+            pair,
+            difference / o,
+            difference_rise - difference * o * (total_rise / total),
+            pair_rise - pair * (total_rise / total),
+        ],
+        axis=1,
+    ) / (2 * total)
+
+
+@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+def fill_taps(taps, offset, count, slopes, state, value, slope):  # type: ignore[no-untyped-def]
+    """Taps of rays, and their slopes too if these are wanted.
+
+    Parameters
+    ----------
+    taps : Taps
+        The filter.
+    offset : array, shape (batch,)
+        Offsets of the hits.
+    count : int
+        How many of them there are.
+    slopes : bool
+        Whether slopes are wanted.
+    state : array, shape (4, batch)
+        Room for intermediate results.
+    value, slope : array, shape (2 reach + 1, batch)
+        The results, for taps −reach ... reach.
+    """
+    reach, terms = taps.reach, taps.series.shape[2]
+    if reach > 0 and terms == 0:
+        for ray in range(count):
+            _from_exponentials(taps.alpha, reach, offset[ray], ray, slopes, value, slope)
+        return
+    kind = offset.dtype.type
+    value[reach, :count] = kind(1)
+    if slopes:
+        slope[reach, :count] = kind(0)
+    for k in range(1, reach + 1):
+        series = taps.series[k - 1]
+        if terms == SHORT:
+            _pair_short(series, offset, count, value[reach + k], value[reach - k], value[reach])
+            if slopes:
+                up, down = slope[reach + k], slope[reach - k]
+                _slopes_short(series, offset, count, up, down, slope[reach])
+        else:
+            _pair_long(
+                series, offset, count, state, value[reach + k], value[reach - k], value[reach]
+            )
+            if slopes:
+                up, down = slope[reach + k], slope[reach - k]
+                _slopes_long(series, offset, count, state, up, down, slope[reach])
+
+
+# The loops below are kept small and apart: the compiler vectorises a loop over few arrays alone.
+
+
+@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy", forceinline=True)
+def _short(x2, c0, c1, c2, c3, c4, c5):  # type: ignore[no-untyped-def]
+    """Sum of six Chebyshev polynomials by Clenshaw's recurrence; x2 is 2 x."""
+    b4 = c4 + x2 * c5
+    b3 = c3 + x2 * b4 - c5
+    b2 = c2 + x2 * b3 - b4
+    b1 = c1 + x2 * b2 - b3
+    return c0 + (x2 * b1) * type(x2)(0.5) - b2
+
+
+@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+def _pair_short(series, offset, count, up, down, middle):  # type: ignore[no-untyped-def]
+    kind = offset.dtype.type
+    e0, e1, e2, e3, e4, e5 = _six(series[0])
+    f0, f1, f2, f3, f4, f5 = _six(series[1])
+    for ray in range(count):
+        o = offset[ray]
+        x2 = kind(16) * o * o - kind(2)
+        even = _short(x2, e0, e1, e2, e3, e4, e5)
+        odd = o * _short(x2, f0, f1, f2, f3, f4, f5)
+        # The series may miss a tap of 0 by its rounding; light is never negative.
+        one, other = max(even + odd, kind(0)), max(even - odd, kind(0))
+        up[ray] = one
+        down[ray] = other
+        middle[ray] -= one + other
+
+
+@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+def _slopes_short(series, offset, count, up, down, middle):  # type: ignore[no-untyped-def]
+    kind = offset.dtype.type
+    g0, g1, g2, g3, g4, g5 = _six(series[2])
+    h0, h1, h2, h3, h4, h5 = _six(series[3])
+    for ray in range(count):
+        o = offset[ray]
+        x2 = kind(16) * o * o - kind(2)
+        even = _short(x2, g0, g1, g2, g3, g4, g5)
+        odd = o * _short(x2, h0, h1, h2, h3, h4, h5)
+        up[ray] = odd + even
+        down[ray] = odd - even
+        middle[ray] -= odd + odd
+
+
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+def _six(c):  # type: ignore[no-untyped-def]
+    return c[0], c[1], c[2], c[3], c[4], c[5]
+
+
+@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+def _pair_long(series, offset, count, state, up, down, middle):  # type: ignore[no-untyped-def]
+    kind = offset.dtype.type
+    _sum_long(series[0], offset, count, state, state[2])
+    _sum_long(series[1], offset, count, state, state[3])
+    even, odd = state[2], state[3]
+    for ray in range(count):
+        up[ray] = max(even[ray] + offset[ray] * odd[ray], kind(0))
+        down[ray] = max(even[ray] - offset[ray] * odd[ray], kind(0))
+    for ray in range(count):
+        middle[ray] -= up[ray] + down[ray]
+
+
+@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+def _slopes_long(series, offset, count, state, up, down, middle):  # type: ignore[no-untyped-def]
+    _sum_long(series[2], offset, count, state, state[2])
+    _sum_long(series[3], offset, count, state, state[3])
+    even, odd = state[2], state[3]
+    for ray in range(count):
+        up[ray] = offset[ray] * odd[ray] + even[ray]
+        down[ray] = offset[ray] * odd[ray] - even[ray]
+    for ray in range(count):
+        middle[ray] -= up[ray] + down[ray]
+
+
+@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+def _sum_long(c, offset, count, state, total):  # type: ignore[no-untyped-def]
+    """Sum of an even number of Chebyshev polynomials, two terms a pass."""
+    kind = offset.dtype.type
+    later, latest = state[0], state[1]
+    later[:count] = kind(0)
+    latest[:count] = kind(0)
+    for m in range(len(c) - 1, 1, -2):
+        high, low = c[m], c[m - 1]
+        for ray in range(count):
+            x2 = kind(16) * offset[ray] * offset[ray] - kind(2)
+            after = high + x2 * latest[ray] - later[ray]
+            latest[ray] = low + x2 * after - latest[ray]
+            later[ray] = after
+    for ray in range(count):
+        x2 = kind(16) * offset[ray] * offset[ray] - kind(2)
+        b1 = c[1] + x2 * latest[ray] - later[ray]
+        total[ray] = c[0] + (x2 * b1) * kind(0.5) - latest[ray]
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def _from_exponentials(alpha, reach, offset, ray, slopes, value, slope):  # type: ignore[no-untyped-def]
+    """The taps of one ray, as in `irradiance._taps`."""
+    kind = value.dtype.type
+    square, two = offset * offset, kind(2)
+    half_width = kind(reach) + kind(0.5)
+    edge = half_width * half_width
+    rim = math.exp(alpha * (square - edge))
+    total, total_rise = kind(0), kind(0)
+    for a in range(2 * reach + 1):
+        k = kind(a - reach)
+        distance = offset - k
+        bell = math.exp(two * alpha * k * offset - alpha * k * k)
+        tap = -bell * math.expm1(alpha * (distance * distance - edge))
+        value[a, ray] = tap
+        total += tap
+        if slopes:
+            rise = two * alpha * (k * bell - offset * rim)
+            slope[a, ray] = rise
+            total_rise += rise
+    share = kind(1) / total
+    for a in range(2 * reach + 1):
+        value[a, ray] *= share
+        if slopes:
+            slope[a, ray] = (slope[a, ray] - value[a, ray] * total_rise) * share
