@@ -22,20 +22,23 @@ class Edit:
         What the undo menu calls it.
     changes : dict
         New values by path; a kind that changes brings its neighbours along.
+    alone : bool
+        Whether it is a step of its own, also after another at the same path.
     """
 
     path: str
     text: str
     changes: dict[str, object]
+    alone: bool = False
 
 
 def value_at(data: dict[str, Any], path: str) -> Any:
     """Value at a path of a scene's plain data; None where the scene has no such field."""
     value: Any = data
     for step in _STEP.findall(path):
-        if isinstance(value, list):
+        if isinstance(value, list) and int(step) < len(value):
             value = value[int(step)]
-        elif step in value:
+        elif isinstance(value, dict) and step in value:
             value = value[step]
         else:
             return None

@@ -15,6 +15,7 @@ from ui.panels.light import FilterPanel, ScreenPanel
 from ui.panels.panel import Panel
 from ui.panels.run import RunPanel
 from ui.panels.source import SourcePanel
+from ui.panels.stages import StagesPanel
 from ui.panels.target import TargetPanel
 from workbench.errors import Refused
 
@@ -47,6 +48,7 @@ class Forms(QScrollArea):
             ScreenPanel(),
             FilterPanel(),
             RunPanel(),
+            StagesPanel(),
         ]
         self._page = QWidget()
         column = QVBoxLayout(self._page)
@@ -113,7 +115,8 @@ class Forms(QScrollArea):
         self._editing = True
         try:
             scene = edited_scene(self._document.session.scene, edits)
-            self._document.edit(scene, edits[-1].text, edits[-1].path)
+            last = edits[-1]
+            self._document.edit(scene, last.text, "" if last.alone else last.path)
         except Refused as refused:
             return refused
         finally:
@@ -133,6 +136,8 @@ class Forms(QScrollArea):
     def _show(self) -> None:
         session = self._document.session
         data = session.scene.to_data()
+        for panel in self.panels:
+            panel.prepare(session)
         present = [row for row in self._rows() if row.present(data)]
         self._pending = {
             path: waiting

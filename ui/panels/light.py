@@ -1,6 +1,7 @@
 """Behind the lens: the screen, and how rays become an image on it."""
 
-from ui.panels.fields import LENGTH, Changes, ChoiceRow, NumberRow
+from ui.panels.fields import LENGTH, NumberRow, Row
+from ui.panels.optional import KindRow
 from ui.panels.panel import Panel
 
 
@@ -40,33 +41,43 @@ class FilterPanel(Panel):
     """Bound to ``scene.filter``."""
 
     def __init__(self) -> None:
-        super().__init__(
-            "Image filter",
-            [
-                ChoiceRow(
-                    "filter.kind",
-                    "Kind",
-                    "How a ray's light is shared among pixels. A Gaussian lets the design feel "
-                    "where in a pixel a ray lands; a box counts rays.",
-                    [("gaussian", "Gaussian"), ("box", "Box")],
-                    changes=self._change_kind,
-                ),
-                NumberRow(
-                    "filter.size",
-                    "Size",
-                    "Pixels along x and y that one ray reaches; odd numbers.",
-                    "px",
-                    between="×",
-                    whole=True,
-                ),
-                NumberRow(
-                    "filter.alpha",
-                    "Alpha",
-                    "How fast the Gaussian falls: exp(−alpha · distance²). Small is wide.",
-                    "px⁻²",
-                ),
-            ],
-        )
+        super().__init__("Image filter", filter_rows("filter"))
 
-    def _change_kind(self, choice: str) -> Changes:
-        return {"filter": {"kind": choice}}
+
+def filter_rows(path: str, label: str = "Kind", otherwise: str = "") -> list[Row]:
+    """Rows of an image filter.
+
+    Parameters
+    ----------
+    path : str
+        Where it is in the scene.
+    label : str
+        What stands before its kind.
+    otherwise : str
+        What a person reads for there being none, where one may be left out.
+    """
+    return [
+        KindRow(
+            path,
+            label,
+            "How a ray's light is shared among pixels. A Gaussian lets the design feel "
+            "where in a pixel a ray lands; a box counts rays.",
+            [("gaussian", "Gaussian"), ("box", "Box")],
+            lambda kind: {"kind": kind},
+            otherwise,
+        ),
+        NumberRow(
+            f"{path}.size",
+            "Size",
+            "Pixels along x and y that one ray reaches; odd numbers.",
+            "px",
+            between="×",
+            whole=True,
+        ),
+        NumberRow(
+            f"{path}.alpha",
+            "Alpha",
+            "How fast the Gaussian falls: exp(−alpha · distance²). Small is wide.",
+            "px⁻²",
+        ),
+    ]

@@ -25,7 +25,8 @@ class Panel(QWidget):
 
     def __init__(self, title: str, rows: Sequence[Row]) -> None:
         super().__init__()
-        self.rows = rows
+        self._rows: list[Row] = []
+        self._label_width = 0
         self._session: Session | None = None
         self._heading = QToolButton()
         self._heading.setObjectName("heading")
@@ -41,11 +42,7 @@ class Panel(QWidget):
         self._form.setVerticalSpacing(5)
         self._form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
         self._form.setLabelAlignment(Qt.AlignmentFlag.AlignLeft)
-        for row in rows:
-            row.name = f"{title} {row.label.text().lower()}"
-            self._form.addRow(row.label, row)
-            row.edited.connect(self.edited)
-            row.reverted.connect(self.reverted)
+        self._add_rows(rows, title)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
@@ -54,10 +51,18 @@ class Panel(QWidget):
         self.unfold(True)
 
     @property
+    def rows(self) -> Sequence[Row]:
+        """The rows in the order shown."""
+        return self._rows
+
+    @property
     def session(self) -> Session:
         """What the panel shows."""
         assert self._session is not None  # shown before anything can be edited
         return self._session
+
+    def prepare(self, session: Session) -> None:
+        """Have the rows that a session needs."""
 
     def show_session(self, session: Session, pending: set[str]) -> None:
         """Show a session's values, except at paths whose refused edit still stands."""
@@ -77,5 +82,26 @@ class Panel(QWidget):
 
     def align(self, width: int) -> None:
         """Give all labels one width, so that the panels' columns stand below each other."""
+        self._label_width = width
         for row in self.rows:
             row.label.setMinimumWidth(width)
+
+    def _add_rows(self, rows: Sequence[Row], name: str) -> None:
+        """Append rows, which undo menu and refusals call by ``name`` and their label."""
+        for row in rows:
+            row.name = f"{name} {row.label.text().lower()}"
+            row.label.setMinimumWidth(self._label_width)
+            self._form.addRow(row.label, row)
+            row.edited.connect(self.edited)
+            row.reverted.connect(self.reverted)
+            self._rows.append(row)
+
+    def _remove_rows(self, rows: Sequence[Row]) -> None:
+        """Take rows away; what is typed in them and not entered is lost."""
+        for row in rows:
+            row.blockSignals(True)  # an editor that loses the focus enters its text
+            self._rows.remove(row)
+            self._form.takeRow(row)
+            for widget in (row.label, row):
+                widget.hide()
+                widget.deleteLater()

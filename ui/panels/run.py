@@ -6,6 +6,7 @@ from PySide6.QtWidgets import QLabel
 
 from ui.panels.edits import value_at
 from ui.panels.fields import Changes, ChoiceRow, NumberRow, Row
+from ui.panels.optional import OptionalRow
 from ui.panels.panel import Panel
 from workbench.design.parametrisation import (
     LEARNING_RATES,
@@ -15,6 +16,9 @@ from workbench.design.parametrisation import (
 )
 from workbench.files.session import Session
 from workbench.scene import RunSettings, Scene
+
+METHODS = [("auto", "Automatic"), ("paper", "As in the paper")]
+RATE_TIP = "Step of the optimiser. Too large and the loss jumps, too small and it creeps."
 
 
 class RunPanel(Panel):
@@ -30,7 +34,7 @@ class RunPanel(Panel):
                     "Method",
                     "Automatic uses the best that this program knows; the other follows the "
                     "published method, for comparison.",
-                    [("auto", "Automatic"), ("paper", "As in the paper")],
+                    METHODS,
                     changes=self._change_method,
                 ),
                 NumberRow(
@@ -60,7 +64,13 @@ class RunPanel(Panel):
                     "behaves as if there were none.",
                     [("zeros", "Flat"), ("uniform", "Faint noise"), ("random", "Random")],
                 ),
-                _LearningRateRow(),
+                OptionalRow(
+                    "run.learning_rate",
+                    "Learning rate",
+                    RATE_TIP + " Left empty, it is the one that suits what is optimised.",
+                    lambda data: [LEARNING_RATES[value_at(data, "run.parametrisation")]],
+                    present=_as_in_the_paper,
+                ),
                 NumberRow(
                     "run.seed",
                     "Seed",
@@ -84,6 +94,10 @@ class RunPanel(Panel):
     def _change_method(self, choice: str) -> Changes:
         run = self.session.scene.to_data()["run"]
         kept = {name: value for name, value in run.items() if name in RunSettings.model_fields}
+        if choice == "auto":  # which has no learning rate, also in stages that follow it
+            for stage in kept["stages"]:
+                if "method" not in stage:
+                    stage.pop("learning_rate", None)
         return {"run": {"method": choice, **kept}}
 
 
@@ -96,7 +110,7 @@ class _SizeRow(Row):
             "Parameters",
             "How many numbers are optimised, and the memory that they take with their gradient "
             "and the optimiser's two moments. A network that does not fit is refused at the start.",
-            present=lambda data: value_at(data, "run.parametrisation") is not None,
+            present=_as_in_the_paper,
         )
         self._text = QLabel()
         self._add(self._text)
@@ -111,26 +125,5 @@ class _SizeRow(Row):
         return self._text.text()
 
 
-class _LearningRateRow(NumberRow):
-    """A number that may be left empty; then the one that would be taken is shown faintly."""
-
-    def __init__(self) -> None:
-        super().__init__(
-            "run.learning_rate",
-            "Learning rate",
-            "Step of the optimiser. Too large and the loss jumps, too small and it creeps. "
-            "Left empty, it is the one that suits what is optimised.",
-            present=lambda data: value_at(data, "run.parametrisation") is not None,
-        )
-
-    def show_scene(self, data: dict[str, Any], pending: set[str]) -> None:
-        """Show the scene's number, or none, before what stands in for it."""
-        Row.show_scene(self, data, pending)
-        (editor,) = self.editors.values()
-        editor.setPlaceholderText(f"{LEARNING_RATES[value_at(data, 'run.parametrisation')]:g}")
-        if self.path not in pending:
-            rate = value_at(data, self.path)
-            editor.show_value("" if rate is None else format(rate, ".12g"))
-
-    def _commit(self, path: str, text: str) -> None:
-        self._tell(path, {path: self.editors[path].value(text) if text.strip() else None})
+def _as_in_the_paper(data: dict[str, Any]) -> bool:
+    return bool(data["run"]["method"] == "paper")
