@@ -1,0 +1,481 @@
+"""Collimated light in one pass from control heights to the image: `optics.collimated`'s twin.
+
+A batch is up to ``BATCH`` rays with one v and neighbouring u. For a block of so many u the control
+heights are contracted with the basis along x once, into rows that lie side by side; each v then
+blends q + 1 of these rows. So all loops run along u over neighbouring numbers, and vectorise.
+
+Nothing is kept for the way back: it traces the same batch again, which costs less than memory.
+"""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+import torch
+from numba import njit
+from torch import Tensor
+
+from workbench.geometry.basis import local_basis
+from workbench.geometry.surface import ControlNet
+from workbench.optics.kernels import threads
+from workbench.optics.kernels.function import Sums, trace
+from workbench.optics.kernels.spread import (
+    BATCH,
+    Spread,
+    add_up,
+    gather,
+    make_canvases,
+    make_spread,
+    pad,
+    scatter,
+    workspace,
+)
+from workbench.optics.kernels.taps import FAST
+from workbench.optics.light import Light
+from workbench.optics.refraction import normal_reflectance
+from workbench.scene import Filter, Scene, Screen
+
+AnyArray = npt.NDArray[np.floating[Any]]
+
+
+class Axis(NamedTuple):
+    """Rays along one axis, and the basis functions there.
+
+    Attributes
+    ----------
+    place : ndarray, shape (m,)
+        x or y of the rays, in columns or rows of the image.
+    first : ndarray of uint, shape (m,)
+        First control point that matters for each.
+    value, slope : ndarray, shape (m, p + 1)
+        Basis functions and their derivatives with respect to x or y.
+    """
+
+    place: AnyArray
+    first: npt.NDArray[np.uintp]
+    value: AnyArray
+    slope: AnyArray
+
+
+class Optics(NamedTuple):
+    """Numbers of a trace, in its float type.
+
+    Attributes
+    ----------
+    index : floating
+        Refractive index n.
+    excess : floating
+        n² − 1.
+    drop : floating
+        How far the screen is above the level that heights are counted from.
+    critical : floating
+        Squared cosines below this count as total reflection.
+    arriving : floating
+        Flux of a ray before the exit face.
+    head_on : floating
+        Flux of a ray that leaves at a right angle.
+    """
+
+    index: np.floating[Any]
+    excess: np.floating[Any]
+    drop: np.floating[Any]
+    critical: np.floating[Any]
+    arriving: np.floating[Any]
+    head_on: np.floating[Any]
+
+
+class FusedCollimatedRays:
+    """A tensor grid of rays; the same rays as `workbench.optics.collimated.CollimatedRays`.
+
+    Parameters
+    ----------
+    scene : Scene
+        The scene; the source is collimated.
+    net : ControlNet
+        Where the control heights sit.
+    samples : tuple[int, int]
+        Numbers of rays along x and y.
+    mirrored : tuple[bool, bool]
+        Whether heights and lens are mirror images of themselves in x, in y: then the rays of one
+        half are traced alone, if their number is even.
+    dtype : torch.dtype
+        Float type of the trace.
+    """
+
+    emitted = 1.0
+    missed_lens = 0.0
+
+    def __init__(
+        self,
+        scene: Scene,
+        net: ControlNet,
+        samples: tuple[int, int],
+        mirrored: tuple[bool, bool] = (False, False),
+        dtype: torch.dtype = torch.float32,
+    ) -> None:
+        self._dtype = dtype
+        kind = torch.zeros(0, dtype=dtype).numpy().dtype.type
+        self._kind = kind
+        self.mirrored = tuple(
+            wanted and count % 2 == 0 for wanted, count in zip(mirrored, samples, strict=True)
+        )
+        self._shape = net.shape
+        self._axes = tuple(
+            _axis(net, axis, count, halved, kind)
+            for axis, (count, halved) in enumerate(zip(samples, self.mirrored, strict=True))
+        )
+        self._level = scene.lens.base.height
+        n = scene.lens.index
+        self.fresnel_entrance = normal_reflectance(n) * self.emitted
+        arriving = (self.emitted - self.fresnel_entrance) / (samples[0] * samples[1])
+        self._optics = Optics(
+            kind(n),
+            kind(n * n - 1),
+            kind(scene.screen.z - self._level),
+            kind(16 * np.finfo(kind).eps),
+            kind(arriving),
+            kind(arriving * (1 - normal_reflectance(n))),
+        )
+
+    def image(self, heights: Tensor, screen: Screen, filter: Filter) -> Light:
+        """Trace a lens; see `workbench.optics.light.Tracer`."""
+        spread = make_spread(screen, filter, self._kind)
+        passes = _Passes(self, spread)
+        return trace(heights, self._level, self._dtype, passes)
+
+
+class _Passes:
+    """The trace of one set of rays onto one screen, and its adjoint."""
+
+    def __init__(self, rays: FusedCollimatedRays, spread: Spread) -> None:
+        across, up = rays._axes
+        self._across = across._replace(place=spread.column_0 + spread.per_x * across.place)
+        self._up = up._replace(place=spread.row_0 + spread.per_y * up.place)
+        self._optics, self._spread = rays._optics, spread
+        self._mirrored = rays.mirrored
+        self._rays = len(across.place) * len(up.place)
+        self._parts = min(threads.parts(self._rays), len(across.place))
+        self._bounds = threads.bounds(len(across.place), self._parts)
+
+    def forward(self, heights: AnyArray) -> tuple[AnyArray, Sums]:
+        """See `workbench.optics.kernels.function.Passes`."""
+        canvases = make_canvases(self._spread, self._parts)
+        sums = np.zeros((self._parts, 3))
+
+        def work(part: int) -> None:
+            trace_rows(
+                heights,
+                self._across,
+                self._up,
+                self._optics,
+                self._spread,
+                self._bounds[part],
+                self._bounds[part + 1],
+                canvases[part],
+                sums[part],
+            )
+
+        threads.run(work, self._parts)
+        image, around = add_up(self._spread, canvases)
+        copies = 1
+        for axis, mirrored in enumerate(self._mirrored):
+            if mirrored:
+                image = image + np.flip(image, 1 - axis)
+                copies *= 2
+        beside, passed, light = sums.sum(axis=0)
+        arriving = float(self._optics.arriving)
+        return np.ascontiguousarray(image), Sums(
+            off_screen=copies * (beside + around),
+            total_reflection=copies * (self._rays - passed) * arriving,
+            fresnel_exit=copies * (passed * arriving - light),
+        )
+
+    def backward(self, heights: AnyArray, cotangent: AnyArray) -> AnyArray:
+        """See `workbench.optics.kernels.function.Passes`."""
+        for axis, mirrored in enumerate(self._mirrored):
+            if mirrored:
+                cotangent = cotangent + np.flip(cotangent, 1 - axis)
+        canvas = pad(self._spread, cotangent)
+        gradients = np.zeros((self._parts, *heights.shape))
+
+        def work(part: int) -> None:
+            trace_rows_back(
+                heights,
+                self._across,
+                self._up,
+                self._optics,
+                self._spread,
+                self._bounds[part],
+                self._bounds[part + 1],
+                canvas,
+                gradients[part],
+            )
+
+        threads.run(work, self._parts)
+        gradient = gradients.sum(axis=0)
+        for axis, mirrored in enumerate(self._mirrored):
+            if mirrored:  # the other half of the rays would have given the mirror image of this
+                gradient = (gradient + np.flip(gradient, axis)) / 2
+        return gradient
+
+
+def _axis(
+    net: ControlNet, axis: int, count: int, halved: bool, kind: type[np.floating[Any]]
+) -> Axis:
+    t = (np.arange(count // 2 if halved else count) + 0.5) / count
+    knots, degree, r = net.knots[axis], net.degree[axis], net.half_width[axis]
+    first, value = local_basis(knots, degree, t)
+    slope = local_basis(knots, degree, t, derivative=1)[1] / (2 * r)
+    return Axis((2 * t - 1) * r, first.astype(np.uintp), value.astype(kind), slope.astype(kind))
+
+
+# The numbers of a batch lie in one array, at fixed distances: the compiler then sees that they do
+# not overlap, and vectorises. Likewise the rows of a block: those of z and z_x take turns.
+_Z, _Z_X, _Z_Y, _Q, _BEND, _COLUMN, _ROW, _WEIGHT, _D_COLUMN, _D_ROW, _D_WEIGHT = (
+    np.uintp(BATCH * k) for k in range(11)
+)
+_NUMBERS = 11 * BATCH
+_STEP = np.uintp(BATCH)
+_TWO_STEPS = np.uintp(2 * BATCH)
+
+
+@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+def trace_rows(  # type: ignore[no-untyped-def]
+    heights, across, up, optics, spread, begin, end, canvas, sums
+):
+    """Trace the rays from number ``begin`` to ``end`` along u, and all along v.
+
+    Parameters
+    ----------
+    heights : array, shape (n_u, n_v)
+        Control heights above the level.
+    across, up : Axis
+        Rays along x and y; ``place`` in columns and rows.
+    optics : Optics
+        Numbers of the trace.
+    spread : Spread
+        Screen and filter.
+    begin, end : int
+        Which rays.
+    canvas : array, shape (rows, columns)
+        Where their light goes; changed.
+    sums : array of float64, shape (3,)
+        Results: light beside the canvas, number of refracted rays, light of these.
+    """
+    rows = np.empty(2 * heights.shape[1] * BATCH, heights.dtype)
+    t = np.empty(_NUMBERS, heights.dtype)
+    work = workspace(spread, heights)
+    column = t[_COLUMN : _COLUMN + _STEP]
+    row = t[_ROW : _ROW + _STEP]
+    weight = t[_WEIGHT : _WEIGHT + _STEP]
+    blocks = (end - begin + BATCH - 1) // BATCH
+    for block in range(blocks):
+        i = begin + (end - begin) * block // blocks
+        lanes = begin + (end - begin) * (block + 1) // blocks - i
+        _contract(heights, across, i, lanes, rows)
+        for j in range(len(up.place)):
+            _blend(rows, up, j, lanes, t)
+            passed, light = _refract(across.place[i:], up.place[j], optics, spread, lanes, t)
+            sums[1] += passed
+            sums[2] += light
+            sums[0] += scatter(spread, column, row, weight, lanes, work, canvas)
+
+
+@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+def trace_rows_back(  # type: ignore[no-untyped-def]
+    heights, across, up, optics, spread, begin, end, cotangent, gradient
+):
+    """Adjoint of `trace_rows`.
+
+    Parameters
+    ----------
+    heights, across, up, optics, spread, begin, end
+        As for `trace_rows`.
+    cotangent : array, shape (rows, columns)
+        Cotangent of the canvas.
+    gradient : array of float64, shape (n_u, n_v)
+        Cotangent of the heights; added to.
+    """
+    kind = heights.dtype.type
+    rows = np.empty(2 * heights.shape[1] * BATCH, heights.dtype)
+    d_rows = np.empty(2 * heights.shape[1] * BATCH, heights.dtype)
+    t = np.empty(_NUMBERS, heights.dtype)
+    work = workspace(spread, heights)
+    column = t[_COLUMN : _COLUMN + _STEP]
+    row = t[_ROW : _ROW + _STEP]
+    weight = t[_WEIGHT : _WEIGHT + _STEP]
+    d_column = t[_D_COLUMN : _D_COLUMN + _STEP]
+    d_row = t[_D_ROW : _D_ROW + _STEP]
+    d_weight = t[_D_WEIGHT : _D_WEIGHT + _STEP]
+    blocks = (end - begin + BATCH - 1) // BATCH
+    for block in range(blocks):
+        i = begin + (end - begin) * block // blocks
+        lanes = begin + (end - begin) * (block + 1) // blocks - i
+        _contract(heights, across, i, lanes, rows)
+        d_rows[:] = kind(0)
+        for j in range(len(up.place)):
+            _blend(rows, up, j, lanes, t)
+            _refract(across.place[i:], up.place[j], optics, spread, lanes, t)
+            gather(
+                spread,
+                column,
+                row,
+                weight,
+                lanes,
+                work,
+                cotangent,
+                d_column,
+                d_row,
+                d_weight,
+            )
+            _refract_back(optics, spread, lanes, t)
+            _blend_back(d_rows, up, j, lanes, t)
+        _contract_back(d_rows, across, i, lanes, gradient)
+
+
+@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+def _contract(heights, across, i, lanes, rows):  # type: ignore[no-untyped-def]
+    """Control values along v of z and z_x, for each u of a block."""
+    count = heights.shape[1]
+    line, line_x = np.empty(count, heights.dtype), np.empty(count, heights.dtype)
+    kind = heights.dtype.type
+    for lane in range(lanes):
+        line[:] = kind(0)
+        line_x[:] = kind(0)
+        first = across.first[i + lane]
+        for a in range(across.value.shape[1]):
+            near = heights[first + np.uintp(a)]
+            value, slope = across.value[i + lane, a], across.slope[i + lane, a]
+            for b in range(count):
+                line[b] += value * near[b]
+                line_x[b] += slope * near[b]
+        at = np.uintp(lane)
+        for b in range(count):
+            rows[at] = line[b]
+            rows[at + _STEP] = line_x[b]
+            at += _TWO_STEPS
+
+
+@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+def _contract_back(d_rows, across, i, lanes, gradient):  # type: ignore[no-untyped-def]
+    """Adjoint of `_contract`."""
+    count = gradient.shape[1]
+    line, line_x = np.empty(count, d_rows.dtype), np.empty(count, d_rows.dtype)
+    for lane in range(lanes):
+        at = np.uintp(lane)
+        for b in range(count):
+            line[b] = d_rows[at]
+            line_x[b] = d_rows[at + _STEP]
+            at += _TWO_STEPS
+        first = across.first[i + lane]
+        for a in range(across.value.shape[1]):
+            near = gradient[first + np.uintp(a)]
+            value, slope = across.value[i + lane, a], across.slope[i + lane, a]
+            for b in range(count):
+                near[b] += np.float64(value * line[b] + slope * line_x[b])
+
+
+@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+def _blend(rows, up, j, lanes, t):  # type: ignore[no-untyped-def]
+    """Height and slopes of the face at all u of a block and one v."""
+    kind = t.dtype.type
+    count = np.uintp(lanes)
+    start = up.first[j] * _TWO_STEPS
+    taps = up.value.shape[1]
+    if taps == 4:  # the usual degree, without an inner loop
+        near = rows[start : start + 8 * _STEP]
+        v0, v1, v2, v3 = up.value[j, 0], up.value[j, 1], up.value[j, 2], up.value[j, 3]
+        s0, s1, s2, s3 = up.slope[j, 0], up.slope[j, 1], up.slope[j, 2], up.slope[j, 3]
+        for lane in range(count):
+            a0, a1 = near[lane], near[lane + _TWO_STEPS]
+            a2, a3 = near[lane + 2 * _TWO_STEPS], near[lane + 3 * _TWO_STEPS]
+            t[_Z + lane] = v0 * a0 + v1 * a1 + v2 * a2 + v3 * a3
+            t[_Z_Y + lane] = s0 * a0 + s1 * a1 + s2 * a2 + s3 * a3
+            t[_Z_X + lane] = (
+                v0 * near[lane + _STEP]
+                + v1 * near[lane + 3 * _STEP]
+                + v2 * near[lane + 5 * _STEP]
+                + v3 * near[lane + 7 * _STEP]
+            )
+        return
+    t[_Z : _Z + 3 * _STEP] = kind(0)
+    for b in range(taps):
+        value, slope = up.value[j, b], up.slope[j, b]
+        near = rows[start : start + _TWO_STEPS]
+        for lane in range(count):
+            t[_Z + lane] += value * near[lane]
+            t[_Z_Y + lane] += slope * near[lane]
+            t[_Z_X + lane] += value * near[lane + _STEP]
+        start += _TWO_STEPS
+
+
+@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+def _blend_back(d_rows, up, j, lanes, t):  # type: ignore[no-untyped-def]
+    """Adjoint of `_blend`; the cotangents of z, z_x, z_y are where these were."""
+    count = np.uintp(lanes)
+    start = up.first[j] * _TWO_STEPS
+    for b in range(up.value.shape[1]):
+        value, slope = up.value[j, b], up.slope[j, b]
+        near = d_rows[start : start + _TWO_STEPS]
+        for lane in range(count):
+            near[lane] += value * t[_Z + lane] + slope * t[_Z_Y + lane]
+            near[lane + _STEP] += value * t[_Z_X + lane]
+        start += _TWO_STEPS
+
+
+@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+def _refract(place, row, optics, spread, lanes, t):  # type: ignore[no-untyped-def]
+    """Where rays hit, and their flux; how many are refracted, and the flux of all together.
+
+    The formulas are those of `optics.collimated`.
+    """
+    kind = t.dtype.type
+    one = kind(1)
+    passed, light = kind(0), kind(0)
+    for lane in range(np.uintp(lanes)):
+        z_x, z_y = t[_Z_X + lane], t[_Z_Y + lane]
+        k = z_x * z_x + z_y * z_y
+        square = one - optics.excess * k
+        passes = square > optics.critical
+        q = np.sqrt(square if passes else one)
+        bend = (optics.drop - t[_Z + lane]) * optics.excess / (one + optics.index * q)
+        grazing = one - q / np.sqrt(one + k)
+        fourth = grazing * grazing * (grazing * grazing)
+        weight = optics.head_on * (one - fourth * grazing) if passes else kind(0)
+        t[_Q + lane] = q
+        t[_BEND + lane] = bend
+        t[_COLUMN + lane] = place[lane] + spread.per_x * z_x * bend
+        t[_ROW + lane] = row + spread.per_y * z_y * bend
+        t[_WEIGHT + lane] = weight
+        passed += one if passes else kind(0)
+        light += weight
+    return np.float64(passed), np.float64(light)
+
+
+@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+def _refract_back(optics, spread, lanes, t):  # type: ignore[no-untyped-def]
+    """Adjoint of `_refract`; the cotangents of z, z_x, z_y take the place of these."""
+    kind = t.dtype.type
+    one, two, half = kind(1), kind(2), kind(0.5)
+    for lane in range(np.uintp(lanes)):
+        z_x, z_y = t[_Z_X + lane], t[_Z_Y + lane]
+        q, bend = t[_Q + lane], t[_BEND + lane]
+        passes = t[_WEIGHT + lane] > kind(0)
+        d_x = t[_D_COLUMN + lane] * spread.per_x
+        d_y = t[_D_ROW + lane] * spread.per_y
+        share = one / (one + optics.index * q)
+        d_bend = d_x * z_x + d_y * z_y
+        # weight = head_on (1 − g⁵), g = 1 − q s, s = 1 / √(1 + k)
+        s = one / np.sqrt(one + z_x * z_x + z_y * z_y)
+        grazing = one - q * s
+        fourth = grazing * grazing * (grazing * grazing)
+        d_cos = kind(5) * fourth * optics.head_on * t[_D_WEIGHT + lane]
+        d_q = d_cos * s - d_bend * bend * optics.index * share
+        # q = √(1 − (n² − 1) k)
+        d_k = -half * (d_cos * q * s * s * s + d_q * optics.excess / q)
+        d_z_x = d_x * bend + two * z_x * d_k
+        d_z_y = d_y * bend + two * z_y * d_k
+        d_z = -d_bend * optics.excess * share
+        t[_Z + lane] = d_z if passes else kind(0)
+        t[_Z_X + lane] = d_z_x if passes else kind(0)
+        t[_Z_Y + lane] = d_z_y if passes else kind(0)

@@ -1,0 +1,51 @@
+"""What every way to trace a lens gives, be it reference or kernel."""
+
+from typing import NamedTuple, Protocol
+
+from torch import Tensor
+
+from workbench.scene import Filter, Screen
+
+
+class Light(NamedTuple):
+    """The image of a lens, and the light that was lost on the way from the exit face.
+
+    Attributes
+    ----------
+    flux : Tensor, shape (n_y, n_x)
+        Flux in each pixel, row 0 at +y; differentiable.
+    off_screen : float
+        Flux on the screen plane beside the image.
+    total_reflection, fresnel_exit : float
+        Flux reflected at the exit face, totally or where the rest was refracted.
+    left_side : float
+        Flux that left the lens through its side.
+    """
+
+    flux: Tensor
+    off_screen: float
+    total_reflection: float
+    fresnel_exit: float
+    left_side: float
+
+
+class Tracer(Protocol):
+    """Traces one set of rays through lens after lens.
+
+    Attributes
+    ----------
+    emitted : float
+        Flux of the source.
+    missed_lens : float
+        Flux that passes the entrance face by.
+    fresnel_entrance : float
+        Flux reflected at the entrance face.
+    """
+
+    emitted: float
+    missed_lens: float
+    fresnel_entrance: float
+
+    def image(self, heights: Tensor, screen: Screen, filter: Filter) -> Light:
+        """Trace a lens with control heights of shape (n_u, n_v)."""
+        ...
