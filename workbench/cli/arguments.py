@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any, NoReturn
 
 from workbench.errors import Refused
+from workbench.files.export.formats import ENDINGS
 
 
 def parse(arguments: Sequence[str] | None) -> argparse.Namespace:
@@ -67,6 +68,25 @@ def parse(arguments: Sequence[str] | None) -> argparse.Namespace:
         "--rays", metavar="N", type=_count, default=4_000_000, help="at least; default %(default)s"
     )
 
+    export = commands.add_parser(
+        "export",
+        help="write a lens for manufacture and for other programs",
+        description="Write the lens of a session and its light; endings tell the formats.",
+        epilog=f"Endings: {', '.join(ENDINGS)}.",
+    )
+    export.set_defaults(command=_export)
+    export.add_argument("session", metavar="SESSION", type=Path, help="session with a lens")
+    export.add_argument(
+        "files", metavar="FILE", type=Path, nargs="+", help="file to write, such as lens.step"
+    )
+    export.add_argument(
+        "--chord-error",
+        metavar="LENGTH",
+        type=_length,
+        help="how far meshes may be from the exit face, in the scene's unit; "
+        "default 1e-4 of the larger half-width",
+    )
+
     pictures = commands.add_parser(
         "pictures",
         help="draw a lens and its light",
@@ -105,6 +125,12 @@ def _validate(options: argparse.Namespace) -> None:
     validate(options.session, options.rays, options.json)
 
 
+def _export(options: argparse.Namespace) -> None:
+    from workbench.cli.export import export
+
+    export(options.session, options.files, options.chord_error)
+
+
 def _pictures(options: argparse.Namespace) -> None:
     from workbench.cli.pictures import pictures
 
@@ -116,6 +142,13 @@ def _seconds(text: str) -> float:
         if (seconds := float(text)) > 0:
             return seconds
     raise argparse.ArgumentTypeError(f"{text!r}; a number greater than 0 is needed")
+
+
+def _length(text: str) -> float:
+    length = _seconds(text)
+    if math.isinf(length):
+        raise argparse.ArgumentTypeError(f"{text!r}; a finite number is needed")
+    return length
 
 
 def _count(text: str) -> int:

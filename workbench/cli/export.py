@@ -1,0 +1,36 @@
+"""``freeform export``."""
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from workbench.cli.designed import read_designed
+from workbench.errors import Refused
+from workbench.files.export.write import export as write_all
+
+
+def export(path: Path, files: Sequence[Path], chord_error: float | None) -> None:
+    """Write the lens of a session and its light in the formats that the endings tell.
+
+    Parameters
+    ----------
+    path : Path
+        Session with a lens.
+    files : sequence of Path
+        Files to write.
+    chord_error : float, optional
+        How far meshes may be from the exit face, scene units.
+
+    Raises
+    ------
+    Refused
+        If the session cannot be read or holds no lens, or a file cannot be written.
+    RunFailed
+        If another program's library that is needed fails.
+    """
+    session, _ = read_designed(path)
+    for file in files:
+        if file.exists() and file.samefile(path):
+            raise Refused(str(file), "is the session itself; another file is needed")
+    for written in write_all(session, files, chord_error):
+        kind, size, unit = written.deviation
+        print(f"{written.path}: {written.format}, {kind} {size:.2g} {unit}", flush=True)

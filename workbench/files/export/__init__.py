@@ -1,0 +1,1 @@
+"""The lens and its light in the formats of others: one file per format."""

@@ -1,0 +1,120 @@
+"""What exporters start from, and what they say of the file that they wrote."""
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from workbench.design.snapshot import Result
+from workbench.geometry.surface import ControlNet, GridBasis
+from workbench.scene import Scene
+
+Array = npt.NDArray[np.float64]
+
+METRES = {"mm": 1e-3, "cm": 1e-2, "m": 1.0, "inch": 0.0254}
+"""Length of each of the scene's units."""
+
+# Default of the chord error over the larger half-width of the lens.
+_FINE = 1e-4
+# Least number of steps of a lattice.
+_STEPS = 256
+
+
+@dataclass(frozen=True, eq=False)
+class Design:
+    """A lens that has been designed.
+
+    Attributes
+    ----------
+    scene : Scene
+        The design task.
+    result : Result
+        The lens found for it.
+    chord_error : float, optional
+        How far a mesh may be from the exit face, scene units; 1e-4 of the larger half-width by
+        default.
+    """
+
+    scene: Scene
+    result: Result
+    chord_error: float | None = None
+
+    @property
+    def unit(self) -> str:
+        """The scene's unit of length."""
+        return self.scene.unit
+
+    @property
+    def heights(self) -> Array:
+        """Control heights of the exit face, shape (n_u, n_v)."""
+        return self.result.control_points
+
+    @cached_property
+    def net(self) -> ControlNet:
+        """Control net of the exit face."""
+        return ControlNet.of(self.scene.lens)
+
+    @property
+    def largest_chord_error(self) -> float:
+        """How far a mesh may be from the exit face, scene units."""
+        if self.chord_error is not None:
+            return self.chord_error
+        return _FINE * max(self.scene.lens.half_width)
+
+    def basis(self, x: Array, y: Array) -> GridBasis[Array]:
+        """Basis values of the exit face on the grid of x (m_x,) and y (m_y,), scene units.
+
+        Beyond the edge the face goes on smoothly, as the polynomials at its rim do.
+        """
+        r_x, r_y = self.scene.lens.half_width
+        return self.net.grid((x / r_x + 1) / 2, (y / r_y + 1) / 2)
+
+    def surface(self, x: Array, y: Array) -> tuple[Array, Array, Array]:
+        """Height and slopes dz/dx, dz/dy on such a grid, each of shape (m_x, m_y)."""
+        return self.basis(x, y).evaluate(self.heights)
+
+    def lattice(self, margin: int = 0) -> tuple[Array, Array]:
+        """Equal steps across the aperture that include its rim and all knots.
+
+        Parameters
+        ----------
+        margin : int
+            Steps that are added beyond the rim.
+
+        Returns
+        -------
+        x : ndarray, shape (m_x,)
+        y : ndarray, shape (m_y,)
+            Scene units.
+        """
+        x, y = (
+            _steps(n - p, r, margin)
+            for n, p, r in zip(self.net.shape, self.net.degree, self.net.half_width, strict=True)
+        )
+        return x, y
+
+
+class Deviation(NamedTuple):
+    """How far what stands in a file is from the design, measured.
+
+    Attributes
+    ----------
+    kind : str
+        What has been measured.
+    size : float
+        The largest found.
+    unit : str
+        Unit of ``size``.
+    """
+
+    kind: str
+    size: float
+    unit: str
+
+
+def _steps(spans: int, half_width: float, margin: int) -> Array:
+    steps = spans * math.ceil(_STEPS / spans)
+    return np.asarray((2 * np.arange(-margin, steps + margin + 1) - steps) * (half_width / steps))

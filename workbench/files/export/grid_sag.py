@@ -1,0 +1,50 @@
+"""Grid Sag file of OpticStudio (.dat): sag, slopes and cross derivative on a grid.
+
+Knots of the B-spline are points of the grid. Up to degree 3 the bicubic interpolation between
+these is therefore the B-spline itself, rim included. Sag is height over that at the vertex x = y =
+0, so the thickness of the lens in OpticStudio is the one at its vertex.
+"""
+
+from typing import BinaryIO
+
+import numpy as np
+import numpy.typing as npt
+from scipy.interpolate import CubicHermiteSpline
+
+from workbench.files.export.design import Design, Deviation
+from workbench.files.export.tables import write_table
+
+Array = npt.NDArray[np.float64]
+
+_UNIT_FLAG = {"mm": 0, "cm": 1, "inch": 2, "m": 3}
+
+
+def write_grid_sag(design: Design, file: BinaryIO) -> Deviation:
+    """Write the grid, and measure the bicubic interpolation between its points.
+
+    The first line tells the numbers of points, their distances, the unit and the decentre; then
+    come the points in rows along x, from (−x, +y) on.
+    """
+    x, y = design.lattice()
+    basis = design.basis(x, y)
+    z, slope_x, slope_y = basis.evaluate(design.heights)
+    twist = basis.slope_x @ design.heights @ basis.slope_y
+    vertex = design.surface(np.zeros(1), np.zeros(1))[0].item()
+    columns = [_in_rows(c) for c in (z - vertex, slope_x, slope_y, twist, np.zeros_like(z))]
+    step_x, step_y = (float(c[-1] - c[0]) / (len(c) - 1) for c in (x, y))
+    header = f"{len(x)} {len(y)} {step_x!r} {step_y!r} {_UNIT_FLAG[design.unit]} 0 0"
+    written = write_table(file, columns, header, delimiter=" ", newline="\r\n")
+
+    sag, along_x, along_y, cross = written.T[:4].reshape(4, len(y), len(x))[:, ::-1]
+    between_x, between_y = ((c[1:] + c[:-1]) / 2 for c in (x, y))
+    values = CubicHermiteSpline(x, sag, along_x, axis=1)(between_x)
+    slopes = CubicHermiteSpline(x, along_y, cross, axis=1)(between_x)
+    found = CubicHermiteSpline(y, values, slopes)(between_y)
+    exact = design.surface(between_x, between_y)[0].T - vertex
+    error = float(np.abs(found - exact).max())
+    return Deviation("error of the bicubic interpolation", error, design.unit)
+
+
+def _in_rows(values: Array) -> Array:
+    """Values of shape (m_x, m_y) one after the other, along x first, from the largest y down."""
+    return values[:, ::-1].T.ravel()

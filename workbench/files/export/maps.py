@@ -1,0 +1,129 @@
+"""Pictures in numbers: the height of the exit face, the irradiance on the screen.
+
+Rows run from +y down and columns from −x on, as in image files.
+"""
+
+import io
+from typing import BinaryIO, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+from PIL import Image
+from PIL.PngImagePlugin import PngInfo
+
+from workbench.files.export.design import Design, Deviation
+from workbench.files.export.tables import rounding, write_table
+from workbench.files.npy import write_array
+
+Array = npt.NDArray[np.float64]
+
+_DEEPEST = 65535
+_DESCRIPTION = 270  # TIFF tag
+
+
+class Map(NamedTuple):
+    """Values on a grid.
+
+    Attributes
+    ----------
+    name, unit : str
+        What they are.
+    x : ndarray, shape (n_x,)
+        Of the columns, ascending; in ``length``.
+    y : ndarray, shape (n_y,)
+        Of the rows, descending.
+    length : str
+        Unit of x and y.
+    values : ndarray, shape (n_y, n_x)
+    """
+
+    name: str
+    unit: str
+    x: Array
+    y: Array
+    length: str
+    values: Array
+
+
+def height(design: Design) -> Map:
+    """Height z of the exit face, rim included."""
+    x, y = design.lattice()
+    z = design.surface(x, y)[0]
+    return Map("height", design.unit, x, y[::-1], design.unit, z[:, ::-1].T)
+
+
+def irradiance(design: Design) -> Map:
+    """Irradiance at the middle of each pixel, as the design run saw it at its end."""
+    screen = design.scene.screen
+    x, y = (
+        ((np.arange(n) + 0.5) / n * 2 - 1) * r
+        for n, r in zip(screen.pixels, screen.half_width, strict=True)
+    )
+    values = design.result.irradiance
+    return Map("irradiance", f"1/{design.unit}^2", x, y[::-1], design.unit, values)
+
+
+def write_png(shown: Map, file: BinaryIO) -> Deviation:
+    """Write 16-bit grey values; the text in the file tells what black and white stand for."""
+    low, high = float(shown.values.min()), float(shown.values.max())
+    step = (high - low) / _DEEPEST
+    grey = np.zeros(shown.values.shape, dtype=np.uint16)
+    if step > 0:
+        grey[:] = np.rint((shown.values - low) / step)
+    text = PngInfo()
+    for key, value in {"Black": low, "White": high, **_extent(shown)}.items():
+        text.add_text(key, str(value))
+    with io.BytesIO() as png:
+        Image.fromarray(grey).save(png, "PNG", pnginfo=text)
+        file.write(png.getbuffer())
+        with Image.open(png) as again:
+            found = low + np.asarray(again, dtype=np.float64) * step
+    return _rounding(shown, found)
+
+
+def write_tiff(shown: Map, file: BinaryIO) -> Deviation:
+    """Write single-precision values; the description tells unit and extent."""
+    description = ", ".join(f"{key} {value}" for key, value in _extent(shown).items())
+    with io.BytesIO() as tiff:
+        image = Image.fromarray(shown.values.astype(np.float32))
+        image.save(tiff, "TIFF", tiffinfo={_DESCRIPTION: description})
+        file.write(tiff.getbuffer())
+        with Image.open(tiff) as again:
+            found = np.asarray(again, dtype=np.float64)
+    return _rounding(shown, found)
+
+
+def write_npy(shown: Map, file: BinaryIO) -> Deviation:
+    """Write a numpy array of float64."""
+    with io.BytesIO() as npy:
+        write_array(npy, shown.values)
+        file.write(npy.getbuffer())
+        npy.seek(0)
+        found = np.load(npy)
+    return _rounding(shown, found)
+
+
+def write_csv(shown: Map, file: BinaryIO) -> Deviation:
+    """Write a line x, y, value per point, along the rows."""
+    columns = [c.ravel() for c in np.broadcast_arrays(shown.x, shown.y[:, None], shown.values)]
+    length = shown.length
+    header = f"x [{length}],y [{length}],{shown.name} [{shown.unit}]"
+    written = write_table(file, columns, header, delimiter=",")
+    return Deviation("rounding", rounding(written, 2, columns[2]), shown.unit)
+
+
+def _extent(shown: Map) -> dict[str, str | float]:
+    """Unit of the values, and where the middle of the first and last columns and rows are."""
+    return {
+        "Quantity": shown.name,
+        "Unit": shown.unit,
+        "Length unit": shown.length,
+        "x of first column": float(shown.x[0]),
+        "x of last column": float(shown.x[-1]),
+        "y of first row": float(shown.y[0]),
+        "y of last row": float(shown.y[-1]),
+    }
+
+
+def _rounding(shown: Map, found: Array) -> Deviation:
+    return Deviation("rounding", float(np.abs(found - shown.values).max()), shown.unit)

@@ -1,0 +1,44 @@
+"""Columns of numbers as text."""
+
+import io
+from collections.abc import Sequence
+from typing import BinaryIO
+
+import numpy as np
+import numpy.typing as npt
+
+Array = npt.NDArray[np.float64]
+
+
+def write_table(
+    file: BinaryIO, columns: Sequence[Array], header: str, delimiter: str, newline: str = "\n"
+) -> Array:
+    """Write columns below a line of text, with 15 digits.
+
+    Parameters
+    ----------
+    file : BinaryIO
+        Gets the text.
+    columns : sequence of ndarray, shape (m,)
+        The columns.
+    header : str
+        First line.
+    delimiter, newline : str
+        What stands between numbers and at the end of lines.
+
+    Returns
+    -------
+    ndarray, shape (m, columns)
+        What has been written, as it is read again.
+    """
+    text = io.BytesIO()
+    table = np.column_stack(columns)
+    np.savetxt(text, table, "%.15g", delimiter, newline, header, comments="")
+    file.write(text.getbuffer())
+    text.seek(0)
+    return np.loadtxt(text, delimiter=delimiter.strip() or None, skiprows=1, ndmin=2)
+
+
+def rounding(written: Array, column: int, exact: Array) -> float:
+    """How far a column is from what it should be, at most."""
+    return float(np.abs(written[:, column] - exact).max(initial=0.0))

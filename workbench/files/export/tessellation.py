@@ -1,0 +1,188 @@
+"""The closed body of the lens as triangles, with a bound on their distance from the exit face."""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from workbench.errors import Refused
+from workbench.files.export.design import Design
+from workbench.geometry.bounds import derivative_range
+
+Array = npt.NDArray[np.float64]
+Indices = npt.NDArray[np.int64]
+
+_MOST_CELLS = 4_000_000
+# The chord error is looked for on so many equal parts of each cell side, rows of cells at a time.
+_LOOKS = 4
+_POINTS_AT_ONCE = 1 << 20
+
+
+class Body(NamedTuple):
+    """A closed surface of triangles.
+
+    Attributes
+    ----------
+    vertices : ndarray, shape (n, 3)
+        Scene units.
+    triangles : ndarray of int, shape (m, 3)
+        Vertices of each, counterclockwise as seen from outside.
+    """
+
+    vertices: Array
+    triangles: Indices
+
+
+class Tessellation(NamedTuple):
+    """The exit face over a grid of rectangles, each cut along the diagonal from −x −y to +x +y.
+
+    Attributes
+    ----------
+    x : ndarray, shape (m_x,)
+    y : ndarray, shape (m_y,)
+    z : ndarray, shape (m_x, m_y)
+        Scene units.
+    entrance_z : float
+        Where the entrance face is.
+    """
+
+    x: Array
+    y: Array
+    z: Array
+    entrance_z: float
+
+    @classmethod
+    def of(cls, design: Design, precision: float = 2.0**-53) -> "Tessellation":
+        """Rectangles small enough for the design's chord error.
+
+        Parameters
+        ----------
+        design : Design
+            The lens.
+        precision : float
+            Largest relative rounding error of the coordinates in the file.
+
+        Raises
+        ------
+        Refused
+            If the coordinates cannot be as precise as that, or if it takes too many triangles.
+
+        Notes
+        -----
+        Linear interpolation on a right triangle with the sides h and k is off by at most
+        (h² |z_xx| + 2 h k |z_xy| + k² |z_yy|) / 8, and 2 h k ≤ h² + k². Each direction gets half
+        of the error, and in each the strip of knot spans that bends most sets the step.
+        """
+        largest = design.largest_chord_error
+        rounding = _rounding(design, precision)
+        if largest < 2 * rounding:
+            raise Refused(
+                "--chord-error",
+                f"{largest:.3g} {design.unit} is finer than the numbers of this format; "
+                f"at least {2 * rounding:.3g}",
+            )
+        allowed = largest - rounding
+        bends = [_most(design, order) for order in ((2, 0), (1, 1), (0, 2))]
+        steps = []
+        for axis, bend in ((0, bends[0]), (1, bends[2])):
+            sharpest = (bend + bends[1]).max(axis=1 - axis)
+            span = 2 * design.scene.lens.half_width[axis] / len(sharpest)
+            steps.append(np.maximum(np.ceil(span * np.sqrt(sharpest / (4 * allowed))), 1))
+        cells = math.prod(float(s.sum()) for s in steps)
+        if cells > _MOST_CELLS:
+            raise Refused(
+                "--chord-error",
+                f"{largest:.3g} {design.unit} takes {2 * cells:.0f} triangles, more than "
+                f"{2 * _MOST_CELLS}; about {largest * cells / _MOST_CELLS:.1g} is possible",
+            )
+        x, y = (
+            (2 * _divided(s.astype(int)) - 1) * r
+            for s, r in zip(steps, design.scene.lens.half_width, strict=True)
+        )
+        return cls(x, y, design.surface(x, y)[0], design.scene.lens.entrance_z)
+
+    def rounded(self) -> "Tessellation":
+        """The same in single precision, as some formats keep it."""
+        x, y, z = (c.astype(np.float32).astype(np.float64) for c in (self.x, self.y, self.z))
+        return Tessellation(x, y, z, float(np.float32(self.entrance_z)))
+
+    def body(self) -> Body:
+        """The closed body: exit face, four walls, entrance face."""
+        m_x, m_y = self.z.shape
+        top = np.stack(np.broadcast_arrays(self.x[:, None], self.y, self.z), axis=-1)
+        index = np.arange(m_x * m_y).reshape(m_x, m_y)
+        # Counterclockwise, seen from above.
+        rim = np.concatenate([index[:-1, 0], index[-1, :-1], index[:0:-1, -1], index[0, :0:-1]])
+        feet = top.reshape(-1, 3)[rim]
+        feet[:, 2] = self.entrance_z
+        middle = np.array([[self.x.mean(), self.y.mean(), self.entrance_z]])
+        a, b, c, d = (
+            corner.ravel()
+            for corner in (index[:-1, :-1], index[1:, :-1], index[1:, 1:], index[:-1, 1:])
+        )
+        foot = m_x * m_y + np.arange(len(rim))
+        next_rim, next_foot = np.roll(rim, -1), np.roll(foot, -1)
+        center = np.full(len(rim), foot[-1] + 1)
+        triangles = [
+            (a, b, c),
+            (a, c, d),
+            (rim, foot, next_foot),
+            (rim, next_foot, next_rim),
+            (center, next_foot, foot),
+        ]
+        return Body(
+            np.concatenate([top.reshape(-1, 3), feet, middle]),
+            np.concatenate([np.column_stack(corners) for corners in triangles]),
+        )
+
+    def chord_error(self, design: Design) -> float:
+        """Largest distance, along z, between triangles and exit face, on a grid in each cell."""
+        x, y = _subdivided(self.x), _subdivided(self.y)
+        s = np.arange(len(x)) % _LOOKS / _LOOKS
+        t = np.arange(len(y)) % _LOOKS / _LOOKS
+        j = np.minimum(np.arange(len(y)) // _LOOKS, len(self.y) - 2)
+        t[-1] = 1.0
+        largest = 0.0
+        rows = max(_POINTS_AT_ONCE // len(y) // _LOOKS, 1)
+        for first in range(0, len(self.x) - 1, rows):
+            stop = min(first + rows, len(self.x) - 1)
+            at = np.arange(first * _LOOKS, stop * _LOOKS + 1)
+            i = np.minimum(at // _LOOKS, stop - 1)
+            across = np.where(at == stop * _LOOKS, 1.0, s[at])[:, None]
+            corner = self.z[i][:, j]
+            opposite = self.z[i + 1][:, j + 1]
+            # Below the diagonal (s > t) the triangle has the corner at +x, above it that at +y.
+            third = np.where(across > t, self.z[i + 1][:, j], self.z[i][:, j + 1])
+            high, low = np.maximum(across, t), np.minimum(across, t)
+            flat = corner + high * (third - corner) + low * (opposite - third)
+            exact = design.surface(x[at], y)[0]
+            largest = max(largest, float(np.abs(flat - exact).max()))
+        return largest
+
+
+def _most(design: Design, order: tuple[int, int]) -> Array:
+    """The most that a derivative can be on each knot span."""
+    low, high = derivative_range(design.net, design.heights, order)
+    return np.maximum(np.abs(low), np.abs(high))
+
+
+def _rounding(design: Design, precision: float) -> float:
+    """How far off rounded vertices can be, seen along z."""
+    (r_x, r_y), heights = design.scene.lens.half_width, np.abs(design.heights)
+    slopes = (_most(design, order).max() for order in ((1, 0), (0, 1)))
+    sideways = sum(s * r for s, r in zip(slopes, (r_x, r_y), strict=True))
+    return precision * float(heights.max() + sideways)
+
+
+def _divided(steps: npt.NDArray[np.int_]) -> Array:
+    """Places in [0, 1] that cut each of the equal spans into so many equal steps."""
+    spans = len(steps)
+    parts = [(i + np.arange(k) / k) / spans for i, k in enumerate(steps)]
+    return np.concatenate([*parts, [1.0]])
+
+
+def _subdivided(places: Array) -> Array:
+    within = np.arange(_LOOKS) / _LOOKS
+    fine = places[:-1, None] + np.diff(places)[:, None] * within
+    return np.append(fine.ravel(), places[-1])

@@ -1,0 +1,68 @@
+"""Writes a session's lens and light, each file whole or not at all."""
+
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+from workbench.errors import Refused
+from workbench.files.atomic import check_writable, replacing
+from workbench.files.export.design import Design, Deviation
+from workbench.files.export.formats import format_of
+from workbench.files.session import Session
+
+
+class Written(NamedTuple):
+    """A file that has been written.
+
+    Attributes
+    ----------
+    path : Path
+        The file.
+    format : str
+        Name of its format.
+    deviation : Deviation
+        How far what stands in it is from the design.
+    """
+
+    path: Path
+    format: str
+    deviation: Deviation
+
+
+def export(
+    session: Session, paths: Sequence[Path], chord_error: float | None = None
+) -> Iterator[Written]:
+    """Write a lens and its light, one file after the other.
+
+    Parameters
+    ----------
+    session : Session
+        A session with a lens.
+    paths : sequence of Path
+        Files to write; their endings tell the formats.
+    chord_error : float, optional
+        How far a mesh may be from the exit face, scene units; 1e-4 of the larger half-width of
+        the lens by default.
+
+    Yields
+    ------
+    Written
+        After each file.
+
+    Raises
+    ------
+    Refused
+        If the session has no lens, an ending tells no format or a file cannot be written, all of
+        it before anything is written; later, if a format cannot hold what is asked.
+    """
+    if session.result is None:
+        raise Refused("session", "holds no lens yet; a design run finds one")
+    design = Design(session.scene, session.result, chord_error)
+    formats = [format_of(path) for path in paths]
+    for path in paths:
+        check_writable(path)
+    for path, found in zip(paths, formats, strict=True):
+        write = found.load()
+        with replacing(path) as file:
+            deviation = write(design, file)
+        yield Written(path, found.name, deviation)
