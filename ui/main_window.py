@@ -105,6 +105,8 @@ class MainWindow(QMainWindow):
         self.workspace.raise_curtain(self._scene_view, others)
         shown = self.workspace.docks["derivative"].visibilityChanged
         shown.connect(self._derivative_view.uncover)
+        self._derivative_view.chosen.connect(self._scene_view.mark)
+        self._scene_view.picked.connect(self._derivative_view.choose)
         self.control = RunControl(self.document, self)
         runner = self.control.runner
         for view in (self._scene_view, *others.values()):

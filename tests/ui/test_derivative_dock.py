@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QSettings
+from PySide6.QtCore import QPoint, QSettings, Qt
 
 from ui.document import Document
 from ui.main_window import MainWindow
@@ -59,3 +59,62 @@ def test_closing_in_the_midst_of_a_computation(window, qtbot):
     qtbot.waitUntil(lambda: view._wanted is not None, timeout=60_000)
     window.discard_and_close()
     assert view._derivatives._thread is None
+
+
+def seen_at(window, index):
+    """Where a control point is seen in the 3D view, as Qt counts."""
+    view = window._scene_view
+    renderer = view._plotter.renderer
+    renderer.SetWorldPoint(*view._net._places[index], 1.0)
+    renderer.WorldToDisplay()
+    x, y, _ = renderer.GetDisplayPoint()
+    scale = view.devicePixelRatioF()
+    return QPoint(round(x / scale), view._plotter.height() - 1 - round(y / scale))
+
+
+@pytest.fixture
+def picking(window, qtbot):
+    """The window with its derivative dock open and the control points on show."""
+    window.workspace.docks["derivative"].toggleViewAction().trigger()
+    view, derivative = window._scene_view, window._derivative_view
+    qtbot.waitUntil(lambda: view._net is not None and view._net._marked == (6, 5), timeout=60_000)
+    return view, derivative
+
+
+@pytest.mark.parametrize("index", [(0, 0), (2, 7), (11, 9)])
+def test_a_click_in_the_3d_scene_chooses_the_control_point(window, picking, index, qtbot):
+    view, derivative = picking
+    qtbot.mouseClick(view._plotter, Qt.MouseButton.LeftButton, pos=seen_at(window, index))
+    assert derivative.index == index
+    qtbot.waitUntil(lambda: view._net._marked == index)
+    qtbot.waitUntil(
+        lambda: derivative._map is not None and derivative._map.index == index, timeout=60_000
+    )
+
+
+def test_the_mark_follows_the_spin_boxes(picking, qtbot):
+    view, derivative = picking
+    derivative._boxes[1].setValue(2)
+    qtbot.waitUntil(lambda: view._net._marked == (6, 2))
+
+
+def test_turning_the_camera_picks_nothing(window, picking, qtbot):
+    view, derivative = picking
+    place = seen_at(window, (2, 7))
+    camera = view._plotter.camera.position
+    qtbot.mousePress(view._plotter, Qt.MouseButton.LeftButton, pos=place)
+    for step in range(1, 6):
+        qtbot.mouseMove(view._plotter, place + QPoint(8 * step, 0))
+    qtbot.mouseRelease(view._plotter, Qt.MouseButton.LeftButton, pos=place + QPoint(40, 0))
+    assert derivative.index == (6, 5)
+    qtbot.mouseClick(view._plotter, Qt.MouseButton.LeftButton, pos=QPoint(1, 1))
+    assert derivative.index == (6, 5)
+    assert view._plotter.camera.position != camera
+
+
+def test_with_the_dock_closed_there_is_nothing_to_pick(window, picking, qtbot):
+    view, derivative = picking
+    window.workspace.docks["derivative"].toggleViewAction().trigger()
+    qtbot.waitUntil(lambda: view._net._marked is None)
+    qtbot.mouseClick(view._plotter, Qt.MouseButton.LeftButton, pos=seen_at(window, (2, 7)))
+    assert derivative.index == (6, 5)

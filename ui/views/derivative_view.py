@@ -7,7 +7,7 @@
 
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QSignalBlocker, QTimer
+from PySide6.QtCore import QSignalBlocker, QTimer, Signal
 from PySide6.QtGui import QCloseEvent, QHideEvent, QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSpinBox, QWidget
 
@@ -30,7 +30,15 @@ _REST_MS = 250  # longer than between two frames of a run, or two steps of a spi
 
 
 class DerivativeView(PlotView):
-    """A control point to choose, the map of its influence, and the sum of that map."""
+    """A control point to choose, the map of its influence, and the sum of that map.
+
+    Attributes
+    ----------
+    chosen : Signal(tuple[int, int] or None)
+        The control point along x and along y; None while nobody sees the map.
+    """
+
+    chosen = Signal(object)
 
     _image: DerivativeImage
 
@@ -56,6 +64,13 @@ class DerivativeView(PlotView):
     def index(self) -> tuple[int, int]:
         """The chosen control point, along x and along y."""
         return self._boxes[0].value(), self._boxes[1].value()
+
+    def choose(self, index: tuple[int, int]) -> None:
+        """Choose another control point."""
+        for box, number in zip(self._boxes, index, strict=True):
+            with QSignalBlocker(box):
+                box.setValue(number)
+        self._want()
 
     def close_thread(self) -> None:
         """Wait for the last computation; nothing is computed any more. Safe to call twice."""
@@ -96,7 +111,9 @@ class DerivativeView(PlotView):
     def _row(self) -> QHBoxLayout:
         row = QHBoxLayout()
         row.setContentsMargins(6, 4, 6, 0)
-        row.addWidget(QLabel("Control point"))
+        name = QLabel("Control point")
+        name.setToolTip("Choose it here, or click the lens in the 3D scene.")
+        row.addWidget(name)
         for box in self._boxes:
             row.addWidget(box)
         row.addWidget(self._place, 1)
@@ -116,11 +133,13 @@ class DerivativeView(PlotView):
         if self._frame is not None and self.isVisible() and not self._covered:
             self._sum.setText("Computed when the lens rests…")
             self._rest.start()
+            self.chosen.emit(self.index)
 
     def _want_nothing(self) -> None:
         self._wanted = None
         self._rest.stop()
         self._derivatives.forget()
+        self.chosen.emit(None)
 
     def _ask_for_map(self) -> None:
         frame = self._frame

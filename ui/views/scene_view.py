@@ -11,25 +11,36 @@
    crash later. `close_plotter` must be called from the window's closeEvent.
 7. The view is a native window within the window. Otherwise the whole window is composed with
    OpenGL, and whatever is painted anywhere in it costs 13 ms more, also while the view is hidden.
+8. A press and a release at one place are a click, which picks; anything else turns the camera. The
+   plotter gets both in any case, or it would believe the button still pressed.
 """
 
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from PySide6.QtCore import Qt
-from PySide6.QtGui import QCloseEvent, QResizeEvent
-from PySide6.QtWidgets import QWidget
+from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
+from PySide6.QtGui import QCloseEvent, QMouseEvent, QResizeEvent
+from PySide6.QtWidgets import QApplication, QWidget
 
 from ui.views.view import View, look_alike
 
 if TYPE_CHECKING:
     from ui.frame import Frame
     from workbench.files.session import Session
+    from workbench.pictures.control_net import ControlNetPicture
     from workbench.pictures.lens import LensPicture
 
 
 class SceneView(View):
-    """Three-dimensional view that can be turned, moved and zoomed with the mouse."""
+    """Three-dimensional view that can be turned, moved and zoomed with the mouse.
+
+    Attributes
+    ----------
+    picked : Signal(tuple[int, int])
+        The control point that was clicked, along x and along y.
+    """
+
+    picked = Signal(object)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -37,6 +48,9 @@ class SceneView(View):
         self.setAttribute(Qt.WidgetAttribute.WA_NativeWindow)
         self._plotter: Any = None
         self._picture: LensPicture | None = None
+        self._net: ControlNetPicture | None = None
+        self._marked: tuple[int, int] | None = None
+        self._pressed_at: QPointF | None = None
         self._shown: Session | None = None
         self._closed = False
 
@@ -46,10 +60,16 @@ class SceneView(View):
             self._picture.fit()
             self._plotter.update()
 
+    def mark(self, index: tuple[int, int] | None) -> None:
+        """Show the control points with one of them marked, to be picked from; or none."""
+        if index != self._marked:
+            self._marked = index
+            self._ask()
+
     def close_plotter(self) -> None:
         """Free what VTK holds; the view stays empty from then on. Safe to call twice."""
         self._closed = True
-        self._picture = None
+        self._picture = self._net = None
         if self._plotter is not None:
             self._plotter.close()
             self._plotter.deleteLater()
@@ -66,6 +86,25 @@ class SceneView(View):
         self.close_plotter()
         super().closeEvent(event)
 
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Watch the plotter for clicks."""
+        if isinstance(event, QMouseEvent) and event.button() is Qt.MouseButton.LeftButton:
+            if event.type() == QEvent.Type.MouseButtonPress:
+                self._pressed_at = event.position()
+            elif event.type() == QEvent.Type.MouseButtonRelease and self._pressed_at is not None:
+                moved = (event.position() - self._pressed_at).manhattanLength()
+                if moved < QApplication.startDragDistance():
+                    self._pick(event.position())
+        return super().eventFilter(watched, event)
+
+    def _pick(self, place: QPointF) -> None:
+        if self._net is None:
+            return
+        scale = self.devicePixelRatioF()  # VTK counts the screen's pixels, from below
+        index = self._net.pick(place.x() * scale, (self._plotter.height() - 1 - place.y()) * scale)
+        if index is not None:
+            self.picked.emit(index)
+
     def _draw(self, session: "Session", frame: "Frame | None") -> None:
         if self._closed:
             return
@@ -77,6 +116,9 @@ class SceneView(View):
         if self._picture is not None and frame is not None:
             lit = frame.snapshot.irradiance
             self._picture.update(frame.surface, frame.paths, lit, frame.source)
+        if self._net is not None and frame is not None:
+            self._net.update(frame.snapshot.control_points)
+            self._net.mark(self._marked)
         self._plotter.repaint()
 
     def _open_plotter(self) -> None:
@@ -85,20 +127,25 @@ class SceneView(View):
         self._plotter = QtInteractor(self, auto_update=False)
         self._plotter.ren_win.SetMultiSamples(0)
         self._plotter.setAcceptDrops(False)  # files dropped here are for the window
+        self._plotter.installEventFilter(self)
         self._box.addWidget(self._plotter)
         self._box.activate()
         self._plotter.show()  # a layout shows what joins it only in a later turn
 
     def _begin(self, session: "Session") -> None:
+        from workbench.pictures.control_net import ControlNetPicture
         from workbench.pictures.lens import LensPicture, space
 
         scene = session.scene
         moved = self._shown is None or not np.array_equal(space(self._shown.scene), space(scene))
         self._plotter.clear_actors()
         self._picture = LensPicture(self._plotter, scene, session.target, dark=self.is_dark())
+        self._net = ControlNetPicture(self._plotter, scene.lens, dark=self.is_dark())
         if moved:
             self._picture.fit()
 
     def _recolour(self) -> None:
         if self._picture is not None:
             self._picture.recolour(self.is_dark())
+        if self._net is not None:
+            self._net.recolour(self.is_dark())
