@@ -76,7 +76,7 @@ def emit(source: PointSource | GridSource, lens: Lens, seed: int, draw: int = 0)
     Directions are uniform in solid angle: cos φ is uniform between cos φ_max and 1 (de Koning et
     al. 2023, eq. 19). A Lambertian source weighs them with the cosine to the z axis.
     """
-    points = _points(source)
+    points = positions(source)
     count = source.rays
     generator = np.random.default_rng([seed, draw])
     if source.sampling == "sobol":
@@ -135,7 +135,8 @@ def enter(rays: Rays, lens: Lens) -> InLens:
     )
 
 
-def _points(source: PointSource | GridSource) -> Array:
+def positions(source: PointSource | GridSource) -> Array:
+    """Where the points of a source are, shape (points, 3); those of a grid in rows along y."""
     if isinstance(source, PointSource):
         return np.array([source.position])
     (x, y, z), (r_x, r_y), (m_x, m_y) = source.center, source.half_width, source.points

@@ -1,0 +1,143 @@
+"""Light of points by samples of the exit face: no ray has to search for it."""
+
+import numpy as np
+import torch
+from torch import Tensor
+
+from workbench.geometry.patches import Patches
+from workbench.geometry.surface import ControlNet, GridBasis
+from workbench.optics.glass import Glass
+from workbench.optics.hits import Hits
+from workbench.optics.lattice import make_lattice
+from workbench.optics.refraction import refract, schlick_transmittance
+from workbench.scene import CollimatedSource, Scene
+
+
+class FaceSamples:
+    """A tensor grid of samples of the exit face, with all that does not depend on the heights.
+
+    Parameters
+    ----------
+    scene : Scene
+        The scene; source kind "point" or "grid".
+    net : ControlNet
+        Where the control heights sit.
+    samples : tuple[int, int]
+        Samples along x and y; the points of a grid share them.
+    dtype, device
+        Float type and device of the trace.
+    """
+
+    emitted = 1.0
+
+    def __init__(
+        self,
+        scene: Scene,
+        net: ControlNet,
+        samples: tuple[int, int],
+        dtype: torch.dtype = torch.float32,
+        device: torch.device | str = "cpu",
+    ) -> None:
+        assert not isinstance(scene.source, CollimatedSource)
+        self._scene, self._net = scene, net
+        lattice = self.lattice = make_lattice(scene.source, scene.lens, samples)
+        self.missed_lens, self.fresnel_entrance = lattice.missed, lattice.reflected
+
+        def constant(values: np.ndarray) -> Tensor:
+            return torch.as_tensor(values, dtype=dtype, device=device).contiguous()
+
+        half_widths = zip((lattice.x, lattice.y), scene.lens.half_width, strict=True)
+        basis = net.grid(*(axis.place / (2 * r) + 0.5 for axis, r in half_widths))
+        self._basis = GridBasis(
+            constant(basis.along_x),
+            constant(basis.slope_x),
+            constant(basis.along_y),
+            constant(basis.slope_y),
+        )
+        self._x = constant(lattice.x.place)[:, None]
+        self._y = constant(lattice.y.place)[None, :]
+        self._away_x = constant(lattice.x.away)[:, None]
+        self._away_y = constant(lattice.y.away)[None, :]
+        self._radius2 = self._away_x.square() + self._away_y.square()
+        lambertian = scene.source.emission == "lambertian"
+        self._glass = Glass(lattice.distance, scene.lens.index, lambertian)
+        # Flux of a sample were it right before its point, before Fresnel's loss.
+        area = lattice.x.width[:, None] * lattice.y.width
+        self._brightest = constant(lattice.intensity * area / lattice.distance**2)
+        self._rims = [
+            (axis.cell, constant(axis.aside).reshape(shape), constant(axis.reach).reshape(shape))
+            for axis, shape in ((lattice.x, (-1, 1)), (lattice.y, (1, -1)))
+            if axis.aside.any()
+        ]
+
+    def trace(self, heights: Tensor) -> Hits:
+        """Follow the light from the exit face to the screen plane.
+
+        Parameters
+        ----------
+        heights : Tensor, shape (n_u, n_v)
+            Control heights, float64 or the trace's float type.
+        """
+        lens, screen = self._scene.lens, self._scene.screen
+        # Near the mean height of the surface float32 keeps the digits that make its shape.
+        level = lens.base.height
+        z, face_x, face_y = self._basis.evaluate((heights - level).to(self._x.dtype))
+        depth = z + (level - lens.entrance_z)
+        inside = depth > 0
+        depth = torch.where(inside, depth, 0.0)
+
+        light = self._glass.light(self._radius2, depth)
+        slope = light.part * light.steepness
+        slope_x, slope_y = self._away_x * slope, self._away_y * slope
+        # The face takes in more or less light than the plane z = const, as it leans to it or away.
+        lean = 1 - slope_x * face_x - slope_y * face_y
+        met = inside & (lean > 0)  # a face that leans away further has met the light before
+        flux = self._brightest * light.density * lean
+        for cell, aside, reach in self._rims:
+            # Part of the sample's cell that sees its point through the entrance face.
+            flux = flux * (0.5 + (reach / light.part - aside) / cell).clamp(0, 1)
+        flux = torch.where(met, flux, 0.0)
+
+        length = (slope_x.square() + slope_y.square() + 1).rsqrt()
+        face = (face_x.square() + face_y.square() + 1).rsqrt()
+        out = refract(
+            (slope_x * length, slope_y * length, length),
+            (-face_x * face, -face_y * face, face),
+            lens.index,
+        )
+        out_x, out_y, out_z = out.direction
+        # A face that folds light back, or sideways for ever, sends it past any screen.
+        onward = out_z > 1e-6
+        path = ((screen.z - level) - z) / torch.where(onward, out_z, 1)
+        reaches = met & out.passes & onward
+        weight = flux * schlick_transmittance(out.cos_out, lens.index)
+        entered = self.emitted - self.missed_lens - self.fresnel_entrance
+        arriving = flux.detach()
+        return Hits(
+            x=torch.where(reaches, self._x + out_x * path, torch.inf),
+            y=torch.where(reaches, self._y + out_y * path, torch.inf),
+            weight=torch.where(met & out.passes, weight, 0.0),
+            arriving=arriving,
+            passes=out.passes,
+            # What entered and did not come to the face; with the error of the sum over samples.
+            left_side=entered - arriving.sum(dtype=torch.float64),
+        )
+
+    def valid(self, heights: Tensor) -> bool:
+        """Whether all light meets the face once: surely so, by bounds of the slopes.
+
+        Otherwise samples stand for light that has met the face before, where it folds over.
+        """
+        lens = self._scene.lens
+        depth = heights.detach().double().cpu() - lens.entrance_z
+        lowest = depth.min().item()
+        if lowest <= 0:
+            return False
+        bounds = Patches(self._net, torch.float64).slope_bounds(depth)
+        n, distance = lens.index, self.lattice.distance
+        rise = 0.0
+        for axis, bound in zip((self.lattice.x, self.lattice.y), bounds, strict=True):
+            # The light's slope, at most: by the apparent depth of the point, or at grazing entry.
+            slope = np.abs(axis.away).max() / (n * distance + lowest)
+            rise += bound * min(slope, (n * n - 1) ** -0.5)
+        return bool(rise < 1)

@@ -1,0 +1,125 @@
+"""The light of a point behind a flat face: one ray through each place in the glass.
+
+A ray from a point at the distance d before the face that crosses it at the radius ρ_e from the
+point's axis goes on at the slope ρ_e g, where
+
+    g(ρ_e) = (n² d² + (n² − 1) ρ_e²)^(−½).
+
+The ray through the radius ρ at the depth t behind the face is the one that solves
+
+    ρ_e + t ρ_e g(ρ_e) = ρ.
+
+The left side rises and is concave, so Newton's method from below never fails. The flux per area
+of the plane at that depth is e(ρ_e) (ρ_e / ρ) dρ_e/dρ, with e for that behind the face. All of it
+is written with r = ρ_e / ρ, which has a limit on the axis.
+"""
+
+from typing import NamedTuple
+
+import torch
+from torch import Tensor
+
+from workbench.optics.refraction import schlick_transmittance
+
+_MOST_STEPS = 100
+
+
+class Light(NamedTuple):
+    """The light at places in the glass; tensors of any one shape.
+
+    Attributes
+    ----------
+    part : Tensor
+        r = ρ_e / ρ.
+    steepness : Tensor
+        g: slope of the ray over ρ_e.
+    density : Tensor
+        Flux per area of the plane z = const, over that right before the point on the entrance
+        face but for Fresnel's loss there.
+    """
+
+    part: Tensor
+    steepness: Tensor
+    density: Tensor
+
+
+class Glass:
+    """Glass behind a flat face, before it a point.
+
+    Parameters
+    ----------
+    distance : float
+        From the point to the face.
+    index : float
+        Refractive index.
+    lambertian : bool
+        Whether the point's intensity falls with the cosine to the axis.
+    """
+
+    def __init__(self, distance: float, index: float, lambertian: bool) -> None:
+        self._distance, self._index, self._lambertian = distance, index, lambertian
+        self._known: tuple[float, float, torch.dtype, int] | None = None
+
+    def light(self, radius2: Tensor, depth: Tensor) -> Light:
+        """The light at places ``radius2`` = ρ² from the axis, at depths t ≥ 0; smooth in t."""
+        with torch.no_grad():
+            fixed = depth.detach()
+            part = self._start(radius2, fixed)
+            for _ in range(self.steps(radius2, fixed)):
+                excess, spread = self._excess(part, radius2, fixed)
+                part = part - excess / spread
+            spread = self._excess(part, radius2, fixed)[1]
+        # One step more with a constant slope has the derivative of the root.
+        part = part - self._excess(part, radius2, depth)[0] / spread
+
+        steepness = self._steepness(part, radius2)
+        cos = self._distance * (self._distance**2 + part.square() * radius2).rsqrt()
+        behind = cos * cos.square() * schlick_transmittance(cos, self._index)
+        if self._lambertian:
+            behind = behind * cos
+        spread = self._excess(part, radius2, depth)[1]
+        return Light(part, steepness, behind * part / spread)
+
+    def steps(self, radius2: Tensor, depth: Tensor) -> int:
+        """How many steps of Newton's method reach rounding at all radii and depths up to these.
+
+        They are tried on some places. Depths that need no more than the last ones cost nothing.
+        """
+        deepest, eps = depth.max().item(), torch.finfo(depth.dtype).eps
+        widest = radius2.max().item()
+        if self._known and deepest <= self._known[0] and self._known[1:3] == (widest, depth.dtype):
+            return self._known[3]
+        deepest *= 1.1
+        fractions = torch.logspace(-6, 0, 61, dtype=torch.float64)
+        tried_depth, tried_radius2 = deepest * fractions[:, None], widest * fractions.square()
+        part = self._start(tried_radius2, tried_depth)
+        for count in range(_MOST_STEPS):  # noqa: B007
+            excess, spread = self._excess(part, tried_radius2, tried_depth)
+            part = part - excess / spread
+            # The excess has the rounding of 1.
+            if (excess.abs() <= 4 * eps * (1 + part * spread)).all():
+                break
+        self._known = (deepest, widest, depth.dtype, count)
+        return count
+
+    @property
+    def _apparent(self) -> float:
+        """Distance at which the point seems to be from within the glass, on the axis."""
+        return self._index * self._distance
+
+    def _steepness(self, part: Tensor, radius2: Tensor) -> Tensor:
+        widening = (self._index**2 - 1) * radius2
+        return (self._apparent**2 + part.square() * widening).rsqrt()
+
+    def _start(self, radius2: Tensor, depth: Tensor) -> Tensor:
+        """Two lower bounds of r: g is largest on the axis, and no slope exceeds (n² − 1)^(−½)."""
+        widening = ((self._index**2 - 1) * radius2).sqrt()
+        tiny = torch.finfo(depth.dtype).tiny
+        return torch.maximum(
+            self._apparent / (self._apparent + depth), 1 - depth / widening.clamp_min(tiny)
+        )
+
+    def _excess(self, part: Tensor, radius2: Tensor, depth: Tensor) -> tuple[Tensor, Tensor]:
+        """By how much r leads too far, in units of ρ, and the derivative of that, dρ/dρ_e."""
+        g = self._steepness(part, radius2)
+        return part * (1 + depth * g) - 1, 1 + depth * (self._apparent * g).square() * g
