@@ -30,12 +30,15 @@ class Example:
         What a person reads, within its group.
     look : str
         What to look for: one sentence.
+    dock : str
+        The window's dock that shows it, if it is not there from the start.
     """
 
     name: str
     group: str
     title: str
     look: str
+    dock: str = ""
 
     @property
     def file(self) -> Path:
@@ -48,6 +51,7 @@ _FINE = "First lenses, twice as fine"
 _NETWORKS = "Top hat: networks and starts"
 _SIZES = "Flame and ball: magnifications"
 _SOURCES = "Flame: point and extended source"
+_DERIVATIVES = "Derivative maps of a flat lens"
 
 EXAMPLES = (
     Example(
@@ -132,6 +136,20 @@ EXAMPLES = (
         "Point source, then the extended one",
         "The loss jumps when the extended source takes over at iteration 200; see what is won "
         "back.",
+    ),
+    *(
+        Example(
+            f"derivative-degree{degree}-filter{size}",
+            _DERIVATIVES,
+            f"Degrees ({degree}, 3), filter {size} × {size}",
+            look,
+            dock="derivative",
+        )
+        for degree, size, look in (
+            (3, 3, "As a control point rises it gathers light: a mountain in a valley, sum zero."),
+            (3, 11, "The same mountain, smoother: each ray's light is spread over 11 × 11 pixels."),
+            (5, 3, "Wider along x: the valley meets the screen's border, and the sum leaves zero."),
+        )
     ),
 )
 """All example scenes, in the order in which menus show them."""

@@ -5,6 +5,7 @@ commit what changed. The icons are drawn by hand.
 """
 
 import json
+import re
 import sys
 from pathlib import Path
 from typing import Any
@@ -72,6 +73,9 @@ def example(name: str) -> Scene:
     shape, _, variant = name.partition("-")
     if variant in ("", "512"):
         return Scene.from_data(_first(shape, fineness=2 if variant else 1))
+    if shape == "derivative":
+        degree, size = (int(re.sub(r"\D", "", part)) for part in variant.split("-"))
+        return Scene.from_data(_influence(degree, size))
     if shape == "tophat":
         return Scene.from_data(_network(*variant.split("-")))
     if variant.startswith("x"):
@@ -142,6 +146,15 @@ def _first_from_a_point() -> dict[str, Any]:
     """The paper's run: a point source, and after some 200 iterations the extended one."""
     data = _lit_from(_SOURCES["grid"])
     data["run"]["stages"] = [{"iterations": 200, "source": _SOURCES["point"]}]
+    return data
+
+
+def _influence(degree: int, size: int) -> dict[str, Any]:
+    """A case of the paper's derivative maps; its net is coarse, so that a map fills the screen."""
+    data = _first("tophat")
+    data["lens"] |= {"degree": [degree, 3], "control_points": [9, 9]}
+    # Wide filters fall slowly, or they would be as narrow as small ones.
+    data["filter"] |= {"size": [size, size], "alpha": round(9 / size**2, 2)}
     return data
 
 

@@ -51,10 +51,12 @@ class FileActions(QObject):
         self._messages = messages
         self._window = window
 
-    def new(self, example: Example) -> None:
-        """Begin with an example, and say what to look for."""
-        if self.may_leave() and self._attempt(lambda: self._document.open(example.file)):
-            self._messages.note(example.look)
+    def new(self, example: Example) -> bool:
+        """Begin with an example, and say what to look for; False if not opened."""
+        if not (self.may_leave() and self._attempt(lambda: self._document.open(example.file))):
+            return False
+        self._messages.note(example.look)
+        return True
 
     def choose_and_open(self) -> None:
         """Ask for a file and open it."""

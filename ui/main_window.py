@@ -10,6 +10,7 @@ from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QPaintEvent
 from PySide6.QtWidgets import QMainWindow, QMessageBox
 
 import workbench
+from resources import Example
 from ui.commands import NEW, Commands
 from ui.document import ENDING, Document
 from ui.file_actions import Answer, FileActions
@@ -216,7 +217,7 @@ class MainWindow(QMainWindow):
     def _connect(self) -> None:
         steer, begin = self._steer, self._begin
         slots: dict[str, Callable[[], object]] = {
-            **{name: partial(self.files.new, example) for name, example in NEW.items()},
+            **{name: partial(self._new, example) for name, example in NEW.items()},
             "open": self.files.choose_and_open,
             "save": lambda: self._save(self.files.save),
             "save_as": lambda: self._save(self.files.save_as),
@@ -238,6 +239,12 @@ class MainWindow(QMainWindow):
         self.document.dirty_changed.connect(self.setWindowModified)
         self.document.undo_stack.indexChanged.connect(self._show_state)
         self.files.recent_changed.connect(self._show_recent)
+
+    def _new(self, example: Example) -> None:
+        if self.files.new(example) and example.dock:
+            dock = self.workspace.docks[example.dock]
+            dock.show()
+            dock.raise_()
 
     def _save(self, save: Callable[[], bool]) -> None:
         self.forms.commit()

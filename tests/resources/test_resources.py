@@ -11,6 +11,7 @@ from PIL import Image
 
 import resources
 from resources import make_resources
+from workbench.analysis.derivatives import irradiance_derivative
 from workbench.design.run import run
 from workbench.scene import Scene
 from workbench.targets import load_target
@@ -152,3 +153,21 @@ def test_icons_are_drawn_in_one_colour_that_can_be_replaced(name):
 
 def test_every_icon_is_known():
     assert {p.stem for p in resources.path("icons").iterdir()} == {*ICONS, "workbench"}
+
+
+@pytest.mark.parametrize(
+    ("name", "sum_below", "reaches_border"),
+    [
+        ("derivative-degree3-filter3", 1e-14, False),
+        ("derivative-degree3-filter11", 1e-14, False),
+        ("derivative-degree5-filter3", 1e-5, True),
+    ],
+)
+def test_derivative_examples_are_the_cases_of_the_paper(name, sum_below, reaches_border):
+    scene = Scene.from_json(_named(name).file.read_bytes())
+    flat = np.full(scene.lens.control_points, scene.lens.base.height)
+    found = irradiance_derivative(scene, flat, (4, 4))
+    inside = np.count_nonzero(found.map[1:-1, 1:-1])
+    assert (np.count_nonzero(found.map) > inside) == reaches_border
+    assert abs(found.sum) < sum_below * found.flux
+    assert 0.4 < inside / found.map.size < 0.7  # large enough to be seen

@@ -118,3 +118,13 @@ def test_with_the_dock_closed_there_is_nothing_to_pick(window, picking, qtbot):
     qtbot.waitUntil(lambda: view._net._marked is None)
     qtbot.mouseClick(view._plotter, Qt.MouseButton.LeftButton, pos=seen_at(window, (2, 7)))
     assert derivative.index == (6, 5)
+
+
+def test_an_example_of_a_map_shows_the_dock(window, qtbot):
+    window.document.undo_stack.setClean()
+    window.commands["new_derivative-degree3-filter3"].trigger()
+    dock, view = window.workspace.docks["derivative"], window._derivative_view
+    qtbot.waitUntil(lambda: not dock.visibleRegion().isEmpty())
+    qtbot.waitUntil(lambda: view.index == (4, 4), timeout=60_000)
+    window.commands["new_tophat"].trigger()
+    assert dock.isVisible()
