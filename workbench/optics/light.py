@@ -30,21 +30,22 @@ class Light(NamedTuple):
 
 
 class Tracer(Protocol):
-    """Traces one set of rays through lens after lens.
+    """Traces one set of rays through lens after lens."""
 
-    Attributes
-    ----------
-    emitted : float
-        Flux of the source.
-    missed_lens : float
-        Flux that passes the entrance face by.
-    fresnel_entrance : float
-        Flux reflected at the entrance face.
-    """
+    @property
+    def emitted(self) -> float:
+        """Flux of the source."""
+        ...
 
-    emitted: float
-    missed_lens: float
-    fresnel_entrance: float
+    @property
+    def missed_lens(self) -> float:
+        """Flux that passes the entrance face by."""
+        ...
+
+    @property
+    def fresnel_entrance(self) -> float:
+        """Flux reflected at the entrance face."""
+        ...
 
     def image(self, heights: Tensor, screen: Screen, filter: Filter) -> Light:
         """Trace a lens with control heights of shape (n_u, n_v)."""

@@ -10,11 +10,13 @@ from torch import Tensor
 from workbench.errors import Refused
 from workbench.geometry.surface import ControlNet
 from workbench.optics.collimated import CollimatedRays
-from workbench.optics.hits import Hits
-from workbench.optics.irradiance import Image, reconstruct
+from workbench.optics.kernels import ready
+from workbench.optics.kernels.collimated import FusedCollimatedRays
 from workbench.optics.ledger import Ledger
+from workbench.optics.light import Tracer
 from workbench.optics.point import PointRays
-from workbench.scene import CollimatedSource, Filter, Scene, Screen
+from workbench.optics.reference import Reference
+from workbench.scene import BoxFilter, CollimatedSource, Filter, Scene, Screen
 
 _NEARLY_ALL = 0.999
 
@@ -35,7 +37,7 @@ class Traced(NamedTuple):
 
 
 class Plan:
-    """A trace that is ready to go.
+    """A trace that is ready to go: fused kernels where there are some, else the torch reference.
 
     Parameters
     ----------
@@ -47,6 +49,13 @@ class Plan:
         Reconstruction filter; the scene's own by default.
     dtype : torch.dtype
         Float type of the trace.
+    fused : bool
+        False asks for the reference.
+    samples : tuple[int, int], optional
+        Rays of collimated light along x and y; those of the source by default.
+    mirrored : tuple[bool, bool]
+        The caller's promise that heights, lens and source are mirror images of themselves in x,
+        in y. Kernels for collimated light then trace one half of the rays only.
 
     Raises
     ------
@@ -60,17 +69,29 @@ class Plan:
         net: ControlNet | None = None,
         filter: Filter | None = None,
         dtype: torch.dtype = torch.float32,
+        fused: bool = True,
+        samples: tuple[int, int] | None = None,
+        mirrored: tuple[bool, bool] = (False, False),
     ) -> None:
         self._screen = scene.screen
         self._filter = filter or scene.filter
+        self._dtype, self._device = dtype, device_of(scene)
+        self._fused = fused and self._device.type == "cpu"
+        self._mirrored = mirrored
+        self._kernel: Tracer | None = None
         net = net or ControlNet.of(scene.lens)
+        if samples is not None:
+            if not isinstance(scene.source, CollimatedSource):
+                raise ValueError("samples along x and y are for collimated light")
+            source = CollimatedSource(kind="collimated", rays=samples)
+            scene = scene.model_copy(update={"source": source})
+        self._scene, self._net = scene, net
         self._fresh = not isinstance(scene.source, CollimatedSource) and scene.source.fresh
-        self._rays: CollimatedRays | PointRays
         # Collimated light needs no entrance refraction and no intersection: it is not in its plan.
         if isinstance(scene.source, CollimatedSource):
-            self._rays = CollimatedRays(scene, net, dtype, device_of(scene))
+            self._reference = Reference(CollimatedRays(scene, net, dtype, self._device))
         else:
-            self._rays = PointRays(scene, net, dtype=dtype, device=device_of(scene))
+            self._reference = Reference(PointRays(scene, net, dtype=dtype, device=self._device))
 
     def trace(self, heights: Tensor) -> Traced:
         """Image and ledger of a lens.
@@ -80,30 +101,48 @@ class Plan:
         heights : Tensor, shape (n_u, n_v)
             Control heights, scene units.
         """
-        rays = self._rays
-        hits, image = self._image(heights)
-        arriving, weight, passes = hits.arriving.detach(), hits.weight.detach(), hits.passes
+        tracer = self._tracer()
+        light = tracer.image(heights, self._screen, self._filter)
         ledger = Ledger(
-            emitted=rays.emitted,
-            on_screen=_sum(image.flux.detach()),
-            off_screen=image.off_screen.item(),
-            missed_lens=rays.missed_lens,
-            left_side=hits.left_side.item(),
-            total_reflection=_sum(arriving * ~passes),
-            fresnel_entrance=rays.fresnel_entrance,
-            fresnel_exit=_sum((arriving - weight) * passes),
+            emitted=tracer.emitted,
+            on_screen=float(light.flux.detach().sum(dtype=torch.float64)),
+            off_screen=light.off_screen,
+            missed_lens=tracer.missed_lens,
+            left_side=light.left_side,
+            total_reflection=light.total_reflection,
+            fresnel_entrance=tracer.fresnel_entrance,
+            fresnel_exit=light.fresnel_exit,
         )
-        return Traced(image.flux, ledger)
+        return Traced(light.flux, ledger)
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What was chosen for this scene and what is left out, in words, for a run's log."""
+        precision = str(self._dtype).removeprefix("torch.")
+        tracer = self._tracer()
+        if isinstance(tracer, Reference):
+            notes = [f"reference in torch on {self._device.type}, {precision}"]
+        else:
+            notes = [f"fused kernels, {torch.get_num_threads()} threads, {precision}"]
+        if isinstance(self._scene.source, CollimatedSource):
+            notes.append("collimated light: entrance refraction and intersection left out")
+        if isinstance(tracer, FusedCollimatedRays) and any(tracer.mirrored):
+            part = "a quarter" if all(tracer.mirrored) else "half"
+            notes.append(f"mirror symmetry: {part} of the rays")
+        if isinstance(self._filter, BoxFilter):
+            notes.append("box filter: one pixel a ray, no ghost pixels")
+        return tuple(notes)
 
     def next_iteration(self) -> None:
         """Take new rays, if the source is to have fresh ones for each iteration."""
-        if isinstance(self._rays, PointRays) and self._fresh:
-            self._rays.redraw()
+        rays = self._reference.rays
+        if self._fresh and isinstance(rays, PointRays):
+            rays.redraw()
 
     def reach(self, heights: Tensor) -> tuple[float, float]:
         """How far from the axis, along x and y, nearly all light on the screen plane falls."""
         with torch.no_grad():
-            hits = self._rays.trace(heights)
+            hits = self._reference.rays.trace(heights)
         lands = (hits.weight > 0) & hits.x.isfinite()
         if not lands.any():
             return 0.0, 0.0
@@ -117,16 +156,19 @@ class Plan:
         return other
 
     def flux(self, heights: Tensor) -> Tensor:
-        """The image alone, for `torch.func` transforms such as jvp, which no ledger survives."""
-        return self._image(heights)[1].flux
+        """The image alone, for `torch.func` transforms such as jvp: always by the reference."""
+        return self._reference.flux(heights, self._screen, self._filter)
 
-    def _image(self, heights: Tensor) -> tuple[Hits, Image]:
-        hits = self._rays.trace(heights)
-        return hits, reconstruct(hits.x, hits.y, hits.weight, self._screen, self._filter)
-
-
-def _sum(flux: Tensor) -> float:
-    return float(flux.sum(dtype=torch.float64))
+    def _tracer(self) -> Tracer:
+        """The kernel as soon as it is compiled; see `workbench.optics.kernels.ready`."""
+        source = self._scene.source
+        if not (self._fused and isinstance(source, CollimatedSource)):
+            return self._reference
+        if self._kernel is None and ready.is_ready("collimated", self._dtype):
+            self._kernel = FusedCollimatedRays(
+                self._scene, self._net, source.rays, self._mirrored, self._dtype
+            )
+        return self._kernel or self._reference
 
 
 def device_of(scene: Scene) -> torch.device:

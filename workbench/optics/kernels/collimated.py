@@ -18,7 +18,7 @@ from torch import Tensor
 from workbench.geometry.basis import local_basis
 from workbench.geometry.surface import ControlNet
 from workbench.optics.kernels import threads
-from workbench.optics.kernels.function import Sums, trace
+from workbench.optics.kernels.function import Sums, kind_of, trace
 from workbench.optics.kernels.spread import (
     BATCH,
     Spread,
@@ -33,7 +33,7 @@ from workbench.optics.kernels.spread import (
 from workbench.optics.kernels.taps import FAST
 from workbench.optics.light import Light
 from workbench.optics.refraction import normal_reflectance
-from workbench.scene import Filter, Scene, Screen
+from workbench.scene import Filter, GaussianFilter, Scene, Screen
 
 AnyArray = npt.NDArray[np.floating[Any]]
 
@@ -62,7 +62,7 @@ class Optics(NamedTuple):
 
     Attributes
     ----------
-    index : floating
+    ratio : floating
         Refractive index n.
     excess : floating
         n² − 1.
@@ -76,7 +76,7 @@ class Optics(NamedTuple):
         Flux of a ray that leaves at a right angle.
     """
 
-    index: np.floating[Any]
+    ratio: np.floating[Any]
     excess: np.floating[Any]
     drop: np.floating[Any]
     critical: np.floating[Any]
@@ -114,12 +114,10 @@ class FusedCollimatedRays:
         dtype: torch.dtype = torch.float32,
     ) -> None:
         self._dtype = dtype
-        kind = torch.zeros(0, dtype=dtype).numpy().dtype.type
-        self._kind = kind
+        kind = self._kind = kind_of(dtype)
         self.mirrored = tuple(
             wanted and count % 2 == 0 for wanted, count in zip(mirrored, samples, strict=True)
         )
-        self._shape = net.shape
         self._axes = tuple(
             _axis(net, axis, count, halved, kind)
             for axis, (count, halved) in enumerate(zip(samples, self.mirrored, strict=True))
@@ -142,6 +140,20 @@ class FusedCollimatedRays:
         spread = make_spread(screen, filter, self._kind)
         passes = _Passes(self, spread)
         return trace(heights, self._level, self._dtype, passes)
+
+
+def compile_for(dtype: torch.dtype) -> None:
+    """Compile the kernels for a float type by tracing a few rays."""
+    kind = kind_of(dtype)
+    net = ControlNet((2, 2), (1, 1), (1.0, 1.0))
+    across, up = _axis(net, 0, 2, False, kind), _axis(net, 1, 2, False, kind)
+    numbers = Optics(*(kind(1.5) for _ in Optics._fields))
+    screen = Screen(z=1.0, half_width=(1.0, 1.0), pixels=(2, 2))
+    spread = make_spread(screen, GaussianFilter(), kind)
+    canvas = make_canvases(spread, 1)[0]
+    heights, gradient = np.zeros(net.shape, kind), np.zeros(net.shape)
+    trace_rows(heights, across, up, numbers, spread, 0, 2, canvas, np.zeros(3))
+    trace_rows_back(heights, across, up, numbers, spread, 0, 2, canvas, gradient)
 
 
 class _Passes:
@@ -212,7 +224,7 @@ class _Passes:
             )
 
         threads.run(work, self._parts)
-        gradient = gradients.sum(axis=0)
+        gradient: AnyArray = gradients.sum(axis=0)
         for axis, mirrored in enumerate(self._mirrored):
             if mirrored:  # the other half of the rays would have given the mirror image of this
                 gradient = (gradient + np.flip(gradient, axis)) / 2
@@ -438,7 +450,7 @@ def _refract(place, row, optics, spread, lanes, t):  # type: ignore[no-untyped-d
         square = one - optics.excess * k
         passes = square > optics.critical
         q = np.sqrt(square if passes else one)
-        bend = (optics.drop - t[_Z + lane]) * optics.excess / (one + optics.index * q)
+        bend = (optics.drop - t[_Z + lane]) * optics.excess / (one + optics.ratio * q)
         grazing = one - q / np.sqrt(one + k)
         fourth = grazing * grazing * (grazing * grazing)
         weight = optics.head_on * (one - fourth * grazing) if passes else kind(0)
@@ -463,14 +475,14 @@ def _refract_back(optics, spread, lanes, t):  # type: ignore[no-untyped-def]
         passes = t[_WEIGHT + lane] > kind(0)
         d_x = t[_D_COLUMN + lane] * spread.per_x
         d_y = t[_D_ROW + lane] * spread.per_y
-        share = one / (one + optics.index * q)
+        share = one / (one + optics.ratio * q)
         d_bend = d_x * z_x + d_y * z_y
         # weight = head_on (1 − g⁵), g = 1 − q s, s = 1 / √(1 + k)
         s = one / np.sqrt(one + z_x * z_x + z_y * z_y)
         grazing = one - q * s
         fourth = grazing * grazing * (grazing * grazing)
         d_cos = kind(5) * fourth * optics.head_on * t[_D_WEIGHT + lane]
-        d_q = d_cos * s - d_bend * bend * optics.index * share
+        d_q = d_cos * s - d_bend * bend * optics.ratio * share
         # q = √(1 − (n² − 1) k)
         d_k = -half * (d_cos * q * s * s * s + d_q * optics.excess / q)
         d_z_x = d_x * bend + two * z_x * d_k

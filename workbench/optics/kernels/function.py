@@ -34,6 +34,11 @@ class Passes(Protocol):
         ...
 
 
+def kind_of(dtype: torch.dtype) -> type[np.floating[Any]]:
+    """Numpy's name of a float type of torch."""
+    return np.float32 if dtype == torch.float32 else np.float64
+
+
 def trace(heights: Tensor, level: float, dtype: torch.dtype, passes: Passes) -> Light:
     """Run a kernel so that torch can differentiate its image.
 
@@ -63,7 +68,7 @@ class _Trace(torch.autograd.Function):
         return torch.from_numpy(image)
 
     @staticmethod
-    @once_differentiable  # type: ignore[untyped-decorator]
+    @once_differentiable
     def backward(ctx: Any, cotangent: Tensor) -> tuple[Tensor, None, None]:
         (heights,) = ctx.saved_tensors
         gradient = ctx.passes.backward(heights.contiguous().numpy(), cotangent.contiguous().numpy())

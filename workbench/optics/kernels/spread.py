@@ -62,9 +62,8 @@ class Workspace(NamedTuple):
     slope_y: AnyArray
 
 
-def make_spread(screen: Screen, filter: Filter, dtype: npt.DTypeLike) -> Spread:
+def make_spread(screen: Screen, filter: Filter, kind: type[np.floating[Any]]) -> Spread:
     """Prepare a screen and a filter for kernels of a float type."""
-    kind = np.dtype(dtype).type
     size = filter.size if isinstance(filter, GaussianFilter) else (1, 1)
     alpha = filter.alpha if isinstance(filter, GaussianFilter) else 0.0
     r_x, r_y = screen.half_width
@@ -76,15 +75,15 @@ def make_spread(screen: Screen, filter: Filter, dtype: npt.DTypeLike) -> Spread:
         kind(row_0),
         kind((row_1 - row_0) / r_y),
         screen.pixels,
-        make_taps(alpha, size[0], dtype),
-        make_taps(alpha, size[1], dtype),
+        make_taps(alpha, size[0], kind),
+        make_taps(alpha, size[1], kind),
     )
 
 
 def make_canvases(spread: Spread, count: int) -> AnyArray:
     """Dark canvases, one for each part of the rays, shape (count, rows, columns)."""
     (n_x, n_y), (m_x, m_y) = spread.pixels, _margins(spread)
-    return np.zeros((count, n_y + 2 * m_y, n_x + 2 * m_x), dtype=type(spread.per_x))
+    return np.zeros((count, n_y + 2 * m_y, n_x + 2 * m_x), spread.per_x.dtype)
 
 
 def add_up(spread: Spread, canvases: AnyArray) -> tuple[AnyArray, float]:
@@ -99,7 +98,7 @@ def add_up(spread: Spread, canvases: AnyArray) -> tuple[AnyArray, float]:
 def pad(spread: Spread, cotangent: AnyArray) -> AnyArray:
     """A cotangent of the image (n_y, n_x) as a canvas for `gather`."""
     (n_x, n_y), (m_x, m_y) = spread.pixels, _margins(spread)
-    canvas = make_canvases(spread, 1)[0]
+    canvas: AnyArray = make_canvases(spread, 1)[0]
     canvas[m_y : m_y + n_y, m_x : m_x + n_x] = cotangent
     return canvas
 

@@ -13,6 +13,7 @@ exponentials, one ray after the other: right, but slow.
 """
 
 import math
+from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -48,16 +49,16 @@ class Taps(NamedTuple):
     series: npt.NDArray[np.floating[Any]]
 
 
-def make_taps(alpha: float, size: int, dtype: npt.DTypeLike) -> Taps:
+def make_taps(alpha: float, size: int, kind: type[np.floating[Any]]) -> Taps:
     """Taps of a Gaussian filter (size > 1), or of a box (size 1)."""
-    kind = np.dtype(dtype).type
     reach = size // 2
     series = np.zeros((reach, 4, SHORT))
     if reach > 0:
         series = _fit(alpha, reach, float(np.finfo(kind).eps))
-    return Taps(reach, kind(alpha), np.ascontiguousarray(series, dtype=kind))
+    return Taps(reach, kind(alpha), np.ascontiguousarray(series.astype(kind)))
 
 
+@lru_cache(maxsize=32)
 def _fit(alpha: float, reach: int, eps: float) -> npt.NDArray[np.float64]:
     angle = np.pi * (np.arange(_SAMPLES) + 0.5) / _SAMPLES
     functions = _even_functions(np.sqrt((np.cos(angle) + 1) / 8), alpha, reach)
