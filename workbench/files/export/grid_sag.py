@@ -1,7 +1,8 @@
 """Grid Sag file of OpticStudio (.dat): sag, slopes and cross derivative on a grid.
 
-Knots of the B-spline are points of the grid. Up to degree 3 the bicubic interpolation between
-these is therefore the B-spline itself, rim included. Sag is height over that at the vertex x = y =
+Knots of the B-spline are points of the grid. For degrees 2 and 3 the bicubic interpolation between
+these is therefore the B-spline itself, rim included. A face of degree 1 has edges, which only a
+linear interpolation keeps. Sag is height over that at the vertex x = y =
 0, so the thickness of the lens in OpticStudio is the one at its vertex.
 """
 

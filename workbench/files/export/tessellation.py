@@ -94,7 +94,7 @@ class Tessellation(NamedTuple):
             raise Refused(
                 "--chord-error",
                 f"{largest:.3g} {design.unit} takes {2 * cells:.0f} triangles, more than "
-                f"{2 * _MOST_CELLS}; about {largest * cells / _MOST_CELLS:.1g} is possible",
+                f"{2 * _MOST_CELLS}; about {1.1 * largest * cells / _MOST_CELLS:.2g} is possible",
             )
         x, y = (
             (2 * _divided(s.astype(int)) - 1) * r

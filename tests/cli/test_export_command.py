@@ -1,0 +1,79 @@
+import numpy as np
+import pytest
+import trimesh
+
+from workbench.design.snapshot import Result
+from workbench.files.session import Session, write_session
+from workbench.optics.ledger import Ledger
+
+
+@pytest.fixture
+def lens(make_scene, rng, tmp_path):
+    """A session with a wavy lens."""
+    scene = make_scene()
+    result = Result(
+        control_points=0.5 + 0.02 * rng.random((12, 10)),
+        irradiance=rng.random((32, 32)),
+        losses=np.zeros(1),
+        loss=0.1,
+        seconds=1.0,
+        ledger=Ledger(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
+    )
+    path = tmp_path / "lens.freeform"
+    write_session(Session(scene, rng.random((32, 32)), result), path)
+    return path
+
+
+def test_a_line_per_file_tells_how_exact_it_is(freeform, lens, tmp_path):
+    step, mesh = tmp_path / "a.step", tmp_path / "a.stl"
+    status, printed, told = freeform("export", lens, step, mesh, "--chord-error", "0.001")
+    assert (status, told) == (0, "")
+    first, second = printed.splitlines()
+    assert first == f"{step}: STEP solid, rounding 0 cm"
+    assert second.startswith(f"{mesh}: STL mesh, chord error ")
+    size, unit = second.split()[-2:]
+    assert unit == "cm"
+    assert 0 < float(size) <= 0.001
+    assert trimesh.load_mesh(mesh).is_watertight
+
+
+def test_a_smaller_chord_error_takes_more_triangles(freeform, lens, tmp_path):
+    sizes = []
+    for chord_error in ("1e-3", "1e-4"):
+        freeform("export", lens, tmp_path / "a.stl", "--chord-error", chord_error)
+        sizes.append((tmp_path / "a.stl").stat().st_size)
+    assert 5 < sizes[1] / sizes[0] < 20
+
+
+@pytest.mark.parametrize(
+    "arguments, reason",
+    [
+        (["a.step", "a.dwg"], "a.dwg: has no ending that tells a format; one of .step, "),
+        (["missing/a.step"], "missing/a.step: cannot be written: its folder does not exist"),
+        (["lens.freeform"], "lens.freeform: is the session itself; another file is needed"),
+        (["a.stl", "--chord-error", "0"], "'0'; a number greater than 0 is needed"),
+        (["a.stl", "--chord-error", "inf"], "'inf'; a finite number is needed"),
+        (["a.stl", "--chord-error", "1e-12"], "--chord-error: 1e-12 cm is finer than the numbers"),
+        ([], "the following arguments are required: FILE"),
+    ],
+)
+def test_refused(freeform, lens, tmp_path, monkeypatch, arguments, reason):
+    monkeypatch.chdir(tmp_path)
+    status, printed, told = freeform("export", lens, *arguments)
+    assert (status, printed) == (2, "")
+    assert reason in told
+    assert told.count("\n") == 1
+    assert list(tmp_path.iterdir()) == [lens]
+
+
+def test_a_scene_holds_no_lens(freeform, scene_file, tmp_path):
+    status, _, told = freeform("export", scene_file, tmp_path / "a.step")
+    assert status == 2
+    assert "is no session" in told
+
+
+def test_help_lists_the_endings(freeform, capsys):
+    with pytest.raises(SystemExit) as stop:
+        freeform("export", "--help")
+    assert stop.value.code == 0
+    assert ".irradiance.tiff" in capsys.readouterr().out

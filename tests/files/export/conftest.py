@@ -1,0 +1,115 @@
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from workbench.design.snapshot import Result
+from workbench.files.export.design import Design
+from workbench.optics.ledger import Ledger
+
+
+@pytest.fixture
+def make_design(make_scene, rng):
+    """A wavy lens, 2 × 1.4 wide; ``heights`` in place of the waves, fields of the scene changed."""
+
+    def make(changes=None, heights=None, chord_error=None):
+        changes = {"lens.half_width": [1.0, 0.7]} | (changes or {})
+        scene = make_scene(changes)
+        if heights is None:
+            heights = 0.5 + 0.05 * rng.normal(size=scene.lens.control_points)
+        n_x, n_y = scene.screen.pixels
+        result = Result(
+            control_points=np.asarray(heights),
+            irradiance=rng.random((n_y, n_x)),
+            losses=np.zeros(1),
+            loss=0.1,
+            seconds=1.0,
+            ledger=Ledger(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
+        )
+        return Design(scene, result, chord_error)
+
+    return make
+
+
+@pytest.fixture
+def volume():
+    """Exact volume of a lens: a basis function's integral is its support over degree + 1."""
+
+    def integral(design):
+        weights = [
+            (knots[p + 1 :] - knots[: -p - 1]) / (p + 1) * (2 * r)
+            for knots, p, r in zip(
+                design.net.knots, design.net.degree, design.net.half_width, strict=True
+            )
+        ]
+        thickness = design.heights - design.scene.lens.entrance_z
+        return float(weights[0] @ thickness @ weights[1])
+
+    return integral
+
+
+@pytest.fixture
+def read_solid():
+    """Reads a STEP or IGES file by OpenCASCADE: its shape, what its checker says, its faces.
+
+    Lengths come in millimetres, whatever the file's unit.
+    """
+    from OCP.BRep import BRep_Tool
+    from OCP.BRepCheck import BRepCheck_Analyzer
+    from OCP.BRepGProp import BRepGProp
+    from OCP.GProp import GProp_GProps
+    from OCP.IFSelect import IFSelect_ReturnStatus
+    from OCP.IGESControl import IGESControl_Reader
+    from OCP.STEPControl import STEPControl_Reader
+    from OCP.TopAbs import TopAbs_ShapeEnum
+    from OCP.TopExp import TopExp_Explorer
+    from OCP.TopoDS import TopoDS
+
+    as_face = getattr(TopoDS, "Face_s", None) or TopoDS.Face  # its name before and since 8.0
+
+    def parts(shape, kind):
+        explorer, found = TopExp_Explorer(shape, kind), []
+        while explorer.More():
+            found.append(explorer.Current())
+            explorer.Next()
+        return found
+
+    def read(path):
+        reader = STEPControl_Reader() if path.suffix == ".step" else IGESControl_Reader()
+        assert reader.ReadFile(str(path)) == IFSelect_ReturnStatus.IFSelect_RetDone
+        reader.TransferRoots()
+        shape = reader.OneShape()
+        properties = GProp_GProps()
+        BRepGProp.VolumeProperties_s(shape, properties, 1e-12)
+        shells = parts(shape, TopAbs_ShapeEnum.TopAbs_SHELL)
+        return SimpleNamespace(
+            is_solid=shape.ShapeType() == TopAbs_ShapeEnum.TopAbs_SOLID,
+            is_valid=BRepCheck_Analyzer(shape).IsValid(),
+            is_closed=len(shells) == 1 and BRep_Tool.IsClosed_s(shells[0]),
+            volume=properties.Mass(),
+            surfaces=[
+                BRep_Tool.Surface_s(as_face(face))
+                for face in parts(shape, TopAbs_ShapeEnum.TopAbs_FACE)
+            ],
+        )
+
+    return read
+
+
+@pytest.fixture
+def write(tmp_path):
+    """Writes a file by a writer; its path and what the writer says of it."""
+
+    def do(writer, content, name):
+        path = tmp_path / name
+        with path.open("xb") as file:
+            deviation = writer(content, file)
+        return path, deviation
+
+    return do
+
+
+@pytest.fixture
+def small_grids(monkeypatch):
+    """Grids of few points, which are written and read sooner."""
+    monkeypatch.setattr("workbench.files.export.design._STEPS", 40)

@@ -1,0 +1,113 @@
+import csv
+from functools import partial
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from workbench.files.export.formats import format_of
+from workbench.files.export.maps import height, irradiance
+
+pytestmark = pytest.mark.usefixtures("small_grids")
+
+
+@pytest.fixture
+def written(write, tmp_path):
+    """Writes a map by the registry; its path and deviation."""
+
+    def do(design, name):
+        return write(format_of(tmp_path / name).load(), design, name)
+
+    return do
+
+
+class TestHeight:
+    def test_rows_run_from_plus_y_down(self, make_design):
+        x, y = make_design().net.positions
+        shown = height(make_design(heights=0.5 + 0.1 * x[:, None] + 0.02 * y))
+        assert shown.values == pytest.approx(0.5 + 0.1 * shown.x + 0.02 * shown.y[:, None])
+        assert shown.values[0, 0] == pytest.approx(0.5 - 0.1 + 0.014)
+        assert shown.x[[0, -1]] == pytest.approx([-1.0, 1.0])
+        assert shown.y[[0, -1]] == pytest.approx([0.7, -0.7])
+
+    def test_png(self, make_design, written):
+        design = make_design()
+        path, deviation = written(design, "lens.height.png")
+        exact = height(design).values
+        with Image.open(path) as image:
+            assert image.mode == "I;16"
+            grey = np.asarray(image, dtype=float)
+            text = image.text
+        assert grey.min() == 0
+        assert grey.max() == 65535
+        low, high = float(text["Black"]), float(text["White"])
+        error = np.abs(low + grey / 65535 * (high - low) - exact).max()
+        assert error == pytest.approx(deviation.size, rel=1e-3)
+        assert error <= (high - low) / 65535 / 2 * 1.001
+        assert text["Unit"] == text["Length unit"] == deviation.unit == "cm"
+        assert float(text["x of first column"]) == pytest.approx(-1.0)
+        assert float(text["y of first row"]) == pytest.approx(0.7)
+
+    def test_a_flat_lens_is_black(self, make_design, written):
+        path, deviation = written(make_design(heights=np.full((12, 10), 0.5)), "a.height.png")
+        assert deviation.size < 1e-15
+        with Image.open(path) as image:
+            assert not np.asarray(image).any() or float(image.text["White"]) < 0.5 + 1e-14
+
+    def test_npy(self, make_design, written):
+        design = make_design()
+        path, deviation = written(design, "lens.height.npy")
+        assert np.array_equal(np.load(path), height(design).values)
+        assert deviation == ("rounding", 0.0, "cm")
+
+    def test_csv(self, make_design, written):
+        design = make_design({"unit": "mm"})
+        path, deviation = written(design, "lens.height.csv")
+        with path.open(newline="") as file:
+            head, *rows = csv.reader(file)
+        assert head == ["x [mm]", "y [mm]", "height [mm]"]
+        x, y, z = np.array(rows, dtype=float).T
+        shown = height(design)
+        assert x[: len(shown.x)] == pytest.approx(shown.x)
+        assert y[: len(shown.x)] == pytest.approx(shown.y[0])
+        assert np.abs(z - shown.values.ravel()).max() == deviation.size < 1e-14
+
+
+class TestIrradiance:
+    def test_pixels(self, make_design):
+        design = make_design({"screen.pixels": [4, 2], "screen.half_width": [2.0, 1.0]})
+        shown = irradiance(design)
+        assert shown.values is design.result.irradiance
+        assert shown.x == pytest.approx([-1.5, -0.5, 0.5, 1.5])
+        assert shown.y == pytest.approx([0.5, -0.5])
+        assert shown.unit == "1/cm^2"
+
+    def test_tiff(self, make_design, written):
+        design = make_design()
+        path, deviation = written(design, "lens.irradiance.tiff")
+        with Image.open(path) as image:
+            assert image.mode == "F"
+            found = np.asarray(image)
+            description = image.tag_v2[270]
+        assert np.array_equal(found, design.result.irradiance.astype(np.float32))
+        assert deviation.size == pytest.approx(np.abs(found - design.result.irradiance).max())
+        assert 0 < deviation.size < 1e-7
+        assert "Unit 1/cm^2" in description
+
+    @pytest.mark.parametrize("ending", ["png", "npy", "csv", "tiff"])
+    def test_every_kind_of_file_shows_the_same(self, make_design, written, ending):
+        design = make_design()
+        path, deviation = written(design, f"lens.irradiance.{ending}")
+        read = {"npy": np.load, "csv": partial(np.loadtxt, delimiter=",", skiprows=1)}
+        if ending in read:
+            found = read[ending](path)
+        else:
+            with Image.open(path) as image:
+                found = np.asarray(image, dtype=float)
+                if ending == "png":
+                    low, high = float(image.text["Black"]), float(image.text["White"])
+                    found = low + found / 65535 * (high - low)
+        found = found[:, 2].reshape(32, 32) if ending == "csv" else found
+        error = np.abs(found - design.result.irradiance).max()
+        assert error <= deviation.size * (1 + 1e-9)
+        assert deviation.size < 1e-5

@@ -1,0 +1,89 @@
+import json
+import struct
+
+import numpy as np
+import pytest
+import trimesh
+
+from workbench.files.export.gltf import write_glb
+from workbench.files.export.obj import write_obj
+from workbench.files.export.ply import write_ply
+from workbench.files.export.stl import write_stl
+
+WRITERS = {".stl": write_stl, ".obj": write_obj, ".ply": write_ply, ".glb": write_glb}
+CHORD_ERROR = 1e-3
+
+
+def load(path):
+    return trimesh.load_mesh(path)
+
+
+@pytest.mark.parametrize("ending", WRITERS)
+class TestEveryFormat:
+    def test_a_closed_body(self, make_design, write, volume, ending):
+        design = make_design({"unit": "m"}, chord_error=CHORD_ERROR)
+        path, deviation = write(WRITERS[ending], design, f"lens{ending}")
+        assert deviation.kind == "chord error"
+        assert deviation.unit == "m"
+        assert 0 < deviation.size <= CHORD_ERROR
+        mesh = load(path)
+        assert mesh.is_watertight
+        assert mesh.is_winding_consistent
+        assert mesh.is_volume
+        assert mesh.body_count == 1
+        area = 4 * 1.0 * 0.7
+        assert mesh.volume == pytest.approx(volume(design), abs=deviation.size * area)
+        low, high = mesh.bounds
+        assert low == pytest.approx([-1.0, -0.7, 0.0], abs=1e-6)
+        assert high[:2] == pytest.approx([1.0, 0.7], abs=1e-6)
+
+    def test_the_same_lens_gives_the_same_file(self, make_design, write, ending):
+        heights = np.random.default_rng(0).random((12, 10)) / 10 + 0.5
+        first, second = (
+            write(WRITERS[ending], make_design(heights=heights, chord_error=0.01), name)[0]
+            for name in ("a", "b")
+        )
+        assert first.read_bytes() == second.read_bytes()
+
+
+@pytest.mark.parametrize("ending", [".stl", ".obj", ".ply"])
+def test_numbers_are_in_the_unit_that_the_head_tells(make_design, write, ending):
+    path, _ = write(WRITERS[ending], make_design({"unit": "inch"}, chord_error=0.01), f"a{ending}")
+    assert b"freeform lens, unit inch" in path.read_bytes()[:200]
+    assert load(path).extents[0] == pytest.approx(2.0, rel=1e-6)
+
+
+@pytest.mark.parametrize("unit, metres", [("mm", 1e-3), ("cm", 1e-2), ("m", 1), ("inch", 0.0254)])
+def test_gltf_is_in_metres(make_design, write, unit, metres):
+    path, _ = write(write_glb, make_design({"unit": unit}, chord_error=0.01), "lens.glb")
+    assert load(path).extents[0] == pytest.approx(2.0 * metres, rel=1e-6)
+
+
+def test_gltf_chunks(make_design, write):
+    path, _ = write(write_glb, make_design(chord_error=0.01), "lens.glb")
+    content = path.read_bytes()
+    magic, version, size, length, kind = struct.unpack("<4sIII4s", content[:20])
+    assert (magic, version, size, kind) == (b"glTF", 2, len(content), b"JSON")
+    assert length % 4 == 0
+    head = json.loads(content[20 : 20 + length])
+    rest, kind = struct.unpack("<I4s", content[20 + length : 28 + length])
+    assert kind == b"BIN\0"
+    assert rest == head["buffers"][0]["byteLength"] == len(content) - 28 - length
+    position = head["accessors"][0]
+    vertices = np.frombuffer(content[28 + length :], "<f4", 3 * position["count"]).reshape(-1, 3)
+    # The specification wants them exactly.
+    assert position["min"] == vertices.min(axis=0).tolist()
+    assert position["max"] == vertices.max(axis=0).tolist()
+
+
+def test_stl_normals_point_outward(make_design, write):
+    design = make_design(heights=np.full((12, 10), 0.5))
+    path, _ = write(write_stl, design, "lens.stl")
+    content = path.read_bytes()
+    assert not content.startswith(b"solid")  # that would be text
+    record = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
+    records = np.frombuffer(content[84:], record)
+    assert len(records) == np.frombuffer(content[80:84], "<u4")[0]
+    middle = records["corners"].mean(axis=1) - [0, 0, 0.25]  # from inside the box
+    assert np.linalg.norm(records["normal"], axis=1) == pytest.approx(1, abs=1e-6)
+    assert ((middle * records["normal"]).sum(axis=1) > 0).all()

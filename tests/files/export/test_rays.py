@@ -1,0 +1,66 @@
+import csv
+
+import numpy as np
+import pytest
+
+from workbench.analysis.face import Face
+from workbench.analysis.validation import validate
+from workbench.files.export.rays import write_rays
+
+POINT = {"kind": "point", "position": [0.1, 0.0, -3.0], "rays": 3000}
+
+
+def load(path):
+    with path.open(newline="") as file:
+        head, *rows = csv.reader(file)
+    return head, np.array(rows, dtype=float).T
+
+
+@pytest.fixture
+def gentle(make_design, rng):
+    def make(source):
+        return make_design({"source": source}, 0.5 + 0.01 * rng.random((12, 10)))
+
+    return make
+
+
+def test_collimated_light_by_another_tracer(gentle, write):
+    design = gentle({"kind": "collimated", "rays": [48, 32]})
+    path, deviation = write(write_rays, design, "lens.rays.csv")
+    assert deviation.kind == "rounding"
+    assert deviation.size < 1e-12
+    head, (x, y, z, cos_x, cos_y, cos_z, flux) = load(path)
+    assert head == ["x [cm]", "y [cm]", "z [cm]", "cos x", "cos y", "cos z", "flux"]
+    across, up = (np.arange(48) + 0.5) / 24 - 1, 0.7 * ((np.arange(32) + 0.5) / 16 - 1)
+    places = np.stack(np.meshgrid(across, up, indexing="ij"), axis=-1).reshape(-1, 2)
+    face = Face(design.scene.lens, design.heights)
+    height = face.height(places)
+    hits = face.refract(places, height, np.broadcast_to([0.0, 0.0, 1.0], (len(places), 3)), 5.0)
+    assert hits.passes.all()
+    assert x == pytest.approx(hits.x, abs=1e-12)
+    assert y == pytest.approx(hits.y, abs=1e-12)
+    assert (z == 5.0).all()
+    way = np.column_stack([x - places[:, 0], y - places[:, 1], 5.0 - height])
+    way /= np.linalg.norm(way, axis=1, keepdims=True)
+    assert np.column_stack([cos_x, cos_y, cos_z]) == pytest.approx(way, abs=1e-12)
+    assert flux == pytest.approx(0.96 * (1 - hits.reflectance) / len(places), rel=1e-9)
+
+
+def test_light_of_a_point(gentle, write):
+    design = gentle(POINT)
+    path, _ = write(write_rays, design, "lens.rays.csv")
+    _, (x, y, z, *cosines, flux) = load(path)
+    target = np.ones((32, 32))
+    ledger = validate(design.scene, target, design.heights, 100_000).ledger
+    assert flux.sum() == pytest.approx(ledger.on_screen + ledger.off_screen, rel=0.01)
+    assert np.linalg.norm(cosines, axis=0) == pytest.approx(1, abs=1e-12)
+    # Back from the screen they meet the face within the aperture.
+    face = Face(design.scene.lens, design.heights)
+    back = np.full(len(x), 4.5)
+    for _ in range(20):
+        places = np.column_stack(
+            [c - back * cos / cosines[2] for c, cos in ((x, cosines[0]), (y, cosines[1]))]
+        )
+        inside = np.clip(places, [-1.0, -0.7], [1.0, 0.7])
+        back = z - face.height(inside)
+    assert places == pytest.approx(inside, abs=1e-9)
