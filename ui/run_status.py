@@ -51,6 +51,11 @@ class RunStatus:
         left = snapshot.seconds / done * (all_of_it - done) if done else None
         self._left.setText(f"{_clock(left)} left" if running and left is not None else "")
 
+    def show_nothing(self) -> None:
+        """There is no lens to show figures of."""
+        for figure in (self._iteration, self._loss, self._light, self._elapsed, self._left):
+            figure.clear()
+
     def settle(self) -> None:
         """The run has ended: nothing is in progress any more."""
         self._progress.hide()

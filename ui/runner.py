@@ -37,12 +37,15 @@ class Runner(QObject):
         A run has ended, however it did, with the best lens so far; None where it had none yet.
     failed : Signal(str)
         Why a run or a preview could not go on; of a run, `finished` follows.
+    unshown : Signal(Session)
+        A preview failed: there is no picture of this session.
     """
 
     state_changed = Signal(str)
     frame_ready = Signal(object)
     finished = Signal(object)
     failed = Signal(str)
+    unshown = Signal(object)
 
     _job_given = Signal(object)
 
@@ -151,6 +154,8 @@ class Runner(QObject):
             self.failed.emit(sentence)
         if not job.preview:
             self.finished.emit(result)
+        elif sentence:
+            self.unshown.emit(job.session)
 
     def _set_state(self, state: str) -> None:
         if state != self._state:

@@ -182,5 +182,6 @@ def _as_snapshot(result: Result, run: "Run") -> Snapshot:
         ledger=result.ledger,
         seconds=result.seconds,
         best=True,
-        stage=min(len(result.stage_starts), len(run.stages)),
+        stage=max(0, len(run.stages) - result.stages_left),
+        stages=1 + len(run.stages),
     )

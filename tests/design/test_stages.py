@@ -94,12 +94,23 @@ def test_history_knows_where_stages_began(make_scene, disc):
         history.add(snapshot)
     result = history.result()
     assert result.stage_starts == (3,)
+    assert result.stages_left == 0
     continued = History(result)
     assert continued.stage_starts() == (3,)
     for snapshot in run(scene, disc, start=result.control_points):
         assert snapshot.stage == 1  # given heights stand behind all stages
         continued.add(snapshot)
     assert continued.result().stage_starts == (3, 6)
+
+
+def test_a_result_knows_the_stages_that_were_still_to_come(make_scene, disc):
+    stages = [{"iterations": 2}, {"iterations": 2}]
+    scene = make_scene({"run": {"iterations": 6, "stages": stages}})
+    history, left = History(), []
+    for snapshot in run(scene, disc):
+        history.add(snapshot)
+        left.append(history.result().stages_left)
+    assert left == [2, 2, 2, 1, 1, 0, 0]
 
 
 def test_the_papers_extended_source_is_a_scene(make_scene, disc):

@@ -424,9 +424,12 @@ def test_a_disk_that_fails_leaves_the_old_session(session, path, monkeypatch, tm
 
 
 def test_stages_of_a_run_are_kept(session, path):
-    staged = replace(session.result, stage_starts=(2,))
+    staged = replace(session.result, stage_starts=(2,), stages_left=1)
     write_session(replace(session, result=staged), path)
-    assert read_session(path).result.stage_starts == (2,)
+    found = read_session(path).result
+    assert (found.stage_starts, found.stages_left) == ((2,), 1)
+    write_session(session, path)
+    assert read_session(path).result.stages_left == 0
 
 
 def test_a_ledger_from_before_there_was_light_through_the_side(session, path, forge_header):

@@ -226,3 +226,17 @@ def test_runs_again_after_a_shutdown(session, as_run, start_runner, qtbot):
     with qtbot.waitSignal(runner.finished):
         runner.start(session, continue_run=False)
     assert heard.results[0].iterations == 2
+
+
+def test_a_preview_that_fails_says_of_what_there_is_no_picture(session, start_runner, qtbot):
+    def broken(scene, target, start=None):
+        raise RunFailed("no light at all")
+        yield
+
+    runner, heard = start_runner(broken)
+    with qtbot.waitSignal(runner.unshown) as unshown:
+        runner.preview(session)
+    assert unshown.args == [session]
+    assert heard.failures == ["no light at all"]
+    with qtbot.assertNotEmitted(runner.unshown), qtbot.waitSignal(runner.finished):
+        runner.start(session, continue_run=False)

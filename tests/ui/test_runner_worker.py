@@ -166,13 +166,19 @@ def test_the_engine_is_the_default(session, work):
     assert job.mailbox.take().snapshot.irradiance.shape == session.target.shape
 
 
-@pytest.mark.parametrize(("stage_starts", "shown"), [((), "point"), ((2,), "collimated")])
+# Stopped in the first stage; ended, and later a stage was put before it; gone on with.
+@pytest.mark.parametrize(
+    ("stages_left", "stage_starts", "shown"),
+    [(1, (), "point"), (0, (), "collimated"), (0, (2,), "collimated"), (3, (2, 4), "point")],
+)
 def test_rays_come_from_the_source_of_the_stage(
-    make_scene, designed, work, as_run, stage_starts, shown
+    make_scene, designed, work, as_run, stages_left, stage_starts, shown
 ):
     point = {"kind": "point", "position": [0.0, 0.0, -5.0], "rays": 100}
     run = {"iterations": 9, "stages": [{"iterations": 4, "source": point}]}
-    result = dataclasses.replace(designed.result, stage_starts=stage_starts)
+    result = dataclasses.replace(
+        designed.result, stage_starts=stage_starts, stages_left=stages_left
+    )
     job = Job(dataclasses.replace(designed, scene=make_scene({"run": run}), result=result), True)
     work(job, as_run(0))
     frame = job.mailbox.take()

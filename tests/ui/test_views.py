@@ -336,3 +336,46 @@ def test_a_hidden_light_account_does_nothing(frame, draws, qtbot):
     view.show()
     qtbot.waitUntil(lambda: draws.get(LightView) == 1)
     assert view.texts()["On the screen"] == "92.00 %"
+
+
+@pytest.mark.parametrize("kind", PLOTS)
+def test_a_design_without_a_frame_is_not_shown_as_the_one_before(kind, session, frame, qtbot):
+    view = kind()
+    qtbot.addWidget(view)
+    view.resize(380, 260)
+    view.show_design(session)
+    with qtbot.waitExposed(view):
+        view.show()
+    qtbot.waitUntil(lambda: view._shown is session)
+    empty = grabbed(view)
+    view.show_frame(frame(3))
+    qtbot.waitUntil(lambda: (grabbed(view) != empty).any())
+    view.show_nothing(session)
+    qtbot.waitUntil(lambda: (grabbed(view) == empty).all())
+
+
+def test_a_light_account_of_nothing_is_empty(session, frame, qtbot):
+    view = LightView()
+    qtbot.addWidget(view)
+    with qtbot.waitExposed(view):
+        view.show()
+    view.show_frame(frame(1))
+    qtbot.waitUntil(lambda: view.texts()["On the screen"] != "")
+    view.show_nothing(session)
+    qtbot.waitUntil(lambda: set(view.texts().values()) == {""})
+
+
+def test_the_3d_scene_of_nothing_has_a_dark_screen(display, session, frame, qtbot):
+    window, view = QMainWindow(), SceneView()
+    qtbot.addWidget(window)
+    window.setCentralWidget(view)
+    view.show_frame(frame(3))
+    with qtbot.waitExposed(window):
+        window.show()
+    qtbot.waitUntil(lambda: view._picture is not None)
+    lit = view._picture
+    assert lit._texels.point_data["colour"].max() > 100
+    view.show_nothing(session)
+    qtbot.waitUntil(lambda: view._picture is not lit)
+    assert view._picture._texels.point_data["colour"].max() < 10
+    view.close_plotter()

@@ -85,6 +85,14 @@ class DerivativeView(PlotView):
         super().show_frame(frame)
         self._want()
 
+    def show_nothing(self, session: "Session") -> None:
+        """Show a design that cannot be traced."""
+        self._map = None
+        super().show_nothing(session)
+        self._want_nothing()
+        self._place.clear()
+        self._sum.clear()
+
     def uncover(self, uncovered: bool) -> None:
         """Compute, or not; a dock behind another tab is not hidden, but covered."""
         self._covered = not uncovered

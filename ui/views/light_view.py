@@ -69,6 +69,8 @@ class LightView(View):
 
     def _draw(self, session: "Session", frame: "Frame | None") -> None:
         if frame is None:
+            for line in (*self._rows.values(), self._sum):
+                line.clear()
             return
         ledger = frame.snapshot.ledger
         shares = {name: getattr(ledger, name) / ledger.emitted for name in _PARTS}
@@ -92,6 +94,11 @@ class _Line:
         for column, widget in enumerate((self.name, self._bar, self.value)):
             widget.setToolTip(f"<p>{tip}</p>")
             grid.addWidget(widget, row, column)
+
+    def clear(self) -> None:
+        """Show that nothing is known."""
+        self.value.clear()
+        self._bar.show_share(0.0)
 
     def show_share(self, share: float) -> None:
         """Show a part of 1; parts that are nothing are dimmed."""

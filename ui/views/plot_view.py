@@ -29,7 +29,7 @@ class PlotView(View):
         self._shown: Session | None = None
 
     def _draw(self, session: "Session", frame: "Frame | None") -> None:
-        if self._shown is None or not look_alike(self._shown, session):
+        if frame is None or self._shown is None or not look_alike(self._shown, session):
             self._canvas.animate(self._begin(self._canvas.begin(), session))
         self._shown = session
         self._canvas.show_changes(frame is not None and self._change(frame))

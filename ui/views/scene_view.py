@@ -110,7 +110,7 @@ class SceneView(View):
             return
         if self._plotter is None:
             self._open_plotter()
-        if self._shown is None or not look_alike(self._shown, session):
+        if frame is None or self._shown is None or not look_alike(self._shown, session):
             self._begin(session)
         self._shown = session
         if self._picture is not None and frame is not None:

@@ -39,6 +39,11 @@ class View(QWidget):
         self._frame = frame
         self._ask()
 
+    def show_nothing(self, session: "Session") -> None:
+        """Show a design of which there is no frame, rather than the one before it."""
+        self._session, self._frame = session, None
+        self._ask()
+
     def take_turn(self) -> None:
         """Draw now, if there is anything to draw that can be seen."""
         if not self._dated or not self.isVisible() or self.window().isMinimized():

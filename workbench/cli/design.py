@@ -79,7 +79,7 @@ def _with_iterations(scene: Scene, iterations: int) -> Scene:
 def _print(result: Result, as_json: bool) -> None:
     figures = Figures.of(result)
     if as_json:
-        print(json.dumps(figures.model_dump(exclude={"stage_starts"})))
+        print(json.dumps(figures.model_dump(exclude={"stage_starts", "stages_left"})))
     else:
         print(
             f"loss {figures.loss:.4g} after {figures.iterations} iterations in "

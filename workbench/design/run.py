@@ -83,6 +83,7 @@ def run(scene: Scene, target: Array, start: Array | None = None) -> Iterator[Sna
                 seconds=seconds,
                 best=best,
                 stage=stage,
+                stages=len(parts),
             )
             iteration += 1
         if stage + 1 < len(parts):

@@ -34,6 +34,8 @@ class Snapshot:
         Whether this is the best lens of its stage so far.
     stage : int
         Number of the stage, an index of `Scene.parts`.
+    stages : int
+        How many stages the run has, the scene itself included.
     """
 
     iteration: int
@@ -45,6 +47,7 @@ class Snapshot:
     seconds: float
     best: bool
     stage: int = 0
+    stages: int = 1
 
 
 @dataclass(frozen=True)
@@ -67,6 +70,9 @@ class Result:
         Run time.
     ledger : Ledger
         Where the light of this lens goes.
+    stages_left : int
+        Stages that were still to come for this lens; 0 for one of the scene itself. Counted from
+        the end, since stages may be put before a run that is done.
     """
 
     control_points: Array
@@ -76,6 +82,7 @@ class Result:
     seconds: float
     ledger: Ledger
     stage_starts: tuple[int, ...] = ()
+    stages_left: int = 0
 
     @property
     def iterations(self) -> int:
@@ -138,4 +145,5 @@ class History:
             seconds=self._last.seconds + (self._earlier.seconds if self._earlier else 0.0),
             ledger=self._best.ledger,
             stage_starts=self.stage_starts(),
+            stages_left=self._best.stages - 1 - self._best.stage,
         )

@@ -8,6 +8,8 @@ from workbench.design.snapshot import Result
 from workbench.optics.ledger import Ledger
 from workbench.scene import NonNegative, Part, Positive
 
+Count = Annotated[int, Field(ge=0)]
+
 
 class LedgerFigures(Part):
     """`Ledger` as JSON; parts may be negative by a rounding error."""
@@ -26,11 +28,12 @@ class Figures(Part):
     """All of a `Result` but its arrays, and its efficiency."""
 
     loss: NonNegative
-    iterations: Annotated[int, Field(ge=0)]
+    iterations: Count
     seconds: NonNegative
     efficiency: float
     ledger: LedgerFigures
     stage_starts: tuple[int, ...] | None = None  # of a run in stages
+    stages_left: Count | None = None  # of one that ended before the last
 
     @classmethod
     def of(cls, result: Result) -> Self:
@@ -42,6 +45,7 @@ class Figures(Part):
             efficiency=result.ledger.efficiency,
             ledger=LedgerFigures(**result.ledger.to_data()),
             stage_starts=result.stage_starts or None,
+            stages_left=result.stages_left or None,
         )
 
     def to_ledger(self) -> Ledger:

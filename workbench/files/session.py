@@ -177,6 +177,7 @@ def read_session(path: Path) -> Session:
         seconds=figures.seconds,
         ledger=figures.to_ledger(),
         stage_starts=figures.stage_starts or (),
+        stages_left=figures.stages_left or 0,
     )
     return Session(scene, target, result)
 
