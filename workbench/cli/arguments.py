@@ -10,6 +10,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any, NoReturn
 
+from workbench.analysis.benchmark.names import BENCHMARKS, DEFAULT
 from workbench.errors import Refused
 from workbench.files.export.formats import ENDINGS
 
@@ -96,7 +97,29 @@ def parse(arguments: Sequence[str] | None) -> argparse.Namespace:
     pictures.add_argument("session", metavar="SESSION", type=Path, help="session with a lens")
     pictures.add_argument("folder", metavar="FOLDER", type=Path, help="where the pictures go")
 
-    for command in (design, validate):
+    benchmark = commands.add_parser(
+        "benchmark",
+        help="measure run time against error",
+        description="Measure run time against error. Ctrl-C keeps what is finished.",
+        epilog="\n".join(["benchmarks:", *(f"  {n:<11}{does}" for n, does in BENCHMARKS.items())]),
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    benchmark.set_defaults(command=_benchmark)
+    benchmark.add_argument(
+        "names", metavar="NAME", nargs="*", help=f"what to measure; default {DEFAULT}"
+    )
+    benchmark.add_argument(
+        "--output",
+        metavar="FOLDER",
+        type=Path,
+        default=Path("benchmark"),
+        help="where tables and pictures go; default %(default)s",
+    )
+    benchmark.add_argument(
+        "--iterations", metavar="N", type=_count, help="of every design, in place of its own"
+    )
+
+    for command in (design, validate, benchmark):
         command.add_argument(
             "--json", action="store_true", help="print the figures as one JSON object"
         )
@@ -135,6 +158,13 @@ def _pictures(options: argparse.Namespace) -> None:
     from workbench.cli.pictures import pictures
 
     pictures(options.session, options.folder)
+
+
+def _benchmark(options: argparse.Namespace) -> None:
+    from workbench.cli.benchmark import benchmark
+
+    names = options.names or [DEFAULT]
+    benchmark(names, options.output, options.iterations, options.json)
 
 
 def _seconds(text: str) -> float:

@@ -1,0 +1,53 @@
+import numpy as np
+import pytest
+
+import resources
+from workbench.analysis.benchmark.examples import Example, wavy
+from workbench.errors import Refused
+from workbench.optics.plan import Plan
+from workbench.scene import PaperRun, PointSource
+from workbench.targets import load_target
+
+
+def test_reads_what_ships():
+    example = Example.of("flame")
+    (shipped,) = (each for each in resources.EXAMPLES if each.name == "flame")
+    assert example.group == shipped.group
+    assert example.scene.screen.pixels == (256, 256)
+    np.testing.assert_array_equal(example.target, load_target(example.scene, shipped.file.parent))
+
+
+def test_changes_are_merged_and_other_kinds_replace():
+    example = Example.of(
+        "tophat",
+        lens={"control_points": [8, 9]},
+        source={"kind": "point", "position": [0, 0, -5], "rays": 10},
+        run={"method": "paper", "iterations": 3},
+        unit="mm",
+    )
+    scene = example.scene
+    assert scene.lens.control_points == (8, 9) and scene.lens.index == 1.5
+    assert isinstance(scene.source, PointSource) and scene.source.rays == 10
+    assert isinstance(scene.run, PaperRun) and scene.run.iterations == 3
+    assert scene.unit == "mm"
+
+
+def test_impossible_changes_are_refused():
+    with pytest.raises(Refused, match="control_points"):
+        Example.of("tophat", lens={"control_points": [2, 2]})
+
+
+@pytest.mark.parametrize("name", ["tophat", "flame-x1", "ball-x5", "flame-point"])
+def test_the_wavy_lens_is_allowed_and_bends_light(name):
+    scene = Example.of(name, lens={"control_points": [16, 16]}).scene
+    heights = wavy(scene)
+    from workbench.design.heights import HeightRange
+    from workbench.geometry.surface import ControlNet
+
+    free = HeightRange.of(scene.lens, ControlNet.of(scene.lens))
+    assert (heights > free.lower.numpy()).all() and (heights < free.upper.numpy()).all()
+    slopes = np.diff(heights, axis=0)
+    assert np.ptp(slopes) > 0
+    import torch
+
+    assert Plan(scene).trace(torch.tensor(heights)).ledger.on_screen > 0.1

@@ -1,0 +1,90 @@
+import numpy as np
+import pytest
+
+import resources
+from workbench.analysis.benchmark import experiments
+from workbench.analysis.benchmark.examples import Example
+from workbench.analysis.benchmark.experiments import (
+    DERIVATIVES,
+    DESIGNS,
+    derivative,
+    design,
+    tables,
+)
+from workbench.analysis.benchmark.names import BENCHMARKS, DEFAULT
+from workbench.analysis.benchmark.suite import SUITE
+from workbench.analysis.validation import validate
+
+RAYS = 10_000
+
+
+def test_all_benchmarks_are_told_of():
+    assert list(SUITE) == list(BENCHMARKS)
+    assert DEFAULT in BENCHMARKS
+
+
+def test_a_design_is_judged_by_the_independent_check(make_example, told):
+    example = make_example({"run.iterations": 5})
+    found = design(example, "auto", RAYS, told)
+    light = validate(example.scene, example.target, found.result.control_points, RAYS)
+    assert (found.error, found.noise) == (light.relative_l2, light.noise)
+    assert found.efficiency == light.efficiency
+    assert found.loss == found.result.losses.min()
+    assert found.iterations == 5 and len(found.times) == 6
+    assert found.seconds == found.times[-1]
+    assert found.milliseconds_an_iteration * 5 / 1e3 == pytest.approx(
+        found.times[-1] - found.times[0]
+    )
+    assert told.lines[-1] == ("small, auto", "verifying")
+
+
+def test_a_run_that_fails_is_a_row_that_says_why(impossible, told):
+    found = design(impossible, "auto", RAYS, told)
+    assert "no light reaches the screen" in found.failure
+    assert found.result is None and found.error is None and found.loss is None
+    row, _ = tables([found])
+    assert "no light reaches the screen" in row.to_markdown()
+
+
+def test_a_refused_run_is_a_row_that_says_why(make_example, told):
+    example = make_example({"filter": {"kind": "box"}, "run.method": "paper"})
+    found = design(example, "paper", RAYS, told)
+    assert found.failure.startswith("filter.kind")
+
+
+def test_every_experiment_of_the_paper_is_there():
+    shipped = {each.name for each in resources.EXAMPLES}
+    assert {*DESIGNS, *DERIVATIVES} <= shipped
+    assert len(DERIVATIVES) == 3
+    methods = {name: [method for _, method in experiments._methods(name)] for name in DESIGNS}
+    for name, each in methods.items():
+        assert each == (["paper"] if name.startswith("tophat") else ["paper", "auto"])
+
+
+def test_the_paper_takes_a_thousand_iterations_and_keeps_the_stages():
+    (paper, _), (auto, _) = experiments._methods("flame-stages")
+    assert paper.scene.run.method == "paper" and auto.scene.run.method == "auto"
+    assert [part.run.iterations for part in paper.scene.parts()] == [200, 800]
+    assert paper.scene.parts()[0].source.kind == "point"
+
+
+def test_fewer_iterations_shrink_the_stages_too():
+    example = experiments._limited(Example.of("flame-stages"), 6)
+    assert [part.run.iterations for part in example.scene.parts()] == [4, 2]
+    assert experiments._limited(example, None) is example
+
+
+def test_derivatives_move_light_and_make_none():
+    found = []
+    for name in DERIVATIVES:
+        example = Example.of(name, source={"rays": [96, 96]}, screen={"pixels": [32, 32]})
+        found.append(derivative(example))
+    a, b, c = found
+    for each in found:
+        assert each.sum == pytest.approx(each.map.sum() * each.scene.screen.pixel_area, abs=1e-9)
+        assert each.moved > 0.1 and each.pixels == np.count_nonzero(each.map)
+    assert abs(a.balance) < 1e-12
+    assert 1e-9 < abs(c.balance) < 1e-3  # light crosses the border of the screen
+    assert a.pixels < b.pixels and a.pixels < c.pixels
+    _, table = tables(found)
+    assert [row["sum"] for row in table.to_data()] == [each.sum for each in found]

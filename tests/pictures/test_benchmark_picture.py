@@ -1,0 +1,117 @@
+import dataclasses
+from io import BytesIO
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from workbench.analysis.benchmark import experiments
+from workbench.analysis.benchmark.comparison import Measured
+from workbench.analysis.benchmark.examples import Example
+from workbench.analysis.benchmark.frontier import Course
+from workbench.analysis.benchmark.names import BENCHMARKS
+from workbench.analysis.benchmark.precision import Difference
+from workbench.pictures import benchmark
+from workbench.pictures.experiments import page
+
+COURSES = [
+    Course("flame", "paper", (0.1, 1.0, 10.0), (0.8, 0.5, 0.2), error=0.19),
+    Course("flame", "auto", (0.1, 1.0), (0.8, 0.1), error=0.09),
+    Course("letter", "auto", failure="no light"),
+]
+MEASURED = [
+    Measured("which way", "this", 2.0, 1.0, 1000, None),
+    Measured("which way", "that", 5.0, 2.5, 1000, 1e-3),
+    Measured("how far", "near", 1.0, 1.0, 1000, None),
+]
+DIFFERENCES = [Difference("flame", 1e-6, 1e-7, 1e-5), Difference("ball", 2e-6, 2e-7, 2e-5)]
+
+
+@pytest.fixture(scope="module")
+def designs():
+    """One designed lens, and one that was refused."""
+    small = {
+        "lens": {"control_points": [8, 8]},
+        "source": {"rays": [48, 48]},
+        "screen": {"pixels": [16, 16]},
+        "run": {"iterations": 3},
+    }
+    example = Example.of("flame-x3", **small)
+    design = experiments.design(example, "auto", 5000, lambda case, state: None)
+    refused = dataclasses.replace(design, result=None, failure="refused: too bold", error=None)
+    return design, refused
+
+
+@pytest.fixture
+def derivative(make_scene):
+    scene = make_scene()
+    return SimpleNamespace(name="a", scene=scene, map=np.eye(32), balance=1e-9)
+
+
+def test_every_benchmark_has_a_picture():
+    assert set(benchmark._DRAWN) == set(BENCHMARKS)
+
+
+@pytest.mark.parametrize(
+    ("name", "rows"), [("quick", COURSES), ("kernels", MEASURED), ("precision", DIFFERENCES)]
+)
+def test_writes_a_png(name, rows):
+    file = BytesIO()
+    benchmark.draw(name, rows, file)
+    with Image.open(file) as picture:
+        assert picture.format == "PNG"
+        low, high = picture.convert("L").getextrema()
+        assert low < 60 and high > 200
+
+
+def test_courses_have_a_panel_each_scene_and_a_line_each_method():
+    flame, letter = benchmark.courses(COURSES).axes
+    assert (flame.get_title(), letter.get_title()) == ("flame", "letter")
+    lines = {line.get_label(): line for line in flame.lines}
+    for course in COURSES[:2]:
+        np.testing.assert_array_equal(lines[course.method].get_xdata(), course.times)
+        np.testing.assert_array_equal(lines[course.method].get_ydata(), course.errors)
+    assert not letter.lines
+
+
+def test_comparisons_have_a_bar_each_variant():
+    ways, far = benchmark.comparisons(MEASURED).axes
+    assert [bar.get_width() for bar in ways.patches] == [2.0, 5.0]
+    assert [text.get_text() for text in ways.texts] == [" 2 ms", " 5 ms, × 2.5"]
+    assert [label.get_text() for label in ways.get_yticklabels()] == ["this", "that"]
+    assert len(far.patches) == 1
+
+
+def test_differences_have_a_mark_each():
+    (axes,) = benchmark.differences(DIFFERENCES).axes
+    values = {line.get_label(): list(line.get_xdata()) for line in axes.lines}
+    assert values == {
+        "image": [1e-6, 2e-6],
+        "loss": [1e-7, 2e-7],
+        "gradient": [1e-5, 2e-5],
+    }
+
+
+def test_the_page_shows_each_experiment(designs, derivative, tmp_path):
+    design, refused = designs
+    figure = page([derivative, *designs])
+    titles = [axes.get_title() for axes in figure.axes]
+    assert titles[0] == design.group
+    assert sum(title.startswith("height − base") for title in titles) == 1
+    texts = [text.get_text() for axes in figure.axes for text in axes.texts]
+    assert refused.failure in texts
+    over_iterations, over_time = figure.axes[:2]
+    for axes, steps in ((over_iterations, [1, 2, 3]), (over_time, design.times[1:])):
+        (line,) = axes.lines
+        np.testing.assert_array_equal(line.get_xdata(), steps)
+        np.testing.assert_array_equal(line.get_ydata(), design.result.losses)
+    figure.savefig(tmp_path / "page.png", dpi=30)
+
+
+@pytest.mark.parametrize("kept", ["designs", "derivative"])
+def test_the_page_does_with_what_is_there(kept, designs, derivative, tmp_path):
+    rows = [*designs] if kept == "designs" else [derivative]
+    page(rows).savefig(tmp_path / "page.png", dpi=30)
+    with Image.open(tmp_path / "page.png") as picture:
+        assert picture.width > 100

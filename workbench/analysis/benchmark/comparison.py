@@ -1,0 +1,103 @@
+"""Variants of one computation, timed in turns."""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from workbench.analysis.benchmark.table import Column, Table
+from workbench.analysis.benchmark.timing import in_turns
+
+Array = npt.NDArray[np.float64]
+
+
+class Variant(NamedTuple):
+    """One way to do it.
+
+    Attributes
+    ----------
+    label : str
+        What is special about it.
+    call : callable
+        Does it once.
+    rays : int
+        Rays that this traces.
+    error : float, optional
+        What it costs in accuracy, where that is asked.
+    """
+
+    label: str
+    call: Callable[[], object]
+    rays: int
+    error: float | None = None
+
+
+@dataclass(frozen=True)
+class Measured:
+    """What a variant takes.
+
+    Attributes
+    ----------
+    question, variant : str
+        What is compared, and which of it this is.
+    milliseconds : float
+        Median time.
+    ratio : float
+        Times the first variant of the question, from the same rounds.
+    rays : int
+        Rays traced.
+    error : float or None
+        Relative L2 error of the image, where that is asked.
+    """
+
+    question: str
+    variant: str
+    milliseconds: float
+    ratio: float
+    rays: int
+    error: float | None
+
+    @property
+    def nanoseconds_a_ray(self) -> float:
+        """Time a ray."""
+        return 1e6 * self.milliseconds / self.rays
+
+
+def compare(question: str, variants: Sequence[Variant], seconds: float) -> list[Measured]:
+    """Time some variants in turns, for about so many seconds."""
+    calls: Mapping[str, Callable[[], object]] = {each.label: each.call for each in variants}
+    times = in_turns(calls, seconds=seconds)
+    first = times[variants[0].label]
+    return [
+        Measured(
+            question=question,
+            variant=each.label,
+            milliseconds=1e3 * times[each.label].median,
+            ratio=times[each.label].ratio(first),
+            rays=each.rays,
+            error=each.error,
+        )
+        for each in variants
+    ]
+
+
+def table(title: str, found: Sequence[Measured]) -> Table:
+    """The variants as rows."""
+    columns = (
+        Column("question", "compared"),
+        Column("variant", "variant"),
+        Column("milliseconds", "ms", ".2f"),
+        Column("ratio", "times the first", ".2f"),
+        Column("rays", "rays", ","),
+        Column("nanoseconds_a_ray", "ns a ray", ".1f"),
+        Column("error", "error of the image", ".1e"),
+    )
+    return Table(title, columns, found)
+
+
+def image_error(image: Array, true: Array) -> float:
+    """Relative L2 distance of an image from the true one, both at a total of 1."""
+    true = true / true.sum()
+    return float(np.linalg.norm(image / image.sum() - true) / np.linalg.norm(true))

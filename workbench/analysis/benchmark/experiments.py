@@ -1,0 +1,248 @@
+"""The experiments of de Koning et al. (2023), as the example scenes hold them.
+
+Designs whose example runs ``auto`` are run by the method of the paper as well.
+"""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+import numpy.typing as npt
+
+from workbench.analysis.benchmark.examples import Example, Tell
+from workbench.analysis.benchmark.machine import PeakMemory
+from workbench.analysis.benchmark.table import Column, Table
+from workbench.analysis.derivatives import irradiance_derivative
+from workbench.analysis.validation import validate
+from workbench.design.run import run
+from workbench.design.snapshot import History, Result
+from workbench.errors import Refused, RunFailed
+from workbench.scene import AutoRun, Scene
+
+Array = npt.NDArray[np.float64]
+
+DESIGNS = (
+    "tophat-none-zeros",
+    "tophat-sparse-uniform",
+    "tophat-sparse-random",
+    "tophat-dense-uniform",
+    *(f"{shape}-x{magnification}" for shape in ("flame", "ball") for magnification in (1, 3, 5)),
+    "flame-point",
+    "flame-stages",
+)
+DERIVATIVES = (
+    "derivative-degree3-filter3",
+    "derivative-degree3-filter11",
+    "derivative-degree5-filter3",
+)
+_PAPER_ITERATIONS = 1000
+_RAYS = 16_000_000
+
+
+@dataclass(frozen=True, eq=False)
+class Design:
+    """One designed lens.
+
+    Attributes
+    ----------
+    name, group, method : str
+        The example, what it belongs to, and what ran.
+    scene : Scene
+        The design task.
+    target : ndarray, shape (n_y, n_x)
+        The wished image.
+    result : Result or None
+        The lens, if there is one.
+    times : tuple of float
+        Time after each iteration, s.
+    error, noise, efficiency : float or None
+        Verified; see `Validation`.
+    memory : int or None
+        Peak of the process while it ran, bytes.
+    failure : str
+        Why there is no more; empty if all went well.
+    """
+
+    name: str
+    group: str
+    method: str
+    scene: Scene
+    target: Array
+    result: Result | None = None
+    times: tuple[float, ...] = ()
+    error: float | None = None
+    noise: float | None = None
+    efficiency: float | None = None
+    memory: int | None = None
+    failure: str = ""
+
+    @property
+    def loss(self) -> float | None:
+        """Loss of the best lens, as the optimiser sees it."""
+        return None if self.result is None else self.result.loss
+
+    @property
+    def iterations(self) -> int | None:
+        """Iterations taken."""
+        return None if self.result is None else self.result.iterations
+
+    @property
+    def seconds(self) -> float | None:
+        """Time of the whole run."""
+        return None if self.result is None else self.result.seconds
+
+    @property
+    def milliseconds_an_iteration(self) -> float | None:
+        """Time of an iteration, the start of the run left out."""
+        if len(self.times) < 2:
+            return None
+        return 1e3 * (self.times[-1] - self.times[0]) / (len(self.times) - 1)
+
+    @property
+    def megabytes(self) -> float | None:
+        """Peak memory in MB."""
+        return None if self.memory is None else self.memory / 1e6
+
+
+@dataclass(frozen=True, eq=False)
+class Derivative:
+    """How the image of a flat lens answers to the control point in its middle.
+
+    Attributes
+    ----------
+    name : str
+        The example.
+    scene : Scene
+        The scene.
+    map : ndarray, shape (n_y, n_x)
+        Change of flux per area, per scene unit of height.
+    sum : float
+        Change of the flux on the screen.
+    moved : float
+        Change of the flux where it grows: what the sum is small against.
+    pixels : int
+        Pixels in reach.
+    """
+
+    name: str
+    scene: Scene
+    map: Array
+    sum: float
+    moved: float
+    pixels: int
+
+    @property
+    def balance(self) -> float:
+        """Sum relative to the flux that moves."""
+        return self.sum / self.moved
+
+
+def experiments(iterations: int | None, tell: Tell) -> Iterator[Design | Derivative]:
+    """Run all experiments, the quickest first."""
+    for name in DERIVATIVES:
+        tell(name, "")
+        yield derivative(Example.of(name))
+    for name in DESIGNS:
+        for example, method in _methods(name):
+            yield design(_limited(example, iterations), method, _RAYS, tell)
+
+
+def design(example: Example, method: str, rays: int, tell: Tell) -> Design:
+    """Run one experiment and verify its lens with so many rays.
+
+    What cannot be run, or cannot go on, is told by the result.
+    """
+    case = f"{example.name}, {method}"
+    found = Design(example.name, example.group, method, example.scene, example.target)
+    history = History()
+    times: list[float] = []
+    peak = PeakMemory()
+    try:
+        for snapshot in run(example.scene, example.target):
+            history.add(snapshot)
+            times.append(snapshot.seconds)
+            tell(case, f"{snapshot.iteration}/{snapshot.iterations}, loss {snapshot.loss:.4g}")
+    except (Refused, RunFailed) as failure:
+        found = replace(found, failure=str(failure))
+    result = history.result()
+    found = replace(found, result=result, times=tuple(times), memory=peak.bytes())
+    if result is None:
+        return found
+    tell(case, "verifying")
+    try:
+        light = validate(example.scene, example.target, result.control_points, rays)
+    except RunFailed as failure:
+        return replace(found, failure=found.failure or str(failure))
+    return replace(found, error=light.relative_l2, noise=light.noise, efficiency=light.efficiency)
+
+
+def derivative(example: Example) -> Derivative:
+    """Derivative of the flat lens's image with respect to the control point in its middle."""
+    scene = example.scene
+    n_u, n_v = scene.lens.control_points
+    flat = np.full((n_u, n_v), scene.lens.base.height)
+    found = irradiance_derivative(scene, flat, (n_u // 2, n_v // 2))
+    return Derivative(
+        name=example.name,
+        scene=scene,
+        map=found.map,
+        sum=found.sum,
+        moved=float(found.map.clip(0).sum()) * scene.screen.pixel_area,
+        pixels=int(np.count_nonzero(found.map)),
+    )
+
+
+def tables(found: Sequence[Design | Derivative]) -> tuple[Table, ...]:
+    """The experiments as rows: the designs, and the derivatives."""
+    designs = (
+        Column("name", "experiment"),
+        Column("method", "method"),
+        Column("loss", "final loss", ".3g"),
+        Column("error", "verified error", ".2%"),
+        Column("noise", "±", ".2%"),
+        Column("efficiency", "light on the screen", ".1%"),
+        Column("iterations", "iterations"),
+        Column("milliseconds_an_iteration", "ms an iteration", ".0f"),
+        Column("seconds", "seconds", ".1f"),
+        Column("megabytes", "peak MB", ".0f"),
+        Column("failure", "failed"),
+    )
+    derivatives = (
+        Column("name", "derivative"),
+        Column("sum", "sum", ".2e"),
+        Column("moved", "flux moved", ".2e"),
+        Column("balance", "sum / moved", ".1e"),
+        Column("pixels", "pixels in reach"),
+    )
+    return (
+        Table("Designs", designs, [each for each in found if isinstance(each, Design)]),
+        Table(
+            "Derivatives with respect to one control height",
+            derivatives,
+            [each for each in found if isinstance(each, Derivative)],
+        ),
+    )
+
+
+def _methods(name: str) -> Iterator[tuple[Example, str]]:
+    example = Example.of(name)
+    if not isinstance(example.scene.run, AutoRun):
+        yield example, "paper"
+        return
+    run = example.scene.run
+    stages = [stage.model_dump(mode="json", exclude_none=True) for stage in run.stages]
+    paper = {"method": "paper", "iterations": _PAPER_ITERATIONS, "stages": stages}
+    yield Example.of(name, run=paper), "paper"
+    yield example, "auto"
+
+
+def _limited(example: Example, iterations: int | None) -> Example:
+    """The same with other iterations; those of its stages change in proportion."""
+    if iterations is None:
+        return example
+    data = example.scene.to_data()
+    part = iterations / data["run"]["iterations"]
+    data["run"]["iterations"] = iterations
+    for stage in data["run"]["stages"]:
+        stage["iterations"] = max(1, int(part * stage["iterations"]))
+    return replace(example, scene=Scene.from_data(data))

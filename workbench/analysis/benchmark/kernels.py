@@ -1,0 +1,172 @@
+"""Time of loss and gradient, and accuracy of the image, by what a scene and a plan may choose."""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import partial
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+import torch
+
+from workbench.analysis.benchmark.comparison import Measured, Variant, compare, image_error
+from workbench.analysis.benchmark.examples import Example, Tell, wavy
+from workbench.analysis.validation import validate
+from workbench.design.loss import paper_loss, share
+from workbench.optics.plan import Plan
+from workbench.scene import CollimatedSource, GridSource, PointSource, Scene
+
+Array = npt.NDArray[np.float64]
+
+_SOURCES = {"collimated": "flame", "point": "flame-point", "grid": "flame-grid"}
+_TRUE_RAYS = 16_000_000
+_SECONDS = 10.0  # for each question
+
+
+class Descent:
+    """What one iteration of a design computes: image, loss, gradient.
+
+    Parameters
+    ----------
+    example : Example
+        Scene and target.
+    heights : ndarray, shape (n_u, n_v)
+        Control heights.
+    dtype : torch.dtype
+        Float type of the trace.
+    threads : int, optional
+        Threads to compute with; as many as usual by default.
+    **plan
+        Options of `Plan`.
+    """
+
+    def __init__(
+        self,
+        example: Example,
+        heights: Array,
+        dtype: torch.dtype = torch.float32,
+        threads: int | None = None,
+        **plan: Any,
+    ) -> None:
+        self._plan = Plan(example.scene, dtype=dtype, **plan)
+        self._wanted = torch.as_tensor(share(example.target), dtype=dtype)
+        # The lens moves a little from one call to the next, as it does in a design: the search for
+        # intersections would otherwise begin where it ends.
+        moved = heights.mean() + 0.98 * (heights - heights.mean())
+        self._lenses = [torch.tensor(each, requires_grad=True) for each in (heights, moved)]
+        self._threads = threads
+
+    def __call__(self) -> tuple[Array, float, Array]:
+        """Image (n_y, n_x), loss and gradient (n_u, n_v)."""
+        usual = torch.get_num_threads()
+        torch.set_num_threads(self._threads or usual)
+        try:
+            heights = self._lenses[0]
+            flux = self._plan.trace(heights).flux
+            loss = paper_loss(flux, self._wanted)
+            (gradient,) = torch.autograd.grad(loss, [heights])
+            self._lenses.reverse()
+        finally:
+            torch.set_num_threads(usual)
+        image = flux.detach().double().numpy()
+        return image, loss.item(), gradient.double().numpy()
+
+
+def rays_of(scene: Scene) -> int:
+    """How many rays a scene traces."""
+    match scene.source:
+        case CollimatedSource(rays=(along_x, along_y)):
+            return along_x * along_y
+        case GridSource(points=(along_x, along_y), rays=each):
+            return along_x * along_y * each
+        case PointSource(rays=count):
+            return count
+
+
+def measurements(iterations: int | None, tell: Tell) -> Iterator[Measured]:
+    """Answer all questions, one after the other."""
+    for question, variants in _questions():
+        tell(question, "")
+        yield from compare(question, variants(), _SECONDS)
+
+
+def _questions() -> Iterator[tuple[str, Callable[[], list[Variant]]]]:
+    for kind, name in _SOURCES.items():
+        tracers: dict[str, dict[str, Any]] = {"fused": {}, "reference": {"fused": False}}
+        yield f"{kind}: tracer", partial(_plans, name, tracers)
+    for kind, name in _SOURCES.items():
+        types = {"float32": {"dtype": torch.float32}, "float64": {"dtype": torch.float64}}
+        yield f"{kind}: float type", partial(_plans, name, types)
+    for kind, name in _SOURCES.items():
+        threads = sorted({1, torch.get_num_threads()})
+        options: dict[str, dict[str, Any]] = {f"{n} threads": {"threads": n} for n in threads}
+        yield f"{kind}: threads", partial(_plans, name, options)
+    meshes: dict[str, dict[str, Any]] = {"exact": {}}
+    meshes |= {f"mesh, {n} × {n}": {"source": {"intersection": _mesh(n)}} for n in (1, 2, 4, 8)}
+    yield "point: intersection", partial(_intersections, "flame-point", meshes)
+    counts: dict[str, list[dict[str, Any]]] = {
+        "collimated": [{"rays": [n, n]} for n in (256, 512, 1024, 2048)],
+        "point": [{"rays": n} for n in (125_000, 500_000, 2_000_000)],
+    }
+    for kind, sources in counts.items():
+        rays = {_said(each["rays"]): {"source": each} for each in sources}
+        yield f"{kind}: rays", partial(_images, _SOURCES[kind], rays)
+    filters = {f"{n} × {n} pixels": {"filter": {"size": [n, n]}} for n in (3, 1, 5, 7, 11)}
+    yield "collimated: filter", partial(_images, "flame", filters)
+    for kind in ("collimated", "point"):
+        yield f"{kind}: control net", partial(_nets, _SOURCES[kind], (64, 32, 128, 256))
+
+
+def _plans(name: str, options: Mapping[str, Mapping[str, Any]]) -> list[Variant]:
+    """One scene, traced in several ways; the image of the first is the true one."""
+    example = Example.of(name)
+    heights = wavy(example.scene)
+    descents = {label: Descent(example, heights, **each) for label, each in options.items()}
+    return _judged(descents, rays_of(example.scene))
+
+
+def _intersections(name: str, changes: Mapping[str, Mapping[str, Any]]) -> list[Variant]:
+    """One set of rays, met in several ways; the image of the first is the true one."""
+    examples = {label: Example.of(name, **each) for label, each in changes.items()}
+    descents = {label: Descent(each, wavy(each.scene)) for label, each in examples.items()}
+    return _judged(descents, rays_of(next(iter(examples.values())).scene))
+
+
+def _judged(descents: Mapping[str, Descent], rays: int) -> list[Variant]:
+    images = {label: descent()[0] for label, descent in descents.items()}
+    true = next(iter(images.values()))
+    return [
+        Variant(label, descent, rays, image_error(images[label], true))
+        for label, descent in descents.items()
+    ]
+
+
+def _images(name: str, changes: Mapping[str, Mapping[str, Any]]) -> list[Variant]:
+    """One lens, seen in several ways; the true image is an independent trace."""
+    examples = {label: Example.of(name, **each) for label, each in changes.items()}
+    first = next(iter(examples.values()))
+    heights = wavy(first.scene)
+    true = validate(first.scene, first.target, heights, _TRUE_RAYS).irradiance
+    variants = []
+    for label, example in examples.items():
+        descent = Descent(example, heights)
+        error = image_error(descent()[0], true)
+        variants.append(Variant(label, descent, rays_of(example.scene), error))
+    return variants
+
+
+def _nets(name: str, counts: Sequence[int]) -> list[Variant]:
+    """The same rays through lenses of other control nets."""
+    variants = []
+    for count in counts:
+        example = Example.of(name, lens={"control_points": [count, count]})
+        descent = Descent(example, wavy(example.scene))
+        variants.append(Variant(f"{count} × {count} points", descent, rays_of(example.scene)))
+    return variants
+
+
+def _mesh(subdivisions: int) -> dict[str, Any]:
+    return {"method": "mesh", "subdivisions": [subdivisions, subdivisions]}
+
+
+def _said(rays: Any) -> str:
+    return f"{rays[0]} × {rays[1]}" if isinstance(rays, list) else f"{rays:,}"

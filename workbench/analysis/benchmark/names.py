@@ -1,0 +1,14 @@
+"""The benchmarks by name. Nothing else is imported here, so that help comes at once."""
+
+BENCHMARKS = {
+    "quick": "verified error against time on two small scenes, within two minutes",
+    "frontier": "verified error against time: every kind of scene, each method",
+    "kernels": "loss and gradient by tracer, float type, intersection, rays, filter, net, threads",
+    "precision": "float32 against float64: image, loss and gradient of the examples",
+    "skips": "what is saved by leaving out what a scene does not need",
+    "paper": "all experiments of the paper: a table, and a page of pictures",
+}
+"""What each measures."""
+
+DEFAULT = "quick"
+"""What runs when none is named."""

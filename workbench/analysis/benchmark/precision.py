@@ -1,0 +1,79 @@
+"""What float32 costs in accuracy."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+import torch
+
+from workbench.analysis.benchmark.examples import Example, Tell, wavy
+from workbench.analysis.benchmark.kernels import Descent
+from workbench.analysis.benchmark.table import Column, Table
+
+Array = npt.NDArray[np.float64]
+
+_EXAMPLES = (
+    "tophat",
+    "ball",
+    "flame-512",
+    "flame-x1",
+    "flame-x3",
+    "flame-x5",
+    "flame-point",
+    "flame-grid",
+)
+
+
+@dataclass(frozen=True)
+class Difference:
+    """Float32 against float64 for one lens.
+
+    Attributes
+    ----------
+    scene : str
+        Name of the example.
+    image, gradient : float
+        Relative L2 distance.
+    loss : float
+        Relative difference.
+    """
+
+    scene: str
+    image: float
+    loss: float
+    gradient: float
+
+
+def differences(iterations: int | None, tell: Tell) -> Iterator[Difference]:
+    """Compare both float types on the examples, with a lens that bends light everywhere."""
+    for name in _EXAMPLES:
+        tell(name, "")
+        example = Example.of(name)
+        yield difference(example, wavy(example.scene))
+
+
+def difference(example: Example, heights: Array) -> Difference:
+    """Compare both float types on one lens, heights (n_u, n_v)."""
+    coarse, fine = (Descent(example, heights, dtype)() for dtype in (torch.float32, torch.float64))
+    return Difference(
+        scene=example.name,
+        image=_distance(coarse[0], fine[0]),
+        loss=abs(coarse[1] / fine[1] - 1),
+        gradient=_distance(coarse[2], fine[2]),
+    )
+
+
+def table(found: Sequence[Difference]) -> Table:
+    """The differences as rows."""
+    columns = (
+        Column("scene", "scene"),
+        Column("image", "image", ".1e"),
+        Column("loss", "loss", ".1e"),
+        Column("gradient", "gradient", ".1e"),
+    )
+    return Table("Relative difference of float32 from float64", columns, found)
+
+
+def _distance(a: Array, b: Array) -> float:
+    return float(np.linalg.norm(a - b) / np.linalg.norm(b))

@@ -1,0 +1,88 @@
+"""What is saved by leaving out what a scene does not need: each with and without."""
+
+from collections.abc import Callable, Iterator
+
+from workbench.analysis.benchmark.comparison import Measured, Variant, compare, image_error
+from workbench.analysis.benchmark.examples import Example, Tell, wavy
+from workbench.analysis.benchmark.kernels import Descent, rays_of
+from workbench.scene import CollimatedSource
+
+_SECONDS = 10.0  # for each question
+
+
+def measurements(iterations: int | None, tell: Tell) -> Iterator[Measured]:
+    """Time every skip against doing what it leaves out, the skip first."""
+    for question, variants in SKIPS.items():
+        tell(question, "")
+        yield from compare(question, variants(), _SECONDS)
+
+
+def _entrance_and_search() -> list[Variant]:
+    """Collimated light by its own path, and as the light of a point far away."""
+    parallel = Example.of("flame")
+    source, lens = parallel.scene.source, parallel.scene.lens
+    assert isinstance(source, CollimatedSource)
+    # Of the light in a cone around a square, 2/π meets the square.
+    rays = round(rays_of(parallel.scene) * 3.1416 / 2)
+    far = [0.0, 0.0, lens.entrance_z - 1e5 * max(lens.half_width)]
+    point = Example.of("flame", source={"kind": "point", "position": far, "rays": rays})
+    return _pair(
+        ("left out", Descent(parallel, wavy(parallel.scene))),
+        ("a point far away", Descent(point, wavy(point.scene))),
+        rays_of(parallel.scene),
+    )
+
+
+def _constants(name: str) -> list[Variant]:
+    """What does not change in a run, computed once or for each trace."""
+    example = Example.of(name)
+    heights = wavy(example.scene)
+    descent = Descent(example, heights)
+    return [
+        Variant("computed once", descent, rays_of(example.scene)),
+        Variant("for each trace", lambda: Descent(example, heights)(), rays_of(example.scene)),
+    ]
+
+
+def _ghost_pixels() -> list[Variant]:
+    """A box filter, and a Gaussian so steep that it comes to the same."""
+    box = Example.of("flame", filter={"kind": "box"})
+    steep = Example.of("flame", filter={"size": [3, 3], "alpha": 1e6})
+    return _pair(
+        ("box: left out", Descent(box, wavy(box.scene))),
+        ("steep Gaussian", Descent(steep, wavy(steep.scene))),
+        rays_of(box.scene),
+    )
+
+
+def _mirrored(*axes: bool) -> list[Variant]:
+    """A scene that is its own mirror image, traced in part and whole."""
+    example = Example.of("tophat")
+    heights = wavy(example.scene)
+    heights = (heights + heights[::-1]) / 2
+    heights = (heights + heights[:, ::-1]) / 2
+    return _pair(
+        ("a part traced, the rest mirrored", Descent(example, heights, mirrored=axes)),
+        ("all traced", Descent(example, heights)),
+        rays_of(example.scene),
+    )
+
+
+def _pair(with_skip: tuple[str, Descent], without: tuple[str, Descent], rays: int) -> list[Variant]:
+    true, *_ = without[1]()
+    image, *_ = with_skip[1]()
+    return [
+        Variant(*with_skip, rays, image_error(image, true)),
+        Variant(*without, rays),
+    ]
+
+
+SKIPS: dict[str, Callable[[], list[Variant]]] = {
+    "collimated light: entrance face and intersection": _entrance_and_search,
+    "collimated light: basis values and rays": lambda: _constants("flame"),
+    "point source: rays up to the exit face": lambda: _constants("flame-point"),
+    "box filter: ghost pixels and taps": _ghost_pixels,
+    "symmetric in x: one half": lambda: _mirrored(True, False),
+    "symmetric in x and y: three quarters": lambda: _mirrored(True, True),
+}
+"""What is left out, and the two ways to compare."""

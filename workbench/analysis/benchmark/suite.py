@@ -1,0 +1,54 @@
+"""The benchmarks: what measures them, and the tables that they make."""
+
+from collections.abc import Callable, Iterator, Sequence
+from typing import Any, NamedTuple
+
+from workbench.analysis.benchmark import (
+    comparison,
+    experiments,
+    frontier,
+    kernels,
+    precision,
+    skips,
+)
+from workbench.analysis.benchmark.examples import Tell
+from workbench.analysis.benchmark.table import Table
+
+
+class Benchmark(NamedTuple):
+    """A benchmark.
+
+    Attributes
+    ----------
+    measure : callable
+        Given a limit of iterations (None leaves it to each scene) and whom to tell of progress, it
+        yields one row after the other.
+    tables : callable
+        Puts rows into tables.
+    """
+
+    measure: Callable[[int | None, Tell], Iterator[Any]]
+    tables: Callable[[Sequence[Any]], tuple[Table, ...]]
+
+
+def _courses(effort: Callable[[int | None], frontier.Effort]) -> Benchmark:
+    return Benchmark(
+        lambda iterations, tell: frontier.courses(effort(iterations), tell),
+        lambda rows: (frontier.table(rows),),
+    )
+
+
+SUITE = {
+    "quick": _courses(frontier.quick),
+    "frontier": _courses(frontier.frontier),
+    "kernels": Benchmark(
+        kernels.measurements, lambda rows: (comparison.table("Loss and gradient", rows),)
+    ),
+    "precision": Benchmark(precision.differences, lambda rows: (precision.table(rows),)),
+    "skips": Benchmark(
+        skips.measurements,
+        lambda rows: (comparison.table("What each skip saves, the skip first", rows),),
+    ),
+    "paper": Benchmark(experiments.experiments, experiments.tables),
+}
+"""What `names.BENCHMARKS` tells of."""

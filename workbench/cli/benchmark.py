@@ -1,0 +1,131 @@
+"""``freeform benchmark``."""
+
+import json
+import os
+import sys
+import time
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from workbench.analysis.benchmark.names import BENCHMARKS
+from workbench.errors import Refused
+from workbench.files.atomic import check_writable, replacing
+
+
+def benchmark(names: Sequence[str], folder: Path, iterations: int | None, as_json: bool) -> None:
+    """Run benchmarks; each writes a table (Markdown and JSON) and a picture into a folder.
+
+    Parameters
+    ----------
+    names : sequence of str
+        Which, as in `workbench.analysis.benchmark.names`.
+    folder : Path
+        Is made where it is missing; files of the same names are replaced.
+    iterations : int, optional
+        Upper limit of all designs, in place of their own.
+    as_json : bool
+        Whether all figures are printed as one JSON object, instead of Markdown.
+
+    Raises
+    ------
+    Refused
+        If there is no such benchmark, or the folder cannot be written.
+    KeyboardInterrupt
+        After Ctrl-C; what was finished is written.
+    """
+    for name in names:
+        if name not in BENCHMARKS:
+            raise Refused(name, f"is no benchmark; there are {', '.join(BENCHMARKS)}")
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise Refused(str(folder), f"cannot be made: {error.strerror or error}") from error
+    for name in names:
+        check_writable(folder / f"{name}.png")
+    os.environ.setdefault("OMP_WAIT_POLICY", "PASSIVE")  # as for a design
+    from workbench.analysis.benchmark.machine import Machine  # late: torch
+
+    machine = Machine.here()
+    if not as_json:
+        print(machine.to_markdown(), flush=True)
+    found = {}
+    interrupted = False
+    for name in names:
+        rows, seconds, interrupted = _measure(name, iterations)
+        if rows:
+            found[name] = _write(name, rows, seconds, folder, as_json)
+        if interrupted:
+            break
+    if as_json:
+        print(json.dumps({"machine": machine.to_data(), "benchmarks": found}))
+    if interrupted:
+        kept = f"what was finished is in {folder}" if found else "nothing was finished"
+        raise KeyboardInterrupt(f"interrupted; {kept}")
+
+
+def _measure(name: str, iterations: int | None) -> tuple[list[Any], float, bool]:
+    """Rows of a benchmark, the time it took, and whether Ctrl-C ended it."""
+    from workbench.analysis.benchmark.suite import SUITE
+
+    rows: list[Any] = []
+    begun = time.perf_counter()
+    progress = _Progress(name)
+    interrupted = False
+    try:
+        for row in SUITE[name].measure(iterations, progress.tell):
+            rows.append(row)
+    except KeyboardInterrupt:
+        interrupted = True
+    progress.close()
+    return rows, time.perf_counter() - begun, interrupted
+
+
+def _write(
+    name: str, rows: Sequence[Any], seconds: float, folder: Path, as_json: bool
+) -> dict[str, Any]:
+    from workbench.analysis.benchmark.suite import SUITE
+    from workbench.pictures.benchmark import draw
+
+    tables = SUITE[name].tables(rows)
+    text = "\n".join(table.to_markdown() for table in tables)
+    if not as_json:
+        print(f"## {name} ({seconds:.0f} s)\n\n{text}", flush=True)
+    figures = {"seconds": seconds, **{table.title: table.to_data() for table in tables}}
+    with replacing(folder / f"{name}.md") as file:
+        file.write(text.encode())
+    with replacing(folder / f"{name}.json") as file:
+        file.write(json.dumps(figures, indent=1).encode())
+    with replacing(folder / f"{name}.png") as file:
+        draw(name, rows, file)
+    return figures
+
+
+class _Progress:
+    """Tells on standard error what is measured: one line that changes on a terminal, else many."""
+
+    _SECONDS = 10.0  # from one line to the next
+
+    def __init__(self, name: str) -> None:
+        self._name = name
+        self._case = ""
+        self._told = -self._SECONDS
+        self._is_terminal = sys.stderr.isatty()
+
+    def tell(self, case: str, state: str) -> None:
+        """Say how far a case is."""
+        now = time.perf_counter()
+        line = f"{self._name}: {case}  {state}".rstrip()
+        if self._is_terminal:
+            if case != self._case or now - self._told > 0.1:
+                print(f"\r\x1b[K{line}", end="", file=sys.stderr, flush=True)
+                self._told = now
+        elif case != self._case or now - self._told > self._SECONDS:
+            print(line, file=sys.stderr, flush=True)
+            self._told = now
+        self._case = case
+
+    def close(self) -> None:
+        """Leave the line."""
+        if self._is_terminal:
+            print("\r\x1b[K", end="", file=sys.stderr, flush=True)

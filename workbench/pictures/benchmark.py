@@ -1,0 +1,199 @@
+"""Pictures of benchmarks.
+
+What is drawn has the attributes that the protocols name; see `workbench.analysis.benchmark`.
+"""
+
+import math
+from collections.abc import Callable, Sequence
+from itertools import groupby
+from typing import Any, BinaryIO, Protocol
+
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.ticker import FuncFormatter
+
+from workbench.pictures.experiments import page
+
+_FONT = 8
+_DPI = 130
+_COLUMNS = 3
+COLOURS = {"paper": "#8a8f98", "transport": "#e0912f", "auto": "#2f86d1"}
+_BAR = "#2f86d1"
+_KINDS = (("image", "o"), ("loss", "s"), ("gradient", "^"))
+
+
+class Course(Protocol):
+    """Verified error of a method over time."""
+
+    @property
+    def scene(self) -> str:
+        """Name of the scene."""
+
+    @property
+    def method(self) -> str:
+        """Name of the method."""
+
+    @property
+    def times(self) -> Sequence[float]:
+        """Seconds."""
+
+    @property
+    def errors(self) -> Sequence[float]:
+        """Relative L2 errors at these times."""
+
+    @property
+    def error(self) -> float | None:
+        """The last one, with the most rays."""
+
+
+class Measured(Protocol):
+    """Time of a variant."""
+
+    @property
+    def question(self) -> str:
+        """What is compared."""
+
+    @property
+    def variant(self) -> str:
+        """Which of it this is."""
+
+    @property
+    def milliseconds(self) -> float:
+        """Median time."""
+
+    @property
+    def ratio(self) -> float:
+        """Times the first variant of the question."""
+
+
+class Difference(Protocol):
+    """Float32 against float64."""
+
+    @property
+    def scene(self) -> str:
+        """Name of the scene."""
+
+    @property
+    def image(self) -> float:
+        """Relative difference of the image."""
+
+    @property
+    def loss(self) -> float:
+        """The same of the loss."""
+
+    @property
+    def gradient(self) -> float:
+        """The same of the gradient."""
+
+
+def draw(name: str, rows: Sequence[Any], file: BinaryIO) -> None:
+    """Draw the picture of a benchmark as PNG.
+
+    Parameters
+    ----------
+    name : str
+        Of the benchmark.
+    rows : sequence
+        What it has measured; at least one.
+    file : binary file
+        Where the picture goes.
+    """
+    _DRAWN[name](rows).savefig(file, format="png", dpi=_DPI)
+
+
+def courses(rows: Sequence[Course]) -> Figure:
+    """Error over time, a panel for each scene."""
+    scenes = list(dict.fromkeys(row.scene for row in rows))
+    figure, panels = _panels(len(scenes), width=4.2, height=3.2)
+    for axes, scene in zip(panels, scenes, strict=True):
+        axes.set_title(scene, fontsize=_FONT + 2)
+        for row in rows:
+            if row.scene == scene and row.times:
+                colour = COLOURS.get(row.method)
+                axes.plot(row.times, row.errors, "o-", ms=3, lw=1.4, color=colour, label=row.method)
+                if row.error is not None:
+                    axes.plot(row.times[-1], row.error, "o", ms=7, mfc="none", color=colour)
+        axes.set_xscale("log")
+        axes.set_yscale("log")
+        axes.yaxis.set_major_formatter(FuncFormatter(_per_cent))
+        axes.yaxis.set_minor_formatter(FuncFormatter(_per_cent_of_1_2_5))
+        axes.set_xlabel("seconds", fontsize=_FONT)
+        axes.set_ylabel("verified error", fontsize=_FONT)
+        axes.tick_params(which="both", labelsize=_FONT)
+        axes.grid(which="both", linewidth=0.5, alpha=0.3)
+        if axes.lines:
+            axes.legend(fontsize=_FONT, frameon=False)
+    figure.supxlabel(
+        "Relative L2 error of the best lens so far, traced anew by other means; "
+        "rings: the last lens, with the most rays.",
+        fontsize=_FONT,
+    )
+    return figure
+
+
+def comparisons(rows: Sequence[Measured]) -> Figure:
+    """Times as bars, a panel for each question."""
+    questions = [(name, list(each)) for name, each in groupby(rows, lambda row: row.question)]
+    figure, panels = _panels(len(questions), width=4.6, height=2.2)
+    for axes, (question, variants) in zip(panels, questions, strict=True):
+        places = range(len(variants))
+        times = [each.milliseconds for each in variants]
+        axes.barh(places, times, color=_BAR, height=0.6)
+        for place, each in zip(places, variants, strict=True):
+            said = f" {each.milliseconds:.3g} ms"
+            if place:
+                said += f", × {each.ratio:.2g}"
+            axes.text(each.milliseconds, place, said, va="center", fontsize=_FONT)
+        axes.set_yticks(places, [each.variant for each in variants])
+        axes.set_xlim(0, 1.45 * max(times))
+        axes.set_ylim(len(variants) - 0.5, -0.5)
+        axes.set_title(question, fontsize=_FONT + 1, loc="left")
+        axes.tick_params(labelsize=_FONT)
+        axes.spines[["top", "right"]].set_visible(False)
+    return figure
+
+
+def differences(rows: Sequence[Difference]) -> Figure:
+    """Relative differences as marks on one logarithmic scale."""
+    figure = Figure(figsize=(7, 1.2 + 0.35 * len(rows)), layout="constrained")
+    axes = figure.subplots()
+    places = range(len(rows))
+    for kind, mark in _KINDS:
+        axes.plot([getattr(row, kind) for row in rows], places, mark, label=kind)
+    axes.set_xscale("log")
+    axes.set_yticks(places, [row.scene for row in rows])
+    axes.invert_yaxis()
+    axes.set_xlabel("relative difference of float32 from float64", fontsize=_FONT)
+    axes.tick_params(labelsize=_FONT)
+    axes.grid(linewidth=0.5, alpha=0.4)
+    axes.legend(fontsize=_FONT)
+    return figure
+
+
+def _panels(count: int, width: float, height: float) -> tuple[Figure, list[Axes]]:
+    columns = min(count, _COLUMNS)
+    rows = math.ceil(count / columns)
+    figure = Figure(figsize=(width * columns, height * rows), layout="constrained")
+    panels = figure.subplots(rows, columns, squeeze=False).flatten().tolist()
+    for axes in panels[count:]:
+        axes.remove()
+    return figure, panels[:count]
+
+
+def _per_cent(value: float, _: object) -> str:
+    return f"{100 * value:.3g} %"
+
+
+def _per_cent_of_1_2_5(value: float, _: object) -> str:
+    leading = round(value / 10.0 ** math.floor(math.log10(value)))
+    return _per_cent(value, None) if leading in (2, 5) else ""
+
+
+_DRAWN: dict[str, Callable[[Sequence[Any]], Figure]] = {
+    "quick": courses,
+    "frontier": courses,
+    "kernels": comparisons,
+    "precision": differences,
+    "skips": comparisons,
+    "paper": page,
+}
