@@ -1,0 +1,124 @@
+import math
+
+import numpy as np
+import pytest
+from scipy.interpolate import make_interp_spline
+
+from workbench.analysis.manufacture import manufacture, surface_maps
+from workbench.geometry.surface import ControlNet
+
+
+def lens_of(make_scene, height, changes=None):
+    """A lens and the control heights that interpolate a height function."""
+    changes = {"lens.control_points": [40, 36], "lens.half_width": [1.0, 0.8]} | (changes or {})
+    lens = make_scene(changes).lens
+    net = ControlNet.of(lens)
+    (x, y), (p, q) = net.positions, net.degree
+    knots = [(2 * k - 1) * r for k, r in zip(net.knots, net.half_width, strict=True)]
+    values = make_interp_spline(x, height(x[:, None], y), p, t=knots[0], axis=0).c
+    return lens, make_interp_spline(y, values.T, q, t=knots[1], axis=0).c.T
+
+
+def ball(radius, sign):
+    """A sphere of which (0, 0, 0.5) is a pole; sign +1 is hollow."""
+    return lambda x, y: 0.5 + sign * (radius - np.sqrt(radius**2 - x**2 - y**2))
+
+
+class TestSpheres:
+    RIM = math.hypot(1.0, 0.8)
+
+    @pytest.mark.parametrize("sign", [1, -1])
+    def test_closed_forms(self, make_scene, sign):
+        radius = 4.0
+        found = manufacture(*lens_of(make_scene, ball(radius, sign)))
+        depth = radius - math.sqrt(radius**2 - self.RIM**2)
+        ends = sorted([0.5, 0.5 + sign * depth])
+        assert found.thinnest.value == pytest.approx(ends[0], abs=1e-7)
+        assert found.thickest.value == pytest.approx(ends[1], abs=1e-7)
+        assert found.sag_range == pytest.approx(depth, abs=1e-7)
+        angle = math.degrees(math.asin(self.RIM / radius))
+        assert found.steepest.value == pytest.approx(angle, abs=1e-4)
+        assert found.draft == pytest.approx(90 - angle, abs=1e-4)
+        bent, other = found.tightest_concave, found.tightest_convex
+        if sign < 0:
+            bent, other = other, bent
+        assert bent.value == pytest.approx(radius, rel=1e-3)
+        assert other.value == math.inf
+
+    def test_bounds_are_close(self, make_scene):
+        found = manufacture(*lens_of(make_scene, ball(4.0, 1)))
+        assert 0 <= found.thinnest.value - found.thinnest.bound < 1e-5
+        assert 0 <= found.thickest.bound - found.thickest.value < 1e-5
+        assert 0 <= found.steepest.bound - found.steepest.value < 1e-3
+        assert 0.88 * found.tightest_concave.value < found.tightest_concave.bound <= 4.001
+
+    def test_maps(self, make_scene):
+        maps = surface_maps(*lens_of(make_scene, ball(4.0, -1)), (21, 17))
+        x, y = np.meshgrid(maps.x, maps.y)
+        assert maps.x[[0, -1]] == pytest.approx([-1.0, 1.0])
+        assert maps.y[[0, -1]] == pytest.approx([0.8, -0.8])
+        assert maps.thickness == pytest.approx(ball(4.0, -1)(x, y), abs=1e-6)
+        slope = np.degrees(np.arcsin(np.hypot(x, y) / 4.0))
+        assert maps.slope == pytest.approx(slope, abs=1e-3)
+        assert maps.convex == pytest.approx(0.25, rel=2e-3)
+        assert maps.concave == pytest.approx(-0.25, rel=2e-3)
+
+
+def test_a_cylinder_across_the_axes(make_scene):
+    """Bent in one direction, at 30 degrees to x: the cross derivative counts."""
+    cos, sin, radius = math.cos(math.pi / 6), 0.5, 3.0
+    lens, heights = lens_of(
+        make_scene, lambda x, y: 0.5 + radius - np.sqrt(radius**2 - (cos * x + sin * y) ** 2)
+    )
+    maps = surface_maps(lens, heights, (33, 29))
+    assert maps.concave == pytest.approx(1 / radius, rel=1e-3)
+    assert maps.convex == pytest.approx(0.0, abs=1e-3)
+
+
+def test_a_plane_has_no_radius(make_scene):
+    lens, heights = lens_of(make_scene, lambda x, y: 0.5 + 0.1 * x + 0.05 * y)
+    found = manufacture(lens, heights)
+    assert found.tightest_concave.value == found.tightest_convex.value == math.inf
+    assert found.thinnest.value == pytest.approx(0.5 - 0.14)
+    assert found.thinnest.place == pytest.approx((-1.0, -0.8))
+    assert found.thickest.place == pytest.approx((1.0, 0.8))
+    slope = math.degrees(math.atan(math.hypot(0.1, 0.05)))
+    assert found.steepest.value == pytest.approx(slope, rel=1e-9)
+    assert found.steepest.bound == pytest.approx(slope, rel=1e-9)
+
+
+def test_thickness_counts_from_the_entrance_face(make_scene):
+    changes = {"lens.entrance_z": 0.1}
+    lens, heights = lens_of(make_scene, lambda x, y: 0.5 + 0 * x * y, changes)
+    assert manufacture(lens, heights).thinnest.value == pytest.approx(0.4)
+
+
+@pytest.mark.parametrize("degree", [(2, 3), (3, 3), (5, 4)])
+def test_nothing_is_beyond_the_bounds(make_scene, rng, degree):
+    changes = {"lens.control_points": [9, 8], "lens.degree": list(degree)}
+    lens = make_scene(changes).lens
+    heights = 0.5 + 0.1 * rng.random((9, 8))
+    found = manufacture(lens, heights)
+    maps = surface_maps(lens, heights, (1237, 1171))
+    slack = 1e-12
+    assert found.thinnest.bound <= maps.thickness.min() + slack
+    assert found.thickest.bound >= maps.thickness.max() - slack
+    assert found.steepest.bound >= maps.slope.max() - 1e-9
+    assert 1 / found.tightest_concave.bound >= maps.concave.max() - 1e-9
+    assert 1 / found.tightest_convex.bound >= maps.convex.max() - 1e-9
+    assert found.tightest_convex.value == pytest.approx(1 / maps.convex.max(), rel=1e-3)
+    # Within its places, the extreme is where it is said to be.
+    u = (np.array(found.thickest.place) / lens.half_width + 1) / 2
+    there = ControlNet.of(lens).points(u[:1], u[1:]).evaluate(heights)[0]
+    assert there.item() == pytest.approx(found.thickest.value)
+
+
+def test_edges_of_degree_1_have_radius_0(make_scene):
+    changes = {"lens.control_points": [3, 4], "lens.degree": [1, 3]}
+    roof = np.array([0.5, 0.6, 0.5])[:, None] * np.ones(4)
+    found = manufacture(make_scene(changes).lens, roof)
+    assert found.tightest_convex.value == 0
+    assert found.tightest_concave.value == math.inf
+    valley = manufacture(make_scene(changes).lens, 1.1 - roof)
+    assert valley.tightest_concave.value == 0
+    assert valley.tightest_convex.value == math.inf
