@@ -65,7 +65,8 @@ class Glass:
         with torch.no_grad():
             fixed = depth.detach()
             part = self._start(radius2, fixed)
-            for _ in range(self.steps(radius2, fixed)):
+            widest = radius2.max().sqrt().item()
+            for _ in range(self.steps(widest, fixed.max().item(), depth.dtype)):
                 excess, spread = self._excess(part, radius2, fixed)
                 part = part - excess / spread
             spread = self._excess(part, radius2, fixed)[1]
@@ -80,26 +81,30 @@ class Glass:
         spread = self._excess(part, radius2, depth)[1]
         return Light(part, steepness, behind * part / spread)
 
-    def steps(self, radius2: Tensor, depth: Tensor) -> int:
+    def steps(self, widest: float, deepest: float, dtype: torch.dtype) -> int:
         """How many steps of Newton's method reach rounding at all radii and depths up to these.
 
-        They are tried on some places. Depths that need no more than the last ones cost nothing.
+        They are tried on some places, also on the rim of the cone that holds the light of a point
+        right at the face: there they take longest. Depths below the last ones cost nothing.
         """
-        deepest, eps = depth.max().item(), torch.finfo(depth.dtype).eps
-        widest = radius2.max().item()
-        if self._known and deepest <= self._known[0] and self._known[1:3] == (widest, depth.dtype):
+        if self._known and deepest <= self._known[0] and self._known[1:3] == (widest, dtype):
             return self._known[3]
         deepest *= 1.1
+        eps = torch.finfo(dtype).eps
         fractions = torch.logspace(-6, 0, 61, dtype=torch.float64)
-        tried_depth, tried_radius2 = deepest * fractions[:, None], widest * fractions.square()
-        part = self._start(tried_radius2, tried_depth)
-        for count in range(_MOST_STEPS):  # noqa: B007
-            excess, spread = self._excess(part, tried_radius2, tried_depth)
+        cone = deepest / (self._index**2 - 1) ** 0.5
+        radius = torch.cat([widest * fractions, (cone * fractions).clamp_max(widest)])
+        depth, radius2 = deepest * fractions[:, None], radius.square()
+        part = self._start(radius2, depth)
+        count = 0
+        while count < _MOST_STEPS:
+            excess, spread = self._excess(part, radius2, depth)
             part = part - excess / spread
             # The excess has the rounding of 1.
             if (excess.abs() <= 4 * eps * (1 + part * spread)).all():
                 break
-        self._known = (deepest, widest, depth.dtype, count)
+            count += 1
+        self._known = (deepest, widest, dtype, count)
         return count
 
     @property

@@ -1,0 +1,210 @@
+"""Light of points by samples of the exit face, in one pass: `optics.face_samples`' twin.
+
+Batches are those of `workbench.optics.kernels.collimated`: neighbouring u at one v.
+"""
+
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+import torch
+from torch import Tensor
+
+from workbench.geometry.surface import ControlNet
+from workbench.optics.glass import Glass
+from workbench.optics.kernels import collimated, threads
+from workbench.optics.kernels.face_numbers import Across, Optics, Up
+from workbench.optics.kernels.face_rows import trace_rows, trace_rows_back
+from workbench.optics.kernels.function import Sums, trace
+from workbench.optics.kernels.spread import Spread, add_up, make_canvases, make_spread, pad
+from workbench.optics.lattice import make_lattice
+from workbench.optics.light import Light
+from workbench.optics.refraction import normal_reflectance
+from workbench.scene import CollimatedSource, Filter, GaussianFilter, Scene, Screen
+
+AnyArray = npt.NDArray[np.floating[Any]]
+
+
+class FusedFaceSamples:
+    """Samples of the exit face, those of `workbench.optics.face_samples.FaceSamples`.
+
+    Parameters
+    ----------
+    scene : Scene
+        The scene; source kind "point" or "grid".
+    net : ControlNet
+        Where the control heights sit.
+    samples : tuple[int, int]
+        Samples along x and y; the points of a grid share them.
+    mirrored : tuple[bool, bool]
+        Whether heights, lens and source are mirror images of themselves in x, in y: then the
+        samples of one half are traced alone, if their number is even.
+    dtype : torch.dtype
+        Float type of the trace.
+    """
+
+    emitted = 1.0
+
+    def __init__(
+        self,
+        scene: Scene,
+        net: ControlNet,
+        samples: tuple[int, int],
+        mirrored: tuple[bool, bool] = (False, False),
+        dtype: torch.dtype = torch.float32,
+    ) -> None:
+        source, lens = scene.source, scene.lens
+        assert not isinstance(source, CollimatedSource)
+        lattice = make_lattice(source, lens, samples)
+        self.missed_lens, self.fresnel_entrance = lattice.missed, lattice.reflected
+        self._dtype = dtype
+        kind = self._kind = torch.zeros(0, dtype=dtype).numpy().dtype.type
+        counts = len(lattice.x.place), len(lattice.y.place)
+        self.mirrored = tuple(
+            wanted and count % 2 == 0 for wanted, count in zip(mirrored, counts, strict=True)
+        )
+        self._bases = tuple(
+            collimated._axis(net, axis, count, halved, kind)
+            for axis, (count, halved) in enumerate(zip(counts, self.mirrored, strict=True))
+        )
+        m_x, m_y = (len(basis.place) for basis in self._bases)
+        x, y = lattice.x, lattice.y
+        numbers_y = len(set(y.point))
+        intensity = np.broadcast_to(lattice.intensity, (len(x.place), len(y.place)))
+        bright = np.empty((numbers_y, m_x))
+        bright[y.point[:numbers_y]] = intensity[:m_x, :numbers_y].T
+        bright *= x.width[:m_x] * (1 - normal_reflectance(lens.index)) / lattice.distance**2
+        self._across = Across(
+            x.place[:m_x],
+            x.away[:m_x].astype(kind),
+            x.aside[:m_x].astype(kind),
+            x.reach[:m_x].astype(kind),
+            kind(1 / x.cell),
+            bright.astype(kind),
+        )
+        self._up = Up(
+            y.place[:m_y],
+            y.away[:m_y].astype(kind),
+            y.aside[:m_y].astype(kind),
+            y.reach[:m_y].astype(kind),
+            kind(1 / y.cell),
+            y.width[:m_y].astype(kind),
+            y.point[:m_y],
+        )
+        n, lambertian = lens.index, source.emission == "lambertian"
+        self._glass = Glass(lattice.distance, n, lambertian)
+        self._widest = float(np.hypot(np.abs(x.away).max(), np.abs(y.away).max()))
+        apparent = n * lattice.distance
+        self._level = lens.base.height
+        self._lift = self._level - lens.entrance_z
+        self._optics = Optics(
+            kind(n),
+            kind(n * n - 1),
+            kind(apparent),
+            kind(lattice.distance**2),
+            kind(lambertian),
+            kind(self._lift),
+            kind(scene.screen.z - self._level),
+            kind(16 * np.finfo(kind).eps),
+            kind(1 - normal_reflectance(n)),
+            near=bool((n * n - 1) ** 0.5 * self._widest > apparent),
+            rims=bool(x.aside.any() or y.aside.any()),
+        )
+
+    def image(self, heights: Tensor, screen: Screen, filter: Filter) -> Light:
+        """Trace a lens; see `workbench.optics.light.Tracer`."""
+        spread = make_spread(screen, filter, self._kind)
+        return trace(heights, self._level, self._dtype, _Passes(self, spread))
+
+    def steps(self, heights: AnyArray) -> int:
+        """Steps of Newton's method for a lens of heights above the level."""
+        deepest = max(float(heights.max()) + self._lift, 0.0)
+        return self._glass.steps(self._widest, deepest, self._dtype)
+
+
+def compile_for(dtype: torch.dtype) -> None:
+    """Compile the kernels for a float type by tracing a few samples."""
+    kind = torch.zeros(0, dtype=dtype).numpy().dtype.type
+    net = ControlNet((2, 2), (1, 1), (1.0, 1.0))
+    bases = tuple(collimated._axis(net, axis, 2, False, kind) for axis in (0, 1))
+    pair, one = np.ones(2, kind), kind(1)
+    across = Across(pair, pair, pair, pair, one, np.ones((1, 2), kind))
+    up = Up(pair, pair, pair, pair, one, pair, np.zeros(2, np.int64))
+    optics = Optics._make([*(kind(1.5) for _ in Optics._fields[:-2]), False, False])
+    screen = Screen(z=1.0, half_width=(1.0, 1.0), pixels=(2, 2))
+    spread = make_spread(screen, GaussianFilter(), kind)
+    canvas = make_canvases(spread, 1)[0]
+    heights, gradient = np.zeros(net.shape, kind), np.zeros(net.shape)
+    given = heights, bases, across, up, optics, 1, spread, 0, 2, canvas
+    trace_rows(*given, np.zeros(4))
+    trace_rows_back(*given, gradient)
+
+
+class _Passes:
+    """The trace of one set of samples onto one screen, and its adjoint."""
+
+    def __init__(self, samples: FusedFaceSamples, spread: Spread) -> None:
+        self._samples, self._spread = samples, spread
+        kind, across, up = samples._kind, samples._across, samples._up
+        columns = (spread.column_0 + spread.per_x * across.place).astype(kind)
+        rows = (spread.row_0 + spread.per_y * up.place).astype(kind)
+        self._across, self._up = across._replace(place=columns), up._replace(place=rows)
+        self._parts = min(threads.parts(len(columns) * len(rows)), len(columns))
+        self._bounds = threads.bounds(len(columns), self._parts)
+
+    def forward(self, heights: AnyArray) -> tuple[AnyArray, Sums]:
+        """See `workbench.optics.kernels.function.Passes`."""
+        samples = self._samples
+        canvases = make_canvases(self._spread, self._parts)
+        sums = np.zeros((self._parts, 4))
+        self._run(trace_rows, heights, canvases, sums)
+        image, around = add_up(self._spread, canvases)
+        copies = 1
+        for axis, mirrored in enumerate(samples.mirrored):
+            if mirrored:
+                image = image + np.flip(image, 1 - axis)
+                copies *= 2
+        beside, met, passed, light = copies * sums.sum(axis=0)
+        entered = samples.emitted - samples.missed_lens - samples.fresnel_entrance
+        return np.ascontiguousarray(image), Sums(
+            off_screen=beside + copies * around,
+            total_reflection=met - passed,
+            fresnel_exit=passed - light,
+            left_side=entered - met,
+        )
+
+    def backward(self, heights: AnyArray, cotangent: AnyArray) -> AnyArray:
+        """See `workbench.optics.kernels.function.Passes`."""
+        mirrored = self._samples.mirrored
+        for axis in (0, 1):
+            if mirrored[axis]:
+                cotangent = cotangent + np.flip(cotangent, 1 - axis)
+        canvas = pad(self._spread, cotangent)
+        gradients = np.zeros((self._parts, *heights.shape))
+        self._run(trace_rows_back, heights, [canvas] * self._parts, gradients)
+        gradient: AnyArray = gradients.sum(axis=0)
+        for axis in (0, 1):
+            if mirrored[axis]:  # the other half would have given the mirror image of this
+                gradient = (gradient + np.flip(gradient, axis)) / 2
+        return gradient
+
+    def _run(self, kernel: Any, heights: AnyArray, canvases: Any, results: AnyArray) -> None:
+        """Run a kernel on all parts of the samples, each with a canvas and a result of its own."""
+        samples, steps = self._samples, self._samples.steps(heights)
+
+        def work(part: int) -> None:
+            kernel(
+                heights,
+                samples._bases,
+                self._across,
+                self._up,
+                samples._optics,
+                steps,
+                self._spread,
+                self._bounds[part],
+                self._bounds[part + 1],
+                canvases[part],
+                results[part],
+            )
+
+        threads.run(work, self._parts)

@@ -1,0 +1,84 @@
+"""What the kernels of `workbench.optics.kernels.face` need to know, in the trace's float type."""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+Number = np.floating[Any]
+AnyArray = npt.NDArray[np.floating[Any]]
+
+
+class Across(NamedTuple):
+    """Samples along x: see `workbench.optics.lattice.Axis`; arrays of shape (m,).
+
+    Attributes
+    ----------
+    place : ndarray
+        In columns of the image.
+    away, aside, reach : ndarray
+        Scene units.
+    per_cell : floating
+        One by the distance of neighbouring samples of a point.
+    bright : ndarray, shape (points along y, m)
+        Flux over width along y of a sample were it right before its point.
+    """
+
+    place: AnyArray
+    away: AnyArray
+    aside: AnyArray
+    reach: AnyArray
+    per_cell: Number
+    bright: AnyArray
+
+
+class Up(NamedTuple):
+    """Samples along y in the same way, ``place`` in rows; ``width`` and ``point`` as there."""
+
+    place: AnyArray
+    away: AnyArray
+    aside: AnyArray
+    reach: AnyArray
+    per_cell: Number
+    width: AnyArray
+    point: npt.NDArray[np.int64]
+
+
+class Optics(NamedTuple):
+    """Numbers of a trace, in its float type.
+
+    Attributes
+    ----------
+    ratio, excess : floating
+        Refractive index n, and n² − 1.
+    apparent : floating
+        c = n d, for points at the distance d before the entrance face.
+    distance2 : floating
+        d².
+    lambert : floating
+        1 for Lambertian points, else 0.
+    lift : floating
+        Level that heights are counted from, above the entrance face.
+    drop : floating
+        How far the screen is above that level.
+    critical : floating
+        Squared cosines below this count as total reflection.
+    head_on : floating
+        Part of the light that leaves at a right angle.
+    near : bool
+        Whether points are so near that Newton's method needs the better start.
+    rims : bool
+        Whether points lie beside the aperture.
+    """
+
+    ratio: Number
+    excess: Number
+    apparent: Number
+    distance2: Number
+    lambert: Number
+    lift: Number
+    drop: Number
+    critical: Number
+    head_on: Number
+    near: bool
+    rims: bool

@@ -1,0 +1,250 @@
+"""The loops of `workbench.optics.kernels.face`, and their adjoints.
+
+The light in the glass is that of `workbench.optics.glass`, with ρ the sample's distance from its
+point's axis, p = r = ρ_e / ρ and c = n d. Both directions are scaled so that no unit vector is
+needed: with s = p g, light goes along L (s_x, s_y, 1)/L, L² = 1 + ρ² s², and the face's normal is
+(−z_x, −z_y, 1)/S. With m = 1 − s·∇z Snell's law then reads
+
+    Q² = n² m² − (n² − 1) L² S²,  Γ = −(n² − 1) L² / (Q + n m),
+
+and the light goes on along (n s − Γ ∇z, n + Γ); the cosine behind the face is Q / (L S).
+"""
+
+import numpy as np
+from numba import njit
+
+from workbench.optics.kernels.spread import BATCH
+from workbench.optics.kernels.taps import FAST
+
+# The numbers of a batch lie in one array, see `collimated`; the first three are those of its
+# `_blend`. Cotangents of z, z_x, z_y take the place of these.
+_STEP = np.uintp(BATCH)
+(
+    _Z,
+    _Z_X,
+    _Z_Y,
+    _DEPTH,
+    _PART,
+    _BRIGHT,
+    _D_BRIGHT,
+    _G,
+    _COS,
+    _NARROW,
+    _Q,
+    _GAMMA,
+    _AHEAD,
+    COLUMN,
+    ROW,
+    WEIGHT,
+    D_COLUMN,
+    D_ROW,
+    D_WEIGHT,
+) = (np.uintp(BATCH * k) for k in range(19))
+NUMBERS = 19 * BATCH
+
+
+@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy", forceinline=True)
+def _newton(part, depth, widening, apparent):  # type: ignore[no-untyped-def]
+    """One step towards the root of p (1 + t g) = 1."""
+    one = type(part)(1)
+    g = one / np.sqrt(apparent * apparent + part * part * widening)
+    bent = apparent * g
+    return part - (part * (one + depth * g) - one) / (one + depth * (bent * bent) * g)
+
+
+@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+def find_part(away_x, away_y, optics, steps, lanes, t):  # type: ignore[no-untyped-def]
+    """Depths of samples, and their p."""
+    kind = t.dtype.type
+    one, zero, c = kind(1), kind(0), optics.apparent
+    count = np.uintp(lanes)
+    for lane in range(count):
+        depth = max(t[_Z + lane] + optics.lift, zero)
+        t[_DEPTH + lane] = depth
+        t[_PART + lane] = c / (c + depth)
+    if optics.near:
+        for lane in range(count):
+            widening = optics.excess * (away_x[lane] * away_x[lane] + away_y * away_y)
+            steep = one - t[_DEPTH + lane] / np.sqrt(widening) if widening > zero else zero
+            t[_PART + lane] = max(t[_PART + lane], steep)
+    for _ in range(steps):
+        for lane in range(count):
+            widening = optics.excess * (away_x[lane] * away_x[lane] + away_y * away_y)
+            t[_PART + lane] = _newton(t[_PART + lane], t[_DEPTH + lane], widening, c)
+
+
+@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+def see_points(across, i, up, j, optics, lanes, t):  # type: ignore[no-untyped-def]
+    """Brightness of each sample's point as far as it is seen through the entrance face."""
+    kind = t.dtype.type
+    bright, width = across.bright[up.point[j], i:], up.width[j]
+    for lane in range(np.uintp(lanes)):
+        t[_BRIGHT + lane] = bright[lane] * width
+        t[_D_BRIGHT + lane] = kind(0)
+    if not optics.rims:
+        return
+    aside, reach = across.aside[i:], across.reach[i:]
+    for lane in range(np.uintp(lanes)):
+        one_by = kind(1) / t[_PART + lane]
+        seen_x, rise_x = _seen(aside[lane], reach[lane], across.per_cell, one_by)
+        seen_y, rise_y = _seen(up.aside[j], up.reach[j], up.per_cell, one_by)
+        t[_D_BRIGHT + lane] = t[_BRIGHT + lane] * (rise_x * seen_y + seen_x * rise_y)
+        t[_BRIGHT + lane] *= seen_x * seen_y
+
+
+@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy", forceinline=True)
+def _seen(aside, reach, per_cell, one_by):  # type: ignore[no-untyped-def]
+    """Part of a sample's cell that sees its point along one axis, and its slope by p."""
+    kind = type(one_by)
+    seen = kind(0.5) + (reach * one_by - aside) * per_cell
+    partly = (seen > kind(0)) & (seen < kind(1))
+    rise = -reach * one_by * one_by * per_cell if partly else kind(0)
+    return min(max(seen, kind(0)), kind(1)), rise
+
+
+@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+def refract(across, i, up, j, optics, spread, lanes, t):  # type: ignore[no-untyped-def]
+    """Where light hits, and its flux.
+
+    Returns
+    -------
+    tuple of three float64
+        Flux that met the face, that was not totally reflected, and that left.
+    """
+    kind = t.dtype.type
+    one, zero, n, c = kind(1), kind(0), optics.ratio, optics.apparent
+    met_flux, passed_flux, light = zero, zero, zero
+    place, away = across.place[i:], across.away[i:]
+    y, away_y = up.place[j], up.away[j]
+    plain = one - optics.lambert
+    for lane in range(np.uintp(lanes)):
+        z, z_x, z_y = t[_Z + lane], t[_Z_X + lane], t[_Z_Y + lane]
+        depth, part = t[_DEPTH + lane], t[_PART + lane]
+        away_x = away[lane]
+        enters2 = part * part * (away_x * away_x + away_y * away_y)
+        g2 = one / (c * c + optics.excess * enters2)
+        g = np.sqrt(g2)
+        narrow = one / (one + depth * (c * c * g2) * g)  # dρ_e/dρ
+        cos2 = optics.distance2 / (optics.distance2 + enters2)
+        cos = np.sqrt(cos2)
+        grazing = one - cos
+        fourth = grazing * grazing * (grazing * grazing)
+        behind = cos2 * cos * (plain + optics.lambert * cos) * (one - fourth * grazing)
+        slope = part * g
+        s_x, s_y = away_x * slope, away_y * slope
+        lean = one - s_x * z_x - s_y * z_y
+        met = (depth > zero) & (lean > zero)
+        flux = t[_BRIGHT + lane] * behind * part * narrow * lean if met else zero
+
+        length2 = one + enters2 * g2
+        both2 = length2 * (one + z_x * z_x + z_y * z_y)
+        square = n * n * lean * lean - optics.excess * both2
+        passes = met & (square > optics.critical * both2)
+        q = np.sqrt(square if passes else both2)
+        gamma = -optics.excess * length2 / (q + n * abs(lean))
+        onward = n + gamma
+        goes_on = (onward > zero) & (onward * onward > kind(1e-12) * length2)
+        ahead = one / (onward if goes_on else one)
+        path = (optics.drop - z) * ahead
+        cos_out = q / np.sqrt(both2)
+        grazing = one - cos_out
+        fourth = grazing * grazing * (grazing * grazing)
+        weight = flux * optics.head_on * (one - fourth * grazing) if passes else zero
+        reaches = passes & goes_on
+        column = place[lane] + spread.per_x * (n * s_x - gamma * z_x) * path
+        row = y + spread.per_y * (n * s_y - gamma * z_y) * path
+        t[COLUMN + lane] = column if reaches else kind(np.inf)
+        t[ROW + lane] = row
+        t[WEIGHT + lane] = weight
+        t[_G + lane] = g
+        t[_COS + lane] = cos
+        t[_NARROW + lane] = narrow
+        t[_Q + lane] = q
+        t[_GAMMA + lane] = gamma
+        t[_AHEAD + lane] = ahead
+        met_flux += flux
+        passed_flux += flux if passes else zero
+        light += weight
+    return np.float64(met_flux), np.float64(passed_flux), np.float64(light)
+
+
+@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+def refract_back(across, i, up, j, optics, spread, lanes, t):  # type: ignore[no-untyped-def]
+    """Adjoint of `refract`, `see_points` and `find_part` together.
+
+    The derivative of p by the depth is that of the root, −p g dρ_e/dρ.
+    """
+    kind = t.dtype.type
+    one, two, half, zero = kind(1), kind(2), kind(0.5), kind(0)
+    n, excess, c2 = optics.ratio, optics.excess, optics.apparent * optics.apparent
+    away = across.away[i:]
+    away_y = up.away[j]
+    plain, power = one - optics.lambert, kind(3) + optics.lambert
+    for lane in range(np.uintp(lanes)):
+        # Again what `refract` had, but for its roots and quotients.
+        z, z_x, z_y = t[_Z + lane], t[_Z_X + lane], t[_Z_Y + lane]
+        depth, part, g = t[_DEPTH + lane], t[_PART + lane], t[_G + lane]
+        cos, narrow, q = t[_COS + lane], t[_NARROW + lane], t[_Q + lane]
+        gamma, ahead, bright = t[_GAMMA + lane], t[_AHEAD + lane], t[_BRIGHT + lane]
+        away_x, g2 = away[lane], g * g
+        radius2 = away_x * away_x + away_y * away_y
+        slope = part * g
+        s_x, s_y = away_x * slope, away_y * slope
+        lean = one - s_x * z_x - s_y * z_y
+        length2, face2 = one + radius2 * slope * slope, one + z_x * z_x + z_y * z_y
+        path = (optics.drop - z) * ahead
+        one_by_q = one / q
+        one_by_both = one / np.sqrt(length2 * face2)
+        cos_out = q * one_by_both
+        grazing = one - cos
+        fourth = grazing * grazing * (grazing * grazing)
+        enters = one - fourth * grazing
+        cosines = cos * cos * cos * (plain + optics.lambert * cos)
+        density = cosines * enters * part * narrow
+        flux = bright * density * lean
+
+        # The light's weight.
+        grazing = one - cos_out
+        d_weight = t[D_WEIGHT + lane] * optics.head_on
+        out_fourth = grazing * grazing * (grazing * grazing)
+        d_flux = d_weight * (one - out_fourth * grazing)
+        d_cos_out = d_weight * flux * kind(5) * out_fourth
+        # The hit.
+        d_x, d_y = t[D_COLUMN + lane] * spread.per_x, t[D_ROW + lane] * spread.per_y
+        d_path = d_x * (n * s_x - gamma * z_x) + d_y * (n * s_y - gamma * z_y)
+        d_x *= path
+        d_y *= path
+        d_z = -d_path * ahead
+        d_gamma = -(d_x * z_x + d_y * z_y) - d_path * path * ahead
+        # Γ and Q, by L², S² and m.
+        shared = d_gamma * gamma / (q + n * lean)
+        d_q = d_cos_out * one_by_both - shared
+        d_square = half * d_q * one_by_q
+        d_length2 = -d_square * excess * face2
+        d_face2 = -d_square * excess * length2
+        half_cos = half * d_cos_out * cos_out * (one_by_both * one_by_both)
+        d_length2 += d_gamma * gamma / length2 - half_cos * face2
+        d_face2 -= half_cos * length2
+        d_lean = two * d_square * n * n * lean - n * shared + d_flux * bright * density
+        # Slopes of the light and of the face.
+        d_s_x, d_s_y = n * d_x - d_lean * z_x, n * d_y - d_lean * z_y
+        d_slope = d_s_x * away_x + d_s_y * away_y + two * radius2 * slope * d_length2
+        d_z_x = two * z_x * d_face2 - gamma * d_x - d_lean * s_x
+        d_z_y = two * z_y * d_face2 - gamma * d_y - d_lean * s_y
+        # All that depends on the depth through p, in units of dp/dt = −p g dρ_e/dρ.
+        bent = c2 * g2
+        part_rise = -slope * narrow
+        d_slope_rise = g * bent * part_rise
+        spread_rise = bent * g + kind(3) * depth * bent * (one - bent) * g2 * narrow
+        behind_rise = (one - cos * cos) * (power * enters + kind(5) * fourth * cos) * g * narrow
+        density_rise = (
+            cosines
+            * narrow
+            * (behind_rise * part + enters * (part_rise - part * narrow * spread_rise))
+        )
+        flux_rise = bright * density_rise + t[_D_BRIGHT + lane] * part_rise * density
+        d_z += d_slope * d_slope_rise + d_flux * lean * flux_rise
+        lit = t[WEIGHT + lane] > zero
+        t[_Z + lane] = d_z if lit else zero
+        t[_Z_X + lane] = d_z_x if lit else zero
+        t[_Z_Y + lane] = d_z_y if lit else zero
