@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QMainWindow, QMenu, QMenuBar, QToolBar, QToolButto
 
 from resources import EXAMPLES
 from ui import theme
+from ui.palette import SEPARATOR
 
 
 @dataclass(frozen=True)
@@ -54,6 +55,7 @@ COMMANDS = {
     "stop": Command("S&top", "End the design and keep its best lens", "F7", "stop"),
     "fit_view": Command("&Fit 3D view", "Show lens and screen whole", "Ctrl+0", "fit-view"),
     "scene_view": Command("&3D scene", "Show or hide the 3D scene", "Ctrl+3"),
+    "palette": Command("Command &palette", "Find any command by its name", "Ctrl+Shift+P"),
     "about": Command("&About", "What this program is"),
 }
 
@@ -85,7 +87,7 @@ MENUS: dict[str, list[Any]] = {
     "&Edit": ["undo", "redo"],
     "&Run": _RUN,
     "&View": ["fit_view", None, "scene_view"],
-    "&Help": ["about"],
+    "&Help": ["palette", None, "about"],
 }
 TOOLBAR = ["new_tophat", "open", "save", None, "undo", "redo", None, *_RUN, None, "fit_view"]
 _CHECKABLE = ["scene_view", "pause"]
@@ -131,6 +133,11 @@ class Commands:
         for name in names:
             self[name].setEnabled(enabled)
 
+    def entries(self) -> list[tuple[str, QAction]]:
+        """All actions of the menus as they are now, with menus and text for a name."""
+        bar = self._window.menuBar()
+        return [entry for action in bar.actions() for entry in _entries(action, "")]
+
     def colour_icons(self) -> None:
         """Draw the icons in the palette's colours of now."""
         for name, command in COMMANDS.items():
@@ -158,3 +165,12 @@ class Commands:
                 self._fill(menu, *entry)
             else:
                 menu.addAction(self[entry])
+
+
+def _entries(action: QAction, before: str) -> list[tuple[str, QAction]]:
+    """An action, or those of its menu; separators have no text."""
+    name = before + action.text().replace("&", "").rstrip("…")
+    menu = action.menu()
+    if isinstance(menu, QMenu):
+        return [e for each in menu.actions() for e in _entries(each, name + SEPARATOR)]
+    return [] if action.isSeparator() else [(name, action)]

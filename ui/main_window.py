@@ -15,6 +15,7 @@ from ui.commands import NEW, Commands
 from ui.document import ENDING, Document
 from ui.file_actions import Answer, FileActions
 from ui.message_bar import MessageBar
+from ui.palette import CommandPalette
 from ui.panels.forms import Forms
 from ui.recent import RecentFiles
 from ui.run_status import RunStatus
@@ -231,6 +232,7 @@ class MainWindow(QMainWindow):
             "pause": lambda: steer(lambda control: control.toggle_pause()),
             "stop": lambda: steer(lambda control: control.runner.stop()),
             "fit_view": self._fit_view,
+            "palette": lambda: CommandPalette(self.commands.entries(), self).open(),
             "about": self._show_about,
         }
         for name, slot in slots.items():

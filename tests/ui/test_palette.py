@@ -1,0 +1,95 @@
+"""The command palette in the real window, by keyboard and mouse."""
+
+import pytest
+from PySide6.QtCore import QSettings, Qt
+from PySide6.QtWidgets import QTreeWidget
+
+from ui.document import Document
+from ui.main_window import MainWindow
+from ui.palette import CommandPalette
+
+BOTH = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier
+
+
+@pytest.fixture
+def window(session, tmp_path, qtbot):
+    settings = QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat)
+    window = MainWindow(Document(session, "small"), settings)
+    qtbot.addWidget(window, before_close_func=lambda window: window.discard_and_close())
+    with qtbot.waitActive(window):
+        window.show()
+        window.activateWindow()
+    return window
+
+
+@pytest.fixture
+def palette(window, qtbot):
+    qtbot.keyClick(window, Qt.Key.Key_P, BOTH)
+    found = window.findChild(CommandPalette)
+    with qtbot.waitExposed(found):
+        pass
+    return found
+
+
+def listed(palette):
+    return [(item.text(0), item.text(1)) for item in palette._items()]
+
+
+def test_it_holds_every_command_of_the_menus_once(window, palette):
+    actions = [action for _, action in window.commands.entries()]
+    assert len(actions) == len(set(actions)) == len(palette._items())
+    assert {window.commands[name] for name in ("save", "undo", "start", "about")} <= {*actions}
+    assert ("Run → Start", "F5") in listed(palette)
+    assert "File → New from example → Flame" in dict(listed(palette))
+    assert "View → Light account" in dict(listed(palette))
+
+
+def test_typing_finds_names_with_all_words(palette, qtbot):
+    qtbot.keyClicks(palette._field, "exam flame")
+    names = [name for name, _ in listed(palette)]
+    assert len(names) > 2
+    assert all("Flame" in name and "example" in name for name in names)
+
+
+def test_what_begins_with_the_word_comes_first(palette, qtbot):
+    qtbot.keyClicks(palette._field, "s")
+    names = [name for name, _ in listed(palette)]
+    assert names[:4] == ["File → Save", "File → Save as", "Run → Start", "Run → Stop"]
+    assert "Sparse network" in names[4]
+
+
+def test_enter_does_the_command(window, palette, qtbot):
+    qtbot.keyClicks(palette._field, "letter")
+    qtbot.keyClick(palette._field, Qt.Key.Key_Return)
+    assert window.document.name == "letter"
+    qtbot.waitUntil(lambda: window.findChild(CommandPalette) is None)
+
+
+def test_arrows_choose_and_a_click_does(window, palette, qtbot):
+    dock = window.workspace.docks["derivative"]
+    qtbot.keyClicks(palette._field, "view")
+    tree = palette.findChild(QTreeWidget)
+    assert tree.currentItem().text(0) == "View → Fit 3D view"
+    qtbot.keyClick(palette._field, Qt.Key.Key_Down)
+    assert tree.currentItem().text(0) == "View → 3D scene"
+    item = next(each for each in palette._items() if "Derivative" in each.text(0))
+    place = tree.visualItemRect(item).center()
+    qtbot.mouseClick(tree.viewport(), Qt.MouseButton.LeftButton, pos=place)
+    assert not dock.isHidden()
+
+
+def test_what_cannot_be_done_is_not(window, palette, qtbot):
+    qtbot.keyClicks(palette._field, "undo")
+    (item,) = palette._items()
+    assert item.isDisabled()
+    qtbot.keyClick(palette._field, Qt.Key.Key_Return)
+    assert palette.isVisible()
+    qtbot.keyClick(palette._field, Qt.Key.Key_Escape)
+    assert not palette.isVisible()
+
+
+def test_a_word_that_fits_nothing_leaves_nothing_to_do(palette, qtbot):
+    qtbot.keyClicks(palette._field, "xyzzy")
+    assert listed(palette) == []
+    qtbot.keyClick(palette._field, Qt.Key.Key_Return)
+    assert palette.isVisible()

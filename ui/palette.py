@@ -1,0 +1,110 @@
+"""The command palette: any command of the menus, found by typing parts of its name."""
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import QEvent, QObject, QPoint, Qt
+from PySide6.QtGui import QAction, QKeyEvent, QKeySequence
+from PySide6.QtWidgets import (
+    QDialog,
+    QHeaderView,
+    QLineEdit,
+    QTreeWidget,
+    QTreeWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
+
+SEPARATOR = " \N{RIGHTWARDS ARROW} "
+"""Between the menu and the command in a name."""
+
+_SHARE, _ROWS = 0.45, 14  # of the window's width, and commands seen at once
+_MOVES = (Qt.Key.Key_Up, Qt.Key.Key_Down, Qt.Key.Key_PageUp, Qt.Key.Key_PageDown)
+
+
+class CommandPalette(QDialog):
+    """Pops up over a window; Enter or a click does the command, Escape or a click beside nothing.
+
+    Parameters
+    ----------
+    entries : sequence of (str, QAction)
+        Each command with its name. What cannot be done now is shown, but cannot be chosen.
+    window : QWidget
+        Where it pops up.
+    """
+
+    def __init__(self, entries: Sequence[tuple[str, QAction]], window: QWidget) -> None:
+        super().__init__(window, Qt.WindowType.Popup)
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.setAccessibleName("Command palette")
+        self._entries = entries
+        self._field = QLineEdit(placeholderText="Type parts of a command's name")
+        self._field.setClearButtonEnabled(True)
+        self._field.textChanged.connect(self._find)
+        self._field.installEventFilter(self)
+        self._found = QTreeWidget()
+        self._found.setColumnCount(2)
+        self._found.setHeaderHidden(True)
+        self._found.setRootIsDecorated(False)
+        self._found.setUniformRowHeights(True)
+        self._found.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # typing goes on in the field
+        header = self._found.header()
+        header.setStretchLastSection(False)
+        header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
+        header.setSectionResizeMode(1, QHeaderView.ResizeMode.ResizeToContents)
+        self._found.itemClicked.connect(self._do)
+        column = QVBoxLayout(self)
+        column.addWidget(self._field)
+        column.addWidget(self._found)
+        self._find("")
+        self._field.setFocus()
+        row = self._found.sizeHintForRow(0)
+        self.resize(int(_SHARE * window.width()), (_ROWS + 3) * row)
+        self.move(window.mapToGlobal(QPoint((window.width() - self.width()) // 2, 2 * row)))
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Keys typed in the field move in the list, or choose from it."""
+        if event.type() == QEvent.Type.KeyPress and isinstance(event, QKeyEvent):
+            if event.key() in _MOVES:
+                self._found.keyPressEvent(event)
+                return True
+            if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+                self._do(self._found.currentItem())
+                return True
+        return super().eventFilter(watched, event)
+
+    def _find(self, text: str) -> None:
+        """Show the commands whose names have all the words; the likeliest come first."""
+        words = text.lower().split()
+        fitting = [
+            (name, action)
+            for name, action in self._entries
+            if all(word in name.lower() for word in words)
+        ]
+        first = words[0] if words else ""
+        fitting.sort(key=lambda entry: _rank(entry[0], first))
+        self._found.clear()
+        for name, action in fitting:
+            keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
+            item = QTreeWidgetItem([name, keys])
+            item.setData(0, Qt.ItemDataRole.UserRole, action)
+            item.setToolTip(0, action.statusTip())
+            item.setDisabled(not action.isEnabled())
+            self._found.addTopLevelItem(item)
+        able = (item for item in self._items() if not item.isDisabled())
+        self._found.setCurrentItem(next(able, None))  # type: ignore[arg-type]
+
+    def _items(self) -> list[QTreeWidgetItem]:
+        items = (self._found.topLevelItem(k) for k in range(self._found.topLevelItemCount()))
+        return [item for item in items if item is not None]
+
+    def _do(self, item: QTreeWidgetItem | None) -> None:
+        if item is not None and not item.isDisabled():
+            action = item.data(0, Qt.ItemDataRole.UserRole)
+            self.close()  # before the command, which may ask something
+            action.trigger()
+
+
+def _rank(name: str, begin: str) -> tuple[bool, int]:
+    """What begins as typed comes first, and what lies in menus within menus last."""
+    *menus, own = name.lower().split(SEPARATOR)
+    return not own.startswith(begin), len(menus)
