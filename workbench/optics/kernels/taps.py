@@ -25,6 +25,8 @@ from scipy.fft import dct
 FAST = {"contract", "reassoc", "arcp", "nsz"}
 # Longest series; a step of a filter with α = 16 takes 21 terms in float32, 43 in float64.
 _LONGEST = 48
+# Steps of a larger α are too steep for any such series, and fall between the samples of a fit.
+_STEEPEST = 64.0
 _SAMPLES = 64
 # So many terms the common filters need in float32; a fixed number lets the compiler unroll.
 SHORT = 6
@@ -60,6 +62,8 @@ def make_taps(alpha: float, size: int, kind: type[np.floating[Any]]) -> Taps:
 
 @lru_cache(maxsize=32)
 def _fit(alpha: float, reach: int, eps: float) -> npt.NDArray[np.float64]:
+    if alpha > _STEEPEST:
+        return np.zeros((reach, 4, 0))
     angle = np.pi * (np.arange(_SAMPLES) + 0.5) / _SAMPLES
     functions = _even_functions(np.sqrt((np.cos(angle) + 1) / 8), alpha, reach)
     series = dct(functions, axis=-1) / _SAMPLES

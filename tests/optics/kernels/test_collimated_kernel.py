@@ -1,0 +1,269 @@
+"""The fused trace of collimated light against its twin in torch."""
+
+import threading
+from typing import ClassVar
+
+import numpy as np
+import pytest
+import torch
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from workbench.geometry.surface import ControlNet
+from workbench.optics.collimated import CollimatedRays
+from workbench.optics.kernels.collimated import FusedCollimatedRays
+from workbench.optics.reference import Reference
+from workbench.scene import GaussianFilter
+
+# Rays nearer than this to the edge of a pixel may count on either side in float32, in pixels.
+BAND = 1e-4
+
+
+def twins(scene, dtype, mirrored=(False, False)):
+    net = ControlNet.of(scene.lens)
+    return (
+        Reference(CollimatedRays(scene, net, dtype)),
+        FusedCollimatedRays(scene, net, scene.source.rays, mirrored, dtype),
+    )
+
+
+def lens(scene, seed, amplitude):
+    """Heights that are wild from an amplitude of 0.3 on: total reflection, light anywhere."""
+    noise = np.random.default_rng(seed).normal(size=scene.lens.control_points)
+    return torch.tensor(scene.lens.base.height + amplitude * noise)
+
+
+def with_gradient(tracer, heights, scene, cotangent):
+    leaf = heights.clone().requires_grad_()
+    light = tracer.image(leaf, scene.screen, scene.filter)
+    if not light.flux.requires_grad:
+        return light, torch.zeros_like(heights)
+    weighed = (light.flux * cotangent.to(light.flux.dtype)).sum()
+    (gradient,) = torch.autograd.grad(weighed, leaf, allow_unused=True)
+    return light, torch.zeros_like(heights) if gradient is None else gradient
+
+
+def share_in_band(scene, heights):
+    """Part of the rays that float32 may see in another pixel."""
+    hits = CollimatedRays(scene, ControlNet.of(scene.lens), torch.float64).trace(heights)
+    column, row = scene.screen.to_pixels(hits.x, hits.y)
+    near = [(c - c.round()).abs() < BAND for c in (column, row)]
+    return (near[0] | near[1]).double().mean().item()
+
+
+@st.composite
+def scenes(draw):
+    degree = draw(st.tuples(*[st.integers(1, 7)] * 2))
+    kind = draw(st.sampled_from(["box", "gaussian"]))
+    filter = {"kind": kind}
+    if kind == "gaussian":
+        filter["size"] = draw(st.lists(st.sampled_from([1, 3, 5]), min_size=2, max_size=2))
+        filter["alpha"] = draw(st.sampled_from([0.1, 1.0, 8.0]))
+    return {
+        "lens.degree": list(degree),
+        "lens.control_points": [p + draw(st.integers(1, 9)) for p in degree],
+        "lens.half_width": [draw(st.floats(0.5, 2.0)), draw(st.floats(0.5, 2.0))],
+        "lens.refractive_index": draw(st.floats(1.1, 2.0)),
+        "source.rays": [draw(st.integers(1, 90)), draw(st.integers(1, 90))],
+        "screen.pixels": [draw(st.integers(1, 40)), draw(st.integers(1, 40))],
+        "filter": filter,
+    }
+
+
+# The fixture makes every scene anew.
+@settings(max_examples=40, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(
+    changes=scenes(), amplitude=st.sampled_from([0.0, 0.005, 0.05, 0.5]), seed=st.integers(0, 99)
+)
+def test_twins_agree_in_float64(make_scene, changes, amplitude, seed):
+    scene = make_scene(changes)
+    heights = lens(scene, seed, amplitude)
+    cotangent = torch.tensor(np.random.default_rng(seed).normal(size=scene.screen.pixels[::-1]))
+    if share_in_band(scene, heights) > 0 and (amplitude == 0 or scene.filter.kind == "box"):
+        return  # on the edge of a pixel by symmetry: either side is right
+    (exact, gradient), (light, found) = (
+        with_gradient(tracer, heights, scene, cotangent) for tracer in twins(scene, torch.float64)
+    )
+    assert torch.allclose(light.flux, exact.flux, rtol=0, atol=1e-12)
+    assert light[1:] == pytest.approx(exact[1:], abs=1e-12)
+    assert sum(light[1:]) + light.flux.sum().item() == pytest.approx(
+        sum(exact[1:]) + exact.flux.sum().item(), abs=1e-12
+    )
+    assert found.isfinite().all()
+    assert (found - gradient).norm() <= 1e-10 * max(1e-3, gradient.norm().item())
+
+
+@pytest.mark.parametrize("size", [(1, 1), (3, 3), (5, 3)])
+@pytest.mark.parametrize("amplitude", [0.0, 0.01, 0.1])
+@pytest.mark.parametrize("half_width", [0.64, 30.0])
+def test_twins_agree_in_float32_but_for_rays_on_the_edge_of_a_pixel(
+    make_scene, size, amplitude, half_width
+):
+    scene = make_scene(
+        {
+            "source.rays": [150, 130],
+            "filter.size": list(size),
+            "lens.half_width": [half_width, half_width],
+            "screen.half_width": [half_width, half_width],
+            "screen.z": 5 * half_width,
+        }
+    )
+    heights = lens(scene, 3, amplitude * half_width)
+    cotangent = torch.tensor(np.random.default_rng(5).normal(size=(32, 32)))
+    (exact, gradient), (light, found) = (
+        with_gradient(tracer, heights, scene, cotangent) for tracer in twins(scene, torch.float32)
+    )
+    band = share_in_band(scene, heights)
+    assert light.flux.dtype == torch.float32
+    # Through a box a ray in the band may light another pixel; else the image has no jumps.
+    moved = 2 * band if size == (1, 1) else 0
+    assert (light.flux - exact.flux).abs().sum().item() <= 2e-5 + moved
+    assert light[1:] == pytest.approx(exact[1:], abs=2e-6 + moved)
+    assert (found - gradient).norm() <= (1e-4 + 4 * band) * max(1e-3, gradient.norm().item())
+
+
+def test_float32_comes_as_close_to_float64_as_the_reference_does(make_scene):
+    scene = make_scene({"source.rays": [120, 120]})
+    heights = lens(scene, 1, 0.02)
+    cotangent = torch.tensor(np.random.default_rng(5).normal(size=(32, 32)))
+    _, exact = with_gradient(twins(scene, torch.float64)[0], heights, scene, cotangent)
+    reference, kernel = (
+        (with_gradient(tracer, heights, scene, cotangent)[1] - exact).norm() / exact.norm()
+        for tracer in twins(scene, torch.float32)
+    )
+    assert kernel < max(1.5 * reference, 1e-5)
+
+
+@pytest.mark.parametrize("rays", [(1, 1), (1, 300), (300, 1), (257, 3), (700, 40)])
+def test_any_number_of_rays_fills_its_batches(make_scene, rays):
+    scene = make_scene({"source.rays": list(rays)})
+    heights = lens(scene, 2, 0.02)
+    cotangent = torch.tensor(np.random.default_rng(5).normal(size=(32, 32)))
+    (exact, gradient), (light, found) = (
+        with_gradient(tracer, heights, scene, cotangent) for tracer in twins(scene, torch.float64)
+    )
+    assert torch.allclose(light.flux, exact.flux, rtol=0, atol=1e-13)
+    assert (found - gradient).norm() <= 1e-11 * gradient.norm()
+
+
+@pytest.mark.parametrize("amplitude", [5.0, 1e6, np.nan])
+@pytest.mark.parametrize("dtype", [torch.float32, torch.float64])
+def test_no_lens_is_too_wild(make_scene, amplitude, dtype):
+    scene = make_scene({"source.rays": [100, 100]})
+    heights = lens(scene, 4, amplitude)
+    light, gradient = with_gradient(
+        twins(scene, dtype)[1], heights, scene, torch.ones(32, 32, dtype=dtype)
+    )
+    assert light.flux.isfinite().all()
+    assert gradient.isfinite().all()
+    assert light.flux.sum().item() + sum(light[1:]) == pytest.approx(0.96, abs=1e-5)
+    if amplitude != 5.0:
+        assert light.total_reflection > 0.9
+
+
+def test_gradient_is_that_of_central_differences(make_scene):
+    scene = make_scene(
+        {
+            "lens.control_points": [5, 6],
+            "lens.degree": [2, 3],
+            "source.rays": [9, 7],
+            "screen.pixels": [6, 5],
+            "screen.half_width": [2.0, 2.0],
+        }
+    )
+    kernel = twins(scene, torch.float64)[1]
+    heights = lens(scene, 8, 0.02).requires_grad_()
+    assert share_in_band(scene, heights.detach()) == 0
+
+    def image(heights):
+        return kernel.image(heights, scene.screen, scene.filter).flux
+
+    assert torch.autograd.gradcheck(image, [heights], eps=1e-7, atol=1e-6)
+
+
+@pytest.mark.parametrize("dtype", [torch.float32, torch.float64])
+def test_the_number_of_threads_does_not_matter(make_scene, dtype):
+    scene = make_scene({"source.rays": [300, 200]})
+    heights = lens(scene, 6, 0.02)
+    cotangent = torch.tensor(np.random.default_rng(5).normal(size=(32, 32)))
+    kernel = twins(scene, dtype)[1]
+    before = torch.get_num_threads()
+    found = []
+    try:
+        for threads in (1, 2, 2, 3):
+            torch.set_num_threads(threads)
+            light, gradient = with_gradient(kernel, heights, scene, cotangent)
+            found.append((light, gradient))
+    finally:
+        torch.set_num_threads(before)
+    (alone, gradient), (two, gradient_two), (again, gradient_again), (three, _) = found
+    eps = torch.finfo(dtype).eps
+    assert torch.equal(two.flux, again.flux)
+    assert two[1:] == again[1:]
+    assert torch.equal(gradient_two, gradient_again)
+    for other in (two, three):
+        assert torch.allclose(
+            other.flux, alone.flux, rtol=0, atol=10 * eps * alone.flux.max().item()
+        )
+        assert other[1:] == pytest.approx(alone[1:], abs=1e3 * eps)
+    assert (gradient_two - gradient).norm() <= 1e3 * eps * gradient.norm()
+
+
+def test_two_threads_of_python_may_trace_at_once(make_scene):
+    scene = make_scene({"source.rays": [256, 200]})
+    kernel = twins(scene, torch.float64)[1]
+    lenses = [lens(scene, seed, 0.02) for seed in range(8)]
+    alone = [kernel.image(heights, scene.screen, scene.filter).flux for heights in lenses]
+    together = [None] * len(lenses)
+
+    def trace(number):
+        together[number] = kernel.image(lenses[number], scene.screen, scene.filter).flux
+
+    started = [threading.Thread(target=trace, args=[number]) for number in range(len(lenses))]
+    for thread in started:
+        thread.start()
+    for thread in started:
+        thread.join()
+    assert all(torch.equal(a, b) for a, b in zip(alone, together, strict=True))
+
+
+class TestMirrored:
+    CHANGES: ClassVar = {"source.rays": [60, 50], "lens.control_points": [9, 10]}
+
+    def symmetric(self, values, mirrored):
+        for axis, wanted in enumerate(mirrored):
+            if wanted:
+                values = (values + values.flip(axis)) / 2
+        return values
+
+    @pytest.mark.parametrize("mirrored", [(True, False), (False, True), (True, True)])
+    @pytest.mark.parametrize("filter", [{"kind": "box"}, {"kind": "gaussian", "size": [3, 5]}])
+    def test_half_the_rays_give_the_whole(self, make_scene, mirrored, filter):
+        scene = make_scene({**self.CHANGES, "filter": filter})
+        heights = self.symmetric(lens(scene, 3, 0.04), mirrored)
+        cotangent = torch.tensor(np.random.default_rng(5).normal(size=(32, 32)))
+        cotangent = self.symmetric(cotangent.T, mirrored).T
+        whole, gradient = with_gradient(twins(scene, torch.float64)[1], heights, scene, cotangent)
+        kernel = twins(scene, torch.float64, mirrored)[1]
+        assert kernel.mirrored == mirrored
+        light, found = with_gradient(kernel, heights, scene, cotangent)
+        assert torch.allclose(light.flux, whole.flux, rtol=0, atol=1e-13)
+        assert light[1:] == pytest.approx(whole[1:], abs=1e-13)
+        assert (found - gradient).norm() <= 1e-11 * gradient.norm()
+
+    def test_an_odd_number_of_rays_is_traced_whole(self, make_scene):
+        scene = make_scene({"source.rays": [61, 50]})
+        kernel = twins(scene, torch.float64, (True, True))[1]
+        assert kernel.mirrored == (False, True)
+
+
+@pytest.mark.parametrize("dtype", [torch.float32, torch.float64])
+def test_leaves_of_either_float_type_get_gradients_of_their_own(make_scene, dtype):
+    scene = make_scene()
+    leaf = lens(scene, 3, 0.02).to(dtype).requires_grad_()
+    flux = twins(scene, torch.float32)[1].image(leaf, scene.screen, scene.filter).flux
+    (gradient,) = torch.autograd.grad(flux.square().sum(), leaf)
+    assert gradient.dtype == dtype
+    with torch.no_grad():
+        light = twins(scene, torch.float32)[1].image(leaf, scene.screen, GaussianFilter())
+    assert not light.flux.requires_grad

@@ -1,0 +1,93 @@
+"""Which tracer a plan takes, and that it makes no difference but speed."""
+
+import numpy as np
+import pytest
+import torch
+
+from workbench.optics.kernels import ready
+from workbench.optics.plan import Plan
+
+
+def lens(scene, seed=3):
+    noise = np.random.default_rng(seed).normal(size=scene.lens.control_points)
+    return torch.tensor(scene.lens.base.height + 0.01 * noise)
+
+
+@pytest.fixture
+def nothing_compiled(monkeypatch):
+    """As in a new process, but for what numba has in memory."""
+    monkeypatch.setattr(ready, "_ready", set())
+
+
+def test_a_plan_takes_the_kernel_and_gives_what_the_reference_gives(make_scene):
+    scene = make_scene({"lens.base.height": 0.6})
+    traced = [Plan(scene, dtype=torch.float64, fused=fused).trace(lens(scene)) for fused in (1, 0)]
+    assert torch.allclose(traced[0].flux, traced[1].flux, rtol=0, atol=1e-13)
+    mine, theirs = (t.ledger.to_data() for t in traced)
+    assert mine == pytest.approx(theirs, abs=1e-13)
+    assert Plan(scene).notes[0].startswith("fused kernels")
+    assert Plan(scene, fused=False).notes[0].startswith("reference in torch on cpu, float32")
+
+
+def test_the_reference_steps_in_while_another_thread_compiles(make_scene, nothing_compiled):
+    scene = make_scene()
+    plan = Plan(scene)
+    with ready._compiling:
+        assert plan.notes[0].startswith("reference")
+        early = plan.trace(lens(scene)).flux
+    assert plan.notes[0].startswith("fused")
+    assert torch.allclose(plan.trace(lens(scene)).flux, early, atol=1e-6)
+
+
+def test_a_program_alone_compiles_what_it_needs_at_once(make_scene, nothing_compiled):
+    plan = Plan(make_scene(), dtype=torch.float64)
+    assert plan.notes[0].startswith("fused kernels")
+    assert plan.notes[0].endswith("float64")
+    assert ("collimated", torch.float64) in ready._ready
+
+
+def test_compiling_ahead_can_be_broken_off(nothing_compiled):
+    ready.compile_all(lambda: False)
+    assert not ready._ready
+    ready.compile_all()
+    assert {name for name, _ in ready._ready} == set(ready._COMPILERS)
+    assert all(ready.is_ready(name, torch.float32) for name in ready._COMPILERS)
+
+
+def test_samples_take_the_place_of_the_sources_rays(make_scene):
+    few, many = make_scene({"source.rays": [20, 30]}), make_scene({"source.rays": [70, 80]})
+    for fused in (True, False):
+        plan = Plan(few, samples=(70, 80), dtype=torch.float64, fused=fused)
+        flux = plan.trace(lens(few)).flux
+        assert torch.equal(flux, Plan(many, dtype=torch.float64, fused=fused).trace(lens(few)).flux)
+
+
+def test_a_mirrored_plan_says_so_and_gives_the_same(make_scene):
+    scene = make_scene()
+    heights = lens(scene)
+    heights = (heights + heights.flip(0)) / 2
+    half = Plan(scene, mirrored=(True, False), dtype=torch.float64)
+    whole = Plan(scene, dtype=torch.float64)
+    assert torch.allclose(half.trace(heights).flux, whole.trace(heights).flux, atol=1e-14)
+    assert "mirror symmetry: half of the rays" in half.notes
+    heights = (heights + heights.flip(1)) / 2
+    quarter = Plan(scene, mirrored=(True, True), dtype=torch.float64)
+    assert torch.allclose(quarter.trace(heights).flux, whole.trace(heights).flux, atol=1e-14)
+    assert "mirror symmetry: a quarter of the rays" in quarter.notes
+    assert not any("mirror" in note for note in whole.notes)
+
+
+def test_notes_name_what_is_left_out(make_scene):
+    notes = Plan(make_scene({"filter": {"kind": "box"}})).notes
+    assert "collimated light: entrance refraction and intersection left out" in notes
+    assert "box filter: one pixel a ray, no ghost pixels" in notes
+    assert not any("box" in note for note in Plan(make_scene()).notes)
+
+
+def test_the_same_rays_on_another_screen(make_scene):
+    scene = make_scene()
+    wide = scene.screen.model_copy(update={"half_width": (2.0, 2.0), "pixels": (64, 64)})
+    plan = Plan(scene, dtype=torch.float64)
+    near, far = plan.trace(lens(scene)), plan.on(wide).trace(lens(scene))
+    assert torch.allclose(far.flux[17:-17, 17:-17], near.flux[1:-1, 1:-1], atol=1e-13)
+    assert far.ledger.off_screen <= near.ledger.off_screen

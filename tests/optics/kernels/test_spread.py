@@ -1,0 +1,174 @@
+"""Taps, scatter and gather against the torch reference and against each other."""
+
+import numpy as np
+import pytest
+import torch
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from workbench.optics.irradiance import _taps, reconstruct
+from workbench.optics.kernels.spread import (
+    BATCH,
+    add_up,
+    gather,
+    make_canvases,
+    make_spread,
+    pad,
+    scatter,
+    workspace,
+)
+from workbench.optics.kernels.taps import fill_taps, make_taps
+from workbench.scene import BoxFilter, GaussianFilter, Screen
+
+SCREEN = Screen(z=5.0, half_width=(3.0, 2.0), pixels=(12, 8))
+KINDS = [np.float32, np.float64]
+FILTERS = [
+    BoxFilter(),
+    GaussianFilter(size=(1, 1)),
+    GaussianFilter(size=(3, 3)),
+    GaussianFilter(size=(1, 5)),
+    GaussianFilter(size=(11, 5), alpha=0.2),
+    GaussianFilter(size=(3, 3), alpha=16.0),
+    GaussianFilter(size=(3, 7), alpha=1e6),
+    GaussianFilter(size=(3, 3), alpha=1e-6),
+]
+
+
+def found_taps(alpha, size, kind):
+    """Offsets, all taps and all slopes at them."""
+    offset = np.linspace(-0.5, 0.5, BATCH, endpoint=False).astype(kind)
+    value, slope = np.full((2, size, BATCH), np.nan, kind)
+    fill_taps(
+        make_taps(alpha, size, kind), offset, BATCH, True, np.empty((4, BATCH), kind), value, slope
+    )
+    return offset, value, slope
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize(
+    ("alpha", "size"),
+    [(alpha, size) for alpha in (1e-6, 0.1, 1.0, 2.0, 16.0, 40.0, 1e3, 1e6) for size in (3, 5)]
+    + [(1e-4, 99), (1.0, 99), (300.0, 21)],
+)
+def test_taps_and_slopes_are_those_of_the_filter(alpha, size, kind):
+    offset, value, slope = found_taps(alpha, size, kind)
+    at = torch.tensor(offset, dtype=torch.float64, requires_grad=True)
+    exact = _taps(at, GaussianFilter(size=(size, size), alpha=alpha), axis=0)
+    slopes = [torch.autograd.grad(tap.sum(), at, retain_graph=True)[0].numpy() for tap in exact]
+    eps = float(np.finfo(kind).eps)
+    # An exponential of a large number has its relative rounding, and α is a large number.
+    slack = eps * max(16, 4 * alpha)
+    steepest = max(1, np.abs(slopes).max())
+    assert value == pytest.approx(np.stack([tap.detach() for tap in exact]), abs=slack)
+    assert slope == pytest.approx(np.stack(slopes), abs=slack * steepest)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@settings(max_examples=40)
+@given(alpha=st.floats(1e-6, 1e6), size=st.sampled_from([1, 3, 5, 7, 21, 99]))
+def test_taps_share_the_light_out_and_none_is_negative(kind, alpha, size):
+    _, value, slope = found_taps(alpha, size, kind)
+    eps = float(np.finfo(kind).eps)
+    assert (value >= 0).all()
+    assert value.sum(axis=0, dtype=np.float64) == pytest.approx(1, abs=eps * size)
+    assert slope.sum(axis=0, dtype=np.float64) == pytest.approx(0, abs=eps * size * (1 + 2 * alpha))
+
+
+def hits(rng, kind, count=BATCH):
+    """Rays on and beside the screen, and some that go nowhere."""
+    x, y = rng.normal(0, 2.5, (2, count)).astype(kind)
+    x[:4] = np.inf, -np.inf, np.nan, 1e30
+    y[4:8] = np.inf, -np.inf, np.nan, -1e30
+    weight = rng.random(count).astype(kind)
+    return x, y, weight
+
+
+def spread_out(spread, x, y, weight):
+    column, row = spread.column_0 + spread.per_x * x, spread.row_0 + spread.per_y * y
+    canvases = make_canvases(spread, 1)
+    work = workspace(spread, weight)
+    beside = scatter(spread, column, row, weight, len(x), work, canvases[0])
+    image, around = add_up(spread, canvases)
+    return image, beside + around
+
+
+def pull_back(spread, x, y, weight, cotangent):
+    column, row = spread.column_0 + spread.per_x * x, spread.row_0 + spread.per_y * y
+    d_column, d_row, d_weight = np.full((3, BATCH), np.nan, weight.dtype)
+    work = workspace(spread, weight)
+    canvas = pad(spread, cotangent)
+    gather(spread, column, row, weight, len(x), work, canvas, d_column, d_row, d_weight)
+    return d_column * spread.per_x, d_row * spread.per_y, d_weight
+
+
+@pytest.mark.parametrize("filter", FILTERS, ids=str)
+@pytest.mark.parametrize("kind", KINDS)
+def test_the_image_is_that_of_the_reference(filter, kind, rng):
+    x, y, weight = hits(rng, kind)
+    image, beside = spread_out(make_spread(SCREEN, filter, kind), x, y, weight)
+    exact = reconstruct(*(torch.tensor(c) for c in (x, y, weight)), SCREEN, filter)
+    eps = float(np.finfo(kind).eps)
+    steepness = filter.alpha if isinstance(filter, GaussianFilter) and filter.size != (1, 1) else 1
+    # A step moves with the rounding of the hit.
+    slack = 100 * eps * max(1, steepness)
+    assert image.dtype == kind
+    assert image == pytest.approx(exact.flux.numpy(), abs=slack)
+    assert beside == pytest.approx(exact.off_screen.item(), abs=slack + 1e3 * eps)
+    assert image.sum() + beside == pytest.approx(weight.sum(), rel=100 * eps)
+
+
+@pytest.mark.parametrize("filter", FILTERS[2:6] + FILTERS[7:], ids=str)
+@pytest.mark.parametrize("kind", KINDS)
+def test_cotangents_are_those_of_the_reference(filter, kind, rng):
+    x, y, weight = hits(rng, kind)
+    cotangent = rng.normal(size=(8, 12)).astype(kind)
+    leaves = [torch.tensor(c, requires_grad=True) for c in (x, y, weight)]
+    flux = reconstruct(*leaves, SCREEN, filter).flux
+    exact = torch.autograd.grad(
+        (flux * torch.tensor(cotangent)).sum(), leaves, materialize_grads=True, allow_unused=True
+    )
+    found = pull_back(make_spread(SCREEN, filter, kind), x, y, weight, cotangent)
+    eps = float(np.finfo(kind).eps)
+    for mine, theirs in zip(found, exact, strict=True):
+        scale = theirs.abs().max().item()
+        assert mine == pytest.approx(theirs.numpy(), abs=2000 * eps * max(1, scale))
+    for mine in found:
+        assert not mine[:8].any()
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_box_has_no_slope(kind, rng):
+    x, y, weight = hits(rng, kind)
+    cotangent = rng.normal(size=(8, 12)).astype(kind)
+    d_x, d_y, d_weight = pull_back(make_spread(SCREEN, BoxFilter(), kind), x, y, weight, cotangent)
+    assert not d_x.any()
+    assert not d_y.any()
+    image, _ = spread_out(make_spread(SCREEN, BoxFilter(), kind), x, y, weight)
+    # Linear in the weights: the image meets a cotangent as the weights meet its adjoint.
+    assert (image * cotangent).sum() == pytest.approx(
+        (weight * d_weight).sum(), rel=1e4 * float(np.finfo(kind).eps)
+    )
+
+
+@settings(max_examples=60)
+@given(
+    size=st.tuples(*[st.sampled_from([1, 3, 5, 9])] * 2),
+    alpha=st.floats(1e-3, 5),
+    x=st.floats(-5, 5),
+    y=st.floats(-4, 4),
+)
+def test_one_ray_anywhere_through_any_filter(size, alpha, x, y):
+    filter = GaussianFilter(size=size, alpha=alpha)
+    one = np.ones(1)
+    image, beside = spread_out(
+        make_spread(SCREEN, filter, np.float64), np.array([x]), np.array([y]), one
+    )
+    exact = reconstruct(
+        *(torch.tensor([c], dtype=torch.float64) for c in (x, y, 1)), SCREEN, filter
+    )
+    column, row = SCREEN.to_pixels(x, y)
+    on_edge = min(abs(column - round(column)), abs(row - round(row))) < 1e-12
+    if not on_edge or 1 not in size:  # a box along an axis makes the image jump there
+        assert image == pytest.approx(exact.flux.numpy(), abs=1e-12)
+        assert beside == pytest.approx(exact.off_screen.item(), abs=1e-12)
+    assert image.sum() + beside == pytest.approx(1, abs=1e-13)
