@@ -1,5 +1,6 @@
 """How much of the light of points enters the lens, by quadrature over the entrance face."""
 
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -33,6 +34,7 @@ class Entering(NamedTuple):
     reflected: float
 
 
+@lru_cache(maxsize=8)
 def entering(source: PointSource | GridSource, lens: Lens) -> Entering:
     """Account of a source's light before and at the entrance face.
 

@@ -58,12 +58,11 @@ class FaceSamples:
         self._y = constant(lattice.y.place)[None, :]
         self._away_x = constant(lattice.x.away)[:, None]
         self._away_y = constant(lattice.y.away)[None, :]
-        self._radius2 = self._away_x.square() + self._away_y.square()
         lambertian = scene.source.emission == "lambertian"
         self._glass = Glass(lattice.distance, scene.lens.index, lambertian)
-        # Flux of a sample were it right before its point, before Fresnel's loss.
-        area = lattice.x.width[:, None] * lattice.y.width
-        self._brightest = constant(lattice.intensity * area / lattice.distance**2)
+        self._area = constant(lattice.x.width)[:, None], constant(lattice.y.width)
+        # Flux per area right before the points, but for Fresnel's loss.
+        self._brightest = constant(lattice.intensity / lattice.distance**2)
         self._rims = [
             (axis.cell, constant(axis.aside).reshape(shape), constant(axis.reach).reshape(shape))
             for axis, shape in ((lattice.x, (-1, 1)), (lattice.y, (1, -1)))
@@ -86,13 +85,13 @@ class FaceSamples:
         inside = depth > 0
         depth = torch.where(inside, depth, 0.0)
 
-        light = self._glass.light(self._radius2, depth)
+        light = self._glass.light(self._away_x.square() + self._away_y.square(), depth)
         slope = light.part * light.steepness
         slope_x, slope_y = self._away_x * slope, self._away_y * slope
         # The face takes in more or less light than the plane z = const, as it leans to it or away.
         lean = 1 - slope_x * face_x - slope_y * face_y
         met = inside & (lean > 0)  # a face that leans away further has met the light before
-        flux = self._brightest * light.density * lean
+        flux = self._brightest * self._area[0] * self._area[1] * light.density * lean
         for cell, aside, reach in self._rims:
             # Part of the sample's cell that sees its point through the entrance face.
             flux = flux * (0.5 + (reach / light.part - aside) / cell).clamp(0, 1)

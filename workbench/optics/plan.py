@@ -10,8 +10,10 @@ from torch import Tensor
 from workbench.errors import Refused
 from workbench.geometry.surface import ControlNet
 from workbench.optics.collimated import CollimatedRays
+from workbench.optics.face_samples import FaceSamples
 from workbench.optics.kernels import ready
 from workbench.optics.kernels.collimated import FusedCollimatedRays
+from workbench.optics.kernels.face import FusedFaceSamples
 from workbench.optics.ledger import Ledger
 from workbench.optics.light import Tracer
 from workbench.optics.point import PointRays
@@ -52,10 +54,11 @@ class Plan:
     fused : bool
         False asks for the reference.
     samples : tuple[int, int], optional
-        Rays of collimated light along x and y; those of the source by default.
+        Rays of collimated light along x and y; those of the source by default. For light of points
+        they mean samples of the exit face, in place of rays that search for it.
     mirrored : tuple[bool, bool]
         The caller's promise that heights, lens and source are mirror images of themselves in x,
-        in y. Kernels for collimated light then trace one half of the rays only.
+        in y. Kernels for collimated light and for samples then trace one half of them only.
 
     Raises
     ------
@@ -80,16 +83,16 @@ class Plan:
         self._mirrored = mirrored
         self._kernel: Tracer | None = None
         net = net or ControlNet.of(scene.lens)
-        if samples is not None:
-            if not isinstance(scene.source, CollimatedSource):
-                raise ValueError("samples along x and y are for collimated light")
+        if samples is not None and isinstance(scene.source, CollimatedSource):
             source = CollimatedSource(kind="collimated", rays=samples)
             scene = scene.model_copy(update={"source": source})
-        self._scene, self._net = scene, net
+        self._scene, self._net, self._samples = scene, net, samples
         self._fresh = not isinstance(scene.source, CollimatedSource) and scene.source.fresh
         # Collimated light needs no entrance refraction and no intersection: it is not in its plan.
         if isinstance(scene.source, CollimatedSource):
             self._reference = Reference(CollimatedRays(scene, net, dtype, self._device))
+        elif samples is not None:
+            self._reference = Reference(FaceSamples(scene, net, samples, dtype, self._device))
         else:
             self._reference = Reference(PointRays(scene, net, dtype=dtype, device=self._device))
 
@@ -126,7 +129,9 @@ class Plan:
             notes = [f"fused kernels, {torch.get_num_threads()} threads, {precision}"]
         if isinstance(self._scene.source, CollimatedSource):
             notes.append("collimated light: entrance refraction and intersection left out")
-        if isinstance(tracer, FusedCollimatedRays) and any(tracer.mirrored):
+        elif self._samples is not None:
+            notes.append("samples on the exit face: no ray has to search for it")
+        if isinstance(tracer, FusedCollimatedRays | FusedFaceSamples) and any(tracer.mirrored):
             part = "a quarter" if all(tracer.mirrored) else "half"
             notes.append(f"mirror symmetry: {part} of the rays")
         if isinstance(self._filter, BoxFilter):
@@ -159,15 +164,24 @@ class Plan:
         """The image alone, for `torch.func` transforms such as jvp: always by the reference."""
         return self._reference.flux(heights, self._screen, self._filter)
 
+    def valid(self, heights: Tensor) -> bool:
+        """Whether the way of tracing is surely right for a lens; see `FaceSamples.valid`."""
+        rays = self._reference.rays
+        return not isinstance(rays, FaceSamples) or rays.valid(heights)
+
     def _tracer(self) -> Tracer:
         """The kernel as soon as it is compiled; see `workbench.optics.kernels.ready`."""
-        source = self._scene.source
-        if not (self._fused and isinstance(source, CollimatedSource)):
-            return self._reference
-        if self._kernel is None and ready.is_ready("collimated", self._dtype):
-            self._kernel = FusedCollimatedRays(
-                self._scene, self._net, source.rays, self._mirrored, self._dtype
-            )
+        scene, source = self._scene, self._scene.source
+        if self._kernel is None and self._fused:
+            if isinstance(source, CollimatedSource):
+                if ready.is_ready("collimated", self._dtype):
+                    self._kernel = FusedCollimatedRays(
+                        scene, self._net, source.rays, self._mirrored, self._dtype
+                    )
+            elif self._samples is not None and ready.is_ready("face", self._dtype):
+                self._kernel = FusedFaceSamples(
+                    scene, self._net, self._samples, self._mirrored, self._dtype
+                )
         return self._kernel or self._reference
 
 

@@ -7,6 +7,7 @@ import torch
 from torch import Tensor
 
 from workbench.optics.collimated import CollimatedRays
+from workbench.optics.face_samples import FaceSamples
 from workbench.optics.hits import Hits
 from workbench.optics.irradiance import Image, reconstruct
 from workbench.optics.light import Light
@@ -19,11 +20,11 @@ class Reference:
 
     Parameters
     ----------
-    rays : CollimatedRays or PointRays
+    rays : CollimatedRays, PointRays or FaceSamples
         The rays.
     """
 
-    def __init__(self, rays: CollimatedRays | PointRays) -> None:
+    def __init__(self, rays: CollimatedRays | PointRays | FaceSamples) -> None:
         self.rays = rays
 
     @property

@@ -11,11 +11,12 @@ from collections.abc import Callable
 
 import torch
 
-from workbench.optics.kernels import collimated
+from workbench.optics.kernels import collimated, face
 
 # What compiles a kernel for a float type, by tiny calls.
 _COMPILERS: dict[str, Callable[[torch.dtype], None]] = {
     "collimated": collimated.compile_for,
+    "face": face.compile_for,
 }
 
 _ready: set[tuple[str, torch.dtype]] = set()
