@@ -59,6 +59,7 @@ def setting_up(extra=""):
     return [
         f"{sys.executable} -m venv .venv",
         f".venv/bin/python -m pip install --quiet --editable .{extra}",
+        ".venv/bin/python -m workbench.optics.kernels.ready",
     ]
 
 
@@ -124,7 +125,7 @@ def test_without_a_display_the_tests_get_a_virtual_screen(monkeypatch, commands)
 def test_without_a_display_the_example_runs_from_the_command_line(monkeypatch, commands, capsys):
     monkeypatch.setattr(system_libraries, "has_display", lambda: False)
     assert bootstrap.main([]) == 0
-    assert commands[2:] == [
+    assert commands[3:] == [
         ".venv/bin/freeform design resources/examples/tophat.json -o out/tophat.freeform",
         ".venv/bin/freeform pictures out/tophat.freeform out",
     ]

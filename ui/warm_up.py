@@ -1,4 +1,4 @@
-"""Imports the slow libraries while the window is already there."""
+"""Imports the slow libraries, and gets the kernels ready, while the window is already there."""
 
 import importlib
 import threading
@@ -16,6 +16,7 @@ class WarmUp(QObject):
 
     def __init__(self) -> None:
         super().__init__()
+        self._ending = threading.Event()
         self._thread = threading.Thread(target=self._run, name="warm-up")
 
     def start(self) -> None:
@@ -24,6 +25,7 @@ class WarmUp(QObject):
 
     def wait(self) -> None:
         """Let the imports end; a process that ends in the midst of one may crash."""
+        self._ending.set()
         if self._thread.ident is not None:
             self._thread.join()
 
@@ -33,3 +35,7 @@ class WarmUp(QObject):
                 importlib.import_module(module)
         finally:
             self.done.emit()  # queued: the receiver lives in the window's thread
+        # From disk in a moment, or anew in seconds; runs that begin before do without.
+        from workbench.optics.kernels.ready import compile_all
+
+        compile_all(lambda: not self._ending.is_set())
