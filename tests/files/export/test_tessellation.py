@@ -55,13 +55,6 @@ class TestChordError:
         face = Tessellation.of(design, precision=2.0**-24).rounded()
         assert face.chord_error(design) <= 1e-6
 
-    def test_many_rows_at_a_time_or_few(self, make_design, monkeypatch):
-        design = make_design()
-        face = Tessellation.of(design)
-        whole = face.chord_error(design)
-        monkeypatch.setattr("workbench.files.export.tessellation._POINTS_AT_ONCE", 5000)
-        assert face.chord_error(design) == pytest.approx(whole, rel=1e-9)
-
 
 class TestRefused:
     def test_finer_than_single_precision(self, make_design):

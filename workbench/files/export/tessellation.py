@@ -1,6 +1,7 @@
 """The closed body of the lens as triangles, with a bound on their distance from the exit face."""
 
 import math
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -8,15 +9,15 @@ import numpy.typing as npt
 
 from workbench.errors import Refused
 from workbench.files.export.design import Design
+from workbench.geometry.basis import local_basis
 from workbench.geometry.bounds import derivative_range
 
 Array = npt.NDArray[np.float64]
 Indices = npt.NDArray[np.int64]
 
 _MOST_CELLS = 4_000_000
-# The chord error is looked for on so many equal parts of each cell side, rows of cells at a time.
+# The chord error is looked for on so many equal parts of each cell's sides.
 _LOOKS = 4
-_POINTS_AT_ONCE = 1 << 20
 
 
 class Body(NamedTuple):
@@ -139,24 +140,22 @@ class Tessellation(NamedTuple):
     def chord_error(self, design: Design) -> float:
         """Largest distance, along z, between triangles and exit face, on a grid in each cell."""
         x, y = _subdivided(self.x), _subdivided(self.y)
-        s = np.arange(len(x)) % _LOOKS / _LOOKS
-        t = np.arange(len(y)) % _LOOKS / _LOOKS
-        j = np.minimum(np.arange(len(y)) // _LOOKS, len(self.y) - 2)
-        t[-1] = 1.0
+        by_column = design.heights @ design.basis(x[:1], y).along_y
+        u = (x / design.net.half_width[0] + 1) / 2
+        first, along_x = local_basis(design.net.knots[0], design.net.degree[0], u)
+        row = first[:, None] + np.arange(along_x.shape[1])
+        # Places in a cell: s along x, t along y, j the cell's column.
+        s = np.linspace(0, 1, _LOOKS + 1)[:, None]
+        j = np.minimum(np.arange(by_column.shape[1]) // _LOOKS, len(self.y) - 2)
+        t = np.arange(by_column.shape[1]) / _LOOKS - j
+        high, low = np.maximum(s, t), np.minimum(s, t)
         largest = 0.0
-        rows = max(_POINTS_AT_ONCE // len(y) // _LOOKS, 1)
-        for first in range(0, len(self.x) - 1, rows):
-            stop = min(first + rows, len(self.x) - 1)
-            at = np.arange(first * _LOOKS, stop * _LOOKS + 1)
-            i = np.minimum(at // _LOOKS, stop - 1)
-            across = np.where(at == stop * _LOOKS, 1.0, s[at])[:, None]
-            corner = self.z[i][:, j]
-            opposite = self.z[i + 1][:, j + 1]
-            # Below the diagonal (s > t) the triangle has the corner at +x, above it that at +y.
-            third = np.where(across > t, self.z[i + 1][:, j], self.z[i][:, j + 1])
-            high, low = np.maximum(across, t), np.minimum(across, t)
-            flat = corner + high * (third - corner) + low * (opposite - third)
-            exact = design.surface(x[at], y)[0]
+        for i, (near, far) in enumerate(pairwise(self.z)):
+            # Below the diagonal a triangle has the cell's corner at +x, above it that at +y.
+            third = np.where(s > t, far[j], near[j + 1])
+            flat = near[j] + high * (third - near[j]) + low * (far[j + 1] - third)
+            places = slice(i * _LOOKS, (i + 1) * _LOOKS + 1)
+            exact = np.einsum("kp,kpj->kj", along_x[places], by_column[row[places]])
             largest = max(largest, float(np.abs(flat - exact).max()))
         return largest
 
@@ -169,10 +168,16 @@ def _most(design: Design, order: tuple[int, int]) -> Array:
 
 def _rounding(design: Design, precision: float) -> float:
     """How far off rounded vertices can be, seen along z."""
-    (r_x, r_y), heights = design.scene.lens.half_width, np.abs(design.heights)
-    slopes = (_most(design, order).max() for order in ((1, 0), (0, 1)))
-    sideways = sum(s * r for s, r in zip(slopes, (r_x, r_y), strict=True))
-    return precision * float(heights.max() + sideways)
+    sideways = sum(
+        r * np.abs(np.diff(heights, axis=0) / np.diff(places)[:, None]).max()
+        for r, heights, places in zip(
+            design.net.half_width,
+            (design.heights, design.heights.T),
+            design.net.positions,
+            strict=True,
+        )
+    )
+    return precision * float(np.abs(design.heights).max() + sideways)
 
 
 def _divided(steps: npt.NDArray[np.int_]) -> Array:
