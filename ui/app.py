@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from PySide6.QtWidgets import QApplication
 
     from ui.main_window import MainWindow
+    from ui.recovery import Recovery
     from ui.warm_up import WarmUp
 
 _PROGRAM = "freeform-workbench"
@@ -42,21 +43,26 @@ def main(arguments: list[str] | None = None) -> int:
     _prepare_environment()
     application = _application()
 
-    from PySide6.QtCore import QSettings
+    from PySide6.QtCore import QSettings, QStandardPaths
 
     from resources import EXAMPLES
     from ui.document import Document
     from ui.main_window import MainWindow
+    from ui.recovery import Recovery
     from workbench.files.session import open_design
 
     first = EXAMPLES[0].file
     window = MainWindow(Document(open_design(first), first.stem), QSettings())
+    beside_settings = QStandardPaths.StandardLocation.AppConfigLocation
+    folder = Path(QStandardPaths.writableLocation(beside_settings)) / "recovery"
+    recovery = Recovery(window.document, folder, window)
     _report_exceptions(window)
-    signals = _leave_on_signals(window, application)
+    signals = _leave_on_signals(window, recovery, application)
     window.show()
-    warm_up = _load_behind(window, options.file, options.start)
+    warm_up = _load_behind(window, recovery, options.file, options.start)
     status = application.exec()
     warm_up.wait()
+    recovery.close()
     signals.close()
     return status
 
@@ -95,8 +101,10 @@ def _application() -> "QApplication":
     return application
 
 
-def _load_behind(window: "MainWindow", file: Path | None, start: bool) -> "WarmUp":
-    """After the first paint: open the file, import what is slow, build the views, start."""
+def _load_behind(
+    window: "MainWindow", recovery: "Recovery", file: Path | None, start: bool
+) -> "WarmUp":
+    """After the first paint: recover or open, import what is slow, build the views, start."""
     from PySide6.QtCore import Qt, QTimer
 
     from ui.warm_up import WarmUp
@@ -104,16 +112,37 @@ def _load_behind(window: "MainWindow", file: Path | None, start: bool) -> "WarmU
     warm_up = WarmUp()
     warm_up.done.connect(window.build)
 
+    def follow() -> None:
+        if window.control is not None:
+            recovery.follow(window.control)
+
+    window.built.connect(follow)
+
     def after_first_paint() -> None:
-        opened = file is None or window.files.open(file)
-        if start and opened:
-            window.built.connect(window.start)
         warm_up.start()
+        recovered = _recover(window, recovery)
+        opened = not recovered and (file is None or window.files.open(file))
+        if start and opened and window.control is None:
+            window.built.connect(window.start)
+        elif start and opened:  # all was loaded while a question stood
+            window.start()
 
     window.painted.connect(
         lambda: QTimer.singleShot(0, after_first_paint), Qt.ConnectionType.SingleShotConnection
     )
     return warm_up
+
+
+def _recover(window: "MainWindow", recovery: "Recovery") -> bool:
+    """Offer what was left behind, then keep this window's work; whether any is open now."""
+    from ui import left_behind
+
+    def recover(work: left_behind.LeftBehind) -> bool:
+        return window.files.recover(work.file, work.path, work.name) and recovery.keep_now()
+
+    recovery.failed.connect(window.messages.warn)
+    recovery.start()
+    return left_behind.offer(left_behind.find(recovery.folder), recover, window)
 
 
 def _report_exceptions(window: "MainWindow") -> None:
@@ -129,7 +158,9 @@ def _report_exceptions(window: "MainWindow") -> None:
     sys.excepthook = report
 
 
-def _leave_on_signals(window: "MainWindow", application: "QApplication") -> socket.socket:
+def _leave_on_signals(
+    window: "MainWindow", recovery: "Recovery", application: "QApplication"
+) -> socket.socket:
     """Close on SIGINT and SIGTERM. Python sees a signal only when it runs: a socket wakes it."""
     from PySide6.QtCore import QSocketNotifier, QTimer
 
@@ -141,6 +172,7 @@ def _leave_on_signals(window: "MainWindow", application: "QApplication") -> sock
     notifier.activated.connect(lambda: woken.recv(64))
 
     def leave() -> None:
+        recovery.close(leave=True)
         window.discard_and_close()
         application.exit(0)  # also out of a question that is open
 

@@ -113,6 +113,11 @@ class Document(QObject):
         suggestion = Path(path.name) if shipped else path
         self._begin(open_design(path), path if is_session(path) else None, suggestion)
 
+    def recover(self, session: Session, path: Path | None, name: str) -> None:
+        """Go on with a session that was never saved to ``path``, where it has one."""
+        self._begin(session, path, Path(name))
+        self.undo_stack.resetClean()
+
     def save(self, path: Path) -> None:
         """Write the session and make ``path`` its file.
 

@@ -12,6 +12,7 @@ from ui.document import ENDING, Document
 from ui.message_bar import MessageBar
 from ui.recent import RecentFiles
 from workbench.errors import Refused
+from workbench.files.session import read_session
 
 _OPENED = f"Designs and scenes (*{ENDING} *.json);;All files (*)"
 _SAVED = f"Designs (*{ENDING})"
@@ -71,6 +72,11 @@ class FileActions(QObject):
             return False
         self._remember(path)
         return True
+
+    def recover(self, file: Path, path: Path | None, name: str) -> bool:
+        """Go on with unsaved work that was kept in ``file``; False if it cannot be read."""
+        document = self._document
+        return self._attempt(lambda: document.recover(read_session(file), path, name))
 
     def open_recent(self, path: Path) -> None:
         """Open a file of the list, or strike it off the list if it is gone."""

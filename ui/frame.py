@@ -7,7 +7,7 @@ import numpy as np
 import numpy.typing as npt
 
 if TYPE_CHECKING:
-    from workbench.design.snapshot import History, Snapshot
+    from workbench.design.snapshot import History, Result, Snapshot
     from workbench.files.session import Session
     from workbench.optics.paths import RayPaths
     from workbench.scene import Source
@@ -47,6 +47,22 @@ class Frame:
     paths: "RayPaths"
     losses: Array
     stage_starts: tuple[int, ...]
+
+    def result(self) -> "Result":
+        """The snapshot as if the run had ended with it."""
+        from workbench.design.snapshot import Result
+
+        shot = self.snapshot
+        return Result(
+            control_points=shot.control_points,
+            irradiance=shot.irradiance,
+            losses=self.losses,
+            loss=shot.loss,
+            seconds=shot.seconds,
+            ledger=shot.ledger,
+            stage_starts=self.stage_starts,
+            stages_left=shot.stages - 1 - shot.stage,
+        )
 
 
 def make_frame(session: "Session", snapshot: "Snapshot", history: "History") -> Frame:

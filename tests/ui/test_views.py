@@ -192,6 +192,26 @@ def test_one_view_draws_in_one_turn(qapp, qtbot):
     queue.setParent(None)
 
 
+def test_a_view_that_fails_does_not_keep_others_from_drawing(qapp, qtbot):
+    drawn = []
+
+    class Broken:
+        def take_turn(self):
+            raise ZeroDivisionError
+
+    class Sound:
+        def take_turn(self):
+            drawn.append(self)
+
+    queue, broken, sound = Turns(qapp), Broken(), Sound()
+    with qtbot.captureExceptions() as raised:
+        queue.ask(broken)
+        queue.ask(sound)
+        qtbot.waitUntil(lambda: drawn == [sound])
+    assert [kind for kind, *_ in raised] == [ZeroDivisionError]
+    queue.setParent(None)
+
+
 def test_there_is_one_queue(qapp):
     assert turns() is turns()
 

@@ -106,7 +106,7 @@ class _Line:
         self.value.setText(f"{percent:.2f} %")
         self._bar.show_share(share)
         for label in (self.name, self.value):
-            label.setEnabled(percent != 0)
+            label.setEnabled(bool(percent))
 
 
 class _Bar(QWidget):

@@ -47,11 +47,13 @@ class Turns(QObject):
     def _next(self) -> None:
         _, drawer = self._waiting.popitem(last=False)
         began = perf_counter()
-        drawer.take_turn()
-        ended = perf_counter()
-        self._rested_at = ended + _REST * (ended - began)
-        if self._waiting:
-            self._wait()
+        try:
+            drawer.take_turn()
+        finally:  # whoever fails to draw must not keep the others from it
+            ended = perf_counter()
+            self._rested_at = ended + _REST * (ended - began)
+            if self._waiting:
+                self._wait()
 
     def _wait(self) -> None:
         if not self._timer.isActive():

@@ -1,0 +1,277 @@
+"""Unsaved work outlives a program that is not closed."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QSettings, Qt, QTimer
+from PySide6.QtWidgets import QApplication, QMessageBox, QPushButton
+
+from ui import left_behind
+from ui.document import Document
+from ui.left_behind import Choice
+from ui.main_window import MainWindow
+from ui.recovery import Recovery
+from workbench.errors import Refused
+from workbench.files.session import read_session
+
+
+@pytest.fixture
+def document(qapp, session):
+    document = Document(session, "small")
+    yield document
+    document.deleteLater()
+
+
+@pytest.fixture
+def keeping(document, tmp_path):
+    recoveries = []
+
+    def make():
+        recovery = Recovery(document, tmp_path / "recovery")
+        recoveries.append(recovery)
+        recovery.start()
+        return recovery
+
+    yield make
+    for recovery in recoveries:
+        recovery.close()
+
+
+def edit(document, z):
+    scene = document.session.scene
+    screen = scene.screen.model_copy(update={"z": float(z)})
+    document.edit(scene.model_copy(update={"screen": screen}), "edit", "")
+
+
+def kept(recovery):
+    return sorted(file.name for file in recovery.folder.glob("*.freeform"))
+
+
+def crash(recovery):
+    """Let go of the lock, as the end of the process does."""
+    recovery._timer.stop()
+    recovery._lock.unlock()
+    recovery._closed = True
+
+
+def test_only_what_is_not_saved_is_kept(document, keeping, tmp_path):
+    recovery = keeping()
+    assert not recovery.keep_now() and not kept(recovery)
+    edit(document, 7)
+    assert recovery.keep_now()
+    assert read_session(recovery._file).scene.screen.z == 7
+    edit(document, 8)
+    recovery.keep_now()
+    assert read_session(recovery._file).scene.screen.z == 8
+    document.save(tmp_path / "mine.freeform")
+    recovery.keep_now()
+    assert [file.suffix for file in recovery.folder.iterdir()] == [".lock"]
+
+
+def test_it_is_kept_every_minute(document, keeping, qtbot):
+    recovery = keeping()
+    assert recovery._timer.isActive() and recovery._timer.interval() == 60_000
+    edit(document, 7)
+    recovery._timer.timeout.emit()
+    qtbot.waitUntil(lambda: bool(kept(recovery)))
+
+
+def test_what_is_kept_is_not_written_again(document, keeping):
+    recovery = keeping()
+    edit(document, 7)
+    recovery.keep_now()
+    recovery._file.unlink()
+    recovery.keep_now()
+    assert not kept(recovery)
+
+
+def test_closing_leaves_nothing(document, keeping):
+    recovery = keeping()
+    edit(document, 7)
+    recovery.keep_now()
+    recovery.close()
+    assert list(recovery.folder.iterdir()) == []
+
+
+def test_a_signal_leaves_it_for_the_next_start(document, keeping):
+    recovery = keeping()
+    edit(document, 7)
+    recovery.close(leave=True)
+    recovery.close()
+    (work,) = left_behind.find(recovery.folder)
+    assert read_session(work.file).scene.screen.z == 7
+    work.put_back()
+
+
+def test_work_of_an_open_window_is_not_offered(document, keeping):
+    recovery = keeping()
+    edit(document, 7)
+    recovery.keep_now()
+    assert left_behind.find(recovery.folder) == []
+    crash(recovery)
+    (work,) = left_behind.find(recovery.folder)
+    assert left_behind.find(recovery.folder) == []  # nor to two at once
+    work.put_back()
+    (work,) = left_behind.find(recovery.folder)
+    work.remove()
+    assert list(recovery.folder.iterdir()) == []
+
+
+def test_name_and_file_come_back_unsaved(document, keeping, tmp_path):
+    path = tmp_path / "mine.freeform"
+    document.save(path)
+    recovery = keeping()
+    edit(document, 7)
+    recovery.keep_now()
+    crash(recovery)
+    (work,) = left_behind.find(recovery.folder)
+    assert (work.name, work.path) == ("mine", path)
+    other = Document(document.session, "other", document)
+    other.recover(read_session(work.file), work.path, work.name)
+    assert (other.name, other.path, other.dirty) == ("mine", path, True)
+    assert other.session.scene.screen.z == 7
+    other.save(path)
+    assert not other.dirty
+    work.remove()
+
+
+def test_a_full_disk_is_told_once(document, keeping, monkeypatch, qtbot):
+    def full(session, path):
+        raise Refused(str(path), "No space left on device")
+
+    monkeypatch.setattr("ui.recovery.write_session", full)
+    recovery, told = keeping(), []
+    recovery.failed.connect(told.append)
+    for z in (7, 8):
+        edit(document, z)
+        assert not recovery.keep_now()
+    qtbot.waitUntil(lambda: bool(told))
+    assert len(told) == 1 and "No space left" in told[0]
+
+
+@pytest.fixture
+def window(display, session, tmp_path, qtbot):
+    settings = QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat)
+    window = MainWindow(Document(session, "small"), settings)
+    qtbot.addWidget(window, before_close_func=lambda window: window.discard_and_close())
+    with qtbot.waitExposed(window):
+        window.show()
+    return window
+
+
+def test_the_lens_of_a_run_is_kept_before_it_ends(window, tmp_path, qtbot):
+    window.build()
+    scene = window.document.session.scene
+    run = scene.run.model_copy(update={"iterations": 100_000})
+    window.document.edit(scene.model_copy(update={"run": run}), "run", "")
+    recovery = Recovery(window.document, tmp_path / "recovery", window)
+    recovery.start()
+    recovery.follow(window.control)
+    window.start()
+    qtbot.waitUntil(lambda: recovery._frame is not None, timeout=60_000)
+    frame = recovery._frame
+    assert recovery.keep_now()
+    found = read_session(recovery._file).result
+    assert found.iterations >= frame.snapshot.iteration
+    np.testing.assert_array_equal(found.losses, recovery._kept.result.losses)
+    window.control.runner.stop()
+    qtbot.waitUntil(lambda: not window.control.busy, timeout=60_000)
+    assert recovery._frame is None
+    recovery._join()
+    ended = read_session(recovery._file).result
+    np.testing.assert_array_equal(
+        ended.control_points, window.document.session.result.control_points
+    )
+    recovery.close()
+
+
+@pytest.mark.parametrize(
+    ("button", "choice"),
+    [("Recover", Choice.RECOVER), ("Discard", Choice.DISCARD), ("Ask later", Choice.LATER)],
+)
+def test_the_question_has_three_answers(window, document, keeping, qtbot, button, choice):
+    recovery = keeping()
+    edit(document, 7)
+    recovery.keep_now()
+    crash(recovery)
+    (work,) = left_behind.find(recovery.folder)
+    told = []
+
+    def answer():
+        box = next(w for w in QApplication.topLevelWidgets() if isinstance(w, QMessageBox))
+        told.append(box.text())
+        buttons = {b.text().replace("&", ""): b for b in box.findChildren(QPushButton)}
+        qtbot.mouseClick(buttons[button], Qt.MouseButton.LeftButton)
+
+    QTimer.singleShot(200, answer)
+    assert left_behind.ask(work, window) is choice
+    assert "small" in told[0]
+    work.remove()
+
+
+def test_one_is_recovered_and_others_wait(document, keeping, monkeypatch):
+    works = []
+    for z in (7, 8, 9):
+        recovery = keeping()
+        edit(document, z)
+        recovery.keep_now()
+        os.utime(recovery._file, (z, z))
+        crash(recovery)
+    works = left_behind.find(recovery.folder)
+    assert [read_session(work.file).scene.screen.z for work in works] == [9, 8, 7]
+    choices = iter([Choice.DISCARD, Choice.RECOVER])
+    monkeypatch.setattr(left_behind, "ask", lambda work, window: next(choices))
+    opened = []
+    assert left_behind.offer(works, lambda work: not opened.append(work), None)
+    assert opened == [works[1]]
+    (rest,) = left_behind.find(recovery.folder)
+    assert read_session(rest.file).scene.screen.z == 7
+    rest.remove()
+
+
+@pytest.mark.skipif(not os.environ.get("DISPLAY"), reason="needs a display")
+def test_after_a_kill_the_next_start_has_the_work(tmp_path):
+    begin = (
+        "import sys; from PySide6.QtCore import QTimer; import ui.app, ui.recovery as r\n"
+        "start = r.Recovery.start\n"
+        "def started(self):\n"
+        "    start(self)\n"
+        "    scene = self._document.session.scene\n"
+        "    screen = scene.screen.model_copy(update={'z': 7.5})\n"
+        "    self._document.edit(scene.model_copy(update={'screen': screen}), 'edit', '')\n"
+        "    print(self.keep_now(), flush=True)\n"
+        "r.Recovery.start = started\n"
+        "sys.exit(ui.app.main([]))"
+    )
+    again = (
+        "import sys; import ui.app, ui.left_behind as l, ui.main_window as m\n"
+        "l.ask = lambda work, window: l.Choice.RECOVER\n"
+        "recover = m.FileActions.recover\n"
+        "def told(self, *a):\n"
+        "    done = recover(self, *a)\n"
+        "    document = self._document\n"
+        "    print(document.session.scene.screen.z, document.name, document.dirty, flush=True)\n"
+        "    return done\n"
+        "m.FileActions.recover = told\n"
+        "sys.exit(ui.app.main([]))"
+    )
+    environment = {**os.environ, "XDG_CONFIG_HOME": str(tmp_path)}
+
+    def first_line(script, number):
+        process = subprocess.Popen(
+            [sys.executable, "-c", script], env=environment, stdout=subprocess.PIPE, text=True
+        )
+        line = process.stdout.readline()
+        time.sleep(0.2)
+        process.send_signal(number)
+        process.communicate(timeout=120)
+        return line
+
+    assert first_line(begin, signal.SIGKILL) == "True\n"
+    assert first_line(again, signal.SIGTERM) == "7.5 tophat True\n"
+    assert first_line(again, signal.SIGKILL) == "7.5 tophat True\n"

@@ -1,0 +1,141 @@
+"""Unsaved work of windows that were not closed: found at the next start, and offered there.
+
+Each window keeps a session file, says in a small file beside it what is in it, and holds a lock.
+"""
+
+import json
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from datetime import datetime
+from enum import Enum, auto
+from pathlib import Path
+
+from PySide6.QtCore import QLockFile
+from PySide6.QtWidgets import QMessageBox, QWidget
+
+from ui.document import ENDING
+
+
+@dataclass(frozen=True)
+class LeftBehind:
+    """Work of a window that was not closed; nobody else is offered it meanwhile.
+
+    Attributes
+    ----------
+    file : Path
+        The session.
+    name : str
+        What the title called the design.
+    path : Path, optional
+        The file that saving wrote.
+    """
+
+    file: Path
+    name: str
+    path: Path | None
+    lock: QLockFile
+
+    @property
+    def kept_at(self) -> datetime:
+        """When it was written."""
+        return datetime.fromtimestamp(self.file.stat().st_mtime)
+
+    def remove(self) -> None:
+        """Nobody needs it any more."""
+        for file in (self.file, about_of(self.file)):
+            file.unlink(missing_ok=True)
+        self.lock.unlock()
+
+    def put_back(self) -> None:
+        """Let another start find it."""
+        self.lock.unlock()
+
+
+def find(folder: Path) -> list[LeftBehind]:
+    """What windows that are gone have left in a folder, the latest first."""
+    found = []
+    marks = (*folder.glob(f"*{ENDING}"), *folder.glob("*.lock"))
+    for file in {mark.with_suffix(ENDING) for mark in marks}:
+        lock = lock_of(file)
+        if not lock.tryLock(0):
+            continue  # its window is open
+        if not file.exists():
+            lock.unlock()  # which removes what is left of a window that had nothing to keep
+            continue
+        try:
+            about = json.loads(about_of(file).read_bytes())
+            path, name = about["path"], str(about["name"])
+        except (OSError, ValueError, KeyError, TypeError):
+            path, name = None, "recovered"  # the session itself is what counts
+        found.append(LeftBehind(file, name, None if path is None else Path(path), lock))
+    return sorted(found, key=lambda each: each.kept_at, reverse=True)
+
+
+def lock_of(file: Path) -> QLockFile:
+    """The lock of a session's window; free once the process is gone."""
+    lock = QLockFile(str(file.with_suffix(".lock")))
+    lock.setStaleLockTime(0)  # as long as the process lives, however long
+    return lock
+
+
+def about_of(file: Path) -> Path:
+    """The file that says what a session is."""
+    return file.with_suffix(".json")
+
+
+class Choice(Enum):
+    """What shall become of work that was left behind."""
+
+    RECOVER = auto()
+    DISCARD = auto()
+    LATER = auto()
+
+
+def offer(
+    works: Sequence[LeftBehind], recover: Callable[[LeftBehind], bool], window: QWidget
+) -> bool:
+    """Ask what shall become of each, until one is recovered; the next start asks on.
+
+    Parameters
+    ----------
+    works : sequence of LeftBehind
+        What was found.
+    recover : callable
+        Opens one; tells whether it is safe elsewhere now.
+    window : QWidget
+        Asks.
+
+    Returns
+    -------
+    bool
+        Whether one is open now.
+    """
+    recovered = False
+    for work in works:
+        choice = Choice.LATER if recovered else ask(work, window)
+        if choice is Choice.RECOVER:
+            recovered = recover(work)
+        if choice is Choice.DISCARD or (choice is Choice.RECOVER and recovered):
+            work.remove()
+        else:
+            work.put_back()
+    return recovered
+
+
+def ask(work: LeftBehind, window: QWidget) -> Choice:
+    """Put the question about one."""
+    box = QMessageBox(window)
+    box.setIcon(QMessageBox.Icon.Question)
+    box.setWindowTitle("Unsaved work")
+    box.setText(f"The workbench was not closed. Unsaved changes to {work.name} were kept.")
+    box.setInformativeText(f"Kept on {work.kept_at:%Y-%m-%d at %H:%M:%S}.")
+    roles = QMessageBox.ButtonRole
+    recover = box.addButton("&Recover", roles.AcceptRole)
+    discard = box.addButton("&Discard", roles.DestructiveRole)
+    box.setEscapeButton(box.addButton("Ask &later", roles.RejectRole))
+    box.exec()
+    pressed = box.clickedButton()
+    box.deleteLater()
+    if pressed == recover:
+        return Choice.RECOVER
+    return Choice.DISCARD if pressed == discard else Choice.LATER

@@ -1,0 +1,154 @@
+"""What is not saved, kept beside the settings in case the program ends without being closed.
+
+1. Each window writes a file of its own and holds a lock beside it, so that several windows can be
+   open. A lock whose process is gone tells that its file was left behind.
+2. Sessions are immutable, so a thread of its own writes them: a large one would hold the window up.
+3. A run hands its result over at its end. Until then the lens of its latest frame is kept.
+"""
+
+import json
+import threading
+from pathlib import Path
+from typing import TYPE_CHECKING
+from uuid import uuid4
+
+from PySide6.QtCore import QObject, QTimer, Signal
+
+from ui.document import ENDING, Document
+from ui.left_behind import about_of, lock_of
+from workbench.errors import Refused
+from workbench.files.atomic import replacing
+from workbench.files.session import Session, write_session
+
+if TYPE_CHECKING:
+    from ui.frame import Frame
+    from ui.run_control import RunControl
+
+_EVERY_MS = 60_000
+
+
+class Recovery(QObject):
+    """Keeps a document's unsaved work; `start` begins with it, `close` ends it.
+
+    Parameters
+    ----------
+    document : Document
+        What is kept while it is dirty.
+    folder : Path
+        Where; made if it is not there.
+    """
+
+    failed = Signal(str)  # why nothing can be kept, once
+
+    def __init__(self, document: Document, folder: Path, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._document = document
+        self._file = folder / f"{uuid4().hex}{ENDING}"
+        self._lock = lock_of(self._file)
+        self._frame: Frame | None = None
+        self._kept: Session | None = None
+        self._writer: threading.Thread | None = None
+        self._told = self._closed = False
+        self._timer = QTimer(self, interval=_EVERY_MS)
+        self._timer.timeout.connect(self.keep)
+
+    @property
+    def folder(self) -> Path:
+        """Where it is kept."""
+        return self._file.parent
+
+    def start(self) -> None:
+        """Keep what is not saved, every minute."""
+        try:
+            self.folder.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            self._tell(f"{self.folder}: {error.strerror or error}")
+        else:
+            self._lock.tryLock(0)
+            self._timer.start()
+
+    def follow(self, control: "RunControl") -> None:
+        """Keep the lens of a run while it goes on, and its result at once."""
+
+        def note(frame: "Frame") -> None:
+            if control.busy:
+                self._frame = frame
+
+        def end() -> None:  # the document has the result now
+            self._frame = None
+            self.keep()
+
+        control.runner.frame_ready.connect(note)
+        control.ended.connect(end)
+
+    def keep(self) -> None:
+        """Write what is not saved, unless that is under way or done; remove what is saved."""
+        if self._writer is not None and self._writer.is_alive():
+            return
+        session = self._unsaved()
+        if session is None:
+            self._remove()
+        elif session is not self._kept:
+            self._kept = session
+            path, name = self._document.path, self._document.name
+            self._writer = threading.Thread(
+                target=self._write, args=(session, path, name), name="recovery"
+            )
+            self._writer.start()
+
+    def close(self, leave: bool = False) -> None:
+        """End keeping; safe to call twice.
+
+        Parameters
+        ----------
+        leave : bool
+            Leave the file behind, for the next start, instead of removing it.
+        """
+        if self._closed:
+            return
+        self._closed = True
+        self._timer.stop()
+        self._join()
+        if leave:
+            self.keep_now()
+        else:
+            self._remove()
+        self._lock.unlock()
+
+    def keep_now(self) -> bool:
+        """Keep, and wait until that is done; whether anything is kept."""
+        self._join()
+        self.keep()
+        self._join()
+        return self._kept is not None
+
+    def _unsaved(self) -> Session | None:
+        if self._frame is not None:
+            design = self._frame.session
+            return Session(design.scene, design.target, self._frame.result())
+        return self._document.session if self._document.dirty else None
+
+    def _write(self, session: Session, path: Path | None, name: str) -> None:
+        about = {"path": None if path is None else str(path), "name": name}
+        try:
+            with replacing(about_of(self._file)) as file:
+                file.write(json.dumps(about).encode())
+            write_session(session, self._file)
+        except Refused as refused:
+            self._kept = None
+            self._tell(str(refused))
+
+    def _tell(self, reason: str) -> None:
+        if not self._told:
+            self._told = True
+            self.failed.emit(f"Unsaved work cannot be kept for a recovery. {reason}")
+
+    def _remove(self) -> None:
+        self._kept = None
+        for file in (self._file, about_of(self._file)):
+            file.unlink(missing_ok=True)
+
+    def _join(self) -> None:
+        if self._writer is not None:
+            self._writer.join()
+            self._writer = None
