@@ -64,7 +64,7 @@ class PointRays:
         heights : Tensor, shape (n_u, n_v)
             Control heights, float64 or the trace's float type.
         """
-        scene, bundle, patches = self._scene, self._bundle, self._patches
+        scene, bundle, patches = self._scene, self.bundle, self._patches
         # Counted from the entrance face, float32 keeps the digits that make the shape.
         heights = (heights - scene.lens.entrance_z).to(self._dtype)
         table = patches.table(heights)
@@ -108,13 +108,13 @@ class PointRays:
             return torch.as_tensor(values, dtype=self._dtype, device=self._device)
 
         parts = (rays.x, rays.y, rays.slope_x, rays.slope_y, rays.flux)
-        self._bundle = Bundle(*map(constant, parts))
+        self.bundle = Bundle(*map(constant, parts))
         self._intersection: ExactIntersection | MeshIntersection
         if self._mesh:
-            self._intersection = MeshIntersection(self._bundle, self._mesh)
+            self._intersection = MeshIntersection(self.bundle, self._mesh)
         else:
             self._intersection = ExactIntersection(
-                self._bundle, self._scene.lens.half_width, self._patches
+                self.bundle, self._scene.lens.half_width, self._patches
             )
         cos = 1 / np.sqrt(1 + rays.slope_x**2 + rays.slope_y**2)
         direction = rays.slope_x * cos, rays.slope_y * cos, cos
