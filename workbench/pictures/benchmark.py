@@ -140,7 +140,7 @@ def comparisons(rows: Sequence[Measured]) -> Figure:
         times = [each.milliseconds for each in variants]
         axes.barh(places, times, color=_BAR, height=0.6)
         for place, each in zip(places, variants, strict=True):
-            said = f" {each.milliseconds:.3g} ms"
+            said = f" {each.milliseconds:{'.0f' if each.milliseconds >= 100 else '.3g'}} ms"
             if place:
                 said += f", × {each.ratio:.2g}"
             axes.text(each.milliseconds, place, said, va="center", fontsize=_FONT)

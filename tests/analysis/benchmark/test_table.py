@@ -1,3 +1,4 @@
+import dataclasses
 import json
 from types import SimpleNamespace
 
@@ -21,6 +22,11 @@ def test_markdown(table):
     assert table.to_markdown() == (
         "### Parts\n\n| who | how much |\n| --- | --- |\n| a\\|b | 25.0% |\n| c | – |\n"
     )
+
+
+def test_a_note_stands_below(table):
+    noted = dataclasses.replace(table, note="Parts of what.")
+    assert noted.to_markdown() == f"{table.to_markdown()}\nParts of what.\n"
 
 
 def test_data_has_every_column_unrounded(table):

@@ -98,7 +98,9 @@ def _questions() -> Iterator[tuple[str, Callable[[], list[Variant]]]]:
         yield f"{kind}: float type", partial(_plans, name, types)
     for kind, name in _SOURCES.items():
         threads = sorted({1, torch.get_num_threads()})
-        options: dict[str, dict[str, Any]] = {f"{n} threads": {"threads": n} for n in threads}
+        options: dict[str, dict[str, Any]] = {
+            f"{n} thread{'s' * (n > 1)}": {"threads": n} for n in threads
+        }
         yield f"{kind}: threads", partial(_plans, name, options)
     meshes: dict[str, dict[str, Any]] = {"exact": {}}
     meshes |= {f"mesh, {n} × {n}": {"source": {"intersection": _mesh(n)}} for n in (1, 2, 4, 8)}
@@ -108,8 +110,9 @@ def _questions() -> Iterator[tuple[str, Callable[[], list[Variant]]]]:
         "point": [{"rays": n} for n in (125_000, 500_000, 2_000_000)],
     }
     for kind, sources in counts.items():
-        rays = {_said(each["rays"]): {"source": each} for each in sources}
-        yield f"{kind}: rays", partial(_images, _SOURCES[kind], rays)
+        rays = {f"{_said(each['rays'])} rays": {"source": each} for each in sources}
+        samples = () if kind == "collimated" else (354, 707, 1414)
+        yield f"{kind}: rays", partial(_images, _SOURCES[kind], rays, samples)
     filters = {f"{n} × {n} pixels": {"filter": {"size": [n, n]}} for n in (3, 1, 5, 7, 11)}
     yield "collimated: filter", partial(_images, "flame", filters)
     for kind in ("collimated", "point"):
@@ -140,18 +143,24 @@ def _judged(descents: Mapping[str, Descent], rays: int) -> list[Variant]:
     ]
 
 
-def _images(name: str, changes: Mapping[str, Mapping[str, Any]]) -> list[Variant]:
-    """One lens, seen in several ways; the true image is an independent trace."""
+def _images(
+    name: str, changes: Mapping[str, Mapping[str, Any]], samples: Sequence[int] = ()
+) -> list[Variant]:
+    """One lens, seen in several ways; the true image is an independent trace.
+
+    The last ways look from so many samples of the exit face along each axis, not along rays.
+    """
     examples = {label: Example.of(name, **each) for label, each in changes.items()}
     first = next(iter(examples.values()))
     heights = wavy(first.scene)
     true = validate(first.scene, first.target, heights, _TRUE_RAYS).irradiance
-    variants = []
-    for label, example in examples.items():
-        descent = Descent(example, heights)
-        error = image_error(descent()[0], true)
-        variants.append(Variant(label, descent, rays_of(example.scene), error))
-    return variants
+    ways = [
+        (label, Descent(each, heights), rays_of(each.scene)) for label, each in examples.items()
+    ]
+    ways += [
+        (f"{n} × {n} samples", Descent(first, heights, samples=(n, n)), n * n) for n in samples
+    ]
+    return [Variant(*way, image_error(way[1]()[0], true)) for way in ways]
 
 
 def _nets(name: str, counts: Sequence[int]) -> list[Variant]:

@@ -36,14 +36,17 @@ class Table:
         What is known of each.
     rows : sequence
         Anything with the columns' names as attributes; None for what does not apply.
+    note : str
+        What has to be known to read it.
     """
 
     title: str
     columns: tuple[Column, ...]
     rows: Sequence[Any]
+    note: str = ""
 
     def to_markdown(self) -> str:
-        """The title and the table, without the columns that have no heading."""
+        """Title, table and note, without the columns that have no heading."""
         seen = [column for column in self.columns if column.heading]
         lines = [
             [column.heading for column in seen],
@@ -51,7 +54,8 @@ class Table:
             *([_shown(getattr(row, c.name), c.form) for c in seen] for row in self.rows),
         ]
         body = "\n".join(f"| {' | '.join(cells)} |" for cells in lines)
-        return f"### {self.title}\n\n{body}\n"
+        note = f"\n{self.note}\n" if self.note else ""
+        return f"### {self.title}\n\n{body}\n{note}"
 
     def to_data(self) -> list[dict[str, Any]]:
         """The rows as plain dictionaries."""
