@@ -22,7 +22,7 @@ def test_read_by_opencascade(make_design, write, read_solid, volume, unit, capfd
     assert found.is_solid
     assert found.is_valid
     assert found.is_closed
-    assert found.volume == pytest.approx(volume(design) * MILLIMETRES[unit] ** 3, rel=3e-4)
+    assert found.volume == pytest.approx(volume(design) * MILLIMETRES[unit] ** 3, rel=1e-6)
 
 
 def test_neither_user_nor_time(make_design, write):

@@ -9,6 +9,8 @@ import numpy.typing as npt
 
 Array = npt.NDArray[np.float64]
 
+_ROWS_AT_ONCE = 1 << 16  # as text they stay small
+
 
 def write_table(
     file: BinaryIO, columns: Sequence[Array], header: str, delimiter: str, newline: str = "\n"
@@ -31,12 +33,17 @@ def write_table(
     ndarray, shape (m, columns)
         What has been written, as it is read again.
     """
-    text = io.BytesIO()
+    file.write((header + newline).encode())
     table = np.column_stack(columns)
-    np.savetxt(text, table, "%.15g", delimiter, newline, header, comments="")
-    file.write(text.getbuffer())
-    text.seek(0)
-    return np.loadtxt(text, delimiter=delimiter.strip() or None, skiprows=1, ndmin=2)
+    written = np.empty_like(table)
+    for first in range(0, len(table), _ROWS_AT_ONCE):
+        rows = slice(first, first + _ROWS_AT_ONCE)
+        with io.BytesIO() as text:
+            np.savetxt(text, table[rows], "%.15g", delimiter, newline)
+            file.write(text.getbuffer())
+            text.seek(0)
+            written[rows] = np.loadtxt(text, delimiter=delimiter.strip() or None, ndmin=2)
+    return written
 
 
 def rounding(written: Array, column: int, exact: Array) -> float:
