@@ -13,7 +13,7 @@ from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure, SubFigure
-from matplotlib.ticker import NullFormatter
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 from workbench.design.snapshot import Result
 from workbench.geometry.surface import sample_surface
@@ -149,6 +149,8 @@ def _curves(part: SubFigure, designs: Sequence[Design]) -> None:
         for axes, name in ((over_iterations, "iteration"), (over_time, "seconds")):
             axes.set_xscale("log")
             axes.set_yscale("log")
+            axes.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+            axes.yaxis.set_major_formatter(FuncFormatter(lambda loss, _: f"{loss:.0e}"))
             axes.yaxis.set_minor_formatter(NullFormatter())
             axes.set_xlabel(name, fontsize=_FONT)
             axes.set_ylabel("loss, as the optimiser sees it", fontsize=_FONT)

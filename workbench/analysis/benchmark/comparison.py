@@ -13,8 +13,8 @@ from workbench.analysis.benchmark.timing import in_turns
 Array = npt.NDArray[np.float64]
 
 _NOTE = (
-    "Medians of turns taken in one process; ratios are medians of the ratios of each turn. Error of "
-    "the image: relative L2 distance from an independent trace where rays, samples or filters "
+    "Medians of turns taken in one process; ratios are medians of the ratios of each turn. Error "
+    "of the image: relative L2 distance from an independent trace where rays, samples or filters "
     "differ, else from the other image."
 )
 

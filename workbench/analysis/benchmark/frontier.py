@@ -21,8 +21,8 @@ Array = npt.NDArray[np.float64]
 _FIRST = 0.05  # s
 _WARM_UP = 3  # lenses of a run that nobody times: compilers and caches
 _NOTE = (
-    "Verified error: relative L2 distance from the untouched target, by an independent trace of the "
-    "last lens; its standard error is beside it. Seconds are those of the method alone."
+    "Verified error: relative L2 distance from the untouched target, by an independent trace of "
+    "the last lens; its standard error is beside it. Seconds are those of the method alone."
 )
 
 
