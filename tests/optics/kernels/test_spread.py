@@ -37,10 +37,13 @@ FILTERS = [
 def found_taps(alpha, size, kind):
     """Offsets, all taps and all slopes at them."""
     offset = np.linspace(-0.5, 0.5, BATCH, endpoint=False).astype(kind)
-    value, slope = np.full((2, size, BATCH), np.nan, kind)
-    fill_taps(
-        make_taps(alpha, size, kind), offset, BATCH, True, np.empty((4, BATCH), kind), value, slope
-    )
+    # Offsets, four batches of room, taps, slopes.
+    numbers = np.full((5 + 2 * size) * BATCH, np.nan, kind)
+    numbers[:BATCH] = offset
+    batch, state, value, slope = (np.uintp(BATCH * k) for k in (1, 1, 5, 5 + size))
+    taps = make_taps(alpha, size, kind)
+    fill_taps(taps, numbers, batch, np.uintp(0), batch, True, state, value, slope)
+    value, slope = numbers[5 * BATCH :].reshape(2, size, BATCH)
     return offset, value, slope
 
 

@@ -48,18 +48,25 @@ class Spread(NamedTuple):
 
 
 class Workspace(NamedTuple):
-    """Room for a batch; see `workspace`."""
+    """Room for a batch; see `workspace`.
 
-    light: AnyArray  # weight of the rays that light any pixel, else 0
-    kept: AnyArray  # 1 for these rays, else 0
-    offset_x: AnyArray
-    offset_y: AnyArray
-    start: npt.NDArray[np.uintp]  # where a ray's upper left tap is in the canvas
-    state: AnyArray
-    tap_x: AnyArray
-    tap_y: AnyArray
-    slope_x: AnyArray
-    slope_y: AnyArray
+    Attributes
+    ----------
+    numbers : ndarray of one axis
+        Batches of numbers: ``_LIGHT`` and so on, then taps and their slopes.
+    start : ndarray of uintp, shape (BATCH,)
+        Where in the canvas the upper left tap of each ray is.
+    """
+
+    numbers: AnyArray
+    start: npt.NDArray[np.uintp]
+
+
+# What is where in a workspace: the weight of rays that light any pixel, else 0; 1 for these, else
+# 0; offsets of the hits; four batches for the taps' intermediate results.
+_LIGHT, _KEPT, _OFFSET_X, _OFFSET_Y, _STATE = (np.uintp(BATCH * k) for k in range(5))
+_TAPS = np.uintp(BATCH * 8)
+_STEP = np.uintp(BATCH)
 
 
 def make_spread(screen: Screen, filter: Filter, kind: type[np.floating[Any]]) -> Spread:
@@ -110,20 +117,8 @@ def _margins(spread: Spread) -> tuple[int, int]:
 @njit(cache=True, nogil=True)
 def workspace(spread, like):  # type: ignore[no-untyped-def]
     """Room that `scatter` and `gather` need; ``like`` is any array of the trace's float type."""
-    kind = like.dtype
-    size_x, size_y = 2 * spread.taps_x.reach + 1, 2 * spread.taps_y.reach + 1
-    return Workspace(
-        np.empty(BATCH, kind),
-        np.empty(BATCH, kind),
-        np.empty(BATCH, kind),
-        np.empty(BATCH, kind),
-        np.empty(BATCH, np.uintp),
-        np.empty((4, BATCH), kind),
-        np.empty((size_x, BATCH), kind),
-        np.empty((size_y, BATCH), kind),
-        np.empty((size_x, BATCH), kind),
-        np.empty((size_y, BATCH), kind),
-    )
+    taps = 2 * (2 * spread.taps_x.reach + 1 + 2 * spread.taps_y.reach + 1)
+    return Workspace(np.empty((8 + taps) * BATCH, like.dtype), np.empty(BATCH, np.uintp))
 
 
 @njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
@@ -150,22 +145,34 @@ def scatter(spread, column, row, weight, count, work, canvas):  # type: ignore[n
     float64
         Flux of the rays that light no pixel of the canvas.
     """
-    beside = _prepare(spread, column, row, weight, count, False, work)
+    rays = np.uintp(count)
+    numbers, start = work.numbers, work.start
+    beside = _prepare(spread, column, row, weight, rays, False, numbers, start)
     flat, stride = canvas.reshape(-1), np.uintp(canvas.shape[1])
-    reach_x, reach_y = spread.taps_x.reach, spread.taps_y.reach
-    light, start, tap_x, tap_y = work.light, work.start, work.tap_x, work.tap_y
-    if reach_x == 0 and reach_y == 0:
-        for ray in range(count):
-            flat[start[ray]] += light[ray]
-    elif reach_x == 1 and reach_y == 1:
-        _add_three(flat, stride, start, light, tap_x, tap_y, count)
-    else:
-        for ray in range(count):
+    size_x, size_y = _size(spread.taps_x), _size(spread.taps_y)
+    taps_x, taps_y = _TAPS, _TAPS + size_x * _STEP
+    one, two = np.uintp(1), np.uintp(2)
+    if size_x == 1 and size_y == 1:
+        for ray in range(rays):
+            flat[start[ray]] += numbers[_LIGHT + ray]
+    elif size_x == 3 and size_y == 3:  # the usual filter, without inner loops
+        for ray in range(rays):
+            left, middle = numbers[taps_x + ray], numbers[taps_x + _STEP + ray]
+            right = numbers[taps_x + two * _STEP + ray]
             at = start[ray]
-            for b in range(2 * reach_y + 1):
-                flux = light[ray] * tap_y[b, ray]
-                for a in range(np.uintp(2 * reach_x + 1)):
-                    flat[at + a] += flux * tap_x[a, ray]
+            for b in range(3):
+                flux = numbers[_LIGHT + ray] * numbers[taps_y + np.uintp(b) * _STEP + ray]
+                flat[at] += flux * left
+                flat[at + one] += flux * middle
+                flat[at + two] += flux * right
+                at += stride
+    else:
+        for ray in range(rays):
+            at = start[ray]
+            for b in range(size_y):
+                flux = numbers[_LIGHT + ray] * numbers[taps_y + b * _STEP + ray]
+                for a in range(size_x):
+                    flat[at + a] += flux * numbers[taps_x + a * _STEP + ray]
                 at += stride
     return beside
 
@@ -185,111 +192,109 @@ def gather(  # type: ignore[no-untyped-def]
     d_column, d_row, d_weight : array, shape (BATCH,)
         The results; 0 for rays that light nothing.
     """
-    _prepare(spread, column, row, weight, count, True, work)
+    rays = np.uintp(count)
+    numbers, start = work.numbers, work.start
+    _prepare(spread, column, row, weight, rays, True, numbers, start)
     flat, stride = cotangent.reshape(-1), np.uintp(cotangent.shape[1])
-    reach_x, reach_y = spread.taps_x.reach, spread.taps_y.reach
-    light, kept, start = work.light, work.kept, work.start
+    size_x, size_y = _size(spread.taps_x), _size(spread.taps_y)
+    taps_x, taps_y = _TAPS, _TAPS + size_x * _STEP
+    slopes = (size_x + size_y) * _STEP  # as far behind the taps
     kind = weight.dtype.type
-    if reach_x == 0 and reach_y == 0:
-        for ray in range(count):
+    one, two = np.uintp(1), np.uintp(2)
+    if size_x == 1 and size_y == 1:
+        for ray in range(rays):
             d_column[ray] = kind(0)
             d_row[ray] = kind(0)
             d_weight[ray] = flat[start[ray]]
-    elif reach_x == 1 and reach_y == 1:
-        _read_three(flat, stride, work, count, d_column, d_row, d_weight)
-    else:
-        for ray in range(count):
-            at = start[ray]
+    elif size_x == 3 and size_y == 3:
+        for ray in range(rays):
+            x = taps_x + ray
+            left, middle, right = numbers[x], numbers[x + _STEP], numbers[x + two * _STEP]
+            x += slopes
+            rise_left, rise_middle = numbers[x], numbers[x + _STEP]
+            rise_right = numbers[x + two * _STEP]
             total, along_x, along_y = kind(0), kind(0), kind(0)
-            for b in range(2 * reach_y + 1):
-                value, rise = kind(0), kind(0)
-                for a in range(np.uintp(2 * reach_x + 1)):
-                    value += work.tap_x[a, ray] * flat[at + a]
-                    rise += work.slope_x[a, ray] * flat[at + a]
-                total += work.tap_y[b, ray] * value
-                along_x += work.tap_y[b, ray] * rise
-                along_y += work.slope_y[b, ray] * value
+            at, y = start[ray], taps_y + ray
+            for _ in range(3):
+                c_left, c_middle, c_right = flat[at], flat[at + one], flat[at + two]
+                value = left * c_left + middle * c_middle + right * c_right
+                rise = rise_left * c_left + rise_middle * c_middle + rise_right * c_right
+                total += numbers[y] * value
+                along_x += numbers[y] * rise
+                along_y += numbers[y + slopes] * value
                 at += stride
+                y += _STEP
             d_column[ray] = along_x
             d_row[ray] = along_y
             d_weight[ray] = total
-    for ray in range(count):
-        d_column[ray] *= light[ray]
-        d_row[ray] *= light[ray]
-    for ray in range(count):
-        d_weight[ray] *= kept[ray]
+    else:
+        for ray in range(rays):
+            total, along_x, along_y = kind(0), kind(0), kind(0)
+            at, y = start[ray], taps_y + ray
+            for _ in range(size_y):
+                value, rise = kind(0), kind(0)
+                x = taps_x + ray
+                for a in range(size_x):
+                    value += numbers[x] * flat[at + a]
+                    rise += numbers[x + slopes] * flat[at + a]
+                    x += _STEP
+                total += numbers[y] * value
+                along_x += numbers[y] * rise
+                along_y += numbers[y + slopes] * value
+                at += stride
+                y += _STEP
+            d_column[ray] = along_x
+            d_row[ray] = along_y
+            d_weight[ray] = total
+    for ray in range(rays):
+        d_column[ray] *= numbers[_LIGHT + ray]
+        d_row[ray] *= numbers[_LIGHT + ray]
+        d_weight[ray] *= numbers[_KEPT + ray]
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
-def _prepare(spread, column, row, weight, count, slopes, work):  # type: ignore[no-untyped-def]
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+def _size(taps):  # type: ignore[no-untyped-def]
+    return np.uintp(2 * taps.reach + 1)
+
+
+@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy", forceinline=True)
+def _prepare(spread, column, row, weight, count, slopes, numbers, start):  # type: ignore[no-untyped-def]
     """Everything that scatter and gather have in common, from cells to taps."""
     kind = weight.dtype.type
     n_x, n_y = spread.pixels
     m_x, m_y = spread.taps_x.reach, spread.taps_y.reach
-    light, kept, start = work.light, work.kept, work.start
     left, right = kind(-m_x), kind(n_x + m_x)
     top, bottom = kind(-m_y), kind(n_y + m_y)
+    beside = kind(0)
     for ray in range(count):
         near = (
             (column[ray] >= left) & (column[ray] < right) & (row[ray] >= top) & (row[ray] < bottom)
         )
-        kept[ray] = kind(1) if near else kind(0)
-    beside = kind(0)
-    for ray in range(count):
-        light[ray] = weight[ray] * kept[ray]
-        beside += weight[ray] - light[ray]
-    _cells(row, count, top, bottom, np.uintp(n_x + 4 * m_x), True, start, work.offset_y)
-    _cells(column, count, left, right, np.uintp(1), False, start, work.offset_x)
-    fill_taps(spread.taps_x, work.offset_x, count, slopes, work.state, work.tap_x, work.slope_x)
-    fill_taps(spread.taps_y, work.offset_y, count, slopes, work.state, work.tap_y, work.slope_y)
+        light = weight[ray] if near else kind(0)
+        numbers[_KEPT + ray] = kind(1) if near else kind(0)
+        numbers[_LIGHT + ray] = light
+        beside += weight[ray] - light
+    stride = np.uintp(n_x + 4 * m_x)
+    _cells(row, count, top, bottom, stride, True, start, numbers, _OFFSET_Y)
+    _cells(column, count, left, right, np.uintp(1), False, start, numbers, _OFFSET_X)
+    size_x, size_y = _size(spread.taps_x), _size(spread.taps_y)
+    tap = _TAPS
+    slope = tap + (size_x + size_y) * _STEP
+    fill_taps(spread.taps_x, numbers, _STEP, _OFFSET_X, count, slopes, _STATE, tap, slope)
+    tap += size_x * _STEP
+    slope += size_x * _STEP
+    fill_taps(spread.taps_y, numbers, _STEP, _OFFSET_Y, count, slopes, _STATE, tap, slope)
     return np.float64(beside)
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
-def _cells(place, count, low, high, step, first, start, offset):  # type: ignore[no-untyped-def]
+@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy", forceinline=True)
+def _cells(place, count, low, high, step, first, start, numbers, offset):  # type: ignore[no-untyped-def]
     """Pixels of rays along one axis, and how far from the pixels' centres they are."""
     kind = place.dtype.type
     for ray in range(count):
         # Rays beyond carry no light: any pixel does. Not a number is beyond, too.
         here = place[ray] if (place[ray] >= low) & (place[ray] < high) else kind(0)
         pixel = np.floor(here)
-        offset[ray] = here - pixel - kind(0.5)
+        numbers[offset + ray] = here - pixel - kind(0.5)
         cells = np.uintp(np.int32(pixel - low)) * step
         start[ray] = cells if first else start[ray] + cells
-
-
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
-def _add_three(flat, stride, start, light, tap_x, tap_y, count):  # type: ignore[no-untyped-def]
-    """The usual filter of 3 × 3 pixels, without inner loops."""
-    one, two = np.uintp(1), np.uintp(2)
-    for ray in range(count):
-        left, middle, right = tap_x[0, ray], tap_x[1, ray], tap_x[2, ray]
-        at = start[ray]
-        for b in range(3):
-            flux = light[ray] * tap_y[b, ray]
-            flat[at] += flux * left
-            flat[at + one] += flux * middle
-            flat[at + two] += flux * right
-            at += stride
-
-
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
-def _read_three(flat, stride, work, count, d_column, d_row, d_weight):  # type: ignore[no-untyped-def]
-    """The adjoint of `_add_three`."""
-    kind = d_column.dtype.type
-    one, two = np.uintp(1), np.uintp(2)
-    tap_x, tap_y, slope_x, slope_y = work.tap_x, work.tap_y, work.slope_x, work.slope_y
-    for ray in range(count):
-        at = work.start[ray]
-        total, along_x, along_y = kind(0), kind(0), kind(0)
-        for b in range(3):
-            left, middle, right = flat[at], flat[at + one], flat[at + two]
-            value = tap_x[0, ray] * left + tap_x[1, ray] * middle + tap_x[2, ray] * right
-            rise = slope_x[0, ray] * left + slope_x[1, ray] * middle + slope_x[2, ray] * right
-            total += tap_y[b, ray] * value
-            along_x += tap_y[b, ray] * rise
-            along_y += slope_y[b, ray] * value
-            at += stride
-        d_column[ray] = along_x
-        d_row[ray] = along_y
-        d_weight[ray] = total

@@ -104,51 +104,120 @@ def _even_functions(o: npt.NDArray[np.float64], alpha: float, reach: int) -> Any
     ) / (2 * total)
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
-def fill_taps(taps, offset, count, slopes, state, value, slope):  # type: ignore[no-untyped-def]
+# Arrays that are made or handed on inside a kernel cost some 10 ns each, for the count of their
+# references. So the numbers of a batch lie in one array, and functions are told where.
+
+
+@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy", forceinline=True)
+def fill_taps(taps, numbers, batch, offset, count, slopes, state, value, slope):  # type: ignore[no-untyped-def]
     """Taps of rays, and their slopes too if these are wanted.
 
     Parameters
     ----------
     taps : Taps
         The filter.
-    offset : array, shape (batch,)
-        Offsets of the hits.
-    count : int
+    numbers : array of one axis
+        Holds everything; all that follows but ``slopes`` is of type uintp.
+    batch : uintp
+        Room between tap and tap.
+    offset : uintp
+        Where the offsets of the hits begin.
+    count : uintp
         How many of them there are.
     slopes : bool
         Whether slopes are wanted.
-    state : array, shape (4, batch)
-        Room for intermediate results.
-    value, slope : array, shape (2 reach + 1, batch)
-        The results, for taps −reach ... reach.
+    state : uintp
+        Where there is room for 4 batches of intermediate results.
+    value, slope : uintp
+        Where the results begin, those for tap −reach first.
     """
+    kind = numbers.dtype.type
     reach, terms = taps.reach, taps.series.shape[2]
     if reach > 0 and terms == 0:
         for ray in range(count):
-            _from_exponentials(taps.alpha, reach, offset[ray], ray, slopes, value, slope)
-        return
-    kind = offset.dtype.type
-    value[reach, :count] = kind(1)
-    if slopes:
-        slope[reach, :count] = kind(0)
-    for k in range(1, reach + 1):
-        series = taps.series[k - 1]
-        if terms == SHORT:
-            _pair_short(series, offset, count, value[reach + k], value[reach - k], value[reach])
-            if slopes:
-                up, down = slope[reach + k], slope[reach - k]
-                _slopes_short(series, offset, count, up, down, slope[reach])
-        else:
-            _pair_long(
-                series, offset, count, state, value[reach + k], value[reach - k], value[reach]
+            here = numbers[offset + ray]
+            _from_exponentials(
+                taps.alpha, reach, here, numbers, batch, slopes, value + ray, slope + ray
             )
+        return
+    middle = value + np.uintp(reach) * batch
+    middle_slope = slope + np.uintp(reach) * batch
+    for ray in range(count):
+        numbers[middle + ray] = kind(1)
+    if slopes:
+        for ray in range(count):
+            numbers[middle_slope + ray] = kind(0)
+    for k in range(reach):
+        away = np.uintp(k + 1) * batch
+        if terms == SHORT:
+            _pair_short(taps.series, k, numbers, offset, count, middle, away)
             if slopes:
-                up, down = slope[reach + k], slope[reach - k]
-                _slopes_long(series, offset, count, state, up, down, slope[reach])
+                _slopes_short(taps.series, k, numbers, offset, count, middle_slope, away)
+        else:
+            first, second = state, state + batch
+            rest = second + batch
+            _sum_long(taps.series, k, 0, numbers, batch, offset, count, rest, first)
+            _sum_long(taps.series, k, 1, numbers, batch, offset, count, rest, second)
+            for ray in range(count):
+                even = numbers[first + ray]
+                odd = numbers[offset + ray] * numbers[second + ray]
+                one, other = max(even + odd, kind(0)), max(even - odd, kind(0))
+                numbers[middle + away + ray] = one
+                numbers[middle - away + ray] = other
+                numbers[middle + ray] -= one + other
+            if slopes:
+                _sum_long(taps.series, k, 2, numbers, batch, offset, count, rest, first)
+                _sum_long(taps.series, k, 3, numbers, batch, offset, count, rest, second)
+                for ray in range(count):
+                    even = numbers[first + ray]
+                    odd = numbers[offset + ray] * numbers[second + ray]
+                    numbers[middle_slope + away + ray] = odd + even
+                    numbers[middle_slope - away + ray] = odd - even
+                    numbers[middle_slope + ray] -= odd + odd
 
 
-# The loops below are kept small and apart: the compiler vectorises a loop over few arrays alone.
+@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy", forceinline=True)
+def _pair_short(series, k, numbers, offset, count, middle, away):  # type: ignore[no-untyped-def]
+    kind = numbers.dtype.type
+    e0, e1, e2, e3, e4, e5 = _six(series, k, 0)
+    f0, f1, f2, f3, f4, f5 = _six(series, k, 1)
+    for ray in range(count):
+        o = numbers[offset + ray]
+        x2 = kind(16) * o * o - kind(2)
+        even = _short(x2, e0, e1, e2, e3, e4, e5)
+        odd = o * _short(x2, f0, f1, f2, f3, f4, f5)
+        # The series may miss a tap of 0 by its rounding; light is never negative.
+        one, other = max(even + odd, kind(0)), max(even - odd, kind(0))
+        numbers[middle + away + ray] = one
+        numbers[middle - away + ray] = other
+        numbers[middle + ray] -= one + other
+
+
+@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy", forceinline=True)
+def _slopes_short(series, k, numbers, offset, count, middle, away):  # type: ignore[no-untyped-def]
+    kind = numbers.dtype.type
+    g0, g1, g2, g3, g4, g5 = _six(series, k, 2)
+    h0, h1, h2, h3, h4, h5 = _six(series, k, 3)
+    for ray in range(count):
+        o = numbers[offset + ray]
+        x2 = kind(16) * o * o - kind(2)
+        even = _short(x2, g0, g1, g2, g3, g4, g5)
+        odd = o * _short(x2, h0, h1, h2, h3, h4, h5)
+        numbers[middle + away + ray] = odd + even
+        numbers[middle - away + ray] = odd - even
+        numbers[middle + ray] -= odd + odd
+
+
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+def _six(series, k, which):  # type: ignore[no-untyped-def]
+    return (
+        series[k, which, 0],
+        series[k, which, 1],
+        series[k, which, 2],
+        series[k, which, 3],
+        series[k, which, 4],
+        series[k, which, 5],
+    )
 
 
 @njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy", forceinline=True)
@@ -162,109 +231,52 @@ def _short(x2, c0, c1, c2, c3, c4, c5):  # type: ignore[no-untyped-def]
 
 
 @njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
-def _pair_short(series, offset, count, up, down, middle):  # type: ignore[no-untyped-def]
-    kind = offset.dtype.type
-    e0, e1, e2, e3, e4, e5 = _six(series[0])
-    f0, f1, f2, f3, f4, f5 = _six(series[1])
-    for ray in range(count):
-        o = offset[ray]
-        x2 = kind(16) * o * o - kind(2)
-        even = _short(x2, e0, e1, e2, e3, e4, e5)
-        odd = o * _short(x2, f0, f1, f2, f3, f4, f5)
-        # The series may miss a tap of 0 by its rounding; light is never negative.
-        one, other = max(even + odd, kind(0)), max(even - odd, kind(0))
-        up[ray] = one
-        down[ray] = other
-        middle[ray] -= one + other
-
-
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
-def _slopes_short(series, offset, count, up, down, middle):  # type: ignore[no-untyped-def]
-    kind = offset.dtype.type
-    g0, g1, g2, g3, g4, g5 = _six(series[2])
-    h0, h1, h2, h3, h4, h5 = _six(series[3])
-    for ray in range(count):
-        o = offset[ray]
-        x2 = kind(16) * o * o - kind(2)
-        even = _short(x2, g0, g1, g2, g3, g4, g5)
-        odd = o * _short(x2, h0, h1, h2, h3, h4, h5)
-        up[ray] = odd + even
-        down[ray] = odd - even
-        middle[ray] -= odd + odd
-
-
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
-def _six(c):  # type: ignore[no-untyped-def]
-    return c[0], c[1], c[2], c[3], c[4], c[5]
-
-
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
-def _pair_long(series, offset, count, state, up, down, middle):  # type: ignore[no-untyped-def]
-    kind = offset.dtype.type
-    _sum_long(series[0], offset, count, state, state[2])
-    _sum_long(series[1], offset, count, state, state[3])
-    even, odd = state[2], state[3]
-    for ray in range(count):
-        up[ray] = max(even[ray] + offset[ray] * odd[ray], kind(0))
-        down[ray] = max(even[ray] - offset[ray] * odd[ray], kind(0))
-    for ray in range(count):
-        middle[ray] -= up[ray] + down[ray]
-
-
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
-def _slopes_long(series, offset, count, state, up, down, middle):  # type: ignore[no-untyped-def]
-    _sum_long(series[2], offset, count, state, state[2])
-    _sum_long(series[3], offset, count, state, state[3])
-    even, odd = state[2], state[3]
-    for ray in range(count):
-        up[ray] = offset[ray] * odd[ray] + even[ray]
-        down[ray] = offset[ray] * odd[ray] - even[ray]
-    for ray in range(count):
-        middle[ray] -= up[ray] + down[ray]
-
-
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
-def _sum_long(c, offset, count, state, total):  # type: ignore[no-untyped-def]
+def _sum_long(series, k, which, numbers, batch, offset, count, state, total):  # type: ignore[no-untyped-def]
     """Sum of an even number of Chebyshev polynomials, two terms a pass."""
-    kind = offset.dtype.type
-    later, latest = state[0], state[1]
-    later[:count] = kind(0)
-    latest[:count] = kind(0)
-    for m in range(len(c) - 1, 1, -2):
-        high, low = c[m], c[m - 1]
-        for ray in range(count):
-            x2 = kind(16) * offset[ray] * offset[ray] - kind(2)
-            after = high + x2 * latest[ray] - later[ray]
-            latest[ray] = low + x2 * after - latest[ray]
-            later[ray] = after
+    kind = numbers.dtype.type
+    later, latest = state, state + batch
     for ray in range(count):
-        x2 = kind(16) * offset[ray] * offset[ray] - kind(2)
-        b1 = c[1] + x2 * latest[ray] - later[ray]
-        total[ray] = c[0] + (x2 * b1) * kind(0.5) - latest[ray]
+        numbers[later + ray] = kind(0)
+        numbers[latest + ray] = kind(0)
+    for m in range(series.shape[2] - 1, 1, -2):
+        high, low = series[k, which, m], series[k, which, m - 1]
+        for ray in range(count):
+            o = numbers[offset + ray]
+            x2 = kind(16) * o * o - kind(2)
+            after = high + x2 * numbers[latest + ray] - numbers[later + ray]
+            numbers[latest + ray] = low + x2 * after - numbers[latest + ray]
+            numbers[later + ray] = after
+    c0, c1 = series[k, which, 0], series[k, which, 1]
+    for ray in range(count):
+        o = numbers[offset + ray]
+        x2 = kind(16) * o * o - kind(2)
+        b1 = c1 + x2 * numbers[latest + ray] - numbers[later + ray]
+        numbers[total + ray] = c0 + (x2 * b1) * kind(0.5) - numbers[latest + ray]
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def _from_exponentials(alpha, reach, offset, ray, slopes, value, slope):  # type: ignore[no-untyped-def]
+def _from_exponentials(alpha, reach, offset, numbers, batch, slopes, value, slope):  # type: ignore[no-untyped-def]
     """The taps of one ray, as in `irradiance._taps`."""
-    kind = value.dtype.type
+    kind = numbers.dtype.type
     square, two = offset * offset, kind(2)
     half_width = kind(reach) + kind(0.5)
     edge = half_width * half_width
     rim = math.exp(alpha * (square - edge))
     total, total_rise = kind(0), kind(0)
-    for a in range(2 * reach + 1):
-        k = kind(a - reach)
+    for tap in range(2 * reach + 1):
+        k, at = kind(tap - reach), np.uintp(tap) * batch
         distance = offset - k
         bell = math.exp(two * alpha * k * offset - alpha * k * k)
-        tap = -bell * math.expm1(alpha * (distance * distance - edge))
-        value[a, ray] = tap
-        total += tap
+        share = -bell * math.expm1(alpha * (distance * distance - edge))
+        numbers[value + at] = share
+        total += share
         if slopes:
             rise = two * alpha * (k * bell - offset * rim)
-            slope[a, ray] = rise
+            numbers[slope + at] = rise
             total_rise += rise
-    share = kind(1) / total
-    for a in range(2 * reach + 1):
-        value[a, ray] *= share
+    for tap in range(2 * reach + 1):
+        at = np.uintp(tap) * batch
+        numbers[value + at] /= total
         if slopes:
-            slope[a, ray] = (slope[a, ray] - value[a, ray] * total_rise) * share
+            numbers[slope + at] -= numbers[value + at] * total_rise
+            numbers[slope + at] /= total
