@@ -108,11 +108,14 @@ class Deviation(NamedTuple):
         The largest found.
     unit : str
         Unit of ``size``.
+    note : str
+        What who reads the file has to know besides.
     """
 
     kind: str
     size: float
     unit: str
+    note: str = ""
 
 
 def _steps(spans: int, half_width: float, margin: int) -> Array:

@@ -36,7 +36,7 @@ def write_glb(design: Design, file: BinaryIO) -> Deviation:
     file.write(struct.pack("<I4s", len(data), b"JSON") + data)
     file.write(struct.pack("<I4s", len(vertices) + len(triangles), b"BIN\0"))
     file.write(vertices + triangles)
-    return Deviation("chord error", face.chord_error(design), design.unit)
+    return Deviation("chord error", face.chord_error(design), design.unit, "lengths in m")
 
 
 def _scene(design: Design, body: Body, vertices: int, triangles: int) -> dict[str, object]:

@@ -43,7 +43,13 @@ def write_grid_sag(design: Design, file: BinaryIO) -> Deviation:
     found = CubicHermiteSpline(y, values, slopes)(between_y)
     exact = design.surface(between_x, between_y)[0].T - vertex
     error = float(np.abs(found - exact).max())
-    return Deviation("error of the bicubic interpolation", error, design.unit)
+    thickness = vertex - design.scene.lens.entrance_z
+    return Deviation(
+        "error of the bicubic interpolation",
+        error,
+        design.unit,
+        f"thickness at the vertex {thickness:.10g} {design.unit}",
+    )
 
 
 def _in_rows(values: Array) -> Array:

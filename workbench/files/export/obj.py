@@ -17,8 +17,8 @@ def write_obj(design: Design, file: BinaryIO) -> Deviation:
     face = Tessellation.of(design)
     body = face.body()
     file.write(f"# freeform lens, unit {design.unit}\n".encode())
-    for x, y, z in body.vertices.tolist():
-        file.write(f"v {x!r} {y!r} {z!r}\n".encode())
-    for a, b, c in (body.triangles + 1).tolist():
-        file.write(f"f {a} {b} {c}\n".encode())
-    return Deviation("chord error", face.chord_error(design), design.unit)
+    file.writelines(f"v {x!r} {y!r} {z!r}\n".encode() for x, y, z in body.vertices.tolist())
+    file.writelines(f"f {a} {b} {c}\n".encode() for a, b, c in (body.triangles + 1).tolist())
+    return Deviation(
+        "chord error", face.chord_error(design), design.unit, f"lengths in {design.unit}"
+    )

@@ -40,4 +40,6 @@ def write_ply(design: Design, file: BinaryIO) -> Deviation:
     file.write(header.encode())
     file.write(body.vertices.astype("<f8").tobytes())
     file.write(faces.tobytes())
-    return Deviation("chord error", face.chord_error(design), design.unit)
+    return Deviation(
+        "chord error", face.chord_error(design), design.unit, f"lengths in {design.unit}"
+    )

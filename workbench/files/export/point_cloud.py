@@ -35,4 +35,9 @@ def write_points(design: Design, file: BinaryIO) -> Deviation:
     )
     exact = design.surface(between_x, between_y)[0]
     error = float(np.abs(spline(between_x, between_y) - exact).max())
-    return Deviation("error of a bicubic spline through the points", error, design.unit)
+    return Deviation(
+        "error of a bicubic spline through the points",
+        error,
+        design.unit,
+        f"lengths in {design.unit}",
+    )

@@ -132,7 +132,7 @@ def _solid(model: _Model, design: Design) -> str:
 
 def _surface(model: _Model, design: Design, net: list[list[str]]) -> str:
     (p, q), (along_u, along_v) = design.net.degree, map(_knots, design.net.knots)
-    points = _list(_list(row) for row in net)
+    points = _list("\n" + _list(row) for row in net)  # a line would be megabytes long
     return model.add(
         f"B_SPLINE_SURFACE_WITH_KNOTS('exit face',{p},{q},{points},.UNSPECIFIED.,.F.,.F.,.F.,"
         f"{along_u[0]},{along_v[0]},{along_u[1]},{along_v[1]},.UNSPECIFIED.)"

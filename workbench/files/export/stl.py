@@ -28,4 +28,6 @@ def write_stl(design: Design, file: BinaryIO) -> Deviation:
     file.write(f"freeform lens, unit {design.unit}".encode().ljust(80))
     file.write(np.uint32(len(records)).astype("<u4").tobytes())
     file.write(records.tobytes())
-    return Deviation("chord error", face.chord_error(design), design.unit)
+    return Deviation(
+        "chord error", face.chord_error(design), design.unit, f"lengths in {design.unit}"
+    )
