@@ -284,10 +284,11 @@ def trace_rows(  # type: ignore[no-untyped-def]
     for block in range(blocks):
         i = begin + (end - begin) * block // blocks
         lanes = begin + (end - begin) * (block + 1) // blocks - i
+        place = across.place[i : i + lanes]
         _contract(heights, across, i, lanes, rows)
         for j in range(len(up.place)):
             _blend(rows, up, j, lanes, t)
-            passed, light = _refract(across.place[i:], up.place[j], optics, spread, lanes, t)
+            passed, light = _refract(place, up.place[j], optics, spread, lanes, t)
             sums[1] += passed
             sums[2] += light
             sums[0] += scatter(spread, column, row, weight, lanes, work, canvas)
@@ -323,11 +324,12 @@ def trace_rows_back(  # type: ignore[no-untyped-def]
     for block in range(blocks):
         i = begin + (end - begin) * block // blocks
         lanes = begin + (end - begin) * (block + 1) // blocks - i
+        place = across.place[i : i + lanes]
         _contract(heights, across, i, lanes, rows)
         d_rows[:] = kind(0)
         for j in range(len(up.place)):
             _blend(rows, up, j, lanes, t)
-            _refract(across.place[i:], up.place[j], optics, spread, lanes, t)
+            _refract(place, up.place[j], optics, spread, lanes, t)
             gather(
                 spread,
                 column,
@@ -387,55 +389,56 @@ def _contract_back(d_rows, across, i, lanes, gradient):  # type: ignore[no-untyp
                 near[b] += np.float64(value * line[b] + slope * line_x[b])
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy", forceinline=True)
 def _blend(rows, up, j, lanes, t):  # type: ignore[no-untyped-def]
     """Height and slopes of the face at all u of a block and one v."""
     kind = t.dtype.type
     count = np.uintp(lanes)
     start = up.first[j] * _TWO_STEPS
+    two, six = _TWO_STEPS, np.uintp(6 * BATCH)
     taps = up.value.shape[1]
     if taps == 4:  # the usual degree, without an inner loop
-        near = rows[start : start + 8 * _STEP]
         v0, v1, v2, v3 = up.value[j, 0], up.value[j, 1], up.value[j, 2], up.value[j, 3]
         s0, s1, s2, s3 = up.slope[j, 0], up.slope[j, 1], up.slope[j, 2], up.slope[j, 3]
         for lane in range(count):
-            a0, a1 = near[lane], near[lane + _TWO_STEPS]
-            a2, a3 = near[lane + 2 * _TWO_STEPS], near[lane + 3 * _TWO_STEPS]
+            at = start + lane
+            a0, a1, a2, a3 = rows[at], rows[at + two], rows[at + two + two], rows[at + six]
             t[_Z + lane] = v0 * a0 + v1 * a1 + v2 * a2 + v3 * a3
             t[_Z_Y + lane] = s0 * a0 + s1 * a1 + s2 * a2 + s3 * a3
             t[_Z_X + lane] = (
-                v0 * near[lane + _STEP]
-                + v1 * near[lane + 3 * _STEP]
-                + v2 * near[lane + 5 * _STEP]
-                + v3 * near[lane + 7 * _STEP]
+                v0 * rows[at + _STEP]
+                + v1 * rows[at + two + _STEP]
+                + v2 * rows[at + two + two + _STEP]
+                + v3 * rows[at + six + _STEP]
             )
         return
-    t[_Z : _Z + 3 * _STEP] = kind(0)
+    for lane in range(count):
+        t[_Z + lane] = kind(0)
+        t[_Z_X + lane] = kind(0)
+        t[_Z_Y + lane] = kind(0)
     for b in range(taps):
         value, slope = up.value[j, b], up.slope[j, b]
-        near = rows[start : start + _TWO_STEPS]
         for lane in range(count):
-            t[_Z + lane] += value * near[lane]
-            t[_Z_Y + lane] += slope * near[lane]
-            t[_Z_X + lane] += value * near[lane + _STEP]
-        start += _TWO_STEPS
+            t[_Z + lane] += value * rows[start + lane]
+            t[_Z_Y + lane] += slope * rows[start + lane]
+            t[_Z_X + lane] += value * rows[start + _STEP + lane]
+        start += two
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy", forceinline=True)
 def _blend_back(d_rows, up, j, lanes, t):  # type: ignore[no-untyped-def]
     """Adjoint of `_blend`; the cotangents of z, z_x, z_y are where these were."""
     count = np.uintp(lanes)
     start = up.first[j] * _TWO_STEPS
     for b in range(up.value.shape[1]):
         value, slope = up.value[j, b], up.slope[j, b]
-        near = d_rows[start : start + _TWO_STEPS]
         for lane in range(count):
-            near[lane] += value * t[_Z + lane] + slope * t[_Z_Y + lane]
-            near[lane + _STEP] += value * t[_Z_X + lane]
+            d_rows[start + lane] += value * t[_Z + lane] + slope * t[_Z_Y + lane]
+            d_rows[start + _STEP + lane] += value * t[_Z_X + lane]
         start += _TWO_STEPS
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy", forceinline=True)
 def _refract(place, row, optics, spread, lanes, t):  # type: ignore[no-untyped-def]
     """Where rays hit, and their flux; how many are refracted, and the flux of all together.
 
@@ -464,7 +467,7 @@ def _refract(place, row, optics, spread, lanes, t):  # type: ignore[no-untyped-d
     return np.float64(passed), np.float64(light)
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy", forceinline=True)
 def _refract_back(optics, spread, lanes, t):  # type: ignore[no-untyped-def]
     """Adjoint of `_refract`; the cotangents of z, z_x, z_y take the place of these."""
     kind = t.dtype.type
