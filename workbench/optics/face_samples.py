@@ -4,11 +4,11 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from workbench.geometry.patches import Patches
+from workbench.geometry.bounds import derivative_range
 from workbench.geometry.surface import ControlNet, GridBasis
 from workbench.optics.glass import Glass
 from workbench.optics.hits import Hits
-from workbench.optics.lattice import make_lattice
+from workbench.optics.lattice import Array, Axis, make_lattice
 from workbench.optics.refraction import refract, schlick_transmittance
 from workbench.scene import CollimatedSource, Scene
 
@@ -127,16 +127,29 @@ class FaceSamples:
 
         Otherwise samples stand for light that has met the face before, where it folds over.
         """
-        lens = self._scene.lens
-        depth = heights.detach().double().cpu() - lens.entrance_z
-        lowest = depth.min().item()
-        if lowest <= 0:
+        depth = heights.detach().double().cpu().numpy() - self._scene.lens.entrance_z
+        if depth.min() <= 0:
             return False
-        bounds = Patches(self._net, torch.float64).slope_bounds(depth)
-        n, distance = lens.index, self.lattice.distance
-        rise = 0.0
-        for axis, bound in zip((self.lattice.x, self.lattice.y), bounds, strict=True):
-            # The light's slope, at most: by the apparent depth of the point, or at grazing entry.
-            slope = np.abs(axis.away).max() / (n * distance + lowest)
-            rise += bound * min(slope, (n * n - 1) ** -0.5)
-        return bool(rise < 1)
+        rise: float | Array = 0.0  # of the face along the light, at most, span by span
+        for axis, samples in enumerate((self.lattice.x, self.lattice.y)):
+            face = derivative_range(self._net, depth, (1 - axis, axis))
+            light = self._light_slopes(samples, axis, depth.min())
+            shape = (-1, 1) if axis == 0 else (1, -1)
+            rise = rise + np.max([a.reshape(shape) * b for a in light for b in face], axis=0)
+        return bool(np.max(rise) < 1)
+
+    def _light_slopes(self, samples: Axis, axis: int, lowest: float) -> tuple[Array, Array]:
+        """The most and least that the light's slope can be along x or y, span by span.
+
+        It is the way from the point over its apparent depth, unless that is steeper than light
+        that enters at grazing incidence.
+        """
+        n, half_width = self._scene.lens.index, self._net.half_width[axis]
+        spans = self._net.shape[axis] - self._net.degree[axis]
+        edges = np.linspace(-half_width, half_width, spans + 1)
+        centre = samples.place - samples.away
+        ways = edges[:-1] - centre.max(), edges[1:] - centre.min()
+        steepest, depth = (n * n - 1) ** -0.5, n * self.lattice.distance + lowest
+        low, high = ((way / depth).clip(-steepest, steepest) for way in ways)
+        # A point's depth seems larger from aside: down to no slope at all.
+        return np.minimum(low, 0), np.maximum(high, 0)

@@ -164,7 +164,7 @@ class _Passes:
             if mirrored:
                 image = image + np.flip(image, 1 - axis)
                 copies *= 2
-        beside, met, passed, light = copies * sums.sum(axis=0)
+        beside, met, passed, light = (copies * sums.sum(axis=0)).tolist()
         entered = samples.emitted - samples.missed_lens - samples.fresnel_entrance
         return np.ascontiguousarray(image), Sums(
             off_screen=beside + copies * around,
