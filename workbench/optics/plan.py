@@ -14,11 +14,20 @@ from workbench.optics.face_samples import FaceSamples
 from workbench.optics.kernels import ready
 from workbench.optics.kernels.collimated import FusedCollimatedRays
 from workbench.optics.kernels.face import FusedFaceSamples
+from workbench.optics.kernels.point import FusedPointRays
 from workbench.optics.ledger import Ledger
 from workbench.optics.light import Tracer
 from workbench.optics.point import PointRays
 from workbench.optics.reference import Reference
-from workbench.scene import BoxFilter, CollimatedSource, Filter, Scene, Screen
+from workbench.scene import (
+    BoxFilter,
+    CollimatedSource,
+    ExactMethod,
+    Filter,
+    MeshMethod,
+    Scene,
+    Screen,
+)
 
 _NEARLY_ALL = 0.999
 
@@ -131,6 +140,8 @@ class Plan:
             notes.append("collimated light: entrance refraction and intersection left out")
         elif self._samples is not None:
             notes.append("samples on the exit face: no ray has to search for it")
+        elif isinstance(self._scene.source.intersection, MeshMethod):
+            notes.append("intersection with the triangle mesh: by the reference alone")
         if isinstance(tracer, FusedCollimatedRays | FusedFaceSamples) and any(tracer.mirrored):
             part = "a quarter" if all(tracer.mirrored) else "half"
             notes.append(f"mirror symmetry: {part} of the rays")
@@ -171,7 +182,7 @@ class Plan:
 
     def _tracer(self) -> Tracer:
         """The kernel as soon as it is compiled; see `workbench.optics.kernels.ready`."""
-        scene, source = self._scene, self._scene.source
+        scene, source, rays = self._scene, self._scene.source, self._reference.rays
         if self._kernel is None and self._fused:
             if isinstance(source, CollimatedSource):
                 if ready.is_ready("collimated", self._dtype):
@@ -182,6 +193,12 @@ class Plan:
                 self._kernel = FusedFaceSamples(
                     scene, self._net, self._samples, self._mirrored, self._dtype
                 )
+            elif (
+                isinstance(rays, PointRays)
+                and isinstance(source.intersection, ExactMethod)
+                and ready.is_ready(f"point {self._net.degree[1]}", self._dtype)
+            ):
+                self._kernel = FusedPointRays(rays, scene, self._net, self._dtype)
         return self._kernel or self._reference
 
 

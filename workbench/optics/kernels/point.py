@@ -1,0 +1,169 @@
+"""Light of point sources in one pass from control heights to the image: `optics.point`'s twin.
+
+Rays are kept sorted by the patch of the exit face in which they met the last lens, and their
+depths there are where the search starts for the next one. When many have moved to other patches,
+they are sorted again.
+"""
+
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+import torch
+from torch import Tensor
+
+from workbench.geometry.surface import ControlNet
+from workbench.optics.intersection import Bundle
+from workbench.optics.kernels import threads
+from workbench.optics.kernels.function import Sums, kind_of, trace
+from workbench.optics.kernels.point_face import Face, heights_cotangent, make_table
+from workbench.optics.kernels.point_order import Sorted, arrange
+from workbench.optics.kernels.point_trace import (
+    BESIDE,
+    FRESNEL,
+    RUNS,
+    SIDE,
+    SUMS,
+    TOTAL,
+    Glass,
+    adjoint,
+    make_glass,
+)
+from workbench.optics.kernels.point_trace import trace as trace_rays
+from workbench.optics.kernels.spread import Spread, add_up, make_canvases, make_spread, pad
+from workbench.optics.light import Light
+from workbench.optics.point import PointRays
+from workbench.scene import Filter, GaussianFilter, Scene, Screen
+
+AnyArray = npt.NDArray[np.floating[Any]]
+
+# An interruption of the order costs about as much as sorting so many rays.
+_INTERRUPTION = 2
+
+
+class FusedPointRays:
+    """The rays of a `PointRays` on the CPU, also after these were drawn anew.
+
+    Parameters
+    ----------
+    rays : PointRays
+        The rays; intersection method "exact".
+    scene : Scene
+        Their scene.
+    net : ControlNet
+        Where the control heights sit.
+    dtype : torch.dtype
+        Float type of the trace, that of the rays.
+    """
+
+    emitted = 1.0
+
+    def __init__(
+        self, rays: PointRays, scene: Scene, net: ControlNet, dtype: torch.dtype = torch.float32
+    ) -> None:
+        self._rays = rays
+        self._dtype = dtype
+        self._level = scene.lens.entrance_z
+        self.kind = kind_of(dtype)
+        self.face = Face(net, dtype)
+        self.glass = make_glass(scene, self.kind)
+        self._drawn: Bundle | None = None
+        self._sorted: Sorted | None = None
+
+    @property
+    def missed_lens(self) -> float:
+        """Flux of the source that passed the entrance face by."""
+        return self._rays.missed_lens
+
+    @property
+    def fresnel_entrance(self) -> float:
+        """Flux reflected at the entrance face."""
+        return self._rays.fresnel_entrance
+
+    def image(self, heights: Tensor, screen: Screen, filter: Filter) -> Light:
+        """Trace a lens; see `workbench.optics.light.Tracer`."""
+        spread = make_spread(screen, filter, self.kind)
+        return trace(heights, self._level, self._dtype, _Passes(self, spread))
+
+    def ready(self, level: float) -> Sorted:
+        """The rays, sorted for a lens much like the last one, or for a plate of some height."""
+        drawn, known = self._rays.bundle, self._sorted
+        if known is None or drawn is not self._drawn:
+            self._drawn = drawn
+            bundle = np.stack([part.numpy() for part in drawn])
+            known = arrange(self.face.net, bundle, np.full(bundle.shape[1], level, self.kind))
+        elif known.interruptions * _INTERRUPTION > len(known.depths):
+            known = arrange(self.face.net, known.bundle, known.depths)
+        self._sorted = known
+        return known
+
+    def remember(self, known: Sorted) -> None:
+        """Where the rays met the last lens."""
+        self._sorted = known
+
+
+class _Passes:
+    """The trace of one set of rays onto one screen, and its adjoint."""
+
+    def __init__(self, rays: FusedPointRays, spread: Spread) -> None:
+        self._rays, self._spread = rays, spread
+
+    def forward(self, heights: AnyArray) -> tuple[AnyArray, Sums]:
+        rays, spread = self._rays, self._spread
+        known = rays.ready(float(heights.mean()))
+        bounds = rays.face.bounds(heights, known.steepest)
+        table = make_table(heights, rays.face.powers)
+        count = known.bundle.shape[1]
+        parts = threads.parts(count)
+        ends = threads.bounds(count, parts)
+        canvases = make_canvases(spread, parts)
+        depths = np.empty(count, rays.kind)
+        sums = np.empty((parts, SUMS))
+        args = rays.face.net, bounds, table, rays.glass, spread, known.bundle, known.depths
+
+        def work(part: int) -> None:
+            span = ends[part], ends[part + 1]
+            sums[part] = trace_rays(*args, *span, depths, canvases[part])
+
+        threads.run(work, parts)
+        total = sums.sum(axis=0)
+        runs = int(total[RUNS])
+        fewest = known.fewest or runs
+        more = known.interruptions + max(runs - fewest, 0)
+        rays.remember(known._replace(depths=depths, fewest=fewest, interruptions=more))
+        self._table, self._bundle, self._depths = table, known.bundle, depths
+        image, around = add_up(spread, canvases)
+        beside = float(total[BESIDE]) + around
+        return image, Sums(beside, float(total[TOTAL]), float(total[FRESNEL]), float(total[SIDE]))
+
+    def backward(self, heights: AnyArray, cotangent: AnyArray) -> AnyArray:
+        rays, spread, table = self._rays, self._spread, self._table
+        count = len(self._depths)
+        parts = threads.parts(count)
+        ends = threads.bounds(count, parts)
+        canvas = pad(spread, cotangent)
+        d_tables = np.zeros((parts, *table.shape))
+        args = rays.face.net, table, rays.glass, spread, self._bundle, self._depths
+
+        def work(part: int) -> None:
+            adjoint(*args, ends[part], ends[part + 1], canvas, d_tables[part])
+
+        threads.run(work, parts)
+        return heights_cotangent(d_tables, heights.shape, rays.face.powers)
+
+
+def compile_for(degree: int, dtype: torch.dtype) -> None:
+    """Compile the kernels for a degree along y and a float type by tracing a ray."""
+    kind = kind_of(dtype)
+    net = ControlNet((2, degree + 1), (1, degree), (1.0, 1.0))
+    face, heights = Face(net, dtype), np.zeros(net.shape, kind)
+    known = arrange(face.net, np.zeros((5, 1), kind), np.zeros(1, kind))
+    bounds, table = face.bounds(heights, known.steepest), make_table(heights, face.powers)
+    glass = Glass(*(kind(1.5) for _ in Glass._fields))
+    screen = Screen(z=1.0, half_width=(1.0, 1.0), pixels=(2, 2))
+    spread = make_spread(screen, GaussianFilter(), kind)
+    canvas, d_table = make_canvases(spread, 1)[0], np.zeros(table.shape)
+    rays = known.bundle, known.depths
+    trace_rays(face.net, bounds, table, glass, spread, *rays, 0, 1, known.depths, canvas)
+    adjoint(face.net, table, glass, spread, *rays, 0, 1, canvas, d_table)
+    heights_cotangent(d_table[None], heights.shape, face.powers)

@@ -1,0 +1,190 @@
+"""What a kernel needs to know of an exit face: its table of patches, with adjoint, and bounds."""
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+import torch
+from numba import njit
+
+from workbench.geometry.patches import Patches
+from workbench.geometry.surface import ControlNet
+from workbench.optics.kernels import threads
+from workbench.optics.kernels.function import kind_of
+from workbench.optics.kernels.point_meet import FALLS_BY
+from workbench.optics.kernels.point_patches import make_net
+from workbench.optics.kernels.taps import FAST
+
+AnyArray = npt.NDArray[np.floating[Any]]
+
+
+class Bounds(NamedTuple):
+    """What the convex-hull property says of a face; numbers in the trace's float type.
+
+    Attributes
+    ----------
+    low, high : floating
+        Depths between which all roots are, wider than the hull by more than the rounding of f.
+    lowest : floating
+        Height of the lowest control point.
+    tolerance : floating
+        A step as small as this is rounding.
+    slope_x, slope_y, bend_xx, bend_xy, bend_yy : floating
+        The most that the derivatives can be anywhere.
+    """
+
+    low: np.floating[Any]
+    high: np.floating[Any]
+    lowest: np.floating[Any]
+    tolerance: np.floating[Any]
+    slope_x: np.floating[Any]
+    slope_y: np.floating[Any]
+    bend_xx: np.floating[Any]
+    bend_xy: np.floating[Any]
+    bend_yy: np.floating[Any]
+
+
+class Face:
+    """Faces of one control net.
+
+    Parameters
+    ----------
+    net : ControlNet
+        The control net.
+    dtype : torch.dtype
+        Float type of the trace.
+    """
+
+    def __init__(self, net: ControlNet, dtype: torch.dtype) -> None:
+        kind = kind_of(dtype)
+        self.net = make_net(net, kind)
+        self._patches = Patches(net, dtype)
+        self._distances = [np.diff(part).astype(kind) for part in net.positions]
+        along_x, along_y = (part.permute(1, 2, 0) for part in self._patches.to_powers)
+        self.powers = along_x.contiguous().numpy(), along_y.contiguous().numpy()
+
+    def bounds(self, heights: AnyArray, steepest: AnyArray) -> Bounds:
+        """Bounds of a face.
+
+        Parameters
+        ----------
+        heights : array, shape (n_u, n_v)
+            Control heights above the entrance face.
+        steepest : array, shape (2,)
+            The most that the slopes of the rays are along x and y.
+        """
+        kind = heights.dtype.type
+        lowest, highest, *slopes = _hull(heights, *self._distances)
+        tolerance = 4 * np.finfo(kind).eps * max(abs(lowest), abs(highest))
+        bends = math.inf, math.inf, math.inf
+        if np.dot(slopes, steepest) >= 1 - FALLS_BY:  # some rays walk
+            bends = self._patches.curvature_bounds(torch.from_numpy(heights))
+        ends = lowest - 8 * tolerance, highest + 8 * tolerance
+        return Bounds(*(kind(number) for number in (*ends, lowest, tolerance, *slopes, *bends)))
+
+
+def make_table(heights: AnyArray, powers: tuple[AnyArray, AnyArray]) -> AnyArray:
+    """Coefficients of s^a t^b of every patch, shape (patches, p + 1, q + 1).
+
+    Parameters
+    ----------
+    heights : array, shape (n_u, n_v)
+        Control heights.
+    powers : tuple of two arrays, shape (p + 1, p + 1, spans)
+        Power coefficients along each axis, by basis function, power and span; see `Patches`.
+    """
+    (p, _, across), (q, _, up) = (part.shape for part in powers)
+    table = np.empty((across * up, p, q), heights.dtype)
+    parts = threads.parts(across * up)
+    ends = threads.bounds(across, parts)
+    threads.run(lambda k: _table(heights, *powers, ends[k], ends[k + 1], table), parts)
+    return table
+
+
+def heights_cotangent(
+    d_tables: AnyArray, shape: tuple[int, int], powers: tuple[AnyArray, AnyArray]
+) -> npt.NDArray[np.float64]:
+    """Cotangent of the control heights from those of tables, the adjoint of `make_table`.
+
+    Parameters
+    ----------
+    d_tables : array, shape (parts, patches, p + 1, q + 1)
+        Cotangents that are to be added up.
+    shape : tuple[int, int]
+        Numbers of control points.
+    powers
+        As for `make_table`.
+    """
+    across, up = (part.shape[2] for part in powers)
+    parts = threads.parts(across * up)
+    ends = threads.bounds(across, parts)
+    shares = np.zeros((parts, *shape))
+    threads.run(lambda k: _adjoint(d_tables, *powers, ends[k], ends[k + 1], shares[k]), parts)
+    return np.asarray(shares.sum(axis=0))
+
+
+@njit(cache=True, nogil=True, fastmath=FAST)
+def _table(heights, powers_x, powers_y, first, last, table):  # type: ignore[no-untyped-def]
+    (n_b, _, up), n_a = powers_y.shape, len(powers_x)
+    row, total = np.empty(heights.shape[1], heights.dtype), np.empty(up, heights.dtype)
+    for k in range(first, last):
+        for a in range(n_a):
+            row[:] = 0
+            for i in range(n_a):
+                _add(row, powers_x[i, a, k], heights[k + i])
+            for b in range(n_b):
+                total[:] = 0
+                for j in range(n_b):
+                    _add_products(total, powers_y[j, b], row[j:])
+                for m in range(up):
+                    table[k * up + m, a, b] = total[m]
+
+
+@njit(cache=True, nogil=True, fastmath=FAST)
+def _adjoint(d_tables, powers_x, powers_y, first, last, d_heights):  # type: ignore[no-untyped-def]
+    (n_b, _, up), n_a = powers_y.shape, len(powers_x)
+    row, total = np.empty(d_heights.shape[1]), np.empty(up)
+    for k in range(first, last):
+        for a in range(n_a):
+            row[:] = 0
+            for b in range(n_b):
+                for m in range(up):
+                    total[m] = d_tables[0, k * up + m, a, b]
+                for part in range(1, len(d_tables)):
+                    for m in range(up):
+                        total[m] += d_tables[part, k * up + m, a, b]
+                for j in range(n_b):
+                    _add_products(row[j:], powers_y[j, b], total)
+            for i in range(n_a):
+                _add(d_heights[k + i], powers_x[i, a, k], row)
+
+
+@njit(cache=True, nogil=True, fastmath=FAST)
+def _add(total, factor, values):  # type: ignore[no-untyped-def]
+    for m in range(len(values)):
+        total[m] += factor * values[m]
+
+
+@njit(cache=True, nogil=True, fastmath=FAST)
+def _add_products(total, factors, values):  # type: ignore[no-untyped-def]
+    for m in range(len(factors)):
+        total[m] += factors[m] * values[m]
+
+
+@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+def _hull(heights, distance_x, distance_y):  # type: ignore[no-untyped-def]
+    """Lowest and highest control height, and the most that the slopes can be anywhere."""
+    lowest = highest = heights[0, 0]
+    slope_x = slope_y = heights.dtype.type(0)
+    for i in range(heights.shape[0]):
+        row = heights[i]
+        for j in range(len(row)):
+            lowest, highest = min(lowest, row[j]), max(highest, row[j])
+        for j in range(len(row) - 1):
+            slope_y = max(slope_y, abs(row[j + 1] - row[j]) / distance_y[j])
+        if i > 0:
+            before = heights[i - 1]
+            for j in range(len(row)):
+                slope_x = max(slope_x, abs(row[j] - before[j]) / distance_x[i - 1])
+    return lowest, highest, slope_x, slope_y

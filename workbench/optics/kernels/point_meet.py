@@ -1,0 +1,236 @@
+"""Where a batch of rays meets the exit face, `optics.intersection`'s twin.
+
+Where f(t) = Z(x(t), y(t)) − z_in − t can only fall, all rays of a batch take steps of Newton's
+method together, from the roots of the last lens, until the last one rests; few do not after some
+steps and go on alone, safeguarded. Rays with several roots go alone from the start: they walk up
+to the first, in steps proven not to pass it. Bounds, tolerances and results are the reference's.
+"""
+
+import math
+
+import numpy as np
+from numba import njit
+
+from workbench.optics.kernels.point_patches import (
+    BUSY,
+    DEPTH,
+    HIGH,
+    SLOPE_X,
+    SLOPE_Y,
+    STATE,
+    Z_S,
+    Z_T,
+    X,
+    Y,
+    Z,
+    at,
+    evaluate,
+    fill,
+    place,
+    refill,
+    span_of,
+)
+from workbench.optics.kernels.taps import FAST
+
+# Steps that a batch takes together; three or four are usual, five or six for the first lens.
+_TOGETHER = 8
+_NEWTON_STEPS, _BISECTIONS, _WALK_STEPS = 20, 60, 2000
+# f counts as falling where it surely falls at least this fast.
+FALLS_BY = 0.1
+# States of a ray: on its way to the root that it surely has, met, left through the side.
+FALLS, MET, LEFT = 1, 0, -1
+
+
+@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+def meet(net, bounds, table, w, count, patch, before, columns):  # type: ignore[no-untyped-def]
+    """Depth, state, place, height and slopes of a batch of rays.
+
+    Parameters
+    ----------
+    net, bounds, table
+        The face.
+    w : array, shape (ROWS BATCH,)
+        The batch: rays and the depths to start from; changed.
+    count : int
+        How many rays there are.
+    patch, before : array of int32, shape (BATCH,)
+        Their patches in the end, and room for those of the step before.
+    columns : array, shape (p + 1, (q + 1) BATCH)
+        The coefficients of these patches in the end.
+
+    Returns
+    -------
+    int
+        How many runs of rays there were that began in the same patch.
+    """
+    alone = _bracket(net, bounds, w, count)
+    if alone > 0:
+        for ray in range(count):
+            if w[at(STATE, ray)] != FALLS:
+                _walk(net, bounds, table, w, ray)
+    place(net, w, count, patch)
+    before[:count] = patch[:count]
+    runs = fill(table, patch, count, columns)
+    evaluate(net, columns, w, count)
+    for _ in range(_TOGETHER):
+        if _step(net, bounds, w, count) == 0:
+            break
+        _again(net, table, w, count, patch, before, columns)
+    else:
+        if _step(net, bounds, w, count) > 0:
+            for ray in range(count):
+                if w[at(BUSY, ray)] != 0:
+                    _newton(net, bounds, table, w, ray)
+            _again(net, table, w, count, patch, before, columns)
+    _settle(bounds, w, count)
+    return runs
+
+
+@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+def _bracket(net, bounds, w, count):  # type: ignore[no-untyped-def]
+    """How deep the rays are at most, where they start, and how many may have several roots."""
+    kind = w.dtype.type
+    falling = kind(0)
+    for ray in range(count):
+        x, slope = w[at(X, ray)], w[at(SLOPE_X, ray)]
+        y, rise = w[at(Y, ray)], w[at(SLOPE_Y, ray)]
+        high = min(depth_of_side(net, x, y, slope, rise), bounds.high)
+        w[at(HIGH, ray)] = high
+        w[at(DEPTH, ray)] = min(max(w[at(DEPTH, ray)], bounds.low), high)
+        steep = bounds.slope_x * abs(slope) + bounds.slope_y * abs(rise)
+        state = kind(FALLS) if steep < kind(1 - FALLS_BY) else kind(MET)
+        w[at(STATE, ray)] = state
+        falling += state
+    return kind(count) - falling
+
+
+@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+def depth_of_side(net, x, y, slope_x, slope_y):  # type: ignore[no-untyped-def]
+    """Depth at which a ray leaves the aperture; infinite for one along the axis."""
+    # Start on the right in a mirror where the ray goes left. A hair of room keeps 0/0 away.
+    room_x = net.half_x - math.copysign(x, x * slope_x) + net.hair
+    room_y = net.half_y - math.copysign(y, y * slope_y) + net.hair
+    return min(room_x / abs(slope_x), room_y / abs(slope_y))
+
+
+@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+def _again(net, table, w, count, patch, before, columns):  # type: ignore[no-untyped-def]
+    """Evaluate the face where the rays have gone."""
+    if place(net, w, count, patch) > 0:
+        refill(table, patch, before, count, columns)
+    evaluate(net, columns, w, count)
+
+
+@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+def _step(net, bounds, w, count):  # type: ignore[no-untyped-def]
+    """A step of Newton's method for rays that do not rest yet; says how many these are."""
+    kind = w.dtype.type
+    busy = kind(0)
+    for ray in range(count):
+        depth, high = w[at(DEPTH, ray)], w[at(HIGH, ray)]
+        f = w[at(Z, ray)] - depth
+        slope = w[at(Z_S, ray)] * net.per_x * w[at(SLOPE_X, ray)]
+        slope += w[at(Z_T, ray)] * net.per_y * w[at(SLOPE_Y, ray)] - kind(1)
+        step = f / slope
+        # At the upper end f is positive only where the side cuts the ray off.
+        beyond = (depth >= high) & (high < bounds.high) & (f > 0)
+        alone = w[at(STATE, ray)] != kind(FALLS)
+        rests = (abs(step) <= bounds.tolerance) | beyond | alone
+        w[at(DEPTH, ray)] = depth if rests else min(max(depth - step, bounds.low), high)
+        w[at(BUSY, ray)] = kind(0) if rests else kind(1)
+        busy += kind(0) if rests else kind(1)
+    return busy
+
+
+@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+def _settle(bounds, w, count):  # type: ignore[no-untyped-def]
+    """Tell rays that met the face from those that the side cut off."""
+    kind = w.dtype.type
+    for ray in range(count):
+        depth, high, state = w[at(DEPTH, ray)], w[at(HIGH, ray)], w[at(STATE, ray)]
+        beyond = (depth >= high) & (high < bounds.high) & (w[at(Z, ray)] > depth)
+        settled = kind(LEFT) if beyond else kind(MET)
+        w[at(STATE, ray)] = settled if state == kind(FALLS) else state
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def _f(net, table, w, ray, depth):  # type: ignore[no-untyped-def]
+    """The function f and its slope, for one ray."""
+    kind = w.dtype.type
+    u = (w[at(X, ray)] + w[at(SLOPE_X, ray)] * depth + net.half_x) * net.per_x
+    v = (w[at(Y, ray)] + w[at(SLOPE_Y, ray)] * depth + net.half_y) * net.per_y
+    span_x = span_of(u, kind(net.spans[0] - 1))
+    span_y = span_of(v, kind(net.spans[1] - 1))
+    s, t = u - (span_x + kind(0.5)), v - (span_y + kind(0.5))
+    coefficients = table[np.int32(span_x) * np.int32(net.spans[1]) + np.int32(span_y)]
+    z, z_s, z_t = kind(0), kind(0), kind(0)
+    for a in range(coefficients.shape[0] - 1, -1, -1):
+        inner, inner_t = kind(0), kind(0)
+        for b in range(coefficients.shape[1] - 1, -1, -1):
+            inner_t = inner_t * t + inner
+            inner = inner * t + coefficients[a, b]
+        z_s = z_s * s + z
+        z = z * s + inner
+        z_t = z_t * s + inner_t
+    slope = z_s * net.per_x * w[at(SLOPE_X, ray)] + z_t * net.per_y * w[at(SLOPE_Y, ray)]
+    return z - depth, slope - kind(1)
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def _newton(net, bounds, table, w, ray):  # type: ignore[no-untyped-def]
+    """The root of one ray whose f falls, safeguarded by the bracket."""
+    kind = w.dtype.type
+    low, high = bounds.low, w[at(HIGH, ray)]
+    depth = high
+    if high == bounds.high or _f(net, table, w, ray, high)[0] <= 0:
+        depth = (low + high) * kind(0.5)
+        for number in range(_NEWTON_STEPS + _BISECTIONS):
+            f, slope = _f(net, table, w, ray, depth)
+            if f > 0:
+                low = depth
+            else:
+                high = depth
+            step = depth - f / slope
+            # An end of the bracket is no new place: a step to it may go to and fro for ever.
+            near = abs(step - depth) <= bounds.tolerance
+            good = near or (number < _NEWTON_STEPS and low < step < high)
+            new = step if good else (low + high) * kind(0.5)
+            moved, depth = abs(new - depth), new
+            if moved <= bounds.tolerance:
+                break
+    w[at(DEPTH, ray)] = depth
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def _walk(net, bounds, table, w, ray):  # type: ignore[no-untyped-def]
+    """The first root of one ray.
+
+    With f' ≥ −L and f'' ≥ −M ahead, f stays positive for f / L, and for as long as the parabola
+    f + f' δ − M δ² / 2 does.
+    """
+    kind = w.dtype.type
+    high = w[at(HIGH, ray)]
+    eps = kind(np.finfo(w.dtype).eps)  # keeps a product with an infinite bound infinite
+    across = max(abs(w[at(SLOPE_X, ray)]), eps)
+    up = max(abs(w[at(SLOPE_Y, ray)]), eps)
+    steepest = kind(1) + bounds.slope_x * across + bounds.slope_y * up
+    bend = bounds.bend_xx * across * across + bounds.bend_yy * up * up
+    bend += kind(2) * bounds.bend_xy * across * up
+    depth = min(bounds.low, high)
+    state = LEFT
+    if high >= bounds.lowest:
+        for _ in range(_WALK_STEPS):
+            f, slope = _f(net, table, w, ray, depth)
+            if f <= 0:
+                state = MET
+                break
+            parabola = kind(2) * f / (math.sqrt(slope * slope + kind(2) * bend * f) - slope)
+            step = max(f / steepest, parabola)
+            if step <= bounds.tolerance:
+                state = MET
+                break
+            if depth >= high:
+                break
+            depth = min(depth + step, high)
+    w[at(DEPTH, ray)] = depth
+    w[at(STATE, ray)] = kind(state)

@@ -1,0 +1,287 @@
+"""Patches of the exit face for batches of rays, `geometry.patches`' twin.
+
+Each ray of a batch has the coefficients of its patch in a column of its own, where the steps of
+Newton's method find them without an index. Rays are kept sorted by patch, so that a column is one
+of a run of equal ones, filled quickly; nothing but speed depends on it.
+
+A batch lives in one flat array of rows of ``BATCH`` numbers, row k from k BATCH on. With distances
+between rows that the compiler knows, and indices that it knows not to be negative, its loops
+vectorise without any check.
+"""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from numba import njit
+
+from workbench.geometry.surface import ControlNet
+from workbench.optics.kernels.spread import BATCH
+from workbench.optics.kernels.taps import FAST
+
+# Where runs are shorter than this, coefficients are better looked up ray by ray.
+_SHORT_RUN = 10
+
+# Rows of a batch. First what is known of the rays, and how deep they are.
+X, Y, SLOPE_X, SLOPE_Y, FLUX, DEPTH = 0, 1, 2, 3, 4, 5
+# Local coordinates in their patches, the face there and its derivatives, in local coordinates too.
+S, T, Z, Z_S, Z_T, Z_SS, Z_ST, Z_TT = 6, 7, 8, 9, 10, 11, 12, 13
+# Search: upper end of the bracket, state, and whether the ray is still on its way.
+HIGH, STATE, BUSY = 14, 15, 16
+# Hits on the screen, and their cotangents.
+COLUMN, ROW, WEIGHT, D_COLUMN, D_ROW, D_WEIGHT = 17, 18, 19, 20, 21, 22
+# Whether light passes the face; cotangents of height and slopes.
+PASSES, D_Z, D_S, D_T = 23, 24, 25, 26
+ROWS = 27
+
+
+class Net(NamedTuple):
+    """A control net as the kernels want it; numbers in the trace's float type.
+
+    Attributes
+    ----------
+    half_x, half_y : floating
+        Half-widths of the aperture.
+    hair : floating
+        The least positive number.
+    per_x, per_y : floating
+        Knot spans per unit of length.
+    spans : tuple[int, int]
+        Numbers of knot spans.
+    along_y : tuple of zeros
+        As long as there are powers of t: a number that the compiler knows.
+    """
+
+    half_x: np.floating[Any]
+    half_y: np.floating[Any]
+    hair: np.floating[Any]
+    per_x: np.floating[Any]
+    per_y: np.floating[Any]
+    spans: tuple[int, int]
+    along_y: tuple[int, ...]
+
+
+def make_net(net: ControlNet, kind: type[np.floating[Any]]) -> Net:
+    """Prepare a control net for kernels of a float type."""
+    (n_u, n_v), (p, q), (r_x, r_y) = net.shape, net.degree, net.half_width
+    spans = n_u - p, n_v - q
+    per_x, per_y = kind(spans[0] / (2 * r_x)), kind(spans[1] / (2 * r_y))
+    hair = kind(np.finfo(kind).tiny)
+    return Net(kind(r_x), kind(r_y), hair, per_x, per_y, spans, (0,) * (q + 1))
+
+
+@njit(inline="always")
+def at(row, ray):  # type: ignore[no-untyped-def]
+    """Where a ray's number is in the flat array of a batch."""
+    return np.uintp(row) * np.uintp(BATCH) + np.uintp(ray)
+
+
+@njit(cache=True, nogil=True)
+def make_columns(table):  # type: ignore[no-untyped-def]
+    """Room for the coefficients of a batch."""
+    return np.empty((table.shape[1], table.shape[2] * BATCH), table.dtype)
+
+
+@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+def span_of(u, last):  # type: ignore[no-untyped-def]
+    """Knot span of a coordinate, the nearest one for those beyond; what is not a number has one."""
+    inside = u if u > type(u)(0) else type(u)(0)
+    return np.floor(inside if inside < last else last)
+
+
+@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+def place(net, w, count, patch):  # type: ignore[no-untyped-def]
+    """Patches and local coordinates of a batch of rays; says how many changed their patch."""
+    kind = w.dtype.type
+    half = kind(0.5)
+    last_x, last_y = kind(net.spans[0] - 1), kind(net.spans[1] - 1)
+    up = np.int32(net.spans[1])
+    changed = np.int32(0)
+    for ray in range(count):
+        depth = w[at(DEPTH, ray)]
+        u = (w[at(X, ray)] + w[at(SLOPE_X, ray)] * depth + net.half_x) * net.per_x
+        v = (w[at(Y, ray)] + w[at(SLOPE_Y, ray)] * depth + net.half_y) * net.per_y
+        span_x, span_y = span_of(u, last_x), span_of(v, last_y)
+        w[at(S, ray)] = u - (span_x + half)
+        w[at(T, ray)] = v - (span_y + half)
+        new = np.int32(span_x) * up + np.int32(span_y)
+        changed += np.int32(new != patch[ray])
+        patch[ray] = new
+    return changed
+
+
+@njit(cache=True, nogil=True)
+def fill(table, patch, count, columns):  # type: ignore[no-untyped-def]
+    """Give all rays the coefficients of their patches; says how many runs of equal ones there are.
+
+    Parameters
+    ----------
+    table : array, shape (patches, p + 1, q + 1)
+        Coefficients.
+    patch : array of int32, shape (BATCH,)
+        Patches of the rays.
+    count : int
+        How many rays there are.
+    columns : array, shape (p + 1, (q + 1) BATCH)
+        The result.
+    """
+    runs = 1
+    for ray in range(1, count):
+        runs += patch[ray] != patch[ray - 1]
+    if runs * _SHORT_RUN > count:
+        _look_up(table, patch, count, columns)
+    else:
+        _repeat(table, patch, count, columns)
+    return runs
+
+
+@njit(cache=True, nogil=True)
+def _look_up(table, patch, count, columns):  # type: ignore[no-untyped-def]
+    flat = table.reshape(-1)
+    terms = np.uintp(table.shape[1] * table.shape[2])
+    for a in range(table.shape[1]):
+        for b in range(table.shape[2]):
+            row, term = columns[a, b * BATCH : (b + 1) * BATCH], np.uintp(a * table.shape[2] + b)
+            for ray in range(count):
+                row[ray] = flat[np.uintp(patch[ray]) * terms + term]
+
+
+@njit(cache=True, nogil=True)
+def _repeat(table, patch, count, columns):  # type: ignore[no-untyped-def]
+    start = 0
+    while start < count:
+        stop = start + 1
+        while stop < count and patch[stop] == patch[start]:
+            stop += 1
+        coefficients = table[patch[start]]
+        for a in range(coefficients.shape[0]):
+            row = columns[a]
+            for b in range(coefficients.shape[1]):
+                value = coefficients[a, b]
+                for ray in range(start, stop):
+                    row[at(b, ray)] = value
+        start = stop
+
+
+@njit(cache=True, nogil=True)
+def refill(table, patch, before, count, columns):  # type: ignore[no-untyped-def]
+    """The same for those rays alone that were in another patch before."""
+    for ray in range(count):
+        if patch[ray] != before[ray]:
+            before[ray] = patch[ray]
+            coefficients = table[patch[ray]]
+            for a in range(coefficients.shape[0]):
+                for b in range(coefficients.shape[1]):
+                    columns[a, at(b, ray)] = coefficients[a, b]
+
+
+@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+def evaluate(net, columns, w, count):  # type: ignore[no-untyped-def]
+    """Heights and slopes of the face, by Horner's rule."""
+    kind = w.dtype.type
+    for ray in range(count):
+        w[at(Z, ray)] = kind(0)
+        w[at(Z_S, ray)] = kind(0)
+        w[at(Z_T, ray)] = kind(0)
+    for a in range(columns.shape[0] - 1, -1, -1):
+        _row(net.along_y, columns[a], w, count)
+
+
+@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+def _row(along_y, coefficients, w, count):  # type: ignore[no-untyped-def]
+    kind = w.dtype.type
+    q = len(along_y) - 1
+    for ray in range(count):
+        s, t = w[at(S, ray)], w[at(T, ray)]
+        inner, inner_t = coefficients[at(q, ray)], kind(0)
+        for b in range(q):
+            inner_t = inner_t * t + inner
+            inner = inner * t + coefficients[at(q - 1 - b, ray)]
+        w[at(Z_S, ray)] = w[at(Z_S, ray)] * s + w[at(Z, ray)]
+        w[at(Z, ray)] = w[at(Z, ray)] * s + inner
+        w[at(Z_T, ray)] = w[at(Z_T, ray)] * s + inner_t
+
+
+@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+def evaluate_bends(net, columns, w, count):  # type: ignore[no-untyped-def]
+    """The same, and the second derivatives."""
+    kind = w.dtype.type
+    for row in (Z, Z_S, Z_T, Z_SS, Z_ST, Z_TT):
+        for ray in range(count):
+            w[at(row, ray)] = kind(0)
+    for a in range(columns.shape[0] - 1, -1, -1):
+        _row_bends(net.along_y, columns[a], w, count)
+    for ray in range(count):
+        w[at(Z_SS, ray)] *= kind(2)
+        w[at(Z_TT, ray)] *= kind(2)
+
+
+@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+def _row_bends(along_y, coefficients, w, count):  # type: ignore[no-untyped-def]
+    kind = w.dtype.type
+    q = len(along_y) - 1
+    for ray in range(count):
+        s, t = w[at(S, ray)], w[at(T, ray)]
+        inner, inner_t, inner_tt = coefficients[at(q, ray)], kind(0), kind(0)
+        for b in range(q):
+            inner_tt = inner_tt * t + inner_t
+            inner_t = inner_t * t + inner
+            inner = inner * t + coefficients[at(q - 1 - b, ray)]
+        w[at(Z_SS, ray)] = w[at(Z_SS, ray)] * s + w[at(Z_S, ray)]
+        w[at(Z_S, ray)] = w[at(Z_S, ray)] * s + w[at(Z, ray)]
+        w[at(Z, ray)] = w[at(Z, ray)] * s + inner
+        w[at(Z_ST, ray)] = w[at(Z_ST, ray)] * s + w[at(Z_T, ray)]
+        w[at(Z_T, ray)] = w[at(Z_T, ray)] * s + inner_t
+        w[at(Z_TT, ray)] = w[at(Z_TT, ray)] * s + inner_tt
+
+
+@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+def collect(net, w, count, patch, columns, d_table):  # type: ignore[no-untyped-def]
+    """Add the cotangents of a batch of rays to those of the coefficients, evaluate's adjoint.
+
+    Parameters
+    ----------
+    net, w, count, patch
+        The rays, with the cotangents of height and local slopes.
+    columns : array, shape (p + 1, (q + 1) BATCH)
+        Room for intermediate results.
+    d_table : array of float64, shape (patches, p + 1, q + 1)
+        Cotangents of the coefficients; changed.
+    """
+    kind = w.dtype.type
+    for ray in range(count):
+        w[at(Z, ray)] = kind(1)  # s^a and its derivative
+        w[at(Z_S, ray)] = kind(0)
+    for a in range(columns.shape[0]):
+        _collect_row(net.along_y, columns[a], w, count)
+        for ray in range(count):
+            w[at(Z_S, ray)] = w[at(Z_S, ray)] * w[at(S, ray)] + w[at(Z, ray)]
+            w[at(Z, ray)] *= w[at(S, ray)]
+    start = 0
+    while start < count:
+        stop = start + 1
+        while stop < count and patch[stop] == patch[start]:
+            stop += 1
+        sums = d_table[patch[start]]
+        for a in range(columns.shape[0]):
+            row = columns[a]
+            for b in range(len(net.along_y)):
+                total = kind(0)
+                for ray in range(start, stop):
+                    total += row[at(b, ray)]
+                sums[a, b] += total
+        start = stop
+
+
+@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+def _collect_row(along_y, terms, w, count):  # type: ignore[no-untyped-def]
+    """Each ray's part of the cotangents of the coefficients of s^a."""
+    kind = w.dtype.type
+    for ray in range(count):
+        t, power, power_s = w[at(T, ray)], w[at(Z, ray)], w[at(Z_S, ray)]
+        straight = w[at(D_Z, ray)] * power + w[at(D_S, ray)] * power_s
+        tilted = w[at(D_T, ray)] * power
+        t_b, t_b_t = kind(1), kind(0)  # t^b and its derivative
+        for b in range(len(along_y)):
+            terms[at(b, ray)] = straight * t_b + tilted * t_b_t
+            t_b_t = t_b_t * t + t_b
+            t_b *= t
