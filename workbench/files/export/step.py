@@ -100,12 +100,7 @@ def _solid(model: _Model, design: Design) -> str:
     net = [[model.point(place) for place in row] for row in places.tolist()]
     surface = _surface(model, design, net)
 
-    rims = (
-        [row[0] for row in net],
-        net[-1],
-        [row[-1] for row in net],
-        net[0],
-    )
+    rims = ([row[0] for row in net], net[-1], [row[-1] for row in net], net[0])
     upper = [places[corner].tolist() for corner in _CORNERS]
     lower = [[*place[:2], entrance_z] for place in upper]
     over, under = ([model.vertex(place) for place in corners] for corners in (upper, lower))
