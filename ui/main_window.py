@@ -91,17 +91,23 @@ class MainWindow(QMainWindow):
         from ui.run_control import RunControl
         from ui.views.derivative_view import DerivativeView
         from ui.views.error_view import ErrorView
+        from ui.views.image_link import ImageLink
         from ui.views.irradiance_view import IrradianceView
         from ui.views.light_view import LightView
         from ui.views.loss_view import LossView
         from ui.views.scene_view import SceneView
+        from ui.views.section_view import SectionView
+        from ui.views.target_view import TargetView
 
+        link = ImageLink(self)
         self._scene_view, self._derivative_view = SceneView(), DerivativeView()
         others = {
-            "irradiance": IrradianceView(),
-            "error": ErrorView(),
+            "irradiance": IrradianceView(link),
+            "target": TargetView(link),
+            "error": ErrorView(link),
             "derivative": self._derivative_view,
             "loss": LossView(),
+            "section": SectionView(link),
             "light": LightView(),
         }
         self.workspace.raise_curtain(self._scene_view, others)

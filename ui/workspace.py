@@ -12,6 +12,8 @@ _LEFT = Qt.DockWidgetArea.LeftDockWidgetArea
 _RIGHT = Qt.DockWidgetArea.RightDockWidgetArea
 _BOTTOM = Qt.DockWidgetArea.BottomDockWidgetArea
 
+_HIDDEN = ("target", "derivative", "section")  # until they are asked for
+
 # Shares of the window for forms, images and what stands below the 3D scene.
 _FORMS_SHARE = 0.25
 _IMAGES_SHARE = 0.27
@@ -48,17 +50,24 @@ class Workspace:
         self.docks = {
             "design": self._dock("design", "Design", _LEFT),
             "irradiance": self._dock("irradiance", "Irradiance", _RIGHT),
+            "target": self._dock("target", "Target", _RIGHT),
             "error": self._dock("error", "Irradiance − target", _RIGHT),
             "derivative": self._dock("derivative", "Derivative", _RIGHT),
             "loss": self._dock("loss", "Loss", _BOTTOM),
+            "section": self._dock("section", "Cross-section", _BOTTOM),
             "light": self._dock("light", "Light account", _BOTTOM),
         }
         self.docks["design"].setWidget(forms)
-        for name in ("irradiance", "error", "derivative", "loss", "light"):
+        for name in self.docks.keys() - {"design"}:
             curtain = QLabel("Loading…", alignment=Qt.AlignmentFlag.AlignCenter)
             self.docks[name].setWidget(curtain)
         window.tabifyDockWidget(self.docks["error"], self.docks["derivative"])
-        self.docks["derivative"].hide()
+        window.tabifyDockWidget(self.docks["loss"], self.docks["section"])
+        window.splitDockWidget(
+            self.docks["irradiance"], self.docks["target"], Qt.Orientation.Horizontal
+        )
+        for name in _HIDDEN:
+            self.docks[name].hide()
 
     def arrange(self) -> None:
         """Share the window out among the docks."""

@@ -7,6 +7,7 @@ from workbench.pictures.images import (
     ErrorImage,
     IrradianceImage,
     full_scale,
+    pixel_at,
     round_scale,
     signed_error,
     target_irradiance,
@@ -114,3 +115,34 @@ def test_paint_recolours_the_bar_too(scene, axes):
         assert part.yaxis.label.get_color() == "#ff0000"
         assert part.spines["left"].get_edgecolor() == (1.0, 0.0, 0.0, 1.0)
     assert axes.figure.get_facecolor() == (0.0, 1.0, 0.0, 1.0)
+
+
+@pytest.mark.parametrize(
+    ("place", "pixel"),
+    [
+        ((-2, 1), (0, 0)),
+        ((1.99, -0.99), (3, 7)),
+        ((0.1, 0.1), (1, 4)),
+        ((2, 0), None),
+        ((0, 1.01), None),
+        ((0, -1), None),
+    ],
+)
+def test_a_place_on_the_screen_is_in_one_pixel(scene, place, pixel):
+    assert pixel_at(scene, *place) == pixel
+
+
+def test_a_logarithmic_scale_spans_three_decades_and_darkness(axes, scene):
+    target = np.ones((4, 8))
+    image = IrradianceImage(axes, scene, target)
+    image.set_logarithmic(True)
+    top = full_scale(scene, target)
+    levels = np.zeros((4, 8))
+    levels[0, :4] = top, top / 10, top / 1000, top / 1e6
+    image.update(levels)
+    shown = image.artists[0]
+    colours = shown.to_rgba(shown.get_array())[0, :5]
+    wished = shown.get_cmap()([1.0, 2 / 3, 0.0, 0.0, 0.0])
+    np.testing.assert_allclose(colours[:, :3], wished[:, :3], atol=0.01)
+    image.set_logarithmic(False)
+    np.testing.assert_allclose(shown.norm(levels)[0, :2], [1.0, 0.1])

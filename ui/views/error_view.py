@@ -2,8 +2,11 @@
 
 from typing import TYPE_CHECKING
 
-from ui.views.plot_view import PlotView
-from workbench.pictures.images import ErrorImage
+import numpy as np
+import numpy.typing as npt
+
+from ui.views.image_view import ImageView
+from workbench.pictures.images import ErrorImage, signed_error
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -15,14 +18,18 @@ if TYPE_CHECKING:
     from workbench.files.session import Session
 
 
-class ErrorView(PlotView):
+class ErrorView(ImageView):
     """Irradiance minus target at equal flux: red where light is too much, blue where too little."""
 
     _image: ErrorImage
 
-    def _begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
+    def _begin_image(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
         self._image = ErrorImage(axes, session.scene, session.target)
         return self._image.artists
 
-    def _change(self, frame: "Frame") -> bool:
+    def _change_image(self, frame: "Frame") -> bool:
         return self._image.update(frame.snapshot.irradiance)
+
+    def _shown_values(self, frame: "Frame") -> npt.NDArray[np.float64]:
+        session = frame.session
+        return signed_error(session.scene, session.target, frame.snapshot.irradiance)

@@ -2,27 +2,17 @@
 
 from typing import TYPE_CHECKING
 
-from ui.views.plot_view import PlotView
-from workbench.pictures.images import IrradianceImage
+import numpy as np
+import numpy.typing as npt
+
+from ui.views.light_image_view import LightImageView
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from matplotlib.artist import Artist
-    from matplotlib.axes import Axes
-
     from ui.frame import Frame
-    from workbench.files.session import Session
 
 
-class IrradianceView(PlotView):
-    """Flux per area as the optimiser sees it, on a scale that follows the target."""
+class IrradianceView(LightImageView):
+    """Flux per area as the optimiser sees it."""
 
-    _image: IrradianceImage
-
-    def _begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
-        self._image = IrradianceImage(axes, session.scene, session.target)
-        return self._image.artists
-
-    def _change(self, frame: "Frame") -> bool:
-        return self._image.update(frame.snapshot.irradiance)
+    def _shown_values(self, frame: "Frame") -> npt.NDArray[np.float64]:
+        return frame.snapshot.irradiance

@@ -32,7 +32,10 @@ class PlotView(View):
         if frame is None or self._shown is None or not look_alike(self._shown, session):
             self._canvas.animate(self._begin(self._canvas.begin(), session))
         self._shown = session
-        self._canvas.show_changes(frame is not None and self._change(frame))
+        everything = self._adapt()
+        if frame is not None:
+            everything |= self._change(frame)
+        self._canvas.show_changes(everything)
 
     def _recolour(self) -> None:
         self._canvas.recolour()
@@ -40,6 +43,10 @@ class PlotView(View):
     def _begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
         """Put an empty picture of a design on the axes; the artists that will change."""
         raise NotImplementedError
+
+    def _adapt(self) -> bool:
+        """Follow what is neither design nor frame; whether more than the artists changed."""
+        return False
 
     def _change(self, frame: "Frame") -> bool:
         """Bring the artists up to date; whether more than these changed."""

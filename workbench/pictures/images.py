@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 from matplotlib import colormaps
-from matplotlib.colors import Colormap
+from matplotlib.colors import Colormap, LogNorm, Normalize
 
 from workbench.scene import Scene
 
@@ -24,6 +24,7 @@ Array = npt.NDArray[np.float64]
 LIGHT = "inferno"
 ERROR = "RdBu_r"
 _HEADROOM = 1.15  # of the irradiance scale above the brightest target pixel
+_DECADES = 1e3  # that a logarithmic scale spans
 _FONT = 8
 
 
@@ -87,6 +88,13 @@ def to_colours(irradiance: Array, top: float) -> npt.NDArray[np.uint8]:
     return _table(LIGHT)[levels]
 
 
+def pixel_at(scene: Scene, x: float, y: float) -> tuple[int, int] | None:
+    """Row and column of the pixel at a place on the screen; None beside the screen."""
+    n_x, n_y = scene.screen.pixels
+    column, row = (math.floor(at) for at in scene.screen.to_pixels(x, y))
+    return (row, column) if 0 <= row < n_y and 0 <= column < n_x else None
+
+
 def round_scale(largest: float) -> float:
     """The next of ... 0.1, 0.2, 0.5, 1, 2, 5 ... that is not below ``largest``."""
     if not largest > 0:
@@ -105,8 +113,10 @@ class IrradianceImage:
     """
 
     def __init__(self, axes: "Axes", scene: Scene, target: npt.NDArray[Any]) -> None:
-        self._image = screen_image(axes, scene, LIGHT)
-        self._image.set_clim(0, full_scale(scene, target))
+        dark = colormaps[LIGHT](0.0)  # also for no light at all, which has no logarithm
+        self._image = screen_image(axes, scene, colormaps[LIGHT].with_extremes(bad=dark))
+        self._top = full_scale(scene, target)
+        self._image.set_clim(0, self._top)
         colour_bar(axes, self._image, scene, extend="max")
         self.artists: list[Artist] = [self._image]
 
@@ -120,6 +130,11 @@ class IrradianceImage:
         """
         self._image.set_data(irradiance)
         return False
+
+    def set_logarithmic(self, logarithmic: bool) -> None:
+        """Colour by the logarithm, over three decades, or evenly; the whole figure changes."""
+        even, decades = Normalize(0, self._top), LogNorm(self._top / _DECADES, self._top)
+        self._image.set_norm(decades if logarithmic else even)
 
 
 class ErrorImage:
@@ -178,7 +193,8 @@ def screen_image(axes: "Axes", scene: Scene, colours: str | Colormap) -> Any:
     axes.set_xlabel(f"x ({scene.unit})", fontsize=_FONT, labelpad=2)
     axes.set_ylabel(f"y ({scene.unit})", fontsize=_FONT, labelpad=2)
     axes.tick_params(labelsize=_FONT)
-    axes.locator_params(nbins=5)
+    axes.locator_params(axis="x", nbins=4)  # labels beside each other need more room
+    axes.locator_params(axis="y", nbins=5)
     return image
 
 

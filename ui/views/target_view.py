@@ -1,0 +1,26 @@
+"""The wished irradiance on the screen."""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+import numpy.typing as npt
+
+from ui.views.light_image_view import LightImageView
+from ui.views.view import look_alike
+from workbench.pictures.images import target_irradiance
+
+if TYPE_CHECKING:
+    from ui.frame import Frame
+
+
+class TargetView(LightImageView):
+    """The target as irradiance with a total flux of 1."""
+
+    def show_frame(self, frame: "Frame") -> None:
+        """Take note of another target; frames of a run have the same one."""
+        before, self._frame = self._frame, frame
+        if before is None or not look_alike(before.session, frame.session):
+            self._ask()
+
+    def _shown_values(self, frame: "Frame") -> npt.NDArray[np.float64]:
+        return target_irradiance(frame.session.scene, frame.session.target)
