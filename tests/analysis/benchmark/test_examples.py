@@ -1,9 +1,12 @@
 import numpy as np
 import pytest
+import torch
 
 import resources
 from workbench.analysis.benchmark.examples import Example, wavy
+from workbench.design.heights import HeightRange
 from workbench.errors import Refused
+from workbench.geometry.surface import ControlNet
 from workbench.optics.plan import Plan
 from workbench.scene import PaperRun, PointSource
 from workbench.targets import load_target
@@ -41,13 +44,8 @@ def test_impossible_changes_are_refused():
 def test_the_wavy_lens_is_allowed_and_bends_light(name):
     scene = Example.of(name, lens={"control_points": [16, 16]}).scene
     heights = wavy(scene)
-    from workbench.design.heights import HeightRange
-    from workbench.geometry.surface import ControlNet
-
     free = HeightRange.of(scene.lens, ControlNet.of(scene.lens))
     assert (heights > free.lower.numpy()).all() and (heights < free.upper.numpy()).all()
     slopes = np.diff(heights, axis=0)
     assert np.ptp(slopes) > 0
-    import torch
-
     assert Plan(scene).trace(torch.tensor(heights)).ledger.on_screen > 0.1

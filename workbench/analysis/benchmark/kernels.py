@@ -12,7 +12,7 @@ from workbench.analysis.benchmark.comparison import Measured, Variant, compare, 
 from workbench.analysis.benchmark.examples import Example, Tell, wavy
 from workbench.analysis.validation import validate
 from workbench.design.loss import paper_loss, share
-from workbench.optics.plan import Plan
+from workbench.optics.plan import Plan, device_of
 from workbench.scene import CollimatedSource, GridSource, PointSource, Scene
 
 Array = npt.NDArray[np.float64]
@@ -47,12 +47,15 @@ class Descent:
         threads: int | None = None,
         **plan: Any,
     ) -> None:
+        device = device_of(example.scene)
         self._plan = Plan(example.scene, dtype=dtype, **plan)
-        self._wanted = torch.as_tensor(share(example.target), dtype=dtype)
+        self._wanted = torch.as_tensor(share(example.target), dtype=dtype, device=device)
         # The lens moves a little from one call to the next, as it does in a design: the search for
         # intersections would otherwise begin where it ends.
         moved = heights.mean() + 0.98 * (heights - heights.mean())
-        self._lenses = [torch.tensor(each, requires_grad=True) for each in (heights, moved)]
+        self._lenses = [
+            torch.tensor(each, device=device, requires_grad=True) for each in (heights, moved)
+        ]
         self._threads = threads
 
     def __call__(self) -> tuple[Array, float, Array]:
@@ -67,8 +70,8 @@ class Descent:
             self._lenses.reverse()
         finally:
             torch.set_num_threads(usual)
-        image = flux.detach().double().numpy()
-        return image, loss.item(), gradient.double().numpy()
+        image = flux.detach().double().cpu().numpy()
+        return image, loss.item(), gradient.double().cpu().numpy()
 
 
 def rays_of(scene: Scene) -> int:
@@ -104,7 +107,7 @@ def _questions() -> Iterator[tuple[str, Callable[[], list[Variant]]]]:
         yield f"{kind}: threads", partial(_plans, name, options)
     meshes: dict[str, dict[str, Any]] = {"exact": {}}
     meshes |= {f"mesh, {n} × {n}": {"source": {"intersection": _mesh(n)}} for n in (1, 2, 4, 8)}
-    yield "point: intersection", partial(_intersections, "flame-point", meshes)
+    yield "point: intersection", partial(_same_rays, "flame-point", meshes)
     counts: dict[str, list[dict[str, Any]]] = {
         "collimated": [{"rays": [n, n]} for n in (256, 512, 1024, 2048)],
         "point": [{"rays": n} for n in (125_000, 500_000, 2_000_000)],
@@ -115,6 +118,11 @@ def _questions() -> Iterator[tuple[str, Callable[[], list[Variant]]]]:
         yield f"{kind}: rays", partial(_images, _SOURCES[kind], rays, samples)
     filters = {f"{n} × {n} pixels": {"filter": {"size": [n, n]}} for n in (3, 1, 5, 7, 11)}
     yield "collimated: filter", partial(_images, "flame", filters)
+    if torch.cuda.is_available():
+        large = {"source": {"rays": [2048, 2048]}}
+        for kind, change in {"collimated": large, "point": {}, "grid": {}}.items():
+            devices = {each: {"run": {"device": each}} | change for each in ("cpu", "cuda")}
+            yield f"{kind}: device", partial(_same_rays, _SOURCES[kind], devices)
     for kind in ("collimated", "point"):
         yield f"{kind}: control net", partial(_nets, _SOURCES[kind], (64, 32, 128, 256))
 
@@ -127,8 +135,8 @@ def _plans(name: str, options: Mapping[str, Mapping[str, Any]]) -> list[Variant]
     return _judged(descents, rays_of(example.scene))
 
 
-def _intersections(name: str, changes: Mapping[str, Mapping[str, Any]]) -> list[Variant]:
-    """One set of rays, met in several ways; the image of the first is the true one."""
+def _same_rays(name: str, changes: Mapping[str, Mapping[str, Any]]) -> list[Variant]:
+    """One set of rays, traced in several scenes; the image of the first is the true one."""
     examples = {label: Example.of(name, **each) for label, each in changes.items()}
     descents = {label: Descent(each, wavy(each.scene)) for label, each in examples.items()}
     return _judged(descents, rays_of(next(iter(examples.values())).scene))

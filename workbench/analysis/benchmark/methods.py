@@ -27,8 +27,9 @@ def _paper(example: Example, iterations: int | None) -> Iterator[tuple[float, Ar
 def _designed(
     example: Example, settings: dict[str, Any], iterations: int
 ) -> Iterator[tuple[float, Array]]:
-    run_part = settings | {"iterations": iterations, "seed": example.scene.run.seed}
-    scene = Scene.from_data(example.scene.to_data() | {"run": run_part})
+    before = example.scene.run
+    kept = {"iterations": iterations, "seed": before.seed, "device": before.device}
+    scene = Scene.from_data(example.scene.to_data() | {"run": settings | kept})
     for snapshot in run(scene, example.target):
         if snapshot.best:
             best = snapshot.control_points
