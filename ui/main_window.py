@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from ui.frame import Frame
     from ui.run_control import RunControl
     from ui.views.derivative_view import DerivativeView
+    from ui.views.look_back import LookBack
     from ui.views.scene_view import SceneView
 
 TITLE = "Freeform Lens Workbench"
@@ -67,13 +68,14 @@ class MainWindow(QMainWindow):
         self.commands = Commands(self)
         self.messages = MessageBar()
         self.forms = Forms(document)
-        self.workspace = Workspace(self, self.forms, self.messages)
+        self.workspace = Workspace(self, self.forms, self.messages, document.undo_stack)
         self._recent = RecentFiles(settings)
         self.files = FileActions(document, self._recent, self.messages, self)
         self._status = RunStatus(self.statusBar())
         self.control: RunControl | None = None
         self._scene_view: SceneView | None = None
         self._derivative_view: DerivativeView | None = None
+        self._look_back: LookBack | None = None
         self._leaving = False  # whatever would be lost
         self._closing = False  # as soon as the run has ended
         self.setAcceptDrops(True)
@@ -94,19 +96,21 @@ class MainWindow(QMainWindow):
         from ui.views.image_link import ImageLink
         from ui.views.irradiance_view import IrradianceView
         from ui.views.light_view import LightView
+        from ui.views.look_back import LookBack
         from ui.views.loss_view import LossView
         from ui.views.scene_view import SceneView
         from ui.views.section_view import SectionView
         from ui.views.target_view import TargetView
 
-        link = ImageLink(self)
+        link, loss_view, self._look_back = ImageLink(self), LossView(), LookBack()
+        loss_view.add_below(self._look_back)
         self._scene_view, self._derivative_view = SceneView(), DerivativeView()
         others = {
             "irradiance": IrradianceView(link),
             "target": TargetView(link),
             "error": ErrorView(link),
             "derivative": self._derivative_view,
-            "loss": LossView(),
+            "loss": loss_view,
             "section": SectionView(link),
             "light": LightView(),
         }
@@ -122,8 +126,15 @@ class MainWindow(QMainWindow):
             self.document.session_changed.connect(view.show_design)
             runner.frame_ready.connect(view.show_frame)
             runner.unshown.connect(view.show_nothing)
+            self._look_back.looked.connect(view.show_frame)
         runner.frame_ready.connect(self._show_frame)
         runner.state_changed.connect(self._show_state)
+        self._look_back.looked.connect(self._show_frame)
+        self._look_back.went_on.connect(
+            lambda frame: self._begin(lambda control: control.go_on_from(frame))
+        )
+        moments = self.control.moments
+        moments.changed.connect(lambda: self._look_back.show_frames(moments.frames))
         runner.unshown.connect(self._status.show_nothing)
         runner.failed.connect(self.messages.warn)
         self.control.ended.connect(self._end_run)
@@ -292,6 +303,9 @@ class MainWindow(QMainWindow):
         commands["undo"].setText(f"&Undo {stack.undoText()}")
         commands["redo"].setText(f"&Redo {stack.redoText()}")
         commands["pause"].setChecked(state == "paused")
+        self.workspace.history.setEnabled(editable)
+        if self._look_back is not None:
+            self._look_back.allow(look=state in ("idle", "paused"), go_on=idle)
         self._status.show_state(_STATES[state])
 
     def _fit_view(self) -> None:

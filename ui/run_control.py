@@ -1,10 +1,18 @@
 """Between document and runner: what is designed, when it is shown, where the result goes."""
 
+from typing import TYPE_CHECKING
+
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from ui.document import Document
+from ui.moments import Moments, moment
 from ui.runner import Runner
+from ui.views.view import look_alike
 from workbench.design.snapshot import Result
+
+if TYPE_CHECKING:
+    from ui.frame import Frame
+    from workbench.files.session import Session
 
 _PREVIEW_MS = 200  # a person who types is not done yet
 
@@ -24,10 +32,13 @@ class RunControl(QObject):
         super().__init__(parent)
         self._document = document
         self.runner = Runner(self)
+        self.moments = Moments(self)
+        self.runner.frame_ready.connect(self._keep)
         self.runner.finished.connect(self._finish)
         self._preview = QTimer(self, singleShot=True, interval=_PREVIEW_MS)
         self._preview.timeout.connect(self._show_preview)
         document.session_changed.connect(self._preview.start)
+        document.session_changed.connect(self._forget)
         self._preview.start()
 
     @property
@@ -42,6 +53,11 @@ class RunControl(QObject):
     def go_on(self) -> None:
         """Go on from the lens as it is."""
         self._start(continue_run=True)
+
+    def go_on_from(self, frame: "Frame") -> None:
+        """Go on from the lens as it was at some moment of the run."""
+        self._document.set_result(frame.result(), f"return to iteration {moment(frame)}")
+        self.go_on()
 
     def toggle_pause(self) -> None:
         """Hold the run, or let it go on."""
@@ -62,6 +78,16 @@ class RunControl(QObject):
     def _show_preview(self) -> None:
         if not self.busy:
             self.runner.preview(self._document.session)
+
+    def _keep(self, frame: "Frame") -> None:
+        if self.busy:  # a preview is no moment of a run
+            self.moments.add(frame)
+
+    def _forget(self, session: "Session") -> None:
+        """The course of a run is that of one design."""
+        frames = self.moments.frames
+        if frames and not look_alike(frames[0].session, session):
+            self.moments.clear()
 
     def _finish(self, result: Result | None) -> None:
         if result is not None:

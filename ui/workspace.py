@@ -3,7 +3,16 @@
 from collections.abc import Mapping
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QDockWidget, QLabel, QMainWindow, QStackedWidget, QVBoxLayout, QWidget
+from PySide6.QtGui import QUndoStack
+from PySide6.QtWidgets import (
+    QDockWidget,
+    QLabel,
+    QMainWindow,
+    QStackedWidget,
+    QUndoView,
+    QVBoxLayout,
+    QWidget,
+)
 
 from ui.message_bar import MessageBar
 from ui.panels.forms import Forms
@@ -12,7 +21,7 @@ _LEFT = Qt.DockWidgetArea.LeftDockWidgetArea
 _RIGHT = Qt.DockWidgetArea.RightDockWidgetArea
 _BOTTOM = Qt.DockWidgetArea.BottomDockWidgetArea
 
-_HIDDEN = ("target", "derivative", "section")  # until they are asked for
+_HIDDEN = ("history", "target", "derivative", "section")  # until they are asked for
 
 # Shares of the window for forms, images and what stands below the 3D scene.
 _FORMS_SHARE = 0.25
@@ -31,9 +40,13 @@ class Workspace:
         Stands at the left.
     messages : MessageBar
         Stands above the 3D scene.
+    steps : QUndoStack
+        What was done, listed in a dock; a click goes back or forth to that step.
     """
 
-    def __init__(self, window: QMainWindow, forms: Forms, messages: MessageBar) -> None:
+    def __init__(
+        self, window: QMainWindow, forms: Forms, messages: MessageBar, steps: QUndoStack
+    ) -> None:
         self._window = window
         self._stage = QStackedWidget()
         self._curtain = QLabel("Loading the 3D scene…", alignment=Qt.AlignmentFlag.AlignCenter)
@@ -49,6 +62,7 @@ class Workspace:
         window.setCorner(Qt.Corner.BottomRightCorner, _RIGHT)
         self.docks = {
             "design": self._dock("design", "Design", _LEFT),
+            "history": self._dock("history", "History", _LEFT),
             "irradiance": self._dock("irradiance", "Irradiance", _RIGHT),
             "target": self._dock("target", "Target", _RIGHT),
             "error": self._dock("error", "Irradiance − target", _RIGHT),
@@ -58,7 +72,12 @@ class Workspace:
             "light": self._dock("light", "Light account", _BOTTOM),
         }
         self.docks["design"].setWidget(forms)
-        for name in self.docks.keys() - {"design"}:
+        self.history = QUndoView(steps)
+        self.history.setEmptyLabel("As opened")
+        self.history.setToolTip("A click goes back or forth to that step")
+        self.docks["history"].setWidget(self.history)
+        window.tabifyDockWidget(self.docks["design"], self.docks["history"])
+        for name in self.docks.keys() - {"design", "history"}:
             curtain = QLabel("Loading…", alignment=Qt.AlignmentFlag.AlignCenter)
             self.docks[name].setWidget(curtain)
         window.tabifyDockWidget(self.docks["error"], self.docks["derivative"])

@@ -28,6 +28,10 @@ class View(QWidget):
         self._box = QVBoxLayout(self)
         self._box.setContentsMargins(0, 0, 0, 0)
 
+    def add_below(self, widget: QWidget) -> None:
+        """Put something below the picture."""
+        self._box.addWidget(widget)
+
     def show_design(self, session: "Session") -> None:
         """Take note of another scene or target."""
         self._session = session

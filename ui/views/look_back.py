@@ -1,0 +1,71 @@
+"""A slider over the course of a run: look back at any moment of it, and go on from there."""
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QSignalBlocker, Qt, Signal
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSlider, QWidget
+
+from ui.moments import moment
+
+if TYPE_CHECKING:
+    from ui.frame import Frame
+
+
+class LookBack(QWidget):
+    """Hidden until there is something to look back at.
+
+    Attributes
+    ----------
+    looked : Signal(Frame)
+        This moment shall be shown.
+    went_on : Signal(Frame)
+        The design shall go on from this moment.
+    """
+
+    looked = Signal(object)
+    went_on = Signal(object)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._frames: Sequence[Frame] = ()
+        self._slider = QSlider(Qt.Orientation.Horizontal)
+        self._slider.setAccessibleName("Moment of the run")
+        self._slider.setToolTip("Look back at the lens and its light at any moment of the run")
+        self._slider.valueChanged.connect(self._look)
+        self._text = QLabel()
+        self._text.setMinimumWidth(self._text.fontMetrics().horizontalAdvance("iteration 00000"))
+        self._button = QPushButton("Go on from here")
+        self._button.setToolTip("Make this lens the design's, and continue the run from it")
+        self._button.clicked.connect(lambda: self.went_on.emit(self._frame))
+        row = QHBoxLayout(self)
+        row.setContentsMargins(8, 0, 8, 4)
+        row.addWidget(self._slider, 1)
+        row.addWidget(self._text)
+        row.addWidget(self._button)
+        self.hide()
+
+    def show_frames(self, frames: "Sequence[Frame]") -> None:
+        """Offer other moments; the latest is the one that is shown anyway."""
+        self._frames = frames
+        with QSignalBlocker(self._slider):
+            self._slider.setMaximum(max(0, len(frames) - 1))
+            self._slider.setValue(len(frames) - 1)
+        self.setVisible(len(frames) > 1)
+        self._tell()
+
+    def allow(self, look: bool, go_on: bool) -> None:
+        """Whether one may look back now, and go on from what is seen."""
+        self._slider.setEnabled(look)
+        self._button.setEnabled(go_on)
+
+    @property
+    def _frame(self) -> "Frame":
+        return self._frames[self._slider.value()]
+
+    def _look(self) -> None:
+        self._tell()
+        self.looked.emit(self._frame)
+
+    def _tell(self) -> None:
+        self._text.setText(f"iteration {moment(self._frame)}" if self._frames else "")
