@@ -54,6 +54,9 @@ COMMANDS = {
     "pause": Command("&Pause", "Hold the design; again to go on", "F6", "pause"),
     "stop": Command("S&top", "End the design and keep its best lens", "F7", "stop"),
     "fit_view": Command("&Fit 3D view", "Show lens and screen whole", "Ctrl+0", "fit-view"),
+    "side_view": Command("From the &side", "Look at the 3D scene along x: light goes right"),
+    "top_view": Command("From a&bove", "Look at the 3D scene along y: light goes right"),
+    "axis_view": Command("Along the a&xis", "Look back along z from behind the screen"),
     "scene_view": Command("&3D scene", "Show or hide the 3D scene", "Ctrl+3"),
     "palette": Command("Command &palette", "Find any command by its name", "Ctrl+Shift+P"),
     "about": Command("&About", "What this program is"),
@@ -86,7 +89,7 @@ MENUS: dict[str, list[Any]] = {
     ],
     "&Edit": ["undo", "redo"],
     "&Run": _RUN,
-    "&View": ["fit_view", None, "scene_view"],
+    "&View": ["fit_view", "side_view", "top_view", "axis_view", None, "scene_view"],
     "&Help": ["palette", None, "about"],
 }
 TOOLBAR = ["new_tophat", "open", "save", None, "undo", "redo", None, *_RUN, None, "fit_view"]

@@ -249,6 +249,7 @@ class MainWindow(QMainWindow):
             "pause": lambda: steer(lambda control: control.toggle_pause()),
             "stop": lambda: steer(lambda control: control.runner.stop()),
             "fit_view": self._fit_view,
+            **{f"{view}_view": partial(self._fit_view, view) for view in ("side", "top", "axis")},
             "palette": lambda: CommandPalette(self.commands.entries(), self).open(),
             "about": self._show_about,
         }
@@ -308,9 +309,9 @@ class MainWindow(QMainWindow):
             self._look_back.allow(look=state in ("idle", "paused"), go_on=idle)
         self._status.show_state(_STATES[state])
 
-    def _fit_view(self) -> None:
+    def _fit_view(self, view: str = "") -> None:
         if self._scene_view is not None:
-            self._scene_view.fit()
+            self._scene_view.fit(view)
 
     def _show_about(self) -> None:
         QMessageBox.about(

@@ -101,6 +101,23 @@ def test_default_view_holds_lens_and_screen(make_scene, plotter, z, lens, screen
     assert spots[larger] > height / 4
 
 
+@pytest.mark.parametrize(
+    ("view", "right", "up"),
+    [("side", (0, 0, 1), (0, 1, 0)), ("top", (0, 0, 1), (1, 0, 0)), ("axis", (1, 0, 0), (0, 1, 0))],
+)
+def test_a_view_along_an_axis_lies_straight(make_scene, plotter, view, right, up):
+    picture = LensPicture(plotter, make_scene(), np.ones((32, 32)))
+    picture.fit(view)
+    row, column = screen_pixel(plotter, (0, 0, 0.5))
+    row_right, column_right = screen_pixel(plotter, np.array([0, 0, 0.5]) + right)
+    row_up, column_up = screen_pixel(plotter, np.array([0, 0, 0.5]) + up)
+    assert column_right > column + 20 and abs(row_right - row) <= 1
+    assert row_up < row - 20 and abs(column_up - column) <= 1
+    plotter.window_size = [300, 500]
+    picture.fit_again()
+    assert picture.fitted and picture._view == view
+
+
 def test_update_keeps_camera_and_actors(make_scene, plotter, state):
     scene = make_scene()
     picture = LensPicture(plotter, scene, np.ones((32, 32)))

@@ -355,6 +355,18 @@ def test_a_cancelled_close_lets_the_run_go_on(built, qtbot, answers):
     assert built.control.runner.state == "running"
 
 
+def test_the_camera_turns_to_an_axis_and_back(built, qtbot):
+    view = built._scene_view
+    qtbot.waitUntil(lambda: view._picture is not None, timeout=20_000)
+    camera = view._plotter.camera
+    before = camera.direction
+    for name, direction in (("side", (1, 0, 0)), ("top", (0, -1, 0)), ("axis", (0, 0, -1))):
+        built.commands[f"{name}_view"].trigger()
+        np.testing.assert_allclose(camera.direction, direction, atol=1e-12)
+    built.commands["fit_view"].trigger()
+    np.testing.assert_allclose(camera.direction, before, atol=1e-12)
+
+
 def test_the_3d_scene_can_be_hidden(built):
     view = built._scene_view
     assert view.isVisible()

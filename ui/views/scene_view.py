@@ -54,10 +54,10 @@ class SceneView(View):
         self._shown: Session | None = None
         self._closed = False
 
-    def fit(self) -> None:
-        """Turn back to the default view with everything in it."""
+    def fit(self, view: str = "") -> None:
+        """Turn to a view of `workbench.pictures.lens.VIEWS`, or back to the default one."""
         if self._picture is not None:
-            self._picture.fit()
+            self._picture.fit(view)
             self._plotter.update()
 
     def mark(self, index: tuple[int, int] | None) -> None:
@@ -79,7 +79,7 @@ class SceneView(View):
         """Keep the default view fitted."""
         super().resizeEvent(event)
         if self._picture is not None and self._picture.fitted:
-            self._picture.fit()
+            self._picture.fit_again()
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """Close the plotter with the view."""

@@ -30,6 +30,14 @@ if TYPE_CHECKING:
 
 Array = npt.NDArray[np.float64]
 
+VIEWS = {
+    "side": ((-1.0, 0.0, 0.0), (0.0, 1.0, 0.0)),
+    "top": ((0.0, 1.0, 0.0), (1.0, 0.0, 0.0)),
+    "axis": ((0.0, 0.0, 1.0), (0.0, 1.0, 0.0)),
+}
+"""Directions towards the camera and up in the picture, by name of the view."""
+
+_UP = (0.0, 1.0, 0.0)
 _NET_FIELDS = 8
 _SOURCE_POINTS = (25, 25)  # of a grid, at most
 _FARTHEST = 3.0  # times the larger of screen's distance and width: a source in view
@@ -67,6 +75,7 @@ class LensPicture:
         self._full_scale = full_scale(scene, target)
         self._dark = dark
         self._lines: list[Any] = []
+        self._view = ""
         self._fitted: tuple[object, ...] = ()
         self._add_lens()
         self._add_screen()
@@ -106,10 +115,18 @@ class LensPicture:
         self._paint_screen(irradiance)
         self._plotter.renderer.ResetCameraClippingRange()
 
-    def fit(self) -> None:
-        """Turn the camera to the default three-quarter view and fit everything into it."""
-        corners, toward = space(self._scene), _view_direction(self._scene)
-        right = np.cross([0.0, 1.0, 0.0], toward)
+    def fit(self, view: str = "") -> None:
+        """Turn the camera and fit everything into what it sees.
+
+        Parameters
+        ----------
+        view : str
+            "side", "top" or "axis", one of `VIEWS`; by default the three-quarter view.
+        """
+        self._view = view
+        corners = space(self._scene)
+        toward, up = map(np.array, VIEWS.get(view, (_view_direction(self._scene), _UP)))
+        right = np.cross(up, toward)
         right /= np.linalg.norm(right)
         frame = np.stack([right, np.cross(toward, right), toward])
         seen = corners @ frame.T
@@ -121,10 +138,14 @@ class LensPicture:
         camera.parallel_projection = True
         camera.focal_point = centre
         camera.position = centre + toward * 3 * float(np.linalg.norm(half))
-        camera.up = (0.0, 1.0, 0.0)
+        camera.up = up
         camera.parallel_scale = _MARGIN * max(half[1], half[0] * height / max(width, 1))
         self._plotter.renderer.ResetCameraClippingRange()
         self._fitted = self._camera_state()
+
+    def fit_again(self) -> None:
+        """Fit everything into the same view, after the window has changed its size."""
+        self.fit(self._view)
 
     @property
     def fitted(self) -> bool:
