@@ -196,7 +196,7 @@ class Plan:
             elif (
                 isinstance(rays, PointRays)
                 and isinstance(source.intersection, ExactMethod)
-                and ready.is_ready(f"point {self._net.degree[1]}", self._dtype)
+                and ready.is_ready("point", self._dtype)
             ):
                 self._kernel = FusedPointRays(rays, scene, self._net, self._dtype)
         return self._kernel or self._reference

@@ -71,7 +71,7 @@ def meet(net, bounds, table, w, count, patch, before, columns):  # type: ignore[
     place(net, w, count, patch)
     before[:count] = patch[:count]
     runs = fill(table, patch, count, columns)
-    evaluate(net, columns, w, count)
+    evaluate(columns, w, count)
     for _ in range(_TOGETHER):
         if _step(net, bounds, w, count) == 0:
             break
@@ -118,7 +118,7 @@ def _again(net, table, w, count, patch, before, columns):  # type: ignore[no-unt
     """Evaluate the face where the rays have gone."""
     if place(net, w, count, patch) > 0:
         refill(table, patch, before, count, columns)
-    evaluate(net, columns, w, count)
+    evaluate(columns, w, count)
 
 
 @njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")

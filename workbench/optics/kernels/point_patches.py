@@ -31,7 +31,9 @@ HIGH, STATE, BUSY = 14, 15, 16
 COLUMN, ROW, WEIGHT, D_COLUMN, D_ROW, D_WEIGHT = 17, 18, 19, 20, 21, 22
 # Whether light passes the face; cotangents of height and slopes.
 PASSES, D_Z, D_S, D_T = 23, 24, 25, 26
-ROWS = 27
+# A polynomial of t and its derivatives, and a power of s with its derivative.
+_INNER, _INNER_T, _INNER_TT, _POWER, _POWER_S = 27, 28, 29, 30, 31
+ROWS = 32
 
 
 class Net(NamedTuple):
@@ -47,8 +49,6 @@ class Net(NamedTuple):
         Knot spans per unit of length.
     spans : tuple[int, int]
         Numbers of knot spans.
-    along_y : tuple of zeros
-        As long as there are powers of t: a number that the compiler knows.
     """
 
     half_x: np.floating[Any]
@@ -57,7 +57,6 @@ class Net(NamedTuple):
     per_x: np.floating[Any]
     per_y: np.floating[Any]
     spans: tuple[int, int]
-    along_y: tuple[int, ...]
 
 
 def make_net(net: ControlNet, kind: type[np.floating[Any]]) -> Net:
@@ -66,7 +65,7 @@ def make_net(net: ControlNet, kind: type[np.floating[Any]]) -> Net:
     spans = n_u - p, n_v - q
     per_x, per_y = kind(spans[0] / (2 * r_x)), kind(spans[1] / (2 * r_y))
     hair = kind(np.finfo(kind).tiny)
-    return Net(kind(r_x), kind(r_y), hair, per_x, per_y, spans, (0,) * (q + 1))
+    return Net(kind(r_x), kind(r_y), hair, per_x, per_y, spans)
 
 
 @njit(inline="always")
@@ -175,72 +174,81 @@ def refill(table, patch, before, count, columns):  # type: ignore[no-untyped-def
 
 
 @njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
-def evaluate(net, columns, w, count):  # type: ignore[no-untyped-def]
+def evaluate(columns, w, count):  # type: ignore[no-untyped-def]
     """Heights and slopes of the face, by Horner's rule."""
     kind = w.dtype.type
-    for ray in range(count):
-        w[at(Z, ray)] = kind(0)
-        w[at(Z_S, ray)] = kind(0)
-        w[at(Z_T, ray)] = kind(0)
+    for row in (Z, Z_S, Z_T):
+        for ray in range(count):
+            w[at(row, ray)] = kind(0)
     for a in range(columns.shape[0] - 1, -1, -1):
-        _row(net.along_y, columns[a], w, count)
+        _polynomial(columns[a], w, count)
+        for ray in range(count):
+            s = w[at(S, ray)]
+            w[at(Z_S, ray)] = w[at(Z_S, ray)] * s + w[at(Z, ray)]
+            w[at(Z, ray)] = w[at(Z, ray)] * s + w[at(_INNER, ray)]
+            w[at(Z_T, ray)] = w[at(Z_T, ray)] * s + w[at(_INNER_T, ray)]
 
 
 @njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
-def _row(along_y, coefficients, w, count):  # type: ignore[no-untyped-def]
-    kind = w.dtype.type
-    q = len(along_y) - 1
-    for ray in range(count):
-        s, t = w[at(S, ray)], w[at(T, ray)]
-        inner, inner_t = coefficients[at(q, ray)], kind(0)
-        for b in range(q):
-            inner_t = inner_t * t + inner
-            inner = inner * t + coefficients[at(q - 1 - b, ray)]
-        w[at(Z_S, ray)] = w[at(Z_S, ray)] * s + w[at(Z, ray)]
-        w[at(Z, ray)] = w[at(Z, ray)] * s + inner
-        w[at(Z_T, ray)] = w[at(Z_T, ray)] * s + inner_t
-
-
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
-def evaluate_bends(net, columns, w, count):  # type: ignore[no-untyped-def]
+def evaluate_bends(columns, w, count):  # type: ignore[no-untyped-def]
     """The same, and the second derivatives."""
     kind = w.dtype.type
     for row in (Z, Z_S, Z_T, Z_SS, Z_ST, Z_TT):
         for ray in range(count):
             w[at(row, ray)] = kind(0)
     for a in range(columns.shape[0] - 1, -1, -1):
-        _row_bends(net.along_y, columns[a], w, count)
-    for ray in range(count):
-        w[at(Z_SS, ray)] *= kind(2)
-        w[at(Z_TT, ray)] *= kind(2)
+        _polynomial(columns[a], w, count)
+        for ray in range(count):
+            s = w[at(S, ray)]
+            w[at(Z_SS, ray)] = w[at(Z_SS, ray)] * s + kind(2) * w[at(Z_S, ray)]
+            w[at(Z_S, ray)] = w[at(Z_S, ray)] * s + w[at(Z, ray)]
+            w[at(Z, ray)] = w[at(Z, ray)] * s + w[at(_INNER, ray)]
+            w[at(Z_ST, ray)] = w[at(Z_ST, ray)] * s + w[at(Z_T, ray)]
+            w[at(Z_T, ray)] = w[at(Z_T, ray)] * s + w[at(_INNER_T, ray)]
+            w[at(Z_TT, ray)] = w[at(Z_TT, ray)] * s + w[at(_INNER_TT, ray)]
 
 
 @njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
-def _row_bends(along_y, coefficients, w, count):  # type: ignore[no-untyped-def]
+def _polynomial(coefficients, w, count):  # type: ignore[no-untyped-def]
+    """A polynomial of t and its derivatives; the usual degree at one go."""
+    q = len(coefficients) // BATCH - 1
+    if q == 3:
+        _cubic(coefficients, w, count)
+        return
     kind = w.dtype.type
-    q = len(along_y) - 1
     for ray in range(count):
-        s, t = w[at(S, ray)], w[at(T, ray)]
-        inner, inner_t, inner_tt = coefficients[at(q, ray)], kind(0), kind(0)
-        for b in range(q):
-            inner_tt = inner_tt * t + inner_t
-            inner_t = inner_t * t + inner
-            inner = inner * t + coefficients[at(q - 1 - b, ray)]
-        w[at(Z_SS, ray)] = w[at(Z_SS, ray)] * s + w[at(Z_S, ray)]
-        w[at(Z_S, ray)] = w[at(Z_S, ray)] * s + w[at(Z, ray)]
-        w[at(Z, ray)] = w[at(Z, ray)] * s + inner
-        w[at(Z_ST, ray)] = w[at(Z_ST, ray)] * s + w[at(Z_T, ray)]
-        w[at(Z_T, ray)] = w[at(Z_T, ray)] * s + inner_t
-        w[at(Z_TT, ray)] = w[at(Z_TT, ray)] * s + inner_tt
+        w[at(_INNER, ray)] = coefficients[at(q, ray)]
+        w[at(_INNER_T, ray)] = kind(0)
+        w[at(_INNER_TT, ray)] = kind(0)
+    for b in range(q - 1, -1, -1):
+        term = coefficients[b * BATCH : (b + 1) * BATCH]
+        for ray in range(count):
+            t = w[at(T, ray)]
+            w[at(_INNER_TT, ray)] = w[at(_INNER_TT, ray)] * t + kind(2) * w[at(_INNER_T, ray)]
+            w[at(_INNER_T, ray)] = w[at(_INNER_T, ray)] * t + w[at(_INNER, ray)]
+            w[at(_INNER, ray)] = w[at(_INNER, ray)] * t + term[ray]
 
 
 @njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
-def collect(net, w, count, patch, columns, d_table):  # type: ignore[no-untyped-def]
+def _cubic(coefficients, w, count):  # type: ignore[no-untyped-def]
+    kind = w.dtype.type
+    two, three = kind(2), kind(3)
+    for ray in range(count):
+        t = w[at(T, ray)]
+        c0, c1 = coefficients[at(0, ray)], coefficients[at(1, ray)]
+        c2, c3 = coefficients[at(2, ray)], coefficients[at(3, ray)]
+        w[at(_INNER, ray)] = ((c3 * t + c2) * t + c1) * t + c0
+        w[at(_INNER_T, ray)] = (three * c3 * t + two * c2) * t + c1
+        w[at(_INNER_TT, ray)] = two * (three * c3 * t + c2)
+
+
+@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+def collect(w, count, patch, columns, d_table):  # type: ignore[no-untyped-def]
     """Add the cotangents of a batch of rays to those of the coefficients, evaluate's adjoint.
 
     Parameters
     ----------
-    net, w, count, patch
+    w, count, patch
         The rays, with the cotangents of height and local slopes.
     columns : array, shape (p + 1, (q + 1) BATCH)
         Room for intermediate results.
@@ -249,22 +257,23 @@ def collect(net, w, count, patch, columns, d_table):  # type: ignore[no-untyped-
     """
     kind = w.dtype.type
     for ray in range(count):
-        w[at(Z, ray)] = kind(1)  # s^a and its derivative
-        w[at(Z_S, ray)] = kind(0)
-    for a in range(columns.shape[0]):
-        _collect_row(net.along_y, columns[a], w, count)
+        w[at(_POWER, ray)] = kind(1)
+        w[at(_POWER_S, ray)] = kind(0)
+    for a in range(d_table.shape[1]):
+        _terms(w, count, columns[a])
         for ray in range(count):
-            w[at(Z_S, ray)] = w[at(Z_S, ray)] * w[at(S, ray)] + w[at(Z, ray)]
-            w[at(Z, ray)] *= w[at(S, ray)]
+            s = w[at(S, ray)]
+            w[at(_POWER_S, ray)] = w[at(_POWER_S, ray)] * s + w[at(_POWER, ray)]
+            w[at(_POWER, ray)] *= s
     start = 0
     while start < count:
         stop = start + 1
         while stop < count and patch[stop] == patch[start]:
             stop += 1
         sums = d_table[patch[start]]
-        for a in range(columns.shape[0]):
+        for a in range(d_table.shape[1]):
             row = columns[a]
-            for b in range(len(net.along_y)):
+            for b in range(d_table.shape[2]):
                 total = kind(0)
                 for ray in range(start, stop):
                     total += row[at(b, ray)]
@@ -273,15 +282,20 @@ def collect(net, w, count, patch, columns, d_table):  # type: ignore[no-untyped-
 
 
 @njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
-def _collect_row(along_y, terms, w, count):  # type: ignore[no-untyped-def]
-    """Each ray's part of the cotangents of the coefficients of s^a."""
+def _terms(w, count, terms):  # type: ignore[no-untyped-def]
+    """Each ray's part of the cotangents of the coefficients of a power of s."""
     kind = w.dtype.type
     for ray in range(count):
-        t, power, power_s = w[at(T, ray)], w[at(Z, ray)], w[at(Z_S, ray)]
-        straight = w[at(D_Z, ray)] * power + w[at(D_S, ray)] * power_s
-        tilted = w[at(D_T, ray)] * power
-        t_b, t_b_t = kind(1), kind(0)  # t^b and its derivative
-        for b in range(len(along_y)):
-            terms[at(b, ray)] = straight * t_b + tilted * t_b_t
-            t_b_t = t_b_t * t + t_b
-            t_b *= t
+        power, power_s = w[at(_POWER, ray)], w[at(_POWER_S, ray)]
+        # t^b and its derivative, times what they are a factor of.
+        w[at(_INNER, ray)] = w[at(D_Z, ray)] * power + w[at(D_S, ray)] * power_s
+        w[at(_INNER_T, ray)] = w[at(D_T, ray)] * power
+        w[at(_INNER_TT, ray)] = kind(0)
+    for b in range(len(terms) // BATCH):
+        term = terms[b * BATCH : (b + 1) * BATCH]
+        for ray in range(count):
+            t = w[at(T, ray)]
+            term[ray] = w[at(_INNER, ray)] + w[at(_INNER_TT, ray)]
+            w[at(_INNER_TT, ray)] = w[at(_INNER_TT, ray)] * t + w[at(_INNER_T, ray)]
+            w[at(_INNER_T, ray)] *= t
+            w[at(_INNER, ray)] *= t

@@ -167,11 +167,11 @@ def adjoint(net, table, glass, spread, bundle, depths, first, end, cotangent, d_
             w[at(STATE, ray)] = kind(MET) if met else kind(MET - 1)
         place(net, w, count, patch)
         fill(table, patch, count, columns)
-        evaluate_bends(net, columns, w, count)
+        evaluate_bends(columns, w, count)
         _hit(net, glass, spread, w, count)
         gather(spread, column, row, weight, count, work, cotangent, d_column, d_row, d_weight)
         _hit_adjoint(net, glass, spread, w, count)
-        collect(net, w, count, patch, columns, d_table)
+        collect(w, count, patch, columns, d_table)
 
 
 @njit(cache=True, nogil=True)

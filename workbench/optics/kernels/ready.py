@@ -8,7 +8,6 @@ once: a program without a window may as well wait.
 
 import threading
 from collections.abc import Callable
-from functools import partial
 
 import torch
 
@@ -18,10 +17,8 @@ from workbench.optics.kernels import collimated, face, point
 _COMPILERS: dict[str, Callable[[torch.dtype], None]] = {
     "collimated": collimated.compile_for,
     "face": face.compile_for,
-    **{f"point {degree}": partial(point.compile_for, degree) for degree in range(1, 8)},
+    "point": point.compile_for,
 }
-# What nearly all designs use; other degrees of light of points are compiled when they are met.
-_IN_ADVANCE = ("collimated", "face", "point 3")
 
 _ready: set[tuple[str, torch.dtype]] = set()
 _compiling = threading.Lock()
@@ -41,14 +38,14 @@ def is_ready(name: str, dtype: torch.dtype) -> bool:
 
 
 def compile_all(goes_on: Callable[[], bool] = lambda: True) -> None:
-    """Compile the usual kernels for float32, which designs use, one after the other.
+    """Compile all kernels for float32, which designs use, one after the other.
 
     Parameters
     ----------
     goes_on : callable
         Asked before each kernel; the rest is left out once it says no.
     """
-    for name in _IN_ADVANCE:
+    for name in _COMPILERS:
         if not goes_on():
             return
         with _compiling:

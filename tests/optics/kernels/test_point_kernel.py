@@ -1,0 +1,208 @@
+"""The fused trace of light of points against its twin, the torch reference."""
+
+import numpy as np
+import pytest
+import torch
+
+from workbench.geometry.surface import ControlNet
+from workbench.optics.kernels.point import FusedPointRays
+from workbench.optics.plan import Plan
+from workbench.optics.point import PointRays
+from workbench.optics.reference import Reference
+
+POINT = {"kind": "point", "position": [0, 0, -5.0], "rays": 6000}
+ASIDE = POINT | {"position": [0.6, -0.4, -2.0], "emission": "lambertian"}
+GRID = {"kind": "grid", "center": [0, 0.1, -5], "half_width": [1, 1], "points": [5, 4], "rays": 300}
+# A filter without kinks: hits that differ by rounding have gradients that do.
+SMOOTH = {"kind": "gaussian", "size": [5, 5], "alpha": 4.0}
+DTYPES = [torch.float64, torch.float32]
+VALUE = {torch.float64: 1e-11, torch.float32: 5e-5}
+GRADIENT = {torch.float64: 1e-10, torch.float32: 1e-3}
+
+
+def twins(scene, dtype=torch.float64):
+    net = ControlNet.of(scene.lens)
+    rays = PointRays(scene, net, dtype=dtype)
+    return Reference(rays), FusedPointRays(rays, scene, net, dtype)
+
+
+def account(light):
+    return np.array(light[1:])
+
+
+def differences(scene, tracers, heights, rng):
+    """How far image, gradient (both relative) and lost light of the twins are apart."""
+    lights, gradients = [], []
+    cotangent = torch.as_tensor(rng.normal(size=scene.screen.pixels[::-1]))
+    for tracer in tracers:
+        variable = heights.clone().requires_grad_()
+        light = tracer.image(variable, scene.screen, scene.filter)
+        (gradient,) = torch.autograd.grad((light.flux * cotangent).sum(), variable)
+        assert torch.isfinite(light.flux).all()
+        assert torch.isfinite(gradient).all()
+        lights.append(light)
+        gradients.append(gradient)
+    image, gradient = (
+        ((other - one).norm() / one.norm().clamp_min(1e-9)).item()
+        for one, other in ([light.flux.detach() for light in lights], gradients)
+    )
+    lost = np.abs(account(lights[0]) - account(lights[1])).max()
+    return image, gradient, float(lost)
+
+
+def same(scene, tracers, heights, rng, dtype):
+    image, gradient, lost = differences(scene, tracers, heights, rng)
+    assert image < VALUE[dtype]
+    assert gradient < GRADIENT[dtype]
+    assert lost < VALUE[dtype] / 10
+
+
+def face(scene, kind, rng):
+    """Control heights of some face."""
+    net = ControlNet.of(scene.lens)
+    x, y = (torch.as_tensor(c / r) for c, r in zip(net.positions, net.half_width, strict=True))
+    x, y, small = x[:, None], y[None, :], min(net.half_width)
+    if kind == "flat":
+        return torch.full(net.shape, 0.5 * small, dtype=torch.float64)
+    if kind == "spherical":
+        return small * (0.8 - 0.2 * (x**2 + y**2))
+    if kind == "wavy":
+        return small * (0.5 + 0.05 * torch.sin(7 * x + 3 * y) * torch.cos(5 * y))
+    # Rays meet a face this steep several times, and many are totally reflected there.
+    return small * (0.5 + 0.3 * torch.as_tensor(rng.uniform(-1, 1, size=net.shape)))
+
+
+# In float32 a ray that all but grazes a steep face may come to meet it elsewhere.
+@pytest.mark.parametrize(
+    ("kind", "dtype"),
+    [(kind, dtype) for kind in ("flat", "spherical", "wavy") for dtype in DTYPES]
+    + [("steep", torch.float64)],
+)
+@pytest.mark.parametrize("source", [POINT, ASIDE, GRID], ids=["point", "aside", "grid"])
+def test_image_ledger_and_gradient_are_the_references(make_scene, rng, source, kind, dtype):
+    scene = make_scene({"source": source, "filter": SMOOTH})
+    same(scene, twins(scene, dtype), face(scene, kind, rng), rng, dtype)
+
+
+@pytest.mark.parametrize("degree", [(1, 1), (1, 4), (2, 3), (3, 2), (4, 5), (6, 1), (7, 7)])
+def test_degrees(make_scene, rng, degree):
+    scene = make_scene({"source": ASIDE, "filter": SMOOTH, "lens.degree": degree})
+    for kind in ("wavy", "steep"):
+        tracers = twins(scene)
+        same(scene, tracers, face(scene, kind, rng), rng, torch.float64)
+
+
+@pytest.mark.parametrize("half_width", [(100.0, 1.0), (0.01, 1.0)])
+@pytest.mark.parametrize("points", [(4, 4), (64, 5)])
+def test_long_lenses(make_scene, rng, half_width, points):
+    scene = make_scene(
+        {
+            "source": POINT,
+            "filter": SMOOTH,
+            "lens.half_width": half_width,
+            "lens.control_points": points,
+            "lens.base": {"shape": "flat", "height": 0.5 * min(half_width)},
+            "lens.height_range": [-0.1 * min(half_width), 0.1 * min(half_width)],
+            "lens.min_thickness": 0,
+            "screen.half_width": [10, 10],
+        }
+    )
+    same(scene, twins(scene), face(scene, "spherical", rng), rng, torch.float64)
+
+
+@pytest.mark.parametrize("filter", [{"kind": "box"}, {"kind": "gaussian", "size": [3, 3]}])
+def test_filters_of_the_paper(make_scene, rng, filter):
+    scene = make_scene({"source": POINT, "filter": filter})
+    same(scene, twins(scene), face(scene, "wavy", rng), rng, torch.float64)
+
+
+@pytest.mark.parametrize("dtype", DTYPES)
+def test_warm_starts_while_rays_move_from_patch_to_patch(make_scene, rng, dtype):
+    scene = make_scene({"source": ASIDE, "filter": SMOOTH, "lens.control_points": [40, 32]})
+    tracers = twins(scene, dtype)
+    start, end = face(scene, "wavy", rng), face(scene, "spherical", rng)
+    shares = [0, 1, 0, *np.linspace(0, 1, 10), -0.5]
+    for share in shares:
+        same(scene, tracers, torch.lerp(start, end, float(share)), rng, dtype)
+
+
+def test_rays_are_sorted_again_and_none_is_lost_or_doubled(make_scene, rng):
+    scene = make_scene({"source": ASIDE, "lens.control_points": [40, 32]})
+    _, fused = twins(scene)
+    drawn = fused._rays.bundle
+    orders = []
+    for share in np.linspace(0, 1, 12):
+        height = (0.3 + 0.5 * share) * torch.ones(40, 32, dtype=torch.float64)
+        fused.image(height, scene.screen, scene.filter)
+        orders.append(fused._sorted.bundle)
+    assert len({id(order) for order in orders}) > 1
+    for order in (orders[0], orders[-1]):
+        expected = np.stack([part.numpy() for part in drawn])
+        assert np.array_equal(order[:, np.lexsort(order)], expected[:, np.lexsort(expected)])
+
+
+def test_fresh_rays(make_scene, rng):
+    scene = make_scene({"source": POINT | {"fresh": True}, "filter": SMOOTH})
+    fused, plain = Plan(scene, dtype=torch.float64), Plan(scene, dtype=torch.float64, fused=False)
+    heights, images = face(scene, "wavy", rng), []
+    for _ in range(3):
+        images.append(fused.trace(heights).flux)
+        assert (images[-1] - plain.trace(heights).flux).norm() < 1e-11 * images[-1].norm()
+        fused.next_iteration()
+        plain.next_iteration()
+    assert not torch.allclose(images[0], images[1])
+
+
+def test_one_thread_gives_what_two_give(make_scene, rng):
+    scene = make_scene({"source": POINT | {"rays": 40_000}})
+    heights, threads = face(scene, "wavy", rng), torch.get_num_threads()
+    gradients = []
+    try:
+        for number in (1, 2, 2):
+            torch.set_num_threads(number)
+            _, fused = twins(scene)
+            variable = heights.clone().requires_grad_()
+            flux = fused.image(variable, scene.screen, scene.filter).flux
+            gradients.append(torch.autograd.grad(flux.square().sum(), variable)[0])
+    finally:
+        torch.set_num_threads(threads)
+    assert torch.equal(gradients[1], gradients[2])
+    assert (gradients[0] - gradients[1]).norm() < 1e-12 * gradients[0].norm()
+
+
+def test_the_way_back_belongs_to_its_own_lens(make_scene, rng):
+    """Another trace, of another lens, between a trace and its way back changes nothing."""
+    scene = make_scene({"source": POINT, "filter": SMOOTH})
+    _, fused = twins(scene)
+    first, second = face(scene, "wavy", rng), face(scene, "spherical", rng)
+    gradients = []
+    for between in (False, True):
+        variable = first.clone().requires_grad_()
+        light = fused.image(variable, scene.screen, scene.filter)
+        if between:
+            for _ in range(9):
+                fused.image(second, scene.screen, scene.filter)
+        gradients.append(torch.autograd.grad(light.flux.square().sum(), variable)[0])
+    assert (gradients[0] - gradients[1]).norm() < 1e-12 * gradients[0].norm()
+
+
+@pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf])
+def test_a_lens_of_no_shape_does_no_harm(make_scene, value):
+    """Heights that are no numbers give a dark or senseless image, but neither crash nor hang."""
+    scene = make_scene({"source": POINT})
+    _, fused = twins(scene)
+    good = torch.full((12, 10), 0.5, dtype=torch.float64)
+    bad = good.clone()
+    bad[3, 4] = value
+    before = fused.image(good, scene.screen, scene.filter).flux
+    variable = bad.requires_grad_()
+    fused.image(variable, scene.screen, scene.filter).flux.sum().backward()
+    after = fused.image(good, scene.screen, scene.filter).flux
+    assert (after - before).norm() < 1e-12 * before.norm()
+
+
+def test_the_plan_says_which_light_of_points_it_fuses(make_scene):
+    mesh = make_scene({"source": POINT | {"intersection": {"method": "mesh"}}})
+    assert "fused kernels" in Plan(make_scene({"source": POINT})).notes[0]
+    assert "reference" in Plan(mesh).notes[0]
+    assert "triangle mesh" in " ".join(Plan(mesh).notes)
