@@ -32,6 +32,7 @@ def told():
 def impossible(make_example):
     """A scene whose light all passes the screen by."""
     changes = {
+        "run.method": "paper",
         "lens.base": {"shape": "sphere", "height": 0.5, "radius": 1.6},
         "screen": {"z": 500.0, "half_width": [0.001, 0.001], "pixels": [4, 4]},
     }

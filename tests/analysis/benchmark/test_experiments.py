@@ -39,7 +39,7 @@ def test_a_design_is_judged_by_the_independent_check(make_example, told):
 
 
 def test_a_run_that_fails_is_a_row_that_says_why(impossible, told):
-    found = design(impossible, "auto", RAYS, told)
+    found = design(impossible, "paper", RAYS, told)
     assert "no light reaches the screen" in found.failure
     assert found.result is None and found.error is None and found.loss is None
     row, _ = tables([found])
