@@ -146,7 +146,8 @@ def compile_for(dtype: torch.dtype) -> None:
     """Compile the kernels for a float type by tracing a few rays."""
     kind = kind_of(dtype)
     net = ControlNet((2, 2), (1, 1), (1.0, 1.0))
-    across, up = _axis(net, 0, 2, False, kind), _axis(net, 1, 2, False, kind)
+    across, up = (_axis(net, axis, 2, False, kind) for axis in (0, 1))
+    across, up = (axis._replace(place=axis.place.astype(kind)) for axis in (across, up))
     numbers = Optics(*(kind(1.5) for _ in Optics._fields))
     screen = Screen(z=1.0, half_width=(1.0, 1.0), pixels=(2, 2))
     spread = make_spread(screen, GaussianFilter(), kind)
@@ -161,8 +162,10 @@ class _Passes:
 
     def __init__(self, rays: FusedCollimatedRays, spread: Spread) -> None:
         across, up = rays._axes
-        self._across = across._replace(place=spread.column_0 + spread.per_x * across.place)
-        self._up = up._replace(place=spread.row_0 + spread.per_y * up.place)
+        columns = spread.column_0 + spread.per_x * across.place
+        rows = spread.row_0 + spread.per_y * up.place
+        self._across = across._replace(place=columns.astype(spread.per_x.dtype))
+        self._up = up._replace(place=rows.astype(spread.per_x.dtype))
         self._optics, self._spread = rays._optics, spread
         self._mirrored = rays.mirrored
         self._rays = len(across.place) * len(up.place)

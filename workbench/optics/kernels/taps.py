@@ -108,7 +108,7 @@ def _even_functions(o: npt.NDArray[np.float64], alpha: float, reach: int) -> Any
 # references. So the numbers of a batch lie in one array, and functions are told where.
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy", forceinline=True)
+@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
 def fill_taps(taps, numbers, batch, offset, count, slopes, state, value, slope):  # type: ignore[no-untyped-def]
     """Taps of rays, and their slopes too if these are wanted.
 
