@@ -115,7 +115,7 @@ def test_a_view_along_an_axis_lies_straight(make_scene, plotter, view, right, up
     assert row_up < row - 20 and abs(column_up - column) <= 1
     plotter.window_size = [300, 500]
     picture.fit_again()
-    assert picture.fitted and picture._view == view
+    assert picture.fitted and picture._camera.view == view
 
 
 def test_update_keeps_camera_and_actors(make_scene, plotter, state):
@@ -234,3 +234,8 @@ def test_a_stage_may_have_a_source_of_its_own(make_scene, plotter, state):
     picture.update(*state(collimated), collimated.source)
     assert not picture._source.GetVisibility()
     assert picture.fitted
+
+
+def test_the_optical_axis_is_drawn_in_ink(make_scene, plotter):
+    picture = LensPicture(plotter, make_scene(), np.ones((32, 32)))
+    assert all(actor.mapper.dataset.active_scalars is None for actor in picture._lines)

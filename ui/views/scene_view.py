@@ -55,7 +55,7 @@ class SceneView(View):
         self._closed = False
 
     def fit(self, view: str = "") -> None:
-        """Turn to a view of `workbench.pictures.lens.VIEWS`, or back to the default one."""
+        """Turn to a view of `workbench.pictures.camera.VIEWS`, or back to the default one."""
         if self._picture is not None:
             self._picture.fit(view)
             self._plotter.update()
@@ -133,8 +133,9 @@ class SceneView(View):
         self._plotter.show()  # a layout shows what joins it only in a later turn
 
     def _begin(self, session: "Session") -> None:
+        from workbench.pictures.camera import space
         from workbench.pictures.control_net import ControlNetPicture
-        from workbench.pictures.lens import LensPicture, space
+        from workbench.pictures.lens import LensPicture
 
         scene = session.scene
         moved = self._shown is None or not np.array_equal(space(self._shown.scene), space(scene))

@@ -14,6 +14,7 @@ from typing import Protocol
 from PySide6.QtCore import QCoreApplication, QObject, QTimer
 
 _REST = 2.0  # seconds of rest for each second of drawing
+_LONGEST = 1.0  # seconds; the first drawing also loads what is drawn with
 
 
 class Drawer(Protocol):
@@ -51,7 +52,7 @@ class Turns(QObject):
             drawer.take_turn()
         finally:  # whoever fails to draw must not keep the others from it
             ended = perf_counter()
-            self._rested_at = ended + _REST * (ended - began)
+            self._rested_at = ended + min(_REST * (ended - began), _LONGEST)
             if self._waiting:
                 self._wait()
 

@@ -22,28 +22,19 @@ import pyvista as pv
 from vtkmodules.vtkRenderingCore import vtkBillboardTextActor3D
 
 from workbench.pictures import shapes
+from workbench.pictures.camera import FittedCamera, in_view, start_z
 from workbench.pictures.images import full_scale, to_colours
-from workbench.scene import CollimatedSource, PointSource, Scene, Source
+from workbench.scene import PointSource, Scene, Source
 
 if TYPE_CHECKING:
     from workbench.optics.paths import RayPaths
 
 Array = npt.NDArray[np.float64]
 
-VIEWS = {
-    "side": ((-1.0, 0.0, 0.0), (0.0, 1.0, 0.0)),
-    "top": ((0.0, 1.0, 0.0), (1.0, 0.0, 0.0)),
-    "axis": ((0.0, 0.0, 1.0), (0.0, 1.0, 0.0)),
-}
-"""Directions towards the camera and up in the picture, by name of the view."""
-
-_UP = (0.0, 1.0, 0.0)
 _NET_FIELDS = 8
 _SOURCE_POINTS = (25, 25)  # of a grid, at most
-_FARTHEST = 3.0  # times the larger of screen's distance and width: a source in view
 _BASE_SAMPLES = 33  # per axis, of the base that stands in until the first update
 _TEXTURE_PIXELS = 512  # per axis; more than a view shows
-_MARGIN = 1.12
 _GLASS = "#8fc1e8"
 _INK = {True: "#b4bcc8", False: "#475060"}  # by dark
 _GROUND = {True: ("#12151a", "#2a303a"), False: ("#dfe4eb", "#fcfdfe")}  # bottom and top
@@ -75,8 +66,7 @@ class LensPicture:
         self._full_scale = full_scale(scene, target)
         self._dark = dark
         self._lines: list[Any] = []
-        self._view = ""
-        self._fitted: tuple[object, ...] = ()
+        self._camera = FittedCamera(plotter, scene)
         self._add_lens()
         self._add_screen()
         self._add_source()
@@ -116,41 +106,17 @@ class LensPicture:
         self._plotter.renderer.ResetCameraClippingRange()
 
     def fit(self, view: str = "") -> None:
-        """Turn the camera and fit everything into what it sees.
-
-        Parameters
-        ----------
-        view : str
-            "side", "top" or "axis", one of `VIEWS`; by default the three-quarter view.
-        """
-        self._view = view
-        corners = space(self._scene)
-        toward, up = map(np.array, VIEWS.get(view, (_view_direction(self._scene), _UP)))
-        right = np.cross(up, toward)
-        right /= np.linalg.norm(right)
-        frame = np.stack([right, np.cross(toward, right), toward])
-        seen = corners @ frame.T
-        low, high = seen.min(axis=0), seen.max(axis=0)
-        half = (high - low) / 2
-        centre = (low + high) / 2 @ frame
-        width, height = self._plotter.window_size
-        camera = self._plotter.camera
-        camera.parallel_projection = True
-        camera.focal_point = centre
-        camera.position = centre + toward * 3 * float(np.linalg.norm(half))
-        camera.up = up
-        camera.parallel_scale = _MARGIN * max(half[1], half[0] * height / max(width, 1))
-        self._plotter.renderer.ResetCameraClippingRange()
-        self._fitted = self._camera_state()
+        """Turn the camera to one of `VIEWS`, by default the three-quarter view, and fit all in."""
+        self._camera.fit(view)
 
     def fit_again(self) -> None:
         """Fit everything into the same view, after the window has changed its size."""
-        self.fit(self._view)
+        self._camera.fit(self._camera.view)
 
     @property
     def fitted(self) -> bool:
         """Whether the camera is where `fit` left it."""
-        return self._fitted == self._camera_state()
+        return self._camera.untouched
 
     def recolour(self, dark: bool) -> None:
         """Change between the dark and the light ground."""
@@ -161,10 +127,6 @@ class LensPicture:
             actor.prop.color = _INK[dark]
         self._source.prop.color = _LANDS[dark]
         self._colour_rays()
-
-    def _camera_state(self) -> tuple[object, ...]:
-        camera = self._plotter.camera
-        return camera.position, camera.focal_point, camera.up, camera.parallel_scale
 
     def _add(self, mesh: pv.PolyData, **look: Any) -> Any:
         return self._plotter.add_mesh(
@@ -245,7 +207,7 @@ class LensPicture:
 
     def _place_source(self, lit: Scene) -> None:
         source = lit.source
-        shown = _in_view(lit)
+        shown = in_view(lit)
         self._source.SetVisibility(shown)
         if not shown:
             return
@@ -258,7 +220,7 @@ class LensPicture:
     def _place_rays(self, paths: "RayPaths", lit: Scene) -> None:
         count = len(paths.weight)
         points = paths.points.copy()
-        points[:, 0] = shapes.begun_at(points[:, 0], points[:, 1], _start_z(lit))
+        points[:, 0] = shapes.begun_at(points[:, 0], points[:, 1], start_z(lit))
         self._rays.points = points.reshape(-1, 3)
         if count != self._rays.n_cells:
             ends = np.arange(4 * count).reshape(count, 4)
@@ -291,56 +253,6 @@ class LensPicture:
             text.SetJustificationToCentered()
             text.SetVerticalJustificationToCentered()
             self._plotter.add_actor(label, reset_camera=False, render=False)
-        optical = pv.Line((0, 0, _start_z(self._scene)), (0, 0, screen.z))
+        optical = pv.Line((0, 0, start_z(self._scene)), (0, 0, screen.z))
+        optical.clear_data()  # distances along it, which would colour it
         self._lines.append(self._add(optical, line_width=1.0, opacity=0.6, lighting=False))
-
-
-def _in_view(scene: Scene) -> bool:
-    """Whether the source stands where a picture can show it together with the lens."""
-    source, lens = scene.source, scene.lens
-    if isinstance(source, CollimatedSource):
-        return False
-    width = 2 * max(*lens.half_width, *scene.screen.half_width)
-    reach = _FARTHEST * max(scene.screen.z - lens.entrance_z, width)
-    return lens.entrance_z - source.nearest_z <= reach
-
-
-def _start_z(scene: Scene) -> float:
-    """Where rays begin to be drawn."""
-    source, lens = scene.source, scene.lens
-    if isinstance(source, CollimatedSource):
-        return lens.entrance_z - 0.5 * max(lens.half_width)
-    if _in_view(scene):
-        return source.nearest_z
-    return lens.entrance_z - 2.0 * max(lens.half_width)
-
-
-def space(scene: Scene) -> Array:
-    """What a picture has to hold: corners of the source, of the lens and of the screen, (n, 3)."""
-    lens, screen, source = scene.lens, scene.screen, scene.source
-    before = lens.entrance_z - 0.5 * max(lens.half_width)
-    ends = [(lens.half_width, before), (screen.half_width, screen.z)]
-    corners = [[i * r[0], j * r[1], z] for r, z in ends for i in (-1, 1) for j in (-1, 1)]
-    if _in_view(scene):
-        corners += shapes.source_points(source, (2, 2)).tolist()
-    return np.array(corners)
-
-
-def _view_direction(scene: Scene) -> Array:
-    """Unit vector towards the camera.
-
-    The longer the way of the light, the closer to the axis: it then looks about two and a half
-    times as long as the widest of source, lens and screen, however long it is.
-    """
-    low, high = space(scene).min(axis=0), space(scene).max(axis=0)
-    length, width = high[2] - low[2], max(high[:2] - low[:2])
-    azimuth = math.asin(min(math.sin(math.radians(58)), 2.4 * width / length))
-    drop = 0.45 * width / (length * math.cos(azimuth))
-    elevation = math.asin(min(math.sin(math.radians(22)), drop))
-    return np.array(
-        [
-            -math.sin(azimuth) * math.cos(elevation),
-            math.sin(elevation),
-            math.cos(azimuth) * math.cos(elevation),
-        ]
-    )

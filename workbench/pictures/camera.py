@@ -1,0 +1,137 @@
+"""The camera of the 3D scene, and what it has to hold.
+
+It projects in parallel: a screen fifty lens widths away is as easy to see as the lens.
+"""
+
+import math
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from workbench.pictures import shapes
+from workbench.scene import CollimatedSource, Scene
+
+Array = npt.NDArray[np.float64]
+
+VIEWS = {
+    "side": ((-1.0, 0.0, 0.0), (0.0, 1.0, 0.0)),
+    "top": ((0.0, 1.0, 0.0), (1.0, 0.0, 0.0)),
+    "axis": ((0.0, 0.0, 1.0), (0.0, 1.0, 0.0)),
+}
+"""Directions towards the camera and up in the picture, by name of the view."""
+
+_UP = (0.0, 1.0, 0.0)
+_FARTHEST = 3.0  # times the larger of screen's distance and width: a source in view
+_MARGIN = 1.12
+
+
+class FittedCamera:
+    """Turns a plotter's camera so that a scene is seen whole.
+
+    Parameters
+    ----------
+    plotter : pyvista.BasePlotter
+        Its camera is moved; nothing is rendered.
+    scene : Scene
+        What is seen.
+
+    Attributes
+    ----------
+    view : str
+        The view that was fitted last.
+    """
+
+    def __init__(self, plotter: Any, scene: Scene) -> None:
+        self._plotter = plotter
+        self._scene = scene
+        self._left: tuple[object, ...] = ()
+        self.view = ""
+
+    def fit(self, view: str) -> None:
+        """Turn the camera and fit everything into what it sees.
+
+        Parameters
+        ----------
+        view : str
+            "side", "top" or "axis", one of `VIEWS`; else the three-quarter view.
+        """
+        self.view = view
+        corners = space(self._scene)
+        toward, up = map(np.array, VIEWS.get(view, (_view_direction(self._scene), _UP)))
+        right = np.cross(up, toward)
+        right /= np.linalg.norm(right)
+        frame = np.stack([right, np.cross(toward, right), toward])
+        seen = corners @ frame.T
+        low, high = seen.min(axis=0), seen.max(axis=0)
+        half = (high - low) / 2
+        centre = (low + high) / 2 @ frame
+        width, height = self._plotter.window_size
+        camera = self._plotter.camera
+        camera.parallel_projection = True
+        camera.focal_point = centre
+        camera.position = centre + toward * 3 * float(np.linalg.norm(half))
+        camera.up = up
+        camera.parallel_scale = _MARGIN * max(half[1], half[0] * height / max(width, 1))
+        self._plotter.renderer.ResetCameraClippingRange()
+        self._left = self._state()
+
+    @property
+    def untouched(self) -> bool:
+        """Whether the camera is where `fit` left it."""
+        return self._left == self._state()
+
+    def _state(self) -> tuple[object, ...]:
+        camera = self._plotter.camera
+        return camera.position, camera.focal_point, camera.up, camera.parallel_scale
+
+
+def in_view(scene: Scene) -> bool:
+    """Whether the source stands where a picture can show it together with the lens."""
+    source, lens = scene.source, scene.lens
+    if isinstance(source, CollimatedSource):
+        return False
+    width = 2 * max(*lens.half_width, *scene.screen.half_width)
+    reach = _FARTHEST * max(scene.screen.z - lens.entrance_z, width)
+    return lens.entrance_z - source.nearest_z <= reach
+
+
+def start_z(scene: Scene) -> float:
+    """Where rays begin to be drawn."""
+    source, lens = scene.source, scene.lens
+    if isinstance(source, CollimatedSource):
+        return lens.entrance_z - 0.5 * max(lens.half_width)
+    if in_view(scene):
+        return source.nearest_z
+    return lens.entrance_z - 2.0 * max(lens.half_width)
+
+
+def space(scene: Scene) -> Array:
+    """What a picture has to hold: corners of the source, of the lens and of the screen, (n, 3)."""
+    lens, screen, source = scene.lens, scene.screen, scene.source
+    before = lens.entrance_z - 0.5 * max(lens.half_width)
+    ends = [(lens.half_width, before), (screen.half_width, screen.z)]
+    corners = [[i * r[0], j * r[1], z] for r, z in ends for i in (-1, 1) for j in (-1, 1)]
+    if in_view(scene):
+        corners += shapes.source_points(source, (2, 2)).tolist()
+    return np.array(corners)
+
+
+def _view_direction(scene: Scene) -> Array:
+    """Unit vector towards the camera.
+
+    The longer the way of the light, the closer to the axis: it then looks about two and a half
+    times as long as the widest of source, lens and screen, however long it is.
+    """
+    low, high = space(scene).min(axis=0), space(scene).max(axis=0)
+    length, width = high[2] - low[2], max(high[:2] - low[:2])
+    azimuth = math.asin(min(math.sin(math.radians(58)), 2.4 * width / length))
+    drop = 0.45 * width / (length * math.cos(azimuth))
+    elevation = math.asin(min(math.sin(math.radians(22)), drop))
+    return np.array(
+        [
+            -math.sin(azimuth) * math.cos(elevation),
+            math.sin(elevation),
+            math.cos(azimuth) * math.cos(elevation),
+        ]
+    )
