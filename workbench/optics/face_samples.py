@@ -46,8 +46,8 @@ class FaceSamples:
         def constant(values: np.ndarray) -> Tensor:
             return torch.as_tensor(values, dtype=dtype, device=device).contiguous()
 
-        half_widths = zip((lattice.x, lattice.y), scene.lens.half_width, strict=True)
-        basis = net.grid(*(axis.place / (2 * r) + 0.5 for axis, r in half_widths))
+        counts = len(lattice.x.place), len(lattice.y.place)
+        basis = net.grid(*((np.arange(count) + 0.5) / count for count in counts))
         self._basis = GridBasis(
             constant(basis.along_x),
             constant(basis.slope_x),

@@ -1,0 +1,44 @@
+"""How much light enters: against closed forms, and against counting rays."""
+
+import numpy as np
+import pytest
+
+from workbench.optics.emission import emit, enter
+from workbench.optics.entering import entering
+
+POINT = {"kind": "point", "position": [0.3, -0.2, -5.0], "rays": 1 << 16}
+GRID = {"kind": "grid", "center": [0, 0.1, -1], "half_width": [1, 1], "points": [3, 4]}
+
+
+@pytest.mark.parametrize("distance", [1e-6, 1e-3, 0.5, 5.0, 1e3])
+def test_a_square_seen_from_its_axis(make_scene, distance):
+    scene = make_scene({"source": POINT | {"position": [0, 0, -distance]}})
+    light = entering(scene.source, scene.lens)
+    square = 4 * np.arcsin(1 / (1 + distance**2))  # its solid angle
+    rim = np.sqrt(distance**2 / (distance**2 + 2))
+    cap = 2 * np.pi * (2 / (distance**2 + 2)) / (1 + rim)
+    # The guard of the cap's rim against rounding weighs in a cap of a millionth.
+    assert light.missed == pytest.approx(1 - square / cap, abs=1e-5 if distance > 9 else 1e-9)
+
+
+@pytest.mark.parametrize("emission", ["uniform", "lambertian"])
+@pytest.mark.parametrize(
+    "source",
+    [POINT, POINT | {"position": [3, 0, -1]}, POINT | {"position": [0.9, 1, -1e-3]}, GRID],
+    ids=["far", "beside", "near", "grid"],
+)
+def test_the_account_is_that_of_many_rays(make_scene, source, emission):
+    scene = make_scene({"source": source | {"rays": 1 << 15, "emission": emission}})
+    light = entering(scene.source, scene.lens)
+    rays = enter(emit(scene.source, scene.lens, seed=0), scene.lens)
+    assert light.missed == pytest.approx(rays.missed, abs=5e-4)
+    assert light.reflected == pytest.approx(rays.reflected, abs=5e-4)
+
+
+def test_lambertian_light_of_a_cone_that_reaches_behind(make_scene):
+    """From beside, near the plane of the face, half of the cone is behind the source: dark."""
+    source = POINT | {"position": [1.5, 0.0, -0.05], "emission": "lambertian", "rays": 1 << 18}
+    scene = make_scene({"source": source})
+    light = entering(scene.source, scene.lens)
+    rays = enter(emit(scene.source, scene.lens, seed=0), scene.lens)
+    assert 1 - light.missed == pytest.approx(1 - rays.missed, rel=5e-3)

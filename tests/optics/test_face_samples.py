@@ -1,0 +1,274 @@
+"""Samples of the exit face against exact cases and against rays that search for the face."""
+
+import numpy as np
+import pytest
+import torch
+from scipy.interpolate import make_interp_spline
+from scipy.optimize import brentq
+
+from workbench.geometry.surface import ControlNet
+from workbench.optics.collimated import CollimatedRays
+from workbench.optics.face_samples import FaceSamples
+from workbench.optics.irradiance import reconstruct
+from workbench.optics.plan import Plan
+from workbench.optics.point import PointRays
+
+POINT = {"kind": "point", "position": [0.3, -0.2, -5.0], "rays": 4096}
+GRID = {"kind": "grid", "center": [0, 0.1, -5], "half_width": [1, 1], "points": [5, 4], "rays": 200}
+BESIDE = POINT | {"position": [2.0, -1.3, -1.0]}
+NEAR = POINT | {"position": [0.2, 0.0, -0.01]}
+ALL = {"point": POINT, "grid": GRID, "beside": BESIDE, "near": NEAR}
+SOURCES = pytest.mark.parametrize("source", ALL.values(), ids=ALL.keys())
+DTYPES = [torch.float32, torch.float64]
+
+
+def smooth(scene, bend=0.05):
+    """A lens of soft waves."""
+    net = ControlNet.of(scene.lens)
+    x, y = (torch.as_tensor(c) for c in net.positions)
+    return 0.5 + bend * torch.sin(3 * x[:, None] + 1) * torch.cos(2 * y[None, :])
+
+
+def interpolating(net, height):
+    """Control heights of the spline that interpolates a height function."""
+    (x, y), (p, q) = net.positions, net.degree
+    knots = [(2 * k - 1) * r for k, r in zip(net.knots, net.half_width, strict=True)]
+    values = height(x[:, None], y[None, :])
+    values = make_interp_spline(x, values, p, t=knots[0], axis=0).c
+    return torch.as_tensor(make_interp_spline(y, values.T, q, t=knots[1], axis=0).c.T.copy())
+
+
+def image_of(rays, heights, scene):
+    hits = rays.trace(heights)
+    return reconstruct(hits.x, hits.y, hits.weight, scene.screen, scene.filter).flux.double()
+
+
+def distance(image, other):
+    return ((image - other).norm() / other.norm()).item()
+
+
+@pytest.mark.parametrize("dtype", DTYPES)
+def test_an_oval_of_equal_paths_brings_all_light_to_one_point(make_scene, dtype):
+    d, n, vertex, focus = 3.0, 1.5, 0.6, 5.0
+    scene = make_scene(
+        {
+            "source": POINT | {"position": [0, 0, -d]},
+            "lens.control_points": [60, 50],
+            "lens.degree": [5, 5],
+        }
+    )
+    axial = d + n * vertex + focus - vertex
+    radii, heights = [], []
+    for rho in np.linspace(0, 1.7, 400):
+        outer = np.arctan2(rho, d)
+        inner = np.arcsin(np.sin(outer) / n)
+
+        def excess(s, rho=rho, outer=outer, inner=inner):
+            r, z = rho + s * np.sin(inner), s * np.cos(inner)
+            return d / np.cos(outer) + n * s + np.hypot(r, focus - z) - axial
+
+        s = brentq(excess, -2, 3, xtol=1e-15, rtol=1e-15)
+        radii.append(rho + s * np.sin(inner))
+        heights.append(s * np.cos(inner))
+    even = np.array(radii[:0:-1] + radii), np.array(heights[:0:-1] + heights)
+    even[0][: len(radii) - 1] *= -1
+    oval = make_interp_spline(*even, k=7)
+    net = ControlNet.of(scene.lens)
+    control = interpolating(net, lambda x, y: oval(np.hypot(x, y)))
+    hits = FaceSamples(scene, net, (40, 50), dtype).trace(control)
+    arrives = (hits.weight > 0).numpy()
+    assert arrives.mean() > 0.8  # steep corners reflect it
+    accuracy = 1e-6 if dtype == torch.float64 else 3e-5
+    assert hits.x[arrives].abs().max() < accuracy
+    assert hits.y[arrives].abs().max() < accuracy
+
+
+@pytest.mark.parametrize(("emission", "power"), [("uniform", 3), ("lambertian", 4)])
+def test_irradiance_behind_a_thin_plate_falls_with_a_power_of_the_cosine(
+    make_scene, emission, power
+):
+    scene = make_scene(
+        {
+            "lens.base": {"shape": "flat", "height": 1e-6},
+            "lens.height_range": [-1e-6, 1e-6],
+            "lens.min_thickness": 0,
+            "screen.z": 1.0,
+            "source": POINT | {"position": [0, 0, -1.0], "emission": emission},
+            "filter": {"kind": "box"},
+            "screen.pixels": [10, 10],
+        }
+    )
+    heights = torch.full(scene.lens.control_points, 1e-6, dtype=torch.float64)
+    # 50 rows and columns of samples light a pixel; its edges cut one off, or do not.
+    traced = Plan(scene, samples=(1001, 1003), dtype=torch.float64).trace(heights)
+    edge = np.linspace(-1, 1, 10 * 40 + 1)
+    centre = (edge[1:] + edge[:-1]) / 2
+    cos = 2 / np.sqrt(4 + centre[:, None] ** 2 + centre[None, :] ** 2)
+    share = 0.96 * (1 - (1 - cos) ** 5)
+    profile = (cos**power * share**2).reshape(10, 40, 10, 40).mean(axis=(1, 3))
+    rim = 1 / np.sqrt(3)
+    whole = 2 * np.pi * (1 - rim) if emission == "uniform" else np.pi * (1 - rim**2)
+    expected = profile * scene.screen.pixel_area / (whole * 4)
+    assert traced.flux.numpy() == pytest.approx(expected, rel=0.045)
+    assert traced.flux.sum().item() == pytest.approx(expected.sum(), rel=2e-3)
+
+
+@pytest.mark.parametrize("emission", ["uniform", "lambertian"])
+@SOURCES
+def test_images_are_those_of_rays_that_search_for_the_face(make_scene, source, emission):
+    grid = source["kind"] == "grid"
+    rays = {"rays": 1 << (11 if grid else 15), "emission": emission}
+    scene = make_scene(
+        {"source": source | rays, "screen.half_width": [4, 4], "screen.pixels": [8, 8]}
+    )
+    net, heights = ControlNet.of(scene.lens), smooth(scene)
+    searched = PointRays(scene, net, dtype=torch.float64)
+    image = image_of(searched, heights, scene)
+    # Down to the noise of these rays; among themselves samples agree better.
+    samples = FaceSamples(scene, net, (200, 200), torch.float64)
+    fine = image_of(samples, heights, scene)
+    coarse = image_of(FaceSamples(scene, net, (5, 5), torch.float64), heights, scene)
+    noise = 0.015 if grid else 0.008
+    assert distance(fine, image) < noise < distance(coarse, image)
+    finer = image_of(FaceSamples(scene, net, (410, 390), torch.float64), heights, scene)
+    assert distance(fine, finer) < 2e-3
+    assert samples.missed_lens == pytest.approx(searched.missed_lens, abs=1e-3)
+    assert samples.fresnel_entrance == pytest.approx(searched.fresnel_entrance, abs=2e-4)
+    left = searched.trace(heights).left_side.item()
+    assert samples.trace(heights).left_side.item() == pytest.approx(left, abs=2e-3)
+
+
+def test_light_from_very_far_is_collimated(make_scene):
+    far = make_scene({"source": POINT | {"position": [0, 0, -2e4]}})
+    parallel = make_scene({"source": {"kind": "collimated", "rays": [90, 80]}})
+    net, heights = ControlNet.of(far.lens), smooth(far)
+    hits = FaceSamples(far, net, (90, 80), torch.float64).trace(heights)
+    others = CollimatedRays(parallel, net, dtype=torch.float64).trace(heights)
+    assert torch.equal(hits.passes, others.passes)
+    assert (hits.x - others.x).abs().max() < 1e-3
+    assert (hits.y - others.y).abs().max() < 1e-3
+    ratio = hits.weight / hits.weight.sum() * others.weight.sum() / others.weight
+    assert (ratio - 1).abs().max() < 1e-3
+
+
+def test_each_point_of_a_grid_gives_the_light_that_it_gives_alone(make_scene):
+    wide = {"screen.half_width": [4, 4], "screen.pixels": [8, 8]}
+    scene = make_scene({"source": GRID | {"points": [2, 2]}, **wide})
+    heights = smooth(scene)
+    together = Plan(scene, samples=(400, 400), dtype=torch.float64).trace(heights)
+    alone = [
+        Plan(
+            make_scene({"source": POINT | {"position": [x, y, -5.0]}, **wide}),
+            samples=(200, 200),
+            dtype=torch.float64,
+        ).trace(heights)
+        for x in (-1, 1)
+        for y in (-0.9, 1.1)
+    ]
+    assert distance(together.flux, sum(one.flux for one in alone) / 4) < 1e-3
+    for part, value in together.ledger.to_data().items():
+        mean = np.mean([one.ledger.to_data()[part] for one in alone])
+        assert value == pytest.approx(mean, abs=2e-4)
+
+
+@SOURCES
+@pytest.mark.parametrize("amplitude", [0.0, 0.02, 0.2, 3.0])
+@pytest.mark.parametrize("dtype", DTYPES)
+def test_the_ledger_adds_up_and_nothing_is_nan(make_scene, rng, source, amplitude, dtype):
+    scene = make_scene({"source": source, "lens.degree": [2, 3]})
+    noise = torch.as_tensor(rng.uniform(-1, 1, size=scene.lens.control_points))
+    heights = (3.0 + amplitude * noise).requires_grad_()
+    for fused in (False, True):
+        plan = Plan(scene, samples=(60, 50), dtype=dtype, fused=fused)
+        traced = plan.trace(heights)
+        emitted, *where = traced.ledger.to_data().values()
+        assert sum(where) == pytest.approx(emitted, abs=1e-9 if dtype == torch.float64 else 3e-6)
+        (gradient,) = torch.autograd.grad(traced.flux.square().sum(), heights)
+        assert torch.isfinite(traced.flux).all()
+        assert torch.isfinite(gradient).all()
+
+
+@pytest.mark.parametrize("dtype", DTYPES)
+@pytest.mark.parametrize("position", [[0, 0, -1e-6], [0.999, -0.5, -1e-6], [40, 30, -0.01]])
+def test_a_source_a_hair_in_front_or_far_aside(make_scene, dtype, position):
+    scene = make_scene({"source": POINT | {"position": position}})
+    heights = smooth(scene).requires_grad_()
+    for fused in (False, True):
+        traced = Plan(scene, samples=(65, 64), dtype=dtype, fused=fused).trace(heights)
+        (gradient,) = torch.autograd.grad(traced.flux.sum(), heights)
+        assert torch.isfinite(gradient).all()
+        ledger = traced.ledger
+        assert ledger.missed_lens + ledger.fresnel_entrance > 0.1
+        assert sum(ledger.to_data().values()) == pytest.approx(2, abs=3e-6)
+
+
+@pytest.mark.parametrize("degree", [(3, 3), (5, 3)])
+# No light near total reflection, whose onset is as steep as a root.
+@pytest.mark.parametrize("position", [[0.3, -0.2, -5.0], [1.5, -1.2, -4.0], [0.2, 0.0, -1.0], None])
+def test_gradient_is_that_of_central_differences(make_scene, rng, position, degree):
+    scene = make_scene(
+        {
+            "source": POINT | {"position": position} if position else GRID,
+            "lens.degree": degree,
+            # All light in the pixel in the middle: hits that cross an edge would make a kink.
+            "screen.half_width": [60, 60],
+            "screen.pixels": [7, 7],
+            "filter": {"kind": "gaussian", "size": [5, 5], "alpha": 0.3},
+        }
+    )
+    plan = Plan(scene, samples=(60, 64), dtype=torch.float64)
+    heights = smooth(scene).requires_grad_()
+    wanted = torch.as_tensor(rng.random((7, 7)))
+
+    def loss(h):
+        flux = plan.trace(h).flux
+        return (flux / flux.sum() - wanted / wanted.sum()).norm() / 7
+
+    (gradient,) = torch.autograd.grad(loss(heights), heights)
+    x, y = (torch.as_tensor(c) for c in ControlNet.of(scene.lens).positions)
+    for direction in (x[:, None] + 0 * y, (1 - x[:, None] ** 2) * torch.sin(4 * y[None, :])):
+        with torch.no_grad():
+            central = []
+            for step in (2e-5, 1e-5):
+                ahead, behind = loss(heights + step * direction), loss(heights - step * direction)
+                central.append((ahead - behind).item() / (2 * step))
+        extrapolated = (4 * central[1] - central[0]) / 3
+        assert (gradient * direction).sum().item() == pytest.approx(extrapolated, rel=1e-6)
+
+
+@SOURCES
+def test_forward_mode_agrees_with_reverse_mode(make_scene, rng, source):
+    scene = make_scene({"source": source})
+    plan = Plan(scene, samples=(40, 40), dtype=torch.float64)
+    heights = smooth(scene)
+    tangent = torch.as_tensor(rng.normal(size=heights.shape))
+    cotangent = torch.as_tensor(rng.normal(size=(32, 32)))
+    _, forward = torch.func.jvp(plan.flux, (heights,), (tangent,))
+    variable = heights.requires_grad_()
+    (reverse,) = torch.autograd.grad((plan.trace(variable).flux * cotangent).sum(), variable)
+    assert (forward * cotangent).sum().item() == pytest.approx((reverse * tangent).sum().item())
+
+
+class TestFolds:
+    def test_a_face_that_folds_over_is_not_valid(self, make_scene):
+        scene = make_scene({"source": NEAR})
+        samples = FaceSamples(scene, ControlNet.of(scene.lens), (50, 50), torch.float64)
+        assert samples.valid(smooth(scene))
+        assert not samples.valid(smooth(scene, 1.0) + 1)
+        assert not samples.valid(smooth(scene) - 0.5)  # at the entrance face
+
+    @pytest.mark.parametrize("source", [POINT, GRID, NEAR], ids=["point", "grid", "near"])
+    def test_a_valid_face_meets_all_light_once(self, make_scene, rng, source):
+        """Where it is valid, no more light meets the face than enters the lens."""
+        scene = make_scene({"source": source})
+        samples = FaceSamples(scene, ControlNet.of(scene.lens), (150, 150), torch.float64)
+        found = set()
+        for amplitude in np.geomspace(0.01, 3, 12):
+            noise = torch.as_tensor(rng.uniform(-1, 1, size=scene.lens.control_points))
+            heights = amplitude * noise
+            hits = samples.trace(heights - heights.min() + 0.3)
+            dark = (hits.arriving == 0).any().item()
+            valid = samples.valid(heights - heights.min() + 0.3)
+            found.add(valid)
+            assert not (valid and dark)
+        assert found == {False, True}

@@ -1,0 +1,73 @@
+"""The light of a point behind a flat face: against rays that go the other way, from the face on."""
+
+import numpy as np
+import pytest
+import torch
+from hypothesis import given
+from hypothesis import strategies as st
+
+from workbench.optics.glass import Glass
+
+DTYPES = [torch.float32, torch.float64]
+
+
+def forward(glass_index, distance, enters, depth):
+    """Radius at the depth of rays that enter at a radius, by the angles."""
+    outer = np.arctan2(enters, distance)
+    return enters + depth * np.tan(np.arcsin(np.sin(outer) / glass_index))
+
+
+@pytest.mark.parametrize("dtype", DTYPES)
+@given(
+    distance=st.floats(1e-7, 1e4),
+    index=st.floats(1.01, 4.0),
+    depth=st.floats(0.0, 10.0),
+    enters=st.floats(0.0, 10.0),
+)
+def test_the_way_back_is_the_way_there(dtype, distance, index, depth, enters):
+    radius = forward(index, distance, enters, depth)
+    radius2 = torch.tensor([radius**2], dtype=dtype)
+    light = Glass(distance, index, False).light(radius2, torch.tensor([depth], dtype=dtype))
+    found = light.part.item() * radius
+    # Near the rim of the cone of a near point, many places of the face light nearly one place.
+    again = forward(index, distance, found, depth)
+    eps = torch.finfo(dtype).eps
+    assert again == pytest.approx(radius, rel=32 * eps, abs=1e-12)
+    if radius > 0:
+        slope = np.tan(np.arcsin(np.sin(np.arctan2(found, distance)) / index))
+        assert light.steepness.item() * found == pytest.approx(slope, rel=32 * eps, abs=1e-12)
+
+
+@pytest.mark.parametrize("distance", [1e-3, 0.3, 5.0])
+@pytest.mark.parametrize("lambertian", [False, True])
+def test_light_is_conserved_from_plane_to_plane(distance, lambertian):
+    enters = np.linspace(0.05, 2, 200)
+    radius, ahead, behind = (
+        forward(1.5, distance, enters + step, 0.7) for step in (0.0, 1e-5, -1e-5)
+    )
+    rise = (ahead - behind) / 2e-5
+    cos = distance / np.hypot(distance, enters)
+    at_face = cos ** (4 if lambertian else 3) * 0.96 * (1 - (1 - cos) ** 5)
+    light = Glass(distance, 1.5, lambertian).light(
+        torch.as_tensor(radius**2), torch.full((200,), 0.7, dtype=torch.float64)
+    )
+    expected = at_face * enters / (radius * rise)
+    assert light.density.numpy() == pytest.approx(expected, rel=1e-6)
+
+
+@pytest.mark.parametrize("distance", [1e-6, 0.3, 5.0])
+def test_derivatives_by_the_depth(distance):
+    generator = torch.Generator().manual_seed(1)
+    radius2 = torch.rand(50, generator=generator, dtype=torch.float64) * 4
+    depth = torch.rand(50, generator=generator, dtype=torch.float64) + 0.1
+    glass = Glass(distance, 1.5, True)
+    assert torch.autograd.gradcheck(
+        lambda t: tuple(glass.light(radius2, t)), depth.requires_grad_(), eps=1e-7
+    )
+
+
+def test_a_deeper_lens_gets_the_steps_that_it_needs():
+    far, near = Glass(5.0, 1.5, False), Glass(1e-6, 1.5, False)
+    assert far.steps(1.5, 0.5, torch.float32) == 1
+    assert far.steps(1.5, 0.5, torch.float64) == 2
+    assert near.steps(1.5, 0.5, torch.float64) > far.steps(50.0, 50.0, torch.float64) > 2
