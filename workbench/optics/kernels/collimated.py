@@ -251,7 +251,9 @@ _Z, _Z_X, _Z_Y, _Q, _BEND, _COLUMN, _ROW, _WEIGHT, _D_COLUMN, _D_ROW, _D_WEIGHT 
 )
 _NUMBERS = 11 * BATCH
 _STEP = np.uintp(BATCH)
-_TWO_STEPS = np.uintp(2 * BATCH)
+# Rows of a block are read across, too: at a power of two all would fall on the same cache lines.
+_PITCH = BATCH + 16
+_NEXT, _PAIR, _THREE_PAIRS = np.uintp(_PITCH), np.uintp(2 * _PITCH), np.uintp(6 * _PITCH)
 
 
 @njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
@@ -277,7 +279,7 @@ def trace_rows(  # type: ignore[no-untyped-def]
     sums : array of float64, shape (3,)
         Results: light beside the canvas, number of refracted rays, light of these.
     """
-    rows = np.empty(2 * heights.shape[1] * BATCH, heights.dtype)
+    rows = np.empty(2 * heights.shape[1] * _PITCH, heights.dtype)
     t = np.empty(_NUMBERS, heights.dtype)
     work = workspace(spread, heights)
     column = t[_COLUMN : _COLUMN + _STEP]
@@ -313,8 +315,8 @@ def trace_rows_back(  # type: ignore[no-untyped-def]
         Cotangent of the heights; added to.
     """
     kind = heights.dtype.type
-    rows = np.empty(2 * heights.shape[1] * BATCH, heights.dtype)
-    d_rows = np.empty(2 * heights.shape[1] * BATCH, heights.dtype)
+    rows = np.empty(2 * heights.shape[1] * _PITCH, heights.dtype)
+    d_rows = np.empty(2 * heights.shape[1] * _PITCH, heights.dtype)
     t = np.empty(_NUMBERS, heights.dtype)
     work = workspace(spread, heights)
     column = t[_COLUMN : _COLUMN + _STEP]
@@ -369,8 +371,8 @@ def _contract(heights, across, i, lanes, rows):  # type: ignore[no-untyped-def]
         at = np.uintp(lane)
         for b in range(count):
             rows[at] = line[b]
-            rows[at + _STEP] = line_x[b]
-            at += _TWO_STEPS
+            rows[at + _NEXT] = line_x[b]
+            at += _PAIR
 
 
 @njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
@@ -382,8 +384,8 @@ def _contract_back(d_rows, across, i, lanes, gradient):  # type: ignore[no-untyp
         at = np.uintp(lane)
         for b in range(count):
             line[b] = d_rows[at]
-            line_x[b] = d_rows[at + _STEP]
-            at += _TWO_STEPS
+            line_x[b] = d_rows[at + _NEXT]
+            at += _PAIR
         first = across.first[i + lane]
         for a in range(across.value.shape[1]):
             near = gradient[first + np.uintp(a)]
@@ -397,8 +399,8 @@ def _blend(rows, up, j, lanes, t):  # type: ignore[no-untyped-def]
     """Height and slopes of the face at all u of a block and one v."""
     kind = t.dtype.type
     count = np.uintp(lanes)
-    start = up.first[j] * _TWO_STEPS
-    two, six = _TWO_STEPS, np.uintp(6 * BATCH)
+    start = up.first[j] * _PAIR
+    two, six = _PAIR, _THREE_PAIRS
     taps = up.value.shape[1]
     if taps == 4:  # the usual degree, without an inner loop
         v0, v1, v2, v3 = up.value[j, 0], up.value[j, 1], up.value[j, 2], up.value[j, 3]
@@ -409,10 +411,10 @@ def _blend(rows, up, j, lanes, t):  # type: ignore[no-untyped-def]
             t[_Z + lane] = v0 * a0 + v1 * a1 + v2 * a2 + v3 * a3
             t[_Z_Y + lane] = s0 * a0 + s1 * a1 + s2 * a2 + s3 * a3
             t[_Z_X + lane] = (
-                v0 * rows[at + _STEP]
-                + v1 * rows[at + two + _STEP]
-                + v2 * rows[at + two + two + _STEP]
-                + v3 * rows[at + six + _STEP]
+                v0 * rows[at + _NEXT]
+                + v1 * rows[at + two + _NEXT]
+                + v2 * rows[at + two + two + _NEXT]
+                + v3 * rows[at + six + _NEXT]
             )
         return
     for lane in range(count):
@@ -424,7 +426,7 @@ def _blend(rows, up, j, lanes, t):  # type: ignore[no-untyped-def]
         for lane in range(count):
             t[_Z + lane] += value * rows[start + lane]
             t[_Z_Y + lane] += slope * rows[start + lane]
-            t[_Z_X + lane] += value * rows[start + _STEP + lane]
+            t[_Z_X + lane] += value * rows[start + _NEXT + lane]
         start += two
 
 
@@ -432,13 +434,13 @@ def _blend(rows, up, j, lanes, t):  # type: ignore[no-untyped-def]
 def _blend_back(d_rows, up, j, lanes, t):  # type: ignore[no-untyped-def]
     """Adjoint of `_blend`; the cotangents of z, z_x, z_y are where these were."""
     count = np.uintp(lanes)
-    start = up.first[j] * _TWO_STEPS
+    start = up.first[j] * _PAIR
     for b in range(up.value.shape[1]):
         value, slope = up.value[j, b], up.slope[j, b]
         for lane in range(count):
             d_rows[start + lane] += value * t[_Z + lane] + slope * t[_Z_Y + lane]
-            d_rows[start + _STEP + lane] += value * t[_Z_X + lane]
-        start += _TWO_STEPS
+            d_rows[start + _NEXT + lane] += value * t[_Z_X + lane]
+        start += _PAIR
 
 
 @njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy", forceinline=True)
