@@ -1,6 +1,6 @@
 """Light of points by samples of the exit face, in one pass: `optics.face_samples`' twin.
 
-Batches are those of `workbench.optics.kernels.collimated`: neighbouring u at one v.
+Batches are those of `workbench.optics.kernels.grid`: neighbouring u at one v.
 """
 
 from typing import Any
@@ -12,10 +12,11 @@ from torch import Tensor
 
 from workbench.geometry.surface import ControlNet
 from workbench.optics.glass import Glass
-from workbench.optics.kernels import collimated, threads
+from workbench.optics.kernels import threads
 from workbench.optics.kernels.face_numbers import Across, Optics, Up
 from workbench.optics.kernels.face_rows import trace_rows, trace_rows_back
 from workbench.optics.kernels.function import Sums, trace
+from workbench.optics.kernels.grid import make_axis
 from workbench.optics.kernels.spread import Spread, add_up, make_canvases, make_spread, pad
 from workbench.optics.lattice import make_lattice
 from workbench.optics.light import Light
@@ -64,7 +65,7 @@ class FusedFaceSamples:
             wanted and count % 2 == 0 for wanted, count in zip(mirrored, counts, strict=True)
         )
         self._bases = tuple(
-            collimated._axis(net, axis, count, halved, kind)
+            make_axis(net, axis, count, halved, kind)
             for axis, (count, halved) in enumerate(zip(counts, self.mirrored, strict=True))
         )
         m_x, m_y = (len(basis.place) for basis in self._bases)
@@ -126,7 +127,7 @@ def compile_for(dtype: torch.dtype) -> None:
     """Compile the kernels for a float type by tracing a few samples."""
     kind = torch.zeros(0, dtype=dtype).numpy().dtype.type
     net = ControlNet((2, 2), (1, 1), (1.0, 1.0))
-    bases = tuple(collimated._axis(net, axis, 2, False, kind) for axis in (0, 1))
+    bases = tuple(make_axis(net, axis, 2, False, kind) for axis in (0, 1))
     pair, one = np.ones(2, kind), kind(1)
     across = Across(pair, pair, pair, pair, one, np.ones((1, 2), kind))
     up = Up(pair, pair, pair, pair, one, pair, np.zeros(2, np.int64))

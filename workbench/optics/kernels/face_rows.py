@@ -3,12 +3,6 @@
 import numpy as np
 from numba import njit
 
-from workbench.optics.kernels.collimated import (
-    _blend,
-    _blend_back,
-    _contract,
-    _contract_back,
-)
 from workbench.optics.kernels.face_trace import (
     COLUMN,
     D_COLUMN,
@@ -22,6 +16,7 @@ from workbench.optics.kernels.face_trace import (
     refract_back,
     see_points,
 )
+from workbench.optics.kernels.grid import blend, blend_back, contract, contract_back, make_rows
 from workbench.optics.kernels.spread import BATCH, gather, scatter, workspace
 from workbench.optics.kernels.taps import FAST
 
@@ -36,7 +31,7 @@ def trace_rows(  # type: ignore[no-untyped-def]
     ----------
     heights : array, shape (n_u, n_v)
         Control heights above the level.
-    bases : tuple of two `collimated.Axis`
+    bases : tuple of two `grid.Axis`
         Basis functions at the samples.
     across, up, optics
         Samples along x and y, and numbers of the trace.
@@ -52,7 +47,7 @@ def trace_rows(  # type: ignore[no-untyped-def]
         Results: light beside the canvas, light that met the face, that was not totally
         reflected, that left.
     """
-    rows = np.empty(2 * heights.shape[1] * BATCH, heights.dtype)
+    rows = make_rows(heights)
     t = np.empty(NUMBERS, heights.dtype)
     work = workspace(spread, heights)
     column, row, weight = t[COLUMN:ROW], t[ROW:WEIGHT], t[WEIGHT:D_COLUMN]
@@ -60,9 +55,9 @@ def trace_rows(  # type: ignore[no-untyped-def]
     for block in range(blocks):
         i = begin + (end - begin) * block // blocks
         lanes = begin + (end - begin) * (block + 1) // blocks - i
-        _contract(heights, bases[0], i, lanes, rows)
+        contract(heights, bases[0], i, lanes, rows)
         for j in range(len(up.place)):
-            _blend(rows, bases[1], j, lanes, t)
+            blend(rows, bases[1], j, lanes, t)
             find_part(across.away[i:], up.away[j], optics, steps, lanes, t)
             see_points(across, i, up, j, optics, lanes, t)
             met, passed, light = refract(across, i, up, j, optics, spread, lanes, t)
@@ -88,8 +83,8 @@ def trace_rows_back(  # type: ignore[no-untyped-def]
         Cotangent of the heights; added to.
     """
     kind = heights.dtype.type
-    rows = np.empty(2 * heights.shape[1] * BATCH, heights.dtype)
-    d_rows = np.empty(2 * heights.shape[1] * BATCH, heights.dtype)
+    rows = make_rows(heights)
+    d_rows = make_rows(heights)
     t = np.empty(NUMBERS, heights.dtype)
     work = workspace(spread, heights)
     column, row, weight = t[COLUMN:ROW], t[ROW:WEIGHT], t[WEIGHT:D_COLUMN]
@@ -98,14 +93,14 @@ def trace_rows_back(  # type: ignore[no-untyped-def]
     for block in range(blocks):
         i = begin + (end - begin) * block // blocks
         lanes = begin + (end - begin) * (block + 1) // blocks - i
-        _contract(heights, bases[0], i, lanes, rows)
+        contract(heights, bases[0], i, lanes, rows)
         d_rows[:] = kind(0)
         for j in range(len(up.place)):
-            _blend(rows, bases[1], j, lanes, t)
+            blend(rows, bases[1], j, lanes, t)
             find_part(across.away[i:], up.away[j], optics, steps, lanes, t)
             see_points(across, i, up, j, optics, lanes, t)
             refract(across, i, up, j, optics, spread, lanes, t)
             gather(spread, column, row, weight, lanes, work, cotangent, d_column, d_row, d_weight)
             refract_back(across, i, up, j, optics, spread, lanes, t)
-            _blend_back(d_rows, bases[1], j, lanes, t)
-        _contract_back(d_rows, bases[0], i, lanes, gradient)
+            blend_back(d_rows, bases[1], j, lanes, t)
+        contract_back(d_rows, bases[0], i, lanes, gradient)

@@ -16,8 +16,8 @@ from numba import njit
 from workbench.optics.kernels.spread import BATCH
 from workbench.optics.kernels.taps import FAST
 
-# The numbers of a batch lie in one array, see `collimated`; the first three are those of its
-# `_blend`. Cotangents of z, z_x, z_y take the place of these.
+# The numbers of a batch; the first three are those of `grid.blend`, and cotangents of z, z_x, z_y
+# take the place of these.
 _STEP = np.uintp(BATCH)
 (
     _Z,
@@ -52,7 +52,7 @@ def _newton(part, depth, widening, apparent):  # type: ignore[no-untyped-def]
     return part - (part * (one + depth * g) - one) / (one + depth * (bent * bent) * g)
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy", forceinline=True)
 def find_part(away_x, away_y, optics, steps, lanes, t):  # type: ignore[no-untyped-def]
     """Depths of samples, and their p."""
     kind = t.dtype.type
@@ -73,7 +73,7 @@ def find_part(away_x, away_y, optics, steps, lanes, t):  # type: ignore[no-untyp
             t[_PART + lane] = _newton(t[_PART + lane], t[_DEPTH + lane], widening, c)
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy", forceinline=True)
 def see_points(across, i, up, j, optics, lanes, t):  # type: ignore[no-untyped-def]
     """Brightness of each sample's point as far as it is seen through the entrance face."""
     kind = t.dtype.type
@@ -102,7 +102,7 @@ def _seen(aside, reach, per_cell, one_by):  # type: ignore[no-untyped-def]
     return min(max(seen, kind(0)), kind(1)), rise
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy", forceinline=True)
 def refract(across, i, up, j, optics, spread, lanes, t):  # type: ignore[no-untyped-def]
     """Where light hits, and its flux.
 
@@ -168,7 +168,7 @@ def refract(across, i, up, j, optics, spread, lanes, t):  # type: ignore[no-unty
     return np.float64(met_flux), np.float64(passed_flux), np.float64(light)
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy", forceinline=True)
 def refract_back(across, i, up, j, optics, spread, lanes, t):  # type: ignore[no-untyped-def]
     """Adjoint of `refract`, `see_points` and `find_part` together.
 
