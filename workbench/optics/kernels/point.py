@@ -13,7 +13,6 @@ import torch
 from torch import Tensor
 
 from workbench.geometry.surface import ControlNet
-from workbench.optics.intersection import Bundle
 from workbench.optics.kernels import threads
 from workbench.optics.kernels.function import Sums, kind_of, trace
 from workbench.optics.kernels.point_face import Face, heights_cotangent, make_table
@@ -67,7 +66,6 @@ class FusedPointRays:
         self.kind = kind_of(dtype)
         self.face = Face(net, dtype)
         self.glass = make_glass(scene, self.kind)
-        self._drawn: Bundle | None = None
         self._sorted: Sorted | None = None
 
     @property
@@ -88,13 +86,12 @@ class FusedPointRays:
     def ready(self, level: float) -> Sorted:
         """The rays, sorted for a lens much like the last one, or for a plate of some height."""
         drawn, known = self._rays.bundle, self._sorted
-        if known is None or drawn is not self._drawn:
-            self._drawn = drawn
+        if known is None or known.drawn is not drawn:
             bundle = np.stack([part.numpy() for part in drawn])
-            known = arrange(self.face.net, bundle, np.full(bundle.shape[1], level, self.kind))
-        elif known.interruptions * _INTERRUPTION > len(known.depths):
-            known = arrange(self.face.net, known.bundle, known.depths)
-        self._sorted = known
+            depths = np.full(bundle.shape[1], level, self.kind)
+            return arrange(self.face.net, drawn, bundle, depths)
+        if known.interruptions * _INTERRUPTION > len(known.depths):
+            return arrange(self.face.net, drawn, known.bundle, known.depths)
         return known
 
     def remember(self, known: Sorted) -> None:
@@ -157,7 +154,7 @@ def compile_for(dtype: torch.dtype) -> None:
     kind = kind_of(dtype)
     net = ControlNet((2, 2), (1, 1), (1.0, 1.0))
     face, heights = Face(net, dtype), np.zeros(net.shape, kind)
-    known = arrange(face.net, np.zeros((5, 1), kind), np.zeros(1, kind))
+    known = arrange(face.net, None, np.zeros((5, 1), kind), np.zeros(1, kind))
     bounds, table = face.bounds(heights, known.steepest), make_table(heights, face.powers)
     glass = Glass(*(kind(1.5) for _ in Glass._fields))
     screen = Screen(z=1.0, half_width=(1.0, 1.0), pixels=(2, 2))

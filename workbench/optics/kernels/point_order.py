@@ -6,6 +6,7 @@ import numpy as np
 import numpy.typing as npt
 from numba import njit
 
+from workbench.optics.intersection import Bundle
 from workbench.optics.kernels.point_meet import depth_of_side
 from workbench.optics.kernels.point_patches import Net, span_of
 
@@ -21,8 +22,10 @@ class Sorted(NamedTuple):
 
     Attributes
     ----------
+    drawn : Bundle or None
+        The rays as they were drawn.
     bundle : ndarray, shape (5, rays)
-        x, y, slopes and flux.
+        Their x, y, slopes and flux, sorted.
     steepest : ndarray, shape (2,)
         The most that the slopes are.
     depths : ndarray, shape (rays,)
@@ -33,6 +36,7 @@ class Sorted(NamedTuple):
         How many more there were in all traces since.
     """
 
+    drawn: Bundle | None
     bundle: AnyArray
     steepest: AnyArray
     depths: AnyArray
@@ -40,13 +44,13 @@ class Sorted(NamedTuple):
     interruptions: int = 0
 
 
-def arrange(net: Net, bundle: AnyArray, depths: AnyArray) -> Sorted:
+def arrange(net: Net, drawn: Bundle | None, bundle: AnyArray, depths: AnyArray) -> Sorted:
     """Sort rays by where they are at these depths, or where they left the lens before."""
     finer_x, finer_y = (-(-_CELLS // spans) for spans in net.spans)
     order = _order(net, finer_x, finer_y, bundle, depths)
     bundle = np.stack([part[order] for part in bundle])
     steepest = np.abs(bundle[2:4]).max(axis=1, initial=0)
-    return Sorted(bundle, steepest, depths[order])
+    return Sorted(drawn, bundle, steepest, depths[order])
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
