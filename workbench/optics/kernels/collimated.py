@@ -15,10 +15,20 @@ import torch
 from numba import njit
 from torch import Tensor
 
-from workbench.geometry.basis import local_basis
 from workbench.geometry.surface import ControlNet
 from workbench.optics.kernels import threads
 from workbench.optics.kernels.function import Sums, kind_of, trace
+from workbench.optics.kernels.grid import (
+    Z_X,
+    Z_Y,
+    Z,
+    blend,
+    blend_back,
+    contract,
+    contract_back,
+    make_axis,
+    make_rows,
+)
 from workbench.optics.kernels.spread import (
     BATCH,
     Spread,
@@ -36,25 +46,6 @@ from workbench.optics.refraction import normal_reflectance
 from workbench.scene import Filter, GaussianFilter, Scene, Screen
 
 AnyArray = npt.NDArray[np.floating[Any]]
-
-
-class Axis(NamedTuple):
-    """Rays along one axis, and the basis functions there.
-
-    Attributes
-    ----------
-    place : ndarray, shape (m,)
-        x or y of the rays, in columns or rows of the image.
-    first : ndarray of uint, shape (m,)
-        First control point that matters for each.
-    value, slope : ndarray, shape (m, p + 1)
-        Basis functions and their derivatives with respect to x or y.
-    """
-
-    place: AnyArray
-    first: npt.NDArray[np.uintp]
-    value: AnyArray
-    slope: AnyArray
 
 
 class Optics(NamedTuple):
@@ -119,7 +110,7 @@ class FusedCollimatedRays:
             wanted and count % 2 == 0 for wanted, count in zip(mirrored, samples, strict=True)
         )
         self._axes = tuple(
-            _axis(net, axis, count, halved, kind)
+            make_axis(net, axis, count, halved, kind)
             for axis, (count, halved) in enumerate(zip(samples, self.mirrored, strict=True))
         )
         self._level = scene.lens.base.height
@@ -146,7 +137,7 @@ def compile_for(dtype: torch.dtype) -> None:
     """Compile the kernels for a float type by tracing a few rays."""
     kind = kind_of(dtype)
     net = ControlNet((2, 2), (1, 1), (1.0, 1.0))
-    across, up = (_axis(net, axis, 2, False, kind) for axis in (0, 1))
+    across, up = (make_axis(net, axis, 2, False, kind) for axis in (0, 1))
     across, up = (axis._replace(place=axis.place.astype(kind)) for axis in (across, up))
     numbers = Optics(*(kind(1.5) for _ in Optics._fields))
     screen = Screen(z=1.0, half_width=(1.0, 1.0), pixels=(2, 2))
@@ -234,26 +225,12 @@ class _Passes:
         return gradient
 
 
-def _axis(
-    net: ControlNet, axis: int, count: int, halved: bool, kind: type[np.floating[Any]]
-) -> Axis:
-    t = (np.arange(count // 2 if halved else count) + 0.5) / count
-    knots, degree, r = net.knots[axis], net.degree[axis], net.half_width[axis]
-    first, value = local_basis(knots, degree, t)
-    slope = local_basis(knots, degree, t, derivative=1)[1] / (2 * r)
-    return Axis((2 * t - 1) * r, first.astype(np.uintp), value.astype(kind), slope.astype(kind))
-
-
-# The numbers of a batch lie in one array, at fixed distances: the compiler then sees that they do
-# not overlap, and vectorises. Likewise the rows of a block: those of z and z_x take turns.
-_Z, _Z_X, _Z_Y, _Q, _BEND, _COLUMN, _ROW, _WEIGHT, _D_COLUMN, _D_ROW, _D_WEIGHT = (
-    np.uintp(BATCH * k) for k in range(11)
+# The numbers of a batch, after height and slopes.
+_Q, _BEND, _COLUMN, _ROW, _WEIGHT, _D_COLUMN, _D_ROW, _D_WEIGHT = (
+    np.uintp(BATCH * k) for k in range(3, 11)
 )
 _NUMBERS = 11 * BATCH
 _STEP = np.uintp(BATCH)
-# Rows of a block are read across, too: at a power of two all would fall on the same cache lines.
-_PITCH = BATCH + 16
-_NEXT, _PAIR, _THREE_PAIRS = np.uintp(_PITCH), np.uintp(2 * _PITCH), np.uintp(6 * _PITCH)
 
 
 @njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
@@ -279,7 +256,7 @@ def trace_rows(  # type: ignore[no-untyped-def]
     sums : array of float64, shape (3,)
         Results: light beside the canvas, number of refracted rays, light of these.
     """
-    rows = np.empty(2 * heights.shape[1] * _PITCH, heights.dtype)
+    rows = make_rows(heights)
     t = np.empty(_NUMBERS, heights.dtype)
     work = workspace(spread, heights)
     column = t[_COLUMN : _COLUMN + _STEP]
@@ -290,9 +267,9 @@ def trace_rows(  # type: ignore[no-untyped-def]
         i = begin + (end - begin) * block // blocks
         lanes = begin + (end - begin) * (block + 1) // blocks - i
         place = across.place[i : i + lanes]
-        _contract(heights, across, i, lanes, rows)
+        contract(heights, across, i, lanes, rows)
         for j in range(len(up.place)):
-            _blend(rows, up, j, lanes, t)
+            blend(rows, up, j, lanes, t)
             passed, light = _refract(place, up.place[j], optics, spread, lanes, t)
             sums[1] += passed
             sums[2] += light
@@ -315,8 +292,8 @@ def trace_rows_back(  # type: ignore[no-untyped-def]
         Cotangent of the heights; added to.
     """
     kind = heights.dtype.type
-    rows = np.empty(2 * heights.shape[1] * _PITCH, heights.dtype)
-    d_rows = np.empty(2 * heights.shape[1] * _PITCH, heights.dtype)
+    rows = make_rows(heights)
+    d_rows = make_rows(heights)
     t = np.empty(_NUMBERS, heights.dtype)
     work = workspace(spread, heights)
     column = t[_COLUMN : _COLUMN + _STEP]
@@ -330,10 +307,10 @@ def trace_rows_back(  # type: ignore[no-untyped-def]
         i = begin + (end - begin) * block // blocks
         lanes = begin + (end - begin) * (block + 1) // blocks - i
         place = across.place[i : i + lanes]
-        _contract(heights, across, i, lanes, rows)
+        contract(heights, across, i, lanes, rows)
         d_rows[:] = kind(0)
         for j in range(len(up.place)):
-            _blend(rows, up, j, lanes, t)
+            blend(rows, up, j, lanes, t)
             _refract(place, up.place[j], optics, spread, lanes, t)
             gather(
                 spread,
@@ -348,99 +325,8 @@ def trace_rows_back(  # type: ignore[no-untyped-def]
                 d_weight,
             )
             _refract_back(optics, spread, lanes, t)
-            _blend_back(d_rows, up, j, lanes, t)
-        _contract_back(d_rows, across, i, lanes, gradient)
-
-
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
-def _contract(heights, across, i, lanes, rows):  # type: ignore[no-untyped-def]
-    """Control values along v of z and z_x, for each u of a block."""
-    count = heights.shape[1]
-    line, line_x = np.empty(count, heights.dtype), np.empty(count, heights.dtype)
-    kind = heights.dtype.type
-    for lane in range(lanes):
-        line[:] = kind(0)
-        line_x[:] = kind(0)
-        first = across.first[i + lane]
-        for a in range(across.value.shape[1]):
-            near = heights[first + np.uintp(a)]
-            value, slope = across.value[i + lane, a], across.slope[i + lane, a]
-            for b in range(count):
-                line[b] += value * near[b]
-                line_x[b] += slope * near[b]
-        at = np.uintp(lane)
-        for b in range(count):
-            rows[at] = line[b]
-            rows[at + _NEXT] = line_x[b]
-            at += _PAIR
-
-
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
-def _contract_back(d_rows, across, i, lanes, gradient):  # type: ignore[no-untyped-def]
-    """Adjoint of `_contract`."""
-    count = gradient.shape[1]
-    line, line_x = np.empty(count, d_rows.dtype), np.empty(count, d_rows.dtype)
-    for lane in range(lanes):
-        at = np.uintp(lane)
-        for b in range(count):
-            line[b] = d_rows[at]
-            line_x[b] = d_rows[at + _NEXT]
-            at += _PAIR
-        first = across.first[i + lane]
-        for a in range(across.value.shape[1]):
-            near = gradient[first + np.uintp(a)]
-            value, slope = across.value[i + lane, a], across.slope[i + lane, a]
-            for b in range(count):
-                near[b] += np.float64(value * line[b] + slope * line_x[b])
-
-
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy", forceinline=True)
-def _blend(rows, up, j, lanes, t):  # type: ignore[no-untyped-def]
-    """Height and slopes of the face at all u of a block and one v."""
-    kind = t.dtype.type
-    count = np.uintp(lanes)
-    start = up.first[j] * _PAIR
-    two, six = _PAIR, _THREE_PAIRS
-    taps = up.value.shape[1]
-    if taps == 4:  # the usual degree, without an inner loop
-        v0, v1, v2, v3 = up.value[j, 0], up.value[j, 1], up.value[j, 2], up.value[j, 3]
-        s0, s1, s2, s3 = up.slope[j, 0], up.slope[j, 1], up.slope[j, 2], up.slope[j, 3]
-        for lane in range(count):
-            at = start + lane
-            a0, a1, a2, a3 = rows[at], rows[at + two], rows[at + two + two], rows[at + six]
-            t[_Z + lane] = v0 * a0 + v1 * a1 + v2 * a2 + v3 * a3
-            t[_Z_Y + lane] = s0 * a0 + s1 * a1 + s2 * a2 + s3 * a3
-            t[_Z_X + lane] = (
-                v0 * rows[at + _NEXT]
-                + v1 * rows[at + two + _NEXT]
-                + v2 * rows[at + two + two + _NEXT]
-                + v3 * rows[at + six + _NEXT]
-            )
-        return
-    for lane in range(count):
-        t[_Z + lane] = kind(0)
-        t[_Z_X + lane] = kind(0)
-        t[_Z_Y + lane] = kind(0)
-    for b in range(taps):
-        value, slope = up.value[j, b], up.slope[j, b]
-        for lane in range(count):
-            t[_Z + lane] += value * rows[start + lane]
-            t[_Z_Y + lane] += slope * rows[start + lane]
-            t[_Z_X + lane] += value * rows[start + _NEXT + lane]
-        start += two
-
-
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy", forceinline=True)
-def _blend_back(d_rows, up, j, lanes, t):  # type: ignore[no-untyped-def]
-    """Adjoint of `_blend`; the cotangents of z, z_x, z_y are where these were."""
-    count = np.uintp(lanes)
-    start = up.first[j] * _PAIR
-    for b in range(up.value.shape[1]):
-        value, slope = up.value[j, b], up.slope[j, b]
-        for lane in range(count):
-            d_rows[start + lane] += value * t[_Z + lane] + slope * t[_Z_Y + lane]
-            d_rows[start + _NEXT + lane] += value * t[_Z_X + lane]
-        start += _PAIR
+            blend_back(d_rows, up, j, lanes, t)
+        contract_back(d_rows, across, i, lanes, gradient)
 
 
 @njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy", forceinline=True)
@@ -453,12 +339,12 @@ def _refract(place, row, optics, spread, lanes, t):  # type: ignore[no-untyped-d
     one = kind(1)
     passed, light = kind(0), kind(0)
     for lane in range(np.uintp(lanes)):
-        z_x, z_y = t[_Z_X + lane], t[_Z_Y + lane]
+        z_x, z_y = t[Z_X + lane], t[Z_Y + lane]
         k = z_x * z_x + z_y * z_y
         square = one - optics.excess * k
         passes = square > optics.critical
         q = np.sqrt(square if passes else one)
-        bend = (optics.drop - t[_Z + lane]) * optics.excess / (one + optics.ratio * q)
+        bend = (optics.drop - t[Z + lane]) * optics.excess / (one + optics.ratio * q)
         grazing = one - q / np.sqrt(one + k)
         fourth = grazing * grazing * (grazing * grazing)
         weight = optics.head_on * (one - fourth * grazing) if passes else kind(0)
@@ -478,7 +364,7 @@ def _refract_back(optics, spread, lanes, t):  # type: ignore[no-untyped-def]
     kind = t.dtype.type
     one, two, half = kind(1), kind(2), kind(0.5)
     for lane in range(np.uintp(lanes)):
-        z_x, z_y = t[_Z_X + lane], t[_Z_Y + lane]
+        z_x, z_y = t[Z_X + lane], t[Z_Y + lane]
         q, bend = t[_Q + lane], t[_BEND + lane]
         passes = t[_WEIGHT + lane] > kind(0)
         d_x = t[_D_COLUMN + lane] * spread.per_x
@@ -496,6 +382,6 @@ def _refract_back(optics, spread, lanes, t):  # type: ignore[no-untyped-def]
         d_z_x = d_x * bend + two * z_x * d_k
         d_z_y = d_y * bend + two * z_y * d_k
         d_z = -d_bend * optics.excess * share
-        t[_Z + lane] = d_z if passes else kind(0)
-        t[_Z_X + lane] = d_z_x if passes else kind(0)
-        t[_Z_Y + lane] = d_z_y if passes else kind(0)
+        t[Z + lane] = d_z if passes else kind(0)
+        t[Z_X + lane] = d_z_x if passes else kind(0)
+        t[Z_Y + lane] = d_z_y if passes else kind(0)
