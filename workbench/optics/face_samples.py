@@ -26,6 +26,24 @@ class FaceSamples:
         Samples along x and y; the points of a grid share them.
     dtype, device
         Float type and device of the trace.
+
+    Notes
+    -----
+    Error of the image of a lens for the flame (64 × 64 control points, source at 5 times the
+    half-width, 256 × 256 pixels, filter of 3 × 3), relative to that of 49 million samples:
+
+    =========  ====================  =======
+    number     rays, exact or mesh   samples
+    =========  ====================  =======
+    100,000    0.219                 0.141
+    500,000    0.071                 0.039
+    1,000,000  0.045                 0.019
+    4,000,000  0.014                 0.003
+    =========  ====================  =======
+
+    All samples lie on the face, none is at random, and one costs as much as a ray of collimated
+    light. Shifting the rows and columns at random within their cells makes the error up to six
+    times larger, so they stay in the middles.
     """
 
     emitted = 1.0
