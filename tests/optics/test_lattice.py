@@ -54,8 +54,8 @@ def test_samples_of_one_point_are_the_middles_of_cells(make_scene):
     assert lattice.x.place.tolist() == [-0.75, -0.25, 0.25, 0.75]
     assert lattice.x.width.tolist() == [0.5] * 4
     assert lattice.x.away == pytest.approx(lattice.x.place - 0.5)
-    assert not lattice.x.aside.any()
+    assert not lattice.x.reach.any()
     # Above the aperture by 2: its rays cross the entrance face 2 or more below the point.
-    assert lattice.y.aside == pytest.approx(lattice.y.place - 3)
     assert lattice.y.reach.tolist() == [-2.0] * 5
+    assert lattice.y.beyond == pytest.approx(1 - lattice.y.place)
     assert math.prod(lattice.intensity.shape) == 1

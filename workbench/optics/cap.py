@@ -16,17 +16,23 @@ class Cap(NamedTuple):
     ----------
     axis : ndarray, shape (3,)
         Unit vector through its middle.
-    cos_max : float
-        Cosine of the angle between the axis and its rim.
+    versine : float
+        1 − cos of the angle between the axis and its rim; of a far point the cosine itself has
+        no digits left.
     """
 
     axis: Array
-    cos_max: float
+    versine: float
+
+    @property
+    def cos_max(self) -> float:
+        """Cosine of the angle between the axis and its rim."""
+        return 1 - self.versine
 
     @property
     def solid_angle(self) -> float:
         """Solid angle in steradians."""
-        return 2 * np.pi * (1 - self.cos_max)
+        return 2 * np.pi * self.versine
 
 
 def covering_cap(position: Array, half_width: tuple[float, float], z: float) -> Cap:
@@ -58,7 +64,9 @@ def covering_cap(position: Array, half_width: tuple[float, float], z: float) -> 
     for axis in axes:
         length = np.linalg.norm(axis)
         if length > 1e-12:
-            caps.append(Cap(axis / length, float((corners @ axis).min() / length)))
-    best = max(caps, key=lambda cap: cap.cos_max)
+            axis /= length
+            # Of unit vectors a · b = 1 − |a − b|² / 2.
+            caps.append(Cap(axis, float(np.square(corners - axis).sum(axis=1).max() / 2)))
+    axis, versine = min(caps, key=lambda cap: cap.versine)
     # Rounding must not leave a corner dark.
-    return Cap(best.axis, best.cos_max - 1e-12)
+    return Cap(axis, versine * (1 + 1e-12) + 1e-15 * np.sqrt(versine))

@@ -92,8 +92,8 @@ def emit(source: PointSource | GridSource, lens: Lens, seed: int, draw: int = 0)
     for k, point in enumerate(points):
         cap = covering_cap(point, lens.half_width, lens.entrance_z)
         across, up = _perpendicular(cap.axis)
-        cos = 1 - (1 - cap.cos_max) * a[k, :, 0]
-        sin = np.sqrt((1 - cos) * (1 + cos))
+        versine = cap.versine * a[k, :, 0]
+        cos, sin = 1 - versine, np.sqrt(versine * (2 - versine))
         angle = 2 * np.pi * a[k, :, 1]
         direction[k] = (
             cos[:, None] * cap.axis

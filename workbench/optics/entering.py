@@ -80,9 +80,9 @@ def _nodes(centre: Array, half_width: float, distance: float) -> tuple[Array, Ar
 def _mean_cosine(cap: Cap) -> float:
     """Mean over a cap of the cosine to the z axis, where that is positive."""
     ahead, aside = cap.axis[2], float(np.hypot(cap.axis[0], cap.axis[1]))
-    rim, level = np.arccos(cap.cos_max), np.arctan2(ahead, aside)
+    rim, level = 2 * np.arcsin(np.sqrt(cap.versine / 2)), np.arctan2(ahead, aside)
     if rim <= level:
-        return float(ahead * (1 + cap.cos_max) / 2)
+        return float(ahead * (1 - cap.versine / 2))
     # Rings around the axis that lie half behind: cos = A + B cos ψ, over the ψ of light ahead.
     # The square takes the root out of the end of ψ where the first ring dips below.
     root = (_NODE + 1) / 2
@@ -91,4 +91,4 @@ def _mean_cosine(cap: Cap) -> float:
     end = np.arccos((-part_a / part_b).clip(-1, 1))
     ring = (part_a * end + part_b * np.sin(end)) / np.pi
     partly = (rim - level) * (_WEIGHT @ (ring * np.sin(angle) * root))
-    return float((ahead * np.sin(level) ** 2 / 2 + partly) / (1 - cap.cos_max))
+    return float((ahead * np.sin(level) ** 2 / 2 + partly) / cap.versine)

@@ -82,9 +82,9 @@ class FaceSamples:
         # Flux per area right before the points, but for Fresnel's loss.
         self._brightest = constant(lattice.intensity / lattice.distance**2)
         self._rims = [
-            (axis.cell, constant(axis.aside).reshape(shape), constant(axis.reach).reshape(shape))
+            (axis.cell, constant(axis.reach).reshape(shape), constant(axis.beyond).reshape(shape))
             for axis, shape in ((lattice.x, (-1, 1)), (lattice.y, (1, -1)))
-            if axis.aside.any()
+            if axis.reach.any()
         ]
 
     def trace(self, heights: Tensor) -> Hits:
@@ -110,9 +110,10 @@ class FaceSamples:
         lean = 1 - slope_x * face_x - slope_y * face_y
         met = inside & (lean > 0)  # a face that leans away further has met the light before
         flux = self._brightest * self._area[0] * self._area[1] * light.density * lean
-        for cell, aside, reach in self._rims:
+        for cell, reach, beyond in self._rims:
             # Part of the sample's cell that sees its point through the entrance face.
-            flux = flux * (0.5 + (reach / light.part - aside) / cell).clamp(0, 1)
+            sees = beyond + reach * (depth * light.steepness)
+            flux = flux * (0.5 + sees / cell).clamp(0, 1)
         flux = torch.where(met, flux, 0.0)
 
         length = (slope_x.square() + slope_y.square() + 1).rsqrt()

@@ -26,10 +26,10 @@ class Axis(NamedTuple):
         Number of the point.
     away : ndarray
         From the point to the place.
-    aside, reach : ndarray
+    reach, beyond : ndarray
         A point beside the aperture lights a place only if its ray crosses the entrance face, which
-        ends ``reach`` from the point: ``aside`` of the place and ``reach`` count from the point in
-        the direction away from the lens. 0 and one cell for points before the aperture.
+        ends ``reach`` from the point, counted in the direction away from the lens, and ``beyond``
+        the place. 0 and one cell for points before the aperture.
     cell : float
         Distance of neighbouring samples of the same point.
     """
@@ -38,8 +38,8 @@ class Axis(NamedTuple):
     width: Array
     point: npt.NDArray[np.int64]
     away: Array
-    aside: Array
     reach: Array
+    beyond: Array
     cell: float
 
 
@@ -98,9 +98,11 @@ def _axis(centre: Array, half_width: float, samples: int) -> Axis:
     width[-points:] += half_width - place[-points:] - cell / 2
     point = np.tile(_interleaving(points), count // points)
     sign = np.sign(centre) * (np.abs(centre) > half_width)
-    reach = np.where(sign == 0, cell, half_width - np.abs(centre))
-    away = place - centre[point]
-    return Axis(place, width, point, away, sign[point] * away, reach[point], cell)
+    reach = np.where(sign == 0, 0.0, half_width - np.abs(centre))[point]
+    side = sign[point]
+    # Not as a difference of two ways from the point, which may be far.
+    beyond = np.where(side == 0, cell, half_width - side * place)
+    return Axis(place, width, point, place - centre[point], reach, beyond, cell)
 
 
 def _interleaving(points: int) -> npt.NDArray[np.int64]:

@@ -78,16 +78,16 @@ class FusedFaceSamples:
         self._across = Across(
             x.place[:m_x],
             x.away[:m_x].astype(kind),
-            x.aside[:m_x].astype(kind),
             x.reach[:m_x].astype(kind),
+            x.beyond[:m_x].astype(kind),
             kind(1 / x.cell),
             bright.astype(kind),
         )
         self._up = Up(
             y.place[:m_y],
             y.away[:m_y].astype(kind),
-            y.aside[:m_y].astype(kind),
             y.reach[:m_y].astype(kind),
+            y.beyond[:m_y].astype(kind),
             kind(1 / y.cell),
             y.width[:m_y].astype(kind),
             y.point[:m_y],
@@ -109,7 +109,7 @@ class FusedFaceSamples:
             kind(16 * np.finfo(kind).eps),
             kind(1 - normal_reflectance(n)),
             near=bool((n * n - 1) ** 0.5 * self._widest > apparent),
-            rims=bool(x.aside.any() or y.aside.any()),
+            rims=bool(x.reach.any() or y.reach.any()),
         )
 
     def image(self, heights: Tensor, screen: Screen, filter: Filter) -> Light:

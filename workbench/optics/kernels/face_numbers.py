@@ -16,7 +16,7 @@ class Across(NamedTuple):
     ----------
     place : ndarray
         In columns of the image.
-    away, aside, reach : ndarray
+    away, reach, beyond : ndarray
         Scene units.
     per_cell : floating
         One by the distance of neighbouring samples of a point.
@@ -26,8 +26,8 @@ class Across(NamedTuple):
 
     place: AnyArray
     away: AnyArray
-    aside: AnyArray
     reach: AnyArray
+    beyond: AnyArray
     per_cell: Number
     bright: AnyArray
 
@@ -37,8 +37,8 @@ class Up(NamedTuple):
 
     place: AnyArray
     away: AnyArray
-    aside: AnyArray
     reach: AnyArray
+    beyond: AnyArray
     per_cell: Number
     width: AnyArray
     point: npt.NDArray[np.int64]

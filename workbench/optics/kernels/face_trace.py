@@ -83,20 +83,27 @@ def see_points(across, i, up, j, optics, lanes, t):  # type: ignore[no-untyped-d
         t[_D_BRIGHT + lane] = kind(0)
     if not optics.rims:
         return
-    aside, reach = across.aside[i:], across.reach[i:]
+    reach, beyond, away = across.reach[i:], across.beyond[i:], across.away[i:]
+    away_y, c = up.away[j], optics.apparent
     for lane in range(np.uintp(lanes)):
-        one_by = kind(1) / t[_PART + lane]
-        seen_x, rise_x = _seen(aside[lane], reach[lane], across.per_cell, one_by)
-        seen_y, rise_y = _seen(up.aside[j], up.reach[j], up.per_cell, one_by)
+        part = t[_PART + lane]
+        enters2 = part * part * (away[lane] * away[lane] + away_y * away_y)
+        bent = t[_DEPTH + lane] / np.sqrt(c * c + optics.excess * enters2)
+        seen_x, rise_x = _seen(reach[lane], beyond[lane], across.per_cell, bent)
+        seen_y, rise_y = _seen(up.reach[j], up.beyond[j], up.per_cell, bent)
         t[_D_BRIGHT + lane] = t[_BRIGHT + lane] * (rise_x * seen_y + seen_x * rise_y)
         t[_BRIGHT + lane] *= seen_x * seen_y
 
 
 @njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy", forceinline=True)
-def _seen(aside, reach, per_cell, one_by):  # type: ignore[no-untyped-def]
-    """Part of a sample's cell that sees its point along one axis, and its slope by p."""
-    kind = type(one_by)
-    seen = kind(0.5) + (reach * one_by - aside) * per_cell
+def _seen(reach, beyond, per_cell, bent):  # type: ignore[no-untyped-def]
+    """Part of a sample's cell that sees its point along one axis, and its slope by p.
+
+    ``bent`` is t g = 1/p − 1.
+    """
+    kind = type(bent)
+    one_by = kind(1) + bent
+    seen = kind(0.5) + (beyond + reach * bent) * per_cell
     partly = (seen > kind(0)) & (seen < kind(1))
     rise = -reach * one_by * one_by * per_cell if partly else kind(0)
     return min(max(seen, kind(0)), kind(1)), rise
