@@ -1,38 +1,43 @@
-"""The best this program knows: quasi-Newton from coarse to fine, from flow of light to detail.
+"""The best this program knows: transport of light first, then quasi-Newton from blunt to sharp.
 
-Three things set it apart from the paper's method:
-
-- Early phases measure the image error in a Sobolev norm that weighs long waves most, the
-  linearised transport distance. It knows in which direction far-away light has to move, where
-  the plain norm sees only pixels that do not overlap.
-- Corrections come first from a coarse control net, then from finer ones, so that the surface
-  stays smooth while large amounts of light move.
+- A first lens comes from optimal transport (`workbench.design.transport`): all light on its way to
+  the right part of the screen before the first iteration.
+- L-BFGS on a fixed, even set of rays follows; changes of the net are cosine waves, the long ones
+  made easy.
+- It looks through a blunt filter first and through sharper ones later, each with as many rays as
+  it needs: a blunt one alone, with a fine net, lowers its own loss and raises the true error.
 - The image reaches beyond the screen and is compared with all light that passes the lens, so
   that light beside the screen counts as an error and is called back.
-
-The target goes through the expected reconstruction filter, else the optimum is a lens that is too
-sharp, to undo a blur that only the simulation has.
+- What is its own mirror image is traced in one half or quarter alone.
 """
 
 import math
-from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
 from itertools import islice
 
 import numpy as np
 import numpy.typing as npt
 import torch
-from scipy.fft import dct
 from torch import Tensor
 
 from workbench.design.heights import HeightRange
 from workbench.design.lbfgs import Evaluation, Objective, minimise
-from workbench.design.loss import check_finite, check_gradient, paper_loss, share
+from workbench.design.loss import check_gradient
 from workbench.design.step import Step
+from workbench.design.transport import transport_start
+from workbench.design.waves import Waves
+from workbench.design.wide_image import WideImage
 from workbench.geometry.surface import ControlNet
-from workbench.optics.filtered import expected_image
 from workbench.optics.plan import Plan, device_of
-from workbench.scene import BoxFilter, GaussianFilter, Scene, Screen
+from workbench.scene import (
+    CollimatedSource,
+    GaussianFilter,
+    GridSource,
+    PointSource,
+    Scene,
+    Source,
+)
 
 Array = npt.NDArray[np.float64]
 
@@ -43,34 +48,40 @@ class Phase:
 
     Attributes
     ----------
-    coarsening : int
-        How many times fewer control points per axis the corrections have.
-    cut : float or None
-        Waves with more periods per image width than this lose weight; None weighs all alike.
-    part : float
-        Part of the iterations.
+    alpha : float
+        Sharpness of the filter over 3 × 3 pixels.
+    rays : int
+        Rays along an axis for each pixel along it.
+    cut : float
+        See `Waves`.
+    most : int
+        Iterations at most; the last phase takes all that are left.
     """
 
-    coarsening: int
-    cut: float | None
-    part: float
+    alpha: float
+    rays: int
+    cut: float
+    most: int
 
 
 PHASES = (
-    Phase(coarsening=4, cut=0.25, part=0.15),
-    Phase(coarsening=2, cut=2.0, part=0.15),
-    Phase(coarsening=1, cut=16.0, part=0.25),
-    Phase(coarsening=1, cut=None, part=0.45),
+    Phase(alpha=1.0, rays=3, cut=1.0, most=30),
+    Phase(alpha=4.0, rays=4, cut=2.0, most=40),
+    Phase(alpha=12.0, rays=6, cut=4.0, most=1_000_000),
 )
 
-# Parts of the screen's width that the image reaches beyond it on each side: as far as the light of
-# the first lens falls, within these.
-_MARGINS = 0.1, 1.0
+# Rays along an axis for each control point along it, at least.
+_RAYS_PER_CONTROL_POINT = 4
+_MOST_RAYS = 4096
+# Rays that tell how far the light of a lens reaches.
+_FEW_RAYS = (256, 256)
+# A lens to go on from is taken through all phases if its error is larger than this.
+_ROUGH = 0.15
 # The most that a step may change a parameter. Far out tanh is flat: a height that one bold step
 # brings there does not find back.
 _REACH = 0.3
-# The run ends when this many steps together lower the loss by less than this part.
-_PATIENCE, _PROGRESS = 30, 1e-3
+# A phase ends when this many steps together lower the loss by less than this part.
+_PATIENCE, _PROGRESS = 30, 0.01
 
 
 def auto_steps(scene: Scene, target: Array, start: Array | None) -> Iterator[Step]:
@@ -81,135 +92,105 @@ def auto_steps(scene: Scene, target: Array, start: Array | None) -> Iterator[Ste
     RunFailed
         If the loss or its gradient is not finite.
     """
-    net = ControlNet.of(scene.lens)
-    free = HeightRange.of(scene.lens, net, device_of(scene))
+    free = HeightRange.of(scene.lens, ControlNet.of(scene.lens), device_of(scene))
     parameters = free.rest if start is None else free.parameters(start)
-    image = _WideImage(scene, target, free.heights(parameters))
-    phases = PHASES if start is None else PHASES[-1:]
-    for number, phase in enumerate(phases):
-        correction = _Correction(net, parameters, phase.coarsening)
-        objective = _objective(image, free, correction, phase.cut)
-        descent = minimise(objective, correction.nothing, _REACH)
-        if phase is not phases[-1]:
-            descent = islice(descent, 1 + round(scene.run.iterations * phase.part))
+    mirrored = _mirrored(scene, target, start)
+    phases: Sequence[Phase] = PHASES
+    if start is None:
+        undesigned = free.heights(parameters)
+        yield _image(scene, target, PHASES[-1], mirrored, undesigned).compare(undesigned)[1]
+        first = transport_start(scene, target)
+        if first is not None:
+            parameters = free.parameters(first)
+    heights = free.heights(parameters)
+    # All lenses are judged by the sharpest image, so that their losses can be compared.
+    judge = _image(scene, target, PHASES[-1], mirrored, heights)
+    if start is not None and judge.compare(heights)[0].norm() < _ROUGH:
+        phases = PHASES[-1:]
+    # The very first lens is none of the iterations.
+    left = scene.run.iterations + (start is not None)
+    for phase in phases:
+        last = phase is phases[-1]
+        image = judge if last else _image(scene, target, phase, mirrored, heights)
+        waves = Waves(parameters, phase.cut, mirrored)
+        base, length = parameters, _longest_change(waves)
+        objective = _objective(image, judge, free, base, waves)
+        most = left if last else min(phase.most, math.ceil(left / 3))
         best: list[float] = []
-        for x, found in descent:
-            parameters = correction.apply(x)
-            if number > 0 and not best:  # this lens ended the phase before
-                best.append(found.seen.loss)
-                continue
+        for x, found in islice(minimise(objective, waves.nothing, _REACH, length), most):
+            parameters = base + waves.change(x)
             yield found.seen
-            best.append(min([found.seen.loss, *best[-1:]]))
+            left -= 1
+            best.append(min([found.value, *best[-1:]]))
             if len(best) > _PATIENCE and best[-1] > (1 - _PROGRESS) * best[-1 - _PATIENCE]:
                 break
 
 
-class _Correction:
-    """Changes of the parameters that live on a coarser control net."""
-
-    def __init__(self, net: ControlNet, parameters: Tensor, coarsening: int) -> None:
-        shape = tuple(
-            max(n // coarsening, p + 1) for n, p in zip(net.shape, net.degree, strict=True)
-        )
-        coarse = ControlNet((shape[0], shape[1]), net.degree, net.half_width)
-        self._base = parameters
-        into_x, into_y = net.embedding(coarse)
-        self._into_x = torch.as_tensor(into_x).to(parameters)
-        self._into_y = torch.as_tensor(into_y).to(parameters)
-        self.nothing = parameters.new_zeros(coarse.shape).flatten()
-        self._shape = coarse.shape
-
-    def apply(self, x: Tensor) -> Tensor:
-        """Parameters of the finished net, shape (n_u, n_v)."""
-        return self._base + self._into_x @ x.view(self._shape) @ self._into_y.T
-
-
 def _objective(
-    image: "_WideImage", free: HeightRange, correction: _Correction, cut: float | None
+    image: WideImage, judge: WideImage, free: HeightRange, base: Tensor, waves: Waves
 ) -> Objective[Step]:
-    waves = None if cut is None else image.waves(cut)
-
     def objective(x: Tensor) -> Evaluation[Step]:
         x = x.detach().requires_grad_()
-        heights = free.heights(correction.apply(x))
+        heights = free.heights(base + waves.change(x))
         error, step = image.compare(heights)
-        if waves is not None:
-            error = waves.weigh(error)
         value = error.square().sum()
         (gradient,) = torch.autograd.grad(value, [x])
         check_gradient(gradient)
+        if image is not judge:
+            with torch.no_grad():
+                step = judge.compare(heights)[1]
         return Evaluation(value.item(), gradient, step)
 
     return objective
 
 
-class _WideImage:
-    """The image of a lens on the screen and some way beyond, against the wish.
+def _longest_change(waves: Waves) -> Callable[[Tensor], float]:
+    return lambda amplitudes: waves.change(amplitudes).abs().max().item()
 
-    It holds the light of the first lens, as far as that is possible with few pixels more.
-    """
 
-    def __init__(self, scene: Scene, target: Array, first: Tensor) -> None:
-        # A box filter gives no gradient; the design then looks through the usual Gaussian.
-        filter = GaussianFilter() if isinstance(scene.filter, BoxFilter) else scene.filter
-        screen = scene.screen
-        (n_x, n_y), (r_x, r_y) = screen.pixels, screen.half_width
-        plan = Plan(scene, filter=filter)
-        reach_x, reach_y = plan.reach(first)
-        m_x, m_y = _margin(reach_x / r_x, n_x), _margin(reach_y / r_y, n_y)
-        wide = Screen(
-            z=screen.z,
-            half_width=(r_x * (1 + 2 * m_x / n_x), r_y * (1 + 2 * m_y / n_y)),
-            pixels=(n_x + 2 * m_x, n_y + 2 * m_y),
+def _image(
+    scene: Scene, target: Array, phase: Phase, mirrored: tuple[bool, bool], heights: Tensor
+) -> WideImage:
+    """The image as a phase sees it, wide enough for the light of its first lens."""
+    wanted = _samples(scene.source)
+    per_axis = [
+        max(
+            phase.rays * pixels,
+            _RAYS_PER_CONTROL_POINT * count,
+            least if phase is PHASES[-1] else 0,
         )
-        device = device_of(scene)
-        self._plan = plan.on(wide)
-        self._on_screen = (slice(m_y, m_y + n_y), slice(m_x, m_x + n_x))
-        around = ((m_y, m_y), (m_x, m_x))
-        wanted = expected_image(np.pad(share(target), around), filter)
-        self._wanted = torch.as_tensor(wanted, dtype=torch.float32, device=device)
-        self._scale = self._wanted.norm().item()
-
-    def compare(self, heights: Tensor) -> tuple[Tensor, Step]:
-        """Error relative to the norm of the wish, on the wide image, and the step to report."""
-        traced = self._plan.trace(heights)
-        ledger = traced.ledger
-        flux = traced.flux[self._on_screen]
-        visible = flux.detach().sum(dtype=torch.float64).item()
-        beside = ledger.off_screen + ledger.on_screen - visible
-        ledger = replace(ledger, on_screen=visible, off_screen=beside)
-        loss = paper_loss(flux.detach(), self._wanted[self._on_screen])
-        check_finite(loss, ledger)
-        step = Step(loss.item(), heights.detach(), flux.detach(), ledger)
-        error = traced.flux / (ledger.on_screen + ledger.off_screen) - self._wanted
-        return error / self._scale, step
-
-    def waves(self, cut: float) -> "_Waves":
-        """The norm of a phase."""
-        return _Waves(self._wanted, cut)
+        for pixels, count, least in zip(
+            scene.screen.pixels, scene.lens.control_points, wanted, strict=True
+        )
+    ]
+    # An even number can be halved by symmetry.
+    m_x, m_y = (min(2 * math.ceil(count / 2), _MOST_RAYS) for count in per_axis)
+    reach = Plan(scene, samples=_FEW_RAYS).reach(heights)
+    filter = GaussianFilter(alpha=phase.alpha)
+    return WideImage(scene, target, filter, (m_x, m_y), mirrored, reach)
 
 
-def _margin(reach: float, pixels: int) -> int:
-    """Pixels beyond the screen that hold light up to ``reach`` screen half-widths from the axis."""
-    least, most = _MARGINS
-    return math.ceil(min(max((reach - 1) / 2, least), most) * pixels)
+def _samples(source: Source) -> tuple[int, int]:
+    """Rays along each axis that a source asks for."""
+    if isinstance(source, CollimatedSource):
+        return source.rays
+    count = source.rays * (math.prod(source.points) if isinstance(source, GridSource) else 1)
+    return math.isqrt(count), math.isqrt(count)
 
 
-class _Waves:
-    """Splits an image into cosine waves and weighs the long ones most: the H⁻¹ norm beyond a cut.
+def _mirrored(scene: Scene, target: Array, start: Array | None) -> tuple[bool, bool]:
+    """Whether target, source and first lens are their own mirror images in x, in y."""
+    source = scene.source
+    x, y = 0.0, 0.0
+    if isinstance(source, PointSource):
+        x, y, _ = source.position
+    elif isinstance(source, GridSource):
+        x, y, _ = source.center
+    return x == 0 and _even(target, 1) and (start is None or _even(start, 0)), (
+        y == 0 and _even(target, 0) and (start is None or _even(start, 1))
+    )
 
-    Cosines have no slope at the edge of the image: in this norm no light can improve matters by
-    leaving the image, as it could with waves that wrap around.
-    """
 
-    def __init__(self, like: Tensor, cut: float) -> None:
-        rows, columns = like.shape
-        self._down = torch.as_tensor(dct(np.eye(rows), axis=0, norm="ortho")).to(like)
-        self._across = torch.as_tensor(dct(np.eye(columns), axis=1, norm="ortho")).to(like)
-        periods_y, periods_x = torch.arange(rows) / 2, torch.arange(columns) / 2
-        periods2 = periods_y[:, None].square() + periods_x[None, :].square()
-        self._weight = (1 + periods2 / cut**2).rsqrt().to(like)
-
-    def weigh(self, image: Tensor) -> Tensor:
-        """Weighted amplitudes of the waves in an image, both of shape (rows, columns)."""
-        return self._weight * (self._down @ image @ self._across)
+def _even(values: Array, axis: int) -> bool:
+    size = np.abs(values).max()
+    return bool(np.abs(values - np.flip(values, axis)).max() <= 1e-9 * size)

@@ -28,7 +28,10 @@ _MAX_TRIALS = 12
 
 
 def minimise(
-    objective: Objective[Seen], x: Tensor, reach: float = math.inf
+    objective: Objective[Seen],
+    x: Tensor,
+    reach: float = math.inf,
+    length: Callable[[Tensor], float] = lambda step: step.abs().max().item(),
 ) -> Iterator[tuple[Tensor, Evaluation[Seen]]]:
     """Descend from ``x`` until no step along the search direction goes further down.
 
@@ -39,7 +42,9 @@ def minimise(
     x : Tensor, shape (n,)
         Where to begin.
     reach : float
-        The most that a step may change any coordinate.
+        The greatest length of a step.
+    length : callable
+        Length of a step; by default the most by which it changes any coordinate.
 
     Yields
     ------
@@ -60,7 +65,7 @@ def minimise(
         slope = torch.dot(here.gradient, direction).item()
         if not slope < 0:
             return
-        step = min(1.0, reach / direction.abs().max().item())
+        step = min(1.0, reach / length(direction))
         for _ in range(_MAX_TRIALS):
             there = objective(x + step * direction)
             if there.value <= here.value + _ARMIJO * step * slope:

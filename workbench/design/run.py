@@ -84,6 +84,7 @@ def run(scene: Scene, target: Array, start: Array | None = None) -> Iterator[Sna
                 best=best,
                 stage=stage,
                 stages=len(parts),
+                notes=step.notes,
             )
             iteration += 1
         if stage + 1 < len(parts):

@@ -36,6 +36,8 @@ class Snapshot:
         Number of the stage, an index of `Scene.parts`.
     stages : int
         How many stages the run has, the scene itself included.
+    notes : tuple of str
+        What was chosen for the trace of this lens, and what was left out.
     """
 
     iteration: int
@@ -48,6 +50,7 @@ class Snapshot:
     best: bool
     stage: int = 0
     stages: int = 1
+    notes: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -20,9 +20,12 @@ class Step(NamedTuple):
         Light in each pixel, no gradient.
     ledger : Ledger
         Where the light went.
+    notes : tuple of str
+        What was chosen for this lens's trace, and what was left out.
     """
 
     loss: float
     heights: Tensor
     flux: Tensor
     ledger: Ledger
+    notes: tuple[str, ...] = ()

@@ -1,5 +1,6 @@
 """The design methods that are compared: each yields (seconds, control points), ever better."""
 
+import time
 from collections.abc import Callable, Iterator
 from typing import Any
 
@@ -7,7 +8,11 @@ import numpy as np
 import numpy.typing as npt
 
 from workbench.analysis.benchmark.examples import Example
+from workbench.design.heights import HeightRange
 from workbench.design.run import run
+from workbench.design.transport import transport_start
+from workbench.errors import RunFailed
+from workbench.geometry.surface import ControlNet
 from workbench.scene import Scene
 
 Array = npt.NDArray[np.float64]
@@ -24,6 +29,17 @@ def _paper(example: Example, iterations: int | None) -> Iterator[tuple[float, Ar
     return _designed(example, {"method": "paper"}, iterations or _PAPER_ITERATIONS)
 
 
+def _transport(example: Example, iterations: int | None) -> Iterator[tuple[float, Array]]:
+    """The first lens of ``auto`` alone."""
+    begun = time.perf_counter()
+    first = transport_start(example.scene, example.target)
+    if first is None:
+        raise RunFailed("no light leaves the lens, so there is none to transport")
+    free = HeightRange.of(example.scene.lens, ControlNet.of(example.scene.lens))
+    lens = free.heights(free.parameters(first)).numpy()
+    yield time.perf_counter() - begun, lens
+
+
 def _designed(
     example: Example, settings: dict[str, Any], iterations: int
 ) -> Iterator[tuple[float, Array]]:
@@ -36,5 +52,5 @@ def _designed(
         yield snapshot.seconds, best
 
 
-METHODS: dict[str, Method] = {"paper": _paper, "auto": _auto}
+METHODS: dict[str, Method] = {"paper": _paper, "transport": _transport, "auto": _auto}
 """What is compared, by name. The first is the one that others are measured against."""

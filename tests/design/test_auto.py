@@ -1,0 +1,93 @@
+"""What the best method promises."""
+
+import numpy as np
+import pytest
+import torch
+
+from workbench.design import auto
+from workbench.design.loss import share
+from workbench.design.run import run
+from workbench.geometry.surface import ControlNet
+from workbench.optics.filtered import expected_image
+from workbench.optics.plan import Plan
+from workbench.scene import GaussianFilter
+
+
+def best(scene, target):
+    return [s for s in run(scene, target) if s.best][-1]
+
+
+@pytest.fixture
+def letter():
+    image = np.zeros((32, 32))
+    image[6:26, 8:12] = 1.0
+    image[22:26, 8:24] = 1.0
+    return image
+
+
+def test_its_first_own_lens_is_near_at_once(make_scene, letter):
+    first, second, *_ = run(make_scene({"lens.control_points": [24, 24]}), letter)
+    assert second.loss < 0.3 * first.loss
+
+
+@pytest.mark.parametrize("iterations", [1, 2, 5, 40])
+def test_it_takes_as_many_iterations_as_it_may(make_scene, letter, iterations):
+    snapshots = list(run(make_scene({"run.iterations": iterations}), letter))
+    assert [s.iteration for s in snapshots] == list(range(iterations + 1))
+
+
+def test_symmetric_tasks_have_symmetric_lenses(make_scene):
+    scene = make_scene({"run.iterations": 20})
+    across = np.linspace(-1, 1, 32)
+    disc = (np.hypot(*np.meshgrid(across, across)) < 0.6).astype(float)
+    heights = best(scene, disc).control_points
+    for axis in (0, 1):
+        assert heights == pytest.approx(np.flip(heights, axis), abs=1e-12)
+
+
+def test_tasks_with_a_point_aside_are_not_called_symmetric(make_scene):
+    point = {"kind": "point", "position": [0.2, 0.0, -5.0], "rays": 1000}
+    scene = make_scene({"source": point})
+    assert auto._mirrored(scene, np.ones((32, 32)), None) == (False, True)
+    lopsided = np.ones((12, 10))
+    lopsided[0, 0] = 2
+    assert auto._mirrored(make_scene({}), np.ones((32, 32)), lopsided) == (False, False)
+
+
+@pytest.mark.parametrize("kind", ["point", "grid"])
+def test_light_of_points_comes_to_the_screen(make_scene, letter, kind):
+    source = {"kind": "point", "position": [0.1, 0.0, -5.0], "rays": 4096}
+    if kind == "grid":
+        source = {
+            "kind": "grid",
+            "center": [0.1, 0.0, -5.0],
+            "half_width": [0.02, 0.02],
+            "points": [3, 3],
+            "rays": 500,
+        }
+    scene = make_scene({"source": source, "lens.control_points": [24, 24]})
+    found = best(scene, letter)
+    lost = found.ledger.off_screen + found.ledger.total_reflection
+    assert lost < 0.03 * found.ledger.on_screen
+
+
+def test_all_lenses_are_judged_by_the_sharpest_image(make_scene, letter):
+    # Other rays through the same filter agree, whatever the phase.
+    scene = make_scene({"lens.control_points": [24, 24], "run.iterations": 60})
+    sharp = GaussianFilter(alpha=auto.PHASES[-1].alpha)
+    wanted = expected_image(share(letter), sharp)
+    plan = Plan(scene, ControlNet.of(scene.lens), sharp, samples=(1001, 1001))
+    for snapshot in list(run(scene, letter))[::12]:
+        image = plan.trace(torch.as_tensor(snapshot.control_points.copy())).flux.numpy()
+        error = np.linalg.norm(image / image.sum() - wanted) / 32
+        assert snapshot.loss == pytest.approx(error, rel=0.1)
+
+
+def test_a_good_lens_is_not_taken_through_the_blunt_phases_again(make_scene, letter, monkeypatch):
+    scene = make_scene({"lens.control_points": [24, 24], "run.iterations": 60})
+    found = best(scene, letter)
+    seen = []
+    look = auto._image
+    monkeypatch.setattr(auto, "_image", lambda *given: seen.append(given[2].alpha) or look(*given))
+    next(run(scene, letter, found.control_points))
+    assert set(seen) == {auto.PHASES[-1].alpha}

@@ -1,0 +1,79 @@
+"""First lenses by transport."""
+
+import numpy as np
+import pytest
+
+from workbench.analysis.validation import validate
+from workbench.design.heights import HeightRange
+from workbench.design.transport import transport_start
+from workbench.geometry.surface import ControlNet
+
+SOURCES = {
+    "collimated": {"kind": "collimated", "rays": [64, 64]},
+    "point": {"kind": "point", "position": [0.0, 0.0, -5.0], "rays": 4096},
+    "aside": {"kind": "point", "position": [0.8, -0.3, -4.0], "rays": 4096},
+    "grid": {
+        "kind": "grid",
+        "center": [0.0, 0.0, -5.0],
+        "half_width": [0.02, 0.02],
+        "points": [3, 3],
+        "rays": 500,
+    },
+}
+
+
+@pytest.fixture
+def corner():
+    """An image without any symmetry: a bright corner, a dim bar."""
+    image = np.zeros((32, 32))
+    image[4:16, 5:13] = 1.0
+    image[20:26, 6:28] = 0.3
+    return image
+
+
+@pytest.mark.parametrize("source", SOURCES)
+@pytest.mark.parametrize(
+    "base",
+    [
+        {"shape": "flat", "height": 0.5},
+        {"shape": "sphere", "height": 0.5, "radius": 4.0, "form": "convex"},
+    ],
+    ids=["flat", "convex"],
+)
+def test_the_light_is_near_its_place_at_once(make_scene, corner, source, base):
+    scene = make_scene(
+        {"source": SOURCES[source], "lens.base": base, "lens.control_points": [40, 36]}
+    )
+    heights = transport_start(scene, corner)
+    free = HeightRange.of(scene.lens, ControlNet.of(scene.lens))
+    seen = validate(scene, corner, heights, 200_000)
+    before = validate(scene, corner, free.heights(free.rest).numpy(), 200_000)
+    assert seen.relative_l2 < 0.35 < before.relative_l2
+    assert seen.ledger.off_screen < 0.01 and seen.ledger.total_reflection < 0.001
+
+
+def test_a_lens_twice_as_large_is_the_same_lens(make_scene, corner):
+    small = make_scene({})
+    large = make_scene(
+        {
+            "lens.half_width": [2 * r for r in small.lens.half_width],
+            "lens.base.height": 2 * small.lens.base.height,
+            "lens.height_range": [2 * z for z in small.lens.height_range],
+            "lens.min_thickness": 2 * small.lens.min_thickness,
+            "screen.z": 2 * small.screen.z,
+            "screen.half_width": [2 * r for r in small.screen.half_width],
+        }
+    )
+    twice = transport_start(large, corner)
+    assert twice == pytest.approx(2 * transport_start(small, corner), abs=1e-9)
+
+
+def test_a_stretched_task_is_solved_as_well(make_scene, corner):
+    scene = make_scene(
+        {
+            "lens.half_width": [1.0, 0.4],
+            "screen.half_width": [0.5, 1.2],
+            "lens.control_points": [40, 30],
+        }
+    )
+    assert validate(scene, corner, transport_start(scene, corner), 200_000).relative_l2 < 0.35

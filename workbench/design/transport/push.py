@@ -1,0 +1,93 @@
+"""Carries mass along the map that a potential defines."""
+
+import math
+
+import numpy as np
+from numba import njit
+
+# Most parts along an axis into which a cell is cut where the map stretches it.
+_MOST_PARTS = 8
+
+
+@njit(cache=True, nogil=True)
+def mapped(potential, weight_0, weight_1):  # type: ignore[no-untyped-def]
+    """Where the map y = x − ∇φ(x) / w brings the places of a grid with spacing 1.
+
+    Parameters
+    ----------
+    potential : ndarray of float64, shape (m_0, m_1)
+        φ.
+    weight_0, weight_1 : float
+        Weights of the squared distances along the two axes.
+
+    Returns
+    -------
+    tuple of two ndarrays, shape (m_0, m_1)
+        Coordinates along the two axes, within the cells of the grid.
+    """
+    m_0, m_1 = potential.shape
+    to_0, to_1 = np.empty((m_0, m_1)), np.empty((m_0, m_1))
+    for a in range(m_0):
+        below, above = max(a - 1, 0), min(a + 1, m_0 - 1)
+        for b in range(m_1):
+            left, right = max(b - 1, 0), min(b + 1, m_1 - 1)
+            rise_0 = (potential[above, b] - potential[below, b]) / (above - below)
+            rise_1 = (potential[a, right] - potential[a, left]) / (right - left)
+            to_0[a, b] = min(max(a - rise_0 / weight_0, -0.5), m_0 - 0.5)
+            to_1[a, b] = min(max(b - rise_1 / weight_1, -0.5), m_1 - 0.5)
+    return to_0, to_1
+
+
+@njit(cache=True, nogil=True)
+def push(mass, to_0, to_1):  # type: ignore[no-untyped-def]
+    """Mass after each cell went where the map brings it.
+
+    A cell is cut where the map stretches it, so that it leaves no holes; each part is spread over
+    the four nearest places.
+
+    Parameters
+    ----------
+    mass : ndarray of float64, shape (m_0, m_1)
+        Mass of each cell.
+    to_0, to_1 : ndarray, shape (m_0, m_1)
+        Where the middles of the cells go; see `mapped`.
+
+    Returns
+    -------
+    ndarray, shape (m_0, m_1)
+    """
+    m_0, m_1 = mass.shape
+    pushed = np.zeros((m_0, m_1))
+    for a in range(m_0):
+        below, above = max(a - 1, 0), min(a + 1, m_0 - 1)
+        for b in range(m_1):
+            if mass[a, b] == 0.0:
+                continue
+            left, right = max(b - 1, 0), min(b + 1, m_1 - 1)
+            stretch_00 = (to_0[above, b] - to_0[below, b]) / (above - below)
+            stretch_10 = (to_1[above, b] - to_1[below, b]) / (above - below)
+            stretch_01 = (to_0[a, right] - to_0[a, left]) / (right - left)
+            stretch_11 = (to_1[a, right] - to_1[a, left]) / (right - left)
+            parts_0 = _parts(max(abs(stretch_00), abs(stretch_10)))
+            parts_1 = _parts(max(abs(stretch_01), abs(stretch_11)))
+            part = mass[a, b] / (parts_0 * parts_1)
+            for i in range(parts_0):
+                s = (i + 0.5) / parts_0 - 0.5
+                for j in range(parts_1):
+                    t = (j + 0.5) / parts_1 - 0.5
+                    place_0 = to_0[a, b] + stretch_00 * s + stretch_01 * t
+                    place_1 = to_1[a, b] + stretch_10 * s + stretch_11 * t
+                    place_0 = min(max(place_0, 0.0), m_0 - 1.0)
+                    place_1 = min(max(place_1, 0.0), m_1 - 1.0)
+                    near_0, near_1 = min(int(place_0), m_0 - 2), min(int(place_1), m_1 - 2)
+                    f, g = place_0 - near_0, place_1 - near_1
+                    pushed[near_0, near_1] += part * (1 - f) * (1 - g)
+                    pushed[near_0 + 1, near_1] += part * f * (1 - g)
+                    pushed[near_0, near_1 + 1] += part * (1 - f) * g
+                    pushed[near_0 + 1, near_1 + 1] += part * f * g
+    return pushed
+
+
+@njit(cache=True, nogil=True)
+def _parts(stretch):  # type: ignore[no-untyped-def]
+    return int(min(max(math.ceil(stretch), 1), _MOST_PARTS))

@@ -1,0 +1,159 @@
+"""A lens that sends the light roughly where it is wanted, within a second and without any search.
+
+1. Optimal transport between the light that leaves the exit face and the wish says which part of
+   the light should go where. The cost −x·y is the one for which a thin lens under small angles can
+   be exact (Glimm and Oliker 2003); the rest is left to the optimiser.
+2. Snell's law says which slopes the face needs for that.
+3. Least squares find the face of the B-spline space that comes closest to these slopes.
+
+The flux on the face and the heights in 2 depend on the face itself: all of it is done twice.
+"""
+
+import math
+
+import numpy as np
+import numpy.typing as npt
+import torch
+
+from workbench.design.heights import HeightRange
+from workbench.design.transport.back_and_forth import Transport
+from workbench.design.transport.face import SlopeFit
+from workbench.geometry.surface import ControlNet
+from workbench.optics.collimated import CollimatedRays
+from workbench.optics.face_samples import FaceSamples
+from workbench.optics.glass import Glass
+from workbench.scene import CollimatedSource, GridSource, PointSource, Scene
+
+Array = npt.NDArray[np.float64]
+
+# Cells along each axis, of lens and screen alike; finer nets get more places for their slopes.
+_CELLS = 256
+_FITS = 3
+# Where no face could bend the light as wanted, the normal is kept this much along the axis.
+_UPRIGHT = 0.05
+_SHIFTS = 65
+
+
+def transport_start(scene: Scene, target: Array) -> Array | None:
+    """Control heights of a first lens.
+
+    Parameters
+    ----------
+    scene : Scene
+        The design task; an extended source counts as a point at its centre.
+    target : ndarray, shape (n_y, n_x)
+        The wanted image in any scale, row 0 at +y.
+
+    Returns
+    -------
+    ndarray, shape (n_u, n_v), or None
+        Heights, scene units, beyond their range where that is too small for the task. None if no
+        light leaves the lens as it is before the design.
+    """
+    lens, screen, net = scene.lens, scene.screen, ControlNet.of(scene.lens)
+    cells = max(_CELLS, 2 * max(net.shape))
+    light = _Light(scene, net, cells)
+    middle = (np.arange(cells) + 0.5) / cells
+    fit = SlopeFit(net, middle, middle)
+    free = HeightRange.of(lens, net)
+    heights = free.heights(free.rest).numpy()
+    image = target / target.max()
+    wish = _resampled(image[::-1].T, cells)  # along x first and y upwards, as the lens is
+    wish /= wish.sum()
+    r = np.array(lens.half_width) * np.array(screen.half_width)
+    weights = r / math.sqrt(r.prod())
+
+    transport: Transport | None = None
+    for _ in range(2):
+        flux = light.flux(heights)
+        if not flux.sum() > 0:
+            return None
+        flux /= flux.sum()
+        if transport is None:
+            transport = Transport(flux, wish, (float(weights[0]), float(weights[1])))
+        else:
+            transport.improve(flux)
+        to_x, to_y = (
+            ((2 * to + 1) / cells - 1) * half_width
+            for to, half_width in zip(transport.map(), screen.half_width, strict=True)
+        )
+        for _ in range(_FITS):
+            z = fit.basis.evaluate(heights)[0]
+            d_x, d_y, d_z = light.direction(z)
+            out_x, out_y, out_z = to_x - light.x, to_y - light.y, screen.z - z
+            length = np.sqrt(out_x**2 + out_y**2 + out_z**2)
+            # Snell's law as vectors: the normal is along n d_in − d_out.
+            n = lens.index
+            normal_z = np.maximum(n * d_z - out_z / length, _UPRIGHT)
+            slope_x = -(n * d_x - out_x / length) / normal_z
+            slope_y = -(n * d_y - out_y / length) / normal_z
+            heights = _amid(fit.heights(slope_x, slope_y), free)
+    return heights
+
+
+class _Light:
+    """Light on the exit face: its flux in each cell, and its direction from inside."""
+
+    def __init__(self, scene: Scene, net: ControlNet, cells: int) -> None:
+        source = scene.source
+        r_x, r_y = scene.lens.half_width
+        middle = 2 * (np.arange(cells) + 0.5) / cells - 1
+        self.x, self.y = (middle * r_x)[:, None], (middle * r_y)[None, :]
+        self._entrance_z = scene.lens.entrance_z
+        self._glass: Glass | None = None
+        self._rays: CollimatedRays | FaceSamples
+        if isinstance(source, CollimatedSource):
+            source = source.model_copy(update={"rays": (cells, cells)})
+            scene = scene.model_copy(update={"source": source})
+            self._rays = CollimatedRays(scene, net, torch.float64)
+            return
+        if isinstance(source, GridSource):
+            source = PointSource(kind="point", position=source.center, emission=source.emission)
+            scene = scene.model_copy(update={"source": source})
+        x, y, z = source.position
+        self._away_x, self._away_y = self.x - x, self.y - y
+        self._glass = Glass(self._entrance_z - z, scene.lens.index, source.emission == "lambertian")
+        self._rays = FaceSamples(scene, net, (cells, cells), torch.float64)
+
+    def flux(self, heights: Array) -> Array:
+        """Flux that leaves the face, in each cell."""
+        with torch.no_grad():
+            weight = self._rays.trace(torch.as_tensor(heights)).weight
+        return np.asarray(weight.numpy(), dtype=np.float64)
+
+    def direction(self, z: Array) -> tuple[Array, Array, Array]:
+        """Unit vectors at places of the face with heights z."""
+        if self._glass is None:
+            return np.zeros_like(z), np.zeros_like(z), np.ones_like(z)
+        depth = torch.as_tensor((z - self._entrance_z).clip(0))
+        light = self._glass.light(torch.as_tensor(self._away_x**2 + self._away_y**2), depth)
+        slope = (light.part * light.steepness).numpy()
+        slope_x, slope_y = self._away_x * slope, self._away_y * slope
+        along = 1 / np.sqrt(1 + slope_x**2 + slope_y**2)
+        return slope_x * along, slope_y * along, along
+
+
+def _amid(heights: Array, free: HeightRange) -> Array:
+    """Heights shifted to the middle of the room that their range leaves them.
+
+    Where there is too little of it, as few of them as possible are beyond the range.
+    """
+    lower, upper = free.lower.numpy(), free.upper.numpy()
+    least, most = (lower - heights).max(), (upper - heights).min()
+    if least <= most:
+        return np.asarray(heights + (least + most) / 2)
+    shifts = np.linspace(most, least, _SHIFTS)
+    beyond = [((heights + c < lower) | (heights + c > upper)).sum() for c in shifts]
+    return np.asarray(heights + shifts[np.argmin(beyond)])
+
+
+def _resampled(image: Array, cells: int) -> Array:
+    """The light of an image in the cells of another grid over the same area."""
+    into_0, into_1 = (_overlaps(count, cells) for count in image.shape)
+    return np.asarray(into_0 @ image @ into_1.T)
+
+
+def _overlaps(pixels: int, cells: int) -> Array:
+    """Which part of each pixel lies in each cell of the same line, shape (cells, pixels)."""
+    below = (np.linspace(0, pixels, cells + 1)[:, None] - np.arange(pixels)).clip(0, 1)
+    return np.diff(below, axis=0)

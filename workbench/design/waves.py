@@ -1,0 +1,40 @@
+"""Changes of a control net as cosine waves, scaled so that a descent finds the long ones easy.
+
+Irradiance answers to the second derivatives of the face. Short waves of the same height change it
+far more than long ones, and a descent that treats all heights alike spends its steps on them.
+"""
+
+import numpy as np
+import torch
+from scipy.fft import dct
+from torch import Tensor
+
+
+class Waves:
+    """Cosine waves over a control net.
+
+    Parameters
+    ----------
+    like : Tensor, shape (n_u, n_v)
+        Gives size, float type and device.
+    cut : float
+        Waves with more periods per lens than this are made small in proportion.
+    mirrored : tuple[bool, bool]
+        Whether to leave out all waves that are not mirror images of themselves in u, in v.
+    """
+
+    def __init__(self, like: Tensor, cut: float, mirrored: tuple[bool, bool]) -> None:
+        self._waves, periods = [], []
+        for count, even in zip(like.shape, mirrored, strict=True):
+            numbers = np.arange(0, count, 2 if even else 1)
+            waves = dct(np.eye(count), axis=0, norm="ortho")[numbers]
+            self._waves.append(torch.as_tensor(waves).to(like))
+            periods.append(torch.as_tensor(numbers / 2).to(like))
+        periods2 = periods[0][:, None].square() + periods[1][None, :].square()
+        self._size = (1 + periods2 / cut**2).rsqrt()
+        self.nothing = torch.zeros_like(self._size).flatten()
+
+    def change(self, amplitudes: Tensor) -> Tensor:
+        """Change of the net, shape (n_u, n_v), of amplitudes of shape (waves,)."""
+        along_u, along_v = self._waves
+        return along_u.T @ (self._size * amplitudes.view_as(self._size)) @ along_v

@@ -1,0 +1,89 @@
+"""The image of a lens on the screen and some way beyond, against the wish."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import numpy.typing as npt
+import torch
+from torch import Tensor
+
+from workbench.design.loss import check_finite, paper_loss, share
+from workbench.design.step import Step
+from workbench.geometry.surface import ControlNet
+from workbench.optics.filtered import expected_image
+from workbench.optics.plan import Plan, device_of
+from workbench.scene import GaussianFilter, Scene, Screen
+
+Array = npt.NDArray[np.float64]
+
+# Parts of the screen's width that the image reaches beyond it on each side: as far as the light of
+# the first lens falls, within these.
+_MARGINS = 0.05, 1.0
+
+
+class WideImage:
+    """Compares lenses with the wish, light beside the screen included.
+
+    The target goes through the expected reconstruction filter, else the optimum is a lens that is
+    too sharp, to undo a blur that only the simulation has.
+
+    Parameters
+    ----------
+    scene : Scene
+        The design task.
+    target : ndarray, shape (n_y, n_x)
+        The wanted image in any scale, row 0 at +y.
+    filter : GaussianFilter
+        Reconstruction filter.
+    samples : tuple[int, int]
+        Rays, or samples of the exit face, along x and y.
+    mirrored : tuple[bool, bool]
+        Whether the whole task is its own mirror image in x, in y.
+    reach : tuple[float, float]
+        How far from the axis light falls.
+    """
+
+    def __init__(
+        self,
+        scene: Scene,
+        target: Array,
+        filter: GaussianFilter,
+        samples: tuple[int, int],
+        mirrored: tuple[bool, bool],
+        reach: tuple[float, float],
+    ) -> None:
+        (n_x, n_y), (r_x, r_y) = scene.screen.pixels, scene.screen.half_width
+        m_x, m_y = _margin(reach[0] / r_x, n_x), _margin(reach[1] / r_y, n_y)
+        wide = Screen(
+            z=scene.screen.z,
+            half_width=(r_x * (1 + 2 * m_x / n_x), r_y * (1 + 2 * m_y / n_y)),
+            pixels=(n_x + 2 * m_x, n_y + 2 * m_y),
+        )
+        net = ControlNet.of(scene.lens)
+        plan = Plan(scene, net, filter, samples=samples, mirrored=mirrored)
+        self._plan = plan.on(wide)
+        self._on_screen = (slice(m_y, m_y + n_y), slice(m_x, m_x + n_x))
+        wanted = expected_image(np.pad(share(target), ((m_y, m_y), (m_x, m_x))), filter)
+        self._wanted = torch.as_tensor(wanted, dtype=torch.float32, device=device_of(scene))
+        self._scale = self._wanted.norm().item()
+
+    def compare(self, heights: Tensor) -> tuple[Tensor, Step]:
+        """Error relative to the norm of the wish, on the wide image, and the step to report."""
+        traced = self._plan.trace(heights)
+        ledger = traced.ledger
+        flux = traced.flux.detach()[self._on_screen]
+        visible = flux.sum(dtype=torch.float64).item()
+        beside = ledger.off_screen + ledger.on_screen - visible
+        ledger = replace(ledger, on_screen=visible, off_screen=beside)
+        loss = paper_loss(flux, self._wanted[self._on_screen])
+        check_finite(loss, ledger)
+        step = Step(loss.item(), heights.detach(), flux, ledger, notes=self._plan.notes)
+        error = traced.flux / (ledger.on_screen + ledger.off_screen) - self._wanted
+        return error / self._scale, step
+
+
+def _margin(reach: float, pixels: int) -> int:
+    """Pixels beyond the screen that hold light up to ``reach`` screen half-widths from the axis."""
+    least, most = _MARGINS
+    return math.ceil(min(max((reach - 1) / 2, least), most) * pixels)
