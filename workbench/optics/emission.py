@@ -102,6 +102,8 @@ def emit(source: PointSource | GridSource, lens: Lens, seed: int, draw: int = 0)
         )
     rays = direction.reshape(-1, 3)
     flux = rays[:, 2].clip(0) if source.emission == "lambertian" else np.ones(len(rays))
+    if not flux.any():  # a few rays may all go backwards: they miss the lens
+        flux[:] = 1
     return Rays(np.repeat(points, count, axis=0), rays, flux / flux.sum())
 
 

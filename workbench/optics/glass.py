@@ -74,7 +74,7 @@ class Glass:
         part = part - self._excess(part, radius2, depth)[0] / spread
 
         steepness = self._steepness(part, radius2)
-        cos = self._distance * (self._distance**2 + part.square() * radius2).rsqrt()
+        cos = (1 + part.square() * (radius2 / self._distance**2)).rsqrt()
         behind = cos * cos.square() * schlick_transmittance(cos, self._index)
         if self._lambertian:
             behind = behind * cos
@@ -113,8 +113,9 @@ class Glass:
         return self._index * self._distance
 
     def _steepness(self, part: Tensor, radius2: Tensor) -> Tensor:
-        widening = (self._index**2 - 1) * radius2
-        return (self._apparent**2 + part.square() * widening).rsqrt()
+        # In units of the distance: of a near point the squares of lengths leave float32's range.
+        widening = (self._index**2 - 1) * (radius2 / self._apparent**2)
+        return (1 + part.square() * widening).rsqrt() / self._apparent
 
     def _start(self, radius2: Tensor, depth: Tensor) -> Tensor:
         """Two lower bounds of r: g is largest on the axis, and no slope exceeds (n² − 1)^(−½)."""
