@@ -1,0 +1,173 @@
+"""What has to hold for every trace, however extreme its scene."""
+
+from collections.abc import Callable
+from itertools import product
+from typing import Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+import pytest
+import torch
+
+from tests.stress.scenes import Case
+from workbench.geometry.surface import ControlNet
+from workbench.optics.collimated import CollimatedRays
+from workbench.optics.face_samples import FaceSamples
+from workbench.optics.kernels.collimated import FusedCollimatedRays
+from workbench.optics.kernels.face import FusedFaceSamples
+from workbench.optics.kernels.point import FusedPointRays
+from workbench.optics.light import Tracer
+from workbench.optics.point import PointRays
+from workbench.optics.reference import Reference
+from workbench.scene import CollimatedSource, ExactMethod, Scene, Screen
+
+Array = npt.NDArray[np.float64]
+Make = Callable[[Scene], Tracer]
+
+LEDGER = {torch.float64: 1e-9, torch.float32: 1e-5}
+# Image (L1), lost light, gradient (relative).
+CLOSE = {
+    torch.float64: np.array([1e-11, 1e-11, 1e-9]),
+    torch.float32: np.array([1e-5, 1e-5, 1e-3]),
+}
+
+
+class Seen(NamedTuple):
+    """What a tracer makes of a case, in float64."""
+
+    flux: Array
+    gradient: Array
+    lost: Array
+    sum: float
+
+
+def ways(case: Case, dtype: torch.dtype) -> dict[str, list[Make]]:
+    """Ways to trace a case, the reference first and then, where there is one, its fused twin."""
+    scene = case.scene
+    net, source = ControlNet.of(scene.lens), scene.source
+    if isinstance(source, CollimatedSource):
+        return {
+            "collimated": [
+                lambda scene: Reference(CollimatedRays(scene, net, dtype)),
+                lambda scene: FusedCollimatedRays(scene, net, source.rays, dtype=dtype),
+            ]
+        }
+    search: list[Make] = [lambda scene: Reference(PointRays(scene, net, dtype=dtype))]
+    if isinstance(source.intersection, ExactMethod):
+        search.append(
+            lambda scene: FusedPointRays(PointRays(scene, net, dtype=dtype), scene, net, dtype)
+        )
+    samples: list[Make] = [
+        lambda scene: Reference(FaceSamples(scene, net, case.samples, dtype)),
+        lambda scene: FusedFaceSamples(scene, net, case.samples, dtype=dtype),
+    ]
+    return {source.intersection.method: search, "samples": samples}
+
+
+def see(tracer: Tracer, scene: Scene, heights: torch.Tensor, cotangent: torch.Tensor) -> Seen:
+    """Trace a lens, and its gradient for a cotangent of the image."""
+    leaf = heights.clone().requires_grad_()
+    light = tracer.image(leaf, scene.screen, scene.filter)
+    weighed = (light.flux * cotangent.to(light.flux.dtype)).sum()
+    gradient = torch.zeros_like(heights)
+    if weighed.requires_grad:
+        (found,) = torch.autograd.grad(weighed, leaf, allow_unused=True)
+        gradient = gradient if found is None else found
+    flux = light.flux.detach().double().numpy()
+    before = tracer.missed_lens + tracer.fresnel_entrance
+    total = float(flux.sum()) + sum(light[1:]) + before
+    return Seen(flux, gradient.numpy(), np.array(light[1:]), total)
+
+
+def sane(seen: Seen, dtype: torch.dtype) -> None:
+    """Finite, not negative, and no light gained or lost."""
+    assert np.isfinite(seen.flux).all()
+    assert seen.flux.min() >= 0
+    assert np.isfinite(seen.gradient).all()
+    assert np.isfinite(seen.lost).all()
+    # Few samples close to a point make far too much light, and the side takes it back.
+    largest = max(1, np.abs(seen.lost).max())
+    assert seen.sum == pytest.approx(1, abs=LEDGER[dtype] * largest)
+
+
+def as_near_as_rounding(case: Case, make: Make, one: Seen, other: Seen, dtype: torch.dtype) -> None:
+    """Two traces agree within rounding, or as well as scenes do that differ by rounding.
+
+    Rays on the edge of a pixel, or at the critical angle, make up the second case.
+    """
+    rounding = noise(case, dtype)
+    apart = _distances(one, other, rounding)
+    if (apart <= CLOSE[dtype]).all():
+        return
+    near = [_distances(one, seen, rounding) for seen in _neighbours(case, make, dtype)]
+    allowed = CLOSE[dtype] + 8 * np.max(near, axis=0)
+    assert (apart <= allowed).all(), f"apart by {apart}, rounding does {allowed}"
+
+
+def noise(case: Case, dtype: torch.dtype) -> float:
+    """Gradients below this are made of rounding: of great numbers that cancel.
+
+    A height moves hits by the distance of the screen over that of control points.
+    """
+    lens, screen, info = case.scene.lens, case.scene.screen, torch.finfo(dtype)
+    steepest = max(n / r for n, r in zip(lens.control_points, lens.half_width, strict=True))
+    pixels = max(n / r for n, r in zip(screen.pixels, screen.half_width, strict=True))
+    lever = (1 + (screen.z - lens.entrance_z) * steepest) * pixels
+    largest = float(case.cotangent().abs().max())
+    return lever * (100 * info.eps * largest + info.smallest_normal)
+
+
+def _distances(one: Seen, other: Seen, noise: float) -> Array:
+    """L1 of the images, the most of the lost light, and the relative L2 of the gradients."""
+    size = max(np.linalg.norm(one.gradient), np.linalg.norm(other.gradient), 1e-300)
+    return np.array(
+        [
+            np.abs(one.flux - other.flux).sum(),
+            np.abs(one.lost - other.lost).max(),
+            max(np.linalg.norm(one.gradient - other.gradient) - noise, 0) / size,
+        ]
+    )
+
+
+class _Nudged(Screen):
+    """A screen whose pixels are moved a little."""
+
+    nudge: tuple[float, float]
+
+    def to_pixels(self, x: Any, y: Any) -> tuple[Any, Any]:
+        column, row = super().to_pixels(x, y)
+        return column + self.nudge[0], row + self.nudge[1]
+
+
+def _neighbours(case: Case, make: Make, dtype: torch.dtype) -> list[Seen]:
+    """The same lens in scenes that differ from its own by some rounding."""
+    scene, heights = case.scene, case.heights()
+    rng = np.random.default_rng(case.seed)
+    hair = 32 * torch.finfo(dtype).eps
+    level = scene.lens.base.height
+    size = hair * ((heights - level).abs().max().item() + (level - scene.lens.entrance_z))
+    size += 4 * torch.finfo(torch.float64).eps * abs(level)  # of the heights themselves
+    found = []
+    for signs in product((-1, 1), repeat=2):
+        nudge = tuple(hair * m * sign for m, sign in zip(scene.screen.pixels, signs, strict=True))
+        index = scene.lens.index * (1 + hair * rng.uniform(0, 1))
+        other = scene.model_copy(
+            update={
+                "screen": _Nudged(**scene.screen.model_dump(), nudge=nudge),
+                "lens": scene.lens.model_copy(update={"refractive_index": index}),
+            }
+        )
+        moved = heights + size * torch.as_tensor(rng.uniform(-1, 1, heights.shape))
+        found.append(see(make(other), other, moved, case.cotangent()))
+    return found
+
+
+def check_traces(case: Case, dtype: torch.dtype) -> None:
+    """Every way to trace a case is sane, and kernels agree with their reference."""
+    scene = case.scene
+    for makes in ways(case, dtype).values():
+        seen = [see(make(scene), scene, case.heights(), case.cotangent()) for make in makes]
+        for one in seen:
+            sane(one, dtype)
+        for other in seen[1:]:
+            as_near_as_rounding(case, makes[0], seen[0], other, dtype)

@@ -1,0 +1,77 @@
+"""What has to hold for every run of the best method, however extreme its task."""
+
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+import pytest
+
+from tests.stress.scenes import Case
+from workbench.design import auto
+from workbench.design.heights import HeightRange
+from workbench.design.run import run
+from workbench.errors import Refused, RunFailed
+from workbench.geometry.surface import ControlNet
+from workbench.scene import Scene
+
+TARGETS = ("tophat", "one pixel", "line", "checkerboard", "noise", "denormal", "huge")
+
+
+def target(kind: str, scene: Scene) -> npt.NDArray[np.float64]:
+    """A wish that is hard to fulfil."""
+    n_x, n_y = scene.screen.pixels
+    rng = np.random.default_rng(1)
+    image = np.zeros((n_y, n_x))
+    if kind == "tophat":
+        image[n_y // 4 : n_y - n_y // 4, n_x // 4 : n_x - n_x // 4] = 1
+    elif kind == "one pixel":
+        image[rng.integers(n_y), rng.integers(n_x)] = 1
+    elif kind == "line":
+        image[:, rng.integers(n_x)] = 1
+    elif kind == "checkerboard":
+        image[np.add.outer(np.arange(n_y), np.arange(n_x)) % 2 == 0] = 1
+    else:
+        image = rng.random((n_y, n_x)) * {"noise": 1, "denormal": 1e-310, "huge": 1e300}[kind]
+    return image
+
+
+def check_run(case: Case, wish: str, monkeypatch: pytest.MonkeyPatch) -> str:
+    """Run a few iterations; returns the sentence with which the run refused or failed, or none."""
+    phases: list[list[float]] = []
+    minimise = auto.minimise
+
+    def watched(*args: Any) -> Any:
+        phases.append([])
+        for x, found in minimise(*args):
+            phases[-1].append(found.value)
+            yield x, found
+
+    monkeypatch.setattr(auto, "minimise", watched)
+    scene = case.scene
+    settings = scene.run.model_copy(update={"iterations": 6})
+    scene = scene.model_copy(update={"run": settings})
+    free = HeightRange.of(scene.lens, ControlNet.of(scene.lens))
+    room = 1e-12 * (free.upper - free.lower).max().item() + 1e-15 * free.upper.abs().max().item()
+    lower, upper = free.lower.numpy() - room, free.upper.numpy() + room
+    said = ""
+    best: list[float] = []
+    try:
+        for snapshot in run(scene, target(wish, scene)):
+            assert np.isfinite(snapshot.loss)
+            assert np.isfinite(snapshot.irradiance).all()
+            assert (snapshot.control_points >= lower).all()
+            assert (snapshot.control_points <= upper).all()
+            light = snapshot.ledger.to_data()
+            emitted = light.pop("emitted")
+            largest = max(1, *map(abs, light.values()))
+            assert sum(light.values()) == pytest.approx(emitted, abs=1e-5 * largest)
+            if snapshot.best:
+                best.append(snapshot.loss)
+    except (Refused, RunFailed) as error:
+        said = str(error)
+        assert said.strip()
+        assert "\n" not in said
+    assert (np.diff(best) < 0).all()
+    for values in phases:
+        assert (np.diff(values) <= 0).all()
+    return said

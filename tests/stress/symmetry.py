@@ -1,0 +1,91 @@
+"""What mirrors and units must not change."""
+
+import numpy as np
+import torch
+
+from tests.stress.checks import Make, Seen, as_near_as_rounding, see, ways
+from tests.stress.scenes import Case
+from workbench.geometry.surface import ControlNet
+from workbench.optics.emission import emit, enter
+from workbench.optics.point import PointRays
+from workbench.optics.reference import Reference
+from workbench.scene import CollimatedSource, ExactMethod, Scene
+
+
+def check_mirrored(case: Case, dtype: torch.dtype) -> None:
+    """The mirror image of a scene has the mirror image of its light and of its gradient."""
+    scene = case.scene
+    for axis in (0, 1):
+        image = _mirrored(scene, axis)
+        pairs = [
+            (make, make)
+            for way, makes in ways(case, dtype).items()
+            if way not in ("exact", "mesh")  # rays drawn by chance; diagonals of triangles
+            and not _on_creases(case)
+            for make in makes
+        ]
+        if not isinstance(scene.source, CollimatedSource):
+            pairs.append(tuple(_searching(scene, dtype, of) for of in (None, axis)))
+        for make, make_image in pairs:
+            one = see(make(scene), scene, case.heights(), case.cotangent())
+            heights, cotangent = case.heights().flip(axis), case.cotangent().flip(1 - axis)
+            other = see(make_image(image), image, heights, cotangent)
+            back = Seen(
+                np.flip(other.flux, 1 - axis), np.flip(other.gradient, axis), other.lost, other.sum
+            )
+            as_near_as_rounding(case, make, one, back, dtype)
+
+
+def _on_creases(case: Case) -> bool:
+    """Whether rays meet a face of degree 1 where its slope jumps: they take that of one side."""
+    lens, source = case.scene.lens, case.scene.source
+    counts = source.rays if isinstance(source, CollimatedSource) else case.samples
+    places = [
+        (np.arange(count) + 0.5) / count * (points - 1)
+        for count, points, degree in zip(counts, lens.control_points, lens.degree, strict=True)
+        if degree == 1
+    ]
+    return any(np.isclose(place, place.round(), rtol=0, atol=1e-6).any() for place in places)
+
+
+def _mirrored(scene: Scene, axis: int) -> Scene:
+    """The scene with its source on the other side."""
+    source = scene.source
+    if isinstance(source, CollimatedSource):
+        return scene
+    field = "position" if source.kind == "point" else "center"
+    place = list(getattr(source, field))
+    place[axis] = -place[axis]
+    source = source.model_copy(update={field: tuple(place)})
+    return scene.model_copy(update={"source": source})
+
+
+def _searching(scene: Scene, dtype: torch.dtype, axis: int | None) -> Make:
+    """Rays as drawn for a scene, or their mirror images."""
+    assert not isinstance(scene.source, CollimatedSource)
+    source = scene.source.model_copy(update={"intersection": ExactMethod()})
+
+    def make(there: Scene) -> Reference:
+        rays = enter(emit(source, there.lens, there.run.seed), there.lens)
+        if axis == 0:
+            rays = rays._replace(x=-rays.x, slope_x=-rays.slope_x)
+        elif axis == 1:
+            rays = rays._replace(y=-rays.y, slope_y=-rays.slope_y)
+        there = there.model_copy(update={"source": source})
+        return Reference(PointRays(there, ControlNet.of(there.lens), rays, dtype))
+
+    return make
+
+
+def check_units(case: Case, dtype: torch.dtype) -> None:
+    """Lengths in other units, a power of two apart, change the gradient's unit and no more."""
+    for power in (-case.unit,) if case.unit else (-20, 20):
+        other = case._replace(unit=case.unit + power)
+        there = ways(other, dtype)
+        for way, makes in ways(case, dtype).items():
+            for make, make_other in zip(makes, there[way], strict=True):
+                heights, cotangent = case.heights(), case.cotangent()
+                one = see(make(case.scene), case.scene, heights, cotangent)
+                same = see(make_other(other.scene), other.scene, heights * 2.0**power, cotangent)
+                same = same._replace(gradient=same.gradient * 2.0**power)
+                as_near_as_rounding(case, make, one, same, dtype)
