@@ -102,7 +102,7 @@ def sizes(least: float, most: float) -> st.SearchStrategy[float]:
 
 
 @st.composite
-def lenses(draw: st.DrawFn) -> dict[str, Any]:
+def lenses(draw: st.DrawFn, most_points: int) -> dict[str, Any]:
     degree = draw(st.tuples(st.integers(1, 7), st.integers(1, 7)))
     more = st.one_of(st.integers(0, 8), st.sampled_from([0, 30, 248]))
     half_width = draw(st.sampled_from([1.0, 1.0, 0.3, 0.01])), 1.0
@@ -124,7 +124,7 @@ def lenses(draw: st.DrawFn) -> dict[str, Any]:
         "entrance_z": entrance,
         "refractive_index": draw(st.sampled_from([1.0003, 1.1, 1.5, 2.0, 4.0])),
         "degree": list(degree),
-        "control_points": [p + 1 + draw(more) for p in degree],
+        "control_points": [min(p + 1 + draw(more), most_points) for p in degree],
         "base": base,
         "height_range": [-room, room],
         "min_thickness": draw(st.sampled_from([0.0, 0.05])) * thickness,
@@ -156,8 +156,8 @@ def sources(draw: st.DrawFn, entrance: float) -> dict[str, Any]:
 
 
 @st.composite
-def cases(draw: st.DrawFn) -> Case:
-    lens = draw(lenses())
+def cases(draw: st.DrawFn, most_points: int = 256) -> Case:
+    lens = draw(lenses(most_points))
     base = lens["base"]
     sag = 0.0
     if base["shape"] == "sphere" and base["form"] == "concave":

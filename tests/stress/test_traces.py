@@ -7,6 +7,7 @@ from hypothesis import HealthCheck, given, settings
 from tests.stress.checks import check_traces
 from tests.stress.scenes import Case, cases, plain
 from tests.stress.symmetry import check_mirrored, check_units
+from workbench.optics.plan import Plan
 
 DTYPES = [torch.float64, torch.float32]
 FEW = settings(max_examples=40, suppress_health_check=list(HealthCheck))
@@ -116,3 +117,11 @@ def test_many_mirrors(case: Case):
 def test_many_units(case: Case):
     for dtype in DTYPES:
         check_units(case, dtype)
+
+
+def test_every_one_of_many_rays_in_one_pixel_counts():
+    """Sums of float32 would lose light: each ray adds less than they can tell."""
+    one_pixel = {"screen.pixels": [1, 1], "filter": {"kind": "box"}}
+    scene = plain({"source.rays": [1500, 1500]} | one_pixel).scene
+    traced = Plan(scene).trace(torch.full((12, 10), 0.5, dtype=torch.float64))
+    assert traced.ledger.efficiency == pytest.approx(0.96**2, abs=2e-7)

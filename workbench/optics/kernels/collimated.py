@@ -145,7 +145,9 @@ def compile_for(dtype: torch.dtype) -> None:
     canvas = make_canvases(spread, 1)[0]
     heights, gradient = np.zeros(net.shape, kind), np.zeros(net.shape)
     trace_rows(heights, across, up, numbers, spread, 0, 2, canvas, np.zeros(3))
-    trace_rows_back(heights, across, up, numbers, spread, 0, 2, canvas, gradient)
+    trace_rows_back(
+        heights, across, up, numbers, spread, 0, 2, pad(spread, np.zeros((2, 2), kind)), gradient
+    )
 
 
 class _Passes:

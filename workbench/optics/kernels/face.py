@@ -136,9 +136,9 @@ def compile_for(dtype: torch.dtype) -> None:
     spread = make_spread(screen, GaussianFilter(), kind)
     canvas = make_canvases(spread, 1)[0]
     heights, gradient = np.zeros(net.shape, kind), np.zeros(net.shape)
-    given = heights, bases, across, up, optics, 1, spread, 0, 2, canvas
-    trace_rows(*given, np.zeros(4))
-    trace_rows_back(*given, gradient)
+    given = heights, bases, across, up, optics, 1, spread, 0, 2
+    trace_rows(*given, canvas, np.zeros(4))
+    trace_rows_back(*given, pad(spread, np.zeros((2, 2), kind)), gradient)
 
 
 class _Passes:

@@ -162,5 +162,7 @@ def compile_for(dtype: torch.dtype) -> None:
     canvas, d_table = make_canvases(spread, 1)[0], np.zeros(table.shape)
     rays = known.bundle, known.depths
     trace_rays(face.net, bounds, table, glass, spread, *rays, 0, 1, known.depths, canvas)
-    adjoint(face.net, table, glass, spread, *rays, 0, 1, canvas, d_table)
+    adjoint(
+        face.net, table, glass, spread, *rays, 0, 1, pad(spread, np.zeros((2, 2), kind)), d_table
+    )
     heights_cotangent(d_table[None], heights.shape, face.powers)

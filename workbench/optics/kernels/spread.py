@@ -87,25 +87,28 @@ def make_spread(screen: Screen, filter: Filter, kind: type[np.floating[Any]]) ->
     )
 
 
-def make_canvases(spread: Spread, count: int) -> AnyArray:
-    """Dark canvases, one for each part of the rays, shape (count, rows, columns)."""
+def make_canvases(spread: Spread, count: int) -> npt.NDArray[np.float64]:
+    """Dark canvases, one for each part of the rays, shape (count, rows, columns).
+
+    In float64 whatever the trace: many rays in one pixel add less each than float32 can tell.
+    """
     (n_x, n_y), (m_x, m_y) = spread.pixels, _margins(spread)
-    return np.zeros((count, n_y + 2 * m_y, n_x + 2 * m_x), spread.per_x.dtype)
+    return np.zeros((count, n_y + 2 * m_y, n_x + 2 * m_x))
 
 
-def add_up(spread: Spread, canvases: AnyArray) -> tuple[AnyArray, float]:
+def add_up(spread: Spread, canvases: npt.NDArray[np.float64]) -> tuple[AnyArray, float]:
     """The image (n_y, n_x) of all canvases, and the flux that fell on the pixels around it."""
     (n_x, n_y), (m_x, m_y) = spread.pixels, _margins(spread)
     canvas = canvases[0] if len(canvases) == 1 else canvases.sum(axis=0)
     image = np.ascontiguousarray(canvas[m_y : m_y + n_y, m_x : m_x + n_x])
-    around = canvas.sum(dtype=np.float64) - image.sum(dtype=np.float64)
-    return image, float(around) if m_x or m_y else 0.0
+    around = float(canvas.sum() - image.sum()) if m_x or m_y else 0.0
+    return image.astype(spread.per_x.dtype), around
 
 
 def pad(spread: Spread, cotangent: AnyArray) -> AnyArray:
     """A cotangent of the image (n_y, n_x) as a canvas for `gather`."""
     (n_x, n_y), (m_x, m_y) = spread.pixels, _margins(spread)
-    canvas: AnyArray = make_canvases(spread, 1)[0]
+    canvas = np.zeros((n_y + 2 * m_y, n_x + 2 * m_x), spread.per_x.dtype)
     canvas[m_y : m_y + n_y, m_x : m_x + n_x] = cotangent
     return canvas
 
