@@ -72,7 +72,7 @@ def example(name: str) -> Scene:
     """Build the example scene of a name in `resources.EXAMPLES`."""
     shape, _, variant = name.partition("-")
     if variant in ("", "512"):
-        return Scene.from_data(_first(shape, fineness=2 if variant else 1))
+        return Scene.from_data(_fine(shape, fineness=2 if variant else 1))
     if shape == "derivative":
         degree, size = (int(re.sub(r"\D", "", part)) for part in variant.split("-"))
         return Scene.from_data(_influence(degree, size))
@@ -83,6 +83,13 @@ def example(name: str) -> Scene:
     if variant == "stages":
         return Scene.from_data(_first_from_a_point())
     return Scene.from_data(_lit_from(_SOURCES[variant]))
+
+
+def _fine(shape: str, fineness: int) -> dict[str, Any]:
+    """A net fine enough for all that the target shows."""
+    data = _first(shape, fineness)
+    data["lens"]["control_points"] = [192, 192]
+    return data
 
 
 def _first(shape: str, fineness: int = 1) -> dict[str, Any]:
@@ -137,7 +144,11 @@ def _magnified(shape: str, magnification: int) -> dict[str, Any]:
 
 
 def _lit_from(source: dict[str, Any]) -> dict[str, Any]:
+    """The lens has to collect the light first: it needs more room for its heights."""
     data = _first("flame")
+    data["lens"] |= {"base": {"shape": "flat", "height": 0.6}, "height_range": [-0.4, 0.4]}
+    if source["kind"] == "point":
+        data["lens"]["control_points"] = [192, 192]
     data["source"] = source
     return data
 

@@ -36,6 +36,6 @@ class WarmUp(QObject):
         finally:
             self.done.emit()  # queued: the receiver lives in the window's thread
         # From disk in a moment, or anew in seconds; runs that begin before do without.
-        from workbench.optics.kernels.ready import compile_all
+        from workbench.design.kernels import compile_all
 
         compile_all(lambda: not self._ending.is_set())

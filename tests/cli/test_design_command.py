@@ -37,6 +37,9 @@ class TestDone:
         assert figures["ledger"] == result.ledger.to_data()
         assert result.loss < result.losses[0]
         assert progress.splitlines()[0].startswith("0/10  loss ")
+        assert (
+            progress.count("collimated light: entrance refraction and intersection left out") == 1
+        )
         assert progress.splitlines()[-1].startswith("10/10  loss ")
 
     def test_without_json_a_line_for_people(self, freeform, scene_file, out):

@@ -24,15 +24,19 @@ class Progress:
         self._limit = limit
         self._bar: tqdm | None = None
         self._line: Snapshot | None = None  # the last one that got a line
+        self._notes: tuple[str, ...] = ()
 
     def show(self, snapshot: Snapshot) -> None:
-        """Show the next snapshot of the run."""
+        """Show the next snapshot of the run, and what its trace chose where that is new."""
         if sys.stderr.isatty():
             self._draw(snapshot)
         elif self._is_due(snapshot):
             self._line = snapshot
             done = f"{snapshot.iteration}/{snapshot.iterations}"
             print(f"{done}  {self._state(snapshot)}", file=sys.stderr, flush=True)
+        if snapshot.notes != self._notes:
+            self._notes = snapshot.notes
+            tqdm.write("; ".join(snapshot.notes), file=sys.stderr)
 
     def close(self) -> None:
         """Leave the bar as it is and go on below it."""

@@ -56,7 +56,3 @@ def _compile(name: str, dtype: torch.dtype) -> None:
     if (name, dtype) not in _ready:
         _COMPILERS[name](dtype)
         _ready.add((name, dtype))
-
-
-if __name__ == "__main__":
-    compile_all()
