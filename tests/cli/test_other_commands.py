@@ -28,12 +28,21 @@ class TestValidate:
         assert (status, told) == (0, "")
         figures = json.loads(printed)
         assert sorted(figures) == [
+            "contrast",
+            "correlation",
             "efficiency",
             "ledger",
             "loss",
             "noise",
+            "optimiser_difference",
+            "psnr",
             "rays",
             "relative_l2",
+            "relative_l2_corrected",
+            "relative_l2_corrected_interval",
+            "relative_l2_interval",
+            "ssim",
+            "uniformity",
         ]
         assert 100_000 <= figures["rays"] < 110_000
         assert figures["efficiency"] == pytest.approx(0.96**2, rel=1e-6)
@@ -42,6 +51,19 @@ class TestValidate:
         disc = math.pi * 0.36 / 4
         assert figures["relative_l2"] == pytest.approx(math.sqrt(1 - disc), rel=0.02)
         assert 0 < figures["noise"] < 0.01
+        low, high = figures["relative_l2_corrected_interval"]
+        assert low < figures["relative_l2_corrected"] < high
+        assert abs(figures["correlation"]) < 0.05  # the image is even
+        # The undesigned lens throws its own even square, in the optimiser's image too.
+        assert 0 <= figures["optimiser_difference"] < 0.06
+
+    def test_another_distance(self, freeform, lens):
+        status, printed, _ = freeform("validate", lens, "--screen-z", 8.0, "--json")
+        assert status == 0
+        assert json.loads(printed)["optimiser_difference"] is None
+        status, _, told = freeform("validate", lens, "--screen-z", 0.6)
+        assert status == 2
+        assert told.startswith("freeform: screen.z: 0.6 may touch the lens")
 
     def test_for_people(self, freeform, lens):
         status, printed, _ = freeform("validate", lens, "--rays", 10_000)

@@ -1,25 +1,34 @@
 """An independent check of a lens: fresh random rays, another tracer, the untouched target.
 
-Nothing of the optimiser's path is used: the face comes from `scipy.interpolate`, refraction from
-the angles at it, intersections from false position, the image from counting rays in pixels, all in
-float64. A lens that is fitted to
-the optimiser's fixed ray grid or to its smoothing filter is found out here.
+Nothing of the optimiser's path is used: the face's polynomials come from `scipy.interpolate`,
+refraction from the angles at it, intersections from false position, the image from counting rays
+in pixels, all in float64. A lens that is fitted to the optimiser's fixed ray grid or to its
+smoothing filter is found out here.
 """
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from workbench.analysis.cells import BATCHES
-from workbench.analysis.face import Face, Refracted
-from workbench.analysis.lights import CollimatedLight, PointLight
+from workbench.analysis.metrics import Quality, normalised
+from workbench.analysis.pose import Pose
+from workbench.analysis.tracing import Tally, Trace
 from workbench.errors import RunFailed
 from workbench.optics.ledger import Ledger
-from workbench.scene import CollimatedSource, Scene, Screen
+from workbench.scene import Scene
 
 Array = npt.NDArray[np.float64]
+Interval = tuple[float, float]
+
+# Student's t for 95 % and as many batches, of which one degree of freedom goes to their mean.
+_T = 2.131
+# The second image has so many times fewer rays.
+_FEWER = 4
 
 
 @dataclass(frozen=True)
@@ -34,36 +43,69 @@ class Validation:
     relative_l2 : float
         The same norm over that of the normalised target; independent of the number of pixels.
         Scatter of the rays from pixel to pixel is in it, and falls with the number of rays.
+    relative_l2_interval : tuple[float, float]
+        Where it lies for other rays, as many: at least 95 % confidence.
+    relative_l2_corrected : float
+        The same error without the scatter of the rays: the root of ⟨I − T, I′ − T⟩ / ‖T‖², where
+        I′ is a second image of a quarter as many other rays. The two scatter independently, so
+        the mean of the product has no scatter in it; a negative one counts as 0.
+    relative_l2_corrected_interval : tuple[float, float]
+        Where the lens's error lies: at least 95 % confidence.
     efficiency : float
         Part of the emitted flux that lands on the screen.
     ledger : Ledger
         Where the light went.
+    quality : Quality
+        Other figures of the image.
     rays : int
-        Rays traced.
+        Rays traced for the image.
     noise : float
         Monte-Carlo standard error of ``relative_l2``: standard deviation of its value for 16
         batches of the rays, over √16. The batches exclude each other, which makes the image of
-        all rays better than this tells: an upper estimate.
+        all rays better than this tells: an upper estimate. For the same reason products of two
+        batches would not do for the corrected error.
     irradiance : ndarray, shape (n_y, n_x)
         Flux per area on the screen, row 0 at +y.
     """
 
     loss: float
     relative_l2: float
+    relative_l2_interval: Interval
+    relative_l2_corrected: float
+    relative_l2_corrected_interval: Interval
     efficiency: float
     ledger: Ledger
+    quality: Quality
     rays: int
     noise: float
     irradiance: Array
 
+    def to_data(self) -> dict[str, Any]:
+        """The figures by name, for JSON."""
+        return {
+            "loss": self.loss,
+            "relative_l2": self.relative_l2,
+            "relative_l2_interval": list(self.relative_l2_interval),
+            "relative_l2_corrected": self.relative_l2_corrected,
+            "relative_l2_corrected_interval": list(self.relative_l2_corrected_interval),
+            **self.quality.to_data(),
+            "efficiency": self.efficiency,
+            "ledger": self.ledger.to_data(),
+            "rays": self.rays,
+            "noise": self.noise,
+        }
+
 
 def validate(
-    scene: Scene, target: Array, control_points: Array, rays: int = 4_000_000, seed: int = 1
+    scene: Scene,
+    target: Array,
+    control_points: Array,
+    rays: int = 4_000_000,
+    seed: int = 1,
+    screen_z: float | None = None,
+    pose: Pose | None = None,
 ) -> Validation:
     """Trace a lens anew.
-
-    One ray starts at a random place in each of ``rays`` equal cells of the aperture, or in a random
-    direction in each of as many equal cells of a point's cone. Memory does not grow with them.
 
     Parameters
     ----------
@@ -74,79 +116,123 @@ def validate(
     control_points : ndarray, shape (n_u, n_v)
         Heights z of the exit face's control points, scene units.
     rays : int
-        Rays to trace at least; rounded up to whole batches of a grid.
+        Rays to trace at least; rounded up to whole batches of a grid. A quarter as many more are
+        traced for the corrected error.
     seed : int
         The same seed gives the same rays.
+    screen_z : float, optional
+        Where the screen is, in place of the scene's.
+    pose : Pose, optional
+        How the lens stands; straight and centred by default.
 
     Raises
     ------
+    Refused
+        If the screen may touch the lens there.
     RunFailed
         If no light reaches the screen.
     """
-    screen = scene.screen
-    face = Face(scene.lens, control_points)
-    kind = CollimatedLight if isinstance(scene.source, CollimatedSource) else PointLight
-    light = kind(scene, face, rays, seed)
-    wanted = (target / target.max()).ravel()
-    wanted /= wanted.sum()
+    scene = scene if screen_z is None else _with_screen_at(scene, screen_z)
+    wanted = normalised(target / target.max()).ravel()
+    size = _norm(wanted)
 
-    flux = np.zeros(wanted.size)  # of each pixel
-    emitted = missed = entrance = left_side = off_screen = exit_loss = total_reflection = 0.0
+    trace = Trace(scene, control_points, rays, seed, pose)
     distances = []  # of the batches' images to the target
-    for batch in range(BATCHES):
-        batch_flux = np.zeros_like(flux)
-        for some in light.batch(batch):
-            hits = face.refract(some.places, some.height, some.direction, screen.z)
-            refracted = some.flux[hits.passes]
-            arriving = refracted * (1 - hits.reflectance)
-            pixel = _pixels(screen, hits)
-            inside = pixel >= 0
-            np.add.at(batch_flux, pixel[inside], arriving[inside])
-            off_screen += float(arriving[~inside].sum())
-            exit_loss += float((refracted * hits.reflectance).sum())
-            total_reflection += float(some.flux[~hits.passes].sum())
-            emitted += some.emitted
-            missed += some.missed_lens
-            entrance += some.reflected
-            left_side += some.left_side
-        flux += batch_flux
-        distances.append(_distance(batch_flux, wanted))
-
-    flux /= emitted
-    ledger = Ledger(
-        emitted=1.0,
-        on_screen=float(flux.sum()),
-        off_screen=off_screen / emitted,
-        missed_lens=missed / emitted,
-        left_side=left_side / emitted,
-        total_reflection=total_reflection / emitted,
-        fresnel_entrance=entrance / emitted,
-        fresnel_exit=exit_loss / emitted,
-    )
+    total: Tally | None = None
+    for batch in trace.batches():
+        distances.append(_norm(normalised(batch.flux[0]) - wanted) / size)
+        if total is None:
+            total = batch
+        else:
+            total.add(batch)
+    assert total is not None
+    ledger = total.ledger()
     if ledger.on_screen == 0:
         raise RunFailed("no light of this lens reaches the screen, so there is no image to judge")
-    distance = _distance(flux, wanted)
+    error = normalised(total.flux[0]) - wanted
+    relative_l2 = _norm(error) / size
+    noise = float(np.std(distances, ddof=1)) / math.sqrt(BATCHES)
+
+    second = Trace(scene, control_points, -(-rays // _FEWER), _another(seed), pose)
+    products = [
+        float((error * (normalised(batch.flux[0]) - wanted)).sum()) / size**2
+        for batch in second.batches()
+    ]
+    square = float(np.mean(products))
+    # The scatter of the second image shows in the products. That of the first, which has more
+    # rays, adds less to the variance than its part of the rays says.
+    spread = _T * float(np.std(products, ddof=1)) * math.sqrt((1 + 1 / _FEWER) / BATCHES)
+
+    irradiance = (total.flux[0] / total.emitted).reshape(target.shape) / scene.screen.pixel_area
     return Validation(
-        loss=distance / math.sqrt(wanted.size),
-        relative_l2=distance / float(np.linalg.norm(wanted)),
+        loss=relative_l2 * size / math.sqrt(wanted.size),
+        relative_l2=relative_l2,
+        relative_l2_interval=(max(relative_l2 - _T * noise, 0.0), relative_l2 + _T * noise),
+        relative_l2_corrected=_root(square),
+        relative_l2_corrected_interval=(_root(square - spread), _root(square + spread)),
         efficiency=ledger.efficiency,
         ledger=ledger,
-        rays=light.rays,
-        noise=float(np.std(distances, ddof=1) / np.linalg.norm(wanted)) / math.sqrt(BATCHES),
-        irradiance=flux.reshape(target.shape) / screen.pixel_area,
+        quality=Quality.of(irradiance, target),
+        rays=trace.rays,
+        noise=noise,
+        irradiance=irradiance,
     )
 
 
-def _pixels(screen: Screen, hits: Refracted) -> npt.NDArray[np.int64]:
-    """Number of the pixel of each ray, counted along the rows; −1 beside the screen."""
-    column, row = screen.to_pixels(hits.x, hits.y)
-    n_x, n_y = screen.pixels
-    inside = (column >= 0) & (column < n_x) & (row >= 0) & (row < n_y)
-    column, row = np.where(inside, column, 0), np.where(inside, row, 0)
-    return np.where(inside, row.astype(np.int64) * n_x + column.astype(np.int64), -1)
+def through_focus(
+    scene: Scene,
+    control_points: Array,
+    distances: Sequence[float],
+    rays: int = 1_000_000,
+    seed: int = 1,
+) -> Array:
+    """Irradiance on screens at several distances, from one trace.
+
+    Parameters
+    ----------
+    scene, control_points, rays, seed
+        As for `validate`; the screens are as large as the scene's.
+    distances : sequence of float
+        z of each screen.
+
+    Returns
+    -------
+    ndarray, shape (k, n_y, n_x)
+        Flux per area on each of the k screens, row 0 at +y.
+
+    Raises
+    ------
+    Refused
+        If a screen may touch the lens.
+    """
+    for z in distances:
+        _with_screen_at(scene, z)
+    total: Tally | None = None
+    for batch in Trace(scene, control_points, rays, seed, distances=distances).batches():
+        if total is None:
+            total = batch
+        else:
+            total.add(batch)
+    assert total is not None
+    n_x, n_y = scene.screen.pixels
+    return total.flux.reshape(-1, n_y, n_x) / (total.emitted * scene.screen.pixel_area)
 
 
-def _distance(flux: Array, wanted: Array) -> float:
-    """Frobenius norm of the difference of images that sum to 1; no light counts as a dark image."""
-    total = flux.sum()
-    return float(np.linalg.norm((flux / total if total > 0 else flux) - wanted))
+def _with_screen_at(scene: Scene, z: float) -> Scene:
+    data = scene.to_data()
+    data["screen"]["z"] = z
+    return Scene.from_data(data)
+
+
+def _another(seed: int) -> int:
+    """A seed for rays that have nothing to do with those of this one."""
+    return int(np.random.SeedSequence([seed, 1000]).generate_state(1, np.uint64)[0])
+
+
+def _norm(image: Array) -> float:
+    """Frobenius norm, without the threads of a linear algebra library that wait by spinning."""
+    return math.sqrt(float(np.square(image).sum()))
+
+
+def _root(square: float) -> float:
+    return math.sqrt(max(square, 0.0))

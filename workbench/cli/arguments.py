@@ -68,6 +68,9 @@ def parse(arguments: Sequence[str] | None) -> argparse.Namespace:
     validate.add_argument(
         "--rays", metavar="N", type=_count, default=4_000_000, help="at least; default %(default)s"
     )
+    validate.add_argument(
+        "--screen-z", metavar="Z", type=float, help="where the screen is, in place of the scene's"
+    )
 
     export = commands.add_parser(
         "export",
@@ -145,7 +148,7 @@ def _design(options: argparse.Namespace) -> None:
 def _validate(options: argparse.Namespace) -> None:
     from workbench.cli.validate import validate
 
-    validate(options.session, options.rays, options.json)
+    validate(options.session, options.rays, options.screen_z, options.json)
 
 
 def _export(options: argparse.Namespace) -> None:

@@ -3,11 +3,13 @@
 import json
 from pathlib import Path
 
+from workbench.analysis.metrics import relative_l2
+from workbench.analysis.validation import Validation
 from workbench.analysis.validation import validate as trace_anew
 from workbench.cli.designed import read_designed
 
 
-def validate(path: Path, rays: int, as_json: bool) -> None:
+def validate(path: Path, rays: int, screen_z: float | None, as_json: bool) -> None:
     """Trace the lens of a session anew and print what that shows.
 
     Parameters
@@ -16,32 +18,58 @@ def validate(path: Path, rays: int, as_json: bool) -> None:
         Session with a lens.
     rays : int
         Rays to trace at least.
+    screen_z : float, optional
+        Where the screen is, in place of the scene's.
     as_json : bool
         Whether figures are printed as JSON.
 
     Raises
     ------
     Refused
-        If the session cannot be read or holds no lens.
+        If the session cannot be read or holds no lens, or the screen may touch the lens there.
     RunFailed
         If no light reaches the screen.
     """
     session, result = read_designed(path)
-    found = trace_anew(session.scene, session.target, result.control_points, rays)
-    ledger = found.ledger.to_data()
+    found = trace_anew(
+        session.scene, session.target, result.control_points, rays, screen_z=screen_z
+    )
+    # The optimiser's image is one on the scene's screen.
+    elsewhere = screen_z is not None and screen_z != session.scene.screen.z
+    difference = None if elsewhere else relative_l2(found.irradiance, result.irradiance)
     if as_json:
-        figures = {
-            "loss": found.loss,
-            "relative_l2": found.relative_l2,
-            "efficiency": found.efficiency,
-            "ledger": ledger,
-            "rays": found.rays,
-            "noise": found.noise,
-        }
-        print(json.dumps(figures))
-        return
-    print(f"relative L2       {found.relative_l2:.5f}  (noise {found.noise:.1g})")
-    print(f"loss              {found.loss:.4g}")
-    print(f"rays              {found.rays}")
-    for name, value in ledger.items():
-        print(f"{name.replace('_', ' '):<18}{value:.5f}")
+        print(json.dumps(found.to_data() | {"optimiser_difference": difference}))
+    else:
+        _print(found, difference)
+
+
+def _print(found: Validation, difference: float | None) -> None:
+    quality = found.quality
+    lines = {
+        "relative L2": f"{found.relative_l2:.5f}  (noise {found.noise:.1g}, "
+        f"95 % {_interval(found.relative_l2_interval)})",
+        "without ray noise": f"{found.relative_l2_corrected:.5f}  "
+        f"(95 % {_interval(found.relative_l2_corrected_interval)})",
+        "loss": f"{found.loss:.4g}",
+        "PSNR": _or_dash(quality.psnr, ".2f", " dB"),
+        "SSIM": f"{quality.ssim:.5f}",
+        "correlation": _or_dash(quality.correlation, ".5f"),
+        "uniformity": f"{quality.uniformity:.5f}  (least over mean where the target is lit)",
+        "contrast": _or_dash(quality.contrast, ".5f"),
+        "optimiser's image": _or_dash(difference, ".5f", "  (relative L2 difference to it)"),
+        "rays": str(found.rays),
+        **{
+            name.replace("_", " "): f"{value:.5f}" for name, value in found.ledger.to_data().items()
+        },
+    }
+    for name, value in lines.items():
+        print(f"{name:<18}{value}")
+
+
+def _interval(ends: tuple[float, float]) -> str:
+    return f"{ends[0]:.5f} to {ends[1]:.5f}"
+
+
+def _or_dash(value: float | None, form: str, tail: str = "") -> str:
+    """A figure, or a dash where it has no meaning."""
+    return "-" if value is None else f"{value:{form}}{tail}"

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from workbench.analysis.face import Face
+from workbench.analysis.face_kernels import PASSES
 from workbench.analysis.validation import validate
 from workbench.files.export.rays import write_rays
 
@@ -35,15 +36,18 @@ def test_collimated_light_by_another_tracer(gentle, write):
     places = np.stack(np.meshgrid(across, up, indexing="ij"), axis=-1).reshape(-1, 2)
     face = Face(design.scene.lens, design.heights)
     height = face.height(places)
-    hits = face.refract(places, height, np.broadcast_to([0.0, 0.0, 1.0], (len(places), 3)), 5.0)
-    assert hits.passes.all()
-    assert x == pytest.approx(hits.x, abs=1e-12)
-    assert y == pytest.approx(hits.y, abs=1e-12)
+    (*at, d_x, d_y, d_z, reflectance), fate = face.follow(
+        places, np.tile([0.0, 0.0, 1.0], (len(places), 1))
+    )
+    assert (fate == PASSES).all()
+    path = (5.0 - at[2]) / d_z
+    assert x == pytest.approx(at[0] + d_x * path, abs=1e-12)
+    assert y == pytest.approx(at[1] + d_y * path, abs=1e-12)
     assert (z == 5.0).all()
     way = np.column_stack([x - places[:, 0], y - places[:, 1], 5.0 - height])
     way /= np.linalg.norm(way, axis=1, keepdims=True)
     assert np.column_stack([cos_x, cos_y, cos_z]) == pytest.approx(way, abs=1e-12)
-    assert flux == pytest.approx(0.96 * (1 - hits.reflectance) / len(places), rel=1e-9)
+    assert flux == pytest.approx(0.96 * (1 - reflectance) / len(places), rel=1e-9)
 
 
 def test_light_of_a_point(gentle, write):
