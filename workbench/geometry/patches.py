@@ -52,10 +52,10 @@ class Patches:
         self._half_width = net.half_width
         self._knots = net.knots
         self._positions = net.positions
-        self._to_powers, self._members = [], []
+        self.to_powers, self._members = [], []
         for knots, degree, spans in zip(net.knots, net.degree, self._spans, strict=True):
             powers, members = _power_basis(knots, degree, spans)
-            self._to_powers.append(torch.as_tensor(powers, dtype=dtype, device=device))
+            self.to_powers.append(torch.as_tensor(powers, dtype=dtype, device=device))
             self._members.append(torch.as_tensor(members, device=device))
 
     def table(self, heights: Tensor) -> Tensor:
@@ -63,7 +63,7 @@ class Patches:
         (p, q), (across, up) = self._degree, self._spans
         members_x, members_y = self._members
         near = heights[members_x[:, None, :, None], members_y[None, :, None, :]]
-        table = torch.einsum("kia,klij,ljb->klab", self._to_powers[0], near, self._to_powers[1])
+        table = torch.einsum("kia,klij,ljb->klab", self.to_powers[0], near, self.to_powers[1])
         return table.reshape(across * up, (p + 1) * (q + 1))
 
     def slope_bounds(self, heights: Tensor) -> tuple[float, float]:
