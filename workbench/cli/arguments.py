@@ -72,6 +72,39 @@ def parse(arguments: Sequence[str] | None) -> argparse.Namespace:
         "--screen-z", metavar="Z", type=float, help="where the screen is, in place of the scene's"
     )
 
+    tolerances = commands.add_parser(
+        "tolerances",
+        help="see what small errors of a lens do to its image",
+        description="Perturb the lens of a session at random, evenly within tolerances, and trace "
+        "each lens anew. Lengths are in the scene's unit. Ctrl-C keeps what is finished.",
+    )
+    tolerances.set_defaults(command=_tolerances)
+    tolerances.add_argument("session", metavar="SESSION", type=Path, help="session with a lens")
+    tolerances.add_argument(
+        "--samples", metavar="N", type=_count, default=100, help="lenses; default %(default)s"
+    )
+    tolerances.add_argument(
+        "--rays", metavar="N", type=_count, default=1_000_000, help="for each; default %(default)s"
+    )
+    for name, metavar, does in (
+        ("tilt", "DEGREES", "largest angle between lens and optical axis"),
+        ("decentre", "LENGTH", "largest distance of the lens from the axis"),
+        ("index", "N", "largest error of the refractive index"),
+        ("distance", "LENGTH", "largest error of the screen's distance"),
+    ):
+        tolerances.add_argument(f"--{name}", metavar=metavar, type=float, default=0.0, help=does)
+    tolerances.add_argument(
+        "--surface",
+        metavar=("RMS", "SCALE"),
+        type=float,
+        nargs=2,
+        default=(0.0, 1.0),
+        help="error of the exit face, and the length over which it is alike",
+    )
+    tolerances.add_argument(
+        "--plot", metavar="FILE.png", type=Path, help="draw how the error is distributed"
+    )
+
     export = commands.add_parser(
         "export",
         help="write a lens for manufacture and for other programs",
@@ -122,7 +155,7 @@ def parse(arguments: Sequence[str] | None) -> argparse.Namespace:
         "--iterations", metavar="N", type=_count, help="of every design, in place of its own"
     )
 
-    for command in (design, validate, benchmark):
+    for command in (design, validate, tolerances, benchmark):
         command.add_argument(
             "--json", action="store_true", help="print the figures as one JSON object"
         )
@@ -149,6 +182,20 @@ def _validate(options: argparse.Namespace) -> None:
     from workbench.cli.validate import validate
 
     validate(options.session, options.rays, options.screen_z, options.json)
+
+
+def _tolerances(options: argparse.Namespace) -> None:
+    from workbench.analysis.tolerances import Tolerances
+    from workbench.cli.tolerances import tolerances
+
+    within = Tolerances(
+        tilt=math.radians(options.tilt),
+        decentre=options.decentre,
+        index=options.index,
+        distance=options.distance,
+        surface=tuple(options.surface),
+    )
+    tolerances(options.session, within, options.samples, options.rays, options.plot, options.json)
 
 
 def _export(options: argparse.Namespace) -> None:

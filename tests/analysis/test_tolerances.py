@@ -1,0 +1,237 @@
+import math
+
+import numpy as np
+import pytest
+from scipy.interpolate import BSpline
+
+from workbench.analysis.pose import Pose
+from workbench.analysis.surface_noise import with_noise
+from workbench.analysis.tolerances import (
+    Distribution,
+    Perturbation,
+    Perturbed,
+    Tolerances,
+    draw,
+    perturbed,
+)
+from workbench.analysis.validation import validate
+from workbench.errors import Refused
+from workbench.geometry.surface import ControlNet
+
+INDEX = 1.5
+RAYS = 16 * 64 * 64
+
+
+@pytest.fixture
+def wide(make_scene):
+    """A screen that has room for a shifted image."""
+    return make_scene({"screen.half_width": [2.0, 2.0], "screen.pixels": [64, 64]})
+
+
+def prism(scene, slope_x, slope_y):
+    x, y = ControlNet.of(scene.lens).positions
+    return 0.5 + slope_x * np.asarray(x)[:, None] + slope_y * np.asarray(y)[None, :]
+
+
+def middle(scene, heights, perturbation):
+    """Centre of the light of a lens that is off, x and y."""
+    off, heights = perturbation.applied(scene, heights)
+    image = validate(off, np.ones((64, 64)), heights, RAYS, pose=perturbation.pose).irradiance
+    place = (np.arange(64) + 0.5) / 16 - 2
+    return np.array([(image * place).sum(), (image * -place[:, None]).sum()]) / image.sum()
+
+
+class TestDecentre:
+    @pytest.mark.parametrize("shift", [(0.25, 0.0), (0.0, -0.125), (0.3, 0.2)])
+    def test_the_image_of_collimated_light_moves_along(self, wide, rng, shift):
+        heights = 0.5 + 0.02 * rng.random((12, 10))
+        found = middle(wide, heights, Perturbation(Pose(decentre=shift)))
+        expected = middle(wide, heights, Perturbation()) + shift
+        assert found == pytest.approx(expected, abs=2e-4)
+
+    def test_pixel_by_pixel(self, wide, rng):
+        heights = 0.5 + 0.02 * rng.random((12, 10))
+        there = Pose(decentre=(4 / 16, -2 / 16))  # whole pixels: 4 to the right, 2 down
+        target = np.ones((64, 64))
+        straight = validate(wide, target, heights, RAYS).irradiance
+        moved = validate(wide, target, heights, RAYS, pose=there).irradiance
+        shifted = np.roll(straight, (2, 4), axis=(0, 1))
+        # Rays on a pixel's edge may fall to either side of it.
+        assert np.abs(moved - shifted).sum() < 1e-3 * straight.sum()
+
+    def test_a_point_sees_itself_moved_back(self, make_scene, rng):
+        heights = 0.5 + 0.05 * rng.random((12, 10))
+        target, shift = np.ones((32, 32)), (2 / 16, -3 / 16)
+        source = {"kind": "point", "position": [0.3, 0.1, -2.0]}
+        moved = {"kind": "point", "position": [0.3 - shift[0], 0.1 - shift[1], -2.0]}
+        images = [
+            validate(make_scene({"source": each}), target, heights, RAYS, pose=pose).irradiance
+            for each, pose in ((source, Pose(decentre=shift)), (moved, Pose()))
+        ]
+        expected = np.roll(images[1], (3, 2), axis=(0, 1))[3:, 2:]  # pixels of 1/16
+        assert np.abs(images[0][3:, 2:] - expected).sum() < 1e-3 * expected.sum()
+
+
+class TestTilt:
+    @pytest.mark.parametrize("degrees", [-8.0, 3.0, 10.0])
+    @pytest.mark.parametrize("axis", [0, 1])
+    def test_a_plate_moves_light_aside(self, wide, degrees, axis):
+        angle = math.radians(degrees)
+        tilt = (angle, 0.0) if axis == 0 else (0.0, angle)
+        flat = np.full((12, 10), 0.5)
+        found = middle(wide, flat, Perturbation(Pose(tilt=tilt)))
+        # Parallel displacement of a ray through a plate of thickness 1/2. The rays through the
+        # whole entrance face that leave at the side are missing: at one edge only.
+        inside = math.asin(math.sin(angle) / INDEX)
+        aside = 0.5 * math.sin(angle - inside) / math.cos(inside)
+        lost = 0.5 * abs(math.tan(inside))  # width of the strip of lost light
+        centre = (aside, 0.0) if axis == 1 else (0.0, -aside)
+        strip = math.copysign(lost / 2 * math.cos(angle), angle)
+        edge = (strip, 0.0) if axis == 1 else (0.0, -strip)
+        assert found == pytest.approx(np.add(centre, edge), abs=1e-3)
+
+    def test_flux_through_a_tilted_plate(self, make_scene):
+        scene = make_scene({"screen.half_width": [2.0, 2.0]})
+        angle = math.radians(30)
+        ledger = validate(
+            scene, np.ones((32, 32)), np.full((12, 10), 0.5), RAYS, pose=Pose(tilt=(angle, 0.0))
+        ).ledger
+        reflectance = 0.04 + 0.96 * (1 - math.cos(angle)) ** 5
+        assert ledger.fresnel_entrance == pytest.approx(reflectance, rel=1e-9)
+        side = 0.25 * math.tan(math.asin(0.5 / INDEX))  # strip over the width of 2
+        assert ledger.left_side == pytest.approx((1 - reflectance) * side, rel=0.01)
+        assert ledger.fresnel_exit == pytest.approx(
+            reflectance * (1 - reflectance) * (1 - side), rel=0.01
+        )
+
+    def test_the_lens_sees_the_rest_turned_the_other_way(self):
+        angle = 0.1
+        pose = Pose(tilt=(0.0, angle))
+        assert pose.to_lens(np.array([[0.0, 0.0, -2.0]]), 0.0)[0] == pytest.approx(
+            [2 * math.sin(angle), 0.0, -2 * math.cos(angle)]
+        )
+        turn, shift = pose.to_scene(0.25)
+        there = np.array([0.3, -0.2, 0.7])
+        back = pose.to_lens((turn @ there + shift)[None, :], 0.25)[0]
+        assert back == pytest.approx(there, abs=1e-15)
+
+
+@pytest.mark.parametrize("error", [-0.05, 0.02])
+def test_index_error_of_a_prism(wide, error):
+    found = middle(wide, prism(wide, 0.2, 0.0), Perturbation(index=error))
+    angle = math.atan(0.2)
+    away = math.asin((INDEX + error) * math.sin(angle)) - angle
+    # Towards the thick side, from a mean height of 1/2.
+    assert found == pytest.approx([4.5 * math.tan(away), 0.0], abs=2e-3)
+
+
+@pytest.mark.parametrize("error", [-1.5, 2.0])
+def test_distance_behind_a_prism(wide, error):
+    found = middle(wide, prism(wide, 0.0, -0.2), Perturbation(distance=error))
+    angle = math.atan(0.2)
+    away = math.asin(INDEX * math.sin(angle)) - angle
+    assert found == pytest.approx([0.0, -(4.5 + error) * math.tan(away)], abs=2e-3)
+
+
+class TestSurfaceNoise:
+    def sampled(self, lens, heights, count=400):
+        knots = [
+            np.concatenate([np.full(p, -r), np.linspace(-r, r, n - p + 1), np.full(p, r)])
+            for r, n, p in zip(lens.half_width, heights.shape, lens.degree, strict=True)
+        ]
+        places = [((np.arange(count) + 0.5) / count * 2 - 1) * r for r in lens.half_width]
+        along_x = BSpline(knots[0], heights, lens.degree[0])(places[0])
+        return BSpline(knots[1], along_x.T, lens.degree[1])(places[1]).T
+
+    @pytest.mark.parametrize("scale", [0.05, 0.3, 1.5])
+    @pytest.mark.parametrize("degree", [(3, 3), (1, 5)])
+    def test_amplitude(self, make_scene, rng, degree, scale):
+        lens = make_scene({"lens.degree": degree, "lens.half_width": [1.0, 0.8]}).lens
+        heights = 0.5 + 0.1 * rng.random((12, 10))
+        finer, noisy = with_noise(lens, heights, 0.01, scale, np.random.default_rng(3))
+        assert finer.control_points == noisy.shape
+        error = self.sampled(finer, noisy) - self.sampled(lens, heights)
+        assert error.std() == pytest.approx(0.01, rel=0.01)
+        assert abs(error.mean()) < 1e-4
+
+    def test_scale(self, make_scene):
+        lens, scale = make_scene().lens, 0.1
+        finer, noise = with_noise(lens, np.zeros((12, 10)), 1.0, scale, np.random.default_rng(4))
+        error = self.sampled(finer, noise)  # 400 samples over 2: 20 over the scale
+        for axis in (0, 1):
+            a, b = np.split(np.moveaxis(error, axis, 0), [380])[0], np.moveaxis(error, axis, 0)[20:]
+            assert (a * b).mean() == pytest.approx(math.exp(-1), abs=0.1)
+
+    def test_no_amplitude_is_the_same_face(self, make_scene, rng):
+        lens = make_scene().lens
+        heights = 0.5 + 0.1 * rng.random((12, 10))
+        finer, same = with_noise(lens, heights, 0.0, 0.05, rng)
+        error = self.sampled(finer, same) - self.sampled(lens, heights)
+        assert np.abs(error).max() < 1e-13
+
+
+class TestDraw:
+    ALL = Tolerances(tilt=0.01, decentre=0.2, index=0.001, distance=0.3, surface=(1e-4, 0.2))
+
+    def test_within_the_tolerances_and_up_to_them(self):
+        found = list(draw(self.ALL, 2000, 1))
+        tilt, shift = (
+            [math.hypot(*getattr(each.pose, name)) for each in found]
+            for name in ("tilt", "decentre")
+        )
+        for sizes, most in ((tilt, 0.01), (shift, 0.2)):
+            assert 0.99 * most < max(sizes) <= most
+            # Evenly in the disc: half of them within 1/√2 of the radius.
+            assert np.median(sizes) == pytest.approx(most / math.sqrt(2), rel=0.05)
+        for name, most in (("index", 0.001), ("distance", 0.3)):
+            values = [getattr(each, name) for each in found]
+            assert -most <= min(values) < -0.99 * most
+            assert 0.99 * most < max(values) <= most
+            assert abs(np.mean(values)) < 0.05 * most
+
+    def test_the_seed_says_which(self):
+        first, same, other = (list(draw(self.ALL, 5, seed)) for seed in (1, 1, 2))
+        assert first == same != other
+        assert len({each.seed for each in first}) == 5
+
+
+class TestPerturbed:
+    def test_one_after_the_other(self, wide, rng):
+        heights = 0.5 + 0.02 * rng.random((12, 10))
+        target = validate(wide, np.ones((64, 64)), heights, RAYS).irradiance
+        within = Tolerances(decentre=0.2, surface=(1e-3, 0.5))
+        nominal, *others = perturbed(wide, target, heights, within, 6, 20_000)
+        assert len(others) == 6
+        assert nominal.perturbation == Perturbation()
+        assert nominal.relative_l2 < 0.1 < min(each.relative_l2 for each in others)
+        again = list(perturbed(wide, target, heights, within, 6, 20_000))
+        assert again == [nominal, *others]
+        # What moves the lens further makes more of an error.
+        moved = [math.hypot(*each.perturbation.pose.decentre) for each in others]
+        assert np.corrcoef(moved, [each.relative_l2 for each in others])[0, 1] > 0.8
+
+    def test_distribution_by_hand(self):
+        nominal, *others = (
+            Perturbed(Perturbation(), error, 0.9) for error in (0.1, 0.5, 0.3, 0.2, 0.4, 0.6)
+        )
+        found = Distribution.of(nominal, others)
+        assert (found.nominal, found.worst) == (0.1, 0.6)
+        assert found.mean == pytest.approx(0.4)
+        assert found.percentiles == pytest.approx({"5": 0.22, "50": 0.4, "95": 0.58})
+
+
+@pytest.mark.parametrize(
+    "tolerances, told",
+    [
+        (Tolerances(tilt=-0.1), "tilt: -5.72958 degrees; at least 0"),
+        (Tolerances(decentre=math.nan), "decentre: nan"),
+        (Tolerances(index=0.5), "index: 0.5; at least 0, less than 0.5"),
+        (Tolerances(distance=4.5), "distance: 4.5; at least 0, less than 4.2"),
+        (Tolerances(surface=(-1.0, 1.0)), "surface[0]: -1"),
+        (Tolerances(surface=(1e-3, 0.001)), "surface[1]: 0.001; from 0.008 to 2"),
+    ],
+)
+def test_refusals(make_scene, tolerances, told):
+    with pytest.raises(Refused) as refused:
+        tolerances.check(make_scene())
+    assert str(refused.value).startswith(told)

@@ -1,0 +1,103 @@
+import json
+
+import pytest
+
+from workbench.analysis.tolerances import perturbed
+from workbench.design.run import run
+from workbench.design.snapshot import History
+from workbench.files.session import Session, write_session
+from workbench.targets import load_target
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    return tmp_path_factory.mktemp("lens")
+
+
+@pytest.fixture
+def lens(make_scene, folder):
+    """A session with the undesigned lens, which is flat."""
+    path = folder / "lens.freeform"
+    if not path.exists():
+        scene = make_scene({"run.iterations": 0})
+        target = load_target(scene, folder)
+        history = History()
+        for snapshot in run(scene, target):
+            history.add(snapshot)
+        write_session(Session(scene, target, history.result()), path)
+    return path
+
+
+FEW = ("--samples", 4, "--rays", 10_000)
+
+
+def test_figures_and_plot(freeform, lens, tmp_path):
+    plot = tmp_path / "errors.png"
+    status, printed, told = freeform(
+        "tolerances", lens, *FEW, "--decentre", 0.3, "--tilt", 2, "--plot", plot, "--json"
+    )
+    assert (status, told) == (0, "")
+    figures = json.loads(printed)
+    assert sorted(figures) == ["mean", "nominal", "percentiles", "samples", "worst"]
+    errors = [each["relative_l2"] for each in figures["samples"]]
+    assert len(errors) == 4
+    assert figures["worst"] == max(errors)
+    assert figures["mean"] == pytest.approx(sum(errors) / 4)
+    assert min(errors) <= figures["percentiles"]["50"] <= max(errors)
+    assert all(sum(x * x for x in each["tilt"]) <= 4 for each in figures["samples"])
+    assert {each["index"] for each in figures["samples"]} == {0}
+    assert plot.read_bytes().startswith(b"\x89PNG")
+
+
+def test_for_people(freeform, lens):
+    status, printed, told = freeform("tolerances", lens, *FEW, "--surface", 0.01, 0.3)
+    assert (status, told) == (0, "")
+    lines = printed.splitlines()
+    assert lines[0] == "relative L2 without ray noise"
+    assert [line[:18].rstrip() for line in lines[1:]] == [
+        "as designed",
+        "mean",
+        "5 % of lenses",
+        "50 % of lenses",
+        "95 % of lenses",
+        "worst",
+        "lenses",
+    ]
+
+
+def test_ctrl_c_keeps_what_is_finished(freeform, lens, monkeypatch):
+    def interrupted(*arguments):
+        for number, each in enumerate(perturbed(*arguments)):
+            if number == 3:
+                raise KeyboardInterrupt
+            yield each
+
+    monkeypatch.setattr("workbench.cli.tolerances.perturbed", interrupted)
+    status, printed, told = freeform("tolerances", lens, *FEW, "--index", 0.01, "--json")
+    assert status == 130
+    assert len(json.loads(printed)["samples"]) == 2
+    assert told == "freeform: interrupted; 2 of 4 lenses were traced\n"
+
+
+@pytest.mark.parametrize(
+    "arguments, reason",
+    [
+        ((), "usage: nothing is off; give --tilt"),
+        (("--tilt", 50), "tilt: 50 degrees; at least 0, less than 45"),
+        (("--index", 0.6), "index: 0.6; at least 0, less than 0.5"),
+        (("--surface", 0.1), "usage: argument --surface: expected 2 arguments"),
+        (("--samples", 0), "usage: argument --samples: '0'"),
+    ],
+)
+def test_refusals(freeform, lens, arguments, reason):
+    status, printed, told = freeform("tolerances", lens, *arguments)
+    assert (status, printed) == (2, "")
+    assert told.startswith(f"freeform: {reason}")
+
+
+def test_a_plot_that_cannot_be_written_is_refused_at_once(freeform, lens, tmp_path):
+    status, printed, told = freeform(
+        "tolerances", lens, "--tilt", 1, "--plot", tmp_path / "missing" / "errors.png"
+    )
+    assert (status, printed) == (2, "")
+    assert "cannot be written" in told

@@ -1,0 +1,28 @@
+import io
+
+import numpy as np
+import pytest
+from matplotlib.figure import Figure
+from PIL import Image
+
+from workbench.pictures.tolerances import draw_errors, write_errors
+
+ERRORS = [0.3, 0.1, 0.2, 0.4]
+
+
+def test_each_lens_is_a_step():
+    axes = Figure().subplots()
+    draw_errors(axes, 0.05, ERRORS)
+    curve, nominal, middle, most = axes.get_lines()
+    x, y = curve.get_data()
+    np.testing.assert_allclose(x, [10, 10, 20, 30, 40])
+    np.testing.assert_allclose(y, [0, 25, 50, 75, 100])
+    assert nominal.get_xdata()[0] == pytest.approx(5)
+    assert middle.get_xdata()[0] == pytest.approx(25)
+    assert most.get_label() == "95 %: 38.50 %"
+
+
+def test_a_file():
+    file = io.BytesIO()
+    write_errors(file, 0.05, ERRORS)
+    assert Image.open(file).size == (900, 600)

@@ -1,0 +1,89 @@
+"""Random errors of a lens's exit face."""
+
+import math
+
+import numpy as np
+import numpy.typing as npt
+from scipy.interpolate import BSpline, make_interp_spline
+from scipy.ndimage import gaussian_filter
+
+from workbench.scene import Lens
+
+Array = npt.NDArray[np.float64]
+
+# Knot spans per length of the noise, which make a spline of any degree follow it.
+_SPANS = 4
+# Least scale, in widths of the lens, that a net of some 1000 control points follows.
+FINEST = 1 / 250
+
+
+def with_noise(
+    lens: Lens, control_points: Array, amplitude: float, scale: float, rng: np.random.Generator
+) -> tuple[Lens, Array]:
+    """A lens with a wavy exit face.
+
+    Parameters
+    ----------
+    lens : Lens
+        The lens.
+    control_points : ndarray, shape (n_u, n_v)
+        Its control heights, scene units.
+    amplitude : float
+        Root mean square of the error over the face, about its mean; scene units.
+    scale : float
+        Distance over which the correlation of the error falls to 1/e: exp(−r² / scale²).
+        From `FINEST` of the lens's width up to its width.
+    rng : numpy.random.Generator
+        Which error.
+
+    Returns
+    -------
+    Lens
+        With a net as fine as the error needs.
+    ndarray
+        Its control heights.
+    """
+    for axis, (r, n, p) in enumerate(
+        zip(lens.half_width, lens.control_points, lens.degree, strict=True)
+    ):
+        split = math.ceil(_SPANS * 2 * r / (scale * (n - p)))
+        control_points = _refined(control_points, axis, r, p, split)
+    finer = lens.model_copy(update={"control_points": control_points.shape})
+    return finer, control_points + amplitude * _noise(finer, scale, rng)
+
+
+def _refined(control_points: Array, axis: int, half_width: float, degree: int, split: int) -> Array:
+    """Control heights of the same face with each knot span along an axis split evenly."""
+    spans = control_points.shape[axis] - degree
+    coarse, fine = (_knots(half_width, count, degree) for count in (spans, spans * split))
+    face = BSpline(coarse, np.moveaxis(control_points, axis, 0), degree)
+    # The face is a spline on the finer knots as well, the one that interpolates it.
+    places = np.array([fine[i + 1 : i + degree + 1].mean() for i in range(len(fine) - degree - 1)])
+    places = places.clip(-half_width, half_width)  # which means miss by rounding
+    finer = make_interp_spline(places, face(places), degree, t=fine).c
+    return np.ascontiguousarray(np.moveaxis(finer, 0, axis))
+
+
+def _noise(lens: Lens, scale: float, rng: np.random.Generator) -> Array:
+    """Control heights of a random face with a root mean square of 1 about a mean of 0."""
+    samplers, widths = [], []
+    for r, n, p in zip(lens.half_width, lens.control_points, lens.degree, strict=True):
+        knots = _knots(r, n - p, p)
+        middles = (np.arange(4 * (n - p)) + 0.5) * (r / (2 * (n - p))) - r
+        samplers.append(BSpline(knots, np.eye(n), p)(middles))
+        # White noise behind a Gaussian of σ is correlated as exp(−r² / 4σ²).
+        widths.append(scale / 2 / (2 * r / (n - p)))
+    # Filtered beyond the edge too, so that the noise is the same there as elsewhere.
+    margins = [
+        min(math.ceil(4 * width), n) for width, n in zip(widths, lens.control_points, strict=True)
+    ]
+    size = [n + 2 * m for n, m in zip(lens.control_points, margins, strict=True)]
+    white = gaussian_filter(rng.standard_normal(size), widths, mode="wrap")
+    heights = white[margins[0] : size[0] - margins[0], margins[1] : size[1] - margins[1]]
+    surface = samplers[0] @ heights @ samplers[1].T
+    return np.asarray((heights - surface.mean()) / surface.std())
+
+
+def _knots(half_width: float, spans: int, degree: int) -> Array:
+    ends = np.full(degree, half_width)
+    return np.concatenate([-ends, np.linspace(-half_width, half_width, spans + 1), ends])

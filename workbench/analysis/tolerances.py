@@ -1,0 +1,258 @@
+"""What becomes of the image when lens, glass and assembly are a little off.
+
+Lenses are perturbed at random within given tolerances, one after the other, and each is traced by
+the independent tracer with the same rays, so that they differ by their perturbations alone.
+"""
+
+import math
+from collections.abc import Iterator
+from dataclasses import asdict, dataclass, field
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from workbench.analysis.pose import Pose
+from workbench.analysis.surface_noise import FINEST, with_noise
+from workbench.analysis.validation import validate
+from workbench.errors import Refused, RunFailed
+from workbench.scene import Scene
+
+Array = npt.NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Tolerances:
+    """How far a lens may be off; lengths in scene units, 0 where it is not.
+
+    Attributes
+    ----------
+    tilt : float
+        Largest angle between lens and optical axis, radians, turned about the middle of the
+        entrance face; anywhere in the disc of all such tilts, evenly.
+    decentre : float
+        Largest distance of the lens from the axis; evenly in the disc.
+    index : float
+        Largest error of the refractive index; evenly to both sides.
+    distance : float
+        Largest error of the screen's distance; evenly to both sides.
+    surface : tuple[float, float]
+        Root mean square of the exit face's error, and the length over which it is alike.
+    """
+
+    tilt: float = 0.0
+    decentre: float = 0.0
+    index: float = 0.0
+    distance: float = 0.0
+    surface: tuple[float, float] = (0.0, 1.0)
+
+    def check(self, scene: Scene) -> None:
+        """Refuse what is not possible for a scene, in the words of the command line.
+
+        Raises
+        ------
+        Refused
+            With the tolerance and what is allowed.
+        """
+        if not 0 <= self.tilt < math.pi / 4:
+            raise Refused("tilt", f"{math.degrees(self.tilt):g} degrees; at least 0, less than 45")
+        if not 0 <= self.decentre < math.inf:
+            raise Refused("decentre", f"{self.decentre:g}; a finite number from 0 is needed")
+        if not 0 <= self.index < scene.lens.index - 1:
+            raise Refused(
+                "index", f"{self.index:g}; at least 0, less than {scene.lens.index - 1:g}"
+            )
+        lens = scene.lens
+        room = scene.screen.z - lens.base.extent(lens.half_width)[1] - lens.height_range[1]
+        if not 0 <= self.distance < room:
+            raise Refused(
+                "distance",
+                f"{self.distance:g}; at least 0, less than {room:g}, else the screen may touch "
+                "the lens",
+            )
+        amplitude, scale = self.surface
+        if not 0 <= amplitude < math.inf:
+            raise Refused("surface[0]", f"{amplitude:g}; a finite number from 0 is needed")
+        width = 2 * max(lens.half_width)
+        if amplitude > 0 and not FINEST * width <= scale <= width:
+            raise Refused("surface[1]", f"{scale:g}; from {FINEST * width:g} to {width:g}")
+
+
+@dataclass(frozen=True)
+class Perturbation:
+    """How far one lens is off: as `Tolerances`, with directions and signs.
+
+    Attributes
+    ----------
+    pose : Pose
+        How the lens stands.
+    index, distance : float
+        What is added to the refractive index and to the screen's distance.
+    surface : tuple[float, float]
+        Root mean square and scale of the exit face's error.
+    seed : int
+        Which error of the exit face.
+    """
+
+    pose: Pose = field(default_factory=Pose)
+    index: float = 0.0
+    distance: float = 0.0
+    surface: tuple[float, float] = (0.0, 1.0)
+    seed: int = 0
+
+    def applied(self, scene: Scene, control_points: Array) -> tuple[Scene, Array]:
+        """The scene and the control heights of the lens, which may be more, that is off."""
+        lens = scene.lens.model_copy(
+            update={"refractive_index": scene.lens.index + self.index, "wavelength_um": None}
+        )
+        screen = scene.screen.model_copy(update={"z": scene.screen.z + self.distance})
+        amplitude, scale = self.surface
+        if amplitude > 0:
+            rng = np.random.default_rng(self.seed)
+            lens, control_points = with_noise(lens, control_points, amplitude, scale, rng)
+        return scene.model_copy(update={"lens": lens, "screen": screen}), control_points
+
+
+@dataclass(frozen=True)
+class Perturbed:
+    """What a trace says of a lens that is off.
+
+    Attributes
+    ----------
+    perturbation : Perturbation
+        How far it is off.
+    relative_l2 : float
+        Error of its image, without the scatter of the rays (`Validation.relative_l2_corrected`).
+    efficiency : float
+        Part of the emitted flux that lands on the screen.
+    """
+
+    perturbation: Perturbation
+    relative_l2: float
+    efficiency: float
+
+    def to_data(self) -> dict[str, Any]:
+        """The figures by name, for JSON; angles in degrees."""
+        off = self.perturbation
+        return {
+            "tilt": np.degrees(off.pose.tilt).tolist(),
+            "decentre": list(off.pose.decentre),
+            "index": off.index,
+            "distance": off.distance,
+            "relative_l2": self.relative_l2,
+            "efficiency": self.efficiency,
+        }
+
+
+def draw(tolerances: Tolerances, samples: int, seed: int) -> Iterator[Perturbation]:
+    """Random perturbations within tolerances; the same seed gives the same, of each kind."""
+    rng = np.random.default_rng([seed, 2000])
+    for _ in range(samples):
+        tilt_x, tilt_y, shift_x, shift_y = (*_in_disc(rng), *_in_disc(rng))
+        yield Perturbation(
+            Pose(
+                (tolerances.tilt * tilt_x, tolerances.tilt * tilt_y),
+                (tolerances.decentre * shift_x, tolerances.decentre * shift_y),
+            ),
+            index=tolerances.index * rng.uniform(-1, 1),
+            distance=tolerances.distance * rng.uniform(-1, 1),
+            surface=tolerances.surface,
+            seed=int(rng.integers(1 << 62)),
+        )
+
+
+def perturbed(
+    scene: Scene,
+    target: Array,
+    control_points: Array,
+    tolerances: Tolerances,
+    samples: int = 100,
+    rays: int = 1_000_000,
+    seed: int = 1,
+) -> Iterator[Perturbed]:
+    """Trace lenses that are off, one after the other.
+
+    Parameters
+    ----------
+    scene, target, control_points, rays
+        As for `workbench.analysis.validation.validate`.
+    tolerances : Tolerances
+        How far they may be off.
+    samples : int
+        How many.
+    seed : int
+        The same seed gives the same lenses and rays.
+
+    Yields
+    ------
+    Perturbed
+        First the lens that is not off, then the others.
+
+    Raises
+    ------
+    Refused
+        If a tolerance is not possible.
+    RunFailed
+        If no light of the lens that is not off reaches the screen.
+    """
+    tolerances.check(scene)
+    yield _trace(scene, target, control_points, Perturbation(), rays, seed)
+    for perturbation in draw(tolerances, samples, seed):
+        try:
+            yield _trace(scene, target, control_points, perturbation, rays, seed)
+        except RunFailed:  # a dark image is as wrong as its target is bright
+            yield Perturbed(perturbation, relative_l2=1.0, efficiency=0.0)
+
+
+@dataclass(frozen=True)
+class Distribution:
+    """How the error is distributed over perturbed lenses.
+
+    Attributes
+    ----------
+    nominal : float
+        Error of the lens that is not off.
+    mean, worst : float
+        Of the others.
+    percentiles : dict[str, float]
+        Error that so many percent of them do not exceed: "5", "50", "95".
+    """
+
+    nominal: float
+    mean: float
+    worst: float
+    percentiles: dict[str, float]
+
+    @classmethod
+    def of(cls, nominal: Perturbed, others: list[Perturbed]) -> "Distribution":
+        """Summarise what `perturbed` yields: its first lens, and at least one of the others."""
+        errors = np.array([each.relative_l2 for each in others])
+        return cls(
+            nominal.relative_l2,
+            float(errors.mean()),
+            float(errors.max()),
+            {f"{part}": float(np.percentile(errors, part)) for part in (5, 50, 95)},
+        )
+
+    def to_data(self) -> dict[str, Any]:
+        """The figures by name, for JSON."""
+        return asdict(self)
+
+
+def _trace(
+    scene: Scene,
+    target: Array,
+    control_points: Array,
+    perturbation: Perturbation,
+    rays: int,
+    seed: int,
+) -> Perturbed:
+    off, heights = perturbation.applied(scene, control_points)
+    found = validate(off, target, heights, rays, seed, pose=perturbation.pose)
+    return Perturbed(perturbation, found.relative_l2_corrected, found.efficiency)
+
+
+def _in_disc(rng: np.random.Generator) -> tuple[float, float]:
+    """A point of the unit disc, evenly."""
+    radius, angle = math.sqrt(rng.random()), 2 * math.pi * rng.random()
+    return radius * math.cos(angle), radius * math.sin(angle)

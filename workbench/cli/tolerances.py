@@ -1,0 +1,109 @@
+"""``freeform tolerances``."""
+
+import json
+import sys
+from pathlib import Path
+
+from workbench.analysis.tolerances import Distribution, Perturbed, Tolerances, perturbed
+from workbench.cli.designed import read_designed
+from workbench.errors import Refused
+from workbench.files.atomic import check_writable, replacing
+
+
+def tolerances(
+    path: Path,
+    within: Tolerances,
+    samples: int,
+    rays: int,
+    plot: Path | None,
+    as_json: bool,
+) -> None:
+    """Perturb the lens of a session at random and print how its error is distributed.
+
+    Parameters
+    ----------
+    path : Path
+        Session with a lens.
+    within : Tolerances
+        How far the lens may be off.
+    samples : int
+        How many perturbed lenses.
+    rays : int
+        Rays for each of them, at least.
+    plot : Path, optional
+        PNG of the distribution to write.
+    as_json : bool
+        Whether figures are printed as JSON, those of each lens included.
+
+    Raises
+    ------
+    Refused
+        If the session cannot be read or holds no lens, a tolerance is not possible or the plot
+        cannot be written.
+    RunFailed
+        If no light of the lens as designed reaches the screen.
+    KeyboardInterrupt
+        After Ctrl-C; what the lenses so far came to is printed and written.
+    """
+    if not (within.tilt or within.decentre or within.index or within.distance or within.surface[0]):
+        raise Refused(
+            "usage",
+            "nothing is off; give --tilt, --decentre, --index, --distance or --surface",
+        )
+    session, result = read_designed(path)
+    if plot is not None:
+        check_writable(plot)
+    found: list[Perturbed] = []
+    interrupted = False
+    try:
+        for each in perturbed(
+            session.scene, session.target, result.control_points, within, samples, rays
+        ):
+            found.append(each)
+            _tell(len(found) - 1, samples)
+    except KeyboardInterrupt:
+        interrupted = True
+    _tell_end()
+    if len(found) > 1:
+        nominal, *others = found
+        _report(nominal, others, as_json)
+        if plot is not None:
+            _write(plot, nominal, others)
+    if interrupted:
+        traced = max(len(found) - 1, 0)
+        raise KeyboardInterrupt(f"interrupted; {traced} of {samples} lenses were traced")
+
+
+def _report(nominal: Perturbed, others: list[Perturbed], as_json: bool) -> None:
+    spread = Distribution.of(nominal, others)
+    if as_json:
+        samples = [each.to_data() for each in others]
+        print(json.dumps(spread.to_data() | {"samples": samples}))
+        return
+    print("relative L2 without ray noise")
+    for name, error in (
+        ("as designed", spread.nominal),
+        ("mean", spread.mean),
+        *((f"{part} % of lenses", error) for part, error in spread.percentiles.items()),
+        ("worst", spread.worst),
+    ):
+        print(f"{name:<18}{error:.5f}")
+    print(f"{'lenses':<18}{len(others)}")
+
+
+def _write(plot: Path, nominal: Perturbed, others: list[Perturbed]) -> None:
+    from workbench.pictures.tolerances import write_errors  # late: draws, takes long to import
+
+    with replacing(plot) as file:
+        write_errors(file, nominal.relative_l2, [each.relative_l2 for each in others])
+
+
+def _tell(done: int, samples: int) -> None:
+    """On a terminal, how many lenses are done."""
+    if sys.stderr.isatty():
+        print(f"\r\x1b[K{done}/{samples} lenses", end="", file=sys.stderr, flush=True)
+
+
+def _tell_end() -> None:
+    if sys.stderr.isatty():
+        print("\r\x1b[K", end="", file=sys.stderr, flush=True)
