@@ -41,15 +41,22 @@ def living():
     )
     application = QCoreApplication.instance()
     window_thread = application.thread() if application else None
+    # isinstance would wake lazy proxies; each of the few kinds is looked at once.
+    sought = (QThread, QTimer, *scene_parts)
+    kinds = {}
     for thing in gc.get_objects():
-        kind = type(thing)  # isinstance would wake lazy proxies
+        kind = type(thing)
+        if kind not in kinds:
+            kinds[kind] = issubclass(kind, sought)
+        if not kinds[kind]:
+            continue
         if issubclass(kind, QThread):
             if isValid(thing) and thing.isRunning() and thing != window_thread:
                 found[id(thing)] = f"running {thing!r}"
         elif issubclass(kind, QTimer):
             if isValid(thing) and thing.isActive():
                 found[id(thing)] = f"active {thing!r} of {thing.parent()!r}"
-        elif issubclass(kind, scene_parts):
+        else:
             found[id(thing)] = f"VTK's {kind.__name__}"
     return found
 
@@ -66,6 +73,22 @@ def left_behind(before):
             return []
         gc.collect()
     return sorted(found.values())
+
+
+@pytest.fixture(scope="session", autouse=True)
+def libraries_stay():
+    """What imports have made lives for good; it is not searched again after every test."""
+    if not gc.get_freeze_count():  # a session within a test is to leave nothing
+        gc.collect()
+        gc.freeze()
+
+
+@pytest.fixture(scope="session")
+def kernels():
+    """Kernels compiled beforehand: no run waits a minute for them."""
+    from workbench.optics.kernels.ready import compile_all
+
+    compile_all()
 
 
 @pytest.fixture(autouse=True)
@@ -141,6 +164,28 @@ def as_run(snapshots):
             for iteration in range(iterations + 1):
                 time.sleep(pause)
                 yield snapshots(iteration, iterations)
+
+        return run
+
+    return make
+
+
+@pytest.fixture
+def as_seen_run(snapshots):
+    """A run like `as_run`'s of which a runner's listeners see every snapshot, however slow."""
+
+    def make(runner, iterations, snapshots=snapshots):
+        seen = []
+        runner.frame_ready.connect(lambda frame: seen.append(frame.snapshot))
+
+        def run(scene, target, start=None):
+            for iteration in range(iterations + 1):
+                snapshot = snapshots(iteration, iterations)
+                yield snapshot
+                give_up = time.monotonic() + 30
+                while not any(each is snapshot for each in seen):
+                    assert time.monotonic() < give_up, "nobody looks"
+                    time.sleep(0.002)
 
         return run
 

@@ -10,6 +10,8 @@ from workbench.analysis.derivatives import irradiance_derivative
 from workbench.design.snapshot import History
 from workbench.files.session import Session
 
+pytestmark = pytest.mark.usefixtures("kernels")
+
 
 @pytest.fixture
 def window(display, session, snapshots, tmp_path, qtbot):

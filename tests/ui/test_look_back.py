@@ -10,6 +10,8 @@ from ui.document import Document
 from ui.main_window import MainWindow
 from ui.moments import Moments, moment
 
+pytestmark = pytest.mark.usefixtures("kernels")
+
 
 def frame(at, size=1000):
     snapshot = SimpleNamespace(control_points=np.zeros(0), irradiance=np.zeros(0))
@@ -54,14 +56,14 @@ def test_another_course_from_an_earlier_moment_replaces_the_later_ones():
 
 
 @pytest.fixture
-def window(display, session, as_run, tmp_path, qtbot):
+def window(display, session, as_seen_run, tmp_path, qtbot):
     settings = QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat)
     window = MainWindow(Document(session, "small"), settings)
     qtbot.addWidget(window, before_close_func=lambda window: window.discard_and_close())
     with qtbot.waitExposed(window):
         window.show()
     window.build()
-    window.control.runner._generate = as_run(12, pause=0.04)  # slow enough for some frames
+    window.control.runner._generate = as_seen_run(window.control.runner, 12)
     return window
 
 

@@ -15,6 +15,8 @@ from workbench.files.session import Session, read_session
 from workbench.scene import Scene
 from workbench.targets import load_target
 
+pytestmark = pytest.mark.usefixtures("kernels")
+
 SAVE, DISCARD, CANCEL = (
     QMessageBox.StandardButton.Save,
     QMessageBox.StandardButton.Discard,

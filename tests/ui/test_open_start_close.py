@@ -3,21 +3,12 @@
 import pytest
 from PySide6.QtCore import QSettings
 
-import resources
 from ui.document import Document
 from ui.main_window import MainWindow
-from workbench.files.session import Session, open_design
+
+pytestmark = pytest.mark.usefixtures("kernels")
 
 TIMES = 50
-
-
-@pytest.fixture
-def session():
-    """The top-hat example, with few rays so that frames come fast."""
-    shipped = open_design(resources.path("examples", "tophat.json"))
-    data = shipped.scene.to_data()
-    data["source"]["rays"] = [64, 64]
-    return Session(shipped.scene.from_data(data), shipped.target)
 
 
 def open_start_close(session, settings, qtbot):

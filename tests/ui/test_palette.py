@@ -71,7 +71,7 @@ def test_arrows_choose_and_a_click_does(window, palette, qtbot):
     tree = palette.findChild(QTreeWidget)
     assert tree.currentItem().text(0) == "View → Fit 3D view"
     qtbot.keyClick(palette._field, Qt.Key.Key_Down)
-    assert tree.currentItem().text(0) == "View → 3D scene"
+    assert tree.currentItem().text(0) == "View → From the side"
     item = next(each for each in palette._items() if "Derivative" in each.text(0))
     place = tree.visualItemRect(item).center()
     qtbot.mouseClick(tree.viewport(), Qt.MouseButton.LeftButton, pos=place)

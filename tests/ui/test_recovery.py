@@ -19,6 +19,8 @@ from ui.recovery import Recovery
 from workbench.errors import Refused
 from workbench.files.session import read_session
 
+pytestmark = pytest.mark.usefixtures("kernels")
+
 
 @pytest.fixture
 def document(qapp, session):
@@ -234,44 +236,63 @@ def test_one_is_recovered_and_others_wait(document, keeping, monkeypatch):
     rest.remove()
 
 
-@pytest.mark.skipif(not os.environ.get("DISPLAY"), reason="needs a display")
-def test_after_a_kill_the_next_start_has_the_work(tmp_path):
-    begin = (
-        "import sys; from PySide6.QtCore import QTimer; import ui.app, ui.recovery as r\n"
-        "start = r.Recovery.start\n"
-        "def started(self):\n"
-        "    start(self)\n"
-        "    scene = self._document.session.scene\n"
-        "    screen = scene.screen.model_copy(update={'z': 7.5})\n"
-        "    self._document.edit(scene.model_copy(update={'screen': screen}), 'edit', '')\n"
-        "    print(self.keep_now(), flush=True)\n"
-        "r.Recovery.start = started\n"
-        "sys.exit(ui.app.main([]))"
-    )
-    again = (
-        "import sys; import ui.app, ui.left_behind as l, ui.main_window as m\n"
-        "l.ask = lambda work, window: l.Choice.RECOVER\n"
-        "recover = m.FileActions.recover\n"
-        "def told(self, *a):\n"
-        "    done = recover(self, *a)\n"
-        "    document = self._document\n"
-        "    print(document.session.scene.screen.z, document.name, document.dirty, flush=True)\n"
-        "    return done\n"
-        "m.FileActions.recover = told\n"
-        "sys.exit(ui.app.main([]))"
-    )
-    environment = {**os.environ, "XDG_CONFIG_HOME": str(tmp_path)}
+BEGIN = (
+    "import sys; from PySide6.QtCore import QTimer; import ui.app, ui.recovery as r\n"
+    "start = r.Recovery.start\n"
+    "def started(self):\n"
+    "    start(self)\n"
+    "    scene = self._document.session.scene\n"
+    "    screen = scene.screen.model_copy(update={'z': 7.5})\n"
+    "    self._document.edit(scene.model_copy(update={'screen': screen}), 'edit', '')\n"
+    "    print(self.keep_now(), flush=True)\n"
+    "r.Recovery.start = started\n"
+    "sys.exit(ui.app.main([]))"
+)
+AGAIN = (
+    "import sys; import ui.app, ui.left_behind as l, ui.main_window as m\n"
+    "l.ask = lambda work, window: l.Choice.RECOVER\n"
+    "recover = m.FileActions.recover\n"
+    "def told(self, *a):\n"
+    "    done = recover(self, *a)\n"
+    "    document = self._document\n"
+    "    print(document.session.scene.screen.z, document.name, document.dirty, flush=True)\n"
+    "    return done\n"
+    "m.FileActions.recover = told\n"
+    "sys.exit(ui.app.main([]))"
+)
 
-    def first_line(script, number):
-        process = subprocess.Popen(
-            [sys.executable, "-c", script], env=environment, stdout=subprocess.PIPE, text=True
-        )
-        line = process.stdout.readline()
-        time.sleep(0.2)
-        process.send_signal(number)
-        process.communicate(timeout=120)
-        return line
 
-    assert first_line(begin, signal.SIGKILL) == "True\n"
-    assert first_line(again, signal.SIGTERM) == "7.5 tophat True\n"
-    assert first_line(again, signal.SIGKILL) == "7.5 tophat True\n"
+def first_line(script, number, folder):
+    """What a program told before it got a signal."""
+    process = subprocess.Popen(
+        [sys.executable, "-c", script],
+        env={**os.environ, "XDG_CONFIG_HOME": str(folder)},
+        stdout=subprocess.PIPE,
+        text=True,
+    )
+    line = process.stdout.readline()
+    time.sleep(0.2)
+    process.send_signal(number)
+    process.communicate(timeout=120)
+    return line
+
+
+needs_display = pytest.mark.skipif(not os.environ.get("DISPLAY"), reason="needs a display")
+
+
+@needs_display
+def test_after_a_kill_the_work_is_found(tmp_path):
+    assert first_line(BEGIN, signal.SIGKILL, tmp_path) == "True\n"
+    (folder,) = tmp_path.rglob("recovery")
+    (work,) = left_behind.find(folder)
+    assert (work.name, work.path) == ("tophat", None)
+    assert read_session(work.file).scene.screen.z == 7.5
+    work.remove()
+
+
+@needs_display
+@pytest.mark.slow
+def test_after_a_kill_each_next_start_has_the_work(tmp_path):
+    assert first_line(BEGIN, signal.SIGKILL, tmp_path) == "True\n"
+    assert first_line(AGAIN, signal.SIGTERM, tmp_path) == "7.5 tophat True\n"
+    assert first_line(AGAIN, signal.SIGKILL, tmp_path) == "7.5 tophat True\n"
