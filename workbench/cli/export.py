@@ -32,6 +32,4 @@ def export(path: Path, files: Sequence[Path], chord_error: float | None) -> None
         if file.exists() and file.samefile(path):
             raise Refused(str(file), "is the session itself; another file is needed")
     for written in write_all(session, files, chord_error):
-        kind, size, unit, note = written.deviation
-        told = [written.format, f"{kind} {size:.2g} {unit}", *([note] if note else [])]
-        print(f"{written.path}: {', '.join(told)}", flush=True)
+        print(written.sentence, flush=True)

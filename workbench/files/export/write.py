@@ -28,6 +28,13 @@ class Written(NamedTuple):
     format: str
     deviation: Deviation
 
+    @property
+    def sentence(self) -> str:
+        """All of it for people to read."""
+        kind, size, unit, note = self.deviation
+        told = [self.format, f"{kind} {size:.2g} {unit}", *([note] if note else [])]
+        return f"{self.path}: {', '.join(told)}"
+
 
 def export(
     session: Session, paths: Sequence[Path], chord_error: float | None = None
