@@ -23,6 +23,7 @@ from vtkmodules.vtkRenderingCore import vtkBillboardTextActor3D
 
 from workbench.pictures import shapes
 from workbench.pictures.camera import FittedCamera, in_view, start_z
+from workbench.pictures.exploded import explode_paths, exploded
 from workbench.pictures.images import full_scale, to_colours
 from workbench.scene import PointSource, Scene, Source
 
@@ -56,17 +57,26 @@ class LensPicture:
         Wished image; the brightness of the screen is relative to it.
     dark : bool
         Light lines on a dark ground instead of the reverse.
+    explode : bool
+        Draw long distances short, and a large screen small, beside the lens.
     """
 
     def __init__(
-        self, plotter: Any, scene: Scene, target: npt.NDArray[Any], *, dark: bool = False
+        self,
+        plotter: Any,
+        scene: Scene,
+        target: npt.NDArray[Any],
+        *,
+        dark: bool = False,
+        explode: bool = False,
     ) -> None:
         self._plotter = plotter
-        self._scene = scene
+        self._traced, self._explode = scene, explode
+        self._scene = exploded(scene) if explode else scene  # as it is drawn
         self._full_scale = full_scale(scene, target)
         self._dark = dark
         self._lines: list[Any] = []
-        self._camera = FittedCamera(plotter, scene)
+        self._camera = FittedCamera(plotter, self._scene)
         self._add_lens()
         self._add_screen()
         self._add_source()
@@ -75,7 +85,8 @@ class LensPicture:
         self._rays.cell_data["colour"] = np.zeros((1, 4), dtype=np.uint8)
         self._landing = np.zeros(1, dtype=bool)
         self._weight = np.zeros(1)
-        self._add(self._rays, scalars="colour", rgba=True, line_width=1.0, lighting=False)
+        look = {"scalars": "colour", "rgba": True, "line_width": 1.0, "lighting": False}
+        self._light = self._add(self._rays, **look)
         self.recolour(dark)
 
     def update(
@@ -98,10 +109,13 @@ class LensPicture:
         source : Source, optional
             Where these rays come from in a stage of the run that has a source of its own.
         """
-        lit = self._scene.model_copy(update={"source": source or self._scene.source})
+        lit = self._traced.model_copy(update={"source": source or self._traced.source})
+        points = paths.points
+        if self._explode:
+            points, lit = explode_paths(points, lit), exploded(lit)
         self._place_lens(surface)
         self._place_source(lit)
-        self._place_rays(paths, lit)
+        self._place_rays(paths._replace(points=points), lit)
         self._paint_screen(irradiance)
         self._plotter.renderer.ResetCameraClippingRange()
 
@@ -219,6 +233,9 @@ class LensPicture:
 
     def _place_rays(self, paths: "RayPaths", lit: Scene) -> None:
         count = len(paths.weight)
+        self._light.SetVisibility(count > 0)
+        if not count:  # VTK takes no empty arrays
+            return
         points = paths.points.copy()
         points[:, 0] = shapes.begun_at(points[:, 0], points[:, 1], start_z(lit))
         self._rays.points = points.reshape(-1, 3)
