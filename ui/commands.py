@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QAction, QKeySequence
+from PySide6.QtGui import QAction, QActionGroup, QKeySequence
 from PySide6.QtWidgets import QMainWindow, QMenu, QMenuBar, QToolBar, QToolButton
 
 from resources import EXAMPLES
@@ -40,12 +40,16 @@ NEW = {f"new_{example.name}": example for example in EXAMPLES}
 """Commands that begin with an example."""
 _FIRST = NEW["new_tophat"]
 
+RAYS = {f"rays_{rays}": rays for rays in (0, 5, 15, 45)}
+"""Commands for the number of rays in the 3D scene, along each axis."""
+
 COMMANDS = {
     **{name: Command(example.title, example.look) for name, example in NEW.items()},
     "new_tophat": Command(_FIRST.title, _FIRST.look, _Key.New, "new"),
     "open": Command("&Open…", "Open a design, or a scene file", _Key.Open, "open"),
     "save": Command("&Save", "Save scene, target and lens", _Key.Save, "save"),
     "save_as": Command("Save &as…", "Save under another name", "Ctrl+Shift+S"),
+    "export": Command("&Export…", "Write the lens or its light for other programs", "Ctrl+E"),
     "quit": Command("&Quit", "Close the workbench", "Ctrl+Q"),
     "undo": Command("&Undo", "Take the last change back", _Key.Undo, "undo"),
     "redo": Command("&Redo", "Make the change again", "Ctrl+Shift+Z", "redo"),
@@ -53,10 +57,22 @@ COMMANDS = {
     "continue": Command("&Continue", "Go on from the lens as it is", "Shift+F5", "continue"),
     "pause": Command("&Pause", "Hold the design; again to go on", "F6", "pause"),
     "stop": Command("S&top", "End the design and keep its best lens", "F7", "stop"),
+    "check": Command(
+        "&Check lens", "Trace the lens on show anew, with rays that its design never saw", "F8"
+    ),
     "fit_view": Command("&Fit 3D view", "Show lens and screen whole", "Ctrl+0", "fit-view"),
     "side_view": Command("From the &side", "Look at the 3D scene along x: light goes right"),
     "top_view": Command("From a&bove", "Look at the 3D scene along y: light goes right"),
     "axis_view": Command("Along the a&xis", "Look back along z from behind the screen"),
+    "exploded": Command(
+        "&Exploded distances",
+        "Draw a far source and screen nearer, and a large screen smaller, to see the lens",
+        "Ctrl+D",
+    ),
+    **{
+        name: Command(f"{rays * rays} rays" if rays else "No rays", "Rays in the 3D scene")
+        for name, rays in RAYS.items()
+    },
     "scene_view": Command("&3D scene", "Show or hide the 3D scene", "Ctrl+3"),
     "palette": Command("Command &palette", "Find any command by its name", "Ctrl+Shift+P"),
     "about": Command("&About", "What this program is"),
@@ -85,15 +101,28 @@ MENUS: dict[str, list[Any]] = {
         "save",
         "save_as",
         None,
+        "export",
+        None,
         "quit",
     ],
     "&Edit": ["undo", "redo"],
+    "&Design": ["check"],
     "&Run": _RUN,
-    "&View": ["fit_view", "side_view", "top_view", "axis_view", None, "scene_view"],
+    "&View": [
+        "fit_view",
+        "side_view",
+        "top_view",
+        "axis_view",
+        None,
+        "exploded",
+        ("&Rays", list(RAYS)),
+        None,
+        "scene_view",
+    ],
     "&Help": ["palette", None, "about"],
 }
 TOOLBAR = ["new_tophat", "open", "save", None, "undo", "redo", None, *_RUN, None, "fit_view"]
-_CHECKABLE = ["scene_view", "pause"]
+_CHECKABLE = ["scene_view", "pause", "exploded", *RAYS]
 
 
 class Commands:
@@ -110,6 +139,9 @@ class Commands:
         self._actions = {name: self._action(command) for name, command in COMMANDS.items()}
         for name in _CHECKABLE:
             self[name].setCheckable(True)
+        one_of = QActionGroup(window)
+        for name in RAYS:
+            one_of.addAction(self[name])
         self.menus: dict[str, QMenu] = {}
         for title, entries in MENUS.items():
             self._fill(window.menuBar(), title, entries)

@@ -15,7 +15,9 @@ if TYPE_CHECKING:
 Array = npt.NDArray[np.float64]
 
 _SURFACE_SAMPLES = (65, 65)
-_RAYS = (15, 15)
+
+RAYS = 45
+"""Rays of a frame along each axis; odd, so that the middle one is among them."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,7 +35,7 @@ class Frame:
     source : Source
         What lights the lens in the snapshot's stage.
     paths : RayPaths
-        A few rays from before the lens to the screen.
+        `RAYS` × `RAYS` rays from before the lens to the screen.
     losses : ndarray, shape (k,)
         Loss after each iteration so far, those of a continued run first.
     stage_starts : tuple of int
@@ -79,7 +81,7 @@ def make_frame(session: "Session", snapshot: "Snapshot", history: "History") -> 
         snapshot=snapshot,
         surface=sample_surface(scene.lens, heights, _SURFACE_SAMPLES),
         source=source,
-        paths=ray_paths(lit, heights, _RAYS),
+        paths=ray_paths(lit, heights, (RAYS, RAYS)),
         losses=history.losses(),
         stage_starts=history.stage_starts(),
     )

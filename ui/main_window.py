@@ -11,9 +11,11 @@ from PySide6.QtWidgets import QMainWindow, QMessageBox
 
 import workbench
 from resources import Example
-from ui.commands import NEW, Commands
+from ui.commands import NEW, RAYS, Commands
 from ui.document import ENDING, Document
+from ui.exporter import Exporter
 from ui.file_actions import Answer, FileActions
+from ui.log_view import LogView
 from ui.message_bar import MessageBar
 from ui.palette import CommandPalette
 from ui.panels.forms import Forms
@@ -22,6 +24,7 @@ from ui.run_status import RunStatus
 from ui.workspace import Workspace
 
 if TYPE_CHECKING:
+    from ui.check import Check
     from ui.frame import Frame
     from ui.run_control import RunControl
     from ui.views.derivative_view import DerivativeView
@@ -67,12 +70,17 @@ class MainWindow(QMainWindow):
         document.setParent(self)  # so that it goes after all that listens to it
         self.commands = Commands(self)
         self.messages = MessageBar()
+        self.log = LogView()
+        self.messages.said.connect(self.log.add)
         self.forms = Forms(document)
-        self.workspace = Workspace(self, self.forms, self.messages, document.undo_stack)
+        steps = document.undo_stack
+        self.workspace = Workspace(self, self.forms, self.messages, steps, self.log)
         self._recent = RecentFiles(settings)
         self.files = FileActions(document, self._recent, self.messages, self)
+        self.exporter = Exporter(document, self.messages, self)
         self._status = RunStatus(self.statusBar())
         self.control: RunControl | None = None
+        self.check: Check | None = None
         self._scene_view: SceneView | None = None
         self._derivative_view: DerivativeView | None = None
         self._look_back: LookBack | None = None
@@ -90,7 +98,9 @@ class MainWindow(QMainWindow):
 
     def build(self) -> None:
         """Add runner and views; imports what they stand on."""
+        from ui.check import Check
         from ui.run_control import RunControl
+        from ui.run_log import RunLog
         from ui.views.derivative_view import DerivativeView
         from ui.views.error_view import ErrorView
         from ui.views.image_link import ImageLink
@@ -120,7 +130,15 @@ class MainWindow(QMainWindow):
         self._derivative_view.chosen.connect(self._scene_view.mark)
         self._scene_view.picked.connect(self._derivative_view.choose)
         self.control = RunControl(self.document, self)
+        RunLog(self.document, self.control, self.log.add)
         runner = self.control.runner
+        self.check = Check(self)
+        self.check.figures_changed.connect(self._status.show_check)
+        self.check.told.connect(self.log.add)
+        self.check.failed.connect(self.messages.warn)
+        runner.frame_ready.connect(self.check.show_frame)
+        runner.unshown.connect(self.check.show_nothing)
+        self._look_back.looked.connect(self.check.show_frame)
         for view in (self._scene_view, *others.values()):
             view.show_design(self.document.session)
             self.document.session_changed.connect(view.show_design)
@@ -163,6 +181,9 @@ class MainWindow(QMainWindow):
         if self.control is not None:
             self.control.close()
             self.control = None  # nothing can be started any more
+        if self.check is not None:
+            self.check.close()
+        self.exporter.close()
         if self._scene_view is not None:
             self._scene_view.close_plotter()
         if self._derivative_view is not None:
@@ -233,6 +254,7 @@ class MainWindow(QMainWindow):
         for dock in self.workspace.docks.values():
             self.commands.menus["&View"].addAction(dock.toggleViewAction())
         self.commands["scene_view"].setChecked(True)
+        self.commands["rays_15"].setChecked(True)
 
     def _connect(self) -> None:
         steer, begin = self._steer, self._begin
@@ -241,6 +263,7 @@ class MainWindow(QMainWindow):
             "open": self.files.choose_and_open,
             "save": lambda: self._save(self.files.save),
             "save_as": lambda: self._save(self.files.save_as),
+            "export": self._export,
             "quit": self.close,
             "undo": self.document.undo_stack.undo,
             "redo": self.document.undo_stack.redo,
@@ -248,14 +271,17 @@ class MainWindow(QMainWindow):
             "continue": lambda: begin(lambda control: control.go_on()),
             "pause": lambda: steer(lambda control: control.toggle_pause()),
             "stop": lambda: steer(lambda control: control.runner.stop()),
+            "check": lambda: None if self.check is None else self.check.begin(),
             "fit_view": self._fit_view,
             **{f"{view}_view": partial(self._fit_view, view) for view in ("side", "top", "axis")},
+            **{name: partial(self._show_rays, rays) for name, rays in RAYS.items()},
             "palette": lambda: CommandPalette(self.commands.entries(), self).open(),
             "about": self._show_about,
         }
         for name, slot in slots.items():
             self.commands[name].triggered.connect(lambda _, slot=slot: slot())
         self.commands["scene_view"].toggled.connect(self.workspace.show_scene_view)
+        self.commands["exploded"].toggled.connect(self._explode)
         self.document.session_changed.connect(self._show_state)
         self.document.path_changed.connect(self._show_title)
         self.document.dirty_changed.connect(self.setWindowModified)
@@ -272,6 +298,10 @@ class MainWindow(QMainWindow):
         self.forms.commit()
         if save() and self.forms.refused:
             self.messages.note("Saved with the last valid value of each marked field.")
+
+    def _export(self) -> None:
+        self.forms.commit()
+        self.exporter.choose_and_export()
 
     def _show_title(self) -> None:
         self.setWindowTitle(f"{self.document.name}[*] - {TITLE}")
@@ -296,7 +326,11 @@ class MainWindow(QMainWindow):
         self.forms.set_running(not editable)
         commands.enable(_CHANGING, editable)
         commands["start"].setEnabled(idle)
-        commands["continue"].setEnabled(idle and self.document.session.result is not None)
+        designed = self.document.session.result is not None
+        commands["continue"].setEnabled(idle and designed)
+        commands["export"].setEnabled(designed)
+        commands.enable(["exploded", *RAYS], state != "loading")
+        commands["check"].setEnabled(state in ("idle", "paused"))
         commands["pause"].setEnabled(running)
         commands["stop"].setEnabled(running)
         commands["undo"].setEnabled(editable and stack.canUndo())
@@ -312,6 +346,14 @@ class MainWindow(QMainWindow):
     def _fit_view(self, view: str = "") -> None:
         if self._scene_view is not None:
             self._scene_view.fit(view)
+
+    def _explode(self, exploded: bool) -> None:
+        if self._scene_view is not None:
+            self._scene_view.explode(exploded)
+
+    def _show_rays(self, rays: int) -> None:
+        if self._scene_view is not None:
+            self._scene_view.show_rays(rays)
 
     def _show_about(self) -> None:
         QMessageBox.about(

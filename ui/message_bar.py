@@ -1,13 +1,21 @@
 """One sentence on top of the work, until it is read and closed."""
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QSizePolicy, QStyle, QToolButton, QWidget
 
 from ui import theme
 
 
 class MessageBar(QFrame):
-    """Shows failures and notes without stopping anybody; hidden while there is nothing to say."""
+    """Shows failures and notes without stopping anybody; hidden while there is nothing to say.
+
+    Attributes
+    ----------
+    said : Signal(str)
+        Each of them as it is shown.
+    """
+
+    said = Signal(str)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -55,3 +63,4 @@ class MessageBar(QFrame):
         self._icon.setPixmap(self.style().standardIcon(icon).pixmap(18, 18))
         self._text.setText(text)
         self.show()
+        self.said.emit(text)

@@ -27,6 +27,13 @@ class RunStatus:
         # Widths of the longest text to be expected, so that nothing jumps while it counts.
         self._iteration = _figure(bar, "Iterations done", "iteration 0000 of 0000")
         self._loss = _figure(bar, "How far the image is from the target", "loss 0.000e-00")
+        self._check = QLabel()
+        self._check.setToolTip(
+            "<p>Relative L2 error of the image, ± its standard error, and the part of the light "
+            "on the screen, by an independent trace with rays that the design never saw</p>"
+        )
+        self._check.hide()
+        bar.addPermanentWidget(self._check)
         self._light = _figure(
             bar, "Part of the light that lands on the screen", "on screen 000.0 %"
         )
@@ -47,9 +54,14 @@ class RunStatus:
         self._iteration.setText(f"iteration {done} of {all_of_it}" if counting else "")
         self._loss.setText(f"loss {snapshot.loss:.3e}")
         self._light.setText(f"on screen {100 * snapshot.ledger.efficiency:.1f} %")
-        self._elapsed.setText(f"{_clock(snapshot.seconds)} elapsed" if counting else "")
+        self._elapsed.setText(f"{clock(snapshot.seconds)} elapsed" if counting else "")
         left = snapshot.seconds / done * (all_of_it - done) if done else None
-        self._left.setText(f"{_clock(left)} left" if running and left is not None else "")
+        self._left.setText(f"{clock(left)} left" if running and left is not None else "")
+
+    def show_check(self, figures: str) -> None:
+        """Show what a check says of the lens on show; empty for nothing."""
+        self._check.setText(figures)
+        self._check.setVisible(bool(figures))
 
     def show_nothing(self) -> None:
         """There is no lens to show figures of."""
@@ -71,7 +83,8 @@ def _figure(bar: QStatusBar, tip: str, longest: str) -> QLabel:
     return label
 
 
-def _clock(seconds: float) -> str:
+def clock(seconds: float) -> str:
+    """Minutes and seconds, with hours before them where there are any."""
     minutes, rest = divmod(round(seconds), 60)
     hours, minutes = divmod(minutes, 60)
     return f"{hours}:{minutes:02}:{rest:02}" if hours else f"{minutes}:{rest:02}"

@@ -33,9 +33,11 @@ class WarmUp(QObject):
         try:
             for module in _SLOW:
                 importlib.import_module(module)
+            from workbench.design.kernels import compile_all
+            from workbench.optics.kernels.ready import announce
+
+            announce()
         finally:
             self.done.emit()  # queued: the receiver lives in the window's thread
-        # From disk in a moment, or anew in seconds; runs that begin before do without.
-        from workbench.design.kernels import compile_all
-
+        # From disk in a moment, or anew in half a minute; runs that begin before do without.
         compile_all(lambda: not self._ending.is_set())

@@ -14,6 +14,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from ui.log_view import LogView
 from ui.message_bar import MessageBar
 from ui.panels.forms import Forms
 
@@ -21,7 +22,7 @@ _LEFT = Qt.DockWidgetArea.LeftDockWidgetArea
 _RIGHT = Qt.DockWidgetArea.RightDockWidgetArea
 _BOTTOM = Qt.DockWidgetArea.BottomDockWidgetArea
 
-_HIDDEN = ("history", "target", "derivative", "section")  # until they are asked for
+_HIDDEN = ("history", "target", "derivative", "section", "log")  # until they are asked for
 
 # Shares of the window for forms, images and what stands below the 3D scene.
 _FORMS_SHARE = 0.25
@@ -42,10 +43,17 @@ class Workspace:
         Stands above the 3D scene.
     steps : QUndoStack
         What was done, listed in a dock; a click goes back or forth to that step.
+    log : LogView
+        Stands behind the loss.
     """
 
     def __init__(
-        self, window: QMainWindow, forms: Forms, messages: MessageBar, steps: QUndoStack
+        self,
+        window: QMainWindow,
+        forms: Forms,
+        messages: MessageBar,
+        steps: QUndoStack,
+        log: LogView,
     ) -> None:
         self._window = window
         self._stage = QStackedWidget()
@@ -69,6 +77,7 @@ class Workspace:
             "derivative": self._dock("derivative", "Derivative", _RIGHT),
             "loss": self._dock("loss", "Loss", _BOTTOM),
             "section": self._dock("section", "Cross-section", _BOTTOM),
+            "log": self._dock("log", "Log", _BOTTOM),
             "light": self._dock("light", "Light account", _BOTTOM),
         }
         self.docks["design"].setWidget(forms)
@@ -77,11 +86,13 @@ class Workspace:
         self.history.setToolTip("A click goes back or forth to that step")
         self.docks["history"].setWidget(self.history)
         window.tabifyDockWidget(self.docks["design"], self.docks["history"])
-        for name in self.docks.keys() - {"design", "history"}:
+        self.docks["log"].setWidget(log)
+        for name in self.docks.keys() - {"design", "history", "log"}:
             curtain = QLabel("Loading…", alignment=Qt.AlignmentFlag.AlignCenter)
             self.docks[name].setWidget(curtain)
         window.tabifyDockWidget(self.docks["error"], self.docks["derivative"])
-        window.tabifyDockWidget(self.docks["loss"], self.docks["section"])
+        for name in ("section", "log"):
+            window.tabifyDockWidget(self.docks["loss"], self.docks[name])
         window.splitDockWidget(
             self.docks["irradiance"], self.docks["target"], Qt.Orientation.Horizontal
         )

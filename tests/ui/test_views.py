@@ -399,3 +399,50 @@ def test_the_3d_scene_of_nothing_has_a_dark_screen(display, session, frame, qtbo
     qtbot.waitUntil(lambda: view._picture is not lit)
     assert view._picture._texels.point_data["colour"].max() < 10
     view.close_plotter()
+
+
+def lines_of(view):
+    picture = view._picture
+    return picture._rays.n_lines if picture._light.visibility else 0
+
+
+def test_the_number_of_rays_is_adjustable_without_another_frame(display, frame, draws, qtbot):
+    view = SceneView()
+    qtbot.addWidget(view)
+    view.resize(300, 200)
+    with qtbot.waitExposed(view):
+        view.show()
+    view.show_frame(frame(1))
+    qtbot.waitUntil(lambda: draws.get(SceneView) == 1, timeout=20_000)
+    assert lines_of(view) == 225
+    middle = view._frame.paths.points[45 * 45 // 2]
+    for count, rays in enumerate((45, 5, 0, 15), start=2):
+        view.show_rays(rays)
+        qtbot.waitUntil(lambda count=count: draws[SceneView] == count, timeout=20_000)
+        assert lines_of(view) == rays**2
+        ends = np.asarray(view._picture._rays.points).reshape(-1, 4, 3)[:, 3]
+        assert not rays or np.isclose(ends, middle[3]).all(axis=1).any()
+    view.close_plotter()
+
+
+def test_exploded_distances_bring_the_screen_nearer_and_back(display, session, frame, draws, qtbot):
+    scene = session.scene
+    far = scene.model_copy(
+        update={"screen": scene.screen.model_copy(update={"z": 90.0, "half_width": (40.0, 40.0)})}
+    )
+    view = SceneView()
+    qtbot.addWidget(view)
+    view.resize(300, 200)
+    with qtbot.waitExposed(view):
+        view.show()
+    view.show_frame(frame(1, dataclasses.replace(session, scene=far)))
+    qtbot.waitUntil(lambda: draws.get(SceneView) == 1, timeout=20_000)
+    camera = view._plotter.camera
+    to_scale = camera.parallel_scale
+    view.explode(True)
+    qtbot.waitUntil(lambda: draws[SceneView] == 2, timeout=20_000)
+    assert camera.parallel_scale < to_scale / 5
+    view.explode(False)
+    qtbot.waitUntil(lambda: draws[SceneView] == 3, timeout=20_000)
+    assert camera.parallel_scale == pytest.approx(to_scale)
+    view.close_plotter()

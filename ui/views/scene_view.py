@@ -18,17 +18,21 @@
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import numpy.typing as npt
 from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
 from PySide6.QtGui import QCloseEvent, QMouseEvent, QResizeEvent
 from PySide6.QtWidgets import QApplication, QWidget
 
+from ui.frame import RAYS
 from ui.views.view import View, look_alike
 
 if TYPE_CHECKING:
     from ui.frame import Frame
     from workbench.files.session import Session
+    from workbench.optics.paths import RayPaths
     from workbench.pictures.control_net import ControlNetPicture
     from workbench.pictures.lens import LensPicture
+    from workbench.scene import Scene
 
 
 class SceneView(View):
@@ -53,6 +57,19 @@ class SceneView(View):
         self._pressed_at: QPointF | None = None
         self._shown: Session | None = None
         self._closed = False
+        self._rays = 15
+        self._exploded = False
+
+    def show_rays(self, rays: int) -> None:
+        """Show so many of the rays along each axis: a divisor of `RAYS`, or none."""
+        self._rays = rays
+        self._ask()
+
+    def explode(self, exploded: bool) -> None:
+        """Draw long distances short and a large screen small, or all to scale."""
+        self._exploded = exploded
+        self._shown = None
+        self._ask()
 
     def fit(self, view: str = "") -> None:
         """Turn to a view of `workbench.pictures.camera.VIEWS`, or back to the default one."""
@@ -114,8 +131,8 @@ class SceneView(View):
             self._begin(session)
         self._shown = session
         if self._picture is not None and frame is not None:
-            lit = frame.snapshot.irradiance
-            self._picture.update(frame.surface, frame.paths, lit, frame.source)
+            lit, paths = frame.snapshot.irradiance, _some(frame.paths, self._rays)
+            self._picture.update(frame.surface, paths, lit, frame.source)
         if self._net is not None and frame is not None:
             self._net.update(frame.snapshot.control_points)
             self._net.mark(self._marked)
@@ -133,20 +150,40 @@ class SceneView(View):
         self._plotter.show()  # a layout shows what joins it only in a later turn
 
     def _begin(self, session: "Session") -> None:
-        from workbench.pictures.camera import space
         from workbench.pictures.control_net import ControlNetPicture
         from workbench.pictures.lens import LensPicture
 
-        scene = session.scene
-        moved = self._shown is None or not np.array_equal(space(self._shown.scene), space(scene))
+        scene, dark, explode = session.scene, self.is_dark(), self._exploded
+        moved = self._shown is None or not np.array_equal(
+            self._space(self._shown.scene), self._space(scene)
+        )
         self._plotter.clear_actors()
-        self._picture = LensPicture(self._plotter, scene, session.target, dark=self.is_dark())
-        self._net = ControlNetPicture(self._plotter, scene.lens, dark=self.is_dark())
+        self._picture = LensPicture(
+            self._plotter, scene, session.target, dark=dark, explode=explode
+        )
+        self._net = ControlNetPicture(self._plotter, scene.lens, dark=dark)
         if moved:
             self._picture.fit()
+
+    def _space(self, scene: "Scene") -> npt.NDArray[np.float64]:
+        """What the picture of a scene has to hold."""
+        from workbench.pictures.camera import space
+        from workbench.pictures.exploded import exploded
+
+        return space(exploded(scene) if self._exploded else scene)
 
     def _recolour(self) -> None:
         if self._picture is not None:
             self._picture.recolour(self.is_dark())
         if self._net is not None:
             self._net.recolour(self.is_dark())
+
+
+def _some(paths: "RayPaths", count: int) -> "RayPaths":
+    """Evenly spread ones of `RAYS` × `RAYS` rays, the middle one among them; or none."""
+    chosen = np.zeros((RAYS, RAYS), dtype=bool)
+    if count:
+        step = RAYS // count
+        chosen[step // 2 :: step, step // 2 :: step] = True
+    kept = chosen.ravel()
+    return type(paths)(paths.points[kept], paths.weight[kept], paths.on_screen[kept])

@@ -1,0 +1,144 @@
+"""Checks from the window: figures beside the loss, until another lens is shown."""
+
+from types import SimpleNamespace
+
+import pytest
+from PySide6.QtCore import QSettings
+
+from ui.document import Document
+from ui.main_window import MainWindow
+from workbench.analysis.validation import validate
+from workbench.design.snapshot import History
+from workbench.errors import RunFailed
+from workbench.files.session import Session
+
+pytestmark = pytest.mark.usefixtures("kernels")
+
+RAYS = 20_000
+
+
+@pytest.fixture
+def few_rays(monkeypatch):
+    """Real checks, with fewer rays."""
+    monkeypatch.setattr(
+        "workbench.analysis.validation.validate", lambda *lens: validate(*lens, rays=RAYS)
+    )
+
+
+@pytest.fixture
+def window(display, session, snapshots, tmp_path, qtbot):
+    history = History()
+    history.add(snapshots(3))
+    designed = Session(session.scene, session.target, history.result())
+    settings = QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat)
+    window = MainWindow(Document(designed, "flat"), settings)
+    qtbot.addWidget(window, before_close_func=lambda window: window.discard_and_close())
+    with qtbot.waitExposed(window):
+        window.show()
+    window.build()
+    qtbot.waitUntil(lambda: window.check._shown is not None, timeout=60_000)
+    return window
+
+
+def figures(window):
+    return window._status._check.text()
+
+
+def test_the_figures_stand_beside_the_loss(window, few_rays, qtbot):
+    window.commands["check"].trigger()
+    assert figures(window) == "checking…"
+    qtbot.waitUntil(lambda: figures(window).startswith("checked"), timeout=60_000)
+    session = window.document.session
+    found = validate(session.scene, session.target, session.result.control_points, rays=RAYS)
+    error = f"{100 * found.relative_l2:.2f} ± {100 * found.noise:.2f} %"
+    assert figures(window) == f"checked: error {error}, {100 * found.efficiency:.1f} %"
+    assert window._status._check.isVisible()
+    assert f"relative L2 error {error}" in window.log.toPlainText()
+
+
+def test_they_are_forgotten_with_the_lens(window, few_rays, qtbot):
+    window.commands["check"].trigger()
+    qtbot.waitUntil(lambda: figures(window).startswith("checked"), timeout=60_000)
+    scene, stack = window.document.session.scene, window.document.undo_stack
+    run = scene.run.model_copy(update={"iterations": 17})
+    window.document.edit(scene.model_copy(update={"run": run}), "run", "")
+    qtbot.waitUntil(lambda: window.check._shown.session.scene.run.iterations == 17)
+    assert figures(window).startswith("checked")  # it is the same lens
+    screen = scene.screen.model_copy(update={"z": 7.0})
+    window.document.edit(scene.model_copy(update={"screen": screen}), "screen", "")
+    qtbot.waitUntil(lambda: not figures(window), timeout=60_000)
+    assert not window._status._check.isVisible()
+    assert stack.count() == 2
+
+
+def test_a_check_of_a_lens_that_changes_meanwhile_says_nothing(window, gate, qtbot):
+    window.commands["check"].trigger()
+    qtbot.waitUntil(lambda: len(gate.begun) == 1)
+    scene = window.document.session.scene
+    screen = scene.screen.model_copy(update={"z": 7.0})
+    window.document.edit(scene.model_copy(update={"screen": screen}), "screen", "")
+    qtbot.waitUntil(lambda: not figures(window), timeout=60_000)
+    window.commands["check"].trigger()
+    assert figures(window) == "checking…"
+    gate.release(2)
+    qtbot.waitUntil(lambda: figures(window).startswith("checked"), timeout=60_000)
+    assert [scene.screen.z for scene in gate.begun] == [5.0, 7.0]
+    assert window.log.toPlainText().count("Check with") == 1
+
+
+def test_a_second_order_changes_nothing(window, gate, qtbot):
+    for _ in range(3):
+        window.commands["check"].trigger()
+    gate.release(3)
+    qtbot.waitUntil(lambda: figures(window).startswith("checked"), timeout=60_000)
+    window.commands["check"].trigger()
+    assert len(gate.begun) == 1
+
+
+def test_why_there_are_no_figures_is_said(window, monkeypatch, qtbot):
+    def dark(*lens):
+        raise RunFailed("no light of this lens reaches the screen")
+
+    monkeypatch.setattr("workbench.analysis.validation.validate", dark)
+    window.commands["check"].trigger()
+    qtbot.waitUntil(lambda: "no light" in window.messages.text, timeout=60_000)
+    assert figures(window) == ""
+    monkeypatch.setattr("workbench.analysis.validation.validate", lambda *lens: 1 / 0)
+    window.commands["check"].trigger()
+    qtbot.waitUntil(lambda: "ZeroDivisionError" in window.messages.text, timeout=60_000)
+
+
+def test_closing_in_the_midst_of_a_check(window, gate, qtbot):
+    window.commands["check"].trigger()
+    qtbot.waitUntil(lambda: len(gate.begun) == 1)
+    gate.release(1)
+    window.discard_and_close()
+    assert not window.check._background.busy
+
+
+def test_no_check_while_a_run_goes_on(window, as_run, qtbot):
+    window.control.runner._generate = as_run(100_000, pause=0.01)
+    window.commands["start"].trigger()
+    assert not window.commands["check"].isEnabled()
+    window.commands["pause"].trigger()
+    assert window.commands["check"].isEnabled()
+    window.commands["stop"].trigger()
+    qtbot.waitUntil(lambda: not window.control.busy, timeout=60_000)
+
+
+@pytest.fixture
+def gate(monkeypatch):
+    """Checks that wait until they are let, and note which scene they are of."""
+    from threading import Semaphore
+
+    allowed, begun = Semaphore(0), []
+    found = SimpleNamespace(relative_l2=0.5, noise=0.001, efficiency=0.9, rays=16, loss=0.1)
+
+    def wait(scene, target, heights):
+        begun.append(scene)
+        assert allowed.acquire(timeout=30)
+        return found
+
+    monkeypatch.setattr("workbench.analysis.validation.validate", wait)
+    yield SimpleNamespace(release=allowed.release, begun=begun)
+    allowed.release(100)

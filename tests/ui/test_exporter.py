@@ -1,0 +1,112 @@
+"""Exports from the window: written beside it, told with their measured error."""
+
+import re
+import threading
+from types import SimpleNamespace
+
+import pytest
+from PySide6.QtCore import QSettings, QTimer
+from PySide6.QtWidgets import QApplication, QFileDialog
+
+from ui.document import Document
+from ui.main_window import MainWindow
+from workbench.design.snapshot import History
+from workbench.files.export.formats import FORMATS
+from workbench.files.session import Session
+
+
+@pytest.fixture
+def window(session, snapshots, tmp_path, qtbot):
+    history = History()
+    history.add(snapshots(3))
+    designed = Session(session.scene, session.target, history.result())
+    settings = QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat)
+    window = MainWindow(Document(designed, "flat"), settings)
+    qtbot.addWidget(window, before_close_func=lambda window: window.discard_and_close())
+    with qtbot.waitExposed(window):
+        window.show()
+    return window
+
+
+def export(window, path, qtbot, monkeypatch):
+    monkeypatch.setattr(window.exporter, "ask_for_name", lambda: path)
+    window.commands["export"].trigger()
+    qtbot.waitUntil(lambda: not window.exporter._background.busy, timeout=60_000)
+
+
+@pytest.mark.parametrize("name", ["lens.stl", "lens.dat", "lens.irradiance.npy"])
+def test_a_file_is_written_and_its_error_told(window, name, tmp_path, qtbot, monkeypatch):
+    path = tmp_path / name
+    export(window, path, qtbot, monkeypatch)
+    assert path.stat().st_size > 0
+    told = window.messages.text
+    assert told.startswith(f"{path}: ")
+    assert re.search(r"\d", told.removeprefix(str(path)))
+    assert window.log.toPlainText().endswith(told)
+
+
+@pytest.mark.parametrize("name", ["lens.docx", "no/lens.stl"])
+def test_what_cannot_be_written_is_said(window, name, tmp_path, qtbot, monkeypatch):
+    export(window, tmp_path / name, qtbot, monkeypatch)
+    assert str(tmp_path / name.split("/")[0]) in window.messages.text
+    assert window.messages.objectName() == "warning"
+    assert not (tmp_path / name).exists()
+
+
+@pytest.fixture
+def held(monkeypatch):
+    """An export that goes on until it is let."""
+    release = threading.Event()
+
+    def write(session, path):
+        assert release.wait(30)
+        return SimpleNamespace(sentence="written")
+
+    monkeypatch.setattr("ui.exporter._write", write)
+    yield release
+    release.set()
+
+
+def test_the_window_answers_meanwhile_and_takes_one_at_a_time(window, held, tmp_path, qtbot):
+    ticks = []
+    timer = QTimer(interval=5)
+    timer.timeout.connect(lambda: ticks.append(1))
+    timer.start()
+    window.exporter.export(tmp_path / "one.stl")
+    assert "is being written" in window.messages.text
+    qtbot.waitUntil(lambda: len(ticks) > 5)
+    window.exporter.export(tmp_path / "two.stl")
+    assert "still being written" in window.messages.text
+    timer.stop()
+    held.set()
+    qtbot.waitUntil(lambda: window.messages.text == "written")
+
+
+def test_closing_waits_for_the_file(window, held, tmp_path):
+    window.exporter.export(tmp_path / "one.stl")
+    threading.Timer(0.1, held.set).start()
+    window.discard_and_close()
+    assert held.is_set() and not window.exporter._background.busy
+
+
+def test_without_a_lens_there_is_nothing_to_export(window):
+    assert window.commands["export"].isEnabled()
+    window.commands["new_tophat"].trigger()
+    assert not window.commands["export"].isEnabled()
+
+
+def test_the_dialog_offers_every_format_and_adds_its_ending(window, tmp_path, qtbot):
+    window.document.save(tmp_path / "mine.freeform")
+    seen = []
+
+    def accept():
+        dialog = next(w for w in QApplication.topLevelWidgets() if isinstance(w, QFileDialog))
+        seen.append(dialog.nameFilters())
+        chosen = next(each for each in dialog.nameFilters() if "*.height.npy" in each)
+        dialog.selectNameFilter(chosen)
+        dialog.filterSelected.emit(chosen)
+        dialog.accept()
+
+    QTimer.singleShot(300, accept)
+    assert window.exporter.ask_for_name() == tmp_path / "mine.height.npy"
+    assert len(seen[0]) == len(FORMATS)

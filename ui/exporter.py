@@ -1,0 +1,90 @@
+"""Takes the lens and its light to files for other programs."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject
+from PySide6.QtWidgets import QFileDialog, QWidget
+
+from ui.background import Background
+from ui.document import Document
+from ui.message_bar import MessageBar
+from workbench.files.export.formats import FORMATS, Format
+
+if TYPE_CHECKING:
+    from workbench.files.export.write import Written
+    from workbench.files.session import Session
+
+
+class Exporter(QObject):
+    """Asks for a file and writes it in a thread of its own, one at a time.
+
+    Parameters
+    ----------
+    document : Document
+        Its lens is written.
+    messages : MessageBar
+        Shows what was written and how far it is from the design, or why nothing was.
+    window : QWidget
+        Parent of the dialog.
+    """
+
+    def __init__(self, document: Document, messages: MessageBar, window: QWidget) -> None:
+        super().__init__(window)
+        self._document = document
+        self._messages = messages
+        self._window = window
+        self._background = Background("export", self)
+        self._background.done.connect(self._tell)
+        self._background.failed.connect(messages.warn)
+
+    def choose_and_export(self) -> None:
+        """Ask for a file and write it; the ending of its name tells the format."""
+        path = self.ask_for_name()
+        if path is not None:
+            self.export(path)
+
+    def export(self, path: Path) -> None:
+        """Write a file."""
+        if self._background.busy:
+            self._messages.note("One file is still being written; export the next after it.")
+            return
+        session = self._document.session
+        self._messages.note(f"{path.name} is being written…")
+        self._background.begin(lambda: _write(session, path))
+
+    def ask_for_name(self) -> Path | None:
+        """Ask for a file; a name without an ending gets that of the chosen format."""
+        suggested = self._document.suggested_path
+        dialog = QFileDialog(self._window, "Export", str(suggested.parent))
+        dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
+        endings = {_filter(each): each.endings[0] for each in FORMATS}
+        dialog.setNameFilters(list(endings))
+
+        def suggest(chosen: str) -> None:
+            dialog.setDefaultSuffix(endings[chosen].removeprefix("."))
+
+        dialog.filterSelected.connect(suggest)
+        suggest(dialog.selectedNameFilter())
+        dialog.selectFile(suggested.stem)
+        return Path(dialog.selectedFiles()[0]) if dialog.exec() else None
+
+    def close(self) -> None:
+        """Let the file under way be written. Safe to call twice."""
+        self._background.close()
+
+    def _tell(self, written: "Written") -> None:
+        self._messages.note(written.sentence)
+
+
+def _write(session: "Session", path: Path) -> "Written":
+    # Late: torch comes with it, and the window shows before that.
+    from workbench.files.export.write import export
+
+    (written,) = export(session, [path])
+    return written
+
+
+def _filter(found: Format) -> str:
+    patterns = " ".join(f"*{ending}" for ending in found.endings)
+    return f"{found.name[0].upper()}{found.name[1:]} ({patterns})"

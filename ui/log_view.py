@@ -1,0 +1,24 @@
+"""What happened in this window, line by line with the time of day."""
+
+from datetime import datetime
+
+from PySide6.QtWidgets import QPlainTextEdit, QWidget
+
+_LINES = 2000  # of which the oldest give way
+
+
+class LogView(QPlainTextEdit):
+    """Text to read and to copy, not to edit; it stays where one has scrolled to."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setReadOnly(True)
+        self.setUndoRedoEnabled(False)
+        self.setMaximumBlockCount(_LINES)
+        self.setFrameShape(QPlainTextEdit.Shape.NoFrame)
+        self.setPlaceholderText("What runs, checks and exports tell is written here.")
+        self.setAccessibleName("Log")
+
+    def add(self, sentence: str) -> None:
+        """Write a line below the others."""
+        self.appendPlainText(f"{datetime.now():%H:%M:%S}  {' '.join(sentence.split())}")

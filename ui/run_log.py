@@ -1,0 +1,80 @@
+"""Tells the phases of each run, and what was chosen for its trace, as they come."""
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject
+
+from ui.document import Document
+from ui.run_control import RunControl
+from ui.run_status import clock
+
+if TYPE_CHECKING:
+    from ui.frame import Frame
+    from workbench.design.snapshot import Snapshot
+
+_TURNS = {
+    ("running", "paused"): "Run paused",
+    ("paused", "running"): "Run resumed",
+    ("running", "stopping"): "Stop asked for",
+    ("paused", "stopping"): "Stop asked for",
+}
+
+
+class RunLog(QObject):
+    """Listens to the runs of a window.
+
+    What a stage or the trace of a run is told when a frame of it is shown, so the log of a run
+    grows with what changes in it, never with its iterations.
+
+    Parameters
+    ----------
+    document : Document
+        What is designed.
+    control : RunControl
+        Its runs are told; the log goes with it.
+    tell : Callable
+        Gets one sentence at a time.
+    """
+
+    def __init__(
+        self, document: Document, control: RunControl, tell: Callable[[str], None]
+    ) -> None:
+        super().__init__(control)
+        self._document, self._control, self._tell = document, control, tell
+        self._state = "idle"
+        self._last: Snapshot | None = None
+        control.runner.state_changed.connect(self._follow)
+        control.runner.frame_ready.connect(self._look)
+        control.ended.connect(self._end)
+
+    def _follow(self, state: str) -> None:
+        before, self._state = self._state, state
+        if (before, state) == ("idle", "running"):
+            self._last = None
+            run = self._document.session.scene.run
+            self._tell(f"Run begins: {self._document.name}, method {run.method}")
+        elif (before, state) in _TURNS:
+            at = f" at iteration {self._last.iteration}" if self._last is not None else ""
+            self._tell(_TURNS[before, state] + at)
+
+    def _look(self, frame: "Frame") -> None:
+        if not self._control.busy:  # a preview
+            return
+        shot, last = frame.snapshot, self._last
+        self._last = shot
+        if shot.stages > 1 and (last is None or last.stage != shot.stage):
+            self._tell(f"Stage {shot.stage + 1} of {shot.stages}, iteration {shot.iteration}")
+        if shot.notes and (last is None or last.notes != shot.notes):
+            self._tell("Trace: " + "; ".join(shot.notes))
+
+    def _end(self) -> None:
+        if self._last is None:
+            self._tell("Run ended before its first lens")
+            return
+        shot = self._last
+        self._tell(
+            f"Run ended after iteration {shot.iteration} of {shot.iterations}, "
+            f"{clock(shot.seconds)}: last loss {shot.loss:.3e}, "
+            f"{100 * shot.ledger.efficiency:.1f} % on the screen"
+        )
