@@ -17,10 +17,9 @@ def compile_all(goes_on: Callable[[], bool] = lambda: True) -> None:
     goes_on : callable
         Asked before each part; the rest is left out once it says no.
     """
-    if not goes_on():
-        return
-    mass = np.full((2, 2), 0.25)
-    push(mass, *mapped(c_transform(np.zeros((2, 2)), 1.0, 1.0), 1.0, 1.0))
+    if goes_on():
+        mass = np.full((2, 2), 0.25)
+        push(mass, *mapped(c_transform(np.zeros((2, 2)), 1.0, 1.0), 1.0, 1.0))
     ready.compile_all(goes_on)
 
 

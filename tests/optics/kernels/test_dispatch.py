@@ -54,6 +54,18 @@ def test_compiling_ahead_can_be_broken_off(nothing_compiled):
     assert ready._ready == {("collimated", torch.float32)}
 
 
+def test_a_plan_does_not_compile_what_is_announced(monkeypatch):
+    monkeypatch.setattr(ready, "_ready", set())
+    ready.announce()
+    try:
+        assert not ready.is_ready("collimated", torch.float32)
+        assert not ready._ready
+        assert ready.is_ready("collimated", torch.float64)  # nobody else will compile that
+    finally:
+        ready.compile_all(lambda: False)
+    assert ready.is_ready("collimated", torch.float32)
+
+
 def test_samples_take_the_place_of_the_sources_rays(make_scene):
     few, many = make_scene({"source.rays": [20, 30]}), make_scene({"source.rays": [70, 80]})
     for fused in (True, False):

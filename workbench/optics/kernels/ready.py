@@ -1,9 +1,9 @@
 """Which kernels are compiled, and compiling them before they are needed.
 
 Numba compiles a kernel at its first call, some seconds long, and keeps it on disk. A window lets a
-thread of its own do that (`compile_all`); a plan asks `is_ready` before each trace and takes the
-reference while another thread is still at it. Where nobody is, a plan compiles what it needs at
-once: a program without a window may as well wait.
+thread of its own do that (`compile_all`, after `announce`); a plan asks `is_ready` before each trace
+and takes the reference as long as that thread is not done with the kernel. Where there is none, a
+plan compiles what it needs at once: a program without a window may as well wait.
 """
 
 import threading
@@ -22,12 +22,15 @@ _COMPILERS: dict[str, Callable[[torch.dtype], None]] = {
 
 _ready: set[tuple[str, torch.dtype]] = set()
 _compiling = threading.Lock()
+_announced = threading.Event()
 
 
 def is_ready(name: str, dtype: torch.dtype) -> bool:
-    """Whether a kernel can be called now; compiles it unless another thread is compiling."""
+    """Whether a kernel can be called now; compiles it unless another thread does or will."""
     if (name, dtype) in _ready:
         return True
+    if _announced.is_set() and dtype == torch.float32:
+        return False
     if not _compiling.acquire(blocking=False):
         return False
     try:
@@ -35,6 +38,11 @@ def is_ready(name: str, dtype: torch.dtype) -> bool:
     finally:
         _compiling.release()
     return True
+
+
+def announce() -> None:
+    """Say that `compile_all` will be called by this or another thread."""
+    _announced.set()
 
 
 def compile_all(goes_on: Callable[[], bool] = lambda: True) -> None:
@@ -45,11 +53,14 @@ def compile_all(goes_on: Callable[[], bool] = lambda: True) -> None:
     goes_on : callable
         Asked before each kernel; the rest is left out once it says no.
     """
-    for name in _COMPILERS:
-        if not goes_on():
-            return
-        with _compiling:
-            _compile(name, torch.float32)
+    try:
+        for name in _COMPILERS:
+            if not goes_on():
+                return
+            with _compiling:
+                _compile(name, torch.float32)
+    finally:
+        _announced.clear()
 
 
 def _compile(name: str, dtype: torch.dtype) -> None:
