@@ -11,7 +11,7 @@ from workbench.optics.plan import Plan
 
 DTYPES = [torch.float64, torch.float32]
 FEW = settings(max_examples=40, suppress_health_check=list(HealthCheck))
-MANY = settings(max_examples=3000, suppress_health_check=list(HealthCheck))
+MANY = settings(max_examples=2000, suppress_health_check=list(HealthCheck))
 FAR = {"kind": "point", "emission": "uniform", "rays": 500}
 NEAR = {"kind": "point", "emission": "lambertian", "rays": 500}
 
@@ -103,7 +103,7 @@ def test_many_traces(case: Case):
 
 @pytest.mark.slow
 @pytest.mark.timeout(3600)
-@settings(MANY, max_examples=500)
+@settings(MANY, max_examples=400)
 @given(case=cases())
 def test_many_mirrors(case: Case):
     for dtype in DTYPES:
@@ -112,7 +112,7 @@ def test_many_mirrors(case: Case):
 
 @pytest.mark.slow
 @pytest.mark.timeout(3600)
-@settings(MANY, max_examples=500)
+@settings(MANY, max_examples=400)
 @given(case=cases())
 def test_many_units(case: Case):
     for dtype in DTYPES:

@@ -18,6 +18,7 @@ from workbench.optics.kernels.point import FusedPointRays
 from workbench.optics.ledger import Ledger
 from workbench.optics.light import Tracer
 from workbench.optics.point import PointRays
+from workbench.optics.precision import precision_of
 from workbench.optics.reference import Reference
 from workbench.scene import (
     BoxFilter,
@@ -58,8 +59,8 @@ class Plan:
         Control net of the heights to come; the scene's own by default.
     filter : BoxFilter or GaussianFilter, optional
         Reconstruction filter; the scene's own by default.
-    dtype : torch.dtype
-        Float type of the trace.
+    dtype : torch.dtype, optional
+        Float type of the trace; by default the one that the scene needs, see `precision_of`.
     fused : bool
         False asks for the reference.
     samples : tuple[int, int], optional
@@ -80,18 +81,20 @@ class Plan:
         scene: Scene,
         net: ControlNet | None = None,
         filter: Filter | None = None,
-        dtype: torch.dtype = torch.float32,
+        dtype: torch.dtype | None = None,
         fused: bool = True,
         samples: tuple[int, int] | None = None,
         mirrored: tuple[bool, bool] = (False, False),
     ) -> None:
         self._screen = scene.screen
         self._filter = filter or scene.filter
+        net = net or ControlNet.of(scene.lens)
+        self._fine = dtype is None and precision_of(scene, net) == torch.float64
+        dtype = dtype or precision_of(scene, net)
         self._dtype, self._device = dtype, device_of(scene)
         self._fused = fused and self._device.type == "cpu"
         self._mirrored = mirrored
         self._kernel: Tracer | None = None
-        net = net or ControlNet.of(scene.lens)
         if samples is not None and isinstance(scene.source, CollimatedSource):
             source = CollimatedSource(kind="collimated", rays=samples)
             scene = scene.model_copy(update={"source": source})
@@ -145,6 +148,8 @@ class Plan:
         if isinstance(tracer, FusedCollimatedRays | FusedFaceSamples) and any(tracer.mirrored):
             part = "a quarter" if all(tracer.mirrored) else "half"
             notes.append(f"mirror symmetry: {part} of the rays")
+        if self._fine:
+            notes.append("float64: float32 would move light by a part of a pixel")
         if isinstance(self._filter, BoxFilter):
             notes.append("box filter: one pixel a ray, no ghost pixels")
         return tuple(notes)
