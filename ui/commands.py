@@ -46,6 +46,9 @@ RAYS = {f"rays_{rays}": rays for rays in (0, 5, 15, 45)}
 COMMANDS = {
     **{name: Command(example.title, example.look) for name, example in NEW.items()},
     "new_tophat": Command(_FIRST.title, _FIRST.look, _Key.New, "new"),
+    "gallery": Command(
+        "New from &gallery…", "Choose an example by the picture of its light", "Ctrl+Shift+N"
+    ),
     "open": Command("&Open…", "Open a design, or a scene file", _Key.Open, "open"),
     "save": Command("&Save", "Save scene, target and lens", _Key.Save, "save"),
     "save_as": Command("Save &as…", "Save under another name", "Ctrl+Shift+S"),
@@ -95,6 +98,7 @@ _RUN = ["start", "continue", "pause", "stop"]
 MENUS: dict[str, list[Any]] = {
     "&File": [
         ("&New from example", _examples()),
+        "gallery",
         "open",
         ("Open &recent", []),
         None,

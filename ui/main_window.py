@@ -10,11 +10,12 @@ from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QPaintEvent
 from PySide6.QtWidgets import QMainWindow, QMessageBox
 
 import workbench
-from resources import Example
+from resources import EXAMPLES, Example
 from ui.commands import NEW, RAYS, Commands
 from ui.document import ENDING, Document
 from ui.exporter import Exporter
 from ui.file_actions import Answer, FileActions
+from ui.gallery import Gallery
 from ui.log_view import LogView
 from ui.message_bar import MessageBar
 from ui.palette import CommandPalette
@@ -36,7 +37,7 @@ _SHARE_OF_SCREEN = 0.85
 _SIZE = QSize(1280, 800)  # which smaller screens need whole
 
 # Not while a run works on the design as it was when it began.
-_CHANGING = [*NEW, "open", "save", "save_as"]
+_CHANGING = [*NEW, "gallery", "open", "save", "save_as"]
 
 _STATES = {
     "loading": "Loading…",
@@ -260,6 +261,7 @@ class MainWindow(QMainWindow):
         steer, begin = self._steer, self._begin
         slots: dict[str, Callable[[], object]] = {
             **{name: partial(self._new, example) for name, example in NEW.items()},
+            "gallery": self._show_gallery,
             "open": self.files.choose_and_open,
             "save": lambda: self._save(self.files.save),
             "save_as": lambda: self._save(self.files.save_as),
@@ -287,6 +289,11 @@ class MainWindow(QMainWindow):
         self.document.dirty_changed.connect(self.setWindowModified)
         self.document.undo_stack.indexChanged.connect(self._show_state)
         self.files.recent_changed.connect(self._show_recent)
+
+    def _show_gallery(self) -> None:
+        gallery = Gallery(EXAMPLES, self)
+        gallery.chosen.connect(self._new)
+        gallery.open()
 
     def _new(self, example: Example) -> None:
         if self.files.new(example) and example.dock:
