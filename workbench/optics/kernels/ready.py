@@ -1,9 +1,9 @@
 """Which kernels are compiled, and compiling them before they are needed.
 
 Numba compiles a kernel at its first call, some seconds long, and keeps it on disk. A window lets a
-thread of its own do that (`compile_all`, after `announce`); a plan asks `is_ready` before each trace
-and takes the reference as long as that thread is not done with the kernel. Where there is none, a
-plan compiles what it needs at once: a program without a window may as well wait.
+thread of its own do that (`compile_all`, after `announce`); a plan asks `is_ready` before each
+trace and takes the reference as long as that thread is not done with the kernel. Where there is
+none, a plan compiles what it needs at once: a program without a window may as well wait.
 """
 
 import threading
