@@ -19,7 +19,7 @@ from workbench.optics.kernels.point import FusedPointRays
 from workbench.optics.light import Tracer
 from workbench.optics.point import PointRays
 from workbench.optics.reference import Reference
-from workbench.scene import CollimatedSource, ExactMethod, Scene, Screen
+from workbench.scene import CollimatedSource, ExactMethod, PointSource, Scene, Screen, Source
 
 Array = npt.NDArray[np.float64]
 Make = Callable[[Scene], Tracer]
@@ -139,6 +139,18 @@ class _Nudged(Screen):
         return column + self.nudge[0], row + self.nudge[1]
 
 
+def _moved(scene: Scene, signs: list[int]) -> Source:
+    """The source a few roundings of the aperture aside, which matters to one right before it."""
+    source, hair = scene.source, 4 * torch.finfo(torch.float64).eps
+    if isinstance(source, CollimatedSource):
+        return source
+    name = "position" if isinstance(source, PointSource) else "center"
+    x, y, z = getattr(source, name)
+    r_x, r_y = scene.lens.half_width
+    place = (x + signs[0] * hair * r_x, y + signs[1] * hair * r_y, z)
+    return source.model_copy(update={name: place})
+
+
 def _neighbours(case: Case, make: Make, dtype: torch.dtype) -> list[Seen]:
     """The same lens in scenes that differ from its own by some rounding."""
     scene, heights = case.scene, case.heights()
@@ -148,13 +160,18 @@ def _neighbours(case: Case, make: Make, dtype: torch.dtype) -> list[Seen]:
     size = hair * ((heights - level).abs().max().item() + (level - scene.lens.entrance_z))
     size += 4 * torch.finfo(torch.float64).eps * abs(level)  # of the heights themselves
     found = []
-    for signs in product((-1, 1), repeat=2):
+    # Pixels move to each side, or apart and together.
+    for *signs, growth in [*product((-1, 1), (-1, 1), (0,)), (0, 0, -1), (0, 0, 1)]:
+        wide = tuple(r * (1 + hair * growth) for r in scene.screen.half_width)
         nudge = tuple(hair * m * sign for m, sign in zip(scene.screen.pixels, signs, strict=True))
         index = scene.lens.index * (1 + hair * rng.uniform(0, 1))
         other = scene.model_copy(
             update={
-                "screen": _Nudged(**scene.screen.model_dump(), nudge=nudge),
+                "screen": _Nudged(
+                    z=scene.screen.z, pixels=scene.screen.pixels, half_width=wide, nudge=nudge
+                ),
                 "lens": scene.lens.model_copy(update={"refractive_index": index}),
+                "source": _moved(scene, signs),
             }
         )
         moved = heights + size * torch.as_tensor(rng.uniform(-1, 1, heights.shape))
