@@ -29,8 +29,9 @@ Array = npt.NDArray[np.float64]
 # Cells along each axis, of lens and screen alike; finer nets get more places for their slopes.
 _CELLS = 256
 _FITS = 3
-# Where no face could bend the light as wanted, the normal is kept this much along the axis.
-_UPRIGHT = 0.05
+# Where no face could bend the light as wanted, the normal is kept along the axis by this part of
+# what it is where light goes straight on, n − 1.
+_UPRIGHT = 0.1
 _SHIFTS = 65
 
 
@@ -84,7 +85,7 @@ def transport_start(scene: Scene, target: Array) -> Array | None:
             length = np.sqrt(out_x**2 + out_y**2 + out_z**2)
             # Snell's law as vectors: the normal is along n d_in − d_out.
             n = lens.index
-            normal_z = np.maximum(n * d_z - out_z / length, _UPRIGHT)
+            normal_z = np.maximum(n * d_z - out_z / length, _UPRIGHT * (n - 1))
             slope_x = -(n * d_x - out_x / length) / normal_z
             slope_y = -(n * d_y - out_y / length) / normal_z
             heights = _amid(fit.heights(slope_x, slope_y), free)
