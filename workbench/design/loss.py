@@ -49,9 +49,9 @@ def check_finite(loss: Tensor, ledger: Ledger) -> None:
     if ledger.on_screen == 0:
         raise RunFailed(
             f"no light reaches the screen: of the emitted light {ledger.off_screen:.0%} passes "
-            f"beside it, {ledger.total_reflection:.0%} is totally reflected, {ledger.left_side:.0%} "
-            f"leaves by the side and {ledger.missed_lens:.0%} misses the lens; a larger screen or "
-            "another base would catch some"
+            f"beside it, {ledger.total_reflection:.0%} is totally reflected, "
+            f"{ledger.left_side:.0%} leaves by the side and {ledger.missed_lens:.0%} misses the "
+            "lens; a larger screen or another base would catch some"
         )
     raise RunFailed(
         f"the loss is {loss.item()} although {ledger.on_screen:.0%} of the light is on the screen"
