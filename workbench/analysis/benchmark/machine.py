@@ -121,4 +121,5 @@ def _versions() -> dict[str, str]:
     for package in _PACKAGES:
         with suppress(PackageNotFoundError):
             found[package] = version(package)
-    return found
+    # Its build (CPU or CUDA) is not in the package's metadata.
+    return found | {"torch": str(torch.__version__)}
