@@ -2,6 +2,7 @@
 
 import time
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -19,6 +20,8 @@ Array = npt.NDArray[np.float64]
 Method = Callable[[Example, int | None], Iterator[tuple[float, Array]]]
 
 _PAPER_ITERATIONS = 1000  # as in the paper
+# With a finer net and the paper's rays its own loss falls and the verified error rises.
+_PAPER_NET = 64
 
 
 def _auto(example: Example, iterations: int | None) -> Iterator[tuple[float, Array]]:
@@ -26,7 +29,11 @@ def _auto(example: Example, iterations: int | None) -> Iterator[tuple[float, Arr
 
 
 def _paper(example: Example, iterations: int | None) -> Iterator[tuple[float, Array]]:
-    return _designed(example, {"method": "paper"}, iterations or _PAPER_ITERATIONS)
+    n_u, n_v = example.scene.lens.control_points
+    net = {"control_points": (min(n_u, _PAPER_NET), min(n_v, _PAPER_NET))}
+    lens = example.scene.lens.model_copy(update=net)
+    coarse = replace(example, scene=example.scene.model_copy(update={"lens": lens}))
+    return _designed(coarse, {"method": "paper"}, iterations or _PAPER_ITERATIONS)
 
 
 def _transport(example: Example, iterations: int | None) -> Iterator[tuple[float, Array]]:
