@@ -25,6 +25,7 @@ def window(display, qtbot, tmp_path):
     shipped = open_design(resources.path("examples", "flame.json"))
     data = shipped.scene.to_data()
     data["run"] = {"method": "paper", "iterations": 1_000_000}
+    data["lens"]["control_points"] = [64, 64]  # on finer nets its learning rate is too bold
     session = Session(shipped.scene.from_data(data), shipped.target)
     made = MainWindow(
         Document(session, "flame"), QSettings(str(tmp_path / "s.ini"), QSettings.Format.IniFormat)
@@ -43,6 +44,7 @@ def test_the_window_answers_during_a_run(shown, window, latency_probe, qtbot, ca
     window.control.runner.frame_ready.connect(frames.append)
     window.commands["scene_view"].setChecked(shown)
     window.start()
+    qtbot.waitUntil(lambda: bool(frames), timeout=60_000)
     qtbot.wait(int(1000 * _WARMING_SECONDS))
     begun = frames[-1].snapshot.iteration
     latency_probe.start()
