@@ -98,20 +98,22 @@ def auto_steps(scene: Scene, target: Array, start: Array | None) -> Iterator[Ste
     phases: Sequence[Phase] = PHASES
     if start is None:
         undesigned = free.heights(parameters)
-        yield _image(scene, target, PHASES[-1], mirrored, undesigned).compare(undesigned)[1]
+        image = _image(scene, target, PHASES[-1], mirrored, _reach(scene, undesigned))
+        yield image.compare(undesigned)[1]
         first = transport_start(scene, target)
         if first is not None:
             parameters = free.parameters(first)
     heights = free.heights(parameters)
     # All lenses are judged by the sharpest image, so that their losses can be compared.
-    judge = _image(scene, target, PHASES[-1], mirrored, heights)
+    reach = _reach(scene, heights)
+    judge = _image(scene, target, PHASES[-1], mirrored, reach)
     if start is not None and judge.compare(heights)[0].norm() < _ROUGH:
         phases = PHASES[-1:]
     # The very first lens is none of the iterations.
     left = scene.run.iterations + (start is not None)
     for phase in phases:
         last = phase is phases[-1]
-        image = judge if last else _image(scene, target, phase, mirrored, heights)
+        image = judge if last else _image(scene, target, phase, mirrored, reach)
         waves = Waves(parameters, phase.cut, mirrored)
         base, length = parameters, _longest_change(waves)
         objective = _objective(image, judge, free, base, waves)
@@ -149,9 +151,13 @@ def _longest_change(waves: Waves) -> Callable[[Tensor], float]:
 
 
 def _image(
-    scene: Scene, target: Array, phase: Phase, mirrored: tuple[bool, bool], heights: Tensor
+    scene: Scene,
+    target: Array,
+    phase: Phase,
+    mirrored: tuple[bool, bool],
+    reach: tuple[float, float],
 ) -> WideImage:
-    """The image as a phase sees it, wide enough for the light of its first lens."""
+    """The image as a phase sees it, wide enough for light that falls as far as ``reach``."""
     wanted = _samples(scene.source)
     per_axis = [
         max(
@@ -165,9 +171,13 @@ def _image(
     ]
     # An even number can be halved by symmetry.
     m_x, m_y = (min(2 * math.ceil(count / 2), _MOST_RAYS) for count in per_axis)
-    reach = Plan(scene, samples=_FEW_RAYS).reach(heights)
     filter = GaussianFilter(alpha=phase.alpha)
     return WideImage(scene, target, filter, (m_x, m_y), mirrored, reach)
+
+
+def _reach(scene: Scene, heights: Tensor) -> tuple[float, float]:
+    """How far from the axis the light of a lens falls."""
+    return Plan(scene, samples=_FEW_RAYS).reach(heights)
 
 
 def _samples(source: Source) -> tuple[int, int]:

@@ -89,8 +89,10 @@ class Plan:
         self._screen = scene.screen
         self._filter = filter or scene.filter
         net = net or ControlNet.of(scene.lens)
-        self._fine = dtype is None and precision_of(scene, net) == torch.float64
-        dtype = dtype or precision_of(scene, net)
+        self._fine = False  # by the scene's need, not by the caller's wish
+        if dtype is None:
+            dtype = precision_of(scene, net)
+            self._fine = dtype == torch.float64
         self._dtype, self._device = dtype, device_of(scene)
         self._fused = fused and self._device.type == "cpu"
         self._mirrored = mirrored
