@@ -1,5 +1,6 @@
 """The open design: a session, the file it lives in, and every change that was made to it."""
 
+from dataclasses import replace
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
@@ -98,7 +99,7 @@ class Document(QObject):
     def set_result(self, result: Result, text: str) -> None:
         """Put a run's result into the session, as one step that can be undone."""
         old = self._session
-        self.undo_stack.push(_Step(self, old, Session(old.scene, old.target, result), text))
+        self.undo_stack.push(_Step(self, old, replace(old, result=result), text))
 
     def open(self, path: Path) -> None:
         """Open a session, or an untitled design from a scene file.

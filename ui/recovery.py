@@ -8,6 +8,7 @@
 
 import json
 import threading
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 from uuid import uuid4
@@ -124,8 +125,10 @@ class Recovery(QObject):
 
     def _unsaved(self) -> Session | None:
         if self._frame is not None:
-            design = self._frame.session
-            return Session(design.scene, design.target, self._frame.result())
+            now = self._document.session
+            return replace(
+                self._frame.session, result=self._frame.result(), runs=now.runs, view=now.view
+            )
         return self._document.session if self._document.dirty else None
 
     def _write(self, session: Session, path: Path | None, name: str) -> None:

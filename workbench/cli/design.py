@@ -3,6 +3,7 @@
 import json
 import os
 from contextlib import closing
+from dataclasses import replace
 from pathlib import Path
 
 from workbench.cli.interruption import Interruption
@@ -11,7 +12,7 @@ from workbench.design.snapshot import History, Result
 from workbench.errors import Refused
 from workbench.files.atomic import check_writable
 from workbench.files.figures import Figures
-from workbench.files.session import Session, is_session, open_design, write_session
+from workbench.files.session import is_session, open_design, write_session
 from workbench.scene import Scene
 
 
@@ -63,7 +64,7 @@ def design(path: Path, output: Path, iterations: int | None, seconds: float, as_
         finally:
             result = history.result()
             if result is not None:
-                write_session(Session(scene, session.target, result), output)
+                write_session(replace(session, scene=scene, result=result), output)
     if result is not None:
         _print(result, as_json)
     if interruption.asked:

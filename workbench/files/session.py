@@ -1,15 +1,14 @@
 """Sessions: a design and its result in one zip, as plain JSON and .npy arrays."""
 
 import zipfile
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal
 
-import numpy as np
-import numpy.typing as npt
 from pydantic import ValidationError
 
 from workbench import __version__
+from workbench.design.session import KeptRun as KeptRun  # from here, too
+from workbench.design.session import Session as Session
 from workbench.design.snapshot import Result
 from workbench.errors import Refused
 from workbench.files.atomic import replacing
@@ -26,41 +25,11 @@ from workbench.files.scene import (
 from workbench.refusals import refusal
 from workbench.scene import Part, Scene
 
-Array = npt.NDArray[np.float64]
-
 _HEADER = "session.json"
 _TARGET = "target.npy"
 _CONTROL_POINTS = "control_points.npy"
 _IRRADIANCE = "irradiance.npy"
 _LOSS = "loss.npy"
-
-
-@dataclass(frozen=True, eq=False)
-class Session:
-    """A design: what is wished, and the lens found for it.
-
-    Attributes
-    ----------
-    scene : Scene
-        The design task, with an absolute ``target.image``.
-    target : ndarray, shape (n_y, n_x)
-        The wished image before normalisation and filtering, row 0 at +y.
-    result : Result, optional
-        The best lens so far; None before the first run.
-    """
-
-    scene: Scene
-    target: Array
-    result: Result | None = None
-
-    def with_scene(self, scene: Scene, target: Array) -> "Session":
-        """The session after an edit; the result stays if it is one for this task as well.
-
-        Run settings say how to search, not what for, so changing them leaves the result.
-        """
-        same_task = scene.model_copy(update={"run": self.scene.run}) == self.scene
-        keep = same_task and np.array_equal(target, self.target)
-        return Session(scene, target, self.result if keep else None)
 
 
 class _Header(Part):
