@@ -1,136 +1,19 @@
-"""Every command of the window, defined once; menus and toolbar are made of these."""
+"""The commands of the table as actions of a window, in its menus and its toolbar."""
 
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
 from PySide6.QtWidgets import QMainWindow, QMenu, QMenuBar, QToolBar, QToolButton
 
-from resources import EXAMPLES
 from ui import theme
+from ui.command_table import CHOICES, COMMANDS, LABELLED, MENUS, TOOLBAR, Command
 from ui.palette import SEPARATOR
 
 
-@dataclass(frozen=True)
-class Command:
-    """One thing that a person can tell the window to do.
-
-    Attributes
-    ----------
-    text : str
-        In the menu; ``&`` marks the mnemonic.
-    tip : str
-        What it does, for tooltip and status bar.
-    shortcut : str or QKeySequence.StandardKey
-        Key that triggers it.
-    icon : str
-        Name in resources/icons; empty for none.
-    """
-
-    text: str
-    tip: str
-    shortcut: str | QKeySequence.StandardKey = ""
-    icon: str = ""
-
-
-_Key = QKeySequence.StandardKey
-
-NEW = {f"new_{example.name}": example for example in EXAMPLES}
-"""Commands that begin with an example."""
-_FIRST = NEW["new_tophat"]
-
-RAYS = {f"rays_{rays}": rays for rays in (0, 5, 15, 45)}
-"""Commands for the number of rays in the 3D scene, along each axis."""
-
-COMMANDS = {
-    **{name: Command(example.title, example.look) for name, example in NEW.items()},
-    "new_tophat": Command(_FIRST.title, _FIRST.look, _Key.New, "new"),
-    "gallery": Command(
-        "New from &gallery…", "Choose an example by the picture of its light", "Ctrl+Shift+N"
-    ),
-    "open": Command("&Open…", "Open a design, or a scene file", _Key.Open, "open"),
-    "save": Command("&Save", "Save scene, target and lens", _Key.Save, "save"),
-    "save_as": Command("Save &as…", "Save under another name", "Ctrl+Shift+S"),
-    "export": Command("&Export…", "Write the lens or its light for other programs", "Ctrl+E"),
-    "quit": Command("&Quit", "Close the workbench", "Ctrl+Q"),
-    "undo": Command("&Undo", "Take the last change back", _Key.Undo, "undo"),
-    "redo": Command("&Redo", "Make the change again", "Ctrl+Shift+Z", "redo"),
-    "start": Command("&Start", "Design the lens from its start", "F5", "start"),
-    "continue": Command("&Continue", "Go on from the lens as it is", "Shift+F5", "continue"),
-    "pause": Command("&Pause", "Hold the design; again to go on", "F6", "pause"),
-    "stop": Command("S&top", "End the design and keep its best lens", "F7", "stop"),
-    "check": Command(
-        "&Check lens", "Trace the lens on show anew, with rays that its design never saw", "F8"
-    ),
-    "fit_view": Command("&Fit 3D view", "Show lens and screen whole", "Ctrl+0", "fit-view"),
-    "side_view": Command("From the &side", "Look at the 3D scene along x: light goes right"),
-    "top_view": Command("From a&bove", "Look at the 3D scene along y: light goes right"),
-    "axis_view": Command("Along the a&xis", "Look back along z from behind the screen"),
-    "exploded": Command(
-        "&Exploded distances",
-        "Draw a far source and screen nearer, and a large screen smaller, to see the lens",
-        "Ctrl+D",
-    ),
-    **{
-        name: Command(f"{rays * rays} rays" if rays else "No rays", "Rays in the 3D scene")
-        for name, rays in RAYS.items()
-    },
-    "scene_view": Command("&3D scene", "Show or hide the 3D scene", "Ctrl+3"),
-    "palette": Command("Command &palette", "Find any command by its name", "Ctrl+Shift+P"),
-    "about": Command("&About", "What this program is"),
-}
-
-
-def _examples() -> list[Any]:
-    """Examples by group; the first group stands in the menu itself, the others in one each."""
-    groups: dict[str, list[str]] = {}
-    for name, example in NEW.items():
-        groups.setdefault(example.group, []).append(name)
-    (_, first), *others = groups.items()
-    return [*first, None, *others]
-
-
-_RUN = ["start", "continue", "pause", "stop"]
-
-# Menus by name; None is a separator, a tuple a menu within. Open recent and the docks are added
-# by the window, because they come and go.
-MENUS: dict[str, list[Any]] = {
-    "&File": [
-        ("&New from example", _examples()),
-        "gallery",
-        "open",
-        ("Open &recent", []),
-        None,
-        "save",
-        "save_as",
-        None,
-        "export",
-        None,
-        "quit",
-    ],
-    "&Edit": ["undo", "redo"],
-    "&Design": ["check"],
-    "&Run": _RUN,
-    "&View": [
-        "fit_view",
-        "side_view",
-        "top_view",
-        "axis_view",
-        None,
-        "exploded",
-        ("&Rays", list(RAYS)),
-        None,
-        "scene_view",
-    ],
-    "&Help": ["palette", None, "about"],
-}
-TOOLBAR = ["new_tophat", "open", "save", None, "undo", "redo", None, *_RUN, None, "fit_view"]
-_CHECKABLE = ["scene_view", "pause", "exploded", *RAYS]
-
-
 class Commands:
-    """The commands as actions of a window, in its menus and its toolbar.
+    """Actions by the names of their commands; those that nothing is connected to are disabled.
 
     Parameters
     ----------
@@ -141,11 +24,11 @@ class Commands:
     def __init__(self, window: QMainWindow) -> None:
         self._window = window
         self._actions = {name: self._action(command) for name, command in COMMANDS.items()}
-        for name in _CHECKABLE:
-            self[name].setCheckable(True)
-        one_of = QActionGroup(window)
-        for name in RAYS:
-            one_of.addAction(self[name])
+        self._connected: set[str] = set()
+        for names in CHOICES:
+            one_of = QActionGroup(window)
+            for name in names:
+                one_of.addAction(self[name])
         self.menus: dict[str, QMenu] = {}
         for title, entries in MENUS.items():
             self._fill(window.menuBar(), title, entries)
@@ -157,7 +40,7 @@ class Commands:
                 self.toolbar.addSeparator()
             else:
                 self.toolbar.addAction(self[entry])
-        for name in _RUN:
+        for name in LABELLED:
             button = self.toolbar.widgetForAction(self[name])
             assert isinstance(button, QToolButton)
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
@@ -167,10 +50,22 @@ class Commands:
     def __getitem__(self, name: str) -> QAction:
         return self._actions[name]
 
-    def enable(self, names: list[str], enabled: bool) -> None:
-        """Make some commands available or not."""
-        for name in names:
-            self[name].setEnabled(enabled)
+    def connect(self, slots: Mapping[str, Callable[[], object]]) -> None:
+        """Tell what commands do when a person chooses them, and make them available."""
+        for name, slot in slots.items():
+            self[name].triggered.connect(lambda _, slot=slot: slot())
+        self._open(slots.keys())
+
+    def connect_toggles(self, slots: Mapping[str, Callable[[bool], object]]) -> None:
+        """Tell what commands that are on or off do whenever that changes."""
+        for name, slot in slots.items():
+            self[name].toggled.connect(slot)
+        self._open(slots.keys())
+
+    def allow(self, allowed: Mapping[str, bool]) -> None:
+        """Make commands available or not, as far as they do anything yet."""
+        for name, allow in allowed.items():
+            self[name].setEnabled(allow and name in self._connected)
 
     def entries(self) -> list[tuple[str, QAction]]:
         """All actions of the menus as they are now, with menus and text for a name."""
@@ -183,8 +78,16 @@ class Commands:
             if command.icon:
                 self[name].setIcon(theme.icon(command.icon, self._window.palette()))
 
+    def _open(self, names: Iterable[str]) -> None:
+        self._connected.update(names)
+        self.allow(dict.fromkeys(names, True))
+
     def _action(self, command: Command) -> QAction:
         action = QAction(command.text, self._window)
+        action.setEnabled(False)
+        if command.checked is not None:
+            action.setCheckable(True)
+            action.setChecked(command.checked)
         action.setShortcut(QKeySequence(command.shortcut))
         keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
         action.setToolTip(f"{command.tip} ({keys})" if keys else command.tip)

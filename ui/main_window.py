@@ -11,7 +11,9 @@ from PySide6.QtWidgets import QMainWindow, QMessageBox
 
 import workbench
 from resources import EXAMPLES, Example
-from ui.commands import NEW, RAYS, Commands
+from ui.availability import Situation
+from ui.command_table import NEW
+from ui.commands import Commands
 from ui.document import ENDING, Document
 from ui.exporter import Exporter
 from ui.file_actions import Answer, FileActions
@@ -28,16 +30,11 @@ if TYPE_CHECKING:
     from ui.check import Check
     from ui.frame import Frame
     from ui.run_control import RunControl
-    from ui.views.derivative_view import DerivativeView
-    from ui.views.look_back import LookBack
-    from ui.views.scene_view import SceneView
+    from ui.views.views import Views
 
 TITLE = "Freeform Lens Workbench"
 _SHARE_OF_SCREEN = 0.85
 _SIZE = QSize(1280, 800)  # which smaller screens need whole
-
-# Not while a run works on the design as it was when it began.
-_CHANGING = [*NEW, "gallery", "open", "save", "save_as"]
 
 _STATES = {
     "loading": "Loading…",
@@ -82,9 +79,7 @@ class MainWindow(QMainWindow):
         self._status = RunStatus(self.statusBar())
         self.control: RunControl | None = None
         self.check: Check | None = None
-        self._scene_view: SceneView | None = None
-        self._derivative_view: DerivativeView | None = None
-        self._look_back: LookBack | None = None
+        self.views: Views | None = None
         self._leaving = False  # whatever would be lost
         self._closing = False  # as soon as the run has ended
         self.setAcceptDrops(True)
@@ -102,67 +97,46 @@ class MainWindow(QMainWindow):
         from ui.check import Check
         from ui.run_control import RunControl
         from ui.run_log import RunLog
-        from ui.views.derivative_view import DerivativeView
-        from ui.views.error_view import ErrorView
-        from ui.views.image_link import ImageLink
-        from ui.views.irradiance_view import IrradianceView
-        from ui.views.light_view import LightView
-        from ui.views.look_back import LookBack
-        from ui.views.loss_view import LossView
-        from ui.views.scene_view import SceneView
-        from ui.views.section_view import SectionView
-        from ui.views.target_view import TargetView
+        from ui.views.views import Views
 
-        link, loss_view, self._look_back = ImageLink(self), LossView(), LookBack()
-        loss_view.add_below(self._look_back)
-        self._scene_view, self._derivative_view = SceneView(), DerivativeView()
-        others = {
-            "irradiance": IrradianceView(link),
-            "target": TargetView(link),
-            "error": ErrorView(link),
-            "derivative": self._derivative_view,
-            "loss": loss_view,
-            "section": SectionView(link),
-            "light": LightView(),
-        }
-        self.workspace.raise_curtain(self._scene_view, others)
-        shown = self.workspace.docks["derivative"].visibilityChanged
-        shown.connect(self._derivative_view.uncover)
-        self._derivative_view.chosen.connect(self._scene_view.mark)
-        self._scene_view.picked.connect(self._derivative_view.choose)
-        self.control = RunControl(self.document, self)
-        RunLog(self.document, self.control, self.log.add)
-        runner = self.control.runner
-        self.check = Check(self)
-        self.check.figures_changed.connect(self._status.show_check)
-        self.check.told.connect(self.log.add)
-        self.check.failed.connect(self.messages.warn)
-        runner.frame_ready.connect(self.check.show_frame)
-        runner.unshown.connect(self.check.show_nothing)
-        self._look_back.looked.connect(self.check.show_frame)
-        for view in (self._scene_view, *others.values()):
-            view.show_design(self.document.session)
-            self.document.session_changed.connect(view.show_design)
-            runner.frame_ready.connect(view.show_frame)
-            runner.unshown.connect(view.show_nothing)
-            self._look_back.looked.connect(view.show_frame)
-        runner.frame_ready.connect(self._show_frame)
+        self.control = control = RunControl(self.document, self)
+        self.views = views = Views(self)
+        self.check = check = Check(self)
+        self.workspace.raise_curtain(views.scene, views.docked)
+        self.workspace.docks["derivative"].visibilityChanged.connect(views.derivative.uncover)
+        views.follow(self.document, control)
+        RunLog(self.document, control, self.log.add)
+        runner, look_back = control.runner, views.look_back
+        check.figures_changed.connect(self._status.show_check)
+        check.told.connect(self.log.add)
+        check.failed.connect(self.messages.warn)
+        runner.unshown.connect(check.show_nothing)
+        for shows in (runner.frame_ready, look_back.looked):
+            shows.connect(check.show_frame)
+            shows.connect(self._show_frame)
+        look_back.went_on.connect(lambda frame: self._begin(lambda: control.go_on_from(frame)))
         runner.state_changed.connect(self._show_state)
-        self._look_back.looked.connect(self._show_frame)
-        self._look_back.went_on.connect(
-            lambda frame: self._begin(lambda control: control.go_on_from(frame))
-        )
-        moments = self.control.moments
-        moments.changed.connect(lambda: self._look_back.show_frames(moments.frames))
         runner.unshown.connect(self._status.show_nothing)
         runner.failed.connect(self.messages.warn)
-        self.control.ended.connect(self._end_run)
+        control.ended.connect(self._end_run)
+        self.commands.connect(
+            {
+                "start": self.start,
+                "continue": lambda: self._begin(control.go_on),
+                "pause": control.toggle_pause,
+                "stop": runner.stop,
+                "check": check.begin,
+                **views.slots(),
+            }
+        )
+        self.commands.connect_toggles(views.toggles())
         self._show_state()
         self.built.emit()
 
     def start(self) -> None:
         """Design the lens from its start."""
-        self._begin(lambda control: control.start())
+        if self.control is not None:
+            self._begin(self.control.start)
 
     def discard_and_close(self) -> None:
         """Close without a question, a run and unsaved changes lost."""
@@ -185,10 +159,8 @@ class MainWindow(QMainWindow):
         if self.check is not None:
             self.check.close()
         self.exporter.close()
-        if self._scene_view is not None:
-            self._scene_view.close_plotter()
-        if self._derivative_view is not None:
-            self._derivative_view.close_thread()
+        if self.views is not None:
+            self.views.close()
         super().closeEvent(event)
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
@@ -229,20 +201,17 @@ class MainWindow(QMainWindow):
         if not self._busy:  # it ended while the question stood
             return self.files.save()
         self._closing = True
-        self._steer(lambda control: control.runner.stop())
+        assert self.control is not None  # or nothing would be under way
+        self.control.runner.stop()
         return False
 
-    def _begin(self, begin: "Callable[[RunControl], None]") -> None:
+    def _begin(self, begin: Callable[[], None]) -> None:
         self.forms.commit()
         if self.forms.refused:
             self.messages.warn("A marked field is refused; correct it, or press Esc in it, first.")
         else:
             self.messages.clear()
-            self._steer(begin)
-
-    def _steer(self, order: "Callable[[RunControl], None]") -> None:
-        if self.control is not None:
-            order(self.control)
+            begin()
 
     def _end_run(self) -> None:
         self._status.settle()
@@ -254,36 +223,24 @@ class MainWindow(QMainWindow):
     def _add_menus(self) -> None:
         for dock in self.workspace.docks.values():
             self.commands.menus["&View"].addAction(dock.toggleViewAction())
-        self.commands["scene_view"].setChecked(True)
-        self.commands["rays_15"].setChecked(True)
 
     def _connect(self) -> None:
-        steer, begin = self._steer, self._begin
-        slots: dict[str, Callable[[], object]] = {
-            **{name: partial(self._new, example) for name, example in NEW.items()},
-            "gallery": self._show_gallery,
-            "open": self.files.choose_and_open,
-            "save": lambda: self._save(self.files.save),
-            "save_as": lambda: self._save(self.files.save_as),
-            "export": self._export,
-            "quit": self.close,
-            "undo": self.document.undo_stack.undo,
-            "redo": self.document.undo_stack.redo,
-            "start": self.start,
-            "continue": lambda: begin(lambda control: control.go_on()),
-            "pause": lambda: steer(lambda control: control.toggle_pause()),
-            "stop": lambda: steer(lambda control: control.runner.stop()),
-            "check": lambda: None if self.check is None else self.check.begin(),
-            "fit_view": self._fit_view,
-            **{f"{view}_view": partial(self._fit_view, view) for view in ("side", "top", "axis")},
-            **{name: partial(self._show_rays, rays) for name, rays in RAYS.items()},
-            "palette": lambda: CommandPalette(self.commands.entries(), self).open(),
-            "about": self._show_about,
-        }
-        for name, slot in slots.items():
-            self.commands[name].triggered.connect(lambda _, slot=slot: slot())
-        self.commands["scene_view"].toggled.connect(self.workspace.show_scene_view)
-        self.commands["exploded"].toggled.connect(self._explode)
+        self.commands.connect(
+            {
+                **{name: partial(self._new, example) for name, example in NEW.items()},
+                "gallery": self._show_gallery,
+                "open": self.files.choose_and_open,
+                "save": lambda: self._save(self.files.save),
+                "save_as": lambda: self._save(self.files.save_as),
+                "export": self._export,
+                "quit": self.close,
+                "undo": self.document.undo_stack.undo,
+                "redo": self.document.undo_stack.redo,
+                "palette": lambda: CommandPalette(self.commands.entries(), self).open(),
+                "about": self._show_about,
+            }
+        )
+        self.commands.connect_toggles({"scene_view": self.workspace.show_scene_view})
         self.document.session_changed.connect(self._show_state)
         self.document.path_changed.connect(self._show_title)
         self.document.dirty_changed.connect(self.setWindowModified)
@@ -326,41 +283,22 @@ class MainWindow(QMainWindow):
 
     def _show_state(self) -> None:
         """What can be done depends on the run, on the result and on the undo stack."""
-        state = "loading" if self.control is None else self.control.runner.state
-        idle, running = state == "idle", state in ("running", "paused")
         stack, commands = self.document.undo_stack, self.commands
-        editable = not (running or state == "stopping")
-        self.forms.set_running(not editable)
-        commands.enable(_CHANGING, editable)
-        commands["start"].setEnabled(idle)
-        designed = self.document.session.result is not None
-        commands["continue"].setEnabled(idle and designed)
-        commands["export"].setEnabled(designed)
-        commands.enable(["exploded", *RAYS], state != "loading")
-        commands["check"].setEnabled(state in ("idle", "paused"))
-        commands["pause"].setEnabled(running)
-        commands["stop"].setEnabled(running)
-        commands["undo"].setEnabled(editable and stack.canUndo())
-        commands["redo"].setEnabled(editable and stack.canRedo())
+        now = Situation(
+            state="loading" if self.control is None else self.control.runner.state,
+            designed=self.document.session.result is not None,
+            can_undo=stack.canUndo(),
+            can_redo=stack.canRedo(),
+        )
+        commands.allow(now.allows())
         commands["undo"].setText(f"&Undo {stack.undoText()}")
         commands["redo"].setText(f"&Redo {stack.redoText()}")
-        commands["pause"].setChecked(state == "paused")
-        self.workspace.history.setEnabled(editable)
-        if self._look_back is not None:
-            self._look_back.allow(look=state in ("idle", "paused"), go_on=idle)
-        self._status.show_state(_STATES[state])
-
-    def _fit_view(self, view: str = "") -> None:
-        if self._scene_view is not None:
-            self._scene_view.fit(view)
-
-    def _explode(self, exploded: bool) -> None:
-        if self._scene_view is not None:
-            self._scene_view.explode(exploded)
-
-    def _show_rays(self, rays: int) -> None:
-        if self._scene_view is not None:
-            self._scene_view.show_rays(rays)
+        commands["pause"].setChecked(now.state == "paused")
+        self.forms.set_running(not now.editable)
+        self.workspace.history.setEnabled(now.editable)
+        if self.views is not None:
+            self.views.look_back.allow(look=now.resting, go_on=now.state == "idle")
+        self._status.show_state(_STATES[now.state])
 
     def _show_about(self) -> None:
         QMessageBox.about(

@@ -72,13 +72,13 @@ def designed(window, qtbot):
     """The window after a run, of which at least the first and last moment are kept."""
     with qtbot.waitSignal(window.control.ended, timeout=60_000):
         window.commands["start"].trigger()
-        assert not window._look_back._slider.isEnabled()
-    qtbot.waitUntil(lambda: window._look_back.isVisible())
+        assert not window.views.look_back._slider.isEnabled()
+    qtbot.waitUntil(lambda: window.views.look_back.isVisible())
     return window
 
 
 def test_the_slider_shows_an_earlier_lens(designed, qtbot):
-    look_back, loss = designed._look_back, designed.workspace.docks["irradiance"].widget()
+    look_back, loss = designed.views.look_back, designed.workspace.docks["irradiance"].widget()
     frames = designed.control.moments.frames
     qtbot.wait(300)  # the preview of the result comes after the run
     look_back._slider.setFocus()
@@ -89,7 +89,7 @@ def test_the_slider_shows_an_earlier_lens(designed, qtbot):
 
 
 def test_the_design_goes_on_from_an_earlier_lens(designed, qtbot):
-    look_back, first = designed._look_back, designed.control.moments.frames[0]
+    look_back, first = designed.views.look_back, designed.control.moments.frames[0]
     look_back._slider.setValue(0)
     with qtbot.waitSignal(designed.control.ended, timeout=60_000):
         qtbot.mouseClick(look_back._button, Qt.MouseButton.LeftButton)
@@ -107,7 +107,7 @@ def test_an_edit_forgets_the_course(designed, qtbot):
     scene = designed.document.session.scene
     designed.document.edit(scene.model_copy(update={"unit": "mm"}), "unit", "unit")
     assert designed.control.moments.frames == []
-    assert not designed._look_back.isVisible()
+    assert not designed.views.look_back.isVisible()
 
 
 def test_the_list_of_steps_can_be_jumped_in(designed, qtbot):

@@ -8,7 +8,7 @@ from PySide6.QtGui import QDropEvent
 from PySide6.QtWidgets import QMessageBox
 
 from resources import EXAMPLES
-from ui.commands import COMMANDS
+from ui.command_table import COMMANDS
 from ui.document import Document
 from ui.main_window import MainWindow
 from workbench.files.session import Session, read_session
@@ -358,7 +358,7 @@ def test_a_cancelled_close_lets_the_run_go_on(built, qtbot, answers):
 
 
 def test_the_camera_turns_to_an_axis_and_back(built, qtbot):
-    view = built._scene_view
+    view = built.views.scene
     qtbot.waitUntil(lambda: view._picture is not None, timeout=20_000)
     camera = view._plotter.camera
     before = camera.direction
@@ -370,7 +370,7 @@ def test_the_camera_turns_to_an_axis_and_back(built, qtbot):
 
 
 def test_the_3d_scene_can_be_hidden(built):
-    view = built._scene_view
+    view = built.views.scene
     assert view.isVisible()
     built.commands["scene_view"].trigger()
     assert not view.isVisible()

@@ -1,0 +1,53 @@
+"""What a person may do now."""
+
+from dataclasses import dataclass
+
+from ui.command_table import NEW
+
+# Not while a run works on the design as it was when it began.
+_CHANGING = [*NEW, "gallery", "open", "save", "save_as"]
+
+
+@dataclass(frozen=True)
+class Situation:
+    """What decides about it.
+
+    Attributes
+    ----------
+    state : str
+        Of the run: "idle", "running", "paused" or "stopping"; "loading" while there cannot be one.
+    designed : bool
+        Whether there is a lens that was designed.
+    can_undo, can_redo : bool
+        Whether the undo stack has a step in that direction.
+    """
+
+    state: str
+    designed: bool
+    can_undo: bool
+    can_redo: bool
+
+    @property
+    def editable(self) -> bool:
+        """Whether the design may be changed."""
+        return self.state in ("loading", "idle")
+
+    @property
+    def resting(self) -> bool:
+        """Whether the lens on show stays as it is until somebody asks for another."""
+        return self.state in ("idle", "paused")
+
+    def allows(self) -> dict[str, bool]:
+        """Which of the commands are available; those that are left out always are."""
+        idle, under_way = self.state == "idle", self.state in ("running", "paused")
+        return {
+            **dict.fromkeys(_CHANGING, self.editable),
+            "start": idle,
+            "continue": idle and self.designed,
+            "pause": under_way,
+            "stop": under_way,
+            "export": self.designed,
+            "check": self.resting,
+            "undo": self.editable and self.can_undo,
+            "redo": self.editable and self.can_redo,
+        }

@@ -1,0 +1,138 @@
+"""Every command of the window, defined once; menus, toolbar and palette are made of these."""
+
+from dataclasses import dataclass
+from typing import Any
+
+from PySide6.QtGui import QKeySequence
+
+from resources import EXAMPLES
+
+
+@dataclass(frozen=True)
+class Command:
+    """One thing that a person can tell the window to do.
+
+    Attributes
+    ----------
+    text : str
+        In the menu; ``&`` marks the mnemonic.
+    tip : str
+        What it does, for tooltip and status bar.
+    shortcut : str or QKeySequence.StandardKey
+        Key that triggers it.
+    icon : str
+        Name in resources/icons; empty for none.
+    checked : bool, optional
+        Whether it is on at first; None for what is neither on nor off.
+    """
+
+    text: str
+    tip: str
+    shortcut: str | QKeySequence.StandardKey = ""
+    icon: str = ""
+    checked: bool | None = None
+
+
+_Key = QKeySequence.StandardKey
+
+NEW = {f"new_{example.name}": example for example in EXAMPLES}
+"""Commands that begin with an example."""
+_FIRST = NEW["new_tophat"]
+
+RAYS = {f"rays_{rays}": rays for rays in (0, 5, 15, 45)}
+"""Commands for the number of rays in the 3D scene, along each axis."""
+_FIRST_RAYS = 15
+
+COMMANDS = {
+    **{name: Command(example.title, example.look) for name, example in NEW.items()},
+    "new_tophat": Command(_FIRST.title, _FIRST.look, _Key.New, "new"),
+    "gallery": Command(
+        "New from &gallery…", "Choose an example by the picture of its light", "Ctrl+Shift+N"
+    ),
+    "open": Command("&Open…", "Open a design, or a scene file", _Key.Open, "open"),
+    "save": Command("&Save", "Save scene, target and lens", _Key.Save, "save"),
+    "save_as": Command("Save &as…", "Save under another name", "Ctrl+Shift+S"),
+    "export": Command("&Export…", "Write the lens or its light for other programs", "Ctrl+E"),
+    "quit": Command("&Quit", "Close the workbench", "Ctrl+Q"),
+    "undo": Command("&Undo", "Take the last change back", _Key.Undo, "undo"),
+    "redo": Command("&Redo", "Make the change again", "Ctrl+Shift+Z", "redo"),
+    "start": Command("&Start", "Design the lens from its start", "F5", "start"),
+    "continue": Command("&Continue", "Go on from the lens as it is", "Shift+F5", "continue"),
+    "pause": Command("&Pause", "Hold the design; again to go on", "F6", "pause", checked=False),
+    "stop": Command("S&top", "End the design and keep its best lens", "F7", "stop"),
+    "check": Command(
+        "&Check lens", "Trace the lens on show anew, with rays that its design never saw", "F8"
+    ),
+    "fit_view": Command("&Fit 3D view", "Show lens and screen whole", "Ctrl+0", "fit-view"),
+    "side_view": Command("From the &side", "Look at the 3D scene along x: light goes right"),
+    "top_view": Command("From a&bove", "Look at the 3D scene along y: light goes right"),
+    "axis_view": Command("Along the a&xis", "Look back along z from behind the screen"),
+    "exploded": Command(
+        "&Exploded distances",
+        "Draw a far source and screen nearer, and a large screen smaller, to see the lens",
+        "Ctrl+D",
+        checked=False,
+    ),
+    **{
+        name: Command(
+            f"{rays * rays} rays" if rays else "No rays",
+            "Rays in the 3D scene",
+            checked=rays == _FIRST_RAYS,
+        )
+        for name, rays in RAYS.items()
+    },
+    "scene_view": Command("&3D scene", "Show or hide the 3D scene", "Ctrl+3", checked=True),
+    "palette": Command("Command &palette", "Find any command by its name", "Ctrl+Shift+P"),
+    "about": Command("&About", "What this program is"),
+}
+
+
+def _examples() -> list[Any]:
+    """Examples by group; the first group stands in the menu itself, the others in one each."""
+    groups: dict[str, list[str]] = {}
+    for name, example in NEW.items():
+        groups.setdefault(example.group, []).append(name)
+    (_, first), *others = groups.items()
+    return [*first, None, *others]
+
+
+_RUN = ["start", "continue", "pause", "stop"]
+
+# Menus by name; None is a separator, a tuple a menu within. Open recent and the docks are added
+# by the window, because they come and go.
+MENUS: dict[str, list[Any]] = {
+    "&File": [
+        ("&New from example", _examples()),
+        "gallery",
+        "open",
+        ("Open &recent", []),
+        None,
+        "save",
+        "save_as",
+        None,
+        "export",
+        None,
+        "quit",
+    ],
+    "&Edit": ["undo", "redo"],
+    "&Design": ["check"],
+    "&Run": _RUN,
+    "&View": [
+        "fit_view",
+        "side_view",
+        "top_view",
+        "axis_view",
+        None,
+        "exploded",
+        ("&Rays", list(RAYS)),
+        None,
+        "scene_view",
+    ],
+    "&Help": ["palette", None, "about"],
+}
+TOOLBAR = ["new_tophat", "open", "save", None, "undo", "redo", None, *_RUN, None, "fit_view"]
+"""Names and separators, as in a menu."""
+LABELLED = _RUN
+"""Those whose name stands beside the icon in the toolbar."""
+CHOICES = [list(RAYS)]
+"""Groups of commands of which one is on."""

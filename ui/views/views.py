@@ -1,0 +1,86 @@
+"""All views of a window; importing this takes the seconds that their libraries take."""
+
+from collections.abc import Callable
+from functools import partial
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject
+
+from ui.command_table import RAYS
+from ui.views.derivative_view import DerivativeView
+from ui.views.error_view import ErrorView
+from ui.views.image_link import ImageLink
+from ui.views.irradiance_view import IrradianceView
+from ui.views.light_view import LightView
+from ui.views.look_back import LookBack
+from ui.views.loss_view import LossView
+from ui.views.scene_view import SceneView
+from ui.views.section_view import SectionView
+from ui.views.target_view import TargetView
+from ui.views.view import View
+
+if TYPE_CHECKING:
+    from ui.document import Document
+    from ui.run_control import RunControl
+
+
+class Views(QObject):
+    """Makes the views and tells them what to show.
+
+    Attributes
+    ----------
+    scene : SceneView
+        The lens in three dimensions.
+    docked : dict of str to View
+        All others, by the names of their docks.
+    derivative : DerivativeView
+        One of these.
+    look_back : LookBack
+        Below the loss.
+    """
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
+        link = ImageLink(self)
+        self.scene, self.look_back = SceneView(), LookBack()
+        self.derivative, loss = DerivativeView(), LossView()
+        loss.add_below(self.look_back)
+        self.docked: dict[str, View] = {
+            "irradiance": IrradianceView(link),
+            "target": TargetView(link),
+            "error": ErrorView(link),
+            "derivative": self.derivative,
+            "loss": loss,
+            "section": SectionView(link),
+            "light": LightView(),
+        }
+        self.derivative.chosen.connect(self.scene.mark)
+        self.scene.picked.connect(self.derivative.choose)
+
+    def follow(self, document: "Document", control: "RunControl") -> None:
+        """Show a document, its runs, and the moments of them that a person looks back at."""
+        for view in (self.scene, *self.docked.values()):
+            view.show_design(document.session)
+            document.session_changed.connect(view.show_design)
+            control.runner.frame_ready.connect(view.show_frame)
+            control.runner.unshown.connect(view.show_nothing)
+            self.look_back.looked.connect(view.show_frame)
+        moments = control.moments
+        moments.changed.connect(lambda: self.look_back.show_frames(moments.frames))
+
+    def slots(self) -> dict[str, Callable[[], object]]:
+        """What commands do here."""
+        return {
+            "fit_view": self.scene.fit,
+            **{f"{view}_view": partial(self.scene.fit, view) for view in ("side", "top", "axis")},
+            **{name: partial(self.scene.show_rays, rays) for name, rays in RAYS.items()},
+        }
+
+    def toggles(self) -> dict[str, Callable[[bool], object]]:
+        """What commands that are on or off do here."""
+        return {"exploded": self.scene.explode}
+
+    def close(self) -> None:
+        """Free plotter and threads; safe to call twice."""
+        self.scene.close_plotter()
+        self.derivative.close_thread()
