@@ -128,6 +128,11 @@ def auto_steps(scene: Scene, target: Array, start: Array | None) -> Iterator[Ste
                 break
 
 
+def judging_image(scene: Scene, target: Array, heights: Tensor) -> WideImage:
+    """The image by which runs compare lenses, for those near one lens, symmetric or not."""
+    return _image(scene, target, PHASES[-1], (False, False), _reach(scene, heights))
+
+
 def _objective(
     image: WideImage, judge: WideImage, free: HeightRange, base: Tensor, waves: Waves
 ) -> Objective[Step]:
