@@ -1,9 +1,24 @@
 """One sentence on top of the work, until it is read and closed."""
 
+from collections.abc import Callable
+
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QSizePolicy, QStyle, QToolButton, QWidget
+from PySide6.QtGui import QAccessible, QAccessibleEvent
+from PySide6.QtWidgets import (
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QSizePolicy,
+    QStyle,
+    QToolButton,
+    QWidget,
+)
 
 from ui import theme
+
+Offer = tuple[str, Callable[[], object]]
+"""What a button beside a message says, and what it does."""
 
 
 class MessageBar(QFrame):
@@ -26,6 +41,9 @@ class MessageBar(QFrame):
         self._text.setTextFormat(Qt.TextFormat.PlainText)
         self._text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self._text.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        self._offer: Callable[[], object] | None = None
+        self._button = QPushButton()
+        self._button.clicked.connect(self._take_offer)
         close = QToolButton()
         close.setText("✕")
         close.setAutoRaise(True)
@@ -36,6 +54,7 @@ class MessageBar(QFrame):
         row.setContentsMargins(10, 6, 6, 6)
         row.addWidget(self._icon, 0, Qt.AlignmentFlag.AlignTop)
         row.addWidget(self._text, 1)
+        row.addWidget(self._button, 0, Qt.AlignmentFlag.AlignTop)
         row.addWidget(close, 0, Qt.AlignmentFlag.AlignTop)
         self.hide()
 
@@ -44,23 +63,33 @@ class MessageBar(QFrame):
         """What it says; empty while hidden."""
         return self._text.text()
 
-    def warn(self, text: str) -> None:
+    def warn(self, text: str, offer: Offer | None = None) -> None:
         """Say what went wrong, and what to do."""
-        self._show("warning", QStyle.StandardPixmap.SP_MessageBoxWarning, text)
+        self._show("warning", QStyle.StandardPixmap.SP_MessageBoxWarning, text, offer)
 
-    def note(self, text: str) -> None:
+    def note(self, text: str, offer: Offer | None = None) -> None:
         """Say something good to know."""
-        self._show("note", QStyle.StandardPixmap.SP_MessageBoxInformation, text)
+        self._show("note", QStyle.StandardPixmap.SP_MessageBoxInformation, text, offer)
 
     def clear(self) -> None:
         """Say nothing any more."""
         self._text.clear()
         self.hide()
 
-    def _show(self, kind: str, icon: QStyle.StandardPixmap, text: str) -> None:
+    def _show(self, kind: str, icon: QStyle.StandardPixmap, text: str, offer: Offer | None) -> None:
         self.setObjectName(kind)
         theme.restyle(self)
-        self._icon.setPixmap(self.style().standardIcon(icon).pixmap(18, 18))
+        side = self.style().pixelMetric(QStyle.PixelMetric.PM_SmallIconSize)
+        self._icon.setPixmap(self.style().standardIcon(icon).pixmap(side, side))
         self._text.setText(text)
+        words, self._offer = offer or ("", None)
+        self._button.setText(words)
+        self._button.setVisible(offer is not None)
+        self.setAccessibleName(text)
         self.show()
+        QAccessible.updateAccessibility(QAccessibleEvent(self, QAccessible.Event.Alert))
         self.said.emit(text)
+
+    def _take_offer(self) -> None:
+        if self._offer is not None:
+            self._offer()

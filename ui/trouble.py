@@ -1,0 +1,95 @@
+"""Defects that nobody caught: told once in the window, with all that a report of them needs.
+
+1. An error in a slot or in a handler of events ends that slot, not the program: Qt's loop goes on.
+2. A view that fails fails at every frame. Each kind, by its type and the line that raised it, is
+   told once and printed every time.
+3. Errors of other threads and messages of Qt come from anywhere; signals bring them to the window.
+"""
+
+import platform
+import sys
+import threading
+import traceback
+from types import TracebackType
+
+from PySide6.QtCore import (
+    QMessageLogContext,
+    QObject,
+    QtMsgType,
+    Signal,
+    qInstallMessageHandler,
+    qVersion,
+)
+
+import workbench
+
+_SERIOUS = (QtMsgType.QtWarningMsg, QtMsgType.QtCriticalMsg, QtMsgType.QtFatalMsg)
+
+
+class Trouble(QObject):
+    """Takes the hooks of Python and Qt over until `close`.
+
+    Attributes
+    ----------
+    happened : Signal(str, str)
+        An error of a new kind as a sentence, and its details.
+    qt_said : Signal(str)
+        A warning of Qt's that was not heard before.
+    """
+
+    happened = Signal(str, str)
+    qt_said = Signal(str)
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._known: set[tuple[str, str]] = set()
+        self._heard: set[str] = set()
+        self._hooks = sys.excepthook, threading.excepthook
+        sys.excepthook = self._report
+        threading.excepthook = self._report_thread
+        self._qt_handler = qInstallMessageHandler(self._hear)
+
+    def close(self) -> None:
+        """Give the hooks back."""
+        sys.excepthook, threading.excepthook = self._hooks
+        qInstallMessageHandler(self._qt_handler)
+
+    def _report(
+        self, kind: type[BaseException], error: BaseException, trace: TracebackType | None
+    ) -> None:
+        traceback.print_exception(kind, error, trace)
+        if not issubclass(kind, Exception):  # the end of the program, not a defect
+            return
+        known = kind.__name__, _place(trace)
+        if known in self._known:
+            return
+        self._known.add(known)
+        text = f"{kind.__name__}: {error}".rstrip(": ")
+        details = "".join(traceback.format_exception(kind, error, trace))
+        self.happened.emit(
+            f"Something went wrong that should not ({text}). Your work is still here: save it.",
+            f"{_about()}\n\n{details}",
+        )
+
+    def _report_thread(self, arguments: threading.ExceptHookArgs) -> None:
+        if arguments.exc_value is not None:
+            self._report(arguments.exc_type, arguments.exc_value, arguments.exc_traceback)
+
+    def _hear(self, kind: QtMsgType, context: QMessageLogContext, text: str) -> None:
+        print(text, file=sys.stderr)
+        if kind in _SERIOUS and text not in self._heard:
+            self._heard.add(text)
+            self.qt_said.emit(f"Qt: {text}")
+
+
+def _place(trace: TracebackType | None) -> str:
+    """The line that raised."""
+    frames = traceback.extract_tb(trace)
+    return f"{frames[-1].filename}:{frames[-1].lineno}" if frames else ""
+
+
+def _about() -> str:
+    return (
+        f"Freeform Lens Workbench {workbench.__version__}, Python {platform.python_version()}, "
+        f"Qt {qVersion()}, {platform.platform()}"
+    )
