@@ -152,15 +152,19 @@ class ControlNet:
         (index_x, along_x, slope_x), (index_y, along_y, slope_y) = parts
         return PointBasis(index_x, index_y, along_x, slope_x, along_y, slope_y)
 
+    def contains(self, coarser: "ControlNet") -> bool:
+        """Whether each surface of a coarser net is one of this net too: see `refine`."""
+        return self.degree == coarser.degree and all(
+            np.isin(theirs, mine).all()
+            for mine, theirs in zip(self.knots, coarser.knots, strict=True)
+        )
+
     def carry(self, heights: Array, other: "ControlNet") -> Array:
         """Heights for another net: by knot insertion, exactly, where its knots contain this net's.
 
         Otherwise the surface is interpolated at the other net's Greville abscissae.
         """
-        if all(
-            np.isin(mine, theirs).all()
-            for mine, theirs in zip(self.knots, other.knots, strict=True)
-        ):
+        if other.contains(self):
             return self.refine(heights, other)
         into_x, into_y = other.embedding(self)
         return np.asarray(into_x @ heights @ into_y.T)

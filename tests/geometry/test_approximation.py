@@ -1,0 +1,94 @@
+"""Surfaces on other nets: exact where the net allows, nearest where it does not."""
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from workbench.geometry.approximation import deviation, project
+from workbench.geometry.surface import ControlNet
+
+HALF_WIDTH = (1.5, 0.7)
+
+
+def net(*shape, degree=(3, 3)):
+    return ControlNet(shape, degree, HALF_WIDTH)
+
+
+def spans(coarse, factor):
+    """The net that divides each span of another one."""
+    shape = [factor * (n - p) + p for n, p in zip(coarse.shape, coarse.degree, strict=True)]
+    return ControlNet(tuple(shape), coarse.degree, HALF_WIDTH)
+
+
+def fine_values(surface, heights, count=301):
+    t = np.linspace(0, 1, count)
+    return surface.grid(t, t).evaluate(heights)[0]
+
+
+@given(
+    degree=st.tuples(st.integers(1, 7), st.integers(1, 7)),
+    extra=st.tuples(st.integers(0, 9), st.integers(0, 9)),
+    factor=st.integers(2, 4),
+    seed=st.integers(0, 99),
+)
+def test_a_finer_net_holds_the_surface_exactly_by_either_way(degree, extra, factor, seed):
+    coarse = net(*(p + 1 + more for p, more in zip(degree, extra, strict=True)), degree=degree)
+    fine = spans(coarse, factor)
+    assert fine.contains(coarse)
+    heights = np.random.default_rng(seed).normal(size=coarse.shape)
+    refined = coarse.refine(heights, fine)
+    assert deviation(coarse, heights, fine, refined) < 1e-11
+    assert np.abs(project(coarse, heights, fine) - refined).max() < 1e-7  # degree 7: 2 of 16 digits
+    # And back: what the coarse net can hold comes out as it was.
+    assert np.abs(project(fine, refined, coarse) - heights).max() < 1e-7
+
+
+def test_only_nets_that_divide_spans_contain_each_other(rng):
+    coarse = net(64, 40)
+    assert net(125, 77).contains(coarse) and net(64, 40).contains(coarse)
+    assert net(64, 77).contains(coarse)
+    assert not net(128, 80).contains(coarse)
+    assert not net(32, 40).contains(coarse)
+    assert not net(125, 77, degree=(3, 2)).contains(coarse)
+    # The same knots, and yet another space.
+    assert not net(8, 8, degree=(4, 4)).contains(net(7, 7))
+
+
+def test_the_nearest_surface_is_nearer_than_any_neighbour(rng):
+    fine, coarse = net(23, 17), net(9, 8)
+    heights = rng.normal(size=fine.shape)
+    found = project(fine, heights, coarse)
+    wanted = fine_values(fine, heights)
+
+    def distance(tried):
+        # The trapezoidal rule, so that the rim counts half as in the integral.
+        weight = np.ones(wanted.shape[0])
+        weight[[0, -1]] = 0.5
+        squares = np.square(fine_values(coarse, tried) - wanted)
+        return weight @ squares @ weight
+
+    best = distance(found)
+    for _ in range(20):
+        assert distance(found + 0.1 * rng.normal(size=coarse.shape)) > best
+
+
+def test_the_deviation_is_the_largest_there_is(rng):
+    fine, coarse = net(23, 17), net(9, 8)
+    heights = rng.normal(size=fine.shape)
+    found = project(fine, heights, coarse)
+    dense = np.abs(fine_values(fine, heights, 1201) - fine_values(coarse, found, 1201)).max()
+    assert deviation(fine, heights, coarse, found) == pytest.approx(dense, rel=0.05)
+
+
+def test_a_smooth_surface_is_held_better_by_more_points(rng):
+    smooth = net(8, 8, degree=(7, 7))  # one polynomial
+    heights = rng.normal(size=smooth.shape)
+    errors = [
+        deviation(smooth, heights, other, project(smooth, heights, other))
+        for other in (net(8, 8), net(13, 13), net(23, 23), net(13, 13, degree=(5, 5)))
+    ]
+    # Cubics over 5, 10 and 20 spans: the fourth power of the spacing.
+    assert errors[0] / errors[1] == pytest.approx(16, rel=0.5)
+    assert errors[1] / errors[2] == pytest.approx(16, rel=0.5)
+    assert errors[3] < errors[1] / 5
