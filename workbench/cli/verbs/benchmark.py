@@ -1,0 +1,45 @@
+"""``freeform benchmark``: its arguments."""
+
+import argparse
+from pathlib import Path
+from typing import Any
+
+from workbench.analysis.benchmark.names import BENCHMARKS, DEFAULT
+from workbench.cli.verbs.kinds import count
+from workbench.cli.verbs.parser import add_verb
+from workbench.cli.verbs.shared import add_json
+
+DOES = "measure run time against error"
+
+
+def add(commands: Any) -> None:
+    """Add the verb."""
+    names = "\n".join(f"  {name:<11}{does}" for name, does in BENCHMARKS.items())
+    parser = add_verb(
+        commands,
+        "benchmark",
+        f"Measure run time against error. Ctrl-C keeps what is finished.\n\nbenchmarks:\n{names}",
+        ["benchmark", "benchmark frontier kernels --output measured/"],
+        _run,
+    )
+    parser.add_argument(
+        "names", metavar="NAME", nargs="*", help=f"what to measure; default {DEFAULT}"
+    )
+    parser.add_argument(
+        "--output",
+        metavar="FOLDER",
+        type=Path,
+        default=Path("benchmark"),
+        help="where tables and pictures go; default %(default)s",
+    )
+    parser.add_argument(
+        "--iterations", metavar="N", type=count, help="of every design, in place of its own"
+    )
+    add_json(parser)
+
+
+def _run(options: argparse.Namespace) -> None:
+    from workbench.cli.benchmark import benchmark
+
+    names = options.names or [DEFAULT]
+    benchmark(names, options.output, options.iterations, options.json)

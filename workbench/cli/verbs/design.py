@@ -1,0 +1,53 @@
+"""``freeform design``: its arguments."""
+
+import argparse
+import math
+from pathlib import Path
+from typing import Any
+
+from workbench.cli.verbs.kinds import positive
+from workbench.cli.verbs.parser import add_verb
+from workbench.cli.verbs.shared import add_json
+
+DOES = "design a lens"
+
+
+def add(commands: Any) -> None:
+    """Add the verb."""
+    parser = add_verb(
+        commands,
+        "design",
+        "Design a lens. Ctrl-C keeps the best lens so far.",
+        [
+            "design flame.json -o flame.freeform",
+            "design flame.freeform -o finer.freeform --seconds 60",
+        ],
+        _run,
+    )
+    parser.add_argument(
+        "scene",
+        metavar="SCENE",
+        type=Path,
+        help="scene file, or session; one with a lens goes on from it",
+    )
+    parser.add_argument(
+        "-o",
+        dest="output",
+        metavar="OUT.freeform",
+        type=Path,
+        required=True,
+        help="session to write",
+    )
+    parser.add_argument(
+        "--iterations", metavar="N", type=int, help="upper limit, in place of the scene's"
+    )
+    parser.add_argument(
+        "--seconds", metavar="S", type=positive, default=math.inf, help="stop after this time"
+    )
+    add_json(parser)
+
+
+def _run(options: argparse.Namespace) -> None:
+    from workbench.cli.design import design
+
+    design(options.scene, options.output, options.iterations, options.seconds, options.json)

@@ -1,0 +1,45 @@
+"""``freeform export``: its arguments."""
+
+import argparse
+import textwrap
+from pathlib import Path
+from typing import Any
+
+from workbench.cli.verbs.kinds import length
+from workbench.cli.verbs.parser import add_verb
+from workbench.cli.verbs.shared import add_session
+from workbench.files.export.formats import ENDINGS
+
+DOES = "write a lens for manufacture and for other programs"
+
+
+def add(commands: Any) -> None:
+    """Add the verb."""
+    endings = textwrap.fill(f"Endings: {', '.join(ENDINGS)}.", 79)
+    parser = add_verb(
+        commands,
+        "export",
+        f"Write the lens of a session and its light; endings tell the formats.\n\n{endings}",
+        [
+            "export flame.freeform flame.step flame.irradiance.tiff",
+            "export flame.freeform flame.stl --chord-error 1e-5",
+        ],
+        _run,
+    )
+    add_session(parser)
+    parser.add_argument(
+        "files", metavar="FILE", type=Path, nargs="+", help="file to write, such as lens.step"
+    )
+    parser.add_argument(
+        "--chord-error",
+        metavar="LENGTH",
+        type=length,
+        help="how far meshes may be from the exit face, in the scene's unit; "
+        "default 1e-4 of the larger half-width",
+    )
+
+
+def _run(options: argparse.Namespace) -> None:
+    from workbench.cli.export import export
+
+    export(options.session, options.files, options.chord_error)

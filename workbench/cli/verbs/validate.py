@@ -1,0 +1,38 @@
+"""``freeform validate``: its arguments."""
+
+import argparse
+from typing import Any
+
+from workbench.cli.verbs.kinds import count
+from workbench.cli.verbs.parser import add_verb
+from workbench.cli.verbs.shared import add_json, add_session
+
+DOES = "check a lens by an independent trace"
+
+
+def add(commands: Any) -> None:
+    """Add the verb."""
+    parser = add_verb(
+        commands,
+        "validate",
+        "Trace the lens of a session anew, with other rays and by other means.",
+        [
+            "validate flame.freeform --rays 16000000",
+            "validate flame.freeform --screen-z 5.2 --json",
+        ],
+        _run,
+    )
+    add_session(parser)
+    parser.add_argument(
+        "--rays", metavar="N", type=count, default=4_000_000, help="at least; default %(default)s"
+    )
+    parser.add_argument(
+        "--screen-z", metavar="Z", type=float, help="where the screen is, in place of the scene's"
+    )
+    add_json(parser)
+
+
+def _run(options: argparse.Namespace) -> None:
+    from workbench.cli.validate import validate
+
+    validate(options.session, options.rays, options.screen_z, options.json)
