@@ -40,6 +40,8 @@ class Frame:
         Loss after each iteration so far, those of a continued run first.
     stage_starts : tuple of int
         Numbers of losses before each stage but the first began.
+    times : ndarray, shape (k,)
+        Run time at the end of each of these iterations, seconds.
     """
 
     session: "Session"
@@ -49,6 +51,7 @@ class Frame:
     paths: "RayPaths"
     losses: Array
     stage_starts: tuple[int, ...]
+    times: Array
 
     def result(self) -> "Result":
         """The snapshot as if the run had ended with it."""
@@ -60,10 +63,11 @@ class Frame:
             irradiance=shot.irradiance,
             losses=self.losses,
             loss=shot.loss,
-            seconds=shot.seconds,
+            seconds=float(self.times[-1]) if self.times.size else shot.seconds,
             ledger=shot.ledger,
             stage_starts=self.stage_starts,
             stages_left=shot.stages - 1 - shot.stage,
+            seconds_at=self.times,
         )
 
 
@@ -84,4 +88,5 @@ def make_frame(session: "Session", snapshot: "Snapshot", history: "History") -> 
         paths=ray_paths(lit, heights, (RAYS, RAYS)),
         losses=history.losses(),
         stage_starts=history.stage_starts(),
+        times=history.times(),
     )

@@ -1,5 +1,8 @@
 """A design run as its consumers see it."""
 
+import dataclasses
+from itertools import islice
+
 import numpy as np
 import pytest
 import torch
@@ -143,6 +146,7 @@ def test_history_gathers_the_best_lens_and_all_losses(scene, disc):
     assert result.losses.tolist() == [s.loss for s in snapshots[1:]]
     assert result.loss == min(s.loss for s in snapshots)
     assert result.seconds == snapshots[-1].seconds
+    assert result.times().tolist() == [s.seconds for s in snapshots[1:]]
 
     continued = History(earlier=result)
     for snapshot in run(scene, disc, start=result.control_points):
@@ -151,6 +155,15 @@ def test_history_gathers_the_best_lens_and_all_losses(scene, disc):
     assert both.losses[:30].tolist() == result.losses.tolist()
     assert both.iterations > 30
     assert both.seconds > result.seconds
+    assert (np.diff(both.times()) > 0).all() and both.times()[-1] == both.seconds
+
+
+def test_times_that_were_not_kept_are_spread_evenly(scene, disc):
+    history = History()
+    for snapshot in islice(run(scene, disc), 5):
+        history.add(snapshot)
+    result = dataclasses.replace(history.result(), seconds=2.0, seconds_at=None)
+    assert result.times().tolist() == [0.5, 1.0, 1.5, 2.0]
 
 
 def test_auto_calls_light_back_that_falls_beside_the_screen(make_scene, disc):

@@ -37,6 +37,11 @@ class PlotView(View):
             everything |= self._change(frame)
         self._canvas.show_changes(everything)
 
+    def _begin_anew(self) -> None:
+        """Draw another picture of the same design."""
+        self._shown = None
+        self._ask()
+
     def _recolour(self) -> None:
         self._canvas.recolour()
 

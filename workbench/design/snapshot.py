@@ -76,6 +76,8 @@ class Result:
     stages_left : int
         Stages that were still to come for this lens; 0 for one of the scene itself. Counted from
         the end, since stages may be put before a run that is done.
+    seconds_at : ndarray, shape (iterations,), optional
+        Run time at the end of each iteration; None where it was not kept.
     """
 
     control_points: Array
@@ -86,11 +88,19 @@ class Result:
     ledger: Ledger
     stage_starts: tuple[int, ...] = ()
     stages_left: int = 0
+    seconds_at: Array | None = None
 
     @property
     def iterations(self) -> int:
         """Iterations taken."""
         return len(self.losses)
+
+    def times(self) -> Array:
+        """Run time at the end of each iteration; evenly spread where it was not kept."""
+        if self.seconds_at is not None:
+            return self.seconds_at
+        count = self.iterations
+        return np.linspace(self.seconds / max(count, 1), self.seconds, count)
 
 
 class History:
@@ -105,6 +115,7 @@ class History:
     def __init__(self, earlier: Result | None = None) -> None:
         self._earlier = earlier
         self._losses: list[float] = []
+        self._seconds_at: list[float] = []
         self._best: Snapshot | None = None
         self._last: Snapshot | None = None
         self._stage_starts: list[int] = []
@@ -115,6 +126,7 @@ class History:
             self._stage_starts.append(len(self._losses))
         if snapshot.iteration > 0:
             self._losses.append(snapshot.loss)
+            self._seconds_at.append(snapshot.seconds)
         if snapshot.best:
             self._best = snapshot
         self._last = snapshot
@@ -123,6 +135,13 @@ class History:
         """Loss after each iteration so far, those of the continued run first."""
         new = np.array(self._losses, dtype=np.float64)
         return new if self._earlier is None else np.concatenate([self._earlier.losses, new])
+
+    def times(self) -> Array:
+        """Run time at the end of each of these iterations, that of the continued run included."""
+        new = np.array(self._seconds_at, dtype=np.float64)
+        if self._earlier is None:
+            return new
+        return np.concatenate([self._earlier.times(), self._earlier.seconds + new])
 
     def stage_starts(self) -> tuple[int, ...]:
         """Numbers of losses before each stage but the first began, the continued run included."""
@@ -149,4 +168,5 @@ class History:
             ledger=self._best.ledger,
             stage_starts=self.stage_starts(),
             stages_left=self._best.stages - 1 - self._best.stage,
+            seconds_at=self.times(),
         )

@@ -112,9 +112,9 @@ def _write_lens(session: Designed, result: "Result", path: Path) -> Path:
 def _write_loss(result: "Result", path: Path) -> Path:
     from matplotlib.figure import Figure
 
-    from workbench.pictures.loss import LossCurve
+    from workbench.pictures.loss import LossPicture
 
     figure = Figure(figsize=(7, 4), layout="constrained")
-    LossCurve(figure.subplots()).update(result.losses, result.losses.size, result.stage_starts)
+    LossPicture(figure.subplots()).update(result.losses, result.losses.size, result.stage_starts)
     figure.savefig(path, dpi=_DPI)
     return path

@@ -1,27 +1,87 @@
-"""The loss curve of a run."""
+"""The course of the loss: of a run, and of others to compare it with."""
 
 import math
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Literal, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
-from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator
+from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullLocator
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
     from matplotlib.axes import Axes
+    from matplotlib.axis import Axis
+    from matplotlib.lines import Line2D
 
 Array = npt.NDArray[np.float64]
+Against = Literal["iterations", "seconds"]
 
 _FONT = 8
 _SHORT_RANGE = 50
 _MARK = "#8a8f98"  # seen on light and dark
+_THIS_RUN = "#2f86d1"
+_CHECKED = "#d9822b"
+# Okabe and Ito's colours that show on light and dark, told apart by their strokes as well.
+_OTHERS = (
+    ("#d55e00", "--"),
+    ("#009e73", "-."),
+    ("#cc79a7", (0, (1, 1))),
+    ("#e69f00", (0, (7, 2))),
+    ("#56b4e9", (0, (3, 1, 1, 1, 1, 1))),
+)
+_LEGEND_ROWS = 4
 
 
-class LossCurve:
-    """Loss over iterations, logarithmic, on axes that the caller owns.
+class Course(NamedTuple):
+    """How the loss of a run went.
 
-    The limits are 1, 2 or 5 times a power of ten and change only when the curve leaves them.
+    Attributes
+    ----------
+    name : str
+        What the run is called.
+    losses : ndarray, shape (k,)
+        Loss after each iteration.
+    times : ndarray, shape (k,)
+        Run time at the end of each iteration, seconds.
+    """
+
+    name: str
+    losses: Array
+    times: Array
+
+
+class Verified(NamedTuple):
+    """What an independent check says of a lens of the run.
+
+    Attributes
+    ----------
+    iteration : int
+        Iterations before it.
+    seconds : float
+        Run time before it.
+    loss : float
+        Paper's loss of the checked image.
+    """
+
+    iteration: int
+    seconds: float
+    loss: float
+
+
+class LossPicture:
+    """Loss against iterations or seconds, on axes that the caller owns.
+
+    The limits are 1, 2 or 5 times a power of ten and change only when a curve leaves them.
+
+    Parameters
+    ----------
+    axes : matplotlib.axes.Axes
+        Empty axes.
+    against : str
+        "iterations" or "seconds".
+    logarithmic : tuple[bool, bool]
+        Whether x and y have a logarithmic scale.
 
     Attributes
     ----------
@@ -29,26 +89,70 @@ class LossCurve:
         What `update` changes; the caller may blit them.
     """
 
-    def __init__(self, axes: "Axes") -> None:
+    def __init__(
+        self,
+        axes: "Axes",
+        against: Against = "iterations",
+        logarithmic: tuple[bool, bool] = (False, True),
+    ) -> None:
         self._axes = axes
-        axes.set_yscale("log")
-        axes.yaxis.set_minor_locator(NullLocator())
-        axes.yaxis.set_major_formatter(FuncFormatter(lambda loss, _: f"{loss:.0e}"))
-        axes.set_xlabel("iteration", fontsize=_FONT, labelpad=2)
+        self._against = against
+        self._logarithmic = logarithmic
+        name = "iteration" if against == "iterations" else "time (s)"
+        axes.set_xlabel(name, fontsize=_FONT, labelpad=2)
         axes.set_ylabel("loss", fontsize=_FONT, labelpad=2)
         axes.tick_params(which="both", labelsize=_FONT)
         axes.grid(visible=True, which="major", linewidth=0.6, alpha=0.35)
-        (self._line,) = axes.plot([], [], color="#2f86d1", linewidth=1.5)
+        axes.set_xscale("log" if logarithmic[0] else "linear")
+        axes.set_yscale("log" if logarithmic[1] else "linear")
+        for axis in (axes.xaxis, axes.yaxis):
+            axis.set_minor_locator(NullLocator())
+        axes.xaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{x:g}"))
+        axes.yaxis.set_major_formatter(FuncFormatter(_tick))
+        self._others: list[Line2D] = []
+        self._runs: tuple[Course, ...] = ()
+        self._has_points = False
+        look = {"color": _THIS_RUN, "linewidth": 1.5, "zorder": 3}
+        (self._line,) = axes.plot([], [], **look, label="this run")  # type: ignore[arg-type]
+        (self._points,) = axes.plot(
+            [], [], "o", color=_CHECKED, markersize=5, zorder=4, label="verified"
+        )
         self._value = axes.text(
             0.97, 0.94, "", transform=axes.transAxes, ha="right", va="top", fontsize=_FONT + 1
         )
         self._marks: list[Artist] = []
-        self._marked: tuple[int, ...] = ()
-        self._limits = (0.0, 0.0, 0.0)  # right end, lower and upper end
-        self._set_limits(10.0, 1e-1, 1.0)
-        self.artists: list[Artist] = [self._line, self._value]
+        self._marked: tuple[float, ...] = ()
+        self._limits = (0.0, 0.0, 0.0, 0.0)
+        self._set_limits((self._begins(np.zeros(0)), 10.0, 1e-1, 1.0))
+        self.artists: list[Artist] = [self._line, self._points, self._value]
 
-    def update(self, losses: Array, iterations: int, stage_starts: tuple[int, ...] = ()) -> bool:
+    def compare(self, runs: Sequence[Course]) -> None:
+        """Show other runs as well; the whole figure changes."""
+        for line in self._others:
+            line.remove()
+        self._runs = tuple(runs)
+        self._others = []
+        for number, run in enumerate(runs):
+            colour, stroke = _OTHERS[number % len(_OTHERS)]
+            (line,) = self._axes.plot(
+                self._places(run.losses, run.times),
+                run.losses,
+                color=colour,
+                linestyle=stroke,
+                linewidth=1.3,
+                label=run.name,
+            )
+            self._others.append(line)
+        self._name_all()
+
+    def update(
+        self,
+        losses: Array,
+        iterations: int,
+        stage_starts: tuple[int, ...] = (),
+        times: Array | None = None,
+        verified: Sequence[Verified] = (),
+    ) -> bool:
         """Show another course of the loss.
 
         Parameters
@@ -56,50 +160,112 @@ class LossCurve:
         losses : ndarray, shape (k,)
             Loss after each iteration; on a logarithmic axis only positive ones are seen.
         iterations : int
-            Iterations that the axis should hold at least.
-
+            Iterations that their axis should hold at least.
         stage_starts : tuple of int
             Numbers of losses before each stage but the first; marked by upright lines.
+        times : ndarray, shape (k,), optional
+            Run time at the end of each iteration, needed for an axis of seconds.
+        verified : sequence of Verified
+            Checks of lenses of the run.
 
         Returns
         -------
         bool
             Whether more than `artists` changed, so that the whole figure has to be drawn.
         """
-        steps = np.arange(1, losses.size + 1)
-        self._line.set_data(steps, losses)
+        by_time = self._against == "seconds"
+        x = self._places(losses, np.zeros(0) if times is None else times)
+        self._line.set_data(x, losses)
+        self._points.set_data(
+            [v.seconds if by_time else v.iteration for v in verified], [v.loss for v in verified]
+        )
+        if named := bool(verified) != self._has_points:
+            self._has_points = bool(verified)
+            self._name_all()
         self._value.set_text(f"{losses[-1]:.3g}" if losses.size else "")
-        marked = self._mark(stage_starts)
-        right = float(max(iterations, losses.size, 1))
-        seen = losses[np.isfinite(losses) & (losses > 0)]
-        if not seen.size:
-            return self._set_limits(right, *self._limits[1:]) or marked
-        low, high = _round(float(seen.min()), down=True), _round(float(seen.max()), down=False)
-        return self._set_limits(right, low, high) or marked
+        starts = (float(x[start - 1]) for start in stage_starts if 0 < start <= x.size)
+        marked = self._mark(tuple(starts) if by_time else tuple(n + 0.5 for n in stage_starts))
+        places = np.concatenate([x, *(self._places(r.losses, r.times) for r in self._runs)])
+        right = float(places.max(initial=0.0))
+        right = _round(right, down=False) if by_time and right else max(right, iterations, 1.0)
+        checked = np.array([v.loss for v in verified], dtype=np.float64)
+        everything = np.concatenate([losses, checked, *(run.losses for run in self._runs)])
+        seen = everything[np.isfinite(everything) & (everything > 0)]
+        low, high = self._limits[2:]
+        if seen.size:
+            low, high = _round(float(seen.min()), down=True), _round(float(seen.max()), down=False)
+        return self._set_limits((self._begins(places), right, low, high)) or marked or named
 
-    def _mark(self, stage_starts: tuple[int, ...]) -> bool:
-        if stage_starts == self._marked:
+    def _name_all(self) -> None:
+        """A legend, unless this run is alone."""
+        points = [self._points] if self._has_points else []
+        named = [self._line, *points, *self._others]
+        if len(named) == 1:
+            if legend := self._axes.get_legend():
+                legend.remove()
+            return
+        self._axes.legend(
+            handles=named,
+            loc="upper right",
+            bbox_to_anchor=(1.0, 0.9),  # below the value; curves fall from the left
+            ncols=1 + len(named) // _LEGEND_ROWS,
+            fontsize=_FONT,
+            frameon=False,
+            labelcolor="linecolor",
+        )
+
+    def _places(self, losses: Array, times: Array) -> Array:
+        if self._against == "seconds":
+            return times
+        return np.arange(1.0, losses.size + 1)
+
+    def _begins(self, places: Array) -> float:
+        """Where x begins: a logarithm has no 0."""
+        if not self._logarithmic[0]:
+            return 0.0
+        positive = places[places > 0]
+        if self._against == "iterations" or not positive.size:
+            return 1.0
+        return _round(float(positive.min()), down=True)
+
+    def _mark(self, places: tuple[float, ...]) -> bool:
+        if places == self._marked:
             return False
         for line in self._marks:
             line.remove()
         self._marks = [
-            self._axes.axvline(start + 0.5, color=_MARK, linewidth=1.0, linestyle=":")
-            for start in stage_starts
+            self._axes.axvline(x, color=_MARK, linewidth=1.0, linestyle=":") for x in places
         ]
-        self._marked = stage_starts
+        self._marked = places
         return True
 
-    def _set_limits(self, right: float, low: float, high: float) -> bool:
-        if (right, low, high) == self._limits:
+    def _set_limits(self, limits: tuple[float, float, float, float]) -> bool:
+        if limits == self._limits:
             return False
-        self._limits = (right, low, high)
-        self._axes.set_xlim(0, right)
-        self._axes.set_ylim(low, high)
-        # Few enough labels for a low dock, and still two on a short range.
-        short = high / low <= _SHORT_RANGE
-        steps = (1.0, 2.0, 5.0) if short else (1.0,)
-        self._axes.yaxis.set_major_locator(LogLocator(subs=steps))
+        self._limits = limits
+        left, right, low, high = limits
+        log_x, log_y = self._logarithmic
+        right = max(right, 2 * left)  # of a logarithmic axis that holds a single place
+        self._axes.set_xlim(left, right)
+        self._axes.set_ylim(low if log_y else 0.0, high)
+        _set_ticks(self._axes.xaxis, log_x, left, right)
+        _set_ticks(self._axes.yaxis, log_y, low, high)
         return True
+
+
+def _set_ticks(axis: "Axis", logarithmic: bool, low: float, high: float) -> None:
+    """Few enough labels for a low dock, and still two on a short range."""
+    if logarithmic:
+        short = high / low <= _SHORT_RANGE
+        axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0) if short else (1.0,)))
+    else:
+        axis.set_major_locator(MaxNLocator(6, steps=[1, 2, 5, 10]))
+
+
+def _tick(loss: float, _: int) -> str:
+    """As short as it can be told."""
+    mantissa, exponent = f"{loss:.1e}".split("e")
+    return f"{mantissa.removesuffix('.0')}e{exponent}" if loss else "0"
 
 
 def _round(value: float, *, down: bool) -> float:
