@@ -120,9 +120,15 @@ class Trace:
         self._light = kind(scene, rays, seed, pose)
         self.rays = self._light.rays
 
-    def batches(self) -> Iterator[Tally]:
-        """Trace; yields each of the `BATCHES` batches."""
-        threads = min(os.cpu_count() or 1, _MOST_THREADS)
+    def batches(self, threads: int | None = None) -> Iterator[Tally]:
+        """Trace; yields each of the `BATCHES` batches.
+
+        Parameters
+        ----------
+        threads : int, optional
+            How many trace; as many as there are cores by default.
+        """
+        threads = min(threads or os.cpu_count() or 1, _MOST_THREADS)
         with ThreadPoolExecutor(threads) as pool:
             # Not all at once: images that wait take memory, and Ctrl-C waits for these alone.
             for first in range(0, BATCHES, threads):

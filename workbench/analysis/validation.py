@@ -7,7 +7,7 @@ smoothing filter is found out here.
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Generator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -132,19 +132,60 @@ def validate(
     RunFailed
         If no light reaches the screen.
     """
+    steps = validating(scene, target, control_points, rays, seed, screen_z, pose)
+    while True:
+        try:
+            next(steps)
+        except StopIteration as end:
+            found: Validation = end.value
+            return found
+
+
+def validating(
+    scene: Scene,
+    target: Array,
+    control_points: Array,
+    rays: int = 4_000_000,
+    seed: int = 1,
+    screen_z: float | None = None,
+    pose: Pose | None = None,
+    threads: int | None = None,
+) -> Generator[float, None, Validation]:
+    """`validate` step by step, so that one can see how far it is and leave it.
+
+    Parameters
+    ----------
+    scene, target, control_points, rays, seed, screen_z, pose
+        As for `validate`, and so is what is raised.
+    threads : int, optional
+        How many trace; as many as there are cores by default.
+
+    Yields
+    ------
+    float
+        The part that is done, up to 1.
+
+    Returns
+    -------
+    Validation
+    """
     scene = scene if screen_z is None else _with_screen_at(scene, screen_z)
     wanted = normalised(target / target.max()).ravel()
     size = _norm(wanted)
 
     trace = Trace(scene, control_points, rays, seed, pose)
+    second = Trace(scene, control_points, -(-rays // _FEWER), _another(seed), pose)
+    all_rays, traced = trace.rays + second.rays, 0
     distances = []  # of the batches' images to the target
     total: Tally | None = None
-    for batch in trace.batches():
+    for batch in trace.batches(threads):
         distances.append(_norm(normalised(batch.flux[0]) - wanted) / size)
         if total is None:
             total = batch
         else:
             total.add(batch)
+        traced += trace.rays // BATCHES
+        yield traced / all_rays
     assert total is not None
     ledger = total.ledger()
     if ledger.on_screen == 0:
@@ -153,11 +194,11 @@ def validate(
     relative_l2 = _norm(error) / size
     noise = float(np.std(distances, ddof=1)) / math.sqrt(BATCHES)
 
-    second = Trace(scene, control_points, -(-rays // _FEWER), _another(seed), pose)
-    products = [
-        float((error * (normalised(batch.flux[0]) - wanted)).sum()) / size**2
-        for batch in second.batches()
-    ]
+    products = []
+    for batch in second.batches(threads):
+        products.append(float((error * (normalised(batch.flux[0]) - wanted)).sum()) / size**2)
+        traced += second.rays // BATCHES
+        yield traced / all_rays
     square = float(np.mean(products))
     # The scatter of the second image shows in the products. That of the first, which has more
     # rays, adds less to the variance than its part of the rays says.
