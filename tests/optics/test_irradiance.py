@@ -123,3 +123,12 @@ def test_expected_image_of_even_light_is_even_inside():
     image = expected_image(np.ones((8, 12)), filter)
     assert image[1:-1, 1:-1] == pytest.approx(1, abs=1e-14)
     assert (image[0] < 1).all()
+
+
+def test_a_million_rays_in_one_pixel_are_all_counted():
+    rays = 2**20
+    weight = torch.full((rays,), 1.1 / rays)  # of which float32 would lose several per cent
+    at = torch.zeros(rays)
+    screen = Screen(z=5.0, half_width=(1.0, 1.0), pixels=(1, 1))
+    image = reconstruct(at, at, weight, screen, BoxFilter())
+    assert image.flux.item() == pytest.approx(float(weight.sum(dtype=torch.float64)), rel=1e-6)

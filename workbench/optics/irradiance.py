@@ -63,18 +63,18 @@ def reconstruct(x: Tensor, y: Tensor, weight: Tensor, screen: Screen, filter: Fi
     offset_y = torch.where(near, row - i - 0.5, 0.0)
     taps_x = _taps(offset_x, filter, axis=0)
     taps_y = _taps(offset_y, filter, axis=1)
-    canvas = weight.new_zeros((rows + 2 * margin[1]) * stride)
+    # In float64 whatever the trace: many rays in one pixel add less each than float32 can tell.
+    canvas = weight.new_zeros((rows + 2 * margin[1]) * stride, dtype=torch.float64)
     for b, tap_y in enumerate(taps_y):
         flux = weight if tap_y is None else weight * tap_y
         for a, tap_x in enumerate(taps_x):
-            canvas = canvas.index_add(
-                0, start + (b * stride + a), flux if tap_x is None else flux * tap_x
-            )
+            light = flux if tap_x is None else flux * tap_x
+            canvas.index_add_(0, start + (b * stride + a), light.double())
     canvas = canvas.view(-1, stride)
     left, top = 2 * margin[0], 2 * margin[1]
     image = canvas[top : top + n_y, left : left + n_x]
     ghost = canvas.detach().sum() - image.detach().sum()
-    return Image(image, beside + ghost)
+    return Image(image.to(weight.dtype), beside + ghost)
 
 
 def _taps(offset: Tensor, filter: Filter, axis: int) -> list[Tensor | None]:
