@@ -1,0 +1,80 @@
+import numpy as np
+import pytest
+
+from workbench.geometry.basis import basis_matrix
+from workbench.geometry.curvature import local_shape
+from workbench.geometry.knots import greville
+from workbench.geometry.surface import ControlNet
+
+HALF = (1.0, 0.8)
+SIDE = np.linspace(0, 1, 31)
+X, Y = np.meshgrid((2 * SIDE - 1) * HALF[0], (2 * SIDE - 1) * HALF[1], indexing="ij")
+
+
+def shape_of(height, count=(40, 36), degree=(5, 4)):
+    """Shape of the face that interpolates a height function."""
+    net = ControlNet(count, degree, HALF)
+    into_x, into_y = (
+        np.linalg.inv(basis_matrix(knots, p, greville(knots, p)))
+        for knots, p in zip(net.knots, degree, strict=True)
+    )
+    x, y = net.positions
+    heights = into_x @ height(x[:, None], y[None, :]) @ into_y.T
+    return local_shape(net, heights, SIDE, SIDE)
+
+
+@pytest.mark.parametrize("degree", [(2, 2), (3, 3), (2, 5)])
+def test_a_quadric_is_exact(degree):
+    """z = a x² + b x y + c y² is in the spline space itself."""
+    a, b, c = 0.3, -0.2, 0.1
+    found = shape_of(lambda x, y: 0.5 + a * x**2 + b * x * y + c * y**2, (9, 8), degree)
+    p, q = 2 * a * X + b * Y, b * X + 2 * c * Y
+    stretch = 1 + p**2 + q**2
+    mean = ((1 + q**2) * 2 * a - 2 * p * q * b + (1 + p**2) * 2 * c) / (2 * stretch**1.5)
+    gaussian = (4 * a * c - b**2) / stretch**2
+    np.testing.assert_allclose(found.height, 0.5 + a * X**2 + b * X * Y + c * Y**2, rtol=1e-12)
+    np.testing.assert_allclose(found.slope, np.hypot(p, q), atol=1e-11)
+    np.testing.assert_allclose(found.mean, mean, rtol=1e-9)
+    np.testing.assert_allclose(found.gaussian, gaussian, rtol=1e-9)
+    np.testing.assert_allclose(found.smallest + found.largest, 2 * mean, rtol=1e-9)
+    np.testing.assert_allclose(found.smallest * found.largest, gaussian, rtol=1e-9)
+    assert (found.smallest <= found.largest).all()
+
+
+@pytest.mark.parametrize("hollow", [1, -1])
+def test_a_sphere(hollow):
+    radius = 3.0
+    found = shape_of(lambda x, y: 4 - hollow * np.sqrt(radius**2 - x**2 - y**2))
+    np.testing.assert_allclose(found.mean, hollow / radius, rtol=1e-5)
+    np.testing.assert_allclose(found.gaussian, 1 / radius**2, rtol=1e-5)
+    r = np.hypot(X, Y)
+    np.testing.assert_allclose(found.slope, r / np.sqrt(radius**2 - r**2), atol=1e-6)
+    # Where they are equal, rounding in their difference is under a root.
+    np.testing.assert_allclose(found.smallest, hollow / radius, rtol=2e-3)
+    np.testing.assert_allclose(found.largest, hollow / radius, rtol=2e-3)
+
+
+def test_a_cylinder_across_the_axes():
+    radius, cos, sin = 3.0, np.cos(np.pi / 6), 0.5
+    found = shape_of(lambda x, y: 4 - np.sqrt(radius**2 - (cos * x + sin * y) ** 2))
+    np.testing.assert_allclose(found.largest, 1 / radius, rtol=1e-5)
+    np.testing.assert_allclose(found.smallest, 0, atol=1e-5)
+    np.testing.assert_allclose(found.gaussian, 0, atol=1e-5)
+    np.testing.assert_allclose(found.mean, 0.5 / radius, rtol=1e-5)
+
+
+@pytest.mark.parametrize("degree", [(1, 1), (3, 3)])
+def test_a_plane(degree):
+    found = shape_of(lambda x, y: 0.5 + 0.1 * x + 0.05 * y, (7, 6), degree)
+    np.testing.assert_allclose(found.slope, np.hypot(0.1, 0.05), rtol=1e-12)
+    for curvature in (found.mean, found.gaussian, found.smallest, found.largest):
+        np.testing.assert_allclose(curvature, 0, atol=1e-11)
+
+
+def test_a_scaled_lens_bends_less(rng):
+    net, heights = ControlNet((7, 6), (3, 3), HALF), 0.1 * rng.random((7, 6))
+    large = ControlNet((7, 6), (3, 3), (10 * HALF[0], 10 * HALF[1]))
+    one, ten = (local_shape(n, k * heights, SIDE, SIDE) for n, k in ((net, 1), (large, 10)))
+    np.testing.assert_allclose(ten.slope, one.slope, rtol=1e-9, atol=1e-12)
+    np.testing.assert_allclose(10 * ten.mean, one.mean, rtol=1e-9, atol=1e-12)
+    np.testing.assert_allclose(100 * ten.gaussian, one.gaussian, rtol=1e-9, atol=1e-12)
