@@ -1,0 +1,73 @@
+"""Lenses shaped by hand are judged as those of a run."""
+
+import numpy as np
+import pytest
+
+from workbench.design.evaluation import Evaluator
+from workbench.design.run import run
+from workbench.design.snapshot import History
+from workbench.errors import RunFailed
+from workbench.scene import Scene
+
+PAPER = {"method": "paper", "iterations": 3}
+POINT = {"kind": "point", "position": [0.0, 0.0, -5.0], "rays": 4096}
+
+
+@pytest.fixture
+def target():
+    image = np.zeros((32, 32))
+    image[8:20, 10:26] = 1.0
+    return image
+
+
+@pytest.mark.parametrize(
+    "changes", [{}, {"run": PAPER}, {"source": POINT}, {"source": POINT, "run": PAPER}]
+)
+def test_a_lens_is_judged_as_by_its_run(make_scene, target, changes):
+    scene = make_scene(changes)
+    *_, last = run(scene, target)
+    found = Evaluator(scene, target, last.control_points).snapshot(last.control_points)
+    continued = next(run(scene, target, last.control_points))
+    assert found.loss == pytest.approx(continued.loss, rel=2e-2)
+    lit = continued.irradiance.max()
+    np.testing.assert_allclose(found.irradiance, continued.irradiance, atol=1e-2 * lit)
+    parts = found.ledger.to_data()
+    assert sum(parts.values()) == pytest.approx(2 * parts["emitted"], rel=1e-5)
+    assert found.control_points is not last.control_points
+    assert not found.control_points.flags.writeable
+
+
+def test_one_plan_serves_many_lenses(make_scene, target):
+    scene = make_scene()
+    flat = np.full((12, 10), 0.5)
+    bent = flat.copy()
+    bent[5, 5] += 0.02
+    evaluator = Evaluator(scene, target, flat)
+    first, moved, again = (evaluator.snapshot(h) for h in (flat, bent, flat))
+    np.testing.assert_array_equal(first.irradiance, again.irradiance)
+    assert np.abs(first.irradiance - moved.irradiance).max() > 1e-3
+    fresh = Evaluator(scene, target, bent).snapshot(bent)
+    assert moved.loss == pytest.approx(fresh.loss, rel=1e-3)
+
+
+def test_it_goes_on_from_an_earlier_result(make_scene, scene_data, target):
+    scene = make_scene({"run.iterations": 4})
+    history = History()
+    for snapshot in run(scene, target):
+        history.add(snapshot)
+    earlier = history.result()
+    found = Evaluator(scene, target, earlier.control_points).snapshot(
+        earlier.control_points, earlier
+    )
+    assert (found.iteration, found.seconds) == (4, earlier.seconds)
+    scene_data["run"]["stages"] = [{"iterations": 2, "control_points": [8, 8]}]
+    staged = Scene.from_data(scene_data)
+    found = Evaluator(staged, target, earlier.control_points).snapshot(earlier.control_points)
+    assert (found.stage, found.stages) == (1, 2)
+
+
+def test_a_lens_that_lights_nothing_is_told(make_scene, target):
+    scene = make_scene({"screen.z": 500.0})
+    steep = np.linspace(0.2, 0.8, 12)[:, None] * np.ones(10)
+    with pytest.raises(RunFailed, match="no light reaches the screen"):
+        Evaluator(scene, target, steep).snapshot(steep)

@@ -1,0 +1,112 @@
+"""Shaping a lens by hand: a brush raises or lowers control points of the exit face."""
+
+import numpy as np
+import numpy.typing as npt
+
+from workbench.design.heights import HeightRange
+from workbench.geometry.surface import ControlNet
+from workbench.scene import Lens
+
+Array = npt.NDArray[np.float64]
+Mask = npt.NDArray[np.bool_]
+Block = tuple[slice, slice]
+
+_SMALLEST = 1.5  # radius, in distances between neighbours: all eight of them
+_GROWTH = 1.25  # from one size to the next
+
+
+def bump(net: ControlNet, index: tuple[int, int], radius: float) -> tuple[Block, Array]:
+    """How much each control point follows one in the middle of a brush.
+
+    Parameters
+    ----------
+    net : ControlNet
+        The control net.
+    index : tuple[int, int]
+        The control point in the middle, along x and along y.
+    radius : float
+        Of the brush, scene units; 0 for the control point alone.
+
+    Returns
+    -------
+    block : tuple of slices
+        The part of the net that the brush reaches.
+    weights : ndarray, shape of the block
+        1 in the middle, smoothly falling to 0 at the radius: (1 − (d / radius)²)².
+    """
+    block, squares = [], []
+    for at, i in zip(net.positions, index, strict=True):
+        first = int(np.searchsorted(at, at[i] - radius))
+        last = int(np.searchsorted(at, at[i] + radius, side="right"))
+        block.append(slice(first, last))
+        squares.append(np.square((at[first:last] - at[i]) / (radius or 1.0)))
+    weights = np.square((1 - squares[0][:, None] - squares[1]).clip(0))
+    return (block[0], block[1]), weights
+
+
+def radius_of(net: ControlNet, size: int) -> float:
+    """Radius of a brush, scene units: size 0 is a single point, 1 takes its neighbours along."""
+    if size == 0:
+        return 0.0
+    apart = max(float(np.diff(at).max()) for at in net.positions)
+    return _SMALLEST * apart * _GROWTH ** (size - 1)
+
+
+def largest_size(net: ControlNet) -> int:
+    """The size of a brush that reaches over the whole lens from its middle."""
+    span, size = max(net.half_width), 1
+    while radius_of(net, size) < span:
+        size += 1
+    return size
+
+
+class Stroke:
+    """One movement of the brush along z.
+
+    Heights stay in the range that the lens allows, which keeps its minimal thickness as well (see
+    `HeightRange`); locked control points stay where they are.
+
+    Parameters
+    ----------
+    lens : Lens
+        The lens.
+    heights : ndarray, shape (n_u, n_v)
+        Its control heights before, scene units.
+    locked : ndarray of bool, shape (n_u, n_v), optional
+        Control points that stay.
+    index : tuple[int, int]
+        The control point in the middle of the brush.
+    radius : float
+        Of the brush, scene units.
+    """
+
+    def __init__(
+        self,
+        lens: Lens,
+        heights: Array,
+        locked: Mask | None,
+        index: tuple[int, int],
+        radius: float,
+    ) -> None:
+        net = ControlNet.of(lens)
+        free = HeightRange.of(lens, net)
+        self._heights = heights
+        self._block, self._weights = bump(net, index, radius)
+        if locked is not None:
+            self._weights = np.where(locked[self._block], 0.0, self._weights)
+        before = heights[self._block]
+        # Heights that are beyond the range already may come back, but go no farther.
+        self._lower = np.minimum(free.lower.numpy()[self._block], before)
+        self._upper = np.maximum(free.upper.numpy()[self._block], before)
+
+    @property
+    def moves(self) -> bool:
+        """Whether there is a control point that is not locked."""
+        return bool(self._weights.any())
+
+    def raised(self, by: float) -> Array:
+        """Control heights, shape (n_u, n_v), after the middle has gone up by so much."""
+        heights = self._heights.copy()
+        moved = heights[self._block] + by * self._weights
+        heights[self._block] = moved.clip(self._lower, self._upper)
+        return heights

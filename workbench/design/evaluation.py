@@ -1,0 +1,94 @@
+"""The light of one lens after the other, for people who shape them by hand."""
+
+import numpy as np
+import numpy.typing as npt
+import torch
+from torch import Tensor
+
+from workbench.design.auto import judging_image
+from workbench.design.loss import check_finite, paper_loss, share
+from workbench.design.snapshot import Result, Snapshot
+from workbench.design.step import Step
+from workbench.optics.plan import Plan, device_of
+from workbench.scene import PaperRun, Scene
+
+Array = npt.NDArray[np.float64]
+
+
+class Evaluator:
+    """Judges lenses as a run of the scene would: by the same rays, filter and loss.
+
+    All that does not depend on the lens is computed once, here.
+
+    Parameters
+    ----------
+    scene : Scene
+        The design task.
+    target : ndarray, shape (n_y, n_x)
+        The wanted image in any scale, row 0 at +y.
+    heights : ndarray, shape (n_u, n_v)
+        Control heights of a lens like those to come, scene units; says how far their light falls.
+
+    Raises
+    ------
+    Refused
+        If the scene asks for a device that is not there.
+    """
+
+    def __init__(self, scene: Scene, target: Array, heights: Array) -> None:
+        self._scene = scene
+        self._device = device_of(scene)
+        if isinstance(scene.run, PaperRun):
+            self._plan = Plan(scene)
+            self._wanted = torch.as_tensor(share(target), dtype=torch.float32, device=self._device)
+            self._step = self._step_of_paper
+        else:
+            image = judging_image(scene, target, self._tensor(heights))
+            self._step = lambda heights: image.compare(heights)[1]
+
+    def snapshot(self, heights: Array, earlier: Result | None = None) -> Snapshot:
+        """A lens and its light, as the last of its run.
+
+        Parameters
+        ----------
+        heights : ndarray, shape (n_u, n_v)
+            Control heights, scene units.
+        earlier : Result, optional
+            Where the lens comes from; its iterations and seconds are counted in.
+
+        Raises
+        ------
+        RunFailed
+            If no light reaches the screen.
+        """
+        with torch.no_grad():
+            step = self._step(self._tensor(heights))
+        scene, count = self._scene, earlier.iterations if earlier else 0
+        return Snapshot(
+            iteration=count,
+            iterations=max(scene.run.iterations, count),
+            loss=step.loss,
+            control_points=_frozen(heights),
+            irradiance=_frozen(step.flux.cpu().double().numpy() / scene.screen.pixel_area),
+            ledger=step.ledger,
+            seconds=earlier.seconds if earlier else 0.0,
+            best=True,
+            stage=len(scene.run.stages),
+            stages=1 + len(scene.run.stages),
+            notes=step.notes,
+        )
+
+    def _step_of_paper(self, heights: Tensor) -> Step:
+        traced = self._plan.trace(heights)
+        loss = paper_loss(traced.flux, self._wanted)
+        check_finite(loss, traced.ledger)
+        return Step(loss.item(), heights, traced.flux, traced.ledger, self._plan.notes)
+
+    def _tensor(self, heights: Array) -> Tensor:
+        return torch.tensor(heights, dtype=torch.float64, device=self._device)
+
+
+def _frozen(values: Array) -> Array:
+    copy = values.copy()
+    copy.flags.writeable = False
+    return copy
