@@ -97,3 +97,14 @@ class TestRegions:
         dark = np.zeros((1, 6))
         assert metrics.uniformity(dark, self.TARGET) == 0
         assert metrics.contrast(dark, self.TARGET) is None
+
+
+def test_some_rows_at_a_time_give_the_same(rng, monkeypatch):
+    image, target = rng.random((40, 17)), rng.random((40, 17))
+    at_once = Quality.of(image, target), metrics.relative_l2(image, target)
+    monkeypatch.setattr(metrics, "_AT_ONCE", 3 * 17)
+    for found, expected in zip(
+        Quality.of(image, target).to_data().values(), at_once[0].to_data().values(), strict=True
+    ):
+        assert found == pytest.approx(expected, rel=1e-12)
+    assert metrics.relative_l2(image, target) == pytest.approx(at_once[1], rel=1e-12)

@@ -1,4 +1,5 @@
 import math
+import os
 import tracemalloc
 
 import numpy as np
@@ -230,3 +231,23 @@ class TestRays:
             peaks.append(tracemalloc.get_traced_memory()[1])
             tracemalloc.stop()
         assert peaks[1] < 1.2 * peaks[0] < 2e6
+
+    def test_large_images_are_held_few_times(self, make_scene):
+        scene = make_scene({"screen.pixels": [1024, 1024]})
+        target = uniform(scene)
+        validate(scene, target, np.full((12, 10), 0.5), 1)  # imports
+        tracemalloc.start()
+        validate(scene, target, np.full((12, 10), 0.5), 1)
+        peak = tracemalloc.get_traced_memory()[1]
+        tracemalloc.stop()
+        threads = min(os.cpu_count(), tracing._MOST_THREADS)
+        assert peak < (threads + 2) * target.nbytes + 30e6  # those of a batch each, their sum
+
+    def test_few_threads_hold_images_that_are_very_large(self, make_scene, monkeypatch):
+        monkeypatch.setattr(tracing, "_LARGEST_IMAGES", 32 * 32 * 8)
+        asked = []
+        pool = tracing.ThreadPoolExecutor
+        monkeypatch.setattr(tracing, "ThreadPoolExecutor", lambda n: asked.append(n) or pool(n))
+        scene = make_scene()
+        validate(scene, uniform(scene), np.full((12, 10), 0.5), 1)
+        assert asked == [1, 1]

@@ -1,11 +1,14 @@
 """How like its target an image of light is: the field's usual figures.
 
 Images are compared by their shape: each is divided by its sum first. All images have shape
-(n_y, n_x), and no light counts as a dark image.
+(n_y, n_x), and no light counts as a dark image. They are gone through some rows at a time, so that
+large ones need no memory besides their own.
 """
 
 import math
+from collections.abc import Iterator
 from dataclasses import asdict, dataclass
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -18,18 +21,29 @@ _SIGMA, _RADIUS = 1.5, 5
 _K_1, _K_2 = 0.01, 0.03
 # Parts of the target's peak from where a pixel is lit and up to where it is black.
 _LIT, _BLACK = 0.5, 0.01
-
-
-def normalised(image: Array) -> Array:
-    """An image divided by its sum; a dark one as it is."""
-    total = float(image.sum())
-    return image / total if total > 0 else image
+# Pixels that are looked at together.
+_AT_ONCE = 1 << 18
 
 
 def relative_l2(image: Array, target: Array) -> float:
     """‖I − T‖ / ‖T‖ of normalised images."""
-    target = normalised(target)
-    return float(np.linalg.norm(normalised(image) - target) / np.linalg.norm(target))
+    return math.sqrt(max(product(image, image, target), 0.0))
+
+
+def product(image: Array, other: Array, target: Array) -> float:
+    """⟨I − T, I′ − T⟩ / ‖T‖² of normalised images."""
+    sum_i, sum_o, sum_t = _sum(image), _sum(other), _sum(target)
+    found = size = 0.0
+    for i, o, t in _rows(image, other, target):
+        wished = t / sum_t
+        found += float(((i / sum_i - wished) * (o / sum_o - wished)).sum())
+        size += float(np.square(wished).sum())
+    return found / size
+
+
+def paper_loss(image: Array, target: Array) -> float:
+    """‖I − T‖ / √(n_x n_y) of normalised images (section 2.4 of the paper)."""
+    return math.sqrt(_mean_square(image, target))
 
 
 @dataclass(frozen=True)
@@ -75,11 +89,10 @@ class Quality:
 
 def psnr(image: Array, target: Array) -> float | None:
     """Peak signal-to-noise ratio in dB; None if the images are equal."""
-    target = normalised(target)
-    mean_square = float(np.square(normalised(image) - target).mean())
+    mean_square = _mean_square(image, target)
     if mean_square == 0:
         return None
-    return 20 * math.log10(float(target.max())) - 10 * math.log10(mean_square)
+    return 20 * math.log10(float(target.max()) / _sum(target)) - 10 * math.log10(mean_square)
 
 
 def ssim(image: Array, target: Array) -> float:
@@ -88,9 +101,21 @@ def ssim(image: Array, target: Array) -> float:
     In windows of 11 × 11 pixels, a Gaussian of 1.5 pixels; images are mirrored at their edges. The
     dynamic range is the target's peak.
     """
-    a, b = normalised(image), normalised(target)
-    peak = float(b.max())
-    a, b = a / peak, b / peak
+    sum_i, sum_t = _sum(image), _sum(target)
+    peak = float(target.max()) / sum_t
+    found = 0.0
+    rows = len(target)
+    step = _step(target)
+    for first in range(0, rows, step):
+        # Windows reach into the neighbouring rows.
+        begin, end = max(first - _RADIUS, 0), min(first + step + _RADIUS, rows)
+        similar = _similarity(image[begin:end] / sum_i / peak, target[begin:end] / sum_t / peak)
+        found += float(similar[first - begin : first - begin + step].sum())
+    return found / target.size
+
+
+def _similarity(a: Array, b: Array) -> Array:
+    """Structural similarity of each window of two images whose dynamic range is 1."""
     mean_a, mean_b = _windowed(a), _windowed(b)
     # Rounding must not make a variance negative.
     variance_a = (_windowed(a * a) - mean_a * mean_a).clip(0)
@@ -98,8 +123,7 @@ def ssim(image: Array, target: Array) -> float:
     covariance = _windowed(a * b) - mean_a * mean_b
     c_1, c_2 = _K_1**2, _K_2**2
     similar = (2 * mean_a * mean_b + c_1) * (2 * covariance + c_2)
-    similar /= (mean_a**2 + mean_b**2 + c_1) * (variance_a + variance_b + c_2)
-    return float(similar.mean())
+    return np.asarray(similar / ((mean_a**2 + mean_b**2 + c_1) * (variance_a + variance_b + c_2)))
 
 
 def _windowed(image: Array) -> Array:
@@ -108,14 +132,19 @@ def _windowed(image: Array) -> Array:
 
 def correlation(image: Array, target: Array) -> float | None:
     """Pearson's coefficient over the pixels; None if one image is the same everywhere."""
-    deviations = []
-    for each in (normalised(image), normalised(target)):
-        deviation = each - each.mean()
-        # What rounding leaves of an even image is nothing to go by.
-        if np.linalg.norm(deviation) <= 1e-12 * np.linalg.norm(each):
-            return None
-        deviations.append(deviation / np.linalg.norm(deviation))
-    return float((deviations[0] * deviations[1]).sum())
+    sums = _sum(image), _sum(target)
+    means = float(image.mean()) / sums[0], float(target.mean()) / sums[1]
+    squares, deviations, together = np.zeros(2), np.zeros(2), 0.0
+    for parts in _rows(image, target):
+        scaled = [part / total for part, total in zip(parts, sums, strict=True)]
+        off = [each - mean for each, mean in zip(scaled, means, strict=True)]
+        squares += [np.square(each).sum() for each in scaled]
+        deviations += [np.square(each).sum() for each in off]
+        together += float((off[0] * off[1]).sum())
+    # What rounding leaves of an even image is nothing to go by.
+    if (deviations <= 1e-24 * squares).any():
+        return None
+    return together / math.sqrt(deviations[0] * deviations[1])
 
 
 def lit(target: Array) -> npt.NDArray[np.bool_]:
@@ -130,9 +159,12 @@ def black(target: Array) -> npt.NDArray[np.bool_]:
 
 def uniformity(image: Array, target: Array) -> float:
     """Least over mean of image / target in the lit region; 1 is even, 0 has a dark pixel."""
-    ratio = image[lit(target)] / target[lit(target)]
-    mean = float(ratio.mean())
-    return float(ratio.min()) / mean if mean > 0 else 0.0
+    region = lit(target)
+    least, total = math.inf, 0.0
+    for i, t, inside in _rows(image, target, region):
+        ratio = i[inside] / t[inside]
+        least, total = min(least, float(ratio.min(initial=math.inf))), total + float(ratio.sum())
+    return least / (total / int(region.sum())) if total > 0 else 0.0
 
 
 def contrast(image: Array, target: Array) -> float | None:
@@ -140,5 +172,30 @@ def contrast(image: Array, target: Array) -> float | None:
     dark = black(target)
     if not dark.any():
         return None
-    bright, rest = float(image[lit(target)].mean()), float(image[dark].mean())
+    bright, rest = (float(image.mean(where=region)) for region in (lit(target), dark))
     return (bright - rest) / (bright + rest) if bright + rest > 0 else None
+
+
+def _mean_square(image: Array, target: Array) -> float:
+    """Mean of (I − T)² of normalised images."""
+    sum_i, sum_t = _sum(image), _sum(target)
+    squares = (float(np.square(i / sum_i - t / sum_t).sum()) for i, t in _rows(image, target))
+    return sum(squares) / target.size
+
+
+def _sum(image: Array) -> float:
+    """What an image is divided by: its sum; 1 for a dark one."""
+    total = float(image.sum())
+    return total if total > 0 else 1.0
+
+
+def _step(image: Array) -> int:
+    """Rows that are looked at together."""
+    return max(_AT_ONCE // int(image.shape[1]), 1)
+
+
+def _rows(*images: npt.NDArray[Any]) -> Iterator[list[npt.NDArray[Any]]]:
+    """The same rows of several images, some at a time."""
+    step = _step(images[0])
+    for first in range(0, len(images[0]), step):
+        yield [image[first : first + step] for image in images]

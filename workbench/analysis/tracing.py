@@ -4,6 +4,7 @@ The batches are traced by as many threads as there are cores; what each finds de
 alone, and they are handed out in order.
 """
 
+import math
 import os
 from collections.abc import Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -22,8 +23,9 @@ from workbench.scene import CollimatedSource, Scene, Screen
 
 Array = npt.NDArray[np.float64]
 
-# Each has the images of a batch at hand, which may be large.
 _MOST_THREADS = 8
+# Each has the images of a batch at hand, which may be large: bytes for all of them together.
+_LARGEST_IMAGES = 1 << 28
 
 
 @dataclass
@@ -126,9 +128,10 @@ class Trace:
         Parameters
         ----------
         threads : int, optional
-            How many trace; as many as there are cores by default.
+            How many trace; as many as there are cores by default. Fewer do if images are large.
         """
-        threads = min(threads or os.cpu_count() or 1, _MOST_THREADS)
+        room = max(_LARGEST_IMAGES // (8 * len(self._planes) * math.prod(self._screen.pixels)), 1)
+        threads = min(threads or os.cpu_count() or 1, _MOST_THREADS, room)
         with ThreadPoolExecutor(threads) as pool:
             # Not all at once: images that wait take memory, and Ctrl-C waits for these alone.
             for first in range(0, BATCHES, threads):

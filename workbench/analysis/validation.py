@@ -15,7 +15,7 @@ import numpy as np
 import numpy.typing as npt
 
 from workbench.analysis.cells import BATCHES
-from workbench.analysis.metrics import Quality, normalised
+from workbench.analysis.metrics import Quality, paper_loss, product, relative_l2
 from workbench.analysis.pose import Pose
 from workbench.analysis.tracing import Tally, Trace
 from workbench.errors import RunFailed
@@ -29,6 +29,8 @@ Interval = tuple[float, float]
 _T = 2.131
 # The second image has so many times fewer rays.
 _FEWER = 4
+# Brighter targets are scaled down, else the sum over their pixels might be infinite.
+_HUGE = 1e200
 
 
 @dataclass(frozen=True)
@@ -170,8 +172,8 @@ def validating(
     Validation
     """
     scene = scene if screen_z is None else _with_screen_at(scene, screen_z)
-    wanted = normalised(target / target.max()).ravel()
-    size = _norm(wanted)
+    if target.max() > _HUGE:
+        target = target / target.max()
 
     trace = Trace(scene, control_points, rays, seed, pose)
     second = Trace(scene, control_points, -(-rays // _FEWER), _another(seed), pose)
@@ -179,24 +181,27 @@ def validating(
     distances = []  # of the batches' images to the target
     total: Tally | None = None
     for batch in trace.batches(threads):
-        distances.append(_norm(normalised(batch.flux[0]) - wanted) / size)
+        distances.append(relative_l2(batch.flux.reshape(target.shape), target))
         if total is None:
             total = batch
         else:
             total.add(batch)
+        del batch  # large images must not wait for the next ones
         traced += trace.rays // BATCHES
         yield traced / all_rays
     assert total is not None
     ledger = total.ledger()
     if ledger.on_screen == 0:
         raise RunFailed("no light of this lens reaches the screen, so there is no image to judge")
-    error = normalised(total.flux[0]) - wanted
-    relative_l2 = _norm(error) / size
+    irradiance = total.flux.reshape(target.shape)
+    irradiance /= total.emitted * scene.screen.pixel_area
+    error = relative_l2(irradiance, target)
     noise = float(np.std(distances, ddof=1)) / math.sqrt(BATCHES)
 
     products = []
     for batch in second.batches(threads):
-        products.append(float((error * (normalised(batch.flux[0]) - wanted)).sum()) / size**2)
+        products.append(product(irradiance, batch.flux.reshape(target.shape), target))
+        del batch
         traced += second.rays // BATCHES
         yield traced / all_rays
     square = float(np.mean(products))
@@ -204,11 +209,10 @@ def validating(
     # rays, adds less to the variance than its part of the rays says.
     spread = _T * float(np.std(products, ddof=1)) * math.sqrt((1 + 1 / _FEWER) / BATCHES)
 
-    irradiance = (total.flux[0] / total.emitted).reshape(target.shape) / scene.screen.pixel_area
     return Validation(
-        loss=relative_l2 * size / math.sqrt(wanted.size),
-        relative_l2=relative_l2,
-        relative_l2_interval=(max(relative_l2 - _T * noise, 0.0), relative_l2 + _T * noise),
+        loss=paper_loss(irradiance, target),
+        relative_l2=error,
+        relative_l2_interval=(max(error - _T * noise, 0.0), error + _T * noise),
         relative_l2_corrected=_root(square),
         relative_l2_corrected_interval=(_root(square - spread), _root(square + spread)),
         efficiency=ledger.efficiency,
@@ -268,11 +272,6 @@ def _with_screen_at(scene: Scene, z: float) -> Scene:
 def _another(seed: int) -> int:
     """A seed for rays that have nothing to do with those of this one."""
     return int(np.random.SeedSequence([seed, 1000]).generate_state(1, np.uint64)[0])
-
-
-def _norm(image: Array) -> float:
-    """Frobenius norm, without the threads of a linear algebra library that wait by spinning."""
-    return math.sqrt(float(np.square(image).sum()))
 
 
 def _root(square: float) -> float:
