@@ -4,9 +4,9 @@ from dataclasses import replace
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
-from PySide6.QtGui import QUndoCommand, QUndoStack
 
 import resources
+from ui.steps import Steps
 from workbench.design.snapshot import Result
 from workbench.files.scene import with_absolute_image
 from workbench.files.session import Session, is_session, open_design, write_session
@@ -14,7 +14,6 @@ from workbench.scene import Scene
 from workbench.targets import load_target
 
 ENDING = ".freeform"
-_STEPS = 100  # that can be undone; each may hold an image of its own
 
 
 class Document(QObject):
@@ -40,8 +39,7 @@ class Document(QObject):
         self._session = session
         self._path: Path | None = None
         self._suggestion = Path(name)
-        self.undo_stack = QUndoStack(self)
-        self.undo_stack.setUndoLimit(_STEPS)
+        self.undo_stack = Steps(self._show, self)
         self.undo_stack.cleanChanged.connect(self._tell_dirty)
 
     @property
@@ -86,20 +84,32 @@ class Document(QObject):
         Refused
             If the scene's target cannot be loaded; nothing has changed then.
         """
-        old = self._session
+        # One step is one edit: what was lost on the way comes back with the value it hung on.
+        old = self.undo_stack.origin(key) or self._session
         # A relative path typed by hand starts beside the file, as it will when saved there.
         scene = with_absolute_image(scene, self.suggested_path)
-        if scene == old.scene:
+        if scene == self._session.scene:
             return
         target = old.target
         if _wish(scene) != _wish(old.scene):
             target = load_target(scene, self.suggested_path.parent)
-        self.undo_stack.push(_Step(self, old, old.with_scene(scene, target), text, key))
+        self.change(old.with_scene(scene, target), text, key)
 
     def set_result(self, result: Result, text: str) -> None:
         """Put a run's result into the session, as one step that can be undone."""
-        old = self._session
-        self.undo_stack.push(_Step(self, old, replace(old, result=result), text))
+        self.change(replace(self._session, result=result), text)
+
+    def change(self, session: Session, text: str, key: str = "") -> None:
+        """Go on with another session, as one step that can be undone.
+
+        Parameters
+        ----------
+        session : Session
+            Takes the place of the open one.
+        text, key
+            As for `edit`.
+        """
+        self.undo_stack.take(self._session, session, text, key)
 
     def open(self, path: Path) -> None:
         """Open a session, or an untitled design from a scene file.
@@ -149,32 +159,3 @@ class Document(QObject):
 def _wish(scene: Scene) -> tuple[object, ...]:
     """All that the target's image depends on."""
     return scene.target, scene.screen.half_width, scene.screen.pixels
-
-
-class _Step(QUndoCommand):
-    """From one session to the next."""
-
-    _MERGING = 1  # Qt offers only commands of the same id to each other
-
-    def __init__(
-        self, document: Document, before: Session, after: Session, text: str, key: str = ""
-    ) -> None:
-        super().__init__(text)
-        self._document = document
-        self._before, self._after = before, after
-        self._key = key
-
-    def redo(self) -> None:
-        self._document._show(self._after)
-
-    def undo(self) -> None:
-        self._document._show(self._before)
-
-    def id(self) -> int:
-        return self._MERGING if self._key else -1
-
-    def mergeWith(self, other: QUndoCommand) -> bool:
-        if not isinstance(other, _Step) or other._key != self._key:
-            return False
-        self._after = other._after
-        return True

@@ -194,3 +194,12 @@ def test_saving_where_nothing_can_be_written_keeps_the_design_dirty(document, tm
         document.save(tmp_path / "missing" / "design.freeform")
     assert document.dirty
     assert document.path is None
+
+
+def test_typing_on_in_a_field_brings_back_what_its_first_value_had(document):
+    document.set_result(lens_result(), "design run")
+    move_screen(document, 6)
+    assert document.session.result is None
+    move_screen(document, 5)
+    assert document.session.result is not None
+    assert document.undo_stack.count() == 2
