@@ -91,3 +91,8 @@ def test_a_good_lens_is_not_taken_through_the_blunt_phases_again(make_scene, let
     monkeypatch.setattr(auto, "_image", lambda *given: seen.append(given[2].alpha) or look(*given))
     next(run(scene, letter, found.control_points))
     assert set(seen) == {auto.PHASES[-1].alpha}
+
+
+def test_the_largest_screen_has_room_beside_it(make_scene):
+    scene = make_scene({"screen.pixels": [4096, 1], "run.iterations": 1})
+    assert [s.iteration for s in run(scene, np.ones((1, 4096)))] == [0, 1]

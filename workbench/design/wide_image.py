@@ -55,7 +55,7 @@ class WideImage:
     ) -> None:
         (n_x, n_y), (r_x, r_y) = scene.screen.pixels, scene.screen.half_width
         m_x, m_y = _margin(reach[0] / r_x, n_x), _margin(reach[1] / r_y, n_y)
-        wide = Screen(
+        wide = Screen.model_construct(  # may have more pixels than a scene may ask for
             z=scene.screen.z,
             half_width=(r_x * (1 + 2 * m_x / n_x), r_y * (1 + 2 * m_y / n_y)),
             pixels=(n_x + 2 * m_x, n_y + 2 * m_y),
