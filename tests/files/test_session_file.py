@@ -336,7 +336,9 @@ class TestRefused:
         [
             ({"format": "freeform-scene"}, ": session.json: format: 'freeform-scene'"),
             ({"format": None}, ": session.json: format: missing"),
-            ({"version": 2}, ": session.json: version: 2 is not available; allowed: 1"),
+            ({"version": 0}, ": session.json: version: 0 is too small; at least 1"),
+            ({"version": 2}, ": session.json: version: 2 is of a newer Freeform Lens Workbench"),
+            ({"version": 2, "new": 3}, ": session.json: version: 2 is of a newer Freeform"),
             ({"scene": None}, ": session.json: scene: missing"),
             ({"scene": {}}, ": session.json: lens: missing"),
             ({"scene": 3}, ": session.json: scene: "),

@@ -7,13 +7,8 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import BinaryIO
 
-import numpy as np
-import numpy.typing as npt
-
 from workbench.errors import Refused
-from workbench.files.npy import largest_size, read_array
-
-Array = npt.NDArray[np.float64]
+from workbench.files.npy import Array, Mask, largest_size, read_array, read_mask
 
 # What zipfile raises on damaged archives, besides OSError.
 _DAMAGE = (
@@ -47,34 +42,50 @@ class Entries:
         self._path = path
         with self._whole():
             self._archive = zipfile.ZipFile(file)
+        self._names = frozenset(self._archive.namelist())
         self._size = file.seek(0, 2)
 
+    def where(self, name: str) -> str:
+        """What refusals call an entry."""
+        return f"{self._path}: {name}"
+
+    def __contains__(self, name: str) -> bool:
+        return name in self._names
+
     def check_names(self, needed: set[str]) -> None:
-        """Refuse a zip that holds anything else, or anything twice."""
+        """Refuse a zip that holds anything else, anything twice, or more than its size."""
         for name in self._archive.namelist():
             if name not in needed:
                 raise Refused(f"{self._path}: {name!r}", "does not belong into this session")
-        if len(self._archive.namelist()) > len(needed):
+        if len(self._archive.namelist()) > len(self._names):
             raise Refused(str(self._path), "holds an entry twice; each must be there once")
+        entries = self._archive.infolist()
+        for info in entries:
+            if info.header_offset + info.compress_size > self._size:
+                raise Refused(self.where(info.filename), "is cut off")
+        if sum(info.compress_size for info in entries) > self._size:
+            raise Refused(str(self._path), "holds entries that overlap; each has bytes of its own")
 
     def content(self, name: str, largest: int) -> bytes:
         """The bytes of an entry, at most so many."""
-        where = f"{self._path}: {name}"
-        if name not in self._archive.namelist():
+        where = self.where(name)
+        if name not in self:
             raise Refused(where, "is missing; a session holds it")
         info = self._archive.getinfo(name)
         if info.compress_type != zipfile.ZIP_STORED or info.compress_size != info.file_size:
             raise Refused(where, "is compressed or encrypted; sessions store entries as they are")
         if info.file_size > largest:
             raise Refused(where, f"has {info.file_size} bytes; at most {largest} are possible")
-        if info.header_offset + info.file_size > self._size:
-            raise Refused(where, "is cut off")
         with self._whole():
             return self._archive.read(info)
 
     def array(self, name: str, shape: tuple[int, ...]) -> Array:
         """The array of an entry, of a shape known beforehand."""
-        return read_array(self.content(name, largest_size(shape)), shape, f"{self._path}: {name}")
+        return read_array(self.content(name, largest_size(shape)), shape, self.where(name))
+
+    def mask(self, name: str, shape: tuple[int, ...]) -> Mask:
+        """The array of bool of an entry, of a shape known beforehand."""
+        return read_mask(self.content(name, largest_size(shape)), shape, self.where(name))
 
     @contextmanager
     def _whole(self) -> Iterator[None]:

@@ -1,4 +1,4 @@
-"""Arrays of float64 in numpy's .npy format, read without trust."""
+"""Arrays of float64 or bool in numpy's .npy format, read without trust."""
 
 import io
 import math
@@ -11,6 +11,7 @@ import numpy.typing as npt
 from workbench.errors import Refused
 
 Array = npt.NDArray[np.float64]
+Mask = npt.NDArray[np.bool_]
 
 _LONGEST_HEADER = 1024
 _HEADER_READERS = {
@@ -24,13 +25,14 @@ def largest_size(shape: tuple[int, ...]) -> int:
     return _LONGEST_HEADER + 8 * math.prod(shape)
 
 
-def write_array(file: IO[bytes], array: Array) -> None:
-    """Write an array in C order."""
-    np.lib.format.write_array(file, np.ascontiguousarray(array, dtype="<f8"), allow_pickle=False)
+def write_array(file: IO[bytes], array: Array | Mask) -> None:
+    """Write an array in C order, booleans as such and all else as float64."""
+    kind = "?" if array.dtype == np.bool_ else "<f8"
+    np.lib.format.write_array(file, np.ascontiguousarray(array, dtype=kind), allow_pickle=False)
 
 
 def read_array(content: bytes, shape: tuple[int, ...], where: str) -> Array:
-    """Read an array whose shape is known beforehand.
+    """Read an array of float64 whose shape is known beforehand.
 
     Parameters
     ----------
@@ -51,22 +53,35 @@ def read_array(content: bytes, shape: tuple[int, ...], where: str) -> Array:
     Refused
         If it is anything but such an array.
     """
+    values = _values(content, shape, np.dtype("<f8"), where)
+    array = np.frombuffer(values, dtype=np.float64).reshape(shape)
+    if not np.isfinite(array).all():
+        raise Refused(where, "holds a value that is NaN or infinite; finite values are needed")
+    return array
+
+
+def read_mask(content: bytes, shape: tuple[int, ...], where: str) -> Mask:
+    """Read an array of bool; else as `read_array`."""
+    values = np.frombuffer(_values(content, shape, np.dtype("?"), where), dtype=np.uint8)
+    if (values > 1).any():
+        raise Refused(where, "holds a value that is neither 0 nor 1; false or true is needed")
+    return values.view(np.bool_).reshape(shape)
+
+
+def _values(content: bytes, shape: tuple[int, ...], kind: np.dtype[Any], where: str) -> bytes:
     file = io.BytesIO(content)
     found, fortran, dtype = _read_header(file, where)
-    if dtype != np.dtype("<f8"):
-        raise Refused(where, f"holds {dtype}; float64 is needed")
+    if dtype != kind:
+        raise Refused(where, f"holds {dtype}; {kind} is needed")
     if found != shape:
         raise Refused(where, f"has shape {found}; the scene needs {shape}")
     if fortran:
         raise Refused(where, "is in Fortran order; C order is needed")
     values = file.read()
-    size = 8 * math.prod(shape)
+    size = kind.itemsize * math.prod(shape)
     if len(values) != size:
         raise Refused(where, f"has {len(values)} bytes of values; shape {shape} needs {size}")
-    array = np.frombuffer(values, dtype=np.float64).reshape(shape)
-    if not np.isfinite(array).all():
-        raise Refused(where, "holds a value that is NaN or infinite; finite values are needed")
-    return array
+    return values
 
 
 def _read_header(file: IO[bytes], where: str) -> tuple[tuple[int, ...], bool, np.dtype[Any]]:

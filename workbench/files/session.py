@@ -1,20 +1,19 @@
 """Sessions: a design and its result in one zip, as plain JSON and .npy arrays."""
 
 import zipfile
+from collections.abc import Iterator
 from pathlib import Path
-from typing import Any, Literal
-
-from pydantic import ValidationError
 
 from workbench import __version__
-from workbench.design.session import KeptRun as KeptRun  # from here, too
+from workbench.design.session import KeptRun as KeptRun  # to be had from here, too
 from workbench.design.session import Session as Session
-from workbench.design.snapshot import Result
 from workbench.errors import Refused
 from workbench.files.atomic import replacing
+from workbench.files.designs import entries_of, names_of, read_result, read_target
 from workbench.files.entries import Entries
 from workbench.files.figures import Figures
-from workbench.files.npy import write_array
+from workbench.files.header import MOST_RUNS, Header, RunHeader, plain_view, read_header, read_part
+from workbench.files.npy import Array, Mask, write_array
 from workbench.files.reading import opened
 from workbench.files.scene import (
     LARGEST_TEXT,
@@ -22,24 +21,9 @@ from workbench.files.scene import (
     with_absolute_image,
     with_portable_image,
 )
-from workbench.refusals import refusal
-from workbench.scene import Part, Scene
 
 _HEADER = "session.json"
-_TARGET = "target.npy"
-_CONTROL_POINTS = "control_points.npy"
-_IRRADIANCE = "irradiance.npy"
-_LOSS = "loss.npy"
-
-
-class _Header(Part):
-    """``session.json``; the scene in it is validated by itself."""
-
-    format: Literal["freeform-session"]
-    version: Literal[1]
-    scene: dict[str, Any]
-    result: Figures | None = None
-    program: str
+_LOCKED = "locked.npy"
 
 
 def open_design(path: Path) -> Session:
@@ -76,24 +60,22 @@ def write_session(session: Session, path: Path) -> None:
     Raises
     ------
     Refused
-        If it cannot be written; what was at ``path`` before is still there.
+        If it cannot be written, or would be too large to be read again; what was at ``path``
+        before is still there.
     """
-    result = session.result
-    header = _Header(
-        format="freeform-session",
-        version=1,
-        scene=with_portable_image(session.scene, path).to_data(),
-        result=None if result is None else Figures.of(result),
-        program=f"freeform-lens-workbench {__version__}",
-    )
-    arrays = {_TARGET: session.target}
-    if result is not None:
-        arrays[_CONTROL_POINTS] = result.control_points
-        arrays[_IRRADIANCE] = result.irradiance
-        arrays[_LOSS] = result.losses
+    text = _header(session, path).model_dump_json(indent=2, exclude_none=True).encode()
+    if len(text) > LARGEST_TEXT:
+        raise Refused(
+            str(path), f"its text would have {len(text)} bytes; at most {LARGEST_TEXT} can be read"
+        )
+    arrays: dict[str, Array | Mask] = {**entries_of("", session.target, session.result)}
+    if session.locked is not None:
+        arrays[_LOCKED] = session.locked
+    for number, run in enumerate(session.runs):
+        arrays |= entries_of(_folder(number), run.target, run.result)
     with replacing(path) as file, zipfile.ZipFile(file, "w", zipfile.ZIP_STORED) as archive:
         with archive.open(_HEADER, "w") as entry:
-            entry.write(header.model_dump_json(indent=2, exclude_none=True).encode())
+            entry.write(text)
         for name, array in arrays.items():
             with archive.open(name, "w") as entry:
                 write_array(entry, array)
@@ -102,7 +84,7 @@ def write_session(session: Session, path: Path) -> None:
 def read_session(path: Path) -> Session:
     """Read a session file.
 
-    Nothing is unpickled or unpacked, and nothing is read that is larger than the scene implies.
+    Nothing is unpickled or unpacked, and nothing is read that is larger than the scenes imply.
 
     Parameters
     ----------
@@ -123,43 +105,55 @@ def read_session(path: Path) -> Session:
         raise Refused(str(path), "is no session: it does not begin like a zip")
     with opened(path) as file:
         entries = Entries(path, file)
-        header, scene = _read_header(path, entries)
-        n_x, n_y = scene.screen.pixels
-        figures = header.result
-        shapes: dict[str, tuple[int, ...]] = {_TARGET: (n_y, n_x)}
-        if figures is not None:
-            shapes[_CONTROL_POINTS] = scene.lens.control_points
-            shapes[_IRRADIANCE] = (n_y, n_x)
-            shapes[_LOSS] = (figures.iterations,)
-        entries.check_names({_HEADER, *shapes})
-        arrays = {name: entries.array(name, shape) for name, shape in shapes.items()}
-    target = arrays[_TARGET]
-    if target.min() < 0 or not target.any():
-        raise Refused(f"{path}: {_TARGET}", "is dark or has negative values; some light is needed")
-    if figures is None:
-        return Session(scene, target)
-    result = Result(
-        control_points=arrays[_CONTROL_POINTS],
-        irradiance=arrays[_IRRADIANCE],
-        losses=arrays[_LOSS],
-        loss=figures.loss,
-        seconds=figures.seconds,
-        ledger=figures.to_ledger(),
-        stage_starts=figures.stage_starts or (),
-        stages_left=figures.stages_left or 0,
+        where = entries.where(_HEADER)
+        header = read_header(entries.content(_HEADER, LARGEST_TEXT), where)
+        scene = with_absolute_image(read_part(header.scene, where), path)
+        names = {_HEADER} | names_of("", header.result)
+        if _LOCKED in entries:
+            names.add(_LOCKED)
+        for number, run in enumerate(header.runs or ()):
+            names |= names_of(_folder(number), run.result)
+        entries.check_names(names)
+        return Session(
+            scene,
+            read_target(entries, "", scene),
+            None if header.result is None else read_result(entries, "", scene, header.result),
+            entries.mask(_LOCKED, scene.lens.control_points) if _LOCKED in entries else None,
+            tuple(_read_runs(entries, header.runs or (), path)),
+            header.view,
+        )
+
+
+def _header(session: Session, path: Path) -> Header:
+    if len(session.runs) > MOST_RUNS:
+        raise Refused(str(path), f"would hold {len(session.runs)} kept runs; at most {MOST_RUNS}")
+    runs = [
+        RunHeader(
+            name=run.name,
+            scene=with_portable_image(run.scene, path).to_data(),
+            result=Figures.of(run.result),
+        )
+        for run in session.runs
+    ]
+    return Header(
+        scene=with_portable_image(session.scene, path).to_data(),
+        result=None if session.result is None else Figures.of(session.result),
+        runs=tuple(runs) or None,
+        view=plain_view(session.view, f"{path}: view"),
+        program=f"freeform-lens-workbench {__version__}",
     )
-    return Session(scene, target, result)
 
 
-def _read_header(path: Path, entries: Entries) -> tuple[_Header, Scene]:
-    where = f"{path}: {_HEADER}"
-    try:
-        header = _Header.model_validate_json(entries.content(_HEADER, LARGEST_TEXT))
-    except ValidationError as error:
-        refused = refusal(error, _Header, whole="text")
-        raise Refused(f"{where}: {refused.path}", refused.reason) from None
-    try:
-        scene = Scene.from_data(header.scene)
-    except Refused as refused:
-        raise Refused(f"{where}: {refused.path}", refused.reason) from None
-    return header, with_absolute_image(scene, path)
+def _read_runs(entries: Entries, runs: tuple[RunHeader, ...], path: Path) -> Iterator[KeptRun]:
+    for number, run in enumerate(runs):
+        where = f"{entries.where(_HEADER)}: runs[{number}].scene"
+        scene = with_absolute_image(read_part(run.scene, where), path)
+        target = read_target(entries, _folder(number), scene)
+        yield KeptRun(
+            run.name, scene, target, read_result(entries, _folder(number), scene, run.result)
+        )
+
+
+def _folder(number: int) -> str:
+    """What the names of a kept run's entries begin with."""
+    return f"runs/{number}/"

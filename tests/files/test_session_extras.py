@@ -1,0 +1,233 @@
+"""What a session holds besides one design: locks, kept runs and the window's view."""
+
+import json
+import zipfile
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from workbench.design.session import LONGEST_NAME, KeptRun, Session
+from workbench.design.snapshot import Result
+from workbench.errors import Refused
+from workbench.files import header
+from workbench.files.session import read_session, write_session
+from workbench.optics.ledger import Ledger
+
+VIEW = {"camera": [1.5, None, True], "docks": {"state": "AAAA"}, "map": "viridis"}
+
+
+@pytest.fixture
+def make_run(make_scene, rng):
+    def make(name, net=(5, 4), pixels=(7, 6), losses=8):
+        scene = make_scene({"lens.control_points": list(net), "screen.pixels": list(pixels)})
+        result = Result(
+            control_points=rng.random(net),
+            irradiance=rng.random(pixels[::-1]),
+            losses=rng.random(losses),
+            loss=0.25,
+            seconds=2.0,
+            ledger=Ledger(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
+        )
+        return KeptRun(name, scene, rng.random(pixels[::-1]), result)
+
+    return make
+
+
+@pytest.fixture
+def session(make_run, rng):
+    design = make_run("open")
+    runs = (make_run("coarse", (4, 4), (3, 2)), make_run("fein gemäß α = 4", losses=0))
+    return Session(design.scene, design.target, design.result, rng.random((5, 4)) < 0.5, runs, VIEW)
+
+
+@pytest.fixture
+def path(tmp_path):
+    return tmp_path / "lens.freeform"
+
+
+@pytest.fixture
+def forge(session, path):
+    """Writes the session with entries changed, or left out where None; or fields of its text."""
+
+    def make(entries=None, **fields):
+        write_session(session, path)
+        with zipfile.ZipFile(path) as archive:
+            content = {name: archive.read(name) for name in archive.namelist()}
+        text = json.loads(content["session.json"]) | fields
+        content |= {"session.json": json.dumps(text).encode()} | (entries or {})
+        with zipfile.ZipFile(path, "w") as archive:
+            for name in content:
+                if content[name] is not None:
+                    archive.writestr(name, content[name])
+        return path
+
+    return make
+
+
+def refused(path):
+    with pytest.raises(Refused) as caught:
+        read_session(path)
+    return str(caught.value).removeprefix(str(path))
+
+
+def assert_same(found, expected):
+    assert found.scene == expected.scene
+    np.testing.assert_array_equal(found.target, expected.target)
+    for name in ("control_points", "irradiance", "losses"):
+        np.testing.assert_array_equal(getattr(found.result, name), getattr(expected.result, name))
+    assert (found.result.loss, found.result.ledger) == (
+        expected.result.loss,
+        expected.result.ledger,
+    )
+
+
+def test_everything_comes_back(session, path):
+    write_session(session, path)
+    found = read_session(path)
+    assert_same(found, session)
+    assert found.locked.dtype == np.bool_
+    assert not found.locked.flags.writeable
+    np.testing.assert_array_equal(found.locked, session.locked)
+    assert [run.name for run in found.runs] == ["coarse", "fein gemäß α = 4"]
+    for run, expected in zip(found.runs, session.runs, strict=True):
+        assert_same(run, expected)
+    assert found.view == VIEW
+
+
+def test_a_session_without_them_is_written_as_ever(session, path):
+    write_session(Session(session.scene, session.target), path)
+    with zipfile.ZipFile(path) as archive:
+        assert archive.namelist() == ["session.json", "target.npy"]
+        text = json.loads(archive.read("session.json"))
+    assert sorted(text) == ["format", "program", "scene", "version"]
+    found = read_session(path)
+    assert (found.locked, found.runs, found.view) == (None, (), None)
+
+
+def test_images_of_kept_runs_go_along_with_the_file(session, tmp_path, path):
+    target = {"image": str(tmp_path / "images" / "flame.png")}
+    run = session.runs[0]
+    scene = run.scene.from_data(run.scene.to_data() | {"target": target})
+    write_session(replace(session, runs=(replace(run, scene=scene),)), path)
+    (tmp_path / "elsewhere").mkdir()
+    moved = path.rename(tmp_path / "elsewhere" / "lens.freeform")
+    (found,) = read_session(moved).runs
+    assert found.scene.target.image == str(tmp_path / "elsewhere" / "images" / "flame.png")
+
+
+class TestWithScene:
+    def test_runs_and_view_outlive_every_edit(self, session, make_scene):
+        other = make_scene({"lens.control_points": [9, 9], "screen.pixels": [7, 6]})
+        found = session.with_scene(other, session.target)
+        assert (found.result, found.locked) == (None, None)
+        assert found.runs is session.runs
+        assert found.view is session.view
+
+    def test_locks_stay_with_their_control_points(self, session):
+        screen = session.scene.screen.model_copy(update={"z": 6.0})
+        scene = session.scene.model_copy(update={"screen": screen})
+        found = session.with_scene(scene, session.target)
+        assert found.result is None
+        assert found.locked is session.locked
+        lens = scene.lens.model_copy(update={"degree": (3, 2)})
+        scene = scene.model_copy(update={"lens": lens})
+        assert session.with_scene(scene, session.target).locked is None
+
+
+class TestNotWritten:
+    def test_too_many_runs(self, session, path):
+        runs = session.runs[:1] * (header.MOST_RUNS + 1)
+        with pytest.raises(Refused, match="would hold 65 kept runs; at most 64"):
+            write_session(replace(session, runs=runs), path)
+        assert not path.exists()
+        write_session(replace(session, runs=runs[1:]), path)
+        assert len(read_session(path).runs) == header.MOST_RUNS
+
+    @pytest.mark.parametrize("name", ["", "x" * (LONGEST_NAME + 1)])
+    def test_a_name_that_is_none(self, session, name):
+        with pytest.raises(Refused, match=f"name: .*{len(name)} characters; 1 to 100"):
+            replace(session.runs[0], name=name)
+
+    @pytest.mark.parametrize(
+        "view, told",
+        [
+            ({"x": float("nan")}, "cannot be kept as JSON: "),
+            ({"x": object()}, "cannot be kept as JSON: "),
+            ({"x": "\ud800"}, "cannot be kept as JSON: "),
+            ({"x": "y" * header.LARGEST_VIEW}, "takes 65544 bytes; at most 65536"),
+            ({"x": json.loads("[" * 16 + "]" * 16)}, "is nested too deeply; at most 16 levels"),
+        ],
+    )
+    def test_a_view_that_could_not_be_read(self, session, path, view, told):
+        with pytest.raises(Refused) as caught:
+            write_session(replace(session, view=view), path)
+        assert caught.value.path == f"{path}: view"
+        assert caught.value.reason.startswith(told)
+        assert "\n" not in caught.value.reason
+        assert not path.exists()
+
+    def test_more_text_than_can_be_read(self, session, path):
+        stages = [{"iterations": 1}] * 500
+        data = session.scene.to_data()
+        data["run"] |= {"stages": stages, "iterations": 1000}
+        run = replace(session.runs[0], scene=session.scene.from_data(data))
+        with pytest.raises(Refused, match=r"its text would have \d+ bytes; at most 1048576"):
+            write_session(replace(session, runs=(run,) * 64), path)
+        assert not path.exists()
+
+
+def test_a_view_is_kept_as_json_has_it(session, path):
+    write_session(replace(session, view={1: (2, 3)}), path)
+    assert read_session(path).view == {"1": [2, 3]}
+
+
+class TestRefused:
+    def test_locks_of_another_net(self, forge, path):
+        other = np.zeros((4, 5), bool)
+        np.save(path.with_suffix(".npy"), other)
+        told = refused(forge({"locked.npy": path.with_suffix(".npy").read_bytes()}))
+        assert told == ": locked.npy: has shape (4, 5); the scene needs (5, 4)"
+
+    def test_locks_that_are_numbers(self, forge, path):
+        np.save(path.with_suffix(".npy"), np.zeros((5, 4)))
+        told = refused(forge({"locked.npy": path.with_suffix(".npy").read_bytes()}))
+        assert told == ": locked.npy: holds float64; bool is needed"
+
+    def test_a_lock_that_is_half(self, session, forge, path):
+        np.save(path.with_suffix(".npy"), session.locked)
+        content = path.with_suffix(".npy").read_bytes()
+        told = refused(forge({"locked.npy": content[:-1] + b"\2"}))
+        assert told.startswith(": locked.npy: holds a value that is neither 0 nor 1")
+
+    def test_a_run_without_its_arrays(self, forge):
+        assert refused(forge({"runs/1/loss.npy": None})).startswith(": runs/1/loss.npy: is missing")
+
+    def test_arrays_without_their_run(self, forge):
+        assert refused(forge({"runs/2/target.npy": b""})).startswith(
+            ": 'runs/2/target.npy': does not belong"
+        )
+
+    def test_an_impossible_scene_of_a_run(self, session, forge):
+        text = [
+            {"name": "x", "scene": {"lens": 3}, "result": {}},
+        ]
+        assert refused(forge(runs=text)).startswith(": session.json: runs[0].result.loss: missing")
+
+    def test_too_many_runs(self, forge):
+        told = refused(forge(runs=[{}] * 65))
+        assert told.startswith(": session.json: runs")
+
+    @pytest.mark.parametrize("view", [3, [], "x"])
+    def test_a_view_that_is_no_object(self, forge, view):
+        assert refused(forge(view=view)).startswith(": session.json: view: ")
+
+    def test_entries_that_share_their_bytes(self, forge):
+        path = forge()
+        content = path.read_bytes()
+        # The directory alone tells of a larger entry, which reaches over those behind it.
+        at = content.rindex(b"locked.npy") - 46
+        assert content[at : at + 4] == b"PK\1\2"
+        size = (1 << 11).to_bytes(4, "little")
+        path.write_bytes(content[: at + 20] + size + size + content[at + 28 :])
+        assert refused(path) == ": holds entries that overlap; each has bytes of its own"

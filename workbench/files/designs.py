@@ -1,0 +1,70 @@
+"""The arrays of a design in a session: of the open one, and of each run kept beside it.
+
+A kept run's entries are named like those of the open design, in a folder of their own.
+"""
+
+from workbench.design.snapshot import Result
+from workbench.errors import Refused
+from workbench.files.entries import Entries
+from workbench.files.figures import Figures
+from workbench.files.npy import Array
+from workbench.scene import Scene
+
+_TARGET = "target.npy"
+_CONTROL_POINTS = "control_points.npy"
+_IRRADIANCE = "irradiance.npy"
+_LOSS = "loss.npy"
+
+
+def entries_of(folder: str, target: Array, result: Result | None) -> dict[str, Array]:
+    """The arrays of a design, by the names of their entries."""
+    arrays = {folder + _TARGET: target}
+    if result is not None:
+        arrays[folder + _CONTROL_POINTS] = result.control_points
+        arrays[folder + _IRRADIANCE] = result.irradiance
+        arrays[folder + _LOSS] = result.losses
+    return arrays
+
+
+def names_of(folder: str, figures: Figures | None) -> set[str]:
+    """Names of the entries of a design that has, or has not, a result."""
+    names = [_TARGET] if figures is None else [_TARGET, _CONTROL_POINTS, _IRRADIANCE, _LOSS]
+    return {folder + name for name in names}
+
+
+def read_target(entries: Entries, folder: str, scene: Scene) -> Array:
+    """The wished image of a design.
+
+    Raises
+    ------
+    Refused
+        If it is not as the scene implies, or nothing is wished.
+    """
+    n_x, n_y = scene.screen.pixels
+    target = entries.array(folder + _TARGET, (n_y, n_x))
+    if target.min() < 0 or not target.any():
+        raise Refused(
+            entries.where(folder + _TARGET), "is dark or has negative values; some light is needed"
+        )
+    return target
+
+
+def read_result(entries: Entries, folder: str, scene: Scene, figures: Figures) -> Result:
+    """The lens of a design.
+
+    Raises
+    ------
+    Refused
+        If an array is not as scene and figures imply.
+    """
+    n_x, n_y = scene.screen.pixels
+    return Result(
+        control_points=entries.array(folder + _CONTROL_POINTS, scene.lens.control_points),
+        irradiance=entries.array(folder + _IRRADIANCE, (n_y, n_x)),
+        losses=entries.array(folder + _LOSS, (figures.iterations,)),
+        loss=figures.loss,
+        seconds=figures.seconds,
+        ledger=figures.to_ledger(),
+        stage_starts=figures.stage_starts or (),
+        stages_left=figures.stages_left or 0,
+    )

@@ -1,0 +1,123 @@
+"""``session.json``: all of a session but its arrays."""
+
+import json
+from collections.abc import Mapping
+from typing import Annotated, Any, Final, Literal
+
+from pydantic import Field, ValidationError
+
+from workbench.design.session import LONGEST_NAME
+from workbench.errors import Refused
+from workbench.files.figures import Figures
+from workbench.refusals import refusal
+from workbench.scene import Part, Scene
+
+VERSION: Final = 1
+"""Of the session files that this program writes; it reads no newer ones."""
+
+MOST_RUNS = 64
+"""Most kept runs in a session."""
+
+LARGEST_VIEW = 1 << 16
+"""Most bytes of JSON that a view takes, without spaces between."""
+
+_DEEPEST_VIEW = 16
+
+
+class RunHeader(Part):
+    """A kept run; the scene in it is validated by itself."""
+
+    name: Annotated[str, Field(min_length=1, max_length=LONGEST_NAME)]
+    scene: dict[str, Any]
+    result: Figures
+
+
+class Header(Part):
+    """The whole text; the scene in it is validated by itself."""
+
+    format: Literal["freeform-session"] = "freeform-session"
+    version: Literal[1] = VERSION
+    scene: dict[str, Any]
+    result: Figures | None = None
+    runs: Annotated[tuple[RunHeader, ...] | None, Field(max_length=MOST_RUNS)] = None
+    view: dict[str, Any] | None = None
+    program: str
+
+
+class _Kind(Part, extra="ignore"):
+    """What tells whether the rest can be understood."""
+
+    format: Literal["freeform-session"]
+    version: Annotated[int, Field(ge=1)]
+
+
+def read_header(text: bytes, where: str) -> Header:
+    """Read the text.
+
+    Parameters
+    ----------
+    text : bytes
+        JSON.
+    where : str
+        What refusals call it.
+
+    Raises
+    ------
+    Refused
+        If it is anything but what `Header` says, or of a newer program.
+    """
+    try:
+        kind = _Kind.model_validate_json(text)
+        if kind.version > VERSION:
+            raise Refused(
+                f"{where}: version",
+                f"{kind.version} is of a newer Freeform Lens Workbench, at most {VERSION} can be "
+                "read here; update the program",
+            )
+        header = Header.model_validate_json(text)
+    except ValidationError as error:
+        refused = refusal(error, Header, whole="text")
+        raise Refused(f"{where}: {refused.path}", refused.reason) from None
+    plain_view(header.view, f"{where}: view")
+    return header
+
+
+def read_part(scene: dict[str, Any], where: str) -> Scene:
+    """Read one of the scenes that the text holds.
+
+    Raises
+    ------
+    Refused
+        If it is not possible.
+    """
+    try:
+        return Scene.from_data(scene)
+    except Refused as refused:
+        raise Refused(f"{where}: {refused.path}", refused.reason) from None
+
+
+def plain_view(view: Mapping[str, Any] | None, where: str) -> dict[str, Any] | None:
+    """A view as JSON gives it back.
+
+    Raises
+    ------
+    Refused
+        If it is no object of moderate size and depth with finite numbers.
+    """
+    try:
+        text = json.dumps(view, allow_nan=False, ensure_ascii=False, separators=(",", ":"))
+        size = len(text.encode())
+    except (TypeError, ValueError, RecursionError) as error:
+        raise Refused(where, f"cannot be kept as JSON: {error}") from None
+    if size > LARGEST_VIEW:
+        raise Refused(where, f"takes {size} bytes; at most {LARGEST_VIEW} are kept")
+    plain: dict[str, Any] | None = json.loads(text)
+    if _depth(plain) > _DEEPEST_VIEW:
+        raise Refused(where, f"is nested too deeply; at most {_DEEPEST_VIEW} levels are kept")
+    return plain
+
+
+def _depth(value: object) -> int:
+    if isinstance(value, dict):
+        value = list(value.values())
+    return 1 + max(map(_depth, value), default=0) if isinstance(value, list) else 0
