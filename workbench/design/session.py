@@ -9,7 +9,9 @@ import numpy.typing as npt
 
 from workbench.design.snapshot import Result
 from workbench.errors import Refused
-from workbench.scene import Scene
+from workbench.geometry.approximation import project
+from workbench.geometry.surface import ControlNet
+from workbench.scene import Lens, Scene
 
 Array = npt.NDArray[np.float64]
 Mask = npt.NDArray[np.bool_]
@@ -69,6 +71,9 @@ class Session:
         Runs kept to be compared, the oldest first.
     view : mapping, optional
         What the window looked like, as a JSON object; it means nothing to the engine.
+    start : ndarray, shape (n_u, n_v), optional
+        Heights of a lens that was designed for another task and is a start for this one; without
+        meaning where there is a result.
     """
 
     scene: Scene
@@ -77,23 +82,41 @@ class Session:
     locked: Mask | None = None
     runs: tuple[KeptRun, ...] = ()
     view: Mapping[str, Any] | None = None
+    start: Array | None = None
+
+    @property
+    def control_points(self) -> Array | None:
+        """Heights of the lens as it stands, (n_u, n_v): the result's, or those to start from."""
+        return self.start if self.result is None else self.result.control_points
 
     def with_scene(self, scene: Scene, target: Array) -> "Session":
         """The session after an edit; what belongs to this task as well stays.
 
-        Run settings say how to search, not what for, so changing them leaves the result. Locks
-        stay as long as the control points that they are about.
+        Run settings say how to search, not what for, so changing them leaves the result, and so
+        does a control net that holds the same surface. For any other task the lens is a start,
+        as long as it fits into the outline, base and range of the new one; on a net that cannot
+        hold its surface it is the nearest one. Locks stay as long as the control points that they
+        are about.
         """
-        same_task = scene.model_copy(update={"run": self.scene.run}) == self.scene
-        keep = same_task and np.array_equal(target, self.target)
-        return replace(
-            self,
-            scene=scene,
-            target=target,
-            result=self.result if keep else None,
-            locked=self.locked if _net(scene) == _net(self.scene) else None,
-        )
+        net, other = ControlNet.of(self.scene.lens), ControlNet.of(scene.lens)
+        exact = other.contains(net)
+        same_task = _task(scene) == _task(self.scene) and np.array_equal(target, self.target)
+        result, start = self.result if exact and same_task else None, self.control_points
+        if start is not None and other != net:
+            start = net.refine(start, other) if exact else project(net, start, other)
+            result = result and replace(result, control_points=start)
+        if result is not None or _room(scene.lens) != _room(self.scene.lens):
+            start = None
+        locked = self.locked if other == net else None
+        return replace(self, scene=scene, target=target, result=result, start=start, locked=locked)
 
 
-def _net(scene: Scene) -> tuple[object, ...]:
-    return scene.lens.control_points, scene.lens.degree
+def _task(scene: Scene) -> Scene:
+    """What a result is one for: all but how it was searched for, and on which control net."""
+    lens = scene.lens.model_copy(update={"control_points": (), "degree": ()})
+    return scene.model_copy(update={"lens": lens, "run": None})
+
+
+def _room(lens: Lens) -> tuple[object, ...]:
+    """Where the exit face of a lens may be."""
+    return lens.half_width, lens.entrance_z, lens.base, lens.height_range, lens.min_thickness

@@ -1,0 +1,124 @@
+"""What a session keeps of its lens when the task changes."""
+
+import numpy as np
+import pytest
+
+from workbench.design.session import Session
+from workbench.design.snapshot import Result
+from workbench.geometry.approximation import deviation
+from workbench.geometry.surface import ControlNet
+from workbench.optics.ledger import Ledger
+from workbench.scene import Scene
+
+
+@pytest.fixture
+def session(make_scene, rng):
+    scene = make_scene()  # 12 × 10 control points of degree (3, 2)
+    n_x, n_y = scene.screen.pixels
+    result = Result(
+        control_points=0.5 + 0.01 * rng.normal(size=scene.lens.control_points),
+        irradiance=np.ones((n_y, n_x)),
+        losses=np.array([2.0, 1.0]),
+        loss=1.0,
+        seconds=0.5,
+        ledger=Ledger(1.0, 0.9, 0.0, 0.0, 0.0, 0.0, 0.04, 0.06),
+    )
+    return Session(scene, np.ones((n_y, n_x)), result)
+
+
+def edited(session, target=None, **values):
+    """The session after some fields, by path, have got other values."""
+    data = session.scene.to_data()
+    for path, value in values.items():
+        part, name = path.split("__")
+        data[part][name] = value
+    return session.with_scene(Scene.from_data(data), session.target if target is None else target)
+
+
+def off(session, other):
+    """How far apart the lenses of two sessions are."""
+    nets = (ControlNet.of(each.scene.lens) for each in (session, other))
+    one, two = nets
+    return deviation(one, session.control_points, two, other.control_points)
+
+
+def finer(lens, factor):
+    return [factor * (n - p) + p for n, p in zip(lens.control_points, lens.degree, strict=True)]
+
+
+def test_a_net_that_holds_the_surface_keeps_the_result(session):
+    other = edited(session, lens__control_points=finer(session.scene.lens, 3))
+    result = other.result
+    assert result.control_points.shape == other.scene.lens.control_points
+    assert off(session, other) < 1e-15 * 10
+    assert (result.loss, result.losses, result.irradiance) == (
+        session.result.loss,
+        session.result.losses,
+        session.result.irradiance,
+    )
+    assert other.start is None
+
+
+def test_another_net_makes_the_nearest_lens_a_start(session):
+    other = edited(session, lens__control_points=[20, 20])
+    assert other.result is None
+    assert other.start.shape == (20, 20)
+    assert 1e-6 < off(session, other) < 0.01
+    again = edited(other, lens__control_points=[9, 9])
+    assert again.start.shape == (9, 9)
+
+
+def test_another_degree_makes_the_nearest_lens_a_start(session):
+    other = edited(session, lens__degree=[4, 4])
+    assert other.result is None and other.start.shape == session.result.control_points.shape
+    assert 1e-6 < off(session, other) < 0.02
+
+
+@pytest.mark.parametrize(
+    "values",
+    [
+        {"screen__z": 7.0},
+        {"screen__half_width": [2.0, 2.0]},
+        {"source__rays": [40, 40]},
+        {"filter__alpha": 2.0},
+        {"lens__refractive_index": 1.6},
+    ],
+)
+def test_another_task_takes_the_lens_for_a_start(session, values):
+    other = edited(session, **values)
+    assert other.result is None
+    assert other.start is session.result.control_points
+    assert other.control_points is other.start
+
+
+def test_another_image_takes_the_lens_for_a_start(session):
+    other = edited(session, target=2 * session.target)
+    assert other.result is None and other.start is session.result.control_points
+
+
+@pytest.mark.parametrize(
+    "values",
+    [
+        {"lens__half_width": [1.0, 1.1]},
+        {"lens__entrance_z": -0.01},
+        {"lens__min_thickness": 0.06},
+        {"lens__height_range": [-0.2, 0.3]},
+        {"lens__base": {"shape": "flat", "height": 0.51}},
+    ],
+)
+def test_another_room_for_the_lens_takes_it_away(session, values):
+    other = edited(session, **values)
+    assert other.result is None and other.start is None and other.control_points is None
+
+
+def test_a_start_stays_one_whatever_is_edited_back(session):
+    moved = edited(session, screen__z=7.0)
+    back = edited(moved, screen__z=session.scene.screen.z)
+    assert back.result is None
+    assert back.start is session.result.control_points
+
+
+def test_an_undesigned_lens_stays_undesigned(session):
+    bare = Session(session.scene, session.target)
+    other = edited(bare, lens__control_points=[20, 20])
+    assert other.control_points is None
