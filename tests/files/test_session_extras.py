@@ -118,7 +118,7 @@ def test_images_of_kept_runs_go_along_with_the_file(session, tmp_path, path):
 
 class TestWithScene:
     def test_runs_and_view_outlive_every_edit(self, session, make_scene):
-        other = make_scene({"lens.control_points": [9, 9], "screen.pixels": [7, 6]})
+        other = make_scene({"lens.control_points": [8, 9], "screen.pixels": [7, 6]})
         found = session.with_scene(other, session.target)
         assert (found.result, found.locked) == (None, None)
         assert found.runs is session.runs
