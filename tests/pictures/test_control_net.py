@@ -73,3 +73,85 @@ def test_the_marked_point_stands_out(net, plotter):
     assert np.linalg.norm(spots - seen, axis=1).min() < 3
     red, green, blue = marked[round(seen[0]), round(seen[1])]
     assert min(red, blue) > green + 60
+
+
+@pytest.fixture
+def fine(make_scene, plotter):
+    """A net of 192 × 192 points, too many to be shown."""
+    scene = make_scene({"lens.control_points": [192, 192]})
+    LensPicture(plotter, scene, np.ones((32, 32))).fit()
+    net = ControlNetPicture(plotter, scene.lens)
+    net.update(np.full((192, 192), 0.5))
+    net.show(True)
+    plotter.render()
+    return net
+
+
+def shown(dots):
+    return dots._mesh.n_points if dots._actor.visibility else 0
+
+
+def test_a_coarse_net_is_shown_whole_with_its_lines(net):
+    net.mark(None)
+    assert shown(net._points) == 0
+    net.show(True)
+    assert shown(net._points) == 120
+    assert net._threads.visibility and net._lines.n_lines == 22
+    net.show(False)
+    assert shown(net._points) == 0 and not net._threads.visibility
+
+
+def test_of_a_fine_net_what_is_near_the_brush(fine):
+    assert shown(fine._points) == 0
+    fine.brush((100, 3), 0.05)
+    assert shown(fine._points) == 25 * 16
+    assert fine._lines.n_lines == 25 + 16
+    fine.brush(None)
+    assert shown(fine._points) == 0 and not fine._threads.visibility
+
+
+@pytest.mark.parametrize("view", ["", "side", "top", "axis"])
+def test_points_of_a_fine_net_are_picked_where_they_are_seen(make_scene, plotter, view, rng):
+    scene = make_scene({"lens.control_points": [64, 50]})
+    LensPicture(plotter, scene, np.ones((32, 32))).fit(view)
+    net = ControlNetPicture(plotter, scene.lens)
+    # Tilted, so that none hides another when seen from the side or from above.
+    tilt = np.linspace(-0.2, 0.2, 64)[:, None] + np.linspace(-0.1, 0.1, 50)
+    net.update(0.5 + tilt)
+    net.show(True)
+    plotter.camera.zoom(4)
+    plotter.render()
+    for index in rng.integers(0, (64, 50), (20, 2)):
+        place = net.places[tuple(index)]
+        i, j = net.pick(*in_window(plotter, place))
+        seen = np.array([in_window(plotter, place), in_window(plotter, net.places[i, j])])
+        assert np.abs(seen[0] - seen[1]).max() < 1.5  # itself, or another on the same pixel
+
+
+def test_the_brush_highlights_what_it_takes_along(net):
+    net.show(True)
+    net.brush((5, 5), 0.0)
+    assert shown(net._brushed) == 1
+    net.brush((5, 5), 0.5)
+    reached = net._brushed._mesh.points
+    assert 9 < len(reached) < 120
+    assert np.hypot(*(reached[:, :2] - net.places[5, 5, :2]).T).max() < 0.5
+
+
+def test_locked_points_are_squares_of_another_colour(net, plotter):
+    locked = np.zeros((12, 10), dtype=bool)
+    locked[8, 8] = True
+    net.mark(None)
+    net.lock(locked)
+    assert shown(net._locks) == 0  # only with the net
+    net.show(True)
+    plain = drawn(plotter)
+    assert shown(net._locks) == 1
+    assert shown(net._points) == 119
+    x, y = in_window(plotter, net.places[8, 8] + (0, 0, 0.004))
+    row, column = 400 - 1 - round(y), round(x)
+    red, _, blue = np.moveaxis(plain[row - 3 : row + 4, column - 3 : column + 4], -1, 0)
+    orange = red > blue + 40
+    assert orange.mean() > 0.8 and orange[::6, ::6].sum() >= 3  # corners and all
+    net.lock(None)
+    assert shown(net._locks) == 0

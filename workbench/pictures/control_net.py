@@ -1,7 +1,8 @@
-"""Control points of the exit face in three dimensions: one can be picked, and is marked.
+"""Control points of the exit face in three dimensions: shown, picked, marked, brushed, locked.
 
-The marked point is shown with those that share a piece of the face with it. All of a fine net would
-hide the lens.
+1. All of a fine net would hide the lens. Of such a net only what is near the brush is shown, and
+   beside no brush the locked points alone.
+2. A locked point is a square and the others are balls, so that nobody has to tell colours apart.
 """
 
 import math
@@ -11,17 +12,27 @@ import numpy as np
 import numpy.typing as npt
 import pyvista as pv
 
+from workbench.design.brush import bump
 from workbench.geometry.lines import nearest_to_line
 from workbench.geometry.surface import ControlNet
+from workbench.pictures import shapes
+from workbench.pictures.dots import Dots
+from workbench.pictures.sight import Sight
 from workbench.scene import Lens
 
 Array = npt.NDArray[np.float64]
+Mask = npt.NDArray[np.bool_]
+Block = tuple[slice, slice]
 
 _POINT = {True: "#c9d2de", False: "#2c3440"}  # by dark
 _MARK = {True: "#ff7ad9", False: "#c2188f"}  # neither of light nor of glass
-_SIZES = 4.0, 13.0  # of points and of the marked one, in pixels
+_BRUSH = {True: "#ffffff", False: "#000000"}
+_LOCKED = {True: "#f0a202", False: "#9a4a00"}
+_SIZES = 4.0, 13.0, 8.0, 8.0  # of points, of the marked one, in the brush and locked; in pixels
 _LIFT = 0.004  # of the lens's half-width, above the face that would swallow half of each point
 _REACH = 0.75  # of the diagonal between neighbours; farther away nothing is picked
+_WHOLE = 1200  # control points of a net that is shown whole
+_NEAR = 12  # control points on each side of the brush, of a finer one
 
 
 class ControlNetPicture:
@@ -38,34 +49,67 @@ class ControlNetPicture:
     """
 
     def __init__(self, plotter: Any, lens: Lens, *, dark: bool = False) -> None:
-        self._plotter = plotter
-        x, y = ControlNet.of(lens).positions
+        self._net = ControlNet.of(lens)
+        x, y = self._net.positions
         self._places = np.zeros((len(x), len(y), 3))
         self._places[..., 0], self._places[..., 1] = x[:, None], y
         self._reach = _REACH * math.hypot(np.diff(x).max(), np.diff(y).max())
         self._lift = np.array([0.0, 0.0, _LIFT * max(lens.half_width)])
+        self._shown = False
         self._marked: tuple[int, int] | None = None
-        self._degree = lens.degree
-        self._near, self._mark = pv.PolyData([[0.0] * 3]), pv.PolyData([[0.0] * 3])
-        self._actors = [self._add(self._near, _SIZES[0]), self._add(self._mark, _SIZES[1])]
+        self._brush: tuple[tuple[int, int], float] | None = None
+        self._locked: Mask | None = None
+        self._drawn: tuple[int, int] = (0, 0)  # shape of the block whose lines are drawn
+        self._lines = pv.PolyData(np.zeros((2, 3)), lines=[2, 0, 1])
+        self._threads = plotter.add_mesh(
+            self._lines,
+            line_width=1.0,
+            opacity=0.5,
+            lighting=False,
+            copy_mesh=False,
+            show_scalar_bar=False,
+            reset_camera=False,
+            render=False,
+        )
+        near, mark, brush, locked = _SIZES
+        self._points, self._mark = Dots(plotter, near), Dots(plotter, mark)
+        self._brushed, self._locks = Dots(plotter, brush), Dots(plotter, locked, round=False)
+        self._sight = Sight(plotter)
         self.update(self._places[..., 2])
-        self.mark(None)
         self.recolour(dark)
+
+    @property
+    def places(self) -> Array:
+        """Where the control points are, shape (n_u, n_v, 3), scene units."""
+        return self._places
 
     def update(self, heights: Array) -> None:
         """Move the points to their heights z, shape (n_u, n_v), scene units."""
         self._places[..., 2] = heights
         self._place()
 
+    def show(self, shown: bool) -> None:
+        """Show the net and the locks, to be picked from; or no more than the marked point."""
+        self._shown = shown
+        self._place()
+
     def mark(self, index: tuple[int, int] | None) -> None:
-        """Show one of the points and its neighbours, or none at all."""
+        """Show one of the points and its neighbours, to be picked from; or none."""
         self._marked = index
-        for actor in self._actors:
-            actor.SetVisibility(index is not None)
+        self._place()
+
+    def brush(self, index: tuple[int, int] | None, radius: float = 0.0) -> None:
+        """Show what a brush of some radius, scene units, around a control point takes along."""
+        self._brush = None if index is None else (index, radius)
+        self._place()
+
+    def lock(self, locked: Mask | None) -> None:
+        """Show which points are locked, shape (n_u, n_v)."""
+        self._locked = locked
         self._place()
 
     def pick(self, x: float, y: float) -> tuple[int, int] | None:
-        """The control point under a place in the window, while one is marked.
+        """The control point under a place in the window, while any are shown.
 
         Parameters
         ----------
@@ -78,46 +122,80 @@ class ControlNetPicture:
             Index of the point along x and y that is nearest to the line of sight; None where no
             point is near it.
         """
-        if self._marked is None:
+        if self._marked is None and not self._shown:
             return None
-        (i, j), distance = nearest_to_line(self._places, *self._line_of_sight(x, y))
-        return (i, j) if distance <= self._reach else None
+        start, end = self._sight.line(x, y)
+        block = self._along(start, end)
+        if block is None:
+            return None
+        (i, j), distance = nearest_to_line(self._places[block], start, end)
+        return (block[0].start + i, block[1].start + j) if distance <= self._reach else None
 
     def recolour(self, dark: bool) -> None:
         """Change between the dark and the light ground."""
-        for actor, colours in zip(self._actors, (_POINT, _MARK), strict=True):
-            actor.prop.color = colours[dark]
+        self._threads.prop.color = _POINT[dark]
+        self._points.colour(_POINT[dark])
+        self._mark.colour(_MARK[dark])
+        self._brushed.colour(_BRUSH[dark])
+        self._locks.colour(_LOCKED[dark])
 
-    def _add(self, mesh: pv.PolyData, size: float) -> Any:
-        return self._plotter.add_mesh(
-            mesh,
-            style="points",
-            point_size=size,
-            render_points_as_spheres=True,
-            lighting=False,
-            copy_mesh=False,
-            show_scalar_bar=False,
-            reset_camera=False,
-            render=False,
-        )
+    def _along(self, start: Array, end: Array) -> Block | None:
+        """The part of the net that a line can come near; a fine net has many points elsewhere."""
+        reach, z = self._reach, self._places[..., 2]
+        rise = end[2] - start[2]
+        if rise != 0:  # between the lowest and the highest point
+            low, high = z.min() - reach, z.max() + reach
+            near, far = np.clip(sorted(((low - start[2]) / rise, (high - start[2]) / rise)), 0, 1)
+            start, end = start + near * (end - start), start + far * (end - start)
+        block = []
+        for axis, at in enumerate(self._net.positions):
+            low, high = sorted((start[axis], end[axis]))
+            first = int(np.searchsorted(at, low - reach))
+            last = int(np.searchsorted(at, high + reach, side="right"))
+            if first >= last:
+                return None
+            block.append(slice(first, last))
+        return block[0], block[1]
 
     def _place(self) -> None:
-        if self._marked is None:
-            return
-        i, j = self._marked
-        p, q = self._degree
-        near = self._places[max(i - p, 0) : i + p + 1, max(j - q, 0) : j + q + 1].reshape(-1, 3)
-        self._near.points = near + self._lift
-        if self._near.n_verts != len(near):
-            self._near.verts = np.insert(np.arange(len(near)), np.arange(len(near)), 1)
-        self._mark.points = (self._places[i, j] + self._lift)[None]
+        places, lift = self._places, self._lift
+        block, none = self._block(), np.zeros((0, 3))
+        near = none if block is None else places[block].reshape(-1, 3) + lift
+        self._string(block, near)
+        locked = self._locked if self._shown else None
+        if locked is not None and block is not None:
+            near = near[~locked[block].ravel()]
+        self._points.place(near)
+        self._mark.place(none if self._marked is None else places[self._marked][None] + lift)
+        brushed = none
+        if self._brush is not None:
+            reached, weights = bump(self._net, *self._brush)
+            brushed = places[reached][weights > 0] + 2 * lift
+        self._brushed.place(brushed)
+        self._locks.place(none if locked is None else places[locked] + lift)
 
-    def _line_of_sight(self, x: float, y: float) -> tuple[Array, Array]:
-        """Where it enters and leaves what the camera sees."""
-        renderer, ends = self._plotter.renderer, []
-        for depth in (0.0, 1.0):
-            renderer.SetDisplayPoint(x, y, depth)
-            renderer.DisplayToWorld()
-            *point, scale = renderer.GetWorldPoint()
-            ends.append(np.array(point) / scale)
-        return ends[0], ends[1]
+    def _block(self) -> Block | None:
+        """The part of the net that is shown point by point."""
+        if self._shown and self._places[..., 0].size <= _WHOLE:
+            return slice(None), slice(None)
+        if self._shown:
+            return None if self._brush is None else _around(self._brush[0], (_NEAR, _NEAR))
+        return None if self._marked is None else _around(self._marked, self._net.degree)
+
+    def _string(self, block: Block | None, points: Array) -> None:
+        """Lines between neighbours of a block."""
+        shape = (0, 0) if block is None else self._places[block].shape[:2]
+        shown = self._shown and min(shape) > 1
+        self._threads.SetVisibility(shown)
+        if not shown:
+            return
+        self._lines.points = points
+        if shape != self._drawn:
+            self._drawn = shape
+            self._lines.lines = shapes.grid_lines(*shape)
+            self._lines.verts = np.zeros(0, dtype=np.int64)
+
+
+def _around(index: tuple[int, int], reach: tuple[int, int]) -> Block:
+    i, j = (slice(max(k - r, 0), k + r + 1) for k, r in zip(index, reach, strict=True))
+    return i, j

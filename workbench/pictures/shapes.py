@@ -32,6 +32,12 @@ def net_lines(rows: int, columns: int, fields: int) -> Cells:
     return polylines(along + across)
 
 
+def grid_lines(rows: int, columns: int) -> Cells:
+    """All lines of a grid of points, along each row and each column."""
+    index = np.arange(rows * columns).reshape(rows, columns)
+    return polylines([*index, *index.T])
+
+
 def normals(surface: Array) -> Array:
     """Unit normals, towards +z, of a grid of points.
 

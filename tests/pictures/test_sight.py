@@ -1,0 +1,67 @@
+"""Between the scene and its picture."""
+
+import numpy as np
+import pytest
+import pyvista
+
+from workbench.pictures.sight import Sight
+
+UP = np.array([[0.0, 0.0, 1.0]])
+IN_PLANE = np.eye(3)[:2]
+
+
+@pytest.fixture(params=["parallel", "perspective"])
+def plotter(request):
+    made = pyvista.Plotter(off_screen=True, window_size=[640, 400])
+    made.camera.position, made.camera.focal_point = (4.0, -5.0, 3.0), (0.2, 0.1, 0.5)
+    made.camera.up = (0.0, 0.0, 1.0)
+    made.camera.parallel_projection = request.param == "parallel"
+    made.camera.parallel_scale = 2.0
+    made.camera.clipping_range = (0.1, 20.0)
+    made.render()
+    yield made
+    made.close()
+
+
+def test_points_are_where_vtk_draws_them(plotter, rng):
+    points = rng.uniform(-1, 1, (20, 3))
+    seen = Sight(plotter).pixels(points)
+    for point, pixel in zip(points, seen, strict=True):
+        plotter.renderer.SetWorldPoint(*point, 1.0)
+        plotter.renderer.WorldToDisplay()
+        np.testing.assert_allclose(pixel, plotter.renderer.GetDisplayPoint()[:2], atol=0.02)
+
+
+def test_the_line_of_sight_goes_through_its_point(plotter):
+    point = np.array([[0.4, -0.3, 0.7]])
+    sight = Sight(plotter)
+    start, end = sight.line(*sight.pixels(point)[0])
+    along = (end - start) / np.linalg.norm(end - start)
+    away = point[0] - start
+    assert np.linalg.norm(away - (away @ along) * along) < 2e-3
+
+
+@pytest.mark.parametrize("directions", [UP, IN_PLANE])
+def test_things_follow_the_pointer(plotter, directions):
+    sight, point = Sight(plotter), np.array([0.1, 0.2, 0.3])
+    lengths = np.array([0.011, -0.007])[: len(directions)]
+    here, there = sight.pixels(np.stack([point, point + lengths @ directions]))
+    moved = sight.movement(point, directions, tuple(there - here))
+    np.testing.assert_allclose(moved, lengths, rtol=0.02)
+
+
+def test_along_the_axis_up_is_up(plotter):
+    camera = plotter.camera
+    camera.focal_point, camera.position, camera.up = (0, 0, 0), (0, 0, 9), (0, 1, 0)
+    sight = Sight(plotter)
+    origin = np.zeros(3)
+    (upwards,) = sight.movement(origin, UP, (0.0, 10.0))
+    (_, y) = sight.movement(origin, IN_PLANE, (0.0, 10.0))
+    assert upwards == pytest.approx(y) and upwards > 0
+
+
+def test_edge_on_a_plane_gives_the_direction_that_is_seen(plotter):
+    camera = plotter.camera
+    camera.focal_point, camera.position, camera.up = (0, 0, 0), (-9, 0, 0), (0, 1, 0)
+    x, y = Sight(plotter).movement(np.zeros(3), IN_PLANE, (3.0, 10.0))
+    assert abs(x) < 1e-6 * y
