@@ -105,6 +105,16 @@ def test_a_session_without_them_is_written_as_ever(session, path):
     assert (found.locked, found.runs, found.view) == (None, (), None)
 
 
+def test_a_lens_to_start_from_is_kept_until_there_is_a_result(session, path):
+    start = session.result.control_points
+    write_session(replace(session, result=None, start=start), path)
+    found = read_session(path)
+    np.testing.assert_array_equal(found.start, start)
+    assert found.result is None and not found.start.flags.writeable
+    write_session(replace(session, start=start + 1), path)
+    assert read_session(path).start is None
+
+
 def test_images_of_kept_runs_go_along_with_the_file(session, tmp_path, path):
     target = {"image": str(tmp_path / "images" / "flame.png")}
     run = session.runs[0]
@@ -114,6 +124,12 @@ def test_images_of_kept_runs_go_along_with_the_file(session, tmp_path, path):
     moved = path.rename(tmp_path / "elsewhere" / "lens.freeform")
     (found,) = read_session(moved).runs
     assert found.scene.target.image == str(tmp_path / "elsewhere" / "images" / "flame.png")
+
+
+def test_a_start_beside_a_result_is_refused(forge, path):
+    np.save(path.with_suffix(".npy"), np.zeros((5, 4)))
+    told = refused(forge({"start.npy": path.with_suffix(".npy").read_bytes()}))
+    assert "start.npy" in told
 
 
 class TestWithScene:

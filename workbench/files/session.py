@@ -24,6 +24,7 @@ from workbench.files.scene import (
 
 _HEADER = "session.json"
 _LOCKED = "locked.npy"
+_START = "start.npy"  # of the control points, where no result has any
 
 
 def open_design(path: Path) -> Session:
@@ -71,6 +72,8 @@ def write_session(session: Session, path: Path) -> None:
     arrays: dict[str, Array | Mask] = {**entries_of("", session.target, session.result)}
     if session.locked is not None:
         arrays[_LOCKED] = session.locked
+    if session.result is None and session.start is not None:
+        arrays[_START] = session.start
     for number, run in enumerate(session.runs):
         arrays |= entries_of(_folder(number), run.target, run.result)
     with replacing(path) as file, zipfile.ZipFile(file, "w", zipfile.ZIP_STORED) as archive:
@@ -111,6 +114,9 @@ def read_session(path: Path) -> Session:
         names = {_HEADER} | names_of("", header.result)
         if _LOCKED in entries:
             names.add(_LOCKED)
+        starts = header.result is None and _START in entries
+        if starts:
+            names.add(_START)
         for number, run in enumerate(header.runs or ()):
             names |= names_of(_folder(number), run.result)
         entries.check_names(names)
@@ -121,6 +127,7 @@ def read_session(path: Path) -> Session:
             entries.mask(_LOCKED, scene.lens.control_points) if _LOCKED in entries else None,
             tuple(_read_runs(entries, header.runs or (), path)),
             header.view,
+            entries.array(_START, scene.lens.control_points) if starts else None,
         )
 
 
