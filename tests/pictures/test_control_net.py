@@ -145,13 +145,17 @@ def test_locked_points_are_squares_of_another_colour(net, plotter):
     net.lock(locked)
     assert shown(net._locks) == 0  # only with the net
     net.show(True)
+    plotter.camera.focal_point = net.places[8, 8]
+    plotter.camera.zoom(5)
+    net._threads.SetVisibility(False)
     plain = drawn(plotter)
     assert shown(net._locks) == 1
     assert shown(net._points) == 119
-    x, y = in_window(plotter, net.places[8, 8] + (0, 0, 0.004))
+    x, y = in_window(plotter, net.places[8, 8] + (0, 0, 0.008))
     row, column = 400 - 1 - round(y), round(x)
-    red, _, blue = np.moveaxis(plain[row - 3 : row + 4, column - 3 : column + 4], -1, 0)
-    orange = red > blue + 40
-    assert orange.mean() > 0.8 and orange[::6, ::6].sum() >= 3  # corners and all
+    red, _, blue = np.moveaxis(plain[row - 6 : row + 7, column - 6 : column + 7], -1, 0)
+    rows, columns = np.nonzero(red > blue + 40)
+    across = np.ptp(rows) + 1, np.ptp(columns) + 1
+    assert min(across) >= 6 and len(rows) == across[0] * across[1]  # corners and all
     net.lock(None)
     assert shown(net._locks) == 0

@@ -172,7 +172,7 @@ class ControlNetPicture:
             reached, weights = bump(self._net, *self._brush)
             brushed = places[reached][weights > 0] + 2 * lift
         self._brushed.place(brushed)
-        self._locks.place(none if locked is None else places[locked] + lift)
+        self._locks.place(none if locked is None else places[locked] + 2 * lift)
 
     def _block(self) -> Block | None:
         """The part of the net that is shown point by point."""
