@@ -17,13 +17,16 @@ class Situation:
     state : str
         Of the run: "idle", "running", "paused" or "stopping"; "loading" while there cannot be one.
     designed : bool
-        Whether there is a lens that was designed.
+        Whether there is a lens that was designed for the task.
+    has_lens : bool
+        Whether there is one at all, if only to start from.
     can_undo, can_redo : bool
         Whether the undo stack has a step in that direction.
     """
 
     state: str
     designed: bool
+    has_lens: bool
     can_undo: bool
     can_redo: bool
 
@@ -43,7 +46,7 @@ class Situation:
         return {
             **dict.fromkeys(_CHANGING, self.editable),
             "start": idle,
-            "continue": idle and self.designed,
+            "continue": idle and self.has_lens,
             "pause": under_way,
             "stop": under_way,
             "export": self.designed,

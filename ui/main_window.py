@@ -284,9 +284,11 @@ class MainWindow(QMainWindow):
     def _show_state(self) -> None:
         """What can be done depends on the run, on the result and on the undo stack."""
         stack, commands = self.document.undo_stack, self.commands
+        session = self.document.session
         now = Situation(
             state="loading" if self.control is None else self.control.runner.state,
-            designed=self.document.session.result is not None,
+            designed=session.result is not None,
+            has_lens=session.control_points is not None,
             can_undo=stack.canUndo(),
             can_redo=stack.canRedo(),
         )

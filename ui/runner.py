@@ -72,7 +72,7 @@ class Runner(QObject):
         session : Session
             What to design.
         continue_run : bool
-            Go on from the session's result, if it has one.
+            Go on from the session's lens, if it has one.
 
         Raises
         ------
@@ -85,7 +85,7 @@ class Runner(QObject):
         self._set_state("running")
 
     def preview(self, session: "Session") -> None:
-        """Show the lens as it stands: the stored result, or the lens before the first step."""
+        """Show the lens as it stands: with its stored figures, or those of a first trace."""
         if self._state == "idle":
             self._give(Job(session, preview=True))
 

@@ -79,7 +79,7 @@ class Job:
     preview : bool
         Show the lens as it stands and stop there.
     continue_run : bool
-        Go on from the session's result.
+        Go on from the session's lens: its result, or the one that it starts from.
     """
 
     session: "Session"
@@ -154,8 +154,8 @@ class Worker(QObject):
         job.mailbox.put(make_frame(job.session, snapshot, History(result)))
 
     def _snapshots(self, job: Job) -> Generator[Snapshot, None, None]:
-        result = job.session.result
-        start = result.control_points if job.continue_run and result is not None else None
+        # A preview of a lens without figures of this task is the first one of a run from there.
+        start = job.session.control_points if job.continue_run or job.preview else None
         generate = self._generate or _engine()
         yield from generate(job.session.scene, job.session.target, start)
 

@@ -4,8 +4,8 @@ from ui.availability import Situation
 from ui.command_table import COMMANDS
 
 
-def situation(state="idle", designed=True, can_undo=True, can_redo=True):
-    return Situation(state, designed, can_undo, can_redo)
+def situation(state="idle", designed=True, has_lens=True, can_undo=True, can_redo=True):
+    return Situation(state, designed, has_lens, can_undo, can_redo)
 
 
 def allowed(**what):
@@ -20,7 +20,8 @@ def test_a_run_can_begin_only_when_there_is_none():
     for state in ("loading", "running", "paused", "stopping"):
         assert not {"start", "continue"} & allowed(state=state)
     assert {"start", "continue"} <= allowed()
-    assert "continue" not in allowed(designed=False)
+    assert "continue" in allowed(designed=False)
+    assert "continue" not in allowed(designed=False, has_lens=False)
 
 
 @pytest.mark.parametrize("state", ["running", "paused", "stopping"])

@@ -185,3 +185,18 @@ def test_rays_come_from_the_source_of_the_stage(
     assert frame.source.kind == shown
     starts = np.unique(frame.paths.points[:, 0], axis=0)
     assert (len(starts) == 1) is (shown == "point")
+
+
+def test_a_lens_to_start_from_is_traced_for_its_preview_and_gone_on_from(session, as_run, work):
+    heights = np.full(session.scene.lens.control_points, 0.47)
+    moved = dataclasses.replace(session, start=heights)
+    starts = []
+
+    def generate(scene, target, start=None):
+        starts.append(start)
+        return as_run(2)(scene, target, start)
+
+    for job in (Job(moved, preview=True), Job(moved, continue_run=True), Job(moved)):
+        work(job, generate)
+    assert starts[0] is heights and starts[1] is heights
+    assert starts[2] is None

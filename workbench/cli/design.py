@@ -22,7 +22,7 @@ def design(path: Path, output: Path, iterations: int | None, seconds: float, as_
     Parameters
     ----------
     path : Path
-        Scene or session; one with a result is continued.
+        Scene or session; one with a lens is continued.
     output : Path
         Session to write.
     iterations : int, optional
@@ -53,7 +53,7 @@ def design(path: Path, output: Path, iterations: int | None, seconds: float, as_
         os.environ.setdefault("OMP_WAIT_POLICY", "PASSIVE")
         from workbench.design.run import run  # late: torch takes seconds to import
 
-        start = None if earlier is None else earlier.control_points
+        start = session.control_points
         try:
             with closing(Progress(seconds)) as progress:
                 for snapshot in run(scene, session.target, start):
