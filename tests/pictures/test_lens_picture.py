@@ -239,3 +239,53 @@ def test_a_stage_may_have_a_source_of_its_own(make_scene, plotter, state):
 def test_the_optical_axis_is_drawn_in_ink(make_scene, plotter):
     picture = LensPicture(plotter, make_scene(), np.ones((32, 32)))
     assert all(actor.mapper.dataset.active_scalars is None for actor in picture._lines)
+
+
+def test_the_projection_changes_and_the_middle_stays(make_scene, plotter, state):
+    scene = make_scene()
+    picture = LensPicture(plotter, scene, np.ones((32, 32)))
+    picture.fit()
+    middle = np.array(plotter.camera.focal_point)
+    up = np.array(plotter.camera.up)
+
+    def height():
+        here, there = (screen_pixel(plotter, place) for place in (middle, middle + 0.5 * up))
+        return np.hypot(*np.subtract(there, here))
+
+    parallel = height()
+    picture.project(True)
+    assert not plotter.camera.parallel_projection and picture.fitted
+    # The middle of an upright line is where the size is kept; its ends are nearer or farther.
+    assert height() == pytest.approx(parallel, rel=0.1)
+    picture.project(False)
+    assert plotter.camera.parallel_projection and picture.fitted
+    assert height() == pytest.approx(parallel, abs=1.5)
+
+
+def test_a_fitted_perspective_holds_all(make_scene, plotter):
+    scene = make_scene({"screen.z": 9.0, "screen.half_width": [3.0, 3.0]})
+    picture = LensPicture(plotter, scene, np.ones((32, 32)), perspective=True)
+    for view in ("", "side", "top", "axis"):
+        picture.fit(view)
+        for x, y in [(-3, -3), (3, -3), (3, 3), (-3, 3)]:
+            row, column = screen_pixel(plotter, (x, y, 9.0))
+            assert 0 <= row < 400 and 0 <= column < 640
+
+
+def test_rays_are_coloured_by_outcome_or_weight(make_scene, plotter, state):
+    scene = make_scene()
+    picture = LensPicture(plotter, scene, np.ones((32, 32)), dark=True)
+    surface, paths, lit = state(scene, rays=(2, 1))
+    paths = paths._replace(weight=np.array([0.0, 1.0]), on_screen=np.array([True, True]))
+    picture.update(surface, paths, lit)
+    outcome = picture._rays.cell_data["colour"][:, :3].copy()
+    np.testing.assert_array_equal(outcome[0], outcome[1])
+    picture.colour_rays(by_weight=True)
+    none, full = picture._rays.cell_data["colour"][:, :3].astype(int)
+    assert full.sum() > none.sum() + 200  # the more light, the brighter on dark
+    picture.recolour(dark=False)
+    none, full = picture._rays.cell_data["colour"][:, :3].astype(int)
+    assert none.sum() > full.sum() + 200
+    picture.colour_rays(by_weight=False)
+    none, full = picture._rays.cell_data["colour"][:, :3]
+    np.testing.assert_array_equal(none, full)

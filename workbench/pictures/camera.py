@@ -1,6 +1,7 @@
 """The camera of the 3D scene, and what it has to hold.
 
-It projects in parallel: a screen fifty lens widths away is as easy to see as the lens.
+It projects in parallel unless told otherwise: a screen fifty lens widths away is then as easy to
+see as the lens.
 """
 
 import math
@@ -35,6 +36,8 @@ class FittedCamera:
         Its camera is moved; nothing is rendered.
     scene : Scene
         What is seen.
+    perspective : bool
+        Whether what is farther away looks smaller.
 
     Attributes
     ----------
@@ -42,9 +45,10 @@ class FittedCamera:
         The view that was fitted last.
     """
 
-    def __init__(self, plotter: Any, scene: Scene) -> None:
+    def __init__(self, plotter: Any, scene: Scene, *, perspective: bool = False) -> None:
         self._plotter = plotter
         self._scene = scene
+        self._perspective = perspective
         self._left: tuple[object, ...] = ()
         self.view = ""
 
@@ -68,13 +72,34 @@ class FittedCamera:
         centre = (low + high) / 2 @ frame
         width, height = self._plotter.window_size
         camera = self._plotter.camera
-        camera.parallel_projection = True
         camera.focal_point = centre
-        camera.position = centre + toward * 3 * float(np.linalg.norm(half))
         camera.up = up
         camera.parallel_scale = _MARGIN * max(half[1], half[0] * height / max(width, 1))
-        self._plotter.renderer.ResetCameraClippingRange()
+        # In perspective, what is nearest to the camera has to fit.
+        self._stand(toward, nearer=float(half[2]))
         self._left = self._state()
+
+    def project(self, perspective: bool) -> None:
+        """Change the projection; what is as far as the focal point stays as large as it looks."""
+        if perspective == self._perspective:
+            return
+        untouched, camera = self.untouched, self._plotter.camera
+        self._perspective = perspective
+        if not perspective:
+            camera.parallel_scale = camera.distance * _half_height(camera)
+        self._stand(-np.array(camera.direction))
+        if untouched:
+            self._left = self._state()
+
+    def _stand(self, toward: Array, nearer: float = 0.0) -> None:
+        """Stand in a direction from the focal point, as far as the projection wants it."""
+        camera, corners = self._plotter.camera, space(self._scene)
+        distance = 1.5 * float(np.linalg.norm(np.ptp(corners, axis=0)))
+        if self._perspective:
+            distance = nearer + camera.parallel_scale / _half_height(camera)
+        camera.parallel_projection = not self._perspective
+        camera.position = np.array(camera.focal_point) + toward * distance
+        self._plotter.renderer.ResetCameraClippingRange()
 
     @property
     def untouched(self) -> bool:
@@ -84,6 +109,11 @@ class FittedCamera:
     def _state(self) -> tuple[object, ...]:
         camera = self._plotter.camera
         return camera.position, camera.focal_point, camera.up, camera.parallel_scale
+
+
+def _half_height(camera: Any) -> float:
+    """Half of what a perspective camera sees upright, at a distance of 1."""
+    return math.tan(math.radians(camera.view_angle / 2))
 
 
 def in_view(scene: Scene) -> bool:

@@ -4,7 +4,8 @@ Right-handed axes: z, the optical axis, runs to the right of the default view, y
 stands beyond the exit face, so the screen is seen from behind and reads as its image does: x to
 the right, row 0 at the top.
 
-1. The camera projects in parallel: a screen fifty lens widths away is as easy to see as the lens.
+1. The camera projects in parallel, unless it is told to see in perspective: a screen fifty lens
+   widths away is as easy to see as the lens.
 2. `LensPicture.update` moves points and repaints the texture of actors that stay. Adding them
    again would cost ten times as much.
 3. Glass is drawn before rays and without depth peeling, which software OpenGL pays dearly for.
@@ -19,6 +20,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 import pyvista as pv
+from matplotlib import colormaps
 from vtkmodules.vtkRenderingCore import vtkBillboardTextActor3D
 
 from workbench.pictures import shapes
@@ -41,6 +43,7 @@ _INK = {True: "#b4bcc8", False: "#475060"}  # by dark
 _GROUND = {True: ("#12151a", "#2a303a"), False: ("#dfe4eb", "#fcfdfe")}  # bottom and top
 _LANDS = {True: (255, 206, 110), False: (196, 122, 0)}  # light that reaches the screen
 _LOST = {True: (255, 90, 90), False: (200, 30, 30)}
+_WEIGHT = {True: "viridis", False: "viridis_r"}  # maps from no light to all of it
 _AXES = (("x", "#dc5b57"), ("y", "#4caf50"), ("z", "#4a8fe0"))
 
 
@@ -59,6 +62,10 @@ class LensPicture:
         Light lines on a dark ground instead of the reverse.
     explode : bool
         Draw long distances short, and a large screen small, beside the lens.
+    perspective : bool
+        See in perspective instead of in parallel.
+    by_weight : bool
+        Colour rays by the part of their light that arrives instead of by where they end.
     """
 
     def __init__(
@@ -69,14 +76,17 @@ class LensPicture:
         *,
         dark: bool = False,
         explode: bool = False,
+        perspective: bool = False,
+        by_weight: bool = False,
     ) -> None:
         self._plotter = plotter
         self._traced, self._explode = scene, explode
         self._scene = exploded(scene) if explode else scene  # as it is drawn
         self._full_scale = full_scale(scene, target)
         self._dark = dark
+        self._by_weight = by_weight
         self._lines: list[Any] = []
-        self._camera = FittedCamera(plotter, self._scene)
+        self._camera = FittedCamera(plotter, self._scene, perspective=perspective)
         self._add_lens()
         self._add_screen()
         self._add_source()
@@ -126,6 +136,15 @@ class LensPicture:
     def fit_again(self) -> None:
         """Fit everything into the same view, after the window has changed its size."""
         self._camera.fit(self._camera.view)
+
+    def project(self, perspective: bool) -> None:
+        """See in perspective, or in parallel; the middle of the picture stays as large as it is."""
+        self._camera.project(perspective)
+
+    def colour_rays(self, by_weight: bool) -> None:
+        """Colour rays by the part of their light that arrives, or by where they end."""
+        self._by_weight = by_weight
+        self._colour_rays()
 
     @property
     def fitted(self) -> bool:
@@ -247,7 +266,10 @@ class LensPicture:
 
     def _colour_rays(self) -> None:
         colours = np.empty((len(self._weight), 4), dtype=np.uint8)
-        colours[:, :3] = np.where(self._landing[:, None], _LANDS[self._dark], _LOST[self._dark])
+        if self._by_weight:
+            colours[:, :3] = 255 * colormaps[_WEIGHT[self._dark]](self._weight)[:, :3]
+        else:
+            colours[:, :3] = np.where(self._landing[:, None], _LANDS[self._dark], _LOST[self._dark])
         # Lost rays have little or no weight and still have to be seen; many rays, less ink each.
         ink = 255 * min(1.0, 7 / math.sqrt(max(len(self._weight), 1)))
         colours[:, 3] = ink * np.where(self._landing, 0.25 + 0.75 * self._weight, 0.5)
