@@ -1,5 +1,6 @@
 """What every way to trace a lens gives, be it reference or kernel."""
 
+from collections.abc import Sequence
 from typing import NamedTuple, Protocol
 
 from torch import Tensor
@@ -27,6 +28,11 @@ class Light(NamedTuple):
     total_reflection: float
     fresnel_exit: float
     left_side: float
+
+
+def sum_of(lights: Sequence[Light]) -> Light:
+    """The light of several sets of rays."""
+    return Light(*(sum(each[1:], each[0]) for each in zip(*lights, strict=True)))
 
 
 class Tracer(Protocol):

@@ -14,6 +14,7 @@ from workbench.optics.face_samples import FaceSamples
 from workbench.optics.kernels import ready
 from workbench.optics.kernels.collimated import FusedCollimatedRays
 from workbench.optics.kernels.face import FusedFaceSamples
+from workbench.optics.kernels.locked import Mask
 from workbench.optics.kernels.point import FusedPointRays
 from workbench.optics.ledger import Ledger
 from workbench.optics.light import Tracer
@@ -69,6 +70,9 @@ class Plan:
     mirrored : tuple[bool, bool]
         The caller's promise that heights, lens and source are mirror images of themselves in x,
         in y. Kernels for collimated light and for samples then trace one half of them only.
+    locked : ndarray of bool, shape (n_u, n_v), optional
+        The caller's promise that these control points have the same heights in all lenses that are
+        traced. The kernel for collimated light then traces rays that see no others only once.
 
     Raises
     ------
@@ -85,6 +89,7 @@ class Plan:
         fused: bool = True,
         samples: tuple[int, int] | None = None,
         mirrored: tuple[bool, bool] = (False, False),
+        locked: Mask | None = None,
     ) -> None:
         self._screen = scene.screen
         self._filter = filter or scene.filter
@@ -95,7 +100,7 @@ class Plan:
             self._fine = dtype == torch.float64
         self._dtype, self._device = dtype, device_of(scene)
         self._fused = fused and self._device.type == "cpu"
-        self._mirrored = mirrored
+        self._mirrored, self._locked = mirrored, locked
         self._kernel: Tracer | None = None
         if samples is not None and isinstance(scene.source, CollimatedSource):
             source = CollimatedSource(kind="collimated", rays=samples)
@@ -150,6 +155,8 @@ class Plan:
         if isinstance(tracer, FusedCollimatedRays | FusedFaceSamples) and any(tracer.mirrored):
             part = "a quarter" if all(tracer.mirrored) else "half"
             notes.append(f"mirror symmetry: {part} of the rays")
+        if isinstance(tracer, FusedCollimatedRays) and tracer.traced < 1:
+            notes.append(f"locked control points: {tracer.traced:.0%} of the rays after the first")
         if self._fine:
             notes.append("float64: float32 would move light by a part of a pixel")
         if isinstance(self._filter, BoxFilter):
@@ -194,7 +201,7 @@ class Plan:
             if isinstance(source, CollimatedSource):
                 if ready.is_ready("collimated", self._dtype):
                     self._kernel = FusedCollimatedRays(
-                        scene, self._net, source.rays, self._mirrored, self._dtype
+                        scene, self._net, source.rays, self._mirrored, self._dtype, self._locked
                     )
             elif self._samples is not None and ready.is_ready("face", self._dtype):
                 self._kernel = FusedFaceSamples(

@@ -35,6 +35,8 @@ class Descent:
         Float type of the trace.
     threads : int, optional
         Threads to compute with; as many as usual by default.
+    still : ndarray of bool, shape (n_u, n_v), optional
+        Control points that do not move from one call to the next.
     **plan
         Options of `Plan`.
     """
@@ -45,6 +47,7 @@ class Descent:
         heights: Array,
         dtype: torch.dtype = torch.float32,
         threads: int | None = None,
+        still: npt.NDArray[np.bool_] | None = None,
         **plan: Any,
     ) -> None:
         device = device_of(example.scene)
@@ -53,6 +56,8 @@ class Descent:
         # The lens moves a little from one call to the next, as it does in a design: the search for
         # intersections would otherwise begin where it ends.
         moved = heights.mean() + 0.98 * (heights - heights.mean())
+        if still is not None:
+            moved = np.where(still, heights, moved)
         self._lenses = [
             torch.tensor(each, device=device, requires_grad=True) for each in (heights, moved)
         ]

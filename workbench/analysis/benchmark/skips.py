@@ -2,6 +2,8 @@
 
 from collections.abc import Callable, Iterator
 
+import numpy as np
+
 from workbench.analysis.benchmark.comparison import Measured, Variant, compare, image_error
 from workbench.analysis.benchmark.examples import Example, Tell, wavy
 from workbench.analysis.benchmark.kernels import Descent, rays_of
@@ -67,6 +69,19 @@ def _mirrored(*axes: bool) -> list[Variant]:
     )
 
 
+def _locked() -> list[Variant]:
+    """A quarter of the lens free to move, the rest locked, and all rays traced all the same."""
+    example = Example.of("flame")
+    heights = wavy(example.scene)
+    locked = np.ones(heights.shape, dtype=np.bool_)
+    locked[: len(heights) // 2, : heights.shape[1] // 2] = False
+    return _pair(
+        ("a quarter traced", Descent(example, heights, still=locked, locked=locked)),
+        ("all traced", Descent(example, heights, still=locked)),
+        rays_of(example.scene),
+    )
+
+
 def _pair(with_skip: tuple[str, Descent], without: tuple[str, Descent], rays: int) -> list[Variant]:
     true, *_ = without[1]()
     image, *_ = with_skip[1]()
@@ -83,5 +98,6 @@ SKIPS: dict[str, Callable[[], list[Variant]]] = {
     "box filter: ghost pixels and taps": _taps,
     "symmetric in x: one half": lambda: _mirrored(True, False),
     "symmetric in x and y: three quarters": lambda: _mirrored(True, True),
+    "locked control points: three quarters": _locked,
 }
 """What is left out, and the two ways to compare."""

@@ -29,6 +29,7 @@ from workbench.optics.kernels.grid import (
     make_axis,
     make_rows,
 )
+from workbench.optics.kernels.locked import Mask, Rays, count, split
 from workbench.optics.kernels.spread import (
     BATCH,
     Spread,
@@ -41,7 +42,7 @@ from workbench.optics.kernels.spread import (
     workspace,
 )
 from workbench.optics.kernels.taps import FAST
-from workbench.optics.light import Light
+from workbench.optics.light import Light, sum_of
 from workbench.optics.refraction import normal_reflectance
 from workbench.scene import Filter, GaussianFilter, Scene, Screen
 
@@ -87,8 +88,11 @@ class FusedCollimatedRays:
     samples : tuple[int, int]
         Numbers of rays along x and y.
     mirrored : tuple[bool, bool]
-        Whether heights and lens are mirror images of themselves in x, in y: then the rays of one
-        half are traced alone, if their number is even.
+        Whether heights, lens and locks are mirror images of themselves in x, in y: then the rays
+        of one half are traced alone, if their number is even.
+    locked : ndarray of bool, shape (n_u, n_v), optional
+        Control points whose heights are the same in all lenses to come; rays that see none of the
+        others are traced for the first lens alone.
     dtype : torch.dtype
         Float type of the trace.
     """
@@ -103,16 +107,20 @@ class FusedCollimatedRays:
         samples: tuple[int, int],
         mirrored: tuple[bool, bool] = (False, False),
         dtype: torch.dtype = torch.float32,
+        locked: Mask | None = None,
     ) -> None:
         self._dtype = dtype
         kind = self._kind = kind_of(dtype)
         self.mirrored = tuple(
-            wanted and count % 2 == 0 for wanted, count in zip(mirrored, samples, strict=True)
+            wanted and along % 2 == 0 for wanted, along in zip(mirrored, samples, strict=True)
         )
-        self._axes = tuple(
-            make_axis(net, axis, count, halved, kind)
-            for axis, (count, halved) in enumerate(zip(samples, self.mirrored, strict=True))
+        across, up = (
+            make_axis(net, axis, along, halved, kind)
+            for axis, (along, halved) in enumerate(zip(samples, self.mirrored, strict=True))
         )
+        self._moving, self._still = split((across, up), locked)
+        self._still_light: tuple[Screen, Filter, Light] | None = None
+        self.traced = count(self._moving) / count((across, up))
         self._level = scene.lens.base.height
         n = scene.lens.index
         self.fresnel_entrance = normal_reflectance(n) * self.emitted
@@ -129,8 +137,17 @@ class FusedCollimatedRays:
     def image(self, heights: Tensor, screen: Screen, filter: Filter) -> Light:
         """Trace a lens; see `workbench.optics.light.Tracer`."""
         spread = make_spread(screen, filter, self._kind)
-        passes = _Passes(self, spread)
-        return trace(heights, self._level, self._dtype, passes)
+        light = trace(heights, self._level, self._dtype, _Passes(self, self._moving, spread))
+        if not self._still:
+            return light
+        if self._still_light is None or self._still_light[:2] != (screen, filter):
+            with torch.no_grad():
+                parts = [
+                    trace(heights, self._level, self._dtype, _Passes(self, rays, spread))
+                    for rays in self._still
+                ]
+            self._still_light = screen, filter, sum_of(parts)
+        return sum_of([light, self._still_light[2]])
 
 
 def compile_for(dtype: torch.dtype) -> None:
@@ -153,16 +170,16 @@ def compile_for(dtype: torch.dtype) -> None:
 class _Passes:
     """The trace of one set of rays onto one screen, and its adjoint."""
 
-    def __init__(self, rays: FusedCollimatedRays, spread: Spread) -> None:
-        across, up = rays._axes
+    def __init__(self, source: FusedCollimatedRays, rays: Rays, spread: Spread) -> None:
+        across, up = rays
         columns = spread.column_0 + spread.per_x * across.place
         rows = spread.row_0 + spread.per_y * up.place
         self._across = across._replace(place=columns.astype(spread.per_x.dtype))
         self._up = up._replace(place=rows.astype(spread.per_x.dtype))
-        self._optics, self._spread = rays._optics, spread
-        self._mirrored = rays.mirrored
-        self._rays = len(across.place) * len(up.place)
-        self._parts = min(threads.parts(self._rays), len(across.place))
+        self._optics, self._spread = source._optics, spread
+        self._mirrored = source.mirrored
+        self._rays = count(rays)
+        self._parts = min(threads.parts(self._rays), max(1, len(across.place)))
         self._bounds = threads.bounds(len(across.place), self._parts)
 
     def forward(self, heights: AnyArray) -> tuple[AnyArray, Sums]:
