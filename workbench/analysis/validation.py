@@ -106,6 +106,7 @@ def validate(
     seed: int = 1,
     screen_z: float | None = None,
     pose: Pose | None = None,
+    threads: int | None = None,
 ) -> Validation:
     """Trace a lens anew.
 
@@ -126,6 +127,8 @@ def validate(
         Where the screen is, in place of the scene's.
     pose : Pose, optional
         How the lens stands; straight and centred by default.
+    threads : int, optional
+        How many trace; as many as there are cores by default.
 
     Raises
     ------
@@ -134,7 +137,7 @@ def validate(
     RunFailed
         If no light reaches the screen.
     """
-    steps = validating(scene, target, control_points, rays, seed, screen_z, pose)
+    steps = validating(scene, target, control_points, rays, seed, screen_z, pose, threads)
     while True:
         try:
             next(steps)
@@ -157,10 +160,8 @@ def validating(
 
     Parameters
     ----------
-    scene, target, control_points, rays, seed, screen_z, pose
+    scene, target, control_points, rays, seed, screen_z, pose, threads
         As for `validate`, and so is what is raised.
-    threads : int, optional
-        How many trace; as many as there are cores by default.
 
     Yields
     ------

@@ -8,6 +8,7 @@ from workbench.cli.verbs import (
     design,
     export,
     pictures,
+    sweep,
     tolerances,
     validate,
 )
@@ -15,6 +16,7 @@ from workbench.cli.verbs.parser import Parser
 
 _VERBS = {
     "design": design,
+    "sweep": sweep,
     "validate": validate,
     "tolerances": tolerances,
     "export": export,

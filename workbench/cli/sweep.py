@@ -1,0 +1,113 @@
+"""``freeform sweep``."""
+
+import json
+import os
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+from workbench.errors import RunFailed
+from workbench.sweep.cluster import Cluster
+from workbench.sweep.points import points as points_of
+from workbench.sweep.processes import Processes
+from workbench.sweep.store import Row, Store, to_data
+from workbench.sweep.sweep import sweep as sweep_all
+from workbench.sweep.vary import Variation
+
+
+def sweep(
+    scenes: Sequence[Path],
+    vary: Sequence[str],
+    folder: Path,
+    jobs: int | None,
+    dask: str | None,
+    rays: int,
+    as_json: bool,
+) -> None:
+    """Design a lens for each scene and each combination of values, in one table.
+
+    Parameters
+    ----------
+    scenes : sequence of Path
+        Scenes or sessions; lenses of the latter play no part.
+    vary : sequence of str
+        Fields and their values, as `Variation.parse` reads them.
+    folder : Path
+        Gets sessions and table; is made where it is missing.
+    jobs : int, optional
+        Processes; one for each core by default.
+    dask : str, optional
+        Address of a cluster that works instead.
+    rays : int
+        Rays of the check of each lens, at least.
+    as_json : bool
+        Whether the table is printed as JSON.
+
+    Raises
+    ------
+    Refused
+        If no point is possible, the folder cannot be written or the cluster not be reached.
+    RunFailed
+        If there is no lens for some points; those of the others are kept.
+    KeyboardInterrupt
+        After Ctrl-C; what is finished is kept.
+    """
+    points = points_of(scenes, [Variation.parse(text) for text in vary])
+    store = Store(folder)
+    # Threads of the tracer that wait must sleep: spinning, they take the cores from each other.
+    os.environ.setdefault("OMP_WAIT_POLICY", "PASSIVE")
+    cores = os.cpu_count() or 1
+    count = min(jobs or cores, len(points))
+    rows: dict[int, Row] = {}
+    interrupted = False
+    try:
+        with Cluster(dask) if dask else Processes(count, max(cores // count, 1)) as workers:
+            for number, row in sweep_all(points, store, workers, rays):
+                rows[number] = row
+                _tell(points[number].name, row, len(rows), len(points))
+    except KeyboardInterrupt:
+        interrupted = True
+    table = [rows[number] for number in sorted(rows)]
+    store.write_table(table)
+    print(json.dumps(to_data(table)) if as_json else _text(table))
+    failed = sum(row.reason is not None for row in table)
+    if interrupted:
+        raise KeyboardInterrupt(
+            f"interrupted; {len(rows) - failed} of {len(points)} points are finished and kept in "
+            f"{folder}, the same command goes on"
+        )
+    if failed:
+        raise RunFailed(f"{failed} of {len(points)} points have no lens; the table tells why")
+
+
+def _tell(name: str, row: Row, done: int, of: int) -> None:
+    told = row.reason or f"error {row.figures['relative_l2']:.2%}"
+    print(f"{done}/{of}  {name}: {told}", file=sys.stderr, flush=True)
+
+
+def _text(rows: Sequence[Row]) -> str:
+    """The table for people."""
+    several = len({row.scene for row in rows}) > 1
+    paths = list(rows[0].changes) if rows else []
+    head = [*(["scene"] if several else []), *paths]
+    lines = [[*head, "error", "light on screen", "iterations", "seconds", "session"]]
+    for row in rows:
+        start = [*([Path(row.scene).stem] if several else []), *row.changes.values()]
+        figures = row.figures
+        end = [row.reason or ""]
+        if figures:
+            end = [
+                f"{figures['relative_l2']:.2%}",
+                f"{figures['efficiency']:.1%}",
+                f"{figures['iterations']:.0f}",
+                f"{figures['seconds']:.1f}",
+                row.session or "",
+            ]
+        lines.append([*start, *end])
+    # A reason is long, and nothing stands beside it.
+    full = [line for line in lines if len(line) == len(lines[0])]
+    widths = [max(map(len, cells)) for cells in zip(*full, strict=True)]
+    return "\n".join(
+        "  ".join(f"{cell:<{w}}" for cell, w in zip(line, widths, strict=False)).rstrip()
+        for line in lines
+    )

@@ -1,0 +1,75 @@
+"""``freeform sweep``: its arguments."""
+
+import argparse
+from pathlib import Path
+from typing import Any
+
+from workbench.cli.verbs.kinds import count
+from workbench.cli.verbs.parser import add_verb
+from workbench.cli.verbs.shared import add_json
+
+DOES = "design many lenses: several scenes, fields that vary"
+
+
+def add(commands: Any) -> None:
+    """Add the verb."""
+    parser = add_verb(
+        commands,
+        "sweep",
+        "Design a lens for each scene and each combination of values, check each, and write all\n"
+        "sessions and a table (CSV and JSON). What is finished is not done again when the same\n"
+        "command is typed once more. Ctrl-C keeps what is finished.\n\n"
+        "Values: 1,2,3  0..4 (whole numbers)  64x48 (a pair; 64 alone is both)  auto,paper (text)",
+        [
+            "sweep flame.json --vary lens.control_points=32,64,128 --vary run.seed=0..4",
+            "sweep flame.json ball.json -o both/ --jobs 2",
+            "sweep flame.json --vary source.position[2]=-5,-8 --dask tcp://host:8786",
+        ],
+        _run,
+    )
+    parser.add_argument(
+        "scenes", metavar="SCENE", type=Path, nargs="+", help="scene file, or session"
+    )
+    parser.add_argument(
+        "--vary",
+        metavar="FIELD=VALUES",
+        action="append",
+        default=[],
+        help="values of a field of the scene; may be given several times",
+    )
+    parser.add_argument(
+        "-o",
+        dest="output",
+        metavar="FOLDER",
+        type=Path,
+        default=Path("sweep"),
+        help="where sessions and table go; default %(default)s",
+    )
+    parser.add_argument(
+        "--jobs", metavar="N", type=count, help="lenses at the same time; default one for each core"
+    )
+    parser.add_argument(
+        "--dask", metavar="ADDRESS", help="work on a dask.distributed cluster instead"
+    )
+    parser.add_argument(
+        "--validate-rays",
+        metavar="N",
+        type=count,
+        default=1_000_000,
+        help="of the check of each lens, at least; default %(default)s",
+    )
+    add_json(parser)
+
+
+def _run(options: argparse.Namespace) -> None:
+    from workbench.cli.sweep import sweep
+
+    sweep(
+        options.scenes,
+        options.vary,
+        options.output,
+        options.jobs,
+        options.dask,
+        options.validate_rays,
+        options.json,
+    )

@@ -1,0 +1,85 @@
+"""A dask.distributed cluster that works on points; its workers need this program."""
+
+from collections.abc import Iterator
+from typing import Any, Self, TypeVar
+
+import workbench
+from workbench.errors import Refused
+from workbench.sweep.work import Done, Failed, Task, attempt
+
+Key = TypeVar("Key")
+
+_SECONDS = 10  # to reach it
+
+
+class Cluster:
+    """Works on tasks while entered.
+
+    Parameters
+    ----------
+    address : str
+        Of the scheduler, as in ``tcp://host:8786``.
+
+    Raises
+    ------
+    Refused
+        If it cannot be reached, or its workers do not have this version of the program.
+    """
+
+    def __init__(self, address: str) -> None:
+        try:
+            from distributed import Client
+        except ImportError as error:
+            raise Refused(
+                "dask", "is not installed; pip install 'freeform-lens-workbench[dask]' does it"
+            ) from error
+        try:
+            self._client = Client(address, timeout=_SECONDS, set_as_default=False)
+        except (OSError, ValueError) as error:
+            raise Refused("dask", f"{address!r} cannot be reached: {error}") from error
+        try:
+            self._check()
+        except Refused:
+            self._client.close()
+            raise
+
+    def _check(self) -> None:
+        try:
+            versions = set(self._client.run(_version).values())
+        except Exception as error:  # whatever importing this fails with over there
+            raise Refused("dask", f"its workers cannot run this program: {error}") from error
+        if versions != {workbench.__version__}:
+            found = ", ".join(sorted(versions)) or "no worker"
+            raise Refused("dask", f"{found} there; version {workbench.__version__} is needed")
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: Any) -> None:
+        self._client.close()  # which forgets what it has asked for
+
+    def work(self, tasks: Iterator[tuple[Key, Task]]) -> Iterator[tuple[Key, Done | Failed]]:
+        """Work on tasks, as `workbench.sweep.processes.Processes.work` does."""
+        from distributed import as_completed
+
+        # One in advance for each, so that nobody waits; more would only take memory.
+        room = 2 * max(sum(self._client.nthreads().values()), 1)
+        waiting: dict[Any, Key] = {}
+        ended = as_completed()
+        while True:
+            while len(waiting) < room and (task := next(tasks, None)) is not None:
+                future = self._client.submit(attempt, task[1], pure=False)
+                waiting[future] = task[0]
+                ended.add(future)
+            if not waiting:
+                return
+            future = next(ended)
+            error = future.exception()  # of the cluster: those of the work are told in its result
+            yield (
+                waiting.pop(future),
+                Failed(f"the cluster gave it up: {error}") if error else future.result(),
+            )
+
+
+def _version() -> str:
+    return workbench.__version__

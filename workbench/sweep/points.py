@@ -1,0 +1,117 @@
+"""Points of a sweep: one design each."""
+
+import hashlib
+import itertools
+import json
+import math
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import numpy.typing as npt
+
+from workbench import __version__
+from workbench.errors import Refused
+from workbench.files.scene import with_absolute_image
+from workbench.files.session import Session, open_design
+from workbench.scene import Scene
+from workbench.sweep.vary import MOST_POINTS, Value, Variation, shown, varied
+
+Array = npt.NDArray[np.float64]
+
+_LONGEST_NAME = 100
+
+
+@dataclass(frozen=True, eq=False)
+class Point:
+    """A scene with some fields changed.
+
+    Attributes
+    ----------
+    path : Path
+        File of the scene.
+    base : Session
+        That scene and its target.
+    changes : dict
+        Values by field.
+    scene : Scene or Refused
+        What comes of it, or why nothing does.
+    """
+
+    path: Path
+    base: Session
+    changes: dict[str, Value]
+    scene: Scene | Refused
+
+    @property
+    def name(self) -> str:
+        """What people call it."""
+        return " ".join([self.path.stem, *(f"{k}={shown(v)}" for k, v in self.changes.items())])
+
+    def session(self) -> Session:
+        """The design task with its target.
+
+        Raises
+        ------
+        Refused
+            If there is none, or the target cannot be read.
+        """
+        if isinstance(self.scene, Refused):
+            raise self.scene
+        before, now = self.base.scene, self.scene
+        sizes = [(s.screen.pixels, s.screen.half_width) for s in (before, now)]
+        if now.target == before.target and sizes[0] == sizes[1]:
+            return Session(now, self.base.target)
+        from workbench.targets import load_target  # late: scipy.ndimage takes long to import
+
+        return Session(now, load_target(now, self.path.parent))
+
+    def file_name(self, key: str) -> str:
+        """A file name without ending that no other point has."""
+        return f"{re.sub(r'[^A-Za-z0-9._=+-]+', '-', self.name)[:_LONGEST_NAME]}-{key[:10]}"
+
+
+def key_of(session: Session, rays: int) -> str:
+    """What a result depends on, as 64 hexadecimal digits: task, target, rays of the check, program.
+
+    Where the target comes from plays no part.
+    """
+    data = session.scene.to_data() | {"target": None}
+    told = json.dumps([data, session.target.shape, rays, __version__], sort_keys=True)
+    content = np.ascontiguousarray(session.target, dtype="<f8")
+    return hashlib.sha256(told.encode() + content.tobytes()).hexdigest()
+
+
+def points(paths: Sequence[Path], variations: Sequence[Variation]) -> list[Point]:
+    """All scenes with all combinations of values, the last field changing first.
+
+    Raises
+    ------
+    Refused
+        If a scene cannot be read, there are too many points or none of them is possible.
+    """
+    for number, variation in enumerate(variations):
+        if variation.path in [other.path for other in variations[:number]]:
+            raise Refused(variation.path, "is varied twice; all its values belong into one --vary")
+    count = len(paths) * math.prod(len(v.values) for v in variations)
+    if count > MOST_POINTS:
+        raise Refused("usage", f"{count} points; at most {MOST_POINTS} are possible")
+    found = []
+    for path in dict.fromkeys(paths):
+        base = open_design(path)
+        for values in itertools.product(*(v.values for v in variations)):
+            changes = dict(zip((v.path for v in variations), values, strict=True))
+            found.append(Point(path, base, changes, _scene(base.scene, changes, path)))
+    refusals = [point.scene for point in found if isinstance(point.scene, Refused)]
+    if len(refusals) == len(found):
+        raise refusals[0]
+    return found
+
+
+def _scene(base: Scene, changes: dict[str, Value], path: Path) -> Scene | Refused:
+    try:
+        return with_absolute_image(varied(base, changes), path)
+    except Refused as refused:
+        return refused

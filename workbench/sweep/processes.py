@@ -1,0 +1,104 @@
+"""Processes of this machine that work on points side by side.
+
+Each has a pipe of its own. A process that is killed costs the point it worked on, no more; and
+all of them end when the one that started them does, however that happens.
+"""
+
+import multiprocessing
+import os
+import signal
+import threading
+from collections.abc import Iterator
+from multiprocessing.connection import Connection, wait
+from multiprocessing.context import SpawnProcess
+from typing import Any, Self, TypeVar
+
+from workbench.sweep.work import Done, Failed, Task, attempt
+
+Key = TypeVar("Key")
+
+
+class Processes:
+    """Works on tasks while entered.
+
+    Parameters
+    ----------
+    count : int
+        How many processes, at most.
+    threads : int
+        Threads of each.
+    """
+
+    def __init__(self, count: int, threads: int) -> None:
+        self._count, self._threads = count, threads
+        self._all: dict[Connection, SpawnProcess] = {}
+        self._idle: list[Connection] = []
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: Any) -> None:
+        for pipe, process in self._all.items():
+            process.terminate()
+            process.join()
+            pipe.close()
+        self._all.clear()
+
+    def work(self, tasks: Iterator[tuple[Key, Task]]) -> Iterator[tuple[Key, Done | Failed]]:
+        """Work on tasks, which are asked for as they are needed.
+
+        Yields
+        ------
+        tuple
+            What came with a task, and what became of it; in the order in which they end.
+        """
+        busy: dict[Connection, Key] = {}
+        while True:
+            while len(busy) < self._count and (task := next(tasks, None)) is not None:
+                pipe = self._idle.pop() if self._idle else self._start()
+                busy[pipe] = task[0]
+                pipe.send(task[1])
+            if not busy:
+                return
+            ready = wait(list(busy))
+            for pipe in [pipe for pipe in busy if pipe in ready]:
+                yield busy.pop(pipe), self._answer(pipe)
+
+    def _start(self) -> Connection:
+        context = multiprocessing.get_context("spawn")  # threads do not survive a fork
+        ours, theirs = context.Pipe()
+        process = context.Process(target=_serve, args=(theirs, self._threads))
+        process.start()
+        theirs.close()  # so that its end is seen here
+        self._all[ours] = process
+        return ours
+
+    def _answer(self, pipe: Connection) -> Done | Failed:
+        try:
+            answer: Done | Failed = pipe.recv()
+        except (EOFError, OSError):
+            process = self._all.pop(pipe)
+            process.join()
+            pipe.close()
+            return Failed(f"its process ended with exit status {process.exitcode}")
+        self._idle.append(pipe)
+        return answer
+
+
+def _serve(pipe: Connection, threads: int) -> None:
+    """Work on what comes through a pipe until nobody is there."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the one that started this
+    threading.Thread(target=_end_with_parent, daemon=True).start()
+    while True:
+        try:
+            task = pipe.recv()
+        except EOFError:
+            return
+        pipe.send(attempt(task, threads))
+
+
+def _end_with_parent() -> None:
+    parent = multiprocessing.parent_process()
+    assert parent is not None
+    parent.join()
+    os._exit(1)

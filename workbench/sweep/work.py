@@ -1,0 +1,80 @@
+"""What is done at each point, in a process of its own or on another machine."""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from workbench.design.snapshot import History, Result
+from workbench.errors import Refused, RunFailed
+from workbench.scene import Scene
+
+Array = npt.NDArray[np.float64]
+
+
+class Task(NamedTuple):
+    """A design task.
+
+    Attributes
+    ----------
+    scene : Scene
+        The scene.
+    target : ndarray, shape (n_y, n_x)
+        The wanted image.
+    rays : int
+        Rays of the independent check, at least.
+    """
+
+    scene: Scene
+    target: Array
+    rays: int
+
+
+class Done(NamedTuple):
+    """A lens, and the figures of its independent check (`Validation.to_data`)."""
+
+    result: Result
+    check: dict[str, Any]
+
+
+class Failed(NamedTuple):
+    """Why there is no lens, in one sentence."""
+
+    reason: str
+
+
+def attempt(task: Task, threads: int | None = None) -> Done | Failed:
+    """Design a lens and check it; whatever goes wrong is told.
+
+    Parameters
+    ----------
+    task : Task
+        The design task.
+    threads : int, optional
+        How many work on it; as many as there are cores by default.
+    """
+    try:
+        return _design(task, threads)
+    except (Refused, RunFailed) as failure:
+        return Failed(str(failure))
+    except Exception as error:  # one point must not end all
+        return Failed(f"unexpected {type(error).__name__}: {error}")
+
+
+def _design(task: Task, threads: int | None) -> Done:
+    import torch  # late: takes seconds, which the process that waits for results can do without
+
+    from workbench.analysis.validation import validate
+    from workbench.design.run import run
+
+    if threads is not None:
+        torch.set_num_threads(threads)
+    history = History()
+    for snapshot in run(task.scene, task.target):
+        history.add(snapshot)
+    result = history.result()
+    assert result is not None  # a run begins with a snapshot
+    check = validate(
+        task.scene, task.target, result.control_points, task.rays, threads=threads
+    ).to_data()
+    return Done(result, check)
