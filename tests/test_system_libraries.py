@@ -40,7 +40,7 @@ def test_a_program_off_the_search_path_is_missing(monkeypatch, tmp_path):
     (tmp_path / "xauth").touch(mode=0o755)
     monkeypatch.setenv("PATH", str(tmp_path))
     missing = system_libraries.missing_programs(system_libraries.VIRTUAL_SCREEN)
-    assert missing == [("xvfb-run", "xvfb")]
+    assert missing == [("xvfb-run", "xvfb"), ("xdotool", "xdotool")]
 
 
 @pytest.mark.parametrize(("user", "command"), [(0, "apt-get"), (1000, "sudo apt-get")])

@@ -49,8 +49,8 @@ WINDOW = (
     ("libxcb-xkb.so.1", "libxcb-xkb1"),
 )
 
-# What a window needs where there is no display: programs, not libraries.
-VIRTUAL_SCREEN = (("xvfb-run", "xvfb"), ("xauth", "xauth"))
+# What tests of the window need where there is no display: a screen, and hands to use it.
+VIRTUAL_SCREEN = (("xvfb-run", "xvfb"), ("xauth", "xauth"), ("xdotool", "xdotool"))
 
 
 def missing(libraries: Iterable[tuple[str, str]] = WINDOW) -> list[tuple[str, str]]:
