@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from workbench.design.evaluation import Evaluator
+from workbench.design.evaluation import Evaluator, undesigned
 from workbench.design.run import run
 from workbench.design.snapshot import History
 from workbench.errors import RunFailed
@@ -71,3 +71,8 @@ def test_a_lens_that_lights_nothing_is_told(make_scene, target):
     steep = np.linspace(0.2, 0.8, 12)[:, None] * np.ones(10)
     with pytest.raises(RunFailed, match="no light reaches the screen"):
         Evaluator(scene, target, steep).snapshot(steep)
+
+
+def test_the_undesigned_lens_is_where_a_run_begins(make_scene, target):
+    scene = make_scene({"lens.height_range": [-0.1, 0.3]})
+    np.testing.assert_array_equal(undesigned(scene.lens), next(run(scene, target)).control_points)

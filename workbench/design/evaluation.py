@@ -6,11 +6,13 @@ import torch
 from torch import Tensor
 
 from workbench.design.auto import judging_image
+from workbench.design.heights import HeightRange
 from workbench.design.loss import check_finite, paper_loss, share
 from workbench.design.snapshot import Result, Snapshot
 from workbench.design.step import Step
+from workbench.geometry.surface import ControlNet
 from workbench.optics.plan import Plan, device_of
-from workbench.scene import PaperRun, Scene
+from workbench.scene import Lens, PaperRun, Scene
 
 Array = npt.NDArray[np.float64]
 
@@ -86,6 +88,12 @@ class Evaluator:
 
     def _tensor(self, heights: Array) -> Tensor:
         return torch.tensor(heights, dtype=torch.float64, device=self._device)
+
+
+def undesigned(lens: Lens) -> Array:
+    """Control heights of a lens before any design, shape (n_u, n_v), scene units."""
+    free = HeightRange.of(lens, ControlNet.of(lens))
+    return np.asarray(free.heights(free.rest).numpy())
 
 
 def _frozen(values: Array) -> Array:

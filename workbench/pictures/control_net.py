@@ -90,23 +90,28 @@ class ControlNetPicture:
 
     def show(self, shown: bool) -> None:
         """Show the net and the locks, to be picked from; or no more than the marked point."""
-        self._shown = shown
-        self._place()
+        if shown != self._shown:
+            self._shown = shown
+            self._place()
 
     def mark(self, index: tuple[int, int] | None) -> None:
         """Show one of the points and its neighbours, to be picked from; or none."""
-        self._marked = index
-        self._place()
+        if index != self._marked:
+            self._marked = index
+            self._place()
 
     def brush(self, index: tuple[int, int] | None, radius: float = 0.0) -> None:
         """Show what a brush of some radius, scene units, around a control point takes along."""
-        self._brush = None if index is None else (index, radius)
-        self._place()
+        brush = None if index is None else (index, radius)
+        if brush != self._brush:
+            self._brush = brush
+            self._place()
 
     def lock(self, locked: Mask | None) -> None:
         """Show which points are locked, shape (n_u, n_v)."""
-        self._locked = locked
-        self._place()
+        if locked is not self._locked:
+            self._locked = locked
+            self._place()
 
     def pick(self, x: float, y: float) -> tuple[int, int] | None:
         """The control point under a place in the window, while any are shown.

@@ -1,0 +1,77 @@
+"""Handles of sources: where they are, and what dragging them does."""
+
+import numpy as np
+import pytest
+import pyvista
+
+from workbench.pictures.lens import LensPicture
+from workbench.pictures.sight import Sight
+from workbench.pictures.source_handles import SourceHandles, moved
+
+POINT = {"kind": "point", "position": [0.1, 0.2, -3.0]}
+GRID = {
+    "kind": "grid",
+    "center": [0.1, 0.0, -3.0],
+    "half_width": [0.8, 0.5],
+    "points": [5, 5],
+    "rays": 10,
+}
+
+
+@pytest.fixture
+def plotter():
+    made = pyvista.Plotter(off_screen=True, window_size=[640, 400])
+    yield made
+    made.close()
+
+
+@pytest.fixture
+def handles(make_scene, plotter):
+    def make(source):
+        scene = make_scene({"source": source})
+        LensPicture(plotter, scene, np.ones((32, 32))).fit()
+        made = SourceHandles(plotter)
+        made.show(scene.source)
+        plotter.render()
+        return made, scene.source
+
+    return make
+
+
+def test_a_point_is_its_own_handle(handles, plotter):
+    made, source = handles(POINT)
+    ((x, y),) = Sight(plotter).pixels(np.array([source.position]))
+    assert made.pick(x + 5, y - 5) == "middle"
+    assert made.pick(x + 30, y) is None
+    made.show(None)
+    assert made.pick(x, y) is None
+
+
+def test_a_grid_has_corners_and_a_middle(handles, plotter):
+    made, _ = handles(GRID)
+    corners = [[-0.7, -0.5, -3.0], [-0.7, 0.5, -3.0], [0.9, -0.5, -3.0], [0.9, 0.5, -3.0]]
+    seen = Sight(plotter).pixels(np.array([*corners, [0.1, 0.0, -3.0], [0.3, 0.1, -3.0]]))
+    assert [made.pick(x, y) for x, y in seen] == [0, 1, 2, 3, "middle", "middle"]
+
+
+def test_collimated_light_has_no_handles(handles):
+    made, _ = handles({"kind": "collimated"})
+    assert made.pick(320, 200) is None
+
+
+def test_moving_rounds_to_what_a_person_would_type(make_scene):
+    point = make_scene({"source": POINT}).source
+    by = np.array([0.01234567, -0.1, 0.00001])
+    assert moved(point, "middle", by, 3).position == (0.112, 0.1, -3.0)
+    grid = make_scene({"source": GRID}).source
+    assert moved(grid, "middle", by, 3).center == (0.112, -0.1, -3.0)
+
+
+def test_a_corner_widens_both_sides(make_scene):
+    grid = make_scene({"source": GRID}).source
+    wider = moved(grid, 3, np.array([0.1, -0.2, 0.0]), 3)
+    assert wider.half_width == (0.9, 0.3) and wider.center == grid.center
+    through = moved(grid, 0, np.array([2.0, 0.0, 0.0]), 3)
+    assert through.half_width == (1.2, 0.5)
+    line = make_scene({"source": {**GRID, "points": [5, 1]}}).source
+    assert moved(line, 0, np.array([0.1, 0.3, 0.0]), 3).half_width == (0.7, 0.5)
