@@ -7,12 +7,11 @@ from workbench.pictures.images import (
     ErrorImage,
     IrradianceImage,
     full_scale,
-    pixel_at,
-    round_scale,
     signed_error,
     target_irradiance,
     to_colours,
 )
+from workbench.pictures.maps import pixel_at, round_scale, settled_scale
 from workbench.pictures.style import paint
 
 
@@ -56,6 +55,24 @@ def test_no_light_at_all_lacks_the_whole_target(scene):
 )
 def test_round_scale(largest, scale):
     assert round_scale(largest) == pytest.approx(scale)
+
+
+def test_a_scale_settles():
+    values = np.array([0.0, -0.3, 0.4])
+    assert settled_scale(values, 1.0) == 1.0
+    assert settled_scale(2 * values, 0.5) == 1.0
+    assert settled_scale(values / 10, 1.0) == pytest.approx(0.05)
+    assert settled_scale(1e-20 * values, 1.0, least=1e-9) == 1e-9
+
+
+def test_other_colours_keep_the_scale(axes, scene):
+    image = IrradianceImage(axes, scene, np.ones((4, 8)))
+    shown = image.artists[0]
+    before = shown.get_clim()
+    image.set_colours("viridis")
+    assert shown.get_cmap().name == "viridis" and shown.get_clim() == before
+    np.testing.assert_allclose(shown.get_cmap()(np.nan), shown.get_cmap()(0.0))
+    assert (to_colours(np.ones((1, 1)), 1.0, "gray") == 255).all()
 
 
 def test_colours_saturate_above_the_scale():
@@ -128,8 +145,8 @@ def test_paint_recolours_the_bar_too(scene, axes):
         ((0, -1), None),
     ],
 )
-def test_a_place_on_the_screen_is_in_one_pixel(scene, place, pixel):
-    assert pixel_at(scene, *place) == pixel
+def test_a_place_is_in_one_pixel(place, pixel):
+    assert pixel_at((2.0, 1.0), (4, 8), *place) == pixel
 
 
 def test_a_logarithmic_scale_spans_three_decades_and_darkness(axes, scene):

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
-from workbench.pictures.section import SectionCurves
+from workbench.pictures.section import SectionCurves, cut_between, cut_through, values_along
 
 
 @pytest.fixture
@@ -17,17 +17,53 @@ def scene(make_scene):
         ("y", [-0.75, -0.25, 0.25, 0.75], np.s_[::-1, 6]),
     ],
 )
-def test_curves_are_the_pixels_along_the_line(scene, rng, along, positions, line):
+def test_curves_are_the_pixels_along_the_axis(scene, rng, along, positions, line):
     target, image = rng.random((4, 8)), rng.random((4, 8))
-    curves = SectionCurves(Figure().subplots(), scene, target, along)
-    curves.update(image, 1.1, 0.4)  # row 1, column 6
+    axes = Figure().subplots()
+    curves = SectionCurves(axes, scene, target)
+    assert curves.update(image, cut_through(scene, along, (1.1, 0.4))) is True  # row 1, column 6
     wish, light = (artist.get_data() for artist in curves.artists)
     np.testing.assert_allclose(light, [positions, image[line]])
     # As much light in all as the image has.
     np.testing.assert_allclose(wish, [positions, (target * image.sum() / target.sum())[line]])
+    assert axes.get_xlabel() == f"{along} (cm)"
+    assert curves.update(image, cut_through(scene, along, (0.6, 0.1))) is False
 
 
-def test_beside_the_screen_nothing_changes(scene, rng):
-    curves = SectionCurves(Figure().subplots(), scene, np.ones((4, 8)), "x")
-    curves.update(rng.random((4, 8)), 2.0, 0.0)
-    assert curves.artists[0].get_xdata().size == 0
+@pytest.mark.parametrize("ends", [((-1.7, 0.7), (1.2, -0.6)), ((0.3, -0.7), (0.3, 0.7))])
+def test_along_any_line_a_slanted_plane_is_exact(scene, ends):
+    x, y = -1.75 + 0.5 * np.arange(8), 0.75 - 0.5 * np.arange(4)
+    plane = 3 + 2 * x + 5 * y[:, None]
+    (x_0, y_0), (x_1, y_1) = ends
+    cut = cut_between(scene, *ends)
+    assert cut.along[0] == 0 and cut.along[-1] == pytest.approx(np.hypot(x_1 - x_0, y_1 - y_0))
+    part = cut.along / cut.along[-1]
+    wished = 3 + 2 * (x_0 + part * (x_1 - x_0)) + 5 * (y_0 + part * (y_1 - y_0))
+    np.testing.assert_allclose(values_along(plane, cut), wished)
+
+
+def test_a_line_through_the_middles_of_pixels_meets_their_values(scene, rng):
+    image = rng.random((4, 8))
+    found = values_along(image, cut_between(scene, (-1.75, 0.75), (-0.25, -0.75)))
+    np.testing.assert_allclose(found[[0, -1]], [image[0, 0], image[3, 3]])
+    along_x = cut_between(scene, (-1.75, 0.25), (1.75, 0.25))
+    np.testing.assert_allclose(values_along(image, along_x), image[1])
+
+
+def test_a_line_to_the_corners_ends_with_their_pixels(scene, rng):
+    image = rng.random((4, 8))
+    found = values_along(image, cut_between(scene, (-2, 1), (2, -1)))
+    np.testing.assert_allclose(found[[0, -1]], [image[0, 0], image[-1, -1]])
+
+
+def test_a_line_of_no_length_is_one_value(scene, rng):
+    image = rng.random((4, 8))
+    found = values_along(image, cut_between(scene, (0.25, 0.25), (0.25, 0.25)))
+    np.testing.assert_allclose(found, image[1, 4])
+
+
+def test_an_image_of_one_pixel_has_its_value_everywhere(make_scene):
+    scene = make_scene({"screen.pixels": [1, 1]})
+    np.testing.assert_array_equal(
+        values_along(np.full((1, 1), 7.0), cut_between(scene, (-0.9, 0.2), (0.9, 0.1))), 7.0
+    )

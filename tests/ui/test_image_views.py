@@ -48,6 +48,13 @@ def place(view, x, y):
     return QPoint(round(i), round(view._canvas.height() - j))
 
 
+def drag(view, qtbot, start, end, modifier=Qt.KeyboardModifier.NoModifier):
+    canvas = view._canvas
+    qtbot.mousePress(canvas, Qt.MouseButton.LeftButton, modifier, place(view, *start))
+    qtbot.mouseMove(canvas, place(view, *end))
+    qtbot.mouseRelease(canvas, Qt.MouseButton.LeftButton, modifier, place(view, *end))
+
+
 def turn_wheel(view, x, y, steps):
     at = QPointF(place(view, x, y))
     event = QWheelEvent(
@@ -110,15 +117,15 @@ def test_all_tell_their_value_under_the_pointer(views, frame, session, qtbot):
 
 
 def test_light_has_a_logarithmic_scale(views, qtbot):
-    qtbot.mouseClick(views[0]._button, Qt.MouseButton.LeftButton)
+    qtbot.mouseClick(views[0]._logarithmic, Qt.MouseButton.LeftButton)
     light, target, error = (view._image.artists[0] for view in views)
-    qtbot.waitUntil(lambda: views[1]._button.isChecked())
+    qtbot.waitUntil(lambda: views[1]._logarithmic.isChecked())
     for image in (light, target):
         assert image.norm.vmax / image.norm.vmin == pytest.approx(1000)
         assert image.norm(image.norm.vmax / 10) == pytest.approx(2 / 3)
     assert error.norm.vmin == -error.norm.vmax
-    qtbot.mouseClick(views[1]._button, Qt.MouseButton.LeftButton)
-    qtbot.waitUntil(lambda: not views[0]._button.isChecked())
+    qtbot.mouseClick(views[1]._logarithmic, Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(lambda: not views[0]._logarithmic.isChecked())
     assert light.norm.vmin == 0 and light.norm(light.norm.vmax / 2) == 0.5
 
 
@@ -144,16 +151,80 @@ def test_a_cross_section_goes_through_the_place_that_is_clicked(views, frame, se
         views[2]._canvas, Qt.MouseButton.LeftButton, pos=place(views[2], 0.40625, -0.65625)
     )
     qtbot.waitUntil(lambda: len(light()) and np.array_equal(light(), image[26]))
-    assert "at y = -0.65" in section._where.text()
-    section._along.setCurrentIndex(1)
+    assert "at y = -0.6" in section._where.text()
+    section._direction.setCurrentIndex(1)
     qtbot.waitUntil(lambda: np.array_equal(light(), image[::-1, 22]))
     wish = section._curves.artists[0].get_ydata()
     assert wish.max() == pytest.approx(
         image.mean() * 4 * target_irradiance(session.scene, session.target)[:, 22].max()
     )
-    qtbot.waitUntil(lambda: views[1]._pin_lines[0].get_visible())
+    qtbot.waitUntil(lambda: views[1]._marks[0].get_visible())
     section.hide()
-    qtbot.waitUntil(lambda: not views[1]._pin_lines[0].get_visible())
+    qtbot.waitUntil(lambda: not views[1]._marks[0].get_visible())
+
+
+@pytest.mark.parametrize("with_tool", [False, True])
+def test_a_cross_section_follows_a_line_that_is_drawn(views, frame, qtbot, with_tool):
+    link, modifier = views[0]._link, Qt.KeyboardModifier.ShiftModifier
+    section = SectionView(link)
+    section.resize(400, 260)
+    qtbot.addWidget(section)
+    section.show_frame(frame)
+    with qtbot.waitExposed(section):
+        section.show()
+    qtbot.waitUntil(lambda: section._shown is not None)
+    if with_tool:
+        qtbot.mouseClick(views[0]._line_tool, Qt.MouseButton.LeftButton)
+        qtbot.waitUntil(lambda: views[2]._line_tool.isChecked())
+        modifier = Qt.KeyboardModifier.NoModifier
+    drag(views[2], qtbot, (-0.5, 0.5), (0.5, -0.25), modifier)
+    assert section._direction.currentText() == "Along a line"
+    qtbot.waitUntil(lambda: section._curves._axes.get_xlim()[1] == pytest.approx(1.25, abs=0.02))
+    (x_0, y_0), (x_1, y_1) = link.line
+    np.testing.assert_allclose((x_0, y_0, x_1, y_1), (-0.5, 0.5, 0.5, -0.25), atol=0.01)
+    # A slanted plane stays a straight line.
+    light = section._curves.artists[1].get_ydata()
+    np.testing.assert_allclose(np.diff(light), np.diff(light).mean(), rtol=1e-6)
+    for view in views:  # what is seen has not moved
+        assert limits(view) == (-1, 1, -1, 1)
+        qtbot.waitUntil(lambda view=view: view._marks[2].get_visible())
+        assert not view._marks[0].get_visible()
+    section._direction.setCurrentIndex(0)
+    qtbot.waitUntil(lambda: views[1]._marks[0].get_visible())
+    assert link.line is None
+    section.hide()
+    assert link.pin is None
+
+
+def test_a_line_drawn_for_a_hidden_section_is_its_when_it_is_shown(views, qtbot):
+    section = SectionView(views[0]._link)
+    qtbot.addWidget(section)
+    with qtbot.waitSignal(views[0]._link.drawn):
+        drag(views[0], qtbot, (-0.5, 0), (0.5, 0), Qt.KeyboardModifier.ShiftModifier)
+    assert section._along == "line" and section._line[1][0] == pytest.approx(0.5, abs=0.01)
+
+
+def test_images_are_zoomed_moved_and_pinned_by_keys(views, qtbot):
+    canvas, link = views[1]._canvas, views[1]._link
+    canvas.setFocus()
+    qtbot.keyClick(canvas, Qt.Key.Key_Plus, Qt.KeyboardModifier.ShiftModifier)
+    assert link.part == pytest.approx((-0.8, 0.8, -0.8, 0.8))
+    qtbot.keyClick(canvas, Qt.Key.Key_Right)
+    qtbot.keyClick(canvas, Qt.Key.Key_Down)
+    assert link.part == pytest.approx((-0.64, 0.96, -0.96, 0.64))
+    with qtbot.waitSignal(link.pinned) as pinned:
+        qtbot.keyClick(canvas, Qt.Key.Key_Return)
+    assert pinned.args[0] == pytest.approx((0.16, -0.16))
+    qtbot.keyClick(canvas, Qt.Key.Key_Minus)
+    qtbot.keyClick(canvas, Qt.Key.Key_Home)
+    assert link.part is None
+
+
+def test_light_has_one_choice_of_colours(views, qtbot):
+    views[0]._link.set_colours("cividis")
+    light, target, error = (view._image.artists[0] for view in views)
+    qtbot.waitUntil(lambda: light.get_cmap().name == target.get_cmap().name == "cividis")
+    assert error.get_cmap().name == "RdBu_r"
 
 
 def test_another_screen_is_seen_whole(views, make_scene, session, snapshots, history, qtbot):

@@ -7,27 +7,32 @@
    labels here are known well enough for margins of so many pixels.
 3. `draw` runs on resize, on a change of the device pixel ratio, of scale or of colours; each makes
    a new background.
-4. Drawing and painting happen before `show_changes` returns, so that their cost can be measured.
+4. The labels of a colour bar are as wide as their numbers. They are measured when everything is
+   drawn, which is not often.
+5. Drawing and painting happen before `show_changes` returns, so that their cost can be measured.
 """
 
+import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any, BinaryIO
 
 from matplotlib.artist import Artist
+from matplotlib.axes import Axes
 from matplotlib.backends.backend_qtagg import FigureCanvasQTAgg
 from matplotlib.figure import Figure
-from PySide6.QtGui import QResizeEvent
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QFocusEvent, QKeyEvent, QPainter, QPaintEvent, QPen, QResizeEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from workbench.pictures.style import paint
 
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
-
 # Logical pixels for tick labels and names; powers of ten are wider than the ticks of an image.
 _LEFT_OF_IMAGE, _LEFT_OF_CURVE, _BOTTOM, _RIGHT, _TOP = 68, 84, 40, 18, 12
-_BAR = 1.105, 62  # what a colour bar spans in widths of the axes, and pixels for its labels
+_SPAN = 1.105  # of axes with a colour bar, in widths of the axes
+_BAR_LABELS = 62.0  # to begin with
+_EDGE = 4.0  # between the widest label and the end
+_FILE_DPI = 200
+_INK, _PAPER = "black", "white"  # of files, which are read and printed elsewhere
 
 
 class Canvas(FigureCanvasQTAgg):
@@ -44,12 +49,14 @@ class Canvas(FigureCanvasQTAgg):
     def __init__(self, parent: QWidget, bar: bool) -> None:
         super().__init__(Figure())
         self._bar = bar
+        self._bar_labels = _BAR_LABELS
         self.setParent(parent)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self._artists: Sequence[Artist] = ()
         self._background: Any = None
 
-    def begin(self) -> "Axes":
+    def begin(self) -> Axes:
         """Throw the old picture away; the axes of the next."""
         self._artists = ()
         self.figure.clear()
@@ -80,9 +87,40 @@ class Canvas(FigureCanvasQTAgg):
 
     def draw(self) -> None:
         """Draw everything and keep all but the artists as the background."""
+        self._make_room()
         super().draw()
         self._background = self.copy_from_bbox(self.figure.bbox)
         self._draw_artists()
+
+    def write(self, file: BinaryIO, format: str) -> None:
+        """Write the figure as "png" or "svg", black on white."""
+        paint(self.figure, _INK, _PAPER)
+        self.figure.savefig(file, format=format, dpi=_FILE_DPI)
+        self.recolour()
+        self.draw()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Leave keys to the view; matplotlib would keep them."""
+        event.ignore()
+
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        """Show that the keyboard works here."""
+        super().focusInEvent(event)
+        self.update()
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        """Show that the keyboard works elsewhere."""
+        super().focusOutEvent(event)
+        self.update()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """Frame the figure while the keyboard works on it."""
+        super().paintEvent(event)
+        if self.hasFocus():
+            painter = QPainter(self)
+            painter.setPen(QPen(self.palette().highlight().color(), 1))
+            painter.drawRect(self.rect().adjusted(0, 0, -1, -1))
+            painter.end()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Place the axes anew; also sent when the device pixel ratio changes."""
@@ -92,9 +130,8 @@ class Canvas(FigureCanvasQTAgg):
     def _place(self) -> None:
         width, height = max(self.width(), 1), max(self.height(), 1)
         if self._bar:
-            spans, labels = _BAR
             left = _LEFT_OF_IMAGE
-            right = left + (width - left - labels) / spans
+            right = left + (width - left - self._bar_labels) / _SPAN
         else:
             left, right = _LEFT_OF_CURVE, width - _RIGHT
         self.figure.subplots_adjust(
@@ -104,6 +141,18 @@ class Canvas(FigureCanvasQTAgg):
             top=max(height - _TOP, _BOTTOM + 1) / height,
         )
         self._background = None
+
+    def _make_room(self) -> None:
+        """Measure the labels of the colour bar."""
+        bars = [bar for axes in self.figure.axes for bar in axes.child_axes]
+        if bars:
+            labels = bars[0].yaxis.get_tightbbox(self.get_renderer())
+            assert labels is not None  # it has a name
+            beyond = labels.x1 - bars[0].get_window_extent().x1
+            room = math.ceil(beyond / self.device_pixel_ratio) + _EDGE
+            if room != self._bar_labels:
+                self._bar_labels = room
+                self._place()
 
     def _draw_artists(self) -> None:
         for artist in self._artists:

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import numpy.typing as npt
 
-from ui.views.image_view import ImageView
+from ui.views.screen_image_view import ScreenImageView
 from workbench.pictures.images import ErrorImage, signed_error
 
 if TYPE_CHECKING:
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from workbench.files.session import Session
 
 
-class ErrorView(ImageView):
+class ErrorView(ScreenImageView):
     """Irradiance minus target at equal flux: red where light is too much, blue where too little."""
 
     _image: ErrorImage

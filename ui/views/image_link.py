@@ -2,8 +2,11 @@
 
 from PySide6.QtCore import QObject, Signal
 
+from workbench.pictures.images import LIGHT
+
 Part = tuple[float, float, float, float]
 Place = tuple[float, float]
+Line = tuple[Place, Place]
 
 
 class ImageLink(QObject):
@@ -12,37 +15,54 @@ class ImageLink(QObject):
     Attributes
     ----------
     changed : Signal()
-        Another part is seen, or in another scale, or another place is pinned.
+        Another part is seen, or in other colours, or another place or line is marked.
     pointed : Signal(tuple[float, float] or None)
         Where the mouse is, scene units; None beside all images.
     pinned : Signal(tuple[float, float])
         A place was clicked.
+    drawn : Signal(tuple)
+        A line was drawn, from one place to another.
     """
 
     changed = Signal()
     pointed = Signal(object)
     pinned = Signal(object)
+    drawn = Signal(object)
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self.part: Part | None = None  # left, right, bottom, top; None for the whole screen
+        self.part: Part | None = None  # left, right, bottom, top; None for the whole
         self.pin: Place | None = None
+        self.line: Line | None = None
+        self.drawing = False  # whether dragging draws a line
         self.logarithmic = False
+        self.colours = LIGHT
 
     def show_part(self, part: Part | None) -> None:
-        """See another part of the screen."""
-        if part != self.part:
-            self.part = part
-            self.changed.emit()
+        """See another part."""
+        self._set("part", part)
 
     def show_pin(self, place: Place | None) -> None:
         """Mark a place, or none."""
-        if place != self.pin:
-            self.pin = place
-            self.changed.emit()
+        self._set("pin", place)
+
+    def show_line(self, line: Line | None) -> None:
+        """Mark a line, or none."""
+        self._set("line", line)
+
+    def set_drawing(self, drawing: bool) -> None:
+        """Let dragging draw a line, or move what is seen."""
+        self._set("drawing", drawing)
 
     def set_logarithmic(self, logarithmic: bool) -> None:
         """Show light in a logarithmic scale, or in an even one."""
-        if logarithmic != self.logarithmic:
-            self.logarithmic = logarithmic
+        self._set("logarithmic", logarithmic)
+
+    def set_colours(self, colours: str) -> None:
+        """Show light in one of `workbench.pictures.maps.UNSIGNED`."""
+        self._set("colours", colours)
+
+    def _set(self, name: str, value: object) -> None:
+        if value != getattr(self, name):
+            setattr(self, name, value)
             self.changed.emit()

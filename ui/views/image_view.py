@@ -1,18 +1,20 @@
-"""A view of an image on the screen: zoomed, moved and read together with others like it.
+"""A view of values over a rectangle: zoomed, moved and read together with others like it.
 
-The wheel zooms about the pointer, dragging moves, a double click shows the whole screen again, a
-click pins the place that cross-sections go through.
+The wheel zooms about the pointer, dragging moves, a double click shows the whole again. By keys:
++ and − zoom, arrows move, Home shows the whole.
 """
 
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QWidget
 
 from ui.views.image_link import ImageLink, Part, Place
 from ui.views.plot_view import PlotView
-from workbench.pictures.images import pixel_at
+from workbench.pictures.maps import pixel_at
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -22,17 +24,26 @@ if TYPE_CHECKING:
 
     from ui.frame import Frame
     from workbench.files.session import Session
-    from workbench.scene import Screen
 
 _NARROWEST = 250  # pixels; less would be labels alone
 _ZOOM = 1.25  # for each step of the wheel
 _NEAREST = 200.0  # times; a pixel is large enough then
 _DRAG = 4.0  # pixels that a click may shake
-_PIN = "#8a8f98"  # seen on light and dark
+_STEP = 0.1  # of what is seen, for an arrow
+
+_Key = Qt.Key
+_COMMANDS = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.AltModifier
+_ZOOMS: dict[int, int] = {_Key.Key_Plus: 1, _Key.Key_Equal: 1, _Key.Key_Minus: -1}
+_MOVES: dict[int, tuple[int, int]] = {
+    _Key.Key_Left: (-1, 0),
+    _Key.Key_Right: (1, 0),
+    _Key.Key_Down: (0, -1),
+    _Key.Key_Up: (0, 1),
+}
 
 
 class ImageView(PlotView):
-    """Shows an image of the screen, and its value under the pointer.
+    """Shows an image, and its value under the pointer.
 
     Parameters
     ----------
@@ -45,7 +56,6 @@ class ImageView(PlotView):
         self.setMinimumWidth(_NARROWEST)
         self._link = link or ImageLink(self)
         self._axes: Axes | None = None
-        self._pin_lines: list[Any] = []
         self._values: npt.NDArray[np.float64] | None = None
         self._pointed: Place | None = None
         self._grip: tuple[Place, Place] | None = None  # pixels and place where a drag began
@@ -60,7 +70,7 @@ class ImageView(PlotView):
         self._link.changed.connect(self._ask)
         self._link.pointed.connect(self._point)
         canvas = self._canvas
-        canvas.mpl_connect("scroll_event", self._zoom)
+        canvas.mpl_connect("scroll_event", self._turn_wheel)
         canvas.mpl_connect("button_press_event", self._press)
         canvas.mpl_connect("button_release_event", self._release)
         canvas.mpl_connect("motion_notify_event", self._move)
@@ -72,17 +82,30 @@ class ImageView(PlotView):
         super().show_nothing(session)
         self._read()
 
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Zoom and move without a mouse."""
+        if self._shown is None or event.modifiers() & _COMMANDS:
+            super().keyPressEvent(event)
+            return
+        key = event.key()
+        left, right, bottom, top = self._part()
+        if key in _ZOOMS:
+            self._zoom(((left + right) / 2, (bottom + top) / 2), _ZOOMS[key])
+        elif key in _MOVES:
+            right_by, up_by = _MOVES[key]
+            dx, dy = _STEP * right_by * (right - left), _STEP * up_by * (top - bottom)
+            self._show_part((left + dx, right + dx, bottom + dy, top + dy))
+        elif key == _Key.Key_Home:
+            self._link.show_part(None)
+        else:
+            super().keyPressEvent(event)
+
     def _begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
         before = self._shown
-        if before is not None and before.scene.screen.half_width != session.scene.screen.half_width:
+        if before is not None and self._half_width(before) != self._half_width(session):
             self._link.show_part(None)
         self._axes = axes
-        artists = self._begin_image(axes, session)
-        self._pin_lines = [
-            axes.axvline(0, color=_PIN, linewidth=0.9, linestyle="--", visible=False),
-            axes.axhline(0, color=_PIN, linewidth=0.9, linestyle="--", visible=False),
-        ]
-        return [*artists, *self._pin_lines]
+        return self._begin_image(axes, session)
 
     def _change(self, frame: "Frame") -> bool:
         everything = self._change_image(frame)
@@ -92,20 +115,17 @@ class ImageView(PlotView):
 
     def _adapt(self) -> bool:
         """Follow the link; whether the axes changed."""
-        axes, link = self._axes, self._link
-        assert axes is not None and self._shown is not None
-        for line in self._pin_lines:
-            line.set_visible(link.pin is not None)
-        if link.pin is not None:
-            upright, level = self._pin_lines
-            upright.set_xdata([link.pin[0]] * 2)
-            level.set_ydata([link.pin[1]] * 2)
-        part = link.part or _whole(self._shown.scene.screen)
+        axes, part = self._axes, self._part()
+        assert axes is not None
         if part == (*axes.get_xlim(), *axes.get_ylim()):
             return False
         axes.set_xlim(*part[:2])
         axes.set_ylim(*part[2:])
         return True
+
+    def _half_width(self, session: "Session") -> tuple[float, float]:
+        """Half of the rectangle that the image covers."""
+        raise NotImplementedError
 
     def _begin_image(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
         """Put an empty image on the axes; the artists that will change."""
@@ -119,6 +139,24 @@ class ImageView(PlotView):
         """What the image shows, shape (n_y, n_x)."""
         raise NotImplementedError
 
+    def _value_unit(self, unit: str) -> str:
+        """Unit of the values, by that of lengths."""
+        raise NotImplementedError
+
+    def _click(self, place: Place) -> None:
+        """A place was clicked."""
+
+    def _drag(self, event: Any, start: Place) -> None:
+        """The mouse is dragged from a place: keep this under the pointer."""
+        assert self._axes is not None
+        there = self._axes.transData.inverted().transform((event.x, event.y))
+        left, right, bottom, top = self._part()
+        dx, dy = start[0] - there[0], start[1] - there[1]
+        self._show_part((left + dx, right + dx, bottom + dy, top + dy))
+
+    def _drop(self) -> None:
+        """The mouse is dragged no longer."""
+
     def _point(self, place: Place | None) -> None:
         self._pointed = place
         self._read()
@@ -128,25 +166,32 @@ class ImageView(PlotView):
         if self._pointed is None or self._shown is None or self._values is None:
             self._readout.clear()
             return
-        scene, (x, y) = self._shown.scene, self._pointed
-        pixel = pixel_at(scene, x, y)
-        # Another screen may have come, whose first image has not.
-        if pixel is not None and self._values.shape == scene.screen.pixels[::-1]:
-            value = f"{self._values[pixel]:.4g} / {scene.unit}²"
-            self._readout.setText(f"{value} at x = {x:.3g}, y = {y:.3g} {scene.unit}")
+        (x, y), unit = self._pointed, self._shown.scene.unit
+        pixel = pixel_at(self._half_width(self._shown), self._values.shape, x, y)
+        if pixel is not None:
+            value = f"{self._values[pixel]:.4g} {self._value_unit(unit)}"
+            self._readout.setText(f"{value} at x = {x:.3g}, y = {y:.3g} {unit}")
 
-    def _zoom(self, event: Any) -> None:
+    def _turn_wheel(self, event: Any) -> None:
         if event.inaxes is self._axes and self._shown is not None:
-            screen, factor = self._shown.scene.screen, _ZOOM**-event.step
-            left, right, bottom, top = self._link.part or _whole(screen)
-            if right - left > 2 * screen.half_width[0] / _NEAREST or factor > 1:
-                x, y = event.xdata, event.ydata
-                sides = [x + factor * (side - x) for side in (left, right)]
-                sides += [y + factor * (side - y) for side in (bottom, top)]
-                self._show_part(sides)
+            self._zoom((event.xdata, event.ydata), event.step)
+
+    def _zoom(self, about: Place, steps: float) -> None:
+        left, right, bottom, top = self._part()
+        factor, whole = _ZOOM**-steps, self._whole()
+        if right - left > (whole[1] - whole[0]) / _NEAREST or factor > 1:
+            x, y = about
+            self._show_part(
+                (
+                    x + factor * (left - x),
+                    x + factor * (right - x),
+                    y + factor * (bottom - y),
+                    y + factor * (top - y),
+                )
+            )
 
     def _press(self, event: Any) -> None:
-        if event.inaxes is not self._axes or event.button != 1:
+        if event.inaxes is not self._axes or event.button != 1 or self._shown is None:
             return
         if event.dblclick:
             self._link.show_part(None)
@@ -154,36 +199,37 @@ class ImageView(PlotView):
         self._dragged = event.dblclick
 
     def _move(self, event: Any) -> None:
-        if event.inaxes is self._axes:
+        if event.inaxes is self._axes and self._axes is not None:
             self._link.pointed.emit((event.xdata, event.ydata))
-        if self._grip is None or self._axes is None or self._shown is None:
+        if self._grip is None:
             return
-        (i, j), (x, y) = self._grip
+        (i, j), start = self._grip
         self._dragged |= abs(event.x - i) + abs(event.y - j) > _DRAG
         if self._dragged:
-            there = self._axes.transData.inverted().transform((event.x, event.y))
-            left, right, bottom, top = self._link.part or _whole(self._shown.scene.screen)
-            dx, dy = x - there[0], y - there[1]
-            self._show_part([left + dx, right + dx, bottom + dy, top + dy])
+            self._drag(event, start)
 
     def _release(self, event: Any) -> None:
-        if self._grip is not None and not self._dragged:
-            self._link.pinned.emit(self._grip[1])
+        if self._grip is not None and self._dragged:
+            self._drop()
+        elif self._grip is not None:
+            self._click(self._grip[1])
         self._grip = None
 
-    def _show_part(self, sides: list[float]) -> None:
-        """See a part that does not reach beyond the screen, or all of it."""
-        assert self._shown is not None
-        whole = _whole(self._shown.scene.screen)
-        left, right = _within(sides[0], sides[1], whole[0], whole[1])
-        bottom, top = _within(sides[2], sides[3], whole[2], whole[3])
+    def _show_part(self, part: Part) -> None:
+        """See a part that does not reach beyond the image, or all of it."""
+        whole = self._whole()
+        left, right = _within(part[0], part[1], whole[0], whole[1])
+        bottom, top = _within(part[2], part[3], whole[2], whole[3])
         part = (left, right, bottom, top)
         self._link.show_part(None if part == whole else part)
 
+    def _part(self) -> Part:
+        return self._link.part or self._whole()
 
-def _whole(screen: "Screen") -> Part:
-    r_x, r_y = screen.half_width
-    return (-r_x, r_x, -r_y, r_y)
+    def _whole(self) -> Part:
+        assert self._shown is not None
+        r_x, r_y = self._half_width(self._shown)
+        return (-r_x, r_x, -r_y, r_y)
 
 
 def _within(low: float, high: float, least: float, most: float) -> tuple[float, float]:

@@ -14,5 +14,7 @@ if TYPE_CHECKING:
 class IrradianceView(LightImageView):
     """Flux per area as the optimiser sees it."""
 
+    _NAME = "irradiance"
+
     def _shown_values(self, frame: "Frame") -> npt.NDArray[np.float64]:
         return frame.snapshot.irradiance

@@ -22,6 +22,7 @@ class LossView(PlotView):
     """Loss of this run and of those that it continues, and of runs to compare it with."""
 
     _HAS_BAR = False
+    _NOTHING = "The loss is drawn here as soon as a design runs. Run > Start begins one."
     _picture: LossPicture
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -56,6 +57,9 @@ class LossView(PlotView):
         """Show what checks said of lenses of this run."""
         self._verified = tuple(verified)
         self._ask()
+
+    def _is_empty(self, frame: "Frame | None") -> bool:
+        return (frame is None or not frame.losses.size) and not self._runs
 
     def _begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
         against = _AGAINST[self._against.currentIndex()]

@@ -1,11 +1,14 @@
 """A view with one matplotlib canvas."""
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, BinaryIO
 
-from PySide6.QtWidgets import QWidget
+from PySide6.QtCore import QEvent, QObject, Qt, Signal
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
 
 from ui.views.canvas import Canvas
 from ui.views.view import View, look_alike
+from workbench.pictures.data import Column, shown_data
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -18,32 +21,80 @@ if TYPE_CHECKING:
 
 
 class PlotView(View):
-    """Keeps a canvas, and on it a picture of one design."""
+    """Keeps a canvas, and on it a picture of one design.
+
+    Attributes
+    ----------
+    touched : Signal()
+        The keyboard, or the mouse, works on the plot from now on.
+    """
+
+    touched = Signal()
 
     _HAS_BAR = True
+    _NOTHING = "There is no image of this design: its light cannot be traced."
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._canvas = Canvas(self, bar=self._HAS_BAR)
-        self._box.addWidget(self._canvas)
+        self._canvas.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
+        self._canvas.installEventFilter(self)
+        self.setFocusProxy(self._canvas)
+        self._box.addWidget(self._canvas, 1)
+        self._hint = QLabel(self._NOTHING, wordWrap=True, alignment=Qt.AlignmentFlag.AlignCenter)
+        self._hint.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        QVBoxLayout(self._canvas).addWidget(self._hint)
         self._shown: Session | None = None
+        self._anew = True
+
+    def offer(self, actions: "Sequence[QAction]") -> None:
+        """Add to what can be done with the plot, by the menu on it."""
+        self._canvas.addActions(actions)
+
+    def write(self, file: BinaryIO, format: str) -> None:
+        """Write the picture as "png" or "svg"."""
+        self._canvas.write(file, format)
+
+    def data(self) -> list[Column]:
+        """What the picture shows, in numbers."""
+        return shown_data(self._canvas.figure)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Tell when the canvas gets the focus."""
+        if event.type() == QEvent.Type.FocusIn:
+            self.touched.emit()
+        return super().eventFilter(watched, event)
 
     def _draw(self, session: "Session", frame: "Frame | None") -> None:
-        if frame is None or self._shown is None or not look_alike(self._shown, session):
+        anew = frame is None or self._anew
+        if anew or self._shown is None or not look_alike(self._shown, session):
             self._canvas.animate(self._begin(self._canvas.begin(), session))
+            self._anew = False
         self._shown = session
-        everything = self._adapt()
+        everything = self._hide_empty(self._is_empty(frame)) | self._adapt()
         if frame is not None:
             everything |= self._change(frame)
         self._canvas.show_changes(everything)
 
     def _begin_anew(self) -> None:
         """Draw another picture of the same design."""
-        self._shown = None
+        self._anew = True
         self._ask()
+
+    def _hide_empty(self, empty: bool) -> bool:
+        """Say why there is nothing, instead of drawing it; whether that changed."""
+        (axes,) = self._canvas.figure.axes
+        self._hint.setVisible(empty)
+        changed = axes.get_visible() is empty
+        axes.set_visible(not empty)
+        return changed
 
     def _recolour(self) -> None:
         self._canvas.recolour()
+
+    def _is_empty(self, frame: "Frame | None") -> bool:
+        """Whether there is nothing to see yet, of which `_NOTHING` tells why."""
+        return frame is None
 
     def _begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
         """Put an empty picture of a design on the axes; the artists that will change."""

@@ -16,6 +16,8 @@ if TYPE_CHECKING:
 class TargetView(LightImageView):
     """The target as irradiance with a total flux of 1."""
 
+    _NAME = "target"
+
     def show_frame(self, frame: "Frame") -> None:
         """Take note of another target; frames of a run have the same one."""
         before, self._frame = self._frame, frame

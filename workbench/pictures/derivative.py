@@ -6,7 +6,8 @@ import numpy as np
 import numpy.typing as npt
 from matplotlib import colormaps
 
-from workbench.pictures.images import ERROR, colour_bar, screen_image
+from workbench.pictures.images import screen_map
+from workbench.pictures.maps import SIGNED, colour_bar
 from workbench.scene import Scene
 
 if TYPE_CHECKING:
@@ -31,11 +32,11 @@ class DerivativeImage:
     """
 
     def __init__(self, axes: "Axes", scene: Scene) -> None:
-        colours = colormaps[ERROR].with_extremes(bad=_OUT_OF_REACH)
-        self._image = screen_image(axes, scene, colours)
+        colours = colormaps[SIGNED].with_extremes(bad=_OUT_OF_REACH)
+        self._image = screen_map(axes, "derivative", scene, colours)
         self._scale = 1.0
         self._image.set_clim(-self._scale, self._scale)
-        colour_bar(axes, self._image, scene, extend="neither", per=f" per {scene.unit}")
+        colour_bar(axes, self._image, f"flux / {scene.unit}² per {scene.unit}", extend="neither")
         self.update(None)
         self.artists: list[Artist] = [self._image]
 

@@ -19,14 +19,8 @@ from workbench.design.snapshot import Result
 from workbench.geometry.surface import sample_surface
 from workbench.optics.paths import ray_paths
 from workbench.pictures.derivative import DerivativeImage
-from workbench.pictures.images import (
-    ERROR,
-    LIGHT,
-    full_scale,
-    round_scale,
-    signed_error,
-    target_irradiance,
-)
+from workbench.pictures.images import LIGHT, full_scale, signed_error, target_irradiance
+from workbench.pictures.maps import SIGNED, round_scale
 from workbench.scene import Scene
 
 Array = npt.NDArray[np.float64]
@@ -191,7 +185,7 @@ def _block(block: SubFigure, design: Design) -> None:
     _image(lit, scene, light, LIGHT, (0, full_scale(scene, target)))
     error = signed_error(scene, target, design.result.irradiance)
     most = round_scale(float(np.quantile(np.abs(error), 0.995)))
-    _image(off, scene, error, ERROR, (-most, most))
+    _image(off, scene, error, SIGNED, (-most, most))
     off.set_title(f"error, ± {most:g}", fontsize=_FONT)
     lit.set_title("irradiance", fontsize=_FONT)
     _height_field(sag, scene, design.result.control_points)

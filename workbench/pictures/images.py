@@ -5,7 +5,6 @@ on the screen is 1, then error = irradiance − target, in flux per area. It is 
 much light falls.
 """
 
-import math
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -13,6 +12,14 @@ import numpy.typing as npt
 from matplotlib import colormaps
 from matplotlib.colors import Colormap, LogNorm, Normalize
 
+from workbench.pictures.maps import (
+    SIGNED,
+    UNSIGNED,
+    colour_bar,
+    map_image,
+    round_scale,
+    settled_scale,
+)
 from workbench.scene import Scene
 
 if TYPE_CHECKING:
@@ -21,11 +28,9 @@ if TYPE_CHECKING:
 
 Array = npt.NDArray[np.float64]
 
-LIGHT = "inferno"
-ERROR = "RdBu_r"
+LIGHT = UNSIGNED[0]
 _HEADROOM = 1.15  # of the irradiance scale above the brightest target pixel
 _DECADES = 1e3  # that a logarithmic scale spans
-_FONT = 8
 
 
 def target_irradiance(scene: Scene, target: npt.NDArray[Any]) -> Array:
@@ -70,7 +75,7 @@ def full_scale(scene: Scene, target: npt.NDArray[Any]) -> float:
     return _HEADROOM * float(target_irradiance(scene, target).max())
 
 
-def to_colours(irradiance: Array, top: float) -> npt.NDArray[np.uint8]:
+def to_colours(irradiance: Array, top: float, colours: str = LIGHT) -> npt.NDArray[np.uint8]:
     """Colours of an irradiance image on the scale from 0 to ``top``.
 
     Parameters
@@ -79,32 +84,30 @@ def to_colours(irradiance: Array, top: float) -> npt.NDArray[np.uint8]:
         Flux per area.
     top : float
         Upper end of the scale.
+    colours : str
+        One of `UNSIGNED`.
 
     Returns
     -------
     ndarray of uint8, shape (n_y, n_x, 3)
     """
     levels = np.clip(irradiance * (255 / top), 0, 255).astype(np.uint8)
-    return _table(LIGHT)[levels]
-
-
-def pixel_at(scene: Scene, x: float, y: float) -> tuple[int, int] | None:
-    """Row and column of the pixel at a place on the screen; None beside the screen."""
-    n_x, n_y = scene.screen.pixels
-    column, row = (math.floor(at) for at in scene.screen.to_pixels(x, y))
-    return (row, column) if 0 <= row < n_y and 0 <= column < n_x else None
-
-
-def round_scale(largest: float) -> float:
-    """The next of ... 0.1, 0.2, 0.5, 1, 2, 5 ... that is not below ``largest``."""
-    if not largest > 0:
-        return 1.0
-    decade = 10.0 ** math.floor(math.log10(largest))
-    return next(step * decade for step in (1, 2, 5, 10, 20) if step * decade >= largest)
+    return _table(colours)[levels]
 
 
 class IrradianceImage:
     """Irradiance on axes that the caller owns.
+
+    Parameters
+    ----------
+    axes : matplotlib.axes.Axes
+        Empty axes.
+    scene : Scene
+        Gives the screen.
+    target : ndarray, shape (n_y, n_x)
+        Wished image; gives the scale.
+    name : str
+        What the image is called.
 
     Attributes
     ----------
@@ -112,12 +115,18 @@ class IrradianceImage:
         What `update` changes; the caller may blit them.
     """
 
-    def __init__(self, axes: "Axes", scene: Scene, target: npt.NDArray[Any]) -> None:
-        dark = colormaps[LIGHT](0.0)  # also for no light at all, which has no logarithm
-        self._image = screen_image(axes, scene, colormaps[LIGHT].with_extremes(bad=dark))
+    def __init__(
+        self,
+        axes: "Axes",
+        scene: Scene,
+        target: npt.NDArray[Any],
+        name: str = "irradiance",
+    ) -> None:
+        self._image = screen_map(axes, name, scene, LIGHT)
+        self.set_colours(LIGHT)
         self._top = full_scale(scene, target)
         self._image.set_clim(0, self._top)
-        colour_bar(axes, self._image, scene, extend="max")
+        colour_bar(axes, self._image, f"flux / {scene.unit}²", extend="max")
         self.artists: list[Artist] = [self._image]
 
     def update(self, irradiance: Array) -> bool:
@@ -130,6 +139,11 @@ class IrradianceImage:
         """
         self._image.set_data(irradiance)
         return False
+
+    def set_colours(self, name: str) -> None:
+        """Take other colours, one of `UNSIGNED`; the whole figure changes."""
+        dark = colormaps[name](0.0)  # also for no light at all, which has no logarithm
+        self._image.set_cmap(colormaps[name].with_extremes(bad=dark))
 
     def set_logarithmic(self, logarithmic: bool) -> None:
         """Colour by the logarithm, over three decades, or evenly; the whole figure changes."""
@@ -152,10 +166,10 @@ class ErrorImage:
     def __init__(self, axes: "Axes", scene: Scene, target: npt.NDArray[Any]) -> None:
         self._scene = scene
         self._target = target
-        self._image = screen_image(axes, scene, ERROR)
+        self._image = screen_map(axes, "error", scene, SIGNED)
         self._scale = round_scale(full_scale(scene, target))
         self._image.set_clim(-self._scale, self._scale)
-        colour_bar(axes, self._image, scene, extend="both")
+        colour_bar(axes, self._image, f"flux / {scene.unit}²", extend="both")
         self.artists: list[Artist] = [self._image]
 
     def update(self, irradiance: Array) -> bool:
@@ -168,11 +182,7 @@ class ErrorImage:
         """
         error = signed_error(self._scene, self._target, irradiance)
         self._image.set_data(error)
-        # A few bright pixels at an edge must not hide the rest.
-        largest = float(np.quantile(np.abs(error), 0.995))
-        if self._scale / 3 <= largest <= self._scale:
-            return False
-        scale = round_scale(largest)
+        scale = settled_scale(error, self._scale)
         if scale == self._scale:
             return False
         self._scale = scale
@@ -180,32 +190,10 @@ class ErrorImage:
         return True
 
 
-def screen_image(axes: "Axes", scene: Scene, colours: str | Colormap) -> Any:
-    """An image of zeros on the screen's axes, in scene units."""
-    (r_x, r_y), (n_x, n_y) = scene.screen.half_width, scene.screen.pixels
-    image = axes.imshow(
-        np.zeros((n_y, n_x)),
-        cmap=colours,
-        extent=(-r_x, r_x, -r_y, r_y),
-        origin="upper",
-        interpolation="nearest",
-    )
-    axes.set_xlabel(f"x ({scene.unit})", fontsize=_FONT, labelpad=2)
-    axes.set_ylabel(f"y ({scene.unit})", fontsize=_FONT, labelpad=2)
-    axes.tick_params(labelsize=_FONT)
-    axes.locator_params(axis="x", nbins=4)  # labels beside each other need more room
-    axes.locator_params(axis="y", nbins=5)
-    return image
-
-
-def colour_bar(axes: "Axes", image: Any, scene: Scene, extend: str, per: str = "") -> None:
-    """The scale of an image of flux per area, or of that per something else."""
-    # Beside the image itself, not beside the slot that the image may not fill.
-    beside = axes.inset_axes((1.05, 0.0, 0.055, 1.0))
-    bar = axes.figure.colorbar(image, cax=beside, extend=extend)
-    bar.set_label(f"flux / {scene.unit}²{per}", fontsize=_FONT)
-    bar.ax.tick_params(labelsize=_FONT)
-    bar.outline.set_linewidth(0.6)
+def screen_map(axes: "Axes", name: str, scene: Scene, colours: str | Colormap) -> Any:
+    """An image of zeros on the screen's axes, in scene units; see `map_image`."""
+    screen = scene.screen
+    return map_image(axes, name, screen.half_width, screen.pixels, scene.unit, colours)
 
 
 def _table(name: str) -> npt.NDArray[np.uint8]:

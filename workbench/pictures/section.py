@@ -1,11 +1,12 @@
 """Irradiance and target along a line across the screen."""
 
-from typing import TYPE_CHECKING, Any
+import math
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
-from workbench.pictures.images import full_scale, pixel_at, target_irradiance
+from workbench.pictures.images import full_scale, target_irradiance
 from workbench.scene import Scene
 
 if TYPE_CHECKING:
@@ -13,14 +14,92 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 Array = npt.NDArray[np.float64]
+Place = tuple[float, float]
 
 _FONT = 8
 _HEADROOM = 1.4  # above the scale of the images, for bright spots and the legend
 _LIGHT, _WISH = "#2f86d1", "#d9822b"  # told apart also by those who see no red or no green
 
 
+class Cut(NamedTuple):
+    """Places along a straight line across the screen.
+
+    Attributes
+    ----------
+    name : str
+        What is counted along it.
+    ends : tuple[float, float]
+        Where the line begins and ends, counted so; scene units.
+    along : ndarray, shape (m,)
+        The places, counted so.
+    rows, columns : ndarray, shape (m,)
+        The same places in an image, in pixels from the middle of the first one.
+    """
+
+    name: str
+    ends: tuple[float, float]
+    along: Array
+    rows: Array
+    columns: Array
+
+
+def cut_through(scene: Scene, along: str, place: Place) -> Cut:
+    """The pixels beside each other along "x" or "y" through a place on the screen."""
+    axis = "xy".index(along)
+    r, n = scene.screen.half_width[axis], scene.screen.pixels[axis]
+    column, row = (math.floor(at) for at in scene.screen.to_pixels(*place))
+    middles = np.linspace(r / n - r, r - r / n, n)  # of pixels
+    if along == "x":
+        return Cut("x", (-r, r), middles, np.full(n, float(row)), np.arange(0.0, n))
+    return Cut("y", (-r, r), middles, np.arange(n - 1.0, -1, -1), np.full(n, float(column)))
+
+
+def cut_between(scene: Scene, start: Place, end: Place) -> Cut:
+    """The line from one place on the screen to another, with a place for each pixel it passes."""
+    (x_0, y_0), (x_1, y_1) = start, end
+    length = math.hypot(x_1 - x_0, y_1 - y_0)
+    (first_x, first_y), (last_x, last_y) = (scene.screen.to_pixels(*p) for p in (start, end))
+    count = 1 + max(1, math.ceil(math.hypot(last_x - first_x, last_y - first_y)))
+    part = np.linspace(0, 1, count)
+    return Cut(
+        "distance along the line",
+        (0.0, length),
+        part * length,
+        first_y + part * (last_y - first_y) - 0.5,
+        first_x + part * (last_x - first_x) - 0.5,
+    )
+
+
+def values_along(image: Array, cut: Cut) -> Array:
+    """Values of an image along a cut, linear between the middles of pixels.
+
+    Parameters
+    ----------
+    image : ndarray, shape (n_y, n_x)
+        Any image of the screen.
+    cut : Cut
+        The m places.
+
+    Returns
+    -------
+    ndarray, shape (m,)
+    """
+    rows, columns = (
+        np.clip(at, 0, n - 1) for at, n in zip((cut.rows, cut.columns), image.shape, strict=True)
+    )
+    i, j = (
+        np.minimum(at.astype(int), max(n - 2, 0))
+        for at, n in zip((rows, columns), image.shape, strict=True)
+    )
+    below, right = np.minimum(i + 1, image.shape[0] - 1), np.minimum(j + 1, image.shape[1] - 1)
+    down, across = rows - i, columns - j
+    upper = (1 - across) * image[i, j] + across * image[i, right]
+    lower = (1 - across) * image[below, j] + across * image[below, right]
+    return np.asarray((1 - down) * upper + down * lower)
+
+
 class SectionCurves:
-    """Irradiance and target through one place of the screen, on axes that the caller owns.
+    """Irradiance and target along a line across the screen, on axes that the caller owns.
 
     The target has the flux of the irradiance on the screen, so that the curves compare in shape.
 
@@ -32,8 +111,6 @@ class SectionCurves:
         Gives the screen.
     target : ndarray, shape (n_y, n_x)
         Wished image.
-    along : str
-        "x" or "y".
 
     Attributes
     ----------
@@ -41,16 +118,12 @@ class SectionCurves:
         What `update` changes; the caller may blit them.
     """
 
-    def __init__(self, axes: "Axes", scene: Scene, target: npt.NDArray[Any], along: str) -> None:
+    def __init__(self, axes: "Axes", scene: Scene, target: npt.NDArray[Any]) -> None:
+        self._axes = axes
         self._scene = scene
-        self._along = along
         self._wish = target_irradiance(scene, target)
-        axis = "xy".index(along)
-        r, n = scene.screen.half_width[axis], scene.screen.pixels[axis]
-        self._middles = (np.arange(n) + 0.5) * (2 * r / n) - r  # of pixels
-        axes.set_xlim(-r, r)
+        self._shown: tuple[object, ...] = ()
         axes.set_ylim(0, _HEADROOM * full_scale(scene, target))
-        axes.set_xlabel(f"{along} ({scene.unit})", fontsize=_FONT, labelpad=2)
         axes.set_ylabel(f"flux / {scene.unit}²", fontsize=_FONT, labelpad=2)
         axes.tick_params(labelsize=_FONT)
         axes.locator_params(nbins=5)
@@ -61,14 +134,20 @@ class SectionCurves:
         axes.legend(loc="upper right", fontsize=_FONT, frameon=False, labelcolor="linecolor")
         self.artists: list[Artist] = [wish, light]
 
-    def update(self, irradiance: Array, x: float, y: float) -> None:
-        """Show another image, shape (n_y, n_x), along the line through (x, y) on the screen."""
-        pixel = pixel_at(self._scene, x, y)
-        if pixel is None:
-            return
-        flux = float(irradiance.sum()) * self._scene.screen.pixel_area
-        self._light_line.set_data(self._middles, self._line(irradiance, *pixel))
-        self._wish_line.set_data(self._middles, flux * self._line(self._wish, *pixel))
+    def update(self, irradiance: Array, cut: Cut) -> bool:
+        """Show another image, shape (n_y, n_x), along a line.
 
-    def _line(self, image: Array, row: int, column: int) -> Array:
-        return image[row] if self._along == "x" else image[::-1, column]  # y from below
+        Returns
+        -------
+        bool
+            Whether more than `artists` changed, so that the whole figure has to be drawn.
+        """
+        flux = float(irradiance.sum()) * self._scene.screen.pixel_area
+        self._light_line.set_data(cut.along, values_along(irradiance, cut))
+        self._wish_line.set_data(cut.along, flux * values_along(self._wish, cut))
+        if self._shown == (cut.name, cut.ends):
+            return False
+        self._shown = (cut.name, cut.ends)
+        self._axes.set_xlim(*cut.ends)
+        self._axes.set_xlabel(f"{cut.name} ({self._scene.unit})", fontsize=_FONT, labelpad=2)
+        return True

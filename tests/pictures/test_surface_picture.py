@@ -1,0 +1,59 @@
+import numpy as np
+import pytest
+from matplotlib.figure import Figure
+
+from workbench.geometry.surface import ControlNet
+from workbench.pictures.surface import ASPECTS, SurfaceImage
+
+NAMED = {aspect.name: aspect for aspect in ASPECTS}
+
+
+@pytest.fixture
+def scene(make_scene):
+    base = {"shape": "sphere", "height": 0.5, "radius": 4.0, "form": "concave"}
+    return make_scene({"lens.half_width": [1.0, 0.5], "lens.base": base})
+
+
+@pytest.fixture
+def axes():
+    return Figure().subplots()
+
+
+def tilted(scene, a, b):
+    """Control heights of the plane z = 0.5 + a x + b y."""
+    x, y = ControlNet.of(scene.lens).positions
+    return 0.5 + a * x[:, None] + b * y
+
+
+def test_height_is_that_over_the_base_with_row_0_at_the_top(scene, axes):
+    image = SurfaceImage(axes, scene, NAMED["height"])
+    image.update(tilted(scene, 0.1, 0.4))
+    assert image.values.shape == (96, 192)
+    x, y = 1 - 1 / 192, 0.5 - 1 / 192  # the last column of the first row
+    wished = 0.5 + 0.1 * x + 0.4 * y - scene.lens.base.height_at(x, y)
+    assert image.values[0, -1] == pytest.approx(wished, rel=1e-12)
+    assert image.values[0, -1] > image.values[-1, -1] > image.values[-1, 0]
+    low, high = image.artists[0].get_clim()
+    assert low == -high
+    assert axes.child_axes[0].get_ylabel() == "height (cm)"
+
+
+def test_slope_is_an_angle_on_a_scale_from_zero(scene, axes):
+    image = SurfaceImage(axes, scene, NAMED["slope"])
+    image.update(tilted(scene, 1.0, 0.0))
+    np.testing.assert_allclose(image.values, 45)
+    assert image.artists[0].get_clim() == (0, 50)
+    assert axes.child_axes[0].get_ylabel() == "slope (°)"
+
+
+@pytest.mark.parametrize("name", [name for name in NAMED if "curvature" in name])
+def test_a_plane_is_not_coloured_by_rounding(scene, axes, name):
+    image = SurfaceImage(axes, scene, NAMED[name])
+    image.update(tilted(scene, 0.1, 0.2))
+    assert np.abs(image.values).max() < 1e-2 * image.artists[0].get_clim()[1]
+
+
+def test_the_scale_stays_for_faces_alike(scene, axes):
+    image = SurfaceImage(axes, scene, NAMED["slope"])
+    changes = [image.update(tilted(scene, 0.1 * k, 0.0)) for k in (1.0, 1.1, 0.9, 9.0)]
+    assert changes == [True, False, False, True]

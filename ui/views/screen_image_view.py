@@ -1,0 +1,121 @@
+"""A view of an image on the screen, in which places and lines are marked for cross-sections.
+
+A click pins a place; dragging with Shift, or with the tool in its bar, draws a line. By keys:
+Enter pins the middle of what is seen.
+"""
+
+from typing import TYPE_CHECKING, Any
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import QToolButton, QWidget
+
+from ui import theme
+from ui.views.image_link import ImageLink, Place
+from ui.views.image_view import ImageView
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from matplotlib.artist import Artist
+    from matplotlib.axes import Axes
+
+    from workbench.files.session import Session
+
+_MARK = "#8a8f98"  # seen on light and dark
+_ENTER = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
+
+
+class ScreenImageView(ImageView):
+    """Shows an image of the screen, and where it is cut.
+
+    Parameters
+    ----------
+    link : ImageLink, optional
+        What it has in common with other images; by default it stands alone.
+    """
+
+    def __init__(self, link: ImageLink | None = None, parent: QWidget | None = None) -> None:
+        super().__init__(link, parent)
+        self._marks: list[Any] = []
+        self._draws = False  # a line, with this drag
+        self._icons: dict[QToolButton, str] = {}
+        self._line_tool = self._add_tool(
+            "cut-line",
+            "Draw a line",
+            "Drag across an image to draw the line of a cross-section; Shift and drag does so too",
+        )
+        self._line_tool.toggled.connect(self._link.set_drawing)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Pin a place without a mouse."""
+        if event.key() in _ENTER and self._shown is not None:
+            left, right, bottom, top = self._part()
+            self._link.pinned.emit(((left + right) / 2, (bottom + top) / 2))
+        else:
+            super().keyPressEvent(event)
+
+    def _add_tool(self, icon: str, name: str, tip: str) -> QToolButton:
+        """A button below the image that is on or off."""
+        tool = QToolButton()
+        tool.setCheckable(True)
+        tool.setAutoRaise(True)
+        tool.setToolTip(tip)
+        tool.setAccessibleName(name)
+        tool.setIcon(theme.icon(icon, self.palette()))
+        self._icons[tool] = icon
+        self._bottom.addWidget(tool)
+        return tool
+
+    def _recolour(self) -> None:
+        super()._recolour()
+        for tool, icon in self._icons.items():
+            tool.setIcon(theme.icon(icon, self.palette()))
+
+    def _begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
+        artists = super()._begin(axes, session)
+        look: dict[str, Any] = {"color": _MARK, "linewidth": 0.9, "visible": False}
+        self._marks = [
+            axes.axvline(0, linestyle="--", **look),
+            axes.axhline(0, linestyle="--", **look),
+            axes.plot([], [], marker="o", markersize=3, **look | {"linewidth": 1.4})[0],
+        ]
+        return [*artists, *self._marks]
+
+    def _adapt(self) -> bool:
+        everything = super()._adapt()
+        link, (upright, level, line) = self._link, self._marks
+        self._line_tool.setChecked(link.drawing)
+        for mark in (upright, level):
+            mark.set_visible(link.pin is not None)
+        line.set_visible(link.line is not None)
+        if link.pin is not None:
+            upright.set_xdata([link.pin[0]] * 2)
+            level.set_ydata([link.pin[1]] * 2)
+        if link.line is not None:
+            line.set_data(*zip(*link.line, strict=True))
+        return everything
+
+    def _half_width(self, session: "Session") -> tuple[float, float]:
+        return session.scene.screen.half_width
+
+    def _value_unit(self, unit: str) -> str:
+        return f"/ {unit}²"
+
+    def _click(self, place: Place) -> None:
+        self._link.pinned.emit(place)
+
+    def _press(self, event: Any) -> None:
+        super()._press(event)
+        shift = event.guiEvent.modifiers() & Qt.KeyboardModifier.ShiftModifier
+        self._draws = self._grip is not None and (self._link.drawing or bool(shift))
+
+    def _drag(self, event: Any, start: Place) -> None:
+        if not self._draws:
+            super()._drag(event, start)
+        elif event.inaxes is self._axes:
+            self._link.show_line((start, (event.xdata, event.ydata)))
+
+    def _drop(self) -> None:
+        if self._draws and self._link.line is not None:
+            self._link.drawn.emit(self._link.line)

@@ -1,0 +1,113 @@
+"""Values over a rectangle as an image with axes, and the scale of its colours."""
+
+import math
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import numpy.typing as npt
+from matplotlib.colors import Colormap
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+Array = npt.NDArray[np.float64]
+
+SIGNED = "RdBu_r"
+"""Colours of values about zero."""
+UNSIGNED = ("inferno", "viridis", "cividis", "gray")
+"""Colours of values from zero on; perceptually uniform, and read without red and green."""
+
+_FONT = 8
+_ENOUGH = 0.995  # of all values; a few at an edge must not hide the rest
+
+
+def map_image(
+    axes: "Axes",
+    name: str,
+    half_width: tuple[float, float],
+    count: tuple[int, int],
+    unit: str,
+    colours: str | Colormap,
+) -> Any:
+    """An image of zeros on axes in scene units.
+
+    Parameters
+    ----------
+    axes : matplotlib.axes.Axes
+        Empty axes.
+    name : str
+        What its values are.
+    half_width : tuple[float, float]
+        Half of the rectangle along x and y.
+    count : tuple[int, int]
+        Numbers of values along x and y.
+    unit : str
+        Unit of lengths.
+    colours : str or Colormap
+        Colours of its values.
+
+    Returns
+    -------
+    matplotlib.image.AxesImage
+        Of data of shape (n_y, n_x) with row 0 at +y.
+    """
+    r_x, r_y = half_width
+    image = axes.imshow(
+        np.zeros(count[::-1]),
+        cmap=colours,
+        extent=(-r_x, r_x, -r_y, r_y),
+        origin="upper",
+        interpolation="nearest",
+        label=name,
+    )
+    axes.set_xlabel(f"x ({unit})", fontsize=_FONT, labelpad=2)
+    axes.set_ylabel(f"y ({unit})", fontsize=_FONT, labelpad=2)
+    axes.tick_params(labelsize=_FONT)
+    axes.locator_params(axis="x", nbins=4)  # labels beside each other need more room
+    axes.locator_params(axis="y", nbins=5)
+    return image
+
+
+def colour_bar(axes: "Axes", image: Any, unit: str, extend: str) -> None:
+    """The scale of an image, named by the unit of its values."""
+    # Beside the image itself, not beside the slot that the image may not fill.
+    beside = axes.inset_axes((1.05, 0.0, 0.055, 1.0))
+    bar = axes.figure.colorbar(image, cax=beside, extend=extend)
+    bar.set_label(unit, fontsize=_FONT)
+    bar.ax.tick_params(labelsize=_FONT)
+    bar.outline.set_linewidth(0.6)
+
+
+def round_scale(largest: float) -> float:
+    """The next of ... 0.1, 0.2, 0.5, 1, 2, 5 ... that is not below ``largest``."""
+    if not largest > 0:
+        return 1.0
+    decade = 10.0 ** math.floor(math.log10(largest))
+    return next(step * decade for step in (1, 2, 5, 10, 20) if step * decade >= largest)
+
+
+def settled_scale(values: Array, scale: float, least: float = 0.0) -> float:
+    """A round end of a scale from zero on, or about zero, that does not change all the time.
+
+    It stays unless magnitudes leave it or fill less than a third of it.
+
+    Parameters
+    ----------
+    values : ndarray
+        What is to be shown.
+    scale : float
+        End of the scale so far.
+    least : float
+        Magnitude below which there is nothing but rounding.
+    """
+    largest = max(float(np.quantile(np.abs(values), _ENOUGH)), least)
+    return scale if scale / 3 <= largest <= scale else round_scale(largest)
+
+
+def pixel_at(
+    half_width: tuple[float, float], shape: tuple[int, ...], x: float, y: float
+) -> tuple[int, int] | None:
+    """Row and column of an image of this shape at a place; None beside it."""
+    (r_x, r_y), (n_y, n_x) = half_width, shape
+    column, row = math.floor((x / r_x + 1) / 2 * n_x), math.floor((1 - y / r_y) / 2 * n_y)
+    return (row, column) if 0 <= row < n_y and 0 <= column < n_x else None

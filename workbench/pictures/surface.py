@@ -1,0 +1,157 @@
+"""The shape of the exit face as a map: height over the base, slope, curvatures."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+import numpy.typing as npt
+
+from workbench.geometry.curvature import LocalShape, local_shape
+from workbench.geometry.surface import ControlNet
+from workbench.pictures.maps import SIGNED, UNSIGNED, colour_bar, map_image, settled_scale
+from workbench.scene import Scene
+
+if TYPE_CHECKING:
+    from matplotlib.artist import Artist
+    from matplotlib.axes import Axes
+
+Array = npt.NDArray[np.float64]
+
+_PLACES = 192  # along the longer side
+_ROUNDING = 1e-9  # of what a lens of this size could have
+
+
+@dataclass(frozen=True)
+class Aspect:
+    """One thing to know about the face.
+
+    Attributes
+    ----------
+    name : str
+        What it is called.
+    tip : str
+        What its values mean.
+    unit : str
+        With {} for the unit of lengths.
+    length : int
+        Exponent of that unit.
+    of : Callable
+        Takes it from the shape, of which the height is that over the base.
+    signed : bool
+        Whether it has values on both sides of zero.
+    """
+
+    name: str
+    tip: str
+    unit: str
+    length: int
+    of: Callable[[LocalShape], Array]
+    signed: bool = True
+
+
+_HOLLOW = "positive where the face is hollow, negative where it is a hump"
+
+ASPECTS = (
+    Aspect("height", "Deviation from the base along z", "{}", 1, lambda s: s.height),
+    Aspect(
+        "slope",
+        "Angle between the face and the plane of the entrance face",
+        "°",
+        0,
+        lambda s: np.degrees(np.arctan(s.slope)),
+        signed=False,
+    ),
+    Aspect(
+        "mean curvature",
+        f"Mean of the principal curvatures, {_HOLLOW}",
+        "1 / {}",
+        -1,
+        lambda s: s.mean,
+    ),
+    Aspect(
+        "Gaussian curvature",
+        "Product of the principal curvatures: positive in a bowl and on a hump, negative on a "
+        "saddle, zero where the face is bent in one direction only",
+        "1 / {}²",
+        -2,
+        lambda s: s.gaussian,
+    ),
+    Aspect(
+        "largest curvature",
+        f"Larger principal curvature, {_HOLLOW}; one over the smallest radius of hollows",
+        "1 / {}",
+        -1,
+        lambda s: s.largest,
+    ),
+    Aspect(
+        "smallest curvature",
+        f"Smaller principal curvature, {_HOLLOW}; one over the smallest radius of humps",
+        "1 / {}",
+        -1,
+        lambda s: s.smallest,
+    ),
+)
+"""What can be shown of a face."""
+
+
+class SurfaceImage:
+    """One aspect of the exit face on axes that the caller owns.
+
+    The scale begins at zero, or is symmetric about it.
+
+    Parameters
+    ----------
+    axes : matplotlib.axes.Axes
+        Empty axes.
+    scene : Scene
+        Gives the lens.
+    aspect : Aspect
+        One of `ASPECTS`.
+
+    Attributes
+    ----------
+    values : ndarray, shape (n_y, n_x)
+        What is shown, row 0 at +y.
+    artists : list of matplotlib.artist.Artist
+        What `update` changes; the caller may blit them.
+    """
+
+    def __init__(self, axes: "Axes", scene: Scene, aspect: Aspect) -> None:
+        lens = scene.lens
+        self._aspect = aspect
+        self._net = ControlNet.of(lens)
+        long = max(lens.half_width)
+        count_x, count_y = (max(2, round(_PLACES * r / long)) for r in lens.half_width)
+        self._u, self._v = ((np.arange(n) + 0.5) / n for n in (count_x, count_y))
+        x, y = (2 * self._u - 1) * lens.half_width[0], (2 * self._v - 1) * lens.half_width[1]
+        self._base = lens.base.height_at(x[:, None], y)
+        self._least = _ROUNDING * long**aspect.length
+        self.values = np.zeros((count_y, count_x))
+        colours = SIGNED if aspect.signed else UNSIGNED[1]
+        size = (count_x, count_y)
+        self._image = map_image(axes, aspect.name, lens.half_width, size, scene.unit, colours)
+        self._scale = 0.0
+        unit = aspect.unit.format(scene.unit)
+        extend = "both" if aspect.signed else "max"
+        colour_bar(axes, self._image, f"{aspect.name} ({unit})", extend)
+        self.artists: list[Artist] = [self._image]
+
+    def update(self, heights: Array) -> bool:
+        """Show the face with these control heights, shape (n_u, n_v).
+
+        Returns
+        -------
+        bool
+            Whether more than `artists` changed, so that the whole figure has to be drawn.
+        """
+        shape = local_shape(self._net, heights, self._u, self._v)
+        found = self._aspect.of(shape._replace(height=shape.height - self._base))
+        self.values = np.asarray(found[:, ::-1].T)
+        self._image.set_data(self.values)
+        scale = settled_scale(self.values, self._scale, self._least)
+        if scale == self._scale:
+            return False
+        self._scale = scale
+        self._image.set_clim(-scale if self._aspect.signed else 0, scale)
+        return True
