@@ -61,7 +61,9 @@ COMMANDS = {
     "pause": Command("&Pause", "Hold the design; again to go on", "F6", "pause", checked=False),
     "stop": Command("S&top", "End the design and keep its best lens", "F7", "stop"),
     "check": Command(
-        "&Check lens", "Trace the lens on show anew, with rays that its design never saw", "F8"
+        "&Check lens",
+        "Trace the lens on show anew, with rays that its design never saw; again to cancel",
+        "F8",
     ),
     "fit_view": Command("&Fit 3D view", "Show lens and screen whole", "Ctrl+0", "fit-view"),
     "side_view": Command("From the &side", "Look at the 3D scene along x: light goes right"),

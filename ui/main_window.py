@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QMainWindow, QMessageBox
 import workbench
 from resources import EXAMPLES, Example
 from ui.availability import Situation
-from ui.command_table import NEW
+from ui.command_table import COMMANDS, NEW
 from ui.commands import Commands
 from ui.document import ENDING, Document
 from ui.exporter import Exporter
@@ -108,6 +108,7 @@ class MainWindow(QMainWindow):
         RunLog(self.document, control, self.log.add)
         runner, look_back = control.runner, views.look_back
         check.figures_changed.connect(self._status.show_check)
+        check.under_way_changed.connect(self._reword_check)
         check.told.connect(self.log.add)
         check.failed.connect(self.messages.warn)
         runner.unshown.connect(check.show_nothing)
@@ -125,7 +126,7 @@ class MainWindow(QMainWindow):
                 "continue": lambda: self._begin(control.go_on),
                 "pause": control.toggle_pause,
                 "stop": runner.stop,
-                "check": check.begin,
+                "check": check.toggle,
                 **views.slots(),
             }
         )
@@ -301,6 +302,10 @@ class MainWindow(QMainWindow):
         if self.views is not None:
             self.views.look_back.allow(look=now.resting, go_on=now.state == "idle")
         self._status.show_state(_STATES[now.state])
+
+    def _reword_check(self, under_way: bool) -> None:
+        text = "Cancel &check" if under_way else COMMANDS["check"].text
+        self.commands["check"].setText(text)
 
     def _show_about(self) -> None:
         QMessageBox.about(

@@ -7,7 +7,7 @@ from PySide6.QtCore import QSettings
 
 from ui.document import Document
 from ui.main_window import MainWindow
-from workbench.analysis.validation import validate
+from workbench.analysis.validation import validating
 from workbench.design.snapshot import History
 from workbench.errors import RunFailed
 from workbench.files.session import Session
@@ -15,13 +15,14 @@ from workbench.files.session import Session
 pytestmark = pytest.mark.usefixtures("kernels")
 
 RAYS = 20_000
+STEPS = 4
 
 
 @pytest.fixture
 def few_rays(monkeypatch):
     """Real checks, with fewer rays."""
     monkeypatch.setattr(
-        "workbench.analysis.validation.validate", lambda *lens: validate(*lens, rays=RAYS)
+        "workbench.analysis.validation.validating", lambda *lens: validating(*lens, rays=RAYS)
     )
 
 
@@ -40,6 +41,14 @@ def window(display, session, snapshots, tmp_path, qtbot):
     return window
 
 
+def outcome(steps):
+    while True:
+        try:
+            next(steps)
+        except StopIteration as end:
+            return end.value
+
+
 def figures(window):
     return window._status._check.text()
 
@@ -49,11 +58,15 @@ def test_the_figures_stand_beside_the_loss(window, few_rays, qtbot):
     assert figures(window) == "checking…"
     qtbot.waitUntil(lambda: figures(window).startswith("checked"), timeout=60_000)
     session = window.document.session
-    found = validate(session.scene, session.target, session.result.control_points, rays=RAYS)
-    error = f"{100 * found.relative_l2:.2f} ± {100 * found.noise:.2f} %"
-    assert figures(window) == f"checked: error {error}, {100 * found.efficiency:.1f} %"
+    steps = validating(session.scene, session.target, session.result.control_points, RAYS)
+    found = outcome(steps)
+    error = f"{100 * found.relative_l2_corrected:.2f} %"
+    assert figures(window) == f"checked: error {error}"
     assert window._status._check.isVisible()
-    assert f"relative L2 error {error}" in window.log.toPlainText()
+    log = window.log.toPlainText()
+    assert f"relative L2 error {error}" in log
+    assert f"{100 * found.relative_l2:.2f} ± {100 * found.noise:.2f} %" in log
+    assert f"{100 * found.efficiency:.1f} % on the screen" in log
 
 
 def test_they_are_forgotten_with_the_lens(window, few_rays, qtbot):
@@ -80,18 +93,55 @@ def test_a_check_of_a_lens_that_changes_meanwhile_says_nothing(window, gate, qtb
     qtbot.waitUntil(lambda: not figures(window), timeout=60_000)
     window.commands["check"].trigger()
     assert figures(window) == "checking…"
-    gate.release(2)
+    gate.release(2 * STEPS)
     qtbot.waitUntil(lambda: figures(window).startswith("checked"), timeout=60_000)
     assert [scene.screen.z for scene in gate.begun] == [5.0, 7.0]
     assert window.log.toPlainText().count("Check with") == 1
 
 
-def test_a_second_order_changes_nothing(window, gate, qtbot):
+def test_how_far_it_is_is_told(window, gate, qtbot):
+    window.commands["check"].trigger()
+    gate.release(1)
+    qtbot.waitUntil(lambda: figures(window) == "checking… 25 %")
+    gate.release(2)
+    qtbot.waitUntil(lambda: figures(window) == "checking… 75 %")
+    gate.release(1)
+    qtbot.waitUntil(lambda: figures(window).startswith("checked"))
+
+
+def test_a_second_order_cancels_it(window, gate, qtbot):
+    check = window.commands["check"]
+    check.trigger()
+    assert check.text() == "Cancel &check"
+    gate.release(1)
+    qtbot.waitUntil(lambda: figures(window) == "checking… 25 %")
+    check.trigger()
+    assert figures(window) == "" and check.text() == "&Check lens"
+    gate.release(1)  # the step that it was in
+    qtbot.waitUntil(lambda: not window.check._background.busy)
+    assert len(gate.left) == 1
+    assert "Check with" not in window.log.toPlainText()
+    check.trigger()
+    gate.release(STEPS)
+    qtbot.waitUntil(lambda: figures(window).startswith("checked"))
+    assert len(gate.begun) == 2 and len(gate.left) == 1
+
+
+def test_one_cancelled_and_begun_again_at_once(window, gate, qtbot):
     for _ in range(3):
         window.commands["check"].trigger()
-    gate.release(3)
-    qtbot.waitUntil(lambda: figures(window).startswith("checked"), timeout=60_000)
+    assert figures(window).startswith("checking…")
+    gate.release(1 + STEPS)
+    qtbot.waitUntil(lambda: figures(window).startswith("checked"))
+    assert len(gate.begun) == 2
+
+
+def test_a_lens_that_is_checked_is_not_checked_again(window, gate, qtbot):
     window.commands["check"].trigger()
+    gate.release(STEPS)
+    qtbot.waitUntil(lambda: figures(window).startswith("checked"))
+    window.commands["check"].trigger()
+    assert figures(window).startswith("checked")
     assert len(gate.begun) == 1
 
 
@@ -99,11 +149,11 @@ def test_why_there_are_no_figures_is_said(window, monkeypatch, qtbot):
     def dark(*lens):
         raise RunFailed("no light of this lens reaches the screen")
 
-    monkeypatch.setattr("workbench.analysis.validation.validate", dark)
+    monkeypatch.setattr("workbench.analysis.validation.validating", dark)
     window.commands["check"].trigger()
     qtbot.waitUntil(lambda: "no light" in window.messages.text, timeout=60_000)
     assert figures(window) == ""
-    monkeypatch.setattr("workbench.analysis.validation.validate", lambda *lens: 1 / 0)
+    monkeypatch.setattr("workbench.analysis.validation.validating", lambda *lens: 1 / 0)
     window.commands["check"].trigger()
     qtbot.waitUntil(lambda: "ZeroDivisionError" in window.messages.text, timeout=60_000)
 
@@ -128,17 +178,31 @@ def test_no_check_while_a_run_goes_on(window, as_run, qtbot):
 
 @pytest.fixture
 def gate(monkeypatch):
-    """Checks that wait until they are let, and note which scene they are of."""
+    """Checks of some steps that wait until they are let; notes scenes begun, and left half-way."""
     from threading import Semaphore
 
-    allowed, begun = Semaphore(0), []
-    found = SimpleNamespace(relative_l2=0.5, noise=0.001, efficiency=0.9, rays=16, loss=0.1)
+    allowed, begun, left = Semaphore(0), [], []
+    found = SimpleNamespace(
+        relative_l2=0.5,
+        noise=0.001,
+        relative_l2_corrected=0.4,
+        relative_l2_corrected_interval=(0.3, 0.5),
+        efficiency=0.9,
+        rays=16,
+        loss=0.1,
+    )
 
-    def wait(scene, target, heights):
+    def steps(scene, target, heights):
         begun.append(scene)
-        assert allowed.acquire(timeout=30)
+        try:
+            for step in range(STEPS):
+                assert allowed.acquire(timeout=30)
+                yield (step + 1) / STEPS
+        except GeneratorExit:
+            left.append(scene)
+            raise
         return found
 
-    monkeypatch.setattr("workbench.analysis.validation.validate", wait)
-    yield SimpleNamespace(release=allowed.release, begun=begun)
+    monkeypatch.setattr("workbench.analysis.validation.validating", steps)
+    yield SimpleNamespace(release=allowed.release, begun=begun, left=left)
     allowed.release(100)
