@@ -50,7 +50,7 @@ def test_a_point_is_its_own_handle(handles, plotter):
 def test_a_grid_has_corners_and_a_middle(handles, plotter):
     made, _ = handles(GRID)
     corners = [[-0.7, -0.5, -3.0], [-0.7, 0.5, -3.0], [0.9, -0.5, -3.0], [0.9, 0.5, -3.0]]
-    seen = Sight(plotter).pixels(np.array([*corners, [0.1, 0.0, -3.0], [0.3, 0.1, -3.0]]))
+    seen = Sight(plotter).pixels(np.array([*corners, [0.1, 0.0, -3.0], [0.5, 0.25, -3.0]]))
     assert [made.pick(x, y) for x, y in seen] == [0, 1, 2, 3, "middle", "middle"]
 
 
