@@ -110,6 +110,24 @@ def test_a_learning_rate_may_be_left_empty(rows, document, qtbot):
     assert rate(rows).text() == ""
 
 
+@pytest.mark.parametrize("method", ["auto", "paper"])
+@pytest.mark.parametrize(
+    ("path", "unit"), [("run.smoothness", ""), ("run.min_radius", "cm")], ids=["weight", "radius"]
+)
+def test_bends_are_free_unless_asked(rows, document, qtbot, path, unit, method):
+    choose(rows, "run.method", method)
+    editor, field = rows[path].editors[path], path.removeprefix("run.")
+    assert (editor.text(), editor.placeholderText()) == ("", "none")
+    assert rows[path]._unit.text() == unit
+    enter(qtbot, rows, path, "0.05")
+    assert getattr(document.session.scene.run, field) == 0.05
+    enter(qtbot, rows, path, "-1")
+    assert "must be greater than 0" in rows[path].refusal
+    enter(qtbot, rows, path, "")
+    assert getattr(document.session.scene.run, field) is None
+    assert (editor.text(), editor.placeholderText()) == ("", "none")
+
+
 @pytest.mark.parametrize(
     ("text", "reason"), [("0", "must be greater than 0"), ("fast", "'fast' is not a number")]
 )

@@ -13,7 +13,8 @@ class OptionalRow(NumberRow):
     Parameters
     ----------
     stand_in : callable
-        The numbers that count instead, of a scene as plain data; shown faintly.
+        The numbers that count instead, of a scene as plain data, or words where none does; shown
+        faintly.
     """
 
     def __init__(
@@ -21,14 +22,21 @@ class OptionalRow(NumberRow):
         path: str,
         label: str,
         tip: str,
-        stand_in: Callable[[dict[str, Any]], Sequence[float]],
+        stand_in: Callable[[dict[str, Any]], Sequence[float | str]],
+        unit: str = "",
         *,
         between: str = "",
         whole: bool = False,
         present: Callable[[dict[str, Any]], bool] | None = None,
     ) -> None:
         super().__init__(
-            path, label, tip, between=between, whole=whole, present=present or (lambda data: True)
+            path,
+            label,
+            tip,
+            unit,
+            between=between,
+            whole=whole,
+            present=present or (lambda data: True),
         )
         self._stand_in = stand_in
 
@@ -37,7 +45,8 @@ class OptionalRow(NumberRow):
         Row.show_scene(self, data, pending)
         stand_ins = self._stand_in(data)
         for (path, editor), stand_in in zip(self.editors.items(), stand_ins, strict=True):
-            editor.setPlaceholderText(format(stand_in, "g"))
+            is_word = isinstance(stand_in, str)
+            editor.setPlaceholderText(stand_in if is_word else format(stand_in, "g"))
             if path not in pending:
                 value = value_at(data, path)
                 editor.show_value("" if value is None else format(value, ".12g"))

@@ -5,7 +5,7 @@ from typing import Any
 from PySide6.QtWidgets import QLabel
 
 from ui.panels.edits import value_at
-from ui.panels.fields import Changes, ChoiceRow, NumberRow, Row
+from ui.panels.fields import LENGTH, Changes, ChoiceRow, NumberRow, Row
 from ui.panels.optional import OptionalRow
 from ui.panels.panel import Panel
 from workbench.design.parametrisation import (
@@ -70,6 +70,23 @@ class RunPanel(Panel):
                     RATE_TIP + " Left empty, it is the one that suits what is optimised.",
                     lambda data: [LEARNING_RATES[value_at(data, "run.parametrisation")]],
                     present=_as_in_the_paper,
+                ),
+                OptionalRow(
+                    "run.smoothness",
+                    "Smoothness",
+                    "Weight of the exit face's bending energy beside the square of the image's "
+                    "error; it has no unit. 0.001 calms ripples, 0.01 costs sharpness. Left empty, "
+                    "the face may bend as it likes.",
+                    lambda data: ["none"],
+                ),
+                OptionalRow(
+                    "run.min_radius",
+                    "Smallest radius",
+                    "Smallest radius of curvature that the exit face may have, in hollows and on "
+                    "humps: that of the tool. A designed lens keeps to it within some 2 %, and its "
+                    "dark edges get softer. Left empty, any will do.",
+                    lambda data: ["none"],
+                    LENGTH,
                 ),
                 NumberRow(
                     "run.seed",

@@ -21,9 +21,10 @@ import numpy.typing as npt
 import torch
 from torch import Tensor
 
-from workbench.design.heights import HeightRange
+from workbench.design.heights import HeightRange, Mask
 from workbench.design.lbfgs import Evaluation, Objective, minimise
 from workbench.design.loss import check_gradient
+from workbench.design.smoothness import Smoothness
 from workbench.design.step import Step
 from workbench.design.transport import transport_start
 from workbench.design.waves import Waves
@@ -84,7 +85,9 @@ _REACH = 0.3
 _PATIENCE, _PROGRESS = 30, 0.01
 
 
-def auto_steps(scene: Scene, target: Array, start: Array | None) -> Iterator[Step]:
+def auto_steps(
+    scene: Scene, target: Array, start: Array | None, locked: Mask | None = None
+) -> Iterator[Step]:
     """Evaluate lens after lens through all phases; see `workbench.design.run.run`.
 
     Raises
@@ -93,30 +96,33 @@ def auto_steps(scene: Scene, target: Array, start: Array | None) -> Iterator[Ste
         If the loss or its gradient is not finite.
     """
     free = HeightRange.of(scene.lens, ControlNet.of(scene.lens), device_of(scene))
+    free = free.keeping(locked, start)
     parameters = free.rest if start is None else free.parameters(start)
-    mirrored = _mirrored(scene, target, start)
+    mirrored = _mirrored(scene, target, start, locked)
+    smoothness = Smoothness.of(scene, target, device_of(scene))
     phases: Sequence[Phase] = PHASES
     if start is None:
         undesigned = free.heights(parameters)
-        image = _image(scene, target, PHASES[-1], mirrored, _reach(scene, undesigned))
-        yield image.compare(undesigned)[1]
+        image = _image(scene, target, PHASES[-1], mirrored, _reach(scene, undesigned), locked)
+        undesigned_step = image.compare(undesigned)[1]
+        yield undesigned_step if smoothness is None else smoothness.judged(undesigned_step)
         first = transport_start(scene, target)
         if first is not None:
             parameters = free.parameters(first)
     heights = free.heights(parameters)
     # All lenses are judged by the sharpest image, so that their losses can be compared.
     reach = _reach(scene, heights)
-    judge = _image(scene, target, PHASES[-1], mirrored, reach)
+    judge = _image(scene, target, PHASES[-1], mirrored, reach, locked)
     if start is not None and judge.compare(heights)[0].norm() < _ROUGH:
         phases = PHASES[-1:]
     # The very first lens is none of the iterations.
     left = scene.run.iterations + (start is not None)
     for phase in phases:
         last = phase is phases[-1]
-        image = judge if last else _image(scene, target, phase, mirrored, reach)
+        image = judge if last else _image(scene, target, phase, mirrored, reach, locked)
         waves = Waves(parameters, phase.cut, mirrored)
         base, length = parameters, _longest_change(waves)
-        objective = _objective(image, judge, free, base, waves)
+        objective = _objective(image, judge, free, base, waves, smoothness)
         most = left if last else min(phase.most, math.ceil(left / 3))
         best: list[float] = []
         for x, found in islice(minimise(objective, waves.nothing, _REACH, length), most):
@@ -134,18 +140,27 @@ def judging_image(scene: Scene, target: Array, heights: Tensor) -> WideImage:
 
 
 def _objective(
-    image: WideImage, judge: WideImage, free: HeightRange, base: Tensor, waves: Waves
+    image: WideImage,
+    judge: WideImage,
+    free: HeightRange,
+    base: Tensor,
+    waves: Waves,
+    smoothness: Smoothness | None,
 ) -> Objective[Step]:
     def objective(x: Tensor) -> Evaluation[Step]:
         x = x.detach().requires_grad_()
         heights = free.heights(base + waves.change(x))
         error, step = image.compare(heights)
         value = error.square().sum()
+        if smoothness is not None:
+            value = value + smoothness.penalty(heights)
         (gradient,) = torch.autograd.grad(value, [x])
         check_gradient(gradient)
         if image is not judge:
             with torch.no_grad():
                 step = judge.compare(heights)[1]
+        if smoothness is not None:
+            step = smoothness.judged(step)
         return Evaluation(value.item(), gradient, step)
 
     return objective
@@ -161,6 +176,7 @@ def _image(
     phase: Phase,
     mirrored: tuple[bool, bool],
     reach: tuple[float, float],
+    locked: Mask | None = None,
 ) -> WideImage:
     """The image as a phase sees it, wide enough for light that falls as far as ``reach``."""
     wanted = _samples(scene.source)
@@ -177,7 +193,7 @@ def _image(
     # An even number can be halved by symmetry.
     m_x, m_y = (min(2 * math.ceil(count / 2), _MOST_RAYS) for count in per_axis)
     filter = GaussianFilter(alpha=phase.alpha)
-    return WideImage(scene, target, filter, (m_x, m_y), mirrored, reach)
+    return WideImage(scene, target, filter, (m_x, m_y), mirrored, reach, locked)
 
 
 def _reach(scene: Scene, heights: Tensor) -> tuple[float, float]:
@@ -193,19 +209,23 @@ def _samples(source: Source) -> tuple[int, int]:
     return math.isqrt(count), math.isqrt(count)
 
 
-def _mirrored(scene: Scene, target: Array, start: Array | None) -> tuple[bool, bool]:
-    """Whether target, source and first lens are their own mirror images in x, in y."""
+def _mirrored(
+    scene: Scene, target: Array, start: Array | None, locked: Mask | None
+) -> tuple[bool, bool]:
+    """Whether target, source, first lens and locks are their own mirror images in x, in y."""
     source = scene.source
     x, y = 0.0, 0.0
     if isinstance(source, PointSource):
         x, y, _ = source.position
     elif isinstance(source, GridSource):
         x, y, _ = source.center
-    return x == 0 and _even(target, 1) and (start is None or _even(start, 0)), (
-        y == 0 and _even(target, 0) and (start is None or _even(start, 1))
+    nets = [net for net in (start, locked) if net is not None]
+    return x == 0 and _even(target, 1) and all(_even(net, 0) for net in nets), (
+        y == 0 and _even(target, 0) and all(_even(net, 1) for net in nets)
     )
 
 
-def _even(values: Array, axis: int) -> bool:
+def _even(values: Array | Mask, axis: int) -> bool:
+    values = values.astype(np.float64)
     size = np.abs(values).max()
     return bool(np.abs(values - np.flip(values, axis)).max() <= 1e-9 * size)

@@ -6,10 +6,11 @@ import numpy as np
 import numpy.typing as npt
 import torch
 
-from workbench.design.heights import HeightRange
+from workbench.design.heights import HeightRange, Mask
 from workbench.design.loss import check_finite, check_gradient, paper_loss, share
 from workbench.design.networks import build
 from workbench.design.parametrisation import check_memory, learning_rate
+from workbench.design.smoothness import Smoothness
 from workbench.design.step import Step
 from workbench.errors import Refused
 from workbench.geometry.surface import ControlNet
@@ -20,7 +21,11 @@ Array = npt.NDArray[np.float64]
 
 
 def paper_steps(
-    scene: Scene, target: Array, settings: PaperRun, start: Array | None
+    scene: Scene,
+    target: Array,
+    settings: PaperRun,
+    start: Array | None,
+    locked: Mask | None = None,
 ) -> Iterator[Step]:
     """Evaluate lens after lens, for ever; see `workbench.design.run.run`.
 
@@ -42,10 +47,11 @@ def paper_steps(
         )
     device = device_of(scene)
     check_memory(scene)
-    plan = Plan(scene)
+    plan = Plan(scene, locked=locked)
     net = ControlNet.of(scene.lens)
-    free = HeightRange.of(scene.lens, net, device)
+    free = HeightRange.of(scene.lens, net, device).keeping(locked, start)
     wanted = torch.as_tensor(share(target), dtype=torch.float32, device=device)
+    smoothness = Smoothness.of(scene, target, device)
     shift = build(net, settings, device)
     rest = free.rest
     if start is not None:
@@ -58,7 +64,11 @@ def paper_steps(
         traced = plan.trace(heights)
         loss = paper_loss(traced.flux, wanted)
         check_finite(loss, traced.ledger)
-        yield Step(loss.item(), heights.detach(), traced.flux.detach(), traced.ledger)
+        step = Step(loss.item(), heights.detach(), traced.flux.detach(), traced.ledger)
+        if smoothness is not None:
+            loss = smoothness.merit(loss, heights)
+            step = step._replace(merit=loss.item())
+        yield step
         (gradient,) = torch.autograd.grad(loss, [heights])
         check_gradient(gradient)
         optimiser.zero_grad()  # gives the memory back before the next gradient needs it

@@ -6,24 +6,27 @@ so both take effect within one iteration.
 
 import math
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import islice
 
 import numpy as np
 import numpy.typing as npt
 
 from workbench.design.auto import auto_steps
+from workbench.design.heights import Mask
 from workbench.design.paper import paper_steps
 from workbench.design.snapshot import Snapshot
 from workbench.design.step import Step
-from workbench.errors import RunFailed
+from workbench.errors import Refused, RunFailed
 from workbench.geometry.surface import ControlNet
 from workbench.scene import PaperRun, Scene
 
 Array = npt.NDArray[np.float64]
 
 
-def run(scene: Scene, target: Array, start: Array | None = None) -> Iterator[Snapshot]:
+def run(
+    scene: Scene, target: Array, start: Array | None = None, locked: Mask | None = None
+) -> Iterator[Snapshot]:
     """Design a lens.
 
     Parameters
@@ -34,6 +37,9 @@ def run(scene: Scene, target: Array, start: Array | None = None) -> Iterator[Sna
         The wanted image in any scale, row 0 at +y.
     start : ndarray, shape (n_u, n_v), optional
         Control heights to go on from; by default the run begins with the undesigned lens.
+    locked : ndarray of bool, shape (n_u, n_v), optional
+        Control points that keep the heights that they begin with, exactly; none by default. A run
+        whose control points are all locked ends with its first lens.
 
     Yields
     ------
@@ -43,20 +49,25 @@ def run(scene: Scene, target: Array, start: Array | None = None) -> Iterator[Sna
     Raises
     ------
     Refused
-        If the scene cannot be run here.
+        If the scene cannot be run here, or a stage has a net on which nothing can be locked.
     RunFailed
         If the run cannot go on; the snapshots up to then stay good.
     """
-    # Given heights stand at the end of all stages already.
     parts = scene.parts()
-    first = 0 if start is None else len(parts) - 1
     finished = ControlNet.of(scene.lens)
+    locked = None if locked is None or not locked.any() else locked
+    done = locked is not None and bool(locked.all())
+    # Given heights stand at the end of all stages already.
+    first = 0 if start is None and not done else len(parts) - 1
+    if locked is not None:
+        _check_nets(parts[first:], finished)
     iteration = 0
     seconds = 0.0  # time spent here, not where the snapshots go: a pause is not run time
     for stage, part in enumerate(parts[first:], first):
         net = ControlNet.of(part.lens)
         # The first lens of a later stage counts as an iteration: its loss is one of another task.
-        steps = islice(_steps(part, target, start), part.run.iterations + (stage == first))
+        most = 1 if done else part.run.iterations + (stage == first)
+        steps = islice(_steps(part, target, start, locked), most)
         lowest = math.inf
         while True:
             resumed = time.perf_counter()
@@ -67,9 +78,10 @@ def run(scene: Scene, target: Array, start: Array | None = None) -> Iterator[Sna
             if step is None:
                 break
             heights = step.heights.cpu().double().numpy()
-            best = step.loss < lowest
+            merit = step.loss if step.merit is None else step.merit
+            best = merit < lowest
             if best:
-                lowest, best_heights = step.loss, heights
+                lowest, best_heights = merit, heights
             control_points = heights if net == finished else net.carry(heights, finished)
             irradiance = step.flux.cpu().double().numpy() / scene.screen.pixel_area
             seconds += time.perf_counter() - resumed
@@ -91,10 +103,21 @@ def run(scene: Scene, target: Array, start: Array | None = None) -> Iterator[Sna
             start = net.carry(best_heights, ControlNet.of(parts[stage + 1].lens))
 
 
-def _steps(scene: Scene, target: Array, start: Array | None) -> Iterator[Step]:
+def _check_nets(parts: Sequence[Scene], finished: ControlNet) -> None:
+    """Refuse stages on other nets than that of the finished lens, which the locks are about."""
+    for stage, part in enumerate(parts):
+        if ControlNet.of(part.lens) != finished:
+            raise Refused(
+                f"run.stages[{stage}].control_points",
+                f"{list(part.lens.control_points)} are not the control points of the finished lens "
+                "that are locked; leave the stage's net out or unlock them",
+            )
+
+
+def _steps(scene: Scene, target: Array, start: Array | None, locked: Mask | None) -> Iterator[Step]:
     if isinstance(scene.run, PaperRun):
-        return paper_steps(scene, target, scene.run, start)
-    return auto_steps(scene, target, start)
+        return paper_steps(scene, target, scene.run, start, locked)
+    return auto_steps(scene, target, start, locked)
 
 
 def _frozen(values: Array) -> Array:

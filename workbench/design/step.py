@@ -22,6 +22,8 @@ class Step(NamedTuple):
         Where the light went.
     notes : tuple of str
         What was chosen for this lens's trace, and what was left out.
+    merit : float, optional
+        What tells the best lens, where that is not the loss alone.
     """
 
     loss: float
@@ -29,3 +31,4 @@ class Step(NamedTuple):
     flux: Tensor
     ledger: Ledger
     notes: tuple[str, ...] = ()
+    merit: float | None = None

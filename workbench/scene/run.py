@@ -40,12 +40,23 @@ class RunSettings(Part):
     """What every design run has: an upper limit of iterations, a seed, where it computes.
 
     ``stages`` come first; the scene as it stands is run for the iterations that they leave.
+
+    Attributes
+    ----------
+    smoothness : float, optional
+        Weight of the exit face's bending energy, to be added to the square of the image's relative
+        error; none if left out. It has no unit.
+    min_radius : float, optional
+        Smallest radius of curvature that the exit face may have, concave or convex, scene units;
+        any if left out.
     """
 
     iterations: Annotated[int, Field(ge=0, le=1_000_000)] = 300
     stages: tuple[Stage, ...] = ()
     seed: Annotated[int, Field(ge=0, lt=2**63)] = 0
     device: Literal["cpu", "cuda"] = "cpu"
+    smoothness: Positive | None = None
+    min_radius: Positive | None = None
 
 
 class AutoRun(RunSettings):

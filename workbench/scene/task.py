@@ -73,6 +73,18 @@ class Scene(Part):
         return self
 
     @model_validator(mode="after")
+    def _bends_can_be_limited(self) -> Self:
+        for field in ("smoothness", "min_radius"):
+            value = getattr(self.run, field)
+            if value is not None and min(self.lens.degree) < 2:
+                raise Refused(
+                    f"run.{field}",
+                    f"{value:g} is about curvature, and faces of degree 1 are flat between edges; "
+                    "lens.degree of at least 2",
+                )
+        return self
+
+    @model_validator(mode="after")
     def _stages_are_possible(self) -> Self:
         self.parts()
         return self

@@ -1,0 +1,191 @@
+"""The price of bends: right in itself, the same in any unit, and obeyed by both methods."""
+
+import math
+
+import numpy as np
+import pytest
+import torch
+
+import workbench.design.run as run_module
+from workbench.analysis.manufacture import manufacture, surface_maps
+from workbench.design.run import run
+from workbench.design.smoothness import Smoothness
+from workbench.design.step import Step
+from workbench.errors import Refused
+from workbench.geometry.surface import ControlNet
+from workbench.optics.ledger import Ledger
+
+CPU = torch.device("cpu")
+DISC = (np.hypot(*np.meshgrid(np.linspace(-1, 1, 32), np.linspace(-1, 1, 32))) < 0.6).astype(float)
+
+
+def smoothness_of(scene):
+    found = Smoothness.of(scene, DISC, CPU)
+    assert found is not None
+    return found
+
+
+def best(scene):
+    return [s for s in run(scene, DISC) if s.best][-1]
+
+
+def tightest(scene, heights):
+    found = manufacture(scene.lens, heights)
+    return min(found.tightest_concave.value, found.tightest_convex.value)
+
+
+def quadratic(scene, r, s, t):
+    """Control heights of d = r x²/2 + s xy + t y²/2 over the base, which is flat here."""
+    net = ControlNet.of(scene.lens)
+    x, y = net.positions
+    # Blossoms of x² and y² at the inner knots give the coefficients (Farin, section 8.6).
+    squares = []
+    for knots, p, r_ in zip(net.knots, net.degree, net.half_width, strict=True):
+        places = (2 * knots - 1) * r_
+        inner = np.array([places[i + 1 : i + p + 1] for i in range(len(places) - p - 1)])
+        pairs = inner.sum(1) ** 2 - (inner**2).sum(1)
+        squares.append(pairs / (p * (p - 1)))
+    height = scene.lens.base.height
+    bent = r / 2 * squares[0][:, None] + t / 2 * squares[1] + s * x[:, None] * y
+    return torch.as_tensor(height + bent)
+
+
+def test_nothing_is_there_that_nobody_asked_for(make_scene):
+    assert Smoothness.of(make_scene(), DISC, CPU) is None
+
+
+@pytest.mark.parametrize("degree", [(2, 2), (3, 3), (4, 2)])
+def test_bending_energy_of_a_quadratic_face(make_scene, degree):
+    changes = {"lens.half_width": [1.0, 0.7], "lens.degree": list(degree)}
+    scene = make_scene(changes | {"run.smoothness": 1.0})
+    r, s, t = 0.03, -0.02, 0.05
+    energy = smoothness_of(scene).bending(quadratic(scene, r, s, t))
+    assert energy.item() == pytest.approx((r**2 + 2 * s**2 + t**2) * 4 * 1.0 * 0.7, rel=1e-10)
+
+
+def test_the_base_itself_costs_nothing(make_scene):
+    base = {"shape": "sphere", "height": 0.5, "radius": 8.0}
+    scene = make_scene({"lens.base": base, "run.smoothness": 1.0})
+    x, y = ControlNet.of(scene.lens).positions
+    heights = torch.as_tensor(scene.lens.base.height_at(x[:, None], y) + 0.1)
+    assert smoothness_of(scene).bending(heights).item() == pytest.approx(0, abs=1e-13)
+
+
+def test_excess_of_a_quadratic_face(make_scene):
+    """At the middle the curvatures are those of the quadric; a small net looks near it only."""
+    size = {"lens.half_width": [1e-3, 1e-3], "lens.height_range": [-0.3, 0.3]}
+    scene = make_scene(size | {"run.min_radius": 2.0})
+    heights = quadratic(scene, 0.5, 0.5, 0.5)  # principal curvatures 1 and 0
+    found = smoothness_of(scene)
+    assert found.excess(heights, 2.0).item() == pytest.approx(1.0, rel=1e-4)
+    assert found.excess(2 * scene.lens.base.height - heights, 2.0).item() == pytest.approx(
+        1.0, rel=1e-4
+    )
+    assert found.excess(heights, 0.99).item() == 0
+
+
+def test_excess_begins_where_the_maps_say(make_scene, rng):
+    scene = make_scene({"run.min_radius": 1.0})
+    heights = 0.5 + 0.02 * rng.random(scene.lens.control_points)
+    u, v = (2 * (n - p) + 1 for n, p in zip((12, 10), (3, 3), strict=True))
+    maps = surface_maps(scene.lens, heights, (u, v))
+    radius = 1 / max(maps.concave.max(), maps.convex.max())
+    found, heights = smoothness_of(scene), torch.as_tensor(heights)
+    assert found.excess(heights, 0.99 * radius).item() == 0
+    assert found.excess(heights, 1.01 * radius).item() > 0
+
+
+def test_gradient_is_that_of_finite_differences(make_scene, rng):
+    scene = make_scene({"run.smoothness": 0.01, "run.min_radius": 0.5})
+    found = smoothness_of(scene)
+    heights = torch.as_tensor(0.5 + 0.05 * rng.random((12, 10))).requires_grad_()
+    assert found.excess(heights, 0.5).item() > 0
+    (gradient,) = torch.autograd.grad(found.penalty(heights), [heights])
+    ahead, step = torch.as_tensor(rng.normal(size=(12, 10))), 1e-6
+    with torch.no_grad():
+        change = found.penalty(heights + step * ahead) - found.penalty(heights - step * ahead)
+    assert (gradient * ahead).sum().item() == pytest.approx(change.item() / (2 * step), rel=1e-6)
+
+
+def test_it_is_the_same_in_any_unit_and_on_any_net(make_scene, rng):
+    settings = {"run.smoothness": 0.01, "run.min_radius": 0.5}
+    scene = make_scene(settings)
+    heights = 0.5 + 0.05 * rng.random((12, 10))
+    penalty = smoothness_of(scene).penalty(torch.as_tensor(heights)).item()
+    scaled = make_scene(
+        {
+            "lens.half_width": [10.0, 10.0],
+            "lens.base": {"shape": "flat", "height": 5.0},
+            "lens.height_range": [-3.0, 3.0],
+            "screen.z": 50.0,
+            "run.smoothness": 0.01,
+            "run.min_radius": 5.0,
+        }
+    )
+    assert smoothness_of(scaled).penalty(torch.as_tensor(10 * heights)).item() == pytest.approx(
+        penalty, rel=1e-9
+    )
+    finer = make_scene(settings | {"lens.control_points": [21, 17]})  # twice as many spans
+    refined = ControlNet.of(scene.lens).refine(heights, ControlNet.of(finer.lens))
+    assert smoothness_of(finer).bending(torch.as_tensor(refined)).item() == pytest.approx(
+        smoothness_of(scene).bending(torch.as_tensor(heights)).item(), rel=1e-9
+    )
+
+
+class TestRuns:
+    NET = {"lens.control_points": [16, 16]}  # noqa: RUF012
+
+    @pytest.mark.parametrize("method", ["auto", "paper"])
+    def test_a_weight_of_next_to_nothing_changes_nothing(self, make_scene, method):
+        task = self.NET | {"run": {"method": method, "iterations": 4}}
+        plain = [s.loss for s in run(make_scene(task), DISC)]
+        task["run"]["smoothness"] = 1e-30
+        assert [s.loss for s in run(make_scene(task), DISC)] == pytest.approx(plain, rel=1e-3)
+
+    @pytest.mark.parametrize(("method", "iterations"), [("auto", 24), ("paper", 100)])
+    def test_a_lens_keeps_to_the_smallest_radius(self, make_scene, method, iterations):
+        task = self.NET | {"run": {"method": method, "iterations": iterations}}
+        free = make_scene(task)
+        sharp = tightest(free, best(free).control_points)
+        limit = 1.5 * sharp
+        task["run"]["min_radius"] = limit
+        scene = make_scene(task)
+        found = best(scene)
+        assert tightest(scene, found.control_points) >= 0.98 * limit
+        assert found.loss < 0.7 * next(run(scene, DISC)).loss
+
+    def test_smoothness_takes_bends_away(self, make_scene):
+        task = self.NET | {"run.iterations": 12}
+        energies = []
+        for weight in (1e-9, 1e-1):
+            scene = make_scene(task | {"run.smoothness": weight})
+            heights = torch.as_tensor(best(scene).control_points.copy())
+            energies.append(smoothness_of(scene).bending(heights).item())
+        assert energies[1] < 0.8 * energies[0]
+
+    def test_the_best_lens_is_told_by_its_merit(self, make_scene, monkeypatch):
+        """A sharper lens with a smaller loss is not the best."""
+        heights, flux = torch.zeros(12, 10), torch.ones(32, 32)
+        ledger = Ledger(1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+        steps = [
+            Step(loss, heights, flux, ledger, merit=merit)
+            for loss, merit in ((3.0, 3.0), (1.0, 9.0), (2.0, 2.5))
+        ]
+        monkeypatch.setattr(run_module, "_steps", lambda *task: iter(steps))
+        assert [s.best for s in run(make_scene(), DISC)] == [True, False, True]
+
+
+@pytest.mark.parametrize("field", ["smoothness", "min_radius"])
+class TestFields:
+    @pytest.mark.parametrize("value", [0, -1.0, math.inf, "1", True])
+    def test_impossible_values_are_refused(self, make_scene, field, value):
+        with pytest.raises(Refused, match=rf"^run\.{field}: "):
+            make_scene({f"run.{field}": value})
+
+    def test_faces_of_degree_1_have_no_curvature(self, make_scene, field):
+        with pytest.raises(Refused, match=rf"^run\.{field}: .* at least 2"):
+            make_scene({f"run.{field}": 1.0, "lens.degree": [3, 1]})
+
+    def test_scenes_without_are_written_as_before(self, make_scene, field):
+        assert field not in make_scene().to_data()["run"]
+        assert make_scene({f"run.{field}": 0.5}).to_data()["run"][field] == 0.5

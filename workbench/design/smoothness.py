@@ -1,0 +1,149 @@
+"""What a shop asks of the exit face, as a term that a run minimises besides the image's error.
+
+It is there only if a scene asks for it: ``run.smoothness`` weighs how much the face bends, and
+``run.min_radius`` keeps it from bending more sharply than a tool can follow.
+"""
+
+import numpy as np
+import numpy.typing as npt
+import torch
+from torch import Tensor
+
+from workbench.design.loss import share
+from workbench.design.step import Step
+from workbench.geometry.basis import basis_matrix
+from workbench.geometry.surface import ControlNet
+from workbench.scene import Scene
+
+Array = npt.NDArray[np.float64]
+
+# The descent keeps to a radius that is larger by this part: a penalty gives a little, and bends
+# between the places that are looked at can be sharper.
+_RESERVE = 0.06
+# Price of sharper bends: a face that is everywhere twice as sharp as allowed costs this much.
+_PRICE = 1e4
+# Part of the largest allowed curvature that rounds off where the two principal ones are equal.
+_UMBILIC = 1e-3
+
+
+class Smoothness:
+    """Penalty of a face for its bends; dimensionless, the same in any unit.
+
+    Parameters
+    ----------
+    scene : Scene
+        The design task, with ``run.smoothness`` or ``run.min_radius``.
+    target : ndarray, shape (n_y, n_x)
+        The wanted image in any scale.
+    device : torch.device
+        Where the heights are.
+    """
+
+    def __init__(self, scene: Scene, target: Array, device: torch.device) -> None:
+        net, run = ControlNet.of(scene.lens), scene.run
+        x, y = net.positions
+        base = scene.lens.base.height_at(x[:, None], y[None, :])
+        self._base = torch.as_tensor(base, device=device)
+        self._weight, self._radius = run.smoothness or 0.0, run.min_radius
+        self._products = [_products(net, axis, device) for axis in (0, 1)]
+        self._derivatives = [_derivatives(net, axis, device) for axis in (0, 1)]
+        wanted = share(target)
+        self._loss_of_1 = float(np.sqrt(np.square(wanted).mean()))
+
+    @classmethod
+    def of(cls, scene: Scene, target: Array, device: torch.device) -> "Smoothness | None":
+        """The penalty that a scene asks for, if it asks for one."""
+        if scene.run.smoothness is None and scene.run.min_radius is None:
+            return None
+        return cls(scene, target, device)
+
+    def penalty(self, heights: Tensor) -> Tensor:
+        """What is added to the square of the image's relative error.
+
+        Parameters
+        ----------
+        heights : Tensor, shape (n_u, n_v), float64
+            Control heights, scene units.
+        """
+        penalty = heights.new_zeros(())
+        if self._weight:
+            penalty = penalty + self._weight * self.bending(heights)
+        if self._radius is not None:
+            penalty = penalty + _PRICE * self.excess(heights, self._radius * (1 + _RESERVE))
+        return penalty
+
+    def bending(self, heights: Tensor) -> Tensor:
+        """Bending energy ∫ (d_xx² + 2 d_xy² + d_yy²) dx dy of the deviation d from the base.
+
+        Exact: the products of basis functions are integrated by Gauss's rule, span by span. The
+        energy is that of a thin plate of unit stiffness and has no unit.
+        """
+        d = heights - self._base
+        along_x, along_y = self._products
+        return sum(
+            (
+                factor * (d * (along_x[m] @ d @ along_y[2 - m])).sum()
+                for m, factor in ((0, 1.0), (1, 2.0), (2, 1.0))
+            ),
+            start=heights.new_zeros(()),
+        )
+
+    def excess(self, heights: Tensor, radius: float) -> Tensor:
+        """Mean square by which the principal curvatures exceed 1 / ``radius``, relative to that.
+
+        Looked at where knot lines cross and halfway between: second derivatives of cubics are
+        largest on knot lines.
+        """
+        along_x, along_y = self._derivatives
+        p, q, r, s, t = (
+            along_x[i] @ heights @ along_y[j].T for i, j in ((1, 0), (0, 1), (2, 0), (1, 1), (0, 2))
+        )
+        stretch = 1 + p * p + q * q  # determinant of the first fundamental form
+        mean = ((1 + q * q) * r - 2 * p * q * s + (1 + p * p) * t) / (2 * stretch**1.5)
+        gauss = (r * t - s * s) / stretch**2
+        # The principal curvatures are mean ± apart, both at most mean.abs() + apart.
+        apart = ((mean * mean - gauss).clamp_min(0) + (_UMBILIC / radius) ** 2).sqrt()
+        return ((mean.abs() + apart) * radius - 1).clamp_min(0).square().mean()
+
+    def merit(self, loss: Tensor, heights: Tensor) -> Tensor:
+        """Loss and penalty as one number, in the measure of the loss: what tells the best lens.
+
+        Parameters
+        ----------
+        loss : Tensor, scalar
+            Paper's loss of the image.
+        heights : Tensor, shape (n_u, n_v), float64
+            Control heights, scene units.
+        """
+        penalty = self._loss_of_1**2 * self.penalty(heights)
+        return (loss.double().square() + penalty).sqrt()
+
+    def judged(self, step: Step) -> Step:
+        """A step that tells its merit."""
+        with torch.no_grad():
+            merit = self.merit(torch.tensor(step.loss), step.heights)
+        return step._replace(merit=merit.item())
+
+
+def _products(net: ControlNet, axis: int, device: torch.device) -> list[Tensor]:
+    """Integrals of all products of two basis functions' derivatives of order 0, 1, 2 along an axis.
+
+    Shape (n, n) each; scene units.
+    """
+    knots, degree, r = net.knots[axis], net.degree[axis], net.half_width[axis]
+    spans = net.shape[axis] - degree
+    nodes, weights = np.polynomial.legendre.leggauss(degree + 1)
+    places = ((np.arange(spans)[:, None] + (nodes + 1) / 2) / spans).ravel()
+    lengths = np.tile(weights * (r / spans), spans)
+    basis = [basis_matrix(knots, degree, places, derivative=m) / (2 * r) ** m for m in range(3)]
+    return [torch.as_tensor(b.T @ (lengths[:, None] * b), device=device) for b in basis]
+
+
+def _derivatives(net: ControlNet, axis: int, device: torch.device) -> list[Tensor]:
+    """Derivatives of order 0, 1, 2 of the basis functions at knots and halfway, scene units."""
+    knots, degree, r = net.knots[axis], net.degree[axis], net.half_width[axis]
+    places = np.linspace(0, 1, 2 * (net.shape[axis] - degree) + 1)
+    return [
+        torch.as_tensor(basis_matrix(knots, degree, places, derivative=m) / (2 * r) ** m).to(device)
+        for m in range(3)
+    ]
