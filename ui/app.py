@@ -5,9 +5,7 @@ import os
 import signal
 import socket
 import sys
-import traceback
 from pathlib import Path
-from types import TracebackType
 from typing import TYPE_CHECKING
 
 import workbench
@@ -17,14 +15,13 @@ if TYPE_CHECKING:
     from PySide6.QtWidgets import QApplication
 
     from ui.main_window import MainWindow
-    from ui.recovery import Recovery
-    from ui.warm_up import WarmUp
+    from ui.windows import Windows
 
 _PROGRAM = "freeform-workbench"
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Open the window and stay until it is closed.
+    """Open a window and stay until all are closed.
 
     Parameters
     ----------
@@ -45,24 +42,19 @@ def main(arguments: list[str] | None = None) -> int:
 
     from PySide6.QtCore import QSettings, QStandardPaths
 
-    from resources import EXAMPLES
-    from ui.document import Document
-    from ui.main_window import MainWindow
-    from ui.recovery import Recovery
-    from workbench.files.session import open_design
+    from ui.trouble import Trouble
+    from ui.windows import Windows
 
-    first = EXAMPLES[0].file
-    window = MainWindow(Document(open_design(first), first.stem), QSettings())
     beside_settings = QStandardPaths.StandardLocation.AppConfigLocation
     folder = Path(QStandardPaths.writableLocation(beside_settings)) / "recovery"
-    recovery = Recovery(window.document, folder, window)
-    _report_exceptions(window)
-    signals = _leave_on_signals(window, recovery, application)
-    window.show()
-    warm_up = _load_behind(window, recovery, options.file, options.start)
+    windows, trouble = Windows(QSettings(), folder), Trouble()
+    trouble.happened.connect(windows.tell_trouble)
+    trouble.qt_said.connect(windows.log)
+    signals = _leave_on_signals(windows, application)
+    _begin(windows, windows.open(), options.file, options.start)
     status = application.exec()
-    warm_up.wait()
-    recovery.close()
+    windows.wait()
+    trouble.close()
     signals.close()
     return status
 
@@ -101,26 +93,15 @@ def _application() -> "QApplication":
     return application
 
 
-def _load_behind(
-    window: "MainWindow", recovery: "Recovery", file: Path | None, start: bool
-) -> "WarmUp":
-    """After the first paint: recover or open, import what is slow, build the views, start."""
+def _begin(windows: "Windows", window: "MainWindow", file: Path | None, start: bool) -> None:
+    """After the first paint: load what is slow, recover or open, start."""
     from PySide6.QtCore import Qt, QTimer
 
-    from ui.warm_up import WarmUp
-
-    warm_up = WarmUp()
-    warm_up.done.connect(window.build)
-
-    def follow() -> None:
-        if window.control is not None:
-            recovery.follow(window.control)
-
-    window.built.connect(follow)
-
     def after_first_paint() -> None:
-        warm_up.start()
-        recovered = _recover(window, recovery)
+        if not window.isVisible():  # a signal came first
+            return
+        windows.warm_up()
+        recovered = windows.recover(window)
         opened = not recovered and (file is None or window.files.open(file))
         if start and opened and window.control is None:
             window.built.connect(window.start)
@@ -128,39 +109,12 @@ def _load_behind(
             window.start()
 
     window.painted.connect(
-        lambda: QTimer.singleShot(0, after_first_paint), Qt.ConnectionType.SingleShotConnection
+        lambda: QTimer.singleShot(0, window, after_first_paint),
+        Qt.ConnectionType.SingleShotConnection,
     )
-    return warm_up
 
 
-def _recover(window: "MainWindow", recovery: "Recovery") -> bool:
-    """Offer what was left behind, then keep this window's work; whether any is open now."""
-    from ui import left_behind
-
-    def recover(work: left_behind.LeftBehind) -> bool:
-        return window.files.recover(work.file, work.path, work.name) and recovery.keep_now()
-
-    recovery.failed.connect(window.messages.warn)
-    recovery.start()
-    return left_behind.offer(left_behind.find(recovery.folder), recover, window)
-
-
-def _report_exceptions(window: "MainWindow") -> None:
-    """An error in a slot is a defect, but no reason to take the work away."""
-
-    def report(
-        kind: type[BaseException], error: BaseException, trace: TracebackType | None
-    ) -> None:
-        traceback.print_exception(kind, error, trace)
-        text = f"{kind.__name__}: {error}".rstrip(": ")
-        window.messages.warn(f"Something went wrong that should not ({text}). Save your work.")
-
-    sys.excepthook = report
-
-
-def _leave_on_signals(
-    window: "MainWindow", recovery: "Recovery", application: "QApplication"
-) -> socket.socket:
+def _leave_on_signals(windows: "Windows", application: "QApplication") -> socket.socket:
     """Close on SIGINT and SIGTERM. Python sees a signal only when it runs: a socket wakes it."""
     from PySide6.QtCore import QSocketNotifier, QTimer
 
@@ -168,12 +122,11 @@ def _leave_on_signals(
     for end in (waking, woken):
         end.setblocking(False)
     signal.set_wakeup_fd(waking.fileno())
-    notifier = QSocketNotifier(woken.fileno(), QSocketNotifier.Type.Read, window)
+    notifier = QSocketNotifier(woken.fileno(), QSocketNotifier.Type.Read, windows)
     notifier.activated.connect(lambda: woken.recv(64))
 
     def leave() -> None:
-        recovery.close(leave=True)
-        window.discard_and_close()
+        windows.leave()
         application.exit(0)  # also out of a question that is open
 
     for number in (signal.SIGINT, signal.SIGTERM):

@@ -49,11 +49,15 @@ COMMANDS = {
     "gallery": Command(
         "New from &gallery…", "Choose an example by the picture of its light", "Ctrl+Shift+N"
     ),
+    "new_window": Command(
+        "New &window", "Open another window, with a design and a run of its own", "Ctrl+Shift+W"
+    ),
     "open": Command("&Open…", "Open a design, or a scene file", _Key.Open, "open"),
     "save": Command("&Save", "Save scene, target and lens", _Key.Save, "save"),
     "save_as": Command("Save &as…", "Save under another name", "Ctrl+Shift+S"),
     "export": Command("&Export…", "Write the lens or its light for other programs", "Ctrl+E"),
-    "quit": Command("&Quit", "Close the workbench", "Ctrl+Q"),
+    "close": Command("&Close window", "Close this window; others stay open", "Ctrl+W"),
+    "quit": Command("&Quit", "Close all windows of the workbench", "Ctrl+Q"),
     "undo": Command("&Undo", "Take the last change back", _Key.Undo, "undo"),
     "redo": Command("&Redo", "Make the change again", "Ctrl+Shift+Z", "redo"),
     "start": Command("&Start", "Design the lens from its start", "F5", "start"),
@@ -106,6 +110,7 @@ MENUS: dict[str, list[Any]] = {
     "&File": [
         ("&New from example", _examples()),
         "gallery",
+        "new_window",
         "open",
         ("Open &recent", []),
         None,
@@ -114,6 +119,7 @@ MENUS: dict[str, list[Any]] = {
         None,
         "export",
         None,
+        "close",
         "quit",
     ],
     "&Edit": ["undo", "redo"],

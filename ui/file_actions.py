@@ -39,6 +39,11 @@ class FileActions(QObject):
         Shows refusals.
     window : QWidget
         Parent of dialogs.
+
+    Attributes
+    ----------
+    find_other : callable
+        The window, other than this one, in which a file is open; None where there is none.
     """
 
     recent_changed = Signal()
@@ -51,6 +56,7 @@ class FileActions(QObject):
         self._recent = recent
         self._messages = messages
         self._window = window
+        self.find_other: Callable[[Path], QWidget | None] = lambda path: None
 
     def new(self, example: Example) -> bool:
         """Begin with an example, and say what to look for; False if not opened."""
@@ -67,7 +73,15 @@ class FileActions(QObject):
             self.open(Path(chosen))
 
     def open(self, path: Path) -> bool:
-        """Open a file, unless changes would be lost that should not; False if not opened."""
+        """Open a file, unless changes would be lost that should not; False if not opened.
+
+        A file that another window has open is shown there.
+        """
+        other = self.find_other(path)
+        if other is not None:
+            other.activateWindow()
+            other.raise_()
+            return False
         if not (self.may_leave() and self._attempt(lambda: self._document.open(path))):
             return False
         self._remember(path)
@@ -127,6 +141,9 @@ class FileActions(QObject):
         return Answer(given)
 
     def _write(self, path: Path) -> bool:
+        if self.find_other(path) is not None:  # which would not know of it
+            self._messages.warn(f"{path.name} is open in another window: choose another name.")
+            return False
         if not self._attempt(lambda: self._document.save(path)):
             return False
         self._remember(path)

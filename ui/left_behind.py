@@ -28,11 +28,14 @@ class LeftBehind:
         What the title called the design.
     path : Path, optional
         The file that saving wrote.
+    ended : bool
+        Whether the program was told to end, as at the end of a login; otherwise it broke off.
     """
 
     file: Path
     name: str
     path: Path | None
+    ended: bool
     lock: QLockFile
 
     @property
@@ -64,10 +67,11 @@ def find(folder: Path) -> list[LeftBehind]:
             continue
         try:
             about = json.loads(about_of(file).read_bytes())
-            path, name = about["path"], str(about["name"])
-        except (OSError, ValueError, KeyError, TypeError):
-            path, name = None, "recovered"  # the session itself is what counts
-        found.append(LeftBehind(file, name, None if path is None else Path(path), lock))
+            path, name, ended = about["path"], str(about["name"]), bool(about.get("ended"))
+            place = None if path is None else Path(path)
+        except (OSError, ValueError, KeyError, TypeError, AttributeError):
+            place, name, ended = None, "recovered", False  # the session itself is what counts
+        found.append(LeftBehind(file, name, place, ended, lock))
     return sorted(found, key=lambda each: each.kept_at, reverse=True)
 
 
@@ -94,40 +98,44 @@ class Choice(Enum):
 def offer(
     works: Sequence[LeftBehind], recover: Callable[[LeftBehind], bool], window: QWidget
 ) -> bool:
-    """Ask what shall become of each, until one is recovered; the next start asks on.
+    """Ask what shall become of each.
 
     Parameters
     ----------
     works : sequence of LeftBehind
         What was found.
     recover : callable
-        Opens one; tells whether it is safe elsewhere now.
+        Opens one, each in a window of its own; tells whether it is safe elsewhere now.
     window : QWidget
         Asks.
 
     Returns
     -------
     bool
-        Whether one is open now.
+        Whether any is open now.
     """
-    recovered = False
+    recovered = 0
     for work in works:
-        choice = Choice.LATER if recovered else ask(work, window)
-        if choice is Choice.RECOVER:
-            recovered = recover(work)
-        if choice is Choice.DISCARD or (choice is Choice.RECOVER and recovered):
+        choice = ask(work, window)
+        opened = choice is Choice.RECOVER and recover(work)
+        recovered += opened
+        if opened or choice is Choice.DISCARD:
             work.remove()
         else:
             work.put_back()
-    return recovered
+    return recovered > 0
 
 
 def ask(work: LeftBehind, window: QWidget) -> Choice:
     """Put the question about one."""
     box = QMessageBox(window)
-    box.setIcon(QMessageBox.Icon.Question)
     box.setWindowTitle("Unsaved work")
-    box.setText(f"The workbench was not closed. Unsaved changes to {work.name} were kept.")
+    if work.ended:
+        box.setIcon(QMessageBox.Icon.Information)
+        box.setText(f"{work.name} had unsaved changes when the workbench was told to end.")
+    else:
+        box.setIcon(QMessageBox.Icon.Question)
+        box.setText(f"The workbench was not closed. Unsaved changes to {work.name} were kept.")
     box.setInformativeText(f"Kept on {work.kept_at:%Y-%m-%d at %H:%M:%S}.")
     roles = QMessageBox.ButtonRole
     recover = box.addButton("&Recover", roles.AcceptRole)

@@ -46,7 +46,7 @@ _STATES = {
 
 
 class MainWindow(QMainWindow):
-    """The workbench's only window.
+    """A window of the workbench, with a design of its own.
 
     It shows at once, with placeholders; `build` adds runner and views, whose libraries take
     seconds to load.
@@ -57,10 +57,23 @@ class MainWindow(QMainWindow):
         The open design; the window owns it from now on.
     settings : QSettings
         Where recent files are kept.
+
+    Attributes
+    ----------
+    painted, built, closed : Signal()
+        It can be seen, has its views, is gone.
+    stayed : Signal()
+        It was to close after a run whose lens could not be saved.
+    new_window_asked, quit_asked : Signal()
+        Commands that are not for one window.
     """
 
     painted = Signal()
     built = Signal()
+    closed = Signal()
+    stayed = Signal()
+    new_window_asked = Signal()
+    quit_asked = Signal()
 
     def __init__(self, document: Document, settings: QSettings) -> None:
         super().__init__()
@@ -163,6 +176,7 @@ class MainWindow(QMainWindow):
         if self.views is not None:
             self.views.close()
         super().closeEvent(event)
+        self.closed.emit()
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
         """Take one local file."""
@@ -186,6 +200,11 @@ class MainWindow(QMainWindow):
         super().changeEvent(event)
         if event.type() == QEvent.Type.PaletteChange:
             self.commands.colour_icons()
+
+    @property
+    def closing(self) -> bool:
+        """Whether it closes as soon as its run has ended."""
+        return self._closing
 
     @property
     def _busy(self) -> bool:
@@ -218,8 +237,8 @@ class MainWindow(QMainWindow):
         self._status.settle()
         if self._closing:
             self._closing = False
-            if self.files.save():
-                self.close()
+            if not (self.files.save() and self.close()):
+                self.stayed.emit()
 
     def _add_menus(self) -> None:
         for dock in self.workspace.docks.values():
@@ -234,7 +253,9 @@ class MainWindow(QMainWindow):
                 "save": lambda: self._save(self.files.save),
                 "save_as": lambda: self._save(self.files.save_as),
                 "export": self._export,
-                "quit": self.close,
+                "new_window": self.new_window_asked.emit,
+                "close": self.close,
+                "quit": self.quit_asked.emit,
                 "undo": self.document.undo_stack.undo,
                 "redo": self.document.undo_stack.redo,
                 "palette": lambda: CommandPalette(self.commands.entries(), self).open(),

@@ -8,6 +8,7 @@
 
 import json
 import threading
+from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -91,10 +92,8 @@ class Recovery(QObject):
             self._remove()
         elif session is not self._kept:
             self._kept = session
-            path, name = self._document.path, self._document.name
-            self._writer = threading.Thread(
-                target=self._write, args=(session, path, name), name="recovery"
-            )
+            work = session, self._about(ended=False)
+            self._writer = threading.Thread(target=self._write, args=work, name="recovery")
             self._writer.start()
 
     def close(self, leave: bool = False) -> None:
@@ -111,7 +110,9 @@ class Recovery(QObject):
         self._timer.stop()
         self._join()
         if leave:
-            self.keep_now()
+            if self.keep_now():
+                with suppress(Refused):  # then the next start speaks of a crash, that is all
+                    self._describe(self._about(ended=True))
         else:
             self._remove()
         self._lock.unlock()
@@ -131,15 +132,23 @@ class Recovery(QObject):
             )
         return self._document.session if self._document.dirty else None
 
-    def _write(self, session: Session, path: Path | None, name: str) -> None:
-        about = {"path": None if path is None else str(path), "name": name}
+    def _about(self, ended: bool) -> dict[str, object]:
+        """What is said of the session beside it."""
+        path = self._document.path
+        place = None if path is None else str(path)
+        return {"path": place, "name": self._document.name, "ended": ended}
+
+    def _write(self, session: Session, about: dict[str, object]) -> None:
         try:
-            with replacing(about_of(self._file)) as file:
-                file.write(json.dumps(about).encode())
+            self._describe(about)
             write_session(session, self._file)
         except Refused as refused:
             self._kept = None
             self._tell(str(refused))
+
+    def _describe(self, about: dict[str, object]) -> None:
+        with replacing(about_of(self._file)) as file:
+            file.write(json.dumps(about).encode())
 
     def _tell(self, reason: str) -> None:
         if not self._told:

@@ -4,12 +4,10 @@ import os
 import signal
 import subprocess
 import sys
-from types import SimpleNamespace
 
 import pytest
 
 from ui import app, display
-from ui.message_bar import MessageBar
 from workbench import __version__, system_libraries
 
 COMMAND = [sys.executable, "-m", "ui"]
@@ -64,19 +62,6 @@ def test_a_window_can_open_on_no_display_where_qt_draws_off_screen(monkeypatch):
     monkeypatch.setenv("QT_QPA_PLATFORM", "offscreen")
     monkeypatch.delenv("DISPLAY", raising=False)
     assert display.why_no_window() is None
-
-
-def test_an_unexpected_error_is_said_in_the_window_and_on_standard_error(
-    monkeypatch, capsys, qtbot
-):
-    monkeypatch.setattr(sys, "excepthook", sys.excepthook)  # put back afterwards
-    messages = MessageBar()
-    qtbot.addWidget(messages)
-    app._report_exceptions(SimpleNamespace(messages=messages))
-    sys.excepthook(ValueError, ValueError("odd"), None)
-    assert "ValueError: odd" in messages.text
-    assert messages.isVisible()
-    assert "ValueError: odd" in capsys.readouterr().err
 
 
 def test_nothing_slow_is_imported_before_the_window_is_there():

@@ -107,6 +107,7 @@ def test_a_signal_leaves_it_for_the_next_start(document, keeping):
     recovery.close()
     (work,) = left_behind.find(recovery.folder)
     assert read_session(work.file).scene.screen.z == 7
+    assert work.ended
     work.put_back()
 
 
@@ -132,7 +133,7 @@ def test_name_and_file_come_back_unsaved(document, keeping, tmp_path):
     recovery.keep_now()
     crash(recovery)
     (work,) = left_behind.find(recovery.folder)
-    assert (work.name, work.path) == ("mine", path)
+    assert (work.name, work.path, work.ended) == ("mine", path, False)
     other = Document(document.session, "other", document)
     other.recover(read_session(work.file), work.path, work.name)
     assert (other.name, other.path, other.dirty) == ("mine", path, True)
@@ -212,27 +213,47 @@ def test_the_question_has_three_answers(window, document, keeping, qtbot, button
 
     QTimer.singleShot(200, answer)
     assert left_behind.ask(work, window) is choice
-    assert "small" in told[0]
+    assert "small" in told[0] and "not closed" in told[0]
     work.remove()
 
 
-def test_one_is_recovered_and_others_wait(document, keeping, monkeypatch):
+def test_work_kept_when_the_system_ended_the_program_is_no_alarm(window, document, keeping, qtbot):
+    recovery = keeping()
+    edit(document, 7)
+    recovery.close(leave=True)
+    (work,) = left_behind.find(recovery.folder)
+    boxes = []
+
+    def answer():
+        box = next(w for w in QApplication.topLevelWidgets() if isinstance(w, QMessageBox))
+        boxes.append((box.text(), box.icon()))
+        qtbot.keyClick(box, Qt.Key.Key_Escape)
+
+    QTimer.singleShot(200, answer)
+    assert left_behind.ask(work, window) is Choice.LATER
+    ((text, icon),) = boxes
+    assert "told to end" in text and "not closed" not in text
+    assert icon is QMessageBox.Icon.Information
+    work.remove()
+
+
+def test_each_is_asked_about(document, keeping, monkeypatch):
     works = []
-    for z in (7, 8, 9):
+    for z in (7, 8, 9, 10):
         recovery = keeping()
         edit(document, z)
         recovery.keep_now()
         os.utime(recovery._file, (z, z))
         crash(recovery)
     works = left_behind.find(recovery.folder)
-    assert [read_session(work.file).scene.screen.z for work in works] == [9, 8, 7]
-    choices = iter([Choice.DISCARD, Choice.RECOVER])
+    assert [read_session(work.file).scene.screen.z for work in works] == [10, 9, 8, 7]
+    choices = iter([Choice.DISCARD, Choice.RECOVER, Choice.LATER, Choice.RECOVER])
     monkeypatch.setattr(left_behind, "ask", lambda work, window: next(choices))
     opened = []
     assert left_behind.offer(works, lambda work: not opened.append(work), None)
-    assert opened == [works[1]]
+    assert opened == [works[1], works[3]]
     (rest,) = left_behind.find(recovery.folder)
-    assert read_session(rest.file).scene.screen.z == 7
+    assert read_session(rest.file).scene.screen.z == 8
     rest.remove()
 
 

@@ -1,0 +1,158 @@
+"""All windows of the program: opened, found by their file, closed one by one or together."""
+
+from functools import partial
+from pathlib import Path
+
+from PySide6.QtCore import QObject, QPoint, QSettings, Qt, QTimer
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QApplication
+
+from resources import EXAMPLES
+from ui import left_behind
+from ui.document import Document
+from ui.left_behind import LeftBehind
+from ui.main_window import MainWindow
+from ui.recovery import Recovery
+from ui.warm_up import WarmUp
+from workbench.files.session import open_design
+
+_STEP = QPoint(32, 32)  # from one window to the next, so that both can be seen
+
+
+class Windows(QObject):
+    """Each window has a document, a run and a recovery file of its own.
+
+    Parameters
+    ----------
+    settings : QSettings
+        What all windows remember.
+    folder : Path
+        Of the recovery files.
+    """
+
+    def __init__(self, settings: QSettings, folder: Path) -> None:
+        super().__init__()
+        self._settings, self._folder = settings, folder
+        self._recoveries: dict[MainWindow, Recovery] = {}
+        self._warm_up = WarmUp()
+        self._warm = False  # whether views can be built without holding the windows up
+        self._warm_up.done.connect(self._build_all)
+        self._quitting = self._leaving = False
+
+    def open(self) -> MainWindow:
+        """Show a window with the first example in it."""
+        example = EXAMPLES[0].file
+        window = MainWindow(Document(open_design(example), example.stem), self._settings)
+        recovery = Recovery(window.document, self._folder, window)
+        recovery.failed.connect(window.messages.warn)
+        window.files.find_other = partial(self._other_with, window)
+        window.new_window_asked.connect(self.open_beside)
+        window.quit_asked.connect(self.quit)
+        window.stayed.connect(self._stay)
+        window.closed.connect(partial(self._forget, window))
+        window.built.connect(partial(self._follow, window))
+        once = Qt.ConnectionType.SingleShotConnection
+        window.painted.connect(lambda: QTimer.singleShot(0, window, self._build_if_warm), once)
+        self._recoveries[window] = recovery
+        window.show()
+        return window
+
+    def open_beside(self) -> MainWindow:
+        """Show another window, a step away from the one that is active."""
+        beside = self.active()
+        window = self.open()
+        if beside is not None:
+            window.move(beside.pos() + _STEP)
+        self._recoveries[window].start()
+        return window
+
+    def active(self) -> MainWindow | None:
+        """The window that a person works in, as far as there is one."""
+        active = QApplication.activeWindow()
+        if isinstance(active, MainWindow) and active in self._recoveries:
+            return active
+        return next(reversed(self._recoveries), None)
+
+    def warm_up(self) -> None:
+        """Load what is slow, then build the views of the windows."""
+        self._warm_up.start()
+
+    def recover(self, window: MainWindow) -> bool:
+        """Offer what was left behind, the first of it in ``window``; whether any is open now."""
+        first = self._recoveries[window]
+        free = [window]
+
+        def recover(work: LeftBehind) -> bool:
+            place = free.pop() if free else self.open_beside()
+            opened = place.files.recover(work.file, work.path, work.name)
+            return opened and self._recoveries[place].keep_now()
+
+        first.start()
+        return left_behind.offer(left_behind.find(self._folder), recover, window)
+
+    def quit(self) -> None:
+        """Close all windows, each with its question; one that stays keeps the rest open."""
+        self._quitting = True
+        for window in list(self._recoveries):
+            if not window.close():
+                self._quitting = window.closing  # goes on when its run has ended
+                return
+
+    def leave(self) -> None:
+        """Close without questions; what is not saved is found at the next start."""
+        self._leaving = True
+        for window, recovery in list(self._recoveries.items()):
+            recovery.close(leave=True)
+            window.discard_and_close()
+
+    def wait(self) -> None:
+        """Let what is being loaded be loaded; a process that ends in its midst may crash."""
+        self._warm_up.wait()
+
+    def tell_trouble(self, sentence: str, details: str) -> None:
+        """Say in the active window what went wrong, and write it down in its log."""
+        window = self.active()
+        if window is not None:
+            copy = partial(QGuiApplication.clipboard().setText, details)
+            window.messages.warn(sentence, ("Copy details", copy))
+
+    def log(self, sentence: str) -> None:
+        """Write a line into the log of the active window."""
+        window = self.active()
+        if window is not None:
+            window.log.add(sentence)
+
+    def _build_all(self) -> None:
+        self._warm = True
+        for window in self._recoveries:
+            if window.control is None:
+                window.build()
+
+    def _build_if_warm(self) -> None:
+        if self._warm:
+            self._build_all()
+
+    def _follow(self, window: MainWindow) -> None:
+        if window.control is not None:
+            self._recoveries[window].follow(window.control)
+
+    def _other_with(self, window: MainWindow, path: Path) -> MainWindow | None:
+        """The window beside ``window`` whose design lives in a file."""
+        path = path.resolve()
+        for other in self._recoveries:
+            own = other.document.path
+            if other is not window and own is not None and own.resolve() == path:
+                return other
+        return None
+
+    def _forget(self, window: MainWindow) -> None:
+        recovery = self._recoveries.pop(window, None)
+        if recovery is None or self._leaving:  # a question of the window may still stand
+            return
+        recovery.close()
+        window.deleteLater()
+        if self._quitting and self._recoveries:
+            QTimer.singleShot(0, self, self.quit)
+
+    def _stay(self) -> None:
+        self._quitting = False
