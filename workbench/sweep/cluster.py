@@ -65,7 +65,7 @@ class Cluster:
         # One in advance for each, so that nobody waits; more would only take memory.
         room = 2 * max(sum(self._client.nthreads().values()), 1)
         waiting: dict[Any, Key] = {}
-        ended = as_completed()
+        ended = as_completed(loop=self._client.loop)
         while True:
             while len(waiting) < room and (task := next(tasks, None)) is not None:
                 future = self._client.submit(attempt, task[1], pure=False)

@@ -1,0 +1,183 @@
+import json
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+FREEFORM = Path(sys.executable).with_name("freeform")
+FEW = ("--validate-rays", 10_000)
+
+
+@pytest.fixture
+def scene_file(tmp_path, scene_data):
+    scene_data["run"] = {"method": "paper", "iterations": 1}
+    path = tmp_path / "hat.json"
+    path.write_text(json.dumps(scene_data))
+    return path
+
+
+@pytest.fixture
+def folder(tmp_path):
+    return tmp_path / "out"
+
+
+@pytest.fixture
+def here(monkeypatch):
+    """Works in this process."""
+    from workbench.sweep.work import attempt
+
+    class Here:
+        def __init__(self, *_):
+            pass
+
+        def __enter__(self):
+            return self
+
+        def __exit__(self, *_):
+            pass
+
+        def work(self, tasks):
+            return ((key, attempt(task)) for key, task in tasks)
+
+    monkeypatch.setattr("workbench.cli.sweep.Processes", Here)
+
+
+@pytest.mark.usefixtures("here")
+class TestTable:
+    def test_for_scripts(self, freeform, scene_file, folder):
+        status, printed, told = freeform(
+            "sweep", scene_file, "--vary", "run.seed=0..1", "-o", folder, *FEW, "--json"
+        )
+        assert status == 0
+        points = json.loads(printed)["points"]
+        assert [point["changes"] for point in points] == [{"run.seed": "0"}, {"run.seed": "1"}]
+        assert all((folder / point["session"]).is_file() for point in points)
+        assert json.loads((folder / "table.json").read_text())["points"] == points
+        assert told.splitlines()[0].startswith("1/2  hat run.seed=0: error ")
+
+    def test_figures_are_those_of_the_check(self, freeform, scene_file, folder):
+        printed = freeform("sweep", scene_file, "-o", folder, *FEW, "--json")[1]
+        (point,) = json.loads(printed)["points"]
+        session = folder / point["session"]
+        check = json.loads(freeform("validate", session, "--rays", FEW[1], "--json")[1])
+        for name in ("loss", "relative_l2", "relative_l2_corrected", "efficiency"):
+            assert point["figures"][name] == check[name]
+
+    def test_for_people(self, freeform, scene_file, folder):
+        other = scene_file.with_name("cap.json")
+        other.write_text(scene_file.read_text())
+        status, printed, _ = freeform("sweep", scene_file, other, "-o", folder, *FEW)
+        head, *lines = printed.splitlines()
+        assert status == 0
+        assert head.split()[:2] == ["scene", "error"]
+        assert [line.split()[0] for line in lines] == ["hat", "cap"]
+
+    def test_a_point_that_fails_is_a_row(self, freeform, scene_file, folder):
+        vary = ("--vary", "lens.control_points=3,12")
+        status, printed, told = freeform("sweep", scene_file, *vary, "-o", folder, *FEW)
+        assert status == 1
+        assert told.endswith("freeform: 1 of 2 points have no lens; the table tells why\n")
+        assert "3                    lens.control_points[0]: 3 is too few" in printed
+        assert "hat-lens.control_points=12-" in printed
+
+    def test_ctrl_c_keeps_what_is_finished(self, freeform, scene_file, folder, monkeypatch):
+        from workbench.sweep import sweep
+
+        def interrupted(*arguments):
+            for found in sweep.sweep(*arguments):
+                yield found
+                raise KeyboardInterrupt
+
+        monkeypatch.setattr("workbench.cli.sweep.sweep_all", interrupted)
+        status, printed, told = freeform(
+            "sweep", scene_file, "--vary", "run.seed=0..2", "-o", folder, *FEW, "--json"
+        )
+        assert status == 130
+        assert len(json.loads(printed)["points"]) == 1
+        assert "interrupted; 1 of 3 points are finished" in told
+
+
+@pytest.mark.parametrize(
+    "arguments, reason",
+    [
+        (("--vary", "run.seed"), "usage: --vary 'run.seed'; field=values"),
+        (("--vary", "run.sed=1"), "run.sed: unknown field"),
+        (("--vary", "run.seed=2..1"), "run.seed: 2..1; 1 to 10000"),
+        (("--jobs", 0), "usage: argument --jobs: '0'"),
+    ],
+)
+def test_refusals(freeform, scene_file, folder, arguments, reason):
+    status, printed, told = freeform("sweep", scene_file, "-o", folder, *arguments)
+    assert (status, printed) == (2, "")
+    assert told.startswith(f"freeform: {reason}")
+    assert not folder.exists()
+
+
+def start(scene_file, folder):
+    vary = ("--vary", "run.seed=0..1", "--vary", "run.iterations=1,2")
+    few = (*map(str, FEW), "--jobs", "1", "--json")
+    return subprocess.Popen(
+        [FREEFORM, "sweep", scene_file, *vary, "-o", folder, *few],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        # Where the tests run in the background, Ctrl-C is ignored and that is handed on.
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
+    )
+
+
+def children(process):
+    found = Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text()
+    return [Path(f"/proc/{child}") for child in found.split()]
+
+
+def finished(folder):
+    """Files of figures and when they were written."""
+    return {path: path.stat().st_mtime_ns for path in folder.glob("hat-*.json")}
+
+
+def ends(workers):
+    deadline = time.monotonic() + 20
+    while any(worker.exists() for worker in workers) and time.monotonic() < deadline:
+        time.sleep(0.05)
+    return not any(worker.exists() for worker in workers)
+
+
+linux = pytest.mark.skipif(sys.platform != "linux", reason="looks for processes in /proc")
+
+
+@linux
+def test_a_killed_sweep_goes_on_where_it_was(scene_file, folder):
+    with start(scene_file, folder) as process:
+        assert process.stderr.readline().startswith("1/4  hat run.seed=0 run.iterations=1: error")
+        workers = children(process)
+        process.kill()
+    assert workers
+    assert ends(workers)
+    before = finished(folder)
+    assert 1 <= len(before) < 4
+    with start(scene_file, folder) as process:
+        printed, _ = process.communicate(timeout=120)
+    assert process.returncode == 0
+    assert len(json.loads(printed)["points"]) == 4
+    assert before.items() <= finished(folder).items()
+    assert len(list(folder.glob("*.freeform"))) == 4
+
+
+@linux
+@pytest.mark.slow
+def test_ctrl_c_ends_its_processes_and_keeps_what_is_finished(scene_file, folder):
+    with start(scene_file, folder) as process:
+        process.stderr.readline()
+        workers = children(process)
+        process.send_signal(signal.SIGINT)
+        printed, told = process.communicate(timeout=60)
+    assert workers
+    assert ends(workers)
+    assert process.returncode == 130
+    points = json.loads(printed)["points"]
+    assert 1 <= len(points) == len(finished(folder)) < 4
+    assert f"interrupted; {len(points)} of 4 points are finished and kept in" in told

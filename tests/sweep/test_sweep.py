@@ -1,0 +1,226 @@
+import csv
+import json
+import os
+import signal
+import threading
+
+import numpy as np
+import pytest
+
+from workbench.design.snapshot import Result
+from workbench.errors import Refused
+from workbench.files.session import Session, read_session, write_session
+from workbench.optics.ledger import Ledger
+from workbench.sweep.cluster import Cluster
+from workbench.sweep.points import key_of, points
+from workbench.sweep.processes import Processes
+from workbench.sweep.store import FIGURES, Store
+from workbench.sweep.sweep import sweep
+from workbench.sweep.vary import Variation
+from workbench.sweep.work import Done, Failed, Task, attempt
+
+RAYS = 10_000
+
+
+@pytest.fixture
+def scene_file(tmp_path, scene_data):
+    scene_data["run"] = {"method": "paper", "iterations": 1}
+    path = tmp_path / "hat.json"
+    path.write_text(json.dumps(scene_data))
+    return path
+
+
+@pytest.fixture
+def store(tmp_path):
+    return Store(tmp_path / "out")
+
+
+class Here:
+    """Works at once, on as many tasks as it may."""
+
+    def __init__(self, most=1000):
+        self.asked = []
+        self._most = most
+
+    def work(self, tasks):
+        for key, task in tasks:
+            if len(self.asked) == self._most:
+                raise KeyboardInterrupt
+            self.asked.append(task.scene)
+            if task.scene.run.seed == 2:
+                yield key, Failed("stopped at iteration 3: no light")
+                continue
+            n_x, n_y = task.scene.screen.pixels
+            ledger = Ledger(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1)
+            heights = np.full(task.scene.lens.control_points, 0.5)
+            result = Result(heights, np.ones((n_y, n_x)), np.zeros(3), 0.1, 2.5, ledger)
+            yield key, Done(result, dict.fromkeys(FIGURES[:4], 0.25))
+
+
+def rows(found, store, workers):
+    return [row for _, row in sorted(sweep(found, store, workers, RAYS), key=lambda each: each[0])]
+
+
+class TestPoints:
+    def test_the_last_field_changes_first(self, scene_file):
+        vary = [Variation("run.seed", (0, 1)), Variation("screen.z", (5, 6))]
+        found = points([scene_file], vary)
+        assert [(p.scene.run.seed, p.scene.screen.z) for p in found] == [
+            (0, 5),
+            (0, 6),
+            (1, 5),
+            (1, 6),
+        ]
+        assert found[3].name == "hat run.seed=1 screen.z=6"
+
+    def test_one_that_is_not_possible_is_kept_and_told(self, scene_file):
+        bad, good = points([scene_file], [Variation("lens.control_points", (3, 12))])
+        assert str(bad.scene).startswith("lens.control_points[0]: 3 is too few")
+        assert good.scene.lens.control_points == (12, 12)
+
+    def test_none_that_is_possible(self, scene_file):
+        with pytest.raises(Refused, match=r"^run\.sed: unknown field"):
+            points([scene_file], [Variation("run.sed", (1, 2))])
+
+    def test_refusals(self, scene_file):
+        seeds = Variation("run.seed", tuple(range(200)))
+        with pytest.raises(Refused, match="usage: 40000 points; at most 10000"):
+            points([scene_file], [seeds, Variation("screen.z", tuple(range(5, 205)))])
+        with pytest.raises(Refused, match=r"run\.seed: is varied twice"):
+            points([scene_file], [seeds, seeds])
+
+    def test_keys_tell_what_a_result_depends_on(self, make_scene):
+        target = np.ones((32, 32))
+        keys = {
+            key_of(Session(make_scene(changes), image), rays)
+            for changes, image, rays in (
+                ({}, target, RAYS),
+                ({"run.seed": 1}, target, RAYS),
+                ({}, 2 * target, RAYS),
+                ({}, target, RAYS + 1),
+            )
+        }
+        assert len(keys) == 4
+        image = make_scene({"target": {"image": "/somewhere/else.png"}})
+        assert key_of(Session(image, target), RAYS) in keys  # which image it was is all the same
+
+    def test_another_target_is_loaded_and_the_same_one_is_not(self, scene_file, make_scene):
+        session = scene_file.with_name("session.freeform")
+        marked = np.arange(1024.0).reshape(32, 32)
+        write_session(Session(make_scene(), marked), session)
+        same, other = points([session], [Variation("target.radius", (0.6, 0.3))])
+        assert np.array_equal(same.session().target, marked)
+        assert 0 < other.session().target.sum() / other.session().target.max() < 32 * 32 * 0.1
+
+
+class TestSweep:
+    @pytest.fixture
+    def found(self, scene_file):
+        return points([scene_file], [Variation("run.seed", (0, 1, 2, 3))])
+
+    def test_each_point_has_its_session(self, found, store):
+        made = rows(found, store, Here())
+        assert [row.changes for row in made] == [{"run.seed": str(seed)} for seed in range(4)]
+        assert made[2].reason == "stopped at iteration 3: no light"
+        assert made[2].session is None
+        assert read_session(store.folder / made[3].session).scene.run.seed == 3
+        assert made[3].figures == {
+            **dict.fromkeys(FIGURES[:4], 0.25),
+            "iterations": 3.0,
+            "seconds": 2.5,
+        }
+
+    def test_what_is_finished_is_not_done_again(self, found, store):
+        with pytest.raises(KeyboardInterrupt):
+            rows(found, store, Here(most=2))
+        again = Here()
+        made = rows(found, store, again)
+        assert [scene.run.seed for scene in again.asked] == [2, 3]
+        assert all(row.session for row in made[:2])
+        last = Here()
+        assert rows(found, store, last) == made
+        assert [scene.run.seed for scene in last.asked] == [2]  # what failed is tried again
+
+    @pytest.mark.parametrize("harm", [b"", b"{", b"[]", b'{"key": 1}'])
+    def test_damaged_figures_are_made_anew(self, found, store, harm):
+        made = rows(found[:1], store, Here())
+        (store.folder / made[0].session).with_suffix(".json").write_bytes(harm)
+        again = Here()
+        assert rows(found[:1], store, again) == made
+        assert len(again.asked) == 1
+
+    def test_a_missing_session_is_made_anew(self, found, store):
+        made = rows(found[:1], store, Here())
+        (store.folder / made[0].session).unlink()
+        assert rows(found[:1], store, Here()) == made
+
+    def test_an_image_that_is_missing_is_a_row(self, scene_file, scene_data, store):
+        np.save(scene_file.with_name("a.npy"), np.ones((4, 4)))
+        scene_file.write_text(json.dumps(scene_data | {"target": {"image": "a.npy"}}))
+        here = Here()
+        vary = [Variation("target.image", ("a.npy", "no.npy"))]
+        made = rows(points([scene_file], vary), store, here)
+        assert len(here.asked) == 1
+        assert made[0].session
+        assert "no.npy" in made[1].reason
+
+    def test_table(self, found, store):
+        made = rows(found, store, Here())
+        store.write_table(made)
+        with (store.folder / "table.csv").open(newline="") as file:
+            table = list(csv.DictReader(file))
+        assert [row["run.seed"] for row in table] == ["0", "1", "2", "3"]
+        assert [float(row["relative_l2"] or "nan") for row in table[:2]] == [0.25, 0.25]
+        assert table[2]["reason"] == "stopped at iteration 3: no light"
+        data = json.loads((store.folder / "table.json").read_text())["points"]
+        assert data[3]["session"] == made[3].session
+
+
+class TestWorkers:
+    @pytest.fixture
+    def task(self, make_scene):
+        scene = make_scene({"run": {"method": "paper", "iterations": 1}})
+        return Task(scene, np.ones((32, 32)), RAYS)
+
+    def test_whatever_goes_wrong_is_told(self, task):
+        assert attempt(task._replace(target=np.zeros((3, 3)))).reason.startswith("unexpected ")
+
+    def test_processes_do_the_same_and_outlive_a_point_that_kills(self, task):
+        impossible = task._replace(target=np.zeros((3, 3)))
+        with Processes(1, 1) as workers:
+            found = dict(workers.work(iter([(1, task), (2, impossible)])))
+            (process,) = workers._all.values()
+            found |= dict(workers.work(killing(process, [(3, task), (4, task)])))
+        assert found[1].check == attempt(task, 1).check == found[4].check
+        assert np.array_equal(found[1].result.control_points, found[4].result.control_points)
+        assert found[2].reason.startswith("unexpected ")
+        assert found[3] == Failed("its process ended with exit status -9")
+        assert not process.is_alive()
+
+    def test_a_cluster_does_the_same(self, task):
+        distributed = pytest.importorskip("distributed")
+        with (
+            distributed.LocalCluster(
+                n_workers=1, threads_per_worker=1, processes=False, dashboard_address=None
+            ) as local,
+            Cluster(local.scheduler_address) as workers,
+        ):
+            impossible = task._replace(target=np.zeros((3, 3)))
+            tasks = [(1, task), (2, impossible), (3, task), (4, task)]
+            found = dict(workers.work(iter(tasks)))
+        assert found[1].check == attempt(task).check
+        assert found[2].reason.startswith("unexpected ")
+        assert sorted(found) == [1, 2, 3, 4]
+
+    def test_a_cluster_that_is_not_there(self, monkeypatch):
+        pytest.importorskip("distributed")
+        monkeypatch.setattr("workbench.sweep.cluster._SECONDS", 0.2)
+        with pytest.raises(Refused, match=r"dask: 'tcp://127.0.0.1:9' cannot be reached"):
+            Cluster("tcp://127.0.0.1:9")
+
+
+def killing(process, tasks):
+    """Tasks; the process gets the first of them and is killed before it does anything."""
+    os.kill(process.pid, signal.SIGSTOP)
+    threading.Timer(0.2, process.kill).start()
+    yield from tasks

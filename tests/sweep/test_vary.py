@@ -1,0 +1,101 @@
+import pytest
+
+from workbench.errors import Refused
+from workbench.scene import Scene
+from workbench.sweep.vary import Variation, shown, varied
+
+
+@pytest.mark.parametrize(
+    "text, values",
+    [
+        ("run.seed=3", (3,)),
+        ("run.seed=0..4", (0, 1, 2, 3, 4)),
+        ("run.seed=-2..0,7", (-2, -1, 0, 7)),
+        ("run.seed=1,1,0..2", (1, 0, 2)),
+        ("screen.z=4.5,5,1e1", (4.5, 5, 10.0)),
+        ("lens.control_points=32x32,64x48", ((32, 32), (64, 48))),
+        ("source.position=0x0x-5", ((0, 0, -5),)),
+        ("run.method=auto,paper", ("auto", "paper")),
+        ("target.invert=true,false", (True, False)),
+        ("target.image=../a.png", ("../a.png",)),
+        ("lens.refractive_index=PMMA,1.5", ("PMMA", 1.5)),
+    ],
+)
+def test_values(text, values):
+    found = Variation.parse(text).values
+    assert found == values
+    assert list(map(type, found)) == list(map(type, values))
+
+
+@pytest.mark.parametrize(
+    "text, reason",
+    [
+        ("run.seed", "usage: --vary 'run.seed'; field=values is needed"),
+        ("=1", "usage: --vary ''; a field is needed"),
+        ("run..seed=1", "usage: --vary 'run..seed'; a field is needed"),
+        ("[0]=1", "usage: --vary '[0]'; a field is needed"),
+        ("run.seed=", "run.seed: a value is empty"),
+        ("run.seed=1,,2", "run.seed: a value is empty"),
+        ("run.seed=4..0", "run.seed: 4..0; 1 to 10000 whole numbers upwards"),
+        ("run.seed=0..10000", "run.seed: 0..10000; 1 to 10000 whole numbers"),
+        ("screen.z=0.5..1", "screen.z: 0.5..1; from a to b goes with whole numbers only"),
+    ],
+)
+def test_refusals(text, reason):
+    with pytest.raises(Refused) as refused:
+        Variation.parse(text)
+    assert str(refused.value).startswith(reason)
+
+
+def test_values_as_they_are_typed():
+    assert [shown(v) for v in ((64, 48), 1.5, True, "auto", 3)] == [
+        "64x48",
+        "1.5",
+        "true",
+        "auto",
+        "3",
+    ]
+
+
+class TestVaried:
+    def test_fields_change_and_the_rest_stays(self, make_scene):
+        scene = make_scene()
+        found = varied(scene, {"lens.control_points": (20, 16), "run.seed": 4, "screen.z": 7})
+        assert found.lens.control_points == (20, 16)
+        assert (found.run.seed, found.screen.z) == (4, 7)
+        assert found.source == scene.source
+
+    def test_one_number_stands_for_each(self, make_scene):
+        assert varied(make_scene(), {"lens.control_points": 20}).lens.control_points == (20, 20)
+
+    def test_one_of_several(self, make_scene):
+        scene = make_scene({"source": {"kind": "point", "position": [0, 0, -5]}})
+        assert varied(scene, {"source.position[2]": -8}).source.position == (0, 0, -8)
+        assert varied(scene, {"filter.size[1]": 5}).filter.size == (3, 5)
+
+    def test_what_was_left_to_defaults_follows(self, scene_data):
+        for name in ("base", "height_range", "min_thickness"):
+            del scene_data["lens"][name]
+        del scene_data["filter"], scene_data["run"]
+        scene = Scene.from_data(scene_data)
+        found = varied(scene, {"lens.half_width": 2.0, "filter.size[0]": 7, "run.iterations": 9})
+        assert found.lens.height_range == pytest.approx((-0.6, 0.6))
+        assert found.filter.size == (7, 3)
+        assert found.run.iterations == 9
+
+    @pytest.mark.parametrize(
+        "path, value, reason",
+        [
+            ("lens.colour", 1, "lens.colour: unknown field"),
+            ("lens.degree.x", 1, "lens.degree.x: unknown field"),
+            ("lens[0]", 1, "lens[0]: unknown field"),
+            ("lens.half_width[2]", 1, "lens.half_width[2]: there are only 2 of them; 0 to 1"),
+            ("run.seed", "x", "run.seed: 'x' is not a whole number"),
+            ("lens.control_points", 3, "lens.control_points[0]: 3 is too few"),
+            ("lens.half_width.a.b", 1, "lens.half_width.a.b: unknown field"),
+        ],
+    )
+    def test_refusals_name_the_field(self, make_scene, path, value, reason):
+        with pytest.raises(Refused) as refused:
+            varied(make_scene(), {path: value})
+        assert str(refused.value).startswith(reason)
