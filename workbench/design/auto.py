@@ -74,6 +74,9 @@ PHASES = (
 # Rays along an axis for each control point along it, at least.
 _RAYS_PER_CONTROL_POINT = 4
 _MOST_RAYS = 4096
+# What symmetry saves goes in part into rays, by this factor along each axis for each mirror: the
+# smaller the error, the more of it is that of too few rays.
+_MIRRORED_RAYS = 1.3
 # Rays that tell how far the light of a lens reaches.
 _FEW_RAYS = (256, 256)
 # A lens to go on from is taken through all phases if its error is larger than this.
@@ -180,9 +183,10 @@ def _image(
 ) -> WideImage:
     """The image as a phase sees it, wide enough for light that falls as far as ``reach``."""
     wanted = _samples(scene.source)
+    rays = phase.rays * _MIRRORED_RAYS ** sum(mirrored)
     per_axis = [
         max(
-            phase.rays * pixels,
+            math.ceil(rays * pixels),
             _RAYS_PER_CONTROL_POINT * count,
             least if phase is PHASES[-1] else 0,
         )
