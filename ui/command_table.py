@@ -43,6 +43,9 @@ RAYS = {f"rays_{rays}": rays for rays in (0, 5, 15, 45)}
 """Commands for the number of rays in the 3D scene, along each axis."""
 _FIRST_RAYS = 15
 
+COLOURS = {f"colours_{name}": name for name in ("inferno", "viridis", "cividis", "gray")}
+"""Commands for the colours in which light is shown; see `workbench.pictures.maps.UNSIGNED`."""
+
 COMMANDS = {
     **{name: Command(example.title, example.look) for name, example in NEW.items()},
     "new_tophat": Command(_FIRST.title, _FIRST.look, _Key.New, "new"),
@@ -60,6 +63,16 @@ COMMANDS = {
     "quit": Command("&Quit", "Close all windows of the workbench", "Ctrl+Q"),
     "undo": Command("&Undo", "Take the last change back", _Key.Undo, "undo"),
     "redo": Command("&Redo", "Make the change again", "Ctrl+Shift+Z", "redo"),
+    "copy_plot": Command(
+        "Copy &plot",
+        "Copy a picture of the plot that was clicked last, to paste it elsewhere",
+        "Ctrl+Shift+C",
+    ),
+    "save_plot": Command(
+        "Save p&lot…",
+        "Save the plot that was clicked last: as a picture (PNG, SVG) or its numbers (CSV)",
+        "Ctrl+Shift+E",
+    ),
     "start": Command("&Start", "Design the lens from its start", "F5", "start"),
     "continue": Command("&Continue", "Go on from the lens as it is", "Shift+F5", "continue"),
     "pause": Command("&Pause", "Hold the design; again to go on", "F6", "pause", checked=False),
@@ -86,6 +99,14 @@ COMMANDS = {
             checked=rays == _FIRST_RAYS,
         )
         for name, rays in RAYS.items()
+    },
+    **{
+        command: Command(
+            name.capitalize(),
+            "Colours of light in the images and on the screen of the 3D scene",
+            checked=command == "colours_inferno",
+        )
+        for command, name in COLOURS.items()
     },
     "scene_view": Command("&3D scene", "Show or hide the 3D scene", "Ctrl+3", checked=True),
     "palette": Command("Command &palette", "Find any command by its name", "Ctrl+Shift+P"),
@@ -122,7 +143,7 @@ MENUS: dict[str, list[Any]] = {
         "close",
         "quit",
     ],
-    "&Edit": ["undo", "redo"],
+    "&Edit": ["undo", "redo", None, "copy_plot", "save_plot"],
     "&Design": ["check"],
     "&Run": _RUN,
     "&View": [
@@ -133,6 +154,7 @@ MENUS: dict[str, list[Any]] = {
         None,
         "exploded",
         ("&Rays", list(RAYS)),
+        ("&Colours of light", list(COLOURS)),
         None,
         "scene_view",
     ],
@@ -142,5 +164,5 @@ TOOLBAR = ["new_tophat", "open", "save", None, "undo", "redo", None, *_RUN, None
 """Names and separators, as in a menu."""
 LABELLED = _RUN
 """Those whose name stands beside the icon in the toolbar."""
-CHOICES = [list(RAYS)]
+CHOICES = [list(RAYS), list(COLOURS)]
 """Groups of commands of which one is on."""

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QMainWindow, QMessageBox
 import workbench
 from resources import EXAMPLES, Example
 from ui.availability import Situation
+from ui.colour_map import ColourMap
 from ui.command_table import COMMANDS, NEW
 from ui.commands import Commands
 from ui.document import ENDING, Document
@@ -22,6 +23,7 @@ from ui.log_view import LogView
 from ui.message_bar import MessageBar
 from ui.palette import CommandPalette
 from ui.panels.forms import Forms
+from ui.plots import Plots
 from ui.recent import RecentFiles
 from ui.run_status import RunStatus
 from ui.workspace import Workspace
@@ -86,6 +88,7 @@ class MainWindow(QMainWindow):
         self.forms = Forms(document)
         steps = document.undo_stack
         self.workspace = Workspace(self, self.forms, self.messages, steps, self.log)
+        self._settings = settings
         self._recent = RecentFiles(settings)
         self.files = FileActions(document, self._recent, self.messages, self)
         self.exporter = Exporter(document, self.messages, self)
@@ -93,6 +96,7 @@ class MainWindow(QMainWindow):
         self.control: RunControl | None = None
         self.check: Check | None = None
         self.views: Views | None = None
+        self.plots: Plots | None = None
         self._leaving = False  # whatever would be lost
         self._closing = False  # as soon as the run has ended
         self.setAcceptDrops(True)
@@ -117,7 +121,11 @@ class MainWindow(QMainWindow):
         self.check = check = Check(self)
         self.workspace.raise_curtain(views.scene, views.docked)
         self.workspace.docks["derivative"].visibilityChanged.connect(views.derivative.uncover)
+        views.link.drawn.connect(lambda _: self.workspace.show_dock("section"))
         views.follow(self.document, control)
+        self.plots = Plots(views.plots(), self.document, self.messages, self)
+        self.plots.offer([self.commands[name] for name in self.plots.slots()])
+        colours = ColourMap(self._settings, self.commands, views.show_colours)
         RunLog(self.document, control, self.log.add)
         runner, look_back = control.runner, views.look_back
         check.figures_changed.connect(self._status.show_check)
@@ -141,6 +149,8 @@ class MainWindow(QMainWindow):
                 "stop": runner.stop,
                 "check": check.toggle,
                 **views.slots(),
+                **self.plots.slots(),
+                **colours.slots(),
             }
         )
         self.commands.connect_toggles(views.toggles())
@@ -173,6 +183,8 @@ class MainWindow(QMainWindow):
         if self.check is not None:
             self.check.close()
         self.exporter.close()
+        if self.plots is not None:
+            self.plots.close()
         if self.views is not None:
             self.views.close()
         super().closeEvent(event)

@@ -22,7 +22,8 @@ _LEFT = Qt.DockWidgetArea.LeftDockWidgetArea
 _RIGHT = Qt.DockWidgetArea.RightDockWidgetArea
 _BOTTOM = Qt.DockWidgetArea.BottomDockWidgetArea
 
-_HIDDEN = ("history", "target", "derivative", "section", "log")  # until they are asked for
+# Until they are asked for.
+_HIDDEN = ("history", "target", "derivative", "surface", "section", "log")
 
 # Shares of the window for forms, images and what stands below the 3D scene.
 _FORMS_SHARE = 0.25
@@ -75,6 +76,7 @@ class Workspace:
             "target": self._dock("target", "Target", _RIGHT),
             "error": self._dock("error", "Irradiance − target", _RIGHT),
             "derivative": self._dock("derivative", "Derivative", _RIGHT),
+            "surface": self._dock("surface", "Surface", _RIGHT),
             "loss": self._dock("loss", "Loss", _BOTTOM),
             "section": self._dock("section", "Cross-section", _BOTTOM),
             "log": self._dock("log", "Log", _BOTTOM),
@@ -90,7 +92,8 @@ class Workspace:
         for name in self.docks.keys() - {"design", "history", "log"}:
             curtain = QLabel("Loading…", alignment=Qt.AlignmentFlag.AlignCenter)
             self.docks[name].setWidget(curtain)
-        window.tabifyDockWidget(self.docks["error"], self.docks["derivative"])
+        for name in ("derivative", "surface"):
+            window.tabifyDockWidget(self.docks["error"], self.docks[name])
         for name in ("section", "log"):
             window.tabifyDockWidget(self.docks["loss"], self.docks[name])
         window.splitDockWidget(
@@ -124,6 +127,11 @@ class Workspace:
             self.docks[name].setWidget(view)
             placeholder.deleteLater()
         self._curtain.setText("The 3D scene is hidden. View > 3D scene shows it again.")
+
+    def show_dock(self, name: str) -> None:
+        """Show a dock in front of those that share its place."""
+        self.docks[name].show()
+        self.docks[name].raise_()
 
     def show_scene_view(self, shown: bool) -> None:
         """Show the 3D scene, or nothing in its place (which costs nothing while a run goes on)."""

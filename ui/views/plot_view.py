@@ -47,6 +47,12 @@ class PlotView(View):
         self._shown: Session | None = None
         self._anew = True
 
+    @property
+    def empty(self) -> bool:
+        """Whether it shows nothing yet."""
+        axes = self._canvas.figure.axes
+        return not axes or not axes[0].get_visible()
+
     def offer(self, actions: "Sequence[QAction]") -> None:
         """Add to what can be done with the plot, by the menu on it."""
         self._canvas.addActions(actions)

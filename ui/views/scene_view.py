@@ -5,26 +5,30 @@
    in software OpenGL cost 60 ms instead of 200.
 3. A repaint of the widget renders the scene. Calling `render` as well would do it twice.
 4. While hidden or minimised nothing is rendered; the latest frame is drawn when shown again.
-5. The camera belongs to the person: it moves by itself only when lens or screen take another
-   place, or when the view is resized before it was ever touched.
+5. The camera belongs to the person: it moves by itself only when lens, screen or source take
+   another place, the source not while it is dragged, or when the view is resized before it was
+   ever touched.
 6. A plotter that is not closed before its widget is destroyed takes VTK objects with it that
    crash later. `close_plotter` must be called from the window's closeEvent.
 7. The view is a native window within the window. Otherwise the whole window is composed with
    OpenGL, and whatever is painted anywhere in it costs 13 ms more, also while the view is hidden.
-8. A press and a release at one place are a click, which picks; anything else turns the camera. The
-   plotter gets both in any case, or it would believe the button still pressed.
+8. Of mouse and keyboard the plotter gets what no tool takes; see `ui.views.tools.hand`.
+9. Tools change what is shown by the methods here and never draw: an `_ask` is drawn in its turn.
 """
 
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
-from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
-from PySide6.QtGui import QCloseEvent, QMouseEvent, QResizeEvent
-from PySide6.QtWidgets import QApplication, QWidget
+from PySide6.QtCore import QEvent, QObject, Qt, Signal
+from PySide6.QtGui import QCloseEvent, QResizeEvent
+from PySide6.QtWidgets import QLabel, QWidget
 
 from ui.frame import RAYS
+from ui.views.tools.hand import Hand
+from ui.views.tools.tool import Pointer, Tool
 from ui.views.view import View, look_alike
+from workbench.pictures.images import LIGHT
 
 if TYPE_CHECKING:
     from ui.frame import Frame
@@ -32,7 +36,11 @@ if TYPE_CHECKING:
     from workbench.optics.paths import RayPaths
     from workbench.pictures.control_net import ControlNetPicture
     from workbench.pictures.lens import LensPicture
-    from workbench.scene import Scene
+    from workbench.pictures.sight import Sight
+    from workbench.pictures.source_handles import SourceHandles
+    from workbench.scene import Lens, Scene, Source
+
+Mask = npt.NDArray[np.bool_]
 
 
 class SceneView(View):
@@ -42,9 +50,12 @@ class SceneView(View):
     ----------
     picked : Signal(tuple[int, int])
         The control point that was clicked, along x and along y.
+    let_go : Signal()
+        The person wants no tool any more.
     """
 
     picked = Signal(object)
+    let_go = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -53,12 +64,138 @@ class SceneView(View):
         self._plotter: Any = None
         self._picture: LensPicture | None = None
         self._net: ControlNetPicture | None = None
+        self._handles: SourceHandles | None = None
+        self._sight: Sight | None = None
         self._marked: tuple[int, int] | None = None
-        self._pressed_at: QPointF | None = None
+        self._tool: Tool | None = None
+        self._brush: tuple[tuple[int, int], float] | None = None
+        self._locked: Mask | None = None
         self._shown: Session | None = None
+        self._held: npt.NDArray[np.float64] | None = None  # what the camera was turned to
         self._closed = False
         self._rays = 15
         self._exploded = False
+        self._perspective = False
+        self._by_weight = False
+        self._hand = Hand(self)
+        self._hand.clicked.connect(self._pick)
+        self._hand.let_go.connect(self.let_go)
+        self._hint = QLabel(wordWrap=True, objectName="hint")
+        self._hint.hide()
+        self.add_below(self._hint)
+        self._colours = LIGHT
+
+    def show_colours(self, name: str) -> None:
+        """Show light in one of `workbench.pictures.maps.UNSIGNED`."""
+        self._colours = name
+        self._ask()
+
+    @property
+    def frame(self) -> "Frame | None":
+        """What is shown, or will be in its turn."""
+        return self._frame
+
+    @property
+    def lens(self) -> "Lens | None":
+        """Whose control points are shown."""
+        return None if self._shown is None else self._shown.scene.lens
+
+    @property
+    def source(self) -> "Source | None":
+        """Where the rays come from."""
+        if self._frame is not None:
+            return self._frame.source
+        return None if self._session is None else self._session.scene.source
+
+    @property
+    def unit(self) -> str:
+        """The unit of length."""
+        return "" if self._shown is None else self._shown.scene.unit
+
+    @property
+    def locked(self) -> Mask | None:
+        """Control points that are locked, shape (n_u, n_v)."""
+        return self._locked
+
+    @property
+    def net(self) -> "ControlNetPicture | None":
+        """The control points; None before the first drawing."""
+        return self._net
+
+    @property
+    def handles(self) -> "SourceHandles | None":
+        """The handles of the source; None before the first drawing."""
+        return self._handles
+
+    @property
+    def sight(self) -> "Sight | None":
+        """What is seen where; None before the first drawing."""
+        return self._sight
+
+    def use(self, tool: Tool | None) -> None:
+        """Give the left button to another tool, or to the camera alone."""
+        self._hand.take(tool)
+        self._tool = tool
+        self._hint.setVisible(tool is not None)
+        if tool is not None:
+            self._hint.setText(tool.hint)
+        if self._plotter is not None:
+            self._show_cursor()
+            self._plotter.setFocus()  # for Esc
+        self._ask()
+
+    def drop(self) -> None:
+        """Take back what a tool has under way."""
+        self._hand.drop()
+
+    def show_hint(self, text: str) -> None:
+        """Say below the scene what a tool does."""
+        self._hint.setText(text)
+
+    def show_brush(self, index: tuple[int, int] | None, radius: float) -> None:
+        """Highlight the control points of a brush, its radius in scene units; or none."""
+        brush = None if index is None else (index, radius)
+        if brush != self._brush:
+            self._brush = brush
+            self._ask()
+
+    def show_locked(self, locked: Mask | None) -> None:
+        """Show other control points as locked."""
+        self._locked = locked
+        self._ask()
+
+    def show_design(self, session: "Session") -> None:
+        """Take note of another scene, target or set of locks."""
+        super().show_design(session)
+        if session.locked is not self._locked:
+            self.show_locked(session.locked)
+        if self._tool is not None:
+            self.show_hint(self._tool.hint)
+
+    def hold_camera(self, scene: "Scene") -> None:
+        """Leave the camera where it is when this scene comes."""
+        self._held = self._space(scene)
+
+    def see_in_perspective(self, perspective: bool) -> None:
+        """See in perspective, or in parallel."""
+        self._perspective = perspective
+        if self._picture is not None:
+            self._picture.project(perspective)
+            self._plotter.update()
+
+    def colour_rays(self, by_weight: bool) -> None:
+        """Colour rays by the part of their light that arrives, or by where they end."""
+        self._by_weight = by_weight
+        if self._picture is not None:
+            self._picture.colour_rays(by_weight)
+            self._plotter.update()
+
+    def picture(self, times: int) -> "npt.NDArray[np.uint8] | None":
+        """What is seen now, so many times as large, shape (rows, columns, 3); None before that."""
+        if self._picture is None:
+            return None
+        taken = self._plotter.screenshot(return_img=True, scale=times)
+        return np.ascontiguousarray(taken[..., :3])
 
     def show_rays(self, rays: int) -> None:
         """Show so many of the rays along each axis: a divisor of `RAYS`, or none."""
@@ -86,7 +223,7 @@ class SceneView(View):
     def close_plotter(self) -> None:
         """Free what VTK holds; the view stays empty from then on. Safe to call twice."""
         self._closed = True
-        self._picture = self._net = None
+        self._picture = self._net = self._handles = self._sight = None
         if self._plotter is not None:
             self._plotter.close()
             self._plotter.deleteLater()
@@ -104,21 +241,11 @@ class SceneView(View):
         super().closeEvent(event)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Watch the plotter for clicks."""
-        if isinstance(event, QMouseEvent) and event.button() is Qt.MouseButton.LeftButton:
-            if event.type() == QEvent.Type.MouseButtonPress:
-                self._pressed_at = event.position()
-            elif event.type() == QEvent.Type.MouseButtonRelease and self._pressed_at is not None:
-                moved = (event.position() - self._pressed_at).manhattanLength()
-                if moved < QApplication.startDragDistance():
-                    self._pick(event.position())
-        return super().eventFilter(watched, event)
+        """Give tools what is for them."""
+        return self._hand.eventFilter(watched, event) or super().eventFilter(watched, event)
 
-    def _pick(self, place: QPointF) -> None:
-        if self._net is None:
-            return
-        scale = self.devicePixelRatioF()  # VTK counts the screen's pixels, from below
-        index = self._net.pick(place.x() * scale, (self._plotter.height() - 1 - place.y()) * scale)
+    def _pick(self, at: Pointer) -> None:
+        index = None if self._net is None else self._net.pick(at.x, at.y)
         if index is not None:
             self.picked.emit(index)
 
@@ -132,11 +259,22 @@ class SceneView(View):
         self._shown = session
         if self._picture is not None and frame is not None:
             lit, paths = frame.snapshot.irradiance, _some(frame.paths, self._rays)
+            self._picture.set_colours(self._colours)
             self._picture.update(frame.surface, paths, lit, frame.source)
-        if self._net is not None and frame is not None:
-            self._net.update(frame.snapshot.control_points)
-            self._net.mark(self._marked)
+        if frame is not None:
+            self._draw_tools(frame)
         self._plotter.repaint()
+
+    def _draw_tools(self, frame: "Frame") -> None:
+        net, handles, tool = self._net, self._handles, self._tool
+        assert net is not None and handles is not None  # made with the picture
+        net.update(frame.snapshot.control_points)
+        net.mark(self._marked)
+        net.show(tool is not None and tool.shows_net)
+        net.brush(*(self._brush or (None, 0.0)))
+        fits = self._locked is not None and self._locked.shape == net.places.shape[:2]
+        net.lock(self._locked if fits else None)
+        handles.show(frame.source if tool is not None and tool.shows_handles else None)
 
     def _open_plotter(self) -> None:
         from pyvistaqt import QtInteractor
@@ -145,23 +283,40 @@ class SceneView(View):
         self._plotter.ren_win.SetMultiSamples(0)
         self._plotter.setAcceptDrops(False)  # files dropped here are for the window
         self._plotter.installEventFilter(self)
-        self._box.addWidget(self._plotter)
+        self._show_cursor()
+        self._box.insertWidget(0, self._plotter, 1)
         self._box.activate()
         self._plotter.show()  # a layout shows what joins it only in a later turn
+
+    def _show_cursor(self) -> None:
+        if self._tool is None:
+            self._plotter.unsetCursor()
+        else:
+            self._plotter.setCursor(self._tool.cursor)
 
     def _begin(self, session: "Session") -> None:
         from workbench.pictures.control_net import ControlNetPicture
         from workbench.pictures.lens import LensPicture
+        from workbench.pictures.sight import Sight
+        from workbench.pictures.source_handles import SourceHandles
 
-        scene, dark, explode = session.scene, self.is_dark(), self._exploded
-        moved = self._shown is None or not np.array_equal(
-            self._space(self._shown.scene), self._space(scene)
-        )
+        scene, dark = session.scene, self.is_dark()
+        space = self._space(scene)
+        moved = self._held is None or not np.array_equal(self._held, space)
+        self._held = space
         self._plotter.clear_actors()
         self._picture = LensPicture(
-            self._plotter, scene, session.target, dark=dark, explode=explode
+            self._plotter,
+            scene,
+            session.target,
+            dark=dark,
+            explode=self._exploded,
+            perspective=self._perspective,
+            by_weight=self._by_weight,
         )
         self._net = ControlNetPicture(self._plotter, scene.lens, dark=dark)
+        self._handles = SourceHandles(self._plotter, dark=dark)
+        self._sight = Sight(self._plotter)
         if moved:
             self._picture.fit()
 
@@ -177,6 +332,8 @@ class SceneView(View):
             self._picture.recolour(self.is_dark())
         if self._net is not None:
             self._net.recolour(self.is_dark())
+        if self._handles is not None:
+            self._handles.recolour(self.is_dark())
 
 
 def _some(paths: "RayPaths", count: int) -> "RayPaths":

@@ -14,8 +14,10 @@ from ui.views.irradiance_view import IrradianceView
 from ui.views.light_view import LightView
 from ui.views.look_back import LookBack
 from ui.views.loss_view import LossView
+from ui.views.plot_view import PlotView
 from ui.views.scene_view import SceneView
 from ui.views.section_view import SectionView
+from ui.views.surface_view import SurfaceView
 from ui.views.target_view import TargetView
 from ui.views.view import View
 
@@ -37,11 +39,13 @@ class Views(QObject):
         One of these.
     look_back : LookBack
         Below the loss.
+    link : ImageLink
+        What images of the screen have in common.
     """
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
-        link = ImageLink(self)
+        self.link = link = ImageLink(self)
         self.scene, self.look_back = SceneView(), LookBack()
         self.derivative, loss = DerivativeView(), LossView()
         loss.add_below(self.look_back)
@@ -50,6 +54,7 @@ class Views(QObject):
             "target": TargetView(link),
             "error": ErrorView(link),
             "derivative": self.derivative,
+            "surface": SurfaceView(),
             "loss": loss,
             "section": SectionView(link),
             "light": LightView(),
@@ -67,6 +72,15 @@ class Views(QObject):
             self.look_back.looked.connect(view.show_frame)
         moments = control.moments
         moments.changed.connect(lambda: self.look_back.show_frames(moments.frames))
+
+    def plots(self) -> dict[str, PlotView]:
+        """Those that are drawn on axes, by the names of their docks."""
+        return {name: view for name, view in self.docked.items() if isinstance(view, PlotView)}
+
+    def show_colours(self, name: str) -> None:
+        """Show light in one of `workbench.pictures.maps.UNSIGNED`."""
+        self.link.set_colours(name)
+        self.scene.show_colours(name)
 
     def slots(self) -> dict[str, Callable[[], object]]:
         """What commands do here."""

@@ -26,7 +26,7 @@ from vtkmodules.vtkRenderingCore import vtkBillboardTextActor3D
 from workbench.pictures import shapes
 from workbench.pictures.camera import FittedCamera, in_view, start_z
 from workbench.pictures.exploded import explode_paths, exploded
-from workbench.pictures.images import full_scale, to_colours
+from workbench.pictures.images import LIGHT, full_scale, to_colours
 from workbench.scene import PointSource, Scene, Source
 
 if TYPE_CHECKING:
@@ -83,6 +83,7 @@ class LensPicture:
         self._traced, self._explode = scene, explode
         self._scene = exploded(scene) if explode else scene  # as it is drawn
         self._full_scale = full_scale(scene, target)
+        self._colours = LIGHT
         self._dark = dark
         self._by_weight = by_weight
         self._lines: list[Any] = []
@@ -150,6 +151,10 @@ class LensPicture:
     def fitted(self) -> bool:
         """Whether the camera is where `fit` left it."""
         return self._camera.untouched
+
+    def set_colours(self, name: str) -> None:
+        """Take other colours of light, seen with the next update; see `to_colours`."""
+        self._colours = name
 
     def recolour(self, dark: bool) -> None:
         """Change between the dark and the light ground."""
@@ -225,7 +230,7 @@ class LensPicture:
     def _paint_screen(self, irradiance: Array) -> None:
         n_y, n_x = irradiance.shape
         thin = (slice(None, None, -(-n // _TEXTURE_PIXELS)) for n in (n_y, n_x))
-        colours = to_colours(irradiance[tuple(thin)], self._full_scale)[::-1]
+        colours = to_colours(irradiance[tuple(thin)], self._full_scale, self._colours)[::-1]
         self._texels.dimensions = (colours.shape[1], colours.shape[0], 1)
         self._texels.point_data["colour"] = colours.reshape(-1, 3)
         self._texels.point_data.active_scalars_name = "colour"
