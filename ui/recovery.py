@@ -38,11 +38,19 @@ class Recovery(QObject):
         What is kept while it is dirty.
     folder : Path
         Where; made if it is not there.
+    every_ms : int
+        How often, in milliseconds.
     """
 
     failed = Signal(str)  # why nothing can be kept, once
 
-    def __init__(self, document: Document, folder: Path, parent: QObject | None = None) -> None:
+    def __init__(
+        self,
+        document: Document,
+        folder: Path,
+        parent: QObject | None = None,
+        every_ms: int = _EVERY_MS,
+    ) -> None:
         super().__init__(parent)
         self._document = document
         self._file = folder / f"{uuid4().hex}{ENDING}"
@@ -51,7 +59,7 @@ class Recovery(QObject):
         self._kept: Session | None = None
         self._writer: threading.Thread | None = None
         self._told = self._closed = False
-        self._timer = QTimer(self, interval=_EVERY_MS)
+        self._timer = QTimer(self, interval=every_ms)
         self._timer.timeout.connect(self.keep)
 
     @property
