@@ -5,6 +5,7 @@ from types import SimpleNamespace
 import pytest
 from PySide6.QtCore import QSettings
 
+from ui.checking import verified_error
 from ui.document import Document
 from ui.main_window import MainWindow
 from workbench.analysis.validation import validating
@@ -22,7 +23,8 @@ STEPS = 4
 def few_rays(monkeypatch):
     """Real checks, with fewer rays."""
     monkeypatch.setattr(
-        "workbench.analysis.validation.validating", lambda *lens: validating(*lens, rays=RAYS)
+        "workbench.analysis.validation.validating",
+        lambda scene, target, heights, rays, threads: validating(scene, target, heights, RAYS),
     )
 
 
@@ -60,13 +62,22 @@ def test_the_figures_stand_beside_the_loss(window, few_rays, qtbot):
     session = window.document.session
     steps = validating(session.scene, session.target, session.result.control_points, RAYS)
     found = outcome(steps)
-    error = f"{100 * found.relative_l2_corrected:.2f} %"
+    error = verified_error(found)
     assert figures(window) == f"checked: error {error}"
     assert window._status._check.isVisible()
     log = window.log.toPlainText()
     assert f"relative L2 error {error}" in log
     assert f"{100 * found.relative_l2:.2f} ± {100 * found.noise:.2f} %" in log
     assert f"{100 * found.efficiency:.1f} % on the screen" in log
+
+
+def test_an_error_that_hides_in_the_rays_has_a_bound():
+    found = SimpleNamespace(
+        relative_l2_corrected=0.004, relative_l2_corrected_interval=(0.0, 0.0123)
+    )
+    assert verified_error(found) == "below 1.23 %"
+    found.relative_l2_corrected_interval = (0.001, 0.0123)
+    assert verified_error(found) == "0.40 %"
 
 
 def test_they_are_forgotten_with_the_lens(window, few_rays, qtbot):
@@ -118,7 +129,7 @@ def test_a_second_order_cancels_it(window, gate, qtbot):
     check.trigger()
     assert figures(window) == "" and check.text() == "&Check lens"
     gate.release(1)  # the step that it was in
-    qtbot.waitUntil(lambda: not window.check._background.busy)
+    qtbot.waitUntil(lambda: not window.check._checking._background.busy)
     assert len(gate.left) == 1
     assert "Check with" not in window.log.toPlainText()
     check.trigger()
@@ -146,14 +157,14 @@ def test_a_lens_that_is_checked_is_not_checked_again(window, gate, qtbot):
 
 
 def test_why_there_are_no_figures_is_said(window, monkeypatch, qtbot):
-    def dark(*lens):
+    def dark(*lens, threads):
         raise RunFailed("no light of this lens reaches the screen")
 
     monkeypatch.setattr("workbench.analysis.validation.validating", dark)
     window.commands["check"].trigger()
     qtbot.waitUntil(lambda: "no light" in window.messages.text, timeout=60_000)
     assert figures(window) == ""
-    monkeypatch.setattr("workbench.analysis.validation.validating", lambda *lens: 1 / 0)
+    monkeypatch.setattr("workbench.analysis.validation.validating", lambda *_, threads: 1 / 0)
     window.commands["check"].trigger()
     qtbot.waitUntil(lambda: "ZeroDivisionError" in window.messages.text, timeout=60_000)
 
@@ -163,7 +174,7 @@ def test_closing_in_the_midst_of_a_check(window, gate, qtbot):
     qtbot.waitUntil(lambda: len(gate.begun) == 1)
     gate.release(1)
     window.discard_and_close()
-    assert not window.check._background.busy
+    assert not window.check._checking._background.busy
 
 
 def test_no_check_while_a_run_goes_on(window, as_run, qtbot):
@@ -192,7 +203,7 @@ def gate(monkeypatch):
         loss=0.1,
     )
 
-    def steps(scene, target, heights):
+    def steps(scene, target, heights, rays, threads):
         begun.append(scene)
         try:
             for step in range(STEPS):

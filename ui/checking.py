@@ -1,0 +1,150 @@
+"""Independent traces of lenses in a thread: the latest that was asked for, and no other."""
+
+from dataclasses import dataclass
+from threading import Event
+from typing import TYPE_CHECKING
+
+import numpy as np
+import numpy.typing as npt
+from PySide6.QtCore import QObject, Signal
+
+from ui.background import Background
+
+if TYPE_CHECKING:
+    from workbench.analysis.validation import Validation
+    from workbench.files.session import Session
+
+Array = npt.NDArray[np.float64]
+
+RAYS = 4_000_000
+"""Rays of a thorough check."""
+
+
+@dataclass(frozen=True, eq=False)
+class Suspect:
+    """A lens that shall be checked.
+
+    Attributes
+    ----------
+    session : Session
+        Its task.
+    control_points : ndarray, shape (n_u, n_v)
+        Heights of its control points.
+    iterations : int
+        Iterations before it.
+    seconds : float
+        Run time before it.
+    """
+
+    session: "Session"
+    control_points: Array
+    iterations: int = 0
+    seconds: float = 0.0
+
+
+class Checking(QObject):
+    """One check at a time. Another one, or leaving it, ends it within a moment.
+
+    Parameters
+    ----------
+    parent : QObject
+        The owner.
+
+    Attributes
+    ----------
+    came_on : Signal(Suspect, float)
+        The part of its check that is done.
+    checked : Signal(Suspect, Validation)
+        What the check says.
+    failed : Signal(Suspect, str)
+        Why it says nothing.
+    """
+
+    came_on = Signal(object, float)
+    checked = Signal(object, object)
+    failed = Signal(object, str)
+
+    _stepped = Signal(object, float)
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
+        self._wanted: Suspect | None = None
+        self._asked: Suspect | None = None  # in the thread
+        self._rays, self._threads = RAYS, 0
+        self._left = Event()
+        self._background = Background("check", self)
+        self._background.done.connect(self._take)
+        self._background.failed.connect(self._give_up)
+        self._stepped.connect(self._tell)
+
+    @property
+    def busy(self) -> bool:
+        """Whether a check is under way that was not left."""
+        return self._wanted is not None
+
+    def begin(self, suspect: Suspect, rays: int = RAYS, threads: int = 0) -> None:
+        """Check a lens with so many rays, in so many threads; 0 for as many as there are cores."""
+        self.leave()
+        self._wanted, self._rays, self._threads = suspect, rays, threads
+        self._next()
+
+    def leave(self) -> None:
+        """Tell nothing more of the check that is under way."""
+        self._wanted = None
+        self._left.set()
+
+    def close(self) -> None:
+        """Leave the check and wait for the thread; safe to call twice."""
+        self.leave()
+        self._background.close()
+
+    def _next(self) -> None:
+        if self._wanted is None or self._background.busy:
+            return
+        suspect, rays, threads = self._wanted, self._rays, self._threads or None
+        self._asked, self._left = suspect, Event()
+        left, session, heights = self._left, suspect.session, suspect.control_points
+
+        def work() -> "Validation | None":
+            # Late: what it stands on is slow to import.
+            from workbench.analysis.validation import validating
+
+            steps = validating(session.scene, session.target, heights, rays, threads=threads)
+            while not left.is_set():
+                try:
+                    self._stepped.emit(suspect, next(steps))
+                except StopIteration as end:
+                    found: Validation = end.value
+                    return found
+            steps.close()
+            return None
+
+        self._background.begin(work)
+
+    def _tell(self, suspect: Suspect, part: float) -> None:
+        if suspect is self._wanted:
+            self.came_on.emit(suspect, part)
+
+    def _take(self, found: "Validation | None") -> None:
+        suspect = self._asked
+        if suspect is None or suspect is not self._wanted or found is None:
+            self._next()
+            return
+        self._wanted = None
+        self.checked.emit(suspect, found)
+
+    def _give_up(self, sentence: str) -> None:
+        suspect = self._asked
+        if suspect is not self._wanted:
+            self._next()
+            return
+        self._wanted = None
+        self.failed.emit(suspect, sentence)
+
+
+def verified_error(found: "Validation") -> str:
+    """What a check says of the lens itself: the scatter of its own rays is no error of a lens."""
+    low, high = found.relative_l2_corrected_interval
+    if low == 0:  # so few rays cannot tell it from none
+        return f"below {100 * high:.2f} %"
+    return f"{100 * found.relative_l2_corrected:.2f} %"
