@@ -19,6 +19,7 @@ from itertools import islice
 import numpy as np
 import numpy.typing as npt
 import torch
+from scipy.ndimage import binary_dilation
 from torch import Tensor
 
 from workbench.design.heights import HeightRange, Mask
@@ -111,7 +112,7 @@ def auto_steps(
         yield undesigned_step if smoothness is None else smoothness.judged(undesigned_step)
         first = transport_start(scene, target)
         if first is not None:
-            parameters = free.parameters(first)
+            parameters = free.parameters(_joined(first, undesigned.cpu().numpy(), locked))
     heights = free.heights(parameters)
     # All lenses are judged by the sharpest image, so that their losses can be compared.
     reach = _reach(scene, heights)
@@ -135,6 +136,17 @@ def auto_steps(
             best.append(min([found.value, *best[-1:]]))
             if len(best) > _PATIENCE and best[-1] > (1 - _PROGRESS) * best[-1 - _PATIENCE]:
                 break
+
+
+def _joined(first: Array, before: Array, locked: Mask | None) -> Array:
+    """A first lens, moved along z until it meets locked control points that stay as before.
+
+    Light hardly minds how far the face is from the screen, but it is lost at a step in the face.
+    """
+    if locked is None:
+        return first
+    rim = locked & binary_dilation(~locked)
+    return np.asarray(first + (before - first)[rim].mean())
 
 
 def judging_image(scene: Scene, target: Array, heights: Tensor) -> WideImage:

@@ -1,6 +1,6 @@
 """Control point freedom: keeps every control height in its range, whatever the optimiser does."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import numpy.typing as npt
@@ -11,6 +11,7 @@ from workbench.geometry.surface import ControlNet
 from workbench.scene import Lens
 
 Array = npt.NDArray[np.float64]
+Mask = npt.NDArray[np.bool_]
 
 
 @dataclass(frozen=True)
@@ -26,11 +27,14 @@ class HeightRange:
         Ends of the interval, scene units.
     rest : Tensor, shape (n_u, n_v), float64
         Parameters of the undesigned lens: base plus the middle of the height range.
+    kept : Tensor, shape (n_u, n_v), float64, optional
+        Heights that no parameter changes; NaN where one does.
     """
 
     lower: Tensor
     upper: Tensor
     rest: Tensor
+    kept: Tensor | None = None
 
     @classmethod
     def of(cls, lens: Lens, net: ControlNet, device: torch.device | str = "cpu") -> "HeightRange":
@@ -43,9 +47,26 @@ class HeightRange:
         rest = _inside(base + (low + high) / 2, lower, upper)
         return cls(*(torch.as_tensor(part, device=device) for part in (lower, upper, rest)))
 
+    def keeping(self, locked: Mask | None, start: Array | None) -> "HeightRange":
+        """The same range, but locked control points keep their heights exactly.
+
+        Parameters
+        ----------
+        locked : ndarray of bool, shape (n_u, n_v), optional
+            Which; none by default.
+        start : ndarray, shape (n_u, n_v), optional
+            Their heights, in the range or not; those of the undesigned lens by default.
+        """
+        if locked is None:
+            return self
+        heights = self.heights(self.rest).cpu().numpy() if start is None else start
+        kept = torch.as_tensor(np.where(locked, heights, np.nan), device=self.lower.device)
+        return replace(self, kept=kept)
+
     def heights(self, parameters: Tensor) -> Tensor:
         """Control heights of parameters, shape (n_u, n_v)."""
-        return self.lower + (self.upper - self.lower) * (0.5 * torch.tanh(parameters) + 0.5)
+        free = self.lower + (self.upper - self.lower) * (0.5 * torch.tanh(parameters) + 0.5)
+        return free if self.kept is None else torch.where(self.kept.isnan(), free, self.kept)
 
     def parameters(self, heights: Array) -> Tensor:
         """Parameters of control heights; heights at or beyond an end go just inside it."""

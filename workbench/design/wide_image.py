@@ -8,6 +8,7 @@ import numpy.typing as npt
 import torch
 from torch import Tensor
 
+from workbench.design.heights import Mask
 from workbench.design.loss import check_finite, paper_loss, share
 from workbench.design.step import Step
 from workbench.geometry.surface import ControlNet
@@ -42,6 +43,8 @@ class WideImage:
         Whether the whole task is its own mirror image in x, in y.
     reach : tuple[float, float]
         How far from the axis light falls.
+    locked : ndarray of bool, shape (n_u, n_v), optional
+        Control points whose heights are the same in all lenses that are compared.
     """
 
     def __init__(
@@ -52,6 +55,7 @@ class WideImage:
         samples: tuple[int, int],
         mirrored: tuple[bool, bool],
         reach: tuple[float, float],
+        locked: Mask | None = None,
     ) -> None:
         (n_x, n_y), (r_x, r_y) = scene.screen.pixels, scene.screen.half_width
         m_x, m_y = _margin(reach[0] / r_x, n_x), _margin(reach[1] / r_y, n_y)
@@ -61,7 +65,7 @@ class WideImage:
             pixels=(n_x + 2 * m_x, n_y + 2 * m_y),
         )
         net = ControlNet.of(scene.lens)
-        plan = Plan(scene, net, filter, samples=samples, mirrored=mirrored)
+        plan = Plan(scene, net, filter, samples=samples, mirrored=mirrored, locked=locked)
         self._plan = plan.on(wide)
         self._on_screen = (slice(m_y, m_y + n_y), slice(m_x, m_x + n_x))
         wanted = expected_image(np.pad(share(target), ((m_y, m_y), (m_x, m_x))), filter)
