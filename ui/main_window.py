@@ -313,7 +313,7 @@ class MainWindow(QMainWindow):
         menu.setEnabled(not menu.isEmpty())
 
     def _show_frame(self, frame: "Frame") -> None:
-        self._status.show_snapshot(frame.snapshot, self._busy)
+        self._status.show_frame(frame, self._busy)
 
     def _show_state(self) -> None:
         """What can be done depends on the run, on the result and on the undo stack."""

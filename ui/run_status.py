@@ -1,9 +1,14 @@
 """How far the design is, in the status bar."""
 
+from typing import TYPE_CHECKING
+
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel, QProgressBar, QStatusBar
 
-from workbench.design.snapshot import Snapshot
+from ui.pace import Pace
+
+if TYPE_CHECKING:
+    from ui.frame import Frame
 
 
 class RunStatus:
@@ -25,38 +30,63 @@ class RunStatus:
         self._progress.hide()
         bar.addPermanentWidget(self._progress)
         # Widths of the longest text to be expected, so that nothing jumps while it counts.
-        self._iteration = _figure(bar, "Iterations done", "iteration 0000 of 0000")
-        self._loss = _figure(bar, "How far the image is from the target", "loss 0.000e-00")
-        self._check = QLabel()
-        self._check.setToolTip(
-            "<p>Relative L2 error of the image, ± its standard error, and the part of the light "
-            "on the screen, by an independent trace with rays that the design never saw</p>"
+        self._iteration = _figure(
+            bar,
+            "Iterations done, and how many a second lately",
+            "iteration 0000 of 0000, 00.0/s",
         )
-        self._check.hide()
-        bar.addPermanentWidget(self._check)
+        self._loss = _figure(bar, "How far the image is from the target", "loss 0.000e-00")
+        self._verified = _passing(
+            bar,
+            "Relative L2 error of the image after so many iterations of the run, by an independent "
+            "trace with rays that the design never saw; the scatter of these rays is left out",
+        )
+        self._check = _passing(
+            bar,
+            "Relative L2 error of the lens on show, by an independent trace with rays that the "
+            "design never saw; the scatter of these rays is left out. The log tells more",
+        )
         self._light = _figure(
             bar, "Part of the light that lands on the screen", "on screen 000.0 %"
         )
         self._elapsed = _figure(bar, "Run time", "00:00 elapsed")
-        self._left = _figure(bar, "Time left if all iterations are used", "00:00 left")
+        self._left = _figure(
+            bar,
+            "Time left at the pace of the last seconds. Automatic ends sooner when nothing "
+            "improves any more",
+            "at most 00:00 left",
+        )
+        self._pace = Pace()
 
     def show_state(self, text: str) -> None:
         """Say what goes on."""
         self._state.setText(text)
 
-    def show_snapshot(self, snapshot: Snapshot, running: bool) -> None:
+    def show_frame(self, frame: "Frame", running: bool) -> None:
         """Show the figures of a lens; progress only while it is being designed."""
+        snapshot = frame.snapshot
         done, all_of_it = snapshot.iteration, snapshot.iterations
         self._progress.setVisible(running)
         self._progress.setMaximum(max(all_of_it, 1))
         self._progress.setValue(done)
         counting = running or done > 0
-        self._iteration.setText(f"iteration {done} of {all_of_it}" if counting else "")
+        rate, left = None, None
+        if running:
+            self._pace.note(snapshot.seconds, done)
+            rate, left = self._pace.rate, self._pace.left(all_of_it - done)
+        each_second = "" if rate is None else f", {rate:.3g}/s"
+        self._iteration.setText(f"iteration {done} of {all_of_it}{each_second}" if counting else "")
         self._loss.setText(f"loss {snapshot.loss:.3e}")
         self._light.setText(f"on screen {100 * snapshot.ledger.efficiency:.1f} %")
         self._elapsed.setText(f"{clock(snapshot.seconds)} elapsed" if counting else "")
-        left = snapshot.seconds / done * (all_of_it - done) if done else None
-        self._left.setText(f"{clock(left)} left" if running and left is not None else "")
+        may_stop = frame.session.scene.run.method == "auto"
+        at_most = "at most " if may_stop else ""
+        self._left.setText("" if left is None else f"{at_most}{clock(left)} left")
+
+    def show_verified(self, figures: str) -> None:
+        """Show what checks say of a run; empty for nothing."""
+        self._verified.setText(figures)
+        self._verified.setVisible(bool(figures))
 
     def show_check(self, figures: str) -> None:
         """Show what a check says of the lens on show; empty for nothing."""
@@ -79,6 +109,15 @@ def _figure(bar: QStatusBar, tip: str, longest: str) -> QLabel:
     label.setToolTip(tip)
     label.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
     label.setMinimumWidth(label.fontMetrics().horizontalAdvance(longest))
+    bar.addPermanentWidget(label)
+    return label
+
+
+def _passing(bar: QStatusBar, tip: str) -> QLabel:
+    """A figure that is there only sometimes."""
+    label = QLabel()
+    label.setToolTip(f"<p>{tip}</p>")
+    label.hide()
     bar.addPermanentWidget(label)
     return label
 

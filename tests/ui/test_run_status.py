@@ -1,0 +1,83 @@
+"""Progress in the status bar: how far, how fast, how long still."""
+
+from types import SimpleNamespace
+
+import pytest
+from PySide6.QtWidgets import QStatusBar
+
+from ui.pace import Pace
+from ui.run_status import RunStatus
+
+
+def test_the_pace_is_that_of_the_last_seconds():
+    pace = Pace()
+    assert pace.rate is None and pace.left(10) is None
+    for iteration in range(101):
+        pace.note(0.1 * iteration, iteration)
+    assert pace.rate == pytest.approx(10)
+    for iteration in range(1, 21):  # then four times slower
+        pace.note(10 + 0.4 * iteration, 100 + iteration)
+    assert pace.rate == pytest.approx(2.5)
+    assert pace.left(10) == pytest.approx(4)
+
+
+def test_slow_iterations_have_a_pace_too():
+    pace = Pace()
+    for iteration in range(4):
+        pace.note(30.0 * iteration, iteration)
+    assert pace.rate == pytest.approx(1 / 30)
+
+
+def test_another_run_begins_anew():
+    pace = Pace()
+    for iteration in range(10):
+        pace.note(iteration, iteration)
+    pace.note(0.0, 0)
+    assert pace.rate is None
+    pace.note(0.5, 5)
+    assert pace.rate == pytest.approx(10)
+
+
+@pytest.fixture
+def bar(qtbot):
+    bar = QStatusBar()
+    qtbot.addWidget(bar)
+    return bar
+
+
+def frame(session, snapshot):
+    return SimpleNamespace(session=session, snapshot=snapshot)
+
+
+def method(session, make_scene, name):
+    return SimpleNamespace(scene=make_scene({"run.method": name}))
+
+
+@pytest.mark.parametrize(("name", "left"), [("auto", "at most 0:06 left"), ("paper", "0:06 left")])
+def test_progress_while_a_run_goes_on(bar, session, make_scene, snapshots, name, left):
+    status = RunStatus(bar)
+    task = method(session, make_scene, name)
+    for iteration in (0, 20, 40):  # a tenth of a second each
+        status.show_frame(frame(task, snapshots(iteration, 100)), running=True)
+    assert status._iteration.text() == "iteration 40 of 100, 10/s"
+    assert status._left.text() == left
+    assert status._elapsed.text() == "0:04 elapsed"
+    assert status._light.text() == "on screen 92.0 %"
+    status.settle()
+    assert status._left.text() == "" and status._progress.isHidden()
+
+
+def test_a_lens_at_rest_has_no_pace(bar, session, snapshots):
+    status = RunStatus(bar)
+    status.show_frame(frame(session, snapshots(7)), running=False)
+    assert status._iteration.text() == "iteration 7 of 10"
+    assert status._left.text() == ""
+
+
+def test_verified_figures_are_there_only_when_there_are_some(bar):
+    status = RunStatus(bar)
+    assert status._verified.isHidden()
+    status.show_verified("verified 1.20 % at 40")
+    assert not status._verified.isHidden()
+    status.show_verified("")
+    assert status._verified.isHidden()
