@@ -46,6 +46,15 @@ _FIRST_RAYS = 15
 COLOURS = {f"colours_{name}": name for name in ("inferno", "viridis", "cividis", "gray")}
 """Commands for the colours in which light is shown; see `workbench.pictures.maps.UNSIGNED`."""
 
+TOOLS = ("turn", "sculpt", "lock", "move_source")
+"""Commands for what the left button does in the 3D scene."""
+
+RAYS_BY = {"rays_by_outcome": False, "rays_by_weight": True}
+"""Commands for the colours of rays: whether by their weight."""
+
+PICTURES = {f"save_scene_{times}": times for times in (1, 2, 4)}
+"""Commands that save the 3D scene so many times as large as it is seen."""
+
 COMMANDS = {
     **{name: Command(example.title, example.look) for name, example in NEW.items()},
     "new_tophat": Command(_FIRST.title, _FIRST.look, _Key.New, "new"),
@@ -108,6 +117,42 @@ COMMANDS = {
         )
         for command, name in COLOURS.items()
     },
+    **{
+        name: Command(text, tip, checked=by_weight is False)
+        for (name, by_weight), text, tip in zip(
+            RAYS_BY.items(),
+            ("Colour by &outcome", "Colour by &weight"),
+            ("Rays that miss the screen are red", "By the part of a ray's light that arrives"),
+            strict=True,
+        )
+    },
+    "perspective": Command(
+        "&Perspective", "Draw what is farther away smaller, instead of in parallel", checked=False
+    ),
+    "copy_scene": Command("Copy picture of 3&D", "Put the 3D scene on the clipboard"),
+    **{
+        name: Command(
+            f"{times} × as large…", f"Save the 3D scene as PNG, {times} × as large as it is seen"
+        )
+        for name, times in PICTURES.items()
+    },
+    "turn": Command(
+        "&Turn", "The mouse turns the 3D scene; click to pick", "Alt+T", "turn", checked=True
+    ),
+    "sculpt": Command(
+        "&Sculpt", "Drag control points of the lens along z", "Alt+S", "sculpt", checked=False
+    ),
+    "lock": Command(
+        "&Lock points", "Paint control points that a run must leave", "Alt+L", "lock", checked=False
+    ),
+    "move_source": Command(
+        "&Move source", "Drag the source; Ctrl: along z", "Alt+M", "move-source", checked=False
+    ),
+    "brush_larger": Command("Lar&ger brush", "Take more control points along", "]"),
+    "brush_smaller": Command("S&maller brush", "Take fewer control points along", "["),
+    "lock_all": Command("Lock &all points", "Leave the whole lens as it is in runs"),
+    "unlock_all": Command("&Unlock all points", "Let runs change the whole lens"),
+    "invert_locks": Command("&Invert locks", "Lock what is unlocked, and the reverse"),
     "scene_view": Command("&3D scene", "Show or hide the 3D scene", "Ctrl+3", checked=True),
     "palette": Command("Command &palette", "Find any command by its name", "Ctrl+Shift+P"),
     "about": Command("&About", "What this program is"),
@@ -144,7 +189,18 @@ MENUS: dict[str, list[Any]] = {
         "quit",
     ],
     "&Edit": ["undo", "redo", None, "copy_plot", "save_plot"],
-    "&Design": ["check"],
+    "&Design": [
+        *TOOLS,
+        None,
+        "brush_larger",
+        "brush_smaller",
+        None,
+        "lock_all",
+        "unlock_all",
+        "invert_locks",
+        None,
+        "check",
+    ],
     "&Run": _RUN,
     "&View": [
         "fit_view",
@@ -153,16 +209,19 @@ MENUS: dict[str, list[Any]] = {
         "axis_view",
         None,
         "exploded",
-        ("&Rays", list(RAYS)),
+        "perspective",
+        ("&Rays", [*RAYS, None, *RAYS_BY]),
+        ("Save pi&cture of 3D", list(PICTURES)),
+        "copy_scene",
         ("&Colours of light", list(COLOURS)),
         None,
         "scene_view",
     ],
     "&Help": ["palette", None, "about"],
 }
-TOOLBAR = ["new_tophat", "open", "save", None, "undo", "redo", None, *_RUN, None, "fit_view"]
+TOOLBAR = ["new_tophat", "open", "save", None, "undo", "redo", None, *_RUN, None, *TOOLS, None, "fit_view"]
 """Names and separators, as in a menu."""
 LABELLED = _RUN
 """Those whose name stands beside the icon in the toolbar."""
-CHOICES = [list(RAYS), list(COLOURS)]
+CHOICES = [list(RAYS), list(RAYS_BY), list(COLOURS), list(TOOLS)]
 """Groups of commands of which one is on."""

@@ -66,6 +66,15 @@ class RunControl(QObject):
         else:
             self.runner.pause()
 
+    def show(self, frame: "Frame") -> None:
+        """Show a lens in the making, in place of a preview of the document's."""
+        self._preview.stop()
+        self.runner.show(frame)
+
+    def preview(self) -> None:
+        """Show the document's lens again."""
+        self._preview.start()
+
     def close(self) -> None:
         """End the run and its thread; safe to call twice."""
         self._preview.stop()

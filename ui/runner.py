@@ -8,6 +8,7 @@ from ui.worker import Generate, Job, Worker
 from workbench.design.snapshot import Result
 
 if TYPE_CHECKING:
+    from ui.frame import Frame
     from workbench.files.session import Session
 
 _FRAME_MS = 66  # 15 Hz
@@ -88,6 +89,12 @@ class Runner(QObject):
         """Show the lens as it stands: with its stored figures, or those of a first trace."""
         if self._state == "idle":
             self._give(Job(session, preview=True))
+
+    def show(self, frame: "Frame") -> None:
+        """Show a frame that was made elsewhere, in place of a preview."""
+        if self._state == "idle":
+            self._drop_job()
+            self.frame_ready.emit(frame)
 
     def pause(self) -> None:
         """Hold the run before its next iteration."""

@@ -72,6 +72,7 @@ class SceneView(View):
         self._locked: Mask | None = None
         self._shown: Session | None = None
         self._held: npt.NDArray[np.float64] | None = None  # what the camera was turned to
+        self._placement: dict[str, Any] | None = None  # of the camera, once the design is there
         self._closed = False
         self._rays = 15
         self._exploded = False
@@ -80,7 +81,8 @@ class SceneView(View):
         self._hand = Hand(self)
         self._hand.clicked.connect(self._pick)
         self._hand.let_go.connect(self.let_go)
-        self._hint = QLabel(wordWrap=True, objectName="hint")
+        self._hint = QLabel(wordWrap=True)
+        self._hint.setObjectName("hint")
         self._hint.hide()
         self.add_below(self._hint)
         self._colours = LIGHT
@@ -106,6 +108,11 @@ class SceneView(View):
         if self._frame is not None:
             return self._frame.source
         return None if self._session is None else self._session.scene.source
+
+    @property
+    def exploded(self) -> bool:
+        """Whether distances are not drawn to scale."""
+        return self._exploded
 
     @property
     def unit(self) -> str:
@@ -175,6 +182,26 @@ class SceneView(View):
     def hold_camera(self, scene: "Scene") -> None:
         """Leave the camera where it is when this scene comes."""
         self._held = self._space(scene)
+
+    def camera(self) -> dict[str, Any] | None:
+        """Where the camera stands, as plain data; None before the first drawing."""
+        if self._placement is None and self._picture is not None:
+            return self._picture.camera.placement()
+        return self._placement
+
+    def set_camera(self, placement: dict[str, Any]) -> None:
+        """Look at the latest design from where `camera` told.
+
+        Raises
+        ------
+        ValueError
+            If no camera can stand there.
+        """
+        from workbench.pictures.camera import check_placement
+
+        check_placement(placement)
+        self._placement = placement
+        self._ask()
 
     def see_in_perspective(self, perspective: bool) -> None:
         """See in perspective, or in parallel."""
@@ -257,6 +284,10 @@ class SceneView(View):
         if frame is None or self._shown is None or not look_alike(self._shown, session):
             self._begin(session)
         self._shown = session
+        if self._placement is not None and self._session is not None and self._picture is not None:
+            if look_alike(session, self._session):
+                self._picture.camera.place(self._placement)
+                self._placement = None
         if self._picture is not None and frame is not None:
             lit, paths = frame.snapshot.irradiance, _some(frame.paths, self._rays)
             self._picture.set_colours(self._colours)

@@ -4,7 +4,8 @@
    draws at a time, and the loop runs in between.
 2. What a view costs depends on the machine, most of all in software OpenGL. It is measured around
    a synchronous repaint, and after each drawing everything rests for a multiple of its time: slow
-   machines show fewer pictures instead of a window that does not answer.
+   machines show fewer pictures instead of a window that does not answer. While somebody drags
+   something and looks what becomes of it, the pictures are the answer: then nothing rests.
 """
 
 from collections import OrderedDict
@@ -31,6 +32,7 @@ class Turns(QObject):
         super().__init__(parent)
         self._waiting: OrderedDict[int, Drawer] = OrderedDict()
         self._rested_at = 0.0
+        self._hurried = False
         self._timer = QTimer(self, singleShot=True)
         self._timer.timeout.connect(self._next)
 
@@ -45,6 +47,10 @@ class Turns(QObject):
         if not self._waiting:
             self._timer.stop()
 
+    def hurry(self, hurried: bool) -> None:
+        """Draw without rest, or with it again."""
+        self._hurried = hurried
+
     def _next(self) -> None:
         _, drawer = self._waiting.popitem(last=False)
         began = perf_counter()
@@ -52,7 +58,8 @@ class Turns(QObject):
             drawer.take_turn()
         finally:  # whoever fails to draw must not keep the others from it
             ended = perf_counter()
-            self._rested_at = ended + min(_REST * (ended - began), _LONGEST)
+            rest = 0.0 if self._hurried else _REST
+            self._rested_at = ended + min(rest * (ended - began), _LONGEST)
             if self._waiting:
                 self._wait()
 

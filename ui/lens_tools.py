@@ -1,0 +1,224 @@
+"""Hands on the lens: between the tools of the 3D scene and the document.
+
+1. A drag is one step that can be undone. Until its lens is traced it is no step yet: a result has
+   the light of its lens.
+2. Frames of a drag go the way of all frames, so every view shows them.
+3. Whatever else changes the design in the midst of a drag ends the drag.
+"""
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
+from typing import TYPE_CHECKING
+
+import numpy as np
+import numpy.typing as npt
+from PySide6.QtCore import QObject, Signal
+
+from ui.live import Draft, LiveLens
+from ui.views.tools.brush import Brush
+from ui.views.tools.lock import Lock
+from ui.views.tools.move_source import MoveSource
+from ui.views.tools.sculpt import Sculpt
+from ui.views.turns import turns
+from workbench.design.evaluation import undesigned
+from workbench.errors import Refused
+from workbench.scene import Scene
+
+if TYPE_CHECKING:
+    from ui.document import Document
+    from ui.frame import Frame
+    from ui.run_control import RunControl
+    from ui.views.scene_view import SceneView
+    from ui.views.tools.tool import Tool
+    from workbench.files.session import Session
+    from workbench.scene import Source
+
+Array = npt.NDArray[np.float64]
+Mask = npt.NDArray[np.bool_]
+
+_BUSY = "Stop the run first; then change the lens by hand."
+_NO_LENS = "There is no lens to shape yet."
+_NOT_TO_SCALE = "Show distances to scale first (View > Exploded distances); then move the source."
+
+
+class LensTools(QObject):
+    """Turns what hands do to control points, locks and source into steps of the document.
+
+    Attributes
+    ----------
+    said : Signal(str)
+        Why something does not move.
+    """
+
+    said = Signal(str)
+
+    def __init__(
+        self, document: "Document", control: "RunControl", view: "SceneView", parent: QObject
+    ) -> None:
+        super().__init__(parent)
+        self._document, self._control, self._view = document, control, view
+        self._brush = Brush(view)
+        self._tools: dict[str, Tool | None] = {
+            "turn": None,
+            "sculpt": self._sculpt(),
+            "lock": Lock(view, self._brush, self._may_change, self),
+            "move_source": self._move_source(),
+        }
+        self._tool: Tool | None = None
+        lock = self._tools["lock"]
+        assert isinstance(lock, Lock)
+        lock.painted.connect(lambda locked, verb: self._set_locked(locked, f"{verb} points"))
+        self._live = LiveLens(self)
+        self._live.traced.connect(self._take)
+        self._live.failed.connect(self._give_up)
+        self._shaping = False  # a drag goes on
+        self._settling: Draft | None = None  # let go, not traced yet
+        self._drags = 0
+        self._own = False  # whether the document changes by this
+        document.session_changed.connect(self._abandon)
+        control.runner.state_changed.connect(self._abandon)
+
+    def slots(self) -> dict[str, Callable[[], object]]:
+        """What commands do here."""
+        return {
+            **{name: partial(self._use, tool) for name, tool in self._tools.items()},
+            "brush_larger": partial(self._resize, 1),
+            "brush_smaller": partial(self._resize, -1),
+            "lock_all": lambda: self._lock(np.ones_like, "lock all points"),
+            "unlock_all": lambda: self._lock(np.zeros_like, "unlock all points"),
+            "invert_locks": lambda: self._lock(np.logical_not, "invert locks"),
+        }
+
+    def close(self) -> None:
+        """Wait for the thread; safe to call twice."""
+        self._live.close()
+
+    def _sculpt(self) -> Sculpt:
+        tool = Sculpt(self._view, self._brush, self._heights, self)
+        tool.shaped.connect(self._shape)
+        tool.refused.connect(self.said)
+        return tool
+
+    def _move_source(self) -> MoveSource:
+        tool = MoveSource(self._view, self._source, self)
+        tool.begun.connect(self._count)
+        tool.moved.connect(self._move)
+        return tool
+
+    def _use(self, tool: "Tool | None") -> None:
+        self._tool = tool
+        self._view.use(tool)
+
+    def _resize(self, steps: int) -> None:
+        if self._tool is not None:
+            self._tool.turn_wheel(steps)
+
+    def _may_change(self) -> bool:
+        if self._control.busy:
+            self.said.emit(_BUSY)
+        return not self._control.busy
+
+    def _heights(self) -> Array | None:
+        """Of the lens that is shown, which a hand may now shape."""
+        if not self._may_change():
+            return None
+        if self._settling is not None:
+            return self._settling.heights
+        frame, lens = self._view.frame, self._document.session.scene.lens
+        if frame is None or frame.session.scene.lens != lens:
+            self.said.emit(_NO_LENS)
+            return None
+        return frame.snapshot.control_points
+
+    def _shape(self, heights: Array, settled: bool) -> None:
+        frame = self._view.frame
+        if frame is None:
+            return
+        self._shaping = not settled
+        turns().hurry(self._shaping)
+        draft = Draft(self._document.session, heights, frame.result(), settled)
+        self._settling = draft if settled else None
+        self._live.show(draft)
+
+    def _source(self) -> "Source | None":
+        if not self._may_change():
+            return None
+        if self._view.exploded:
+            self.said.emit(_NOT_TO_SCALE)
+            return None
+        return self._document.session.scene.source
+
+    def _count(self) -> None:
+        self._drags += 1
+
+    def _move(self, source: "Source") -> None:
+        old = self._document.session.scene
+        try:
+            scene = Scene.from_data({**old.to_data(), "source": source.model_dump(mode="json")})
+            self._as_own(
+                lambda: self._document.edit(scene, "move the source", f"drag {self._drags}")
+            )
+        except Refused as refused:
+            self.said.emit(str(refused))
+            return
+        session = self._document.session
+        self._view.hold_camera(session.scene)
+        self._live.show(Draft(session, _lens_of(session), session.result))
+
+    def _take(self, draft: Draft, frame: "Frame") -> None:
+        shown = self._view.frame
+        if shown is not None:
+            # Views begin anew with another session. While a source is dragged they need not: all
+            # that changes is in the frame.
+            frame = replace(frame, session=shown.session)
+        self._control.show(frame)
+        if draft is self._settling:
+            self._settling = None
+            self._keep(frame)
+        elif not self._shaping and self._settling is None:
+            self._control.preview()  # of the design with its other source, once that rests
+
+    def _keep(self, frame: "Frame") -> None:
+        """Make a step of a drag that has come to its end, unless it led back."""
+        if not np.array_equal(_lens_of(self._document.session), frame.snapshot.control_points):
+            text = "move control points"
+            self._as_own(lambda: self._document.set_result(frame.result(), text))
+
+    def _give_up(self, sentence: str) -> None:
+        self.said.emit(sentence)
+        if self._settling is not None:
+            self._settling = None
+            self._control.preview()
+
+    def _lock(self, change: Callable[[Mask], Mask], text: str) -> None:
+        if self._may_change():
+            session = self._document.session
+            locked = session.locked
+            if locked is None:
+                locked = np.zeros(session.scene.lens.control_points, dtype=bool)
+            self._set_locked(change(locked), text)
+
+    def _set_locked(self, locked: Mask, text: str) -> None:
+        locked.flags.writeable = False
+        session = replace(self._document.session, locked=locked if locked.any() else None)
+        self._as_own(lambda: self._document.change(session, text))
+
+    def _as_own(self, change: Callable[[], object]) -> None:
+        self._own = True
+        try:
+            change()
+        finally:
+            self._own = False
+
+    def _abandon(self) -> None:
+        if not self._own:
+            self._view.drop()
+            self._settling = None  # what is taken back settles where it began
+            self._live.forget()
+
+
+def _lens_of(session: "Session") -> Array:
+    """Heights of the lens as it stands, or of the one before any design."""
+    heights = session.control_points
+    return undesigned(session.scene.lens) if heights is None else heights

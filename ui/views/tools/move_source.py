@@ -1,0 +1,125 @@
+"""Moves and widens the source."""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+import numpy.typing as npt
+from PySide6.QtCore import QObject, Qt, Signal
+
+from ui.views.tools.tool import Pointer
+from workbench.pictures.source_handles import Handle, moved
+from workbench.scene import CollimatedSource, PointSource, Source
+
+if TYPE_CHECKING:
+    from ui.views.scene_view import SceneView
+
+Array = npt.NDArray[np.float64]
+
+_ACROSS, _ALONG = np.eye(3)[:2], np.eye(3)[2:]
+_FINE = 1 / 10  # of the movement of the hand, with Shift
+_DIGITS = 3  # of a lens's half-width, that a place of the source is rounded to
+
+
+@dataclass
+class _Drag:
+    before: Source
+    handle: Handle
+    at: Pointer
+    by: Array  # shape (3,), scene units
+
+
+class MoveSource(QObject):
+    """The tool for the source.
+
+    Parameters
+    ----------
+    view : SceneView
+        Where the source is shown.
+    source : callable
+        The one to move, or None while none may be moved.
+
+    Attributes
+    ----------
+    begun : Signal()
+        A drag has begun: what is moved until the next one is one step.
+    moved : Signal(Source)
+        Where it has been dragged.
+    """
+
+    begun = Signal()
+    moved = Signal(object)
+
+    cursor = Qt.CursorShape.OpenHandCursor
+    shows_net = False
+    shows_handles = True
+
+    def __init__(
+        self, view: "SceneView", source: Callable[[], Source | None], parent: QObject
+    ) -> None:
+        super().__init__(parent)
+        self._view, self._source = view, source
+        self._drag: _Drag | None = None
+
+    @property
+    def hint(self) -> str:
+        """What can be done with it, in a line."""
+        source = self._view.source
+        if source is None or isinstance(source, CollimatedSource):
+            return "Collimated light comes from everywhere: choose another source to move it"
+        text = "Drag the source across; Ctrl: along z; Shift: finely; Esc: back. "
+        if isinstance(source, PointSource):
+            return text + f"It is at {_words(source.position)} {self._view.unit}"
+        return (
+            f"{text}Corners: its size. Middle at {_words(source.center)}, "
+            f"half-width {_words(source.half_width)} {self._view.unit}"
+        )
+
+    def press(self, at: Pointer) -> bool:
+        """Take hold of the source or a corner of it."""
+        handle = self._view.handles.pick(at.x, at.y) if self._view.handles else None
+        if handle is None:
+            return False
+        source = self._source()
+        if source is not None:
+            self._drag = _Drag(source, handle, at, np.zeros(3))
+            self.begun.emit()
+        return True
+
+    def drag(self, at: Pointer) -> None:
+        """Take it where the pointer goes, in its plane or along the axis."""
+        drag, sight, lens = self._drag, self._view.sight, self._view.lens
+        if drag is None or sight is None or lens is None:
+            return
+        source = drag.before
+        assert not isinstance(source, CollimatedSource)  # which has no handles
+        middle = source.position if isinstance(source, PointSource) else source.center
+        to = _ALONG if at.along and drag.handle == "middle" else _ACROSS
+        gone = (at.x - drag.at.x, at.y - drag.at.y)
+        by = sight.movement(np.array(middle) + drag.by, to, gone) @ to
+        drag.by = drag.by + by * (_FINE if at.fine else 1.0)
+        drag.at = at
+        digits = _DIGITS - math.floor(math.log10(max(lens.half_width)))
+        self.moved.emit(moved(source, drag.handle, drag.by, digits))
+
+    def release(self) -> None:
+        """Leave it there."""
+        self._drag = None
+
+    def cancel(self) -> None:
+        """Put it back."""
+        drag, self._drag = self._drag, None
+        if drag is not None:
+            self.moved.emit(drag.before)
+
+    def hover(self, at: Pointer | None) -> None:
+        """Nothing lights up: the handles are seen."""
+
+    def turn_wheel(self, steps: int) -> None:
+        """It has no size."""
+
+
+def _words(lengths: tuple[float, ...]) -> str:
+    return f"({', '.join(f'{length:g}' for length in lengths)})"
