@@ -1,13 +1,11 @@
 """What was done to a design, as steps that can be taken back, as many as memory holds."""
 
-from collections.abc import Callable, Iterator
-from dataclasses import fields, is_dataclass
+from collections.abc import Callable
 
-import numpy as np
-import numpy.typing as npt
 from PySide6.QtCore import QObject, QSignalBlocker
 from PySide6.QtGui import QUndoCommand, QUndoStack
 
+from ui.memory import arrays
 from workbench.files.session import Session
 
 Show = Callable[[Session], None]
@@ -129,18 +127,6 @@ class _Step(QUndoCommand):
 
 
 def _cost(before: Session, after: Session) -> int:
-    kept = {id(array) for array in _arrays(after)}
-    left = {id(array): array.nbytes for array in _arrays(before) if id(array) not in kept}
+    kept = {id(array) for array in arrays(after)}
+    left = {id(array): array.nbytes for array in arrays(before) if id(array) not in kept}
     return _SMALL + sum(left.values())
-
-
-def _arrays(value: object) -> Iterator[npt.NDArray[np.generic]]:
-    """All arrays in a value made of data classes and tuples."""
-    if isinstance(value, np.ndarray):
-        yield value
-    elif isinstance(value, tuple):
-        for each in value:
-            yield from _arrays(each)
-    elif is_dataclass(value):
-        for field in fields(value):
-            yield from _arrays(getattr(value, field.name))

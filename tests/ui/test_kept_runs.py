@@ -1,0 +1,104 @@
+"""Kept runs as values: names, room, restoring."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from ui.kept_runs import is_named, renamed, restored, with_run, without
+from workbench.errors import Refused
+from workbench.files.header import MOST_RUNS
+
+KILOBYTE = 1 << 10
+
+
+@pytest.fixture
+def result(history):
+    return history(5).result()
+
+
+@pytest.fixture
+def large(result):
+    """Results of about as many kilobytes, with arrays of their own."""
+
+    def make(kilobytes):
+        return replace(result, irradiance=np.zeros(kilobytes * KILOBYTE // 8))
+
+    return make
+
+
+def names(session):
+    return [run.name for run in session.runs]
+
+
+def test_a_run_is_kept_with_its_task_under_a_name_that_tells_it(session, result):
+    after, given_way = with_run(session, result)
+    assert after.result is result and given_way == []
+    (run,) = after.runs
+    assert run.name == "Run 1: auto, 12 × 10"
+    assert (run.scene, run.target, run.result) == (session.scene, session.target, result)
+    assert not is_named(run)
+
+
+def test_numbers_go_on_where_they_were(session, result):
+    for _ in range(3):
+        session, _ = with_run(session, result)
+    session = without(session, session.runs[:1])
+    session = renamed(session, session.runs[-1], "the good one")
+    session, _ = with_run(session, result)
+    assert names(session) == ["Run 2: auto, 12 × 10", "the good one", "Run 3: auto, 12 × 10"]
+
+
+def test_a_run_without_an_iteration_is_not_kept(session, history):
+    after, _ = with_run(session, history(0).result())
+    assert after.runs == () and after.result is not None
+
+
+def test_the_oldest_that_nobody_named_gives_way_first(session, large):
+    for _ in range(3):
+        session, _ = with_run(session, large(100))
+    session = renamed(session, session.runs[0], "first")
+    kept, given_way = with_run(session, large(100), budget=350 * KILOBYTE)
+    assert [run.name for run in given_way] == ["Run 2: auto, 12 × 10"]
+    assert names(kept) == ["first", "Run 3: auto, 12 × 10", "Run 4: auto, 12 × 10"]
+    kept, given_way = with_run(kept, large(300), budget=350 * KILOBYTE)
+    assert [run.name for run in given_way] == [
+        "Run 3: auto, 12 × 10",
+        "Run 4: auto, 12 × 10",
+        "first",
+    ]
+    assert names(kept) == ["Run 5: auto, 12 × 10"]
+
+
+def test_the_latest_stays_however_large(session, large):
+    kept, given_way = with_run(session, large(100), budget=KILOBYTE)
+    assert len(kept.runs) == 1 and given_way == []
+
+
+def test_there_are_never_more_than_a_file_holds(session, result):
+    for _ in range(MOST_RUNS + 3):
+        session, _ = with_run(session, result)
+    assert len(session.runs) == MOST_RUNS
+    assert names(session)[0] == "Run 4: auto, 12 × 10"
+
+
+def test_restoring_brings_task_and_lens_back(session, result, make_scene):
+    session, _ = with_run(session, result)
+    (run,) = session.runs
+    locked = np.zeros(session.scene.lens.control_points, dtype=bool)
+    other = replace(
+        session.with_scene(make_scene({"screen.z": 9.0}), session.target), locked=locked
+    )
+    again = restored(other, run)
+    assert (again.scene, again.target, again.result) == (run.scene, run.target, run.result)
+    assert again.locked is locked and again.runs == session.runs and again.start is None
+    coarse = make_scene({"lens.control_points": [9, 9]})
+    other = replace(session.with_scene(coarse, session.target), locked=locked[:9, :9])
+    assert restored(other, run).locked is None
+
+
+def test_a_name_that_is_none_is_refused(session, result):
+    session, _ = with_run(session, result)
+    for name in ("", 101 * "x"):
+        with pytest.raises(Refused, match=r"characters; 1 to 100"):
+            renamed(session, session.runs[0], name)

@@ -1,0 +1,91 @@
+"""Which runs a session keeps to be compared, and what they are called."""
+
+import re
+from collections.abc import Iterable
+from dataclasses import replace
+
+from ui.memory import distinct_bytes
+from workbench.design.snapshot import Result
+from workbench.files.header import MOST_RUNS
+from workbench.files.session import KeptRun, Session
+from workbench.scene import Scene
+
+_BUDGET = 200 << 20  # bytes of all kept runs
+_NUMBER = re.compile(r"Run (\d+): ")
+
+
+def with_run(
+    session: Session, result: Result, budget: int = _BUDGET
+) -> tuple[Session, list[KeptRun]]:
+    """The session after a run, which is kept.
+
+    Parameters
+    ----------
+    session : Session
+        What was designed.
+    result : Result
+        The lens that the run found.
+    budget : int
+        Bytes that all kept runs may take.
+
+    Returns
+    -------
+    session : Session
+        With the result, and with the run after the earlier ones. A run without an iteration has
+        no course to compare and is not kept.
+    given_way : list of KeptRun
+        Those that had to make room: the oldest that nobody named, then the oldest. The latest
+        always stays.
+    """
+    session = replace(session, result=result)
+    if not result.iterations:
+        return session, []
+    name = f"Run {_next_number(session.runs)}: {_description(session.scene)}"
+    runs = [*session.runs, KeptRun(name, session.scene, session.target, result)]
+    given_way = []
+    while len(runs) > 1 and (len(runs) > MOST_RUNS or distinct_bytes(*runs) > budget):
+        nameless = (run for run in runs[:-1] if not is_named(run))
+        oldest = next(nameless, runs[0])
+        runs.remove(oldest)
+        given_way.append(oldest)
+    return replace(session, runs=tuple(runs)), given_way
+
+
+def restored(session: Session, run: KeptRun) -> Session:
+    """The session with a kept run's task and lens in place of its own."""
+    again = session.with_scene(run.scene, run.target)  # for the locks, which hang on the net
+    return replace(again, result=run.result, start=None)
+
+
+def renamed(session: Session, run: KeptRun, name: str) -> Session:
+    """The session with another name for a kept run.
+
+    Raises
+    ------
+    Refused
+        If the name is empty or too long.
+    """
+    other = replace(run, name=name)
+    return replace(session, runs=tuple(other if each is run else each for each in session.runs))
+
+
+def without(session: Session, runs: Iterable[KeptRun]) -> Session:
+    """The session without some of its kept runs."""
+    gone = {id(run) for run in runs}
+    return replace(session, runs=tuple(run for run in session.runs if id(run) not in gone))
+
+
+def is_named(run: KeptRun) -> bool:
+    """Whether a person gave a run its name."""
+    number = _NUMBER.match(run.name)
+    return number is None or run.name[number.end() :] != _description(run.scene)
+
+
+def _next_number(runs: Iterable[KeptRun]) -> int:
+    numbers = (_NUMBER.match(run.name) for run in runs)
+    return 1 + max((int(number[1]) for number in numbers if number), default=0)
+
+
+def _description(scene: Scene) -> str:
+    n_u, n_v = scene.lens.control_points
+    return f"{scene.run.method}, {n_u} × {n_v}"
