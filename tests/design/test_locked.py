@@ -1,0 +1,137 @@
+"""Locked control points keep their heights in every kind of run."""
+
+import numpy as np
+import pytest
+import torch
+
+from workbench.design.heights import HeightRange
+from workbench.design.run import run
+from workbench.errors import Refused
+from workbench.geometry.surface import ControlNet
+
+METHODS = [
+    {"method": "auto"},
+    {"method": "paper"},
+    {"method": "paper", "parametrisation": "sparse", "start": "uniform"},
+    {"method": "paper", "parametrisation": "dense", "start": "random"},
+]
+POINT = {"kind": "point", "position": [0.0, 0.0, -4.0], "rays": 4000}
+
+
+@pytest.fixture
+def small(make_scene):
+    """Builds a scene whose image is quickly traced."""
+    return lambda changes=None: make_scene({"screen.pixels": [16, 16]} | (changes or {}))
+
+
+@pytest.fixture
+def disc():
+    across = np.linspace(-1, 1, 16)
+    return (np.hypot(*np.meshgrid(across, across)) < 0.6).astype(float)
+
+
+@pytest.fixture
+def locked():
+    locked = np.zeros((12, 10), bool)
+    locked[:5] = True
+    locked[8, 3] = True
+    return locked
+
+
+@pytest.fixture
+def lens(rng):
+    """Heights of some lens, one of them beyond the range of ±0.3."""
+    lens = 0.5 + 0.01 * rng.normal(size=(12, 10))
+    lens[1, 1] = 0.9
+    return lens
+
+
+@pytest.mark.parametrize("method", METHODS, ids=str)
+@pytest.mark.parametrize("source", [{}, {"source": POINT}], ids=["collimated", "point"])
+def test_heights_of_a_given_lens_stay_exactly(small, disc, locked, lens, method, source):
+    scene = small({"run": method | {"iterations": 4}, **source})
+    snapshots = list(run(scene, disc, lens, locked))
+    assert len(snapshots) == 5
+    for snapshot in snapshots:
+        np.testing.assert_array_equal(snapshot.control_points[locked], lens[locked])
+    moved = snapshots[-1].control_points - snapshots[0].control_points
+    assert (moved[~locked] != 0).mean() > 0.5  # light of a point leaves out some corners
+
+
+@pytest.mark.parametrize("method", METHODS, ids=str)
+def test_without_a_lens_they_are_those_of_the_undesigned_one(small, disc, locked, method):
+    scene = small({"run": method | {"iterations": 3}, "lens.height_range": [-0.2, 0.3]})
+    for snapshot in run(scene, disc, None, locked):
+        np.testing.assert_allclose(snapshot.control_points[locked], 0.55, atol=1e-15)
+
+
+def test_a_run_still_brings_the_image_closer(small, disc, locked):
+    scene = small({"run": {"iterations": 30}})
+    first, *others = run(scene, disc, None, locked)
+    best = min(others, key=lambda snapshot: snapshot.loss)
+    assert best.loss < 0.75 * first.loss
+    assert best.ledger.efficiency > 0.85
+
+
+@pytest.mark.parametrize("method", METHODS[:2], ids=str)
+def test_no_locks_change_nothing(small, disc, lens, method):
+    scene = small({"run": method | {"iterations": 3}})
+    plain = list(run(scene, disc, lens))
+    none = list(run(scene, disc, lens, np.zeros((12, 10), bool)))
+    for one, other in zip(plain, none, strict=True):
+        np.testing.assert_array_equal(one.control_points, other.control_points)
+
+
+@pytest.mark.parametrize("method", METHODS, ids=str)
+@pytest.mark.parametrize("stages", [(), ({"iterations": 2, "control_points": [6, 6]},)])
+def test_all_locked_ends_at_once_with_the_lens_as_it_is(small, disc, lens, method, stages):
+    scene = small({"run": method | {"iterations": 9, "stages": list(stages)}})
+    for start in (None, lens):
+        (only,) = run(scene, disc, start, np.ones((12, 10), bool))
+        assert (only.iteration, only.best, only.stage) == (0, True, len(stages))
+        np.testing.assert_allclose(only.control_points, 0.5 if start is None else lens, atol=1e-15)
+
+
+class TestStages:
+    STAGES = ({"iterations": 2, "filter": {"kind": "gaussian", "alpha": 0.5}},)
+
+    def test_on_the_same_net_keep_them(self, small, disc, locked):
+        scene = small({"run": {"iterations": 5, "stages": list(self.STAGES)}})
+        snapshots = list(run(scene, disc, None, locked))
+        assert [snapshot.stage for snapshot in snapshots] == [0, 0, 0, 1, 1, 1]
+        for snapshot in snapshots:
+            np.testing.assert_allclose(snapshot.control_points[locked], 0.5, atol=1e-15)
+
+    def test_on_another_net_are_refused(self, small, disc, locked, lens):
+        stages = [*self.STAGES, {"iterations": 1, "control_points": [6, 6]}]
+        scene = small({"run": {"iterations": 5, "stages": stages}})
+        with pytest.raises(Refused) as caught:
+            next(run(scene, disc, None, locked))
+        assert str(caught.value) == (
+            "run.stages[1].control_points: [6, 6] are not the control points of the finished lens "
+            "that are locked; leave the stage's net out or unlock them"
+        )
+        # A lens that is there already goes through the last stage alone.
+        assert len(list(run(scene, disc, lens, locked))) == 3
+
+
+def test_locks_that_are_symmetric_leave_the_lens_symmetric(small, disc):
+    scene = small({"run": {"iterations": 3}})
+    locked = np.zeros((12, 10), bool)
+    locked[:4] = locked[-4:] = True
+    *_, last = run(scene, disc, None, locked)
+    assert "mirror symmetry: a quarter of the rays" in last.notes
+    assert any(note.startswith("locked control points: ") for note in last.notes)
+    np.testing.assert_allclose(last.control_points, last.control_points[::-1], atol=1e-9)
+    locked[5, 3] = True
+    *_, last = run(scene, disc, None, locked)
+    assert not any("mirror" in note for note in last.notes)
+
+
+def test_kept_heights_have_no_gradient(small, locked, rng):
+    lens = small().lens
+    free = HeightRange.of(lens, ControlNet.of(lens)).keeping(locked, None)
+    parameters = torch.as_tensor(rng.normal(size=(12, 10))).requires_grad_()
+    free.heights(parameters).sum().backward()
+    assert not parameters.grad[torch.as_tensor(locked)].any()
+    assert (parameters.grad[torch.as_tensor(~locked)] > 0).all()
