@@ -1,5 +1,6 @@
 import json
 import math
+import sys
 
 import pytest
 
@@ -70,6 +71,24 @@ class TestValidate:
         assert status == 0
         assert printed.startswith("relative L2 ")
         assert "total reflection  0.00000\n" in printed
+
+    def test_with_mitsuba(self, freeform, lens):
+        pytest.importorskip("mitsuba")
+        given = "validate", lens, "--rays", 50_000, "--with", "mitsuba"
+        status, printed, told = freeform(*given, "--json")
+        assert (status, told) == (0, "")
+        found = json.loads(printed)["cross_check"]
+        assert found["difference"] == pytest.approx(found["noise"], rel=0.2)
+        assert found["mitsuba"]["efficiency"] == pytest.approx(0.96**2, rel=0.01)
+        status, printed, _ = freeform(*given, "--screen-z", 6.0)
+        assert status == 0
+        assert "\nMitsuba 3, with " in printed
+
+    def test_without_mitsuba(self, freeform, lens, monkeypatch):
+        monkeypatch.setitem(sys.modules, "mitsuba", None)
+        status, printed, told = freeform("validate", lens, "--with", "mitsuba")
+        assert (status, printed) == (2, "")
+        assert told.startswith("freeform: --with: 'mitsuba' needs Mitsuba 3, which pip install")
 
 
 def test_pictures(freeform, lens, tmp_path):

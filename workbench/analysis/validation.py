@@ -172,7 +172,7 @@ def validating(
     -------
     Validation
     """
-    scene = scene if screen_z is None else _with_screen_at(scene, screen_z)
+    scene = scene if screen_z is None else with_screen_at(scene, screen_z)
     if target.max() > _HUGE:
         target = target / target.max()
 
@@ -252,7 +252,7 @@ def through_focus(
         If a screen may touch the lens.
     """
     for z in distances:
-        _with_screen_at(scene, z)
+        with_screen_at(scene, z)
     total: Tally | None = None
     for batch in Trace(scene, control_points, rays, seed, distances=distances).batches():
         if total is None:
@@ -264,7 +264,14 @@ def through_focus(
     return total.flux.reshape(-1, n_y, n_x) / (total.emitted * scene.screen.pixel_area)
 
 
-def _with_screen_at(scene: Scene, z: float) -> Scene:
+def with_screen_at(scene: Scene, z: float) -> Scene:
+    """The scene with its screen elsewhere.
+
+    Raises
+    ------
+    Refused
+        If the screen may touch the lens there.
+    """
     data = scene.to_data()
     data["screen"]["z"] = z
     return Scene.from_data(data)

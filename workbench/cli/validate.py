@@ -3,13 +3,16 @@
 import json
 from pathlib import Path
 
+from workbench.analysis.cross_check import CrossCheck, cross_check
 from workbench.analysis.metrics import relative_l2
-from workbench.analysis.validation import Validation
+from workbench.analysis.validation import Validation, with_screen_at
 from workbench.analysis.validation import validate as trace_anew
 from workbench.cli.designed import read_designed
 
 
-def validate(path: Path, rays: int, screen_z: float | None, as_json: bool) -> None:
+def validate(
+    path: Path, rays: int, screen_z: float | None, with_mitsuba: bool, as_json: bool
+) -> None:
     """Trace the lens of a session anew and print what that shows.
 
     Parameters
@@ -20,27 +23,34 @@ def validate(path: Path, rays: int, screen_z: float | None, as_json: bool) -> No
         Rays to trace at least.
     screen_z : float, optional
         Where the screen is, in place of the scene's.
+    with_mitsuba : bool
+        Whether Mitsuba 3 traces the lens too, to be compared.
     as_json : bool
         Whether figures are printed as JSON.
 
     Raises
     ------
     Refused
-        If the session cannot be read or holds no lens, or the screen may touch the lens there.
+        If the session cannot be read or holds no lens, the screen may touch the lens there, or
+        Mitsuba is asked for and not installed.
     RunFailed
         If no light reaches the screen.
     """
     session, result = read_designed(path)
-    found = trace_anew(
-        session.scene, session.target, result.control_points, rays, screen_z=screen_z
-    )
+    scene = session.scene if screen_z is None else with_screen_at(session.scene, screen_z)
+    task = scene, session.target, result.control_points, rays
+    compared = cross_check(*task) if with_mitsuba else None
+    found = trace_anew(*task)
     # The optimiser's image is one on the scene's screen.
     elsewhere = screen_z is not None and screen_z != session.scene.screen.z
     difference = None if elsewhere else relative_l2(found.irradiance, result.irradiance)
     if as_json:
-        print(json.dumps(found.to_data() | {"optimiser_difference": difference}))
+        figures = found.to_data() | {"optimiser_difference": difference}
+        print(json.dumps(figures | ({"cross_check": compared.to_data()} if compared else {})))
     else:
         _print(found, difference)
+        if compared:
+            _print_compared(compared)
 
 
 def _print(found: Validation, difference: float | None) -> None:
@@ -64,6 +74,30 @@ def _print(found: Validation, difference: float | None) -> None:
     }
     for name, value in lines.items():
         print(f"{name:<18}{value}")
+
+
+def _print_compared(found: CrossCheck) -> None:
+    print(f"\nMitsuba 3, with {found.rays} rays for it and for the check")
+    for name, value in (
+        ("difference", f"{found.difference:.5f}  ({found.noise:.5f} by ray noise alone)"),
+        (
+            "without ray noise",
+            f"{found.difference_corrected:.5f}  "
+            f"(95 % {_interval(found.difference_corrected_interval)})",
+        ),
+    ):
+        print(f"{name:<18}{value}")
+    print(f"{'':18}{'check':10}Mitsuba")
+    for name, ours, theirs in (
+        ("relative L2", found.ours.relative_l2, found.mitsuba.relative_l2),
+        (
+            "without ray noise",
+            found.ours.relative_l2_corrected,
+            found.mitsuba.relative_l2_corrected,
+        ),
+        ("efficiency", found.ours.efficiency, found.mitsuba.efficiency),
+    ):
+        print(f"{name:<18}{ours:<10.5f}{theirs:.5f}")
 
 
 def _interval(ends: tuple[float, float]) -> str:

@@ -19,6 +19,7 @@ def add(commands: Any) -> None:
         [
             "validate flame.freeform --rays 16000000",
             "validate flame.freeform --screen-z 5.2 --json",
+            "validate flame.freeform --with mitsuba",
         ],
         _run,
     )
@@ -29,10 +30,18 @@ def add(commands: Any) -> None:
     parser.add_argument(
         "--screen-z", metavar="Z", type=float, help="where the screen is, in place of the scene's"
     )
+    parser.add_argument(
+        "--with",
+        dest="other",
+        choices=["mitsuba"],
+        help="have another program trace the lens too, and compare; mitsuba is an optional extra "
+        "and takes half a minute for the default number of rays",
+    )
     add_json(parser)
 
 
 def _run(options: argparse.Namespace) -> None:
     from workbench.cli.validate import validate
 
-    validate(options.session, options.rays, options.screen_z, options.json)
+    with_mitsuba = options.other == "mitsuba"
+    validate(options.session, options.rays, options.screen_z, with_mitsuba, options.json)

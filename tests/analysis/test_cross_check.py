@@ -1,0 +1,97 @@
+"""Mitsuba 3 and the independent check see the same light of the same lens."""
+
+import math
+import sys
+
+import numpy as np
+import pytest
+
+from workbench.analysis import mitsuba as other
+from workbench.analysis.cross_check import cross_check
+from workbench.errors import Refused
+from workbench.geometry.surface import ControlNet
+
+POINT = {"kind": "point", "position": [0.3, -0.2, -4.0], "rays": 1000}
+GRID = {
+    "kind": "grid",
+    "center": [0.1, 0.2, -4.0],
+    "half_width": [0.5, 0.3],
+    "points": [3, 2],
+    "rays": 100,
+}
+SOURCES = {
+    "collimated": {"kind": "collimated"},
+    "point": POINT,
+    "lambertian": POINT | {"emission": "lambertian"},
+    "grid": GRID,
+}
+
+
+def test_the_extra_is_named_where_it_is_missing(make_scene, monkeypatch):
+    monkeypatch.setitem(sys.modules, "mitsuba", None)
+    with pytest.raises(Refused, match=r"freeform-lens-workbench\[mitsuba\]"):
+        other.MitsubaScene(make_scene(), np.full((12, 10), 0.5))
+
+
+class TestWithMitsuba:
+    @pytest.fixture(autouse=True)
+    def coarse_mesh(self, monkeypatch):
+        pytest.importorskip("mitsuba")
+        monkeypatch.setattr(other, "_CELLS", 96)
+
+    @staticmethod
+    def lopsided(scene):
+        """A face that gathers light beside the axis, differently along x and y."""
+        x, y = ControlNet.of(scene.lens).positions
+        x, y = x[:, None], y[None, :]
+        return 0.5 - 0.05 * x**2 + 0.03 * y**2 + 0.04 * x + 0.03 * x * y**2 - 0.02 * y
+
+    @pytest.mark.parametrize("source", SOURCES.values(), ids=SOURCES)
+    def test_both_see_the_same(self, make_scene, source):
+        screen = {"z": 4.0, "half_width": [1.2, 0.9], "pixels": [32, 24]}
+        changes = {"lens.half_width": [1.0, 0.8], "source": source, "screen": screen}
+        scene = make_scene(changes)
+        lens = self.lopsided(scene)
+        found = cross_check(scene, np.ones((24, 32)), lens, 200_000)
+        assert found.difference == pytest.approx(found.noise, rel=0.15)
+        low, high = found.difference_corrected_interval
+        assert low == 0
+        assert high < found.difference
+        # 4 standard deviations of the light on 32 × 24 pixels, and what Schlick leaves out.
+        slack = 4 * found.noise / math.sqrt(32 * 24) + 0.002
+        assert found.mitsuba.efficiency == pytest.approx(found.ours.efficiency, rel=slack)
+        error = found.mitsuba.relative_l2_corrected
+        assert error == pytest.approx(found.ours.relative_l2_corrected, abs=found.noise)
+
+    def test_light_through_a_plate(self, make_scene):
+        """Head-on, Fresnel's equations are Schlick's approximation."""
+        flux = other.MitsubaScene(make_scene(), np.full((12, 10), 0.5)).flux(100_000, 1)
+        assert flux.shape == (32, 32)
+        assert flux.sum() == pytest.approx(0.96**2, rel=0.005)
+        assert flux.std() < 0.2 * flux.mean()
+
+    def test_another_lens_is_told_apart(self, make_scene, monkeypatch):
+        scene, dense = make_scene(), make_scene({"lens.refractive_index": 1.6})
+        lens, target = self.lopsided(scene), np.ones((32, 32))
+        trace = other.MitsubaScene(dense, lens)
+        monkeypatch.setattr("workbench.analysis.cross_check.MitsubaScene", lambda *task: trace)
+        found = cross_check(scene, target, lens, 100_000)
+        assert found.difference > 2 * found.noise
+        assert found.difference_corrected_interval[0] > found.noise
+
+    def test_the_same_seed_gives_the_same_light(self, make_scene):
+        scene = make_scene()
+        trace = other.MitsubaScene(scene, self.lopsided(scene))
+        once, again, more = trace.flux(10_000, 1), trace.flux(10_000, 1), trace.flux(10_000, 2)
+        assert once == pytest.approx(again, rel=1e-4)  # sums of threads, in any order
+        assert np.abs(once - more).max() > 0.1 * once.max()
+
+    def test_passes_add_up(self, make_scene, monkeypatch):
+        monkeypatch.setattr(other, "_AT_ONCE", 5_000)
+        flux = other.MitsubaScene(make_scene(), np.full((12, 10), 0.5)).flux(20_000, 1)
+        assert flux.sum() == pytest.approx(0.96**2, rel=0.01)
+
+    def test_pixels_that_are_not_square_are_refused(self, make_scene):
+        scene = make_scene({"screen.pixels": [32, 31]})
+        with pytest.raises(Refused, match=r"^screen.pixels: \[32, 31\] on \[1, 1\] are not square"):
+            other.MitsubaScene(scene, np.full((12, 10), 0.5))

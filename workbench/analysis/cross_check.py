@@ -1,0 +1,145 @@
+"""Two tracers that share nothing, on one lens: the independent check and Mitsuba 3."""
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from workbench.analysis.metrics import product, relative_l2
+from workbench.analysis.mitsuba import MitsubaScene
+from workbench.analysis.validation import through_focus
+from workbench.errors import RunFailed
+from workbench.scene import Scene
+
+Array = npt.NDArray[np.float64]
+
+# Standard deviations that hold 95 %.
+_95 = 1.96
+
+
+@dataclass(frozen=True)
+class Seen:
+    """What one tracer says of a lens.
+
+    Attributes
+    ----------
+    relative_l2, relative_l2_corrected : float
+        Error against the target, with and without the scatter of the rays, as in `Validation`.
+    efficiency : float
+        Part of the emitted flux that lands on the screen.
+    """
+
+    relative_l2: float
+    relative_l2_corrected: float
+    efficiency: float
+
+
+@dataclass(frozen=True)
+class CrossCheck:
+    """How far apart the images of two tracers are; both are divided by their sums.
+
+    Attributes
+    ----------
+    difference : float
+        ‖M − O‖ / ‖O‖ of Mitsuba's image M and our image O.
+    noise : float
+        What it would be on the scatter of the rays alone, from two halves of each image.
+    difference_corrected : float
+        The same difference without the scatter: the root of ⟨M₁ − O₁, M₂ − O₂⟩ / ‖O‖², where 1 and
+        2 are the halves. Their scatter is independent and falls out; a negative one counts as 0.
+    difference_corrected_interval : tuple[float, float]
+        Where that lies with 95 % confidence, pixels scattering independently.
+    ours, mitsuba : Seen
+        What each of them says of the lens.
+    rays : int
+        Rays of each.
+    """
+
+    difference: float
+    noise: float
+    difference_corrected: float
+    difference_corrected_interval: tuple[float, float]
+    ours: Seen
+    mitsuba: Seen
+    rays: int
+
+    def to_data(self) -> dict[str, Any]:
+        """The figures by name, for JSON."""
+        return {
+            "difference": self.difference,
+            "noise": self.noise,
+            "difference_corrected": self.difference_corrected,
+            "difference_corrected_interval": list(self.difference_corrected_interval),
+            "ours": vars(self.ours),
+            "mitsuba": vars(self.mitsuba),
+            "rays": self.rays,
+        }
+
+
+def cross_check(
+    scene: Scene, target: Array, control_points: Array, rays: int = 4_000_000, seed: int = 1
+) -> CrossCheck:
+    """Trace a lens by our independent tracer and by Mitsuba, and compare.
+
+    Our tracer takes Schlick's approximation for the reflectance, Mitsuba Fresnel's equations for
+    unpolarised light; the difference is in the result. In both what is reflected is lost.
+
+    Parameters
+    ----------
+    scene, target, control_points
+        As for `validate`.
+    rays : int
+        Rays for each of the two, at least.
+    seed : int
+        The same seed gives the same rays.
+
+    Raises
+    ------
+    Refused
+        If Mitsuba is not installed, or pixels are not square.
+    RunFailed
+        If no light reaches the screen.
+    """
+    theirs = MitsubaScene(scene, control_points)
+    half, area = -(-rays // 2), scene.screen.pixel_area
+    light = {
+        "mitsuba": [theirs.flux(half, seed + k) for k in (0, 1)],
+        "ours": [
+            through_focus(scene, control_points, [scene.screen.z], half, seed + k)[0] * area
+            for k in (0, 1)
+        ],
+    }
+    if not all(image.sum() > 0 for images in light.values() for image in images):
+        raise RunFailed("no light of this lens reaches the screen, so there is nothing to compare")
+    (m_1, m_2), (o_1, o_2) = ([i / i.sum() for i in images] for images in light.values())
+    size = _norm((o_1 + o_2) / 2)
+    products = (m_1 - o_1) * (m_2 - o_2) / size**2
+    square, spread = float(products.sum()), _95 * _norm(products - products.mean())
+    return CrossCheck(
+        difference=_norm(m_1 + m_2 - o_1 - o_2) / (2 * size),
+        noise=math.hypot(_norm(m_1 - m_2), _norm(o_1 - o_2)) / (2 * size),
+        difference_corrected=_root(square),
+        difference_corrected_interval=(_root(square - spread), _root(square + spread)),
+        ours=_seen(light["ours"], target),
+        mitsuba=_seen(light["mitsuba"], target),
+        rays=2 * half,
+    )
+
+
+def _seen(halves: list[Array], target: Array) -> Seen:
+    image = (halves[0] + halves[1]) / 2
+    return Seen(
+        relative_l2=relative_l2(image, target),
+        relative_l2_corrected=_root(product(halves[0], halves[1], target)),
+        efficiency=float(image.sum()),
+    )
+
+
+def _norm(image: Array) -> float:
+    return math.sqrt(float(np.square(image).sum()))
+
+
+def _root(square: float) -> float:
+    return math.sqrt(max(square, 0.0))

@@ -1,0 +1,285 @@
+"""A lens as a scene of Mitsuba 3, whose light tracer makes the image (optional extra ``mitsuba``).
+
+Nothing of this program traces here: Mitsuba emits, meets triangles, refracts by the exact equations
+of Fresnel and connects the lit screen to a camera. The scene holds the lens as a mesh with the
+normals of the B-spline, black walls at its sides, a black baffle around its entrance face, and a
+screen that scatters all light to the other side, where the camera looks at it. Reflected light
+goes astray, as in this program: paths that meet more than both faces and the screen are left out.
+"""
+
+import math
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from workbench.errors import Refused
+from workbench.geometry.surface import ControlNet
+from workbench.optics.cap import covering_cap
+from workbench.scene import CollimatedSource, GridSource, PointSource, Scene
+
+Array = npt.NDArray[np.float64]
+Indices = npt.NDArray[np.uint32]
+
+# Variant without a compiler at run time: that of the others needs an LLVM of the right version.
+_VARIANT = "scalar_rgb"
+# Least number of cells of the mesh along each axis; they divide the knot spans evenly.
+_CELLS = 1024
+# Segments of the way: source, entrance face, exit face, screen, camera.
+_SEGMENTS = 4
+# In half-widths of the lens: how far the baffle reaches and how far before the lens light starts.
+_BAFFLE, _BEFORE = 1000.0, 0.1
+# Distance of the camera over the half-width of the screen.
+_AWAY = 4.0
+# A disk so much smaller than its distance stands for a point with Lambert's law.
+_DISK = 1e-4
+# Mitsuba's spots fade at their rims, here beyond the cone.
+_FADE = 1e-3
+# Paths of a pass: an interruption waits for one of them.
+_AT_ONCE = 1 << 19
+
+
+class MitsubaScene:
+    """A lens, its light and its screen in Mitsuba.
+
+    Parameters
+    ----------
+    scene : Scene
+        Lens, source and screen; filter and run settings play no part.
+    control_points : ndarray, shape (n_u, n_v)
+        Heights z of the exit face's control points, scene units.
+
+    Raises
+    ------
+    Refused
+        If Mitsuba is not installed, or pixels are not square.
+    """
+
+    def __init__(self, scene: Scene, control_points: Array) -> None:
+        self._mi = mi = _mitsuba()
+        (r_x, r_y), (n_x, n_y) = scene.screen.half_width, scene.screen.pixels
+        if not math.isclose(r_x / n_x, r_y / n_y, rel_tol=1e-6):
+            raise Refused(
+                "screen.pixels",
+                f"[{n_x}, {n_y}] on [{r_x:g}, {r_y:g}] are not square, as Mitsuba's camera has "
+                "them; as many per length along x and y are needed",
+            )
+        # Mitsuba counts in single precision and has thresholds made for lengths of about 1.
+        self._scene, self._unit = scene, max(scene.lens.half_width)
+        lights, self._emitted = self._lights()
+        self._pixel_area = scene.screen.pixel_area / self._unit**2
+        self._rendered: Any = mi.load_dict(
+            {
+                "type": "scene",
+                "integrator": {"type": "ptracer", "max_depth": _SEGMENTS, "rr_depth": 100},
+                "sensor": self._camera(),
+                "screen": self._screen(),
+                **self._body(control_points),
+                **self._baffle(),
+                **lights,
+            }
+        )
+
+    def flux(self, rays: int, seed: int) -> Array:
+        """Part of the emitted light in each pixel.
+
+        Parameters
+        ----------
+        rays : int
+            Paths to trace at least; rounded up to as many for each pixel in each pass.
+        seed : int
+            The same seed gives the same paths.
+
+        Returns
+        -------
+        ndarray, shape (n_y, n_x)
+            Row 0 at +y.
+        """
+        n_x, n_y = self._scene.screen.pixels
+        samples = -(-rays // (n_x * n_y))
+        passes = -(-samples * n_x * n_y // _AT_ONCE)
+        samples = -(-samples // passes)
+        radiance = np.zeros((n_y, n_x))
+        # Seeds that have nothing to do with each other: Mitsuba counts on from them.
+        for state in np.random.SeedSequence(seed).generate_state(passes):
+            picture = self._mi.render(self._rendered, spp=samples, seed=int(state))
+            radiance += np.array(picture)[:, :, 0]
+        # Scattered evenly into the half-sphere.
+        irradiance = math.pi / passes * radiance
+        return np.asarray(irradiance * self._pixel_area / self._emitted)
+
+    def _lights(self) -> tuple[dict[str, Any], float]:
+        """Emitters, and the flux that they emit towards the lens."""
+        mi, scene = self._mi, self._scene
+        even = {"type": "rgb", "value": 1.0}
+        r_x, r_y = (r / self._unit for r in scene.lens.half_width)
+        z = scene.lens.entrance_z / self._unit
+        to = mi.ScalarTransform4f
+        if isinstance(scene.source, CollimatedSource):
+            place = to().translate([0, 0, z - _BEFORE]).scale([r_x, r_y, 1])
+            sheet = {"type": "directionalarea", "radiance": even}
+            return {"light": {"type": "rectangle", "to_world": place, "emitter": sheet}}, (
+                4 * r_x * r_y
+            )
+        lights, emitted = {}, 0.0
+        for number, point in enumerate(_points(scene.source) / self._unit):
+            cap = covering_cap(point, (r_x, r_y), z)
+            if scene.source.emission == "uniform":
+                angle = math.degrees(2 * math.asin(math.sqrt(cap.versine / 2)))
+                lights[f"light{number}"] = {
+                    "type": "spot",
+                    "to_world": to().look_at(point, point + cap.axis, [1, 0, 0]),
+                    "intensity": even,
+                    "beam_width": angle,
+                    "cutoff_angle": angle * (1 + _FADE),
+                }
+                emitted += cap.solid_angle
+            else:
+                radius = _DISK * (z - point[2])
+                lights[f"light{number}"] = {
+                    "type": "disk",
+                    "to_world": to().translate(point).scale([radius, radius, 1]),
+                    "emitter": {"type": "area", "radiance": even},
+                }
+                # Area of the disk times the projected solid angle of the cone.
+                sine2 = cap.versine * (2 - cap.versine)
+                emitted += math.pi * radius**2 * math.pi * sine2 * cap.axis[2]
+        return lights, emitted
+
+    def _body(self, control_points: Array) -> dict[str, Any]:
+        """Both faces of the lens, and walls that swallow what leaves by the sides."""
+        lens, net = self._scene.lens, ControlNet.of(self._scene.lens)
+        cells = [n - p for n, p in zip(net.shape, net.degree, strict=True)]
+        u, v = (np.linspace(0, 1, spans * -(-_CELLS // spans) + 1) for spans in cells)
+        z, slope_x, slope_y = net.grid(u, v).evaluate(control_points)
+        x, y = ((2 * t - 1) * r for t, r in zip((u, v), lens.half_width, strict=True))
+        exit_face = _stacked(x[:, None], y, z) / self._unit
+        entrance = _stacked(x[[0, -1], None], y[[0, -1]], lens.entrance_z) / self._unit
+        index = np.arange(z.size).reshape(z.shape)
+        rim = np.concatenate([index[:-1, 0], index[-1, :-1], index[:0:-1, -1], index[0, :0:-1]])
+        top = exit_face.reshape(-1, 3)[np.append(rim, rim[0])]
+        foot = top * [1, 1, 0] + [0, 0, lens.entrance_z / self._unit]
+        glass = self._mi.load_dict({"type": "dielectric", "int_ior": lens.index, "ext_ior": 1.0})
+        black = self._mi.load_dict(_BLACK)
+        normals = _stacked(-slope_x, -slope_y, 1.0)
+        return {
+            "exit": self._mesh(exit_face, glass, normals),
+            "entrance": self._mesh(entrance[:, ::-1], glass),
+            "walls": self._mesh(np.stack([foot, top], axis=1), black),
+        }
+
+    def _mesh(self, places: Array, material: Any, normals: Array | None = None) -> Any:
+        """Places of shape (m, n, 3) as triangles; counterclockwise if they run along x and y."""
+        triangles = _triangles(places.shape[0], places.shape[1])
+        properties = self._mi.Properties()
+        properties["bsdf"] = material
+        mesh = self._mi.Mesh(
+            "",
+            places.size // 3,
+            len(triangles),
+            props=properties,
+            has_vertex_normals=normals is not None,
+        )
+        content = self._mi.traverse(mesh)
+        content["vertex_positions"] = places.astype(np.float32).ravel()
+        content["faces"] = triangles.ravel()
+        if normals is not None:
+            unit = normals / np.linalg.norm(normals, axis=-1, keepdims=True)
+            content["vertex_normals"] = unit.astype(np.float32).ravel()
+        content.update()
+        return mesh
+
+    def _baffle(self) -> dict[str, Any]:
+        """Black rectangles around the entrance face."""
+        r_x, r_y = (r / self._unit for r in self._scene.lens.half_width)
+        z, to = self._scene.lens.entrance_z / self._unit, self._mi.ScalarTransform4f
+        wide, beside_x, beside_y = _BAFFLE, (r_x + _BAFFLE) / 2, (r_y + _BAFFLE) / 2
+        return {
+            f"baffle{number}": {
+                "type": "rectangle",
+                "to_world": to().translate([x, y, z]).scale([half_x, half_y, 1]),
+                "bsdf": _BLACK,
+            }
+            for number, (x, y, half_x, half_y) in enumerate(
+                [
+                    (-beside_x, 0, (wide - r_x) / 2, wide),
+                    (beside_x, 0, (wide - r_x) / 2, wide),
+                    (0, -beside_y, r_x, (wide - r_y) / 2),
+                    (0, beside_y, r_x, (wide - r_y) / 2),
+                ]
+            )
+        }
+
+    def _screen(self) -> dict[str, Any]:
+        screen, to = self._scene.screen, self._mi.ScalarTransform4f
+        r_x, r_y = (r / self._unit for r in screen.half_width)
+        return {
+            "type": "rectangle",
+            "to_world": to().translate([0, 0, screen.z / self._unit]).scale([r_x, r_y, 1]),
+            "bsdf": {
+                "type": "principledthin",
+                "base_color": {"type": "rgb", "value": 1.0},
+                "diff_trans": 2.0,  # all of it goes through
+                "spec_trans": 0.0,
+            },
+        }
+
+    def _camera(self) -> dict[str, Any]:
+        """Its picture is the screen, exactly."""
+        screen, (n_x, n_y) = self._scene.screen, self._scene.screen.pixels
+        z, r_x = screen.z / self._unit, screen.half_width[0] / self._unit
+        behind = [0, 0, z + _AWAY * r_x]
+        return {
+            "type": "perspective",
+            "fov": 2 * math.degrees(math.atan(1 / _AWAY)),
+            "fov_axis": "x",
+            "to_world": self._mi.ScalarTransform4f().look_at(behind, [0, 0, z], [0, 1, 0]),
+            "film": {
+                "type": "hdrfilm",
+                "width": n_x,
+                "height": n_y,
+                "rfilter": {"type": "box"},
+                "pixel_format": "luminance",
+                "component_format": "float32",
+            },
+        }
+
+
+_BLACK = {"type": "diffuse", "reflectance": {"type": "rgb", "value": 0.0}}
+
+
+def _mitsuba() -> Any:
+    try:
+        import mitsuba
+    except ImportError as error:
+        raise Refused(
+            "--with",
+            "'mitsuba' needs Mitsuba 3, which pip install "
+            "'freeform-lens-workbench[mitsuba]' brings",
+        ) from error
+    mi: Any = mitsuba
+    mi.set_variant(_VARIANT)
+    mi.logger().clear_appenders()  # its progress is not for our output
+    return mi
+
+
+def _points(source: PointSource | GridSource) -> Array:
+    if isinstance(source, PointSource):
+        return np.array([source.position])
+    x, y = (
+        c + (np.linspace(-r, r, count) if count > 1 else np.zeros(1))
+        for c, r, count in zip(source.center, source.half_width, source.points, strict=False)
+    )
+    return _stacked(x[:, None], y, source.center[2]).reshape(-1, 3)
+
+
+def _stacked(x: Any, y: Any, z: Any) -> Array:
+    return np.stack(np.broadcast_arrays(x, y, z), axis=-1).astype(np.float64)
+
+
+def _triangles(rows: int, columns: int) -> Indices:
+    """Two for each cell of a grid of vertices."""
+    index = np.arange(rows * columns, dtype=np.uint32).reshape(rows, columns)
+    a, b = index[:-1, :-1].ravel(), index[1:, :-1].ravel()
+    c, d = index[1:, 1:].ravel(), index[:-1, 1:].ravel()
+    return np.concatenate([np.column_stack([a, b, c]), np.column_stack([a, c, d])])
