@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from ui.command_table import NEW
+from ui.command_table import LOCKS, NEW
 
 # Not while a run works on the design as it was when it began.
 _CHANGING = [*NEW, "gallery", "open", "save", "save_as"]
@@ -45,6 +45,7 @@ class Situation:
         idle, under_way = self.state == "idle", self.state in ("running", "paused")
         return {
             **dict.fromkeys(_CHANGING, self.editable),
+            **dict.fromkeys(LOCKS, self.editable),
             "start": idle,
             "continue": idle and self.has_lens,
             "pause": under_way,

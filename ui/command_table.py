@@ -49,6 +49,9 @@ COLOURS = {f"colours_{name}": name for name in ("inferno", "viridis", "cividis",
 TOOLS = ("turn", "sculpt", "lock", "move_source")
 """Commands for what the left button does in the 3D scene."""
 
+LOCKS = ("lock_all", "unlock_all", "invert_locks")
+"""Commands for all locks at once."""
+
 RAYS_BY = {"rays_by_outcome": False, "rays_by_weight": True}
 """Commands for the colours of rays: whether by their weight."""
 
@@ -195,9 +198,7 @@ MENUS: dict[str, list[Any]] = {
         "brush_larger",
         "brush_smaller",
         None,
-        "lock_all",
-        "unlock_all",
-        "invert_locks",
+        *LOCKS,
         None,
         "check",
     ],
@@ -219,7 +220,8 @@ MENUS: dict[str, list[Any]] = {
     ],
     "&Help": ["palette", None, "about"],
 }
-TOOLBAR = ["new_tophat", "open", "save", None, "undo", "redo", None, *_RUN, None, *TOOLS, None, "fit_view"]
+_FILES, _STEPS = ["new_tophat", "open", "save"], ["undo", "redo"]
+TOOLBAR = [*_FILES, None, *_STEPS, None, *_RUN, None, *TOOLS, None, "fit_view"]
 """Names and separators, as in a menu."""
 LABELLED = _RUN
 """Those whose name stands beside the icon in the toolbar."""

@@ -31,6 +31,7 @@ from ui.workspace import Workspace
 if TYPE_CHECKING:
     from ui.check import Check
     from ui.frame import Frame
+    from ui.lens_tools import LensTools
     from ui.run_control import RunControl
     from ui.views.views import Views
 
@@ -95,6 +96,7 @@ class MainWindow(QMainWindow):
         self._status = RunStatus(self.statusBar())
         self.control: RunControl | None = None
         self.check: Check | None = None
+        self.tools: LensTools | None = None
         self.views: Views | None = None
         self.plots: Plots | None = None
         self._leaving = False  # whatever would be lost
@@ -112,8 +114,10 @@ class MainWindow(QMainWindow):
     def build(self) -> None:
         """Add runner and views; imports what they stand on."""
         from ui.check import Check
+        from ui.lens_tools import LensTools
         from ui.run_control import RunControl
         from ui.run_log import RunLog
+        from ui.scene_pictures import ScenePictures
         from ui.views.views import Views
 
         self.control = control = RunControl(self.document, self)
@@ -126,6 +130,10 @@ class MainWindow(QMainWindow):
         self.plots = Plots(views.plots(), self.document, self.messages, self)
         self.plots.offer([self.commands[name] for name in self.plots.slots()])
         colours = ColourMap(self._settings, self.commands, views.show_colours)
+        self.tools = tools = LensTools(self.document, control, views.scene, self)
+        tools.said.connect(self.messages.note)
+        views.scene.let_go.connect(self.commands["turn"].trigger)
+        pictures = ScenePictures(views.scene, self.document, self.messages, self)
         RunLog(self.document, control, self.log.add)
         runner, look_back = control.runner, views.look_back
         check.figures_changed.connect(self._status.show_check)
@@ -150,6 +158,8 @@ class MainWindow(QMainWindow):
                 "check": check.toggle,
                 **views.slots(),
                 **self.plots.slots(),
+                **tools.slots(),
+                **pictures.slots(),
                 **colours.slots(),
             }
         )
@@ -187,6 +197,8 @@ class MainWindow(QMainWindow):
             self.plots.close()
         if self.views is not None:
             self.views.close()
+        if self.tools is not None:
+            self.tools.close()
         super().closeEvent(event)
         self.closed.emit()
 

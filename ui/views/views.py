@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 
-from ui.command_table import RAYS
+from ui.command_table import RAYS, RAYS_BY
 from ui.views.derivative_view import DerivativeView
 from ui.views.error_view import ErrorView
 from ui.views.image_link import ImageLink
@@ -88,11 +88,12 @@ class Views(QObject):
             "fit_view": self.scene.fit,
             **{f"{view}_view": partial(self.scene.fit, view) for view in ("side", "top", "axis")},
             **{name: partial(self.scene.show_rays, rays) for name, rays in RAYS.items()},
+            **{name: partial(self.scene.colour_rays, by) for name, by in RAYS_BY.items()},
         }
 
     def toggles(self) -> dict[str, Callable[[bool], object]]:
         """What commands that are on or off do here."""
-        return {"exploded": self.scene.explode}
+        return {"exploded": self.scene.explode, "perspective": self.scene.see_in_perspective}
 
     def close(self) -> None:
         """Free plotter and threads; safe to call twice."""
