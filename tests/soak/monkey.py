@@ -1,0 +1,269 @@
+"""A monkey at the window: ``python -m tests.soak.monkey FOLDER --seed 1 --seconds 120``.
+
+It plays with the real program, started as a person starts it, on whatever screen DISPLAY names.
+Each step draws its choices from a generator of its own, made of seed and number, so that the same
+seed does the same again as far as time allows. Settings, recovery files and whatever it saves lie
+in FOLDER, and so does ``monkey.log``: each step before it is done, and every problem.
+
+Every minute it rests: one window with the first example, nothing on. There it measures memory.
+"""
+
+import argparse
+import ctypes
+import gc
+import json
+import os
+import sys
+import threading
+import time
+from collections.abc import Generator
+from functools import partial
+from pathlib import Path
+from random import Random
+
+from PySide6.QtCore import QObject, QThread, QTimer
+from PySide6.QtWidgets import QApplication
+from shiboken6 import isValid
+
+import resources
+import ui.windows
+from tests.soak.actions import ACTIONS, windows
+from tests.soak.dialogs import answer, open_dialog
+from tests.soak.kept import AccountedRecovery
+from tests.soak.watch import Watch, resident_mb
+from ui import app
+from ui.main_window import MainWindow
+from ui.windows import Windows
+
+REST_SECONDS = 60.0
+GROWTH_MB = 200.0
+_PATIENCE = 120.0  # seconds until a run has stopped or a window has closed, on a busy machine
+_ANSWER_MS = 150  # a dialog is looked at for so long
+
+
+class Monkey(QObject):
+    """Plays for some seconds, rests now and then, and closes all windows at the end.
+
+    Parameters
+    ----------
+    folder : Path
+        For settings, files and log.
+    seed : int
+        Of all choices.
+    seconds : float
+        How long it plays.
+    """
+
+    def __init__(self, folder: Path, seed: int, seconds: float) -> None:
+        super().__init__()
+        self.memory: list[float] = []  # MB at each rest
+        self.steps = 0
+        self._seed, self._seconds = seed, seconds
+        self._files = folder / "files"
+        self._log = (folder / "monkey.log").open("a", buffering=1)
+        self._began = time.monotonic()
+        self._calm = False
+        self._answers = 0
+        self._acting = False
+        self._doing: Generator[int, None, None] | None = None
+        self.watch = Watch(self.log, folder / "stacks.txt")
+
+    def log(self, line: str) -> None:
+        """Write a line with the time since the start."""
+        self._log.write(f"{time.monotonic() - self._began:8.2f} {line}\n")
+
+    def begin(self) -> None:
+        """Play as soon as the event loop runs."""
+        QApplication.setQuitOnLastWindowClosed(False)
+        self._doing = self._play()
+        self._tick()
+
+    def close(self) -> None:
+        """Look for what is left once the program has ended."""
+        for thread in threading.enumerate():
+            other = thread not in (threading.main_thread(), threading.current_thread())
+            if other and not thread.daemon and not isinstance(thread, threading._DummyThread):
+                self.watch.tell(f"thread left: {thread.name}")
+        for thread in [each for each in gc.get_objects() if type(each) is QThread]:
+            if isValid(thread) and thread.isRunning():
+                self.watch.tell(f"running thread left: {thread}")
+        self.watch.close()
+        self._log.close()
+
+    def _tick(self) -> None:
+        """One step; the next comes also where a dialog keeps this one from returning."""
+        dialog = open_dialog()
+        if dialog is not None:
+            QTimer.singleShot(_ANSWER_MS, self, self._tick)
+            self._answer(dialog)
+        elif self._acting:  # a dialog is closing; the step that opened it goes on
+            QTimer.singleShot(_ANSWER_MS, self, self._tick)
+        elif self._doing is not None:
+            self._answers = 0
+            self._acting = True
+            again = QTimer(self, singleShot=True, interval=_ANSWER_MS)
+            again.timeout.connect(self._tick)
+            again.start()  # in case this step opens a dialog
+            try:
+                pause = next(self._doing, None)
+            except Exception:
+                sys.excepthook(*sys.exc_info())
+                self._doing = pause = None
+                QApplication.exit(1)
+            self._acting = False
+            if again.isActive():
+                again.stop()
+                if pause is not None:
+                    QTimer.singleShot(pause, self, self._tick)
+            again.deleteLater()
+
+    def _answer(self, dialog) -> None:
+        rng = Random(f"{self._seed}/{self.steps}/{self._answers}")
+        self._answers += 1
+        try:
+            told = answer(dialog, rng, self._files, self._calm or self._answers > 20)
+        except Exception:
+            sys.excepthook(*sys.exc_info())
+        else:
+            self.log(f"{self.steps}.{self._answers} answer {told}")
+
+    def _play(self) -> Generator[int, None, None]:
+        """All that it does, with the milliseconds to wait after each step."""
+        yield from self._wait(lambda: windows() and windows()[0].control is not None)
+        yield from self._rest()
+        end, next_rest = self._began + self._seconds, time.monotonic() + REST_SECONDS
+        while time.monotonic() < end:
+            if time.monotonic() > next_rest:
+                yield from self._rest()
+                next_rest = time.monotonic() + REST_SECONDS
+            self.steps += 1
+            rng = Random(f"{self._seed}/{self.steps}")
+            self._act(rng)
+            yield rng.choice([10, 50, 50, 100, 100, 300])
+        yield from self._rest()
+        QApplication.setQuitOnLastWindowClosed(True)
+        windows()[0].commands["quit"].trigger()
+
+    def _act(self, rng: Random) -> None:
+        action = rng.choices(list(ACTIONS), ACTIONS.values())[0]
+        if not windows():
+            self._program().open_beside()
+        window = rng.choice(sorted(windows(), key=lambda window: window.winId()))
+        name = f"{self.steps} {action.__name__}"
+        self.log(name)
+        try:
+            told = action(window, rng, self._files)
+        except Exception:
+            sys.excepthook(*sys.exc_info())
+        else:
+            self.log(f"{name} {told}")
+
+    def _rest(self) -> Generator[int, None, None]:
+        """Close what is open but one window with the first example; then measure memory."""
+        self._calm = True
+        if not windows():
+            self._program().open_beside()
+        for window in windows()[1:]:
+            yield from self._still(window)
+            window.close()
+        yield from self._wait(lambda: len(windows()) == 1)
+        (window,) = windows()
+        yield from self._wait(lambda: window.control is not None)
+        yield from self._still(window)
+        window.showNormal()
+        window.commands["new_tophat"].trigger()
+        yield from self._wait(lambda: not window.document.dirty)
+        yield 1500
+        gc.collect()
+        if sys.platform == "linux":
+            ctypes.CDLL("libc.so.6").malloc_trim(0)
+        self.memory.append(resident_mb())
+        self.log(f"rest with {self.memory[-1]:.0f} MB, {threading.active_count()} threads")
+        if self.memory[-1] - self.memory[min(1, len(self.memory) - 1)] > GROWTH_MB:
+            self.watch.tell(f"memory grew to {self.memory[-1]:.0f} MB")
+        self._calm = False
+
+    def _still(self, window: MainWindow) -> Generator[int, None, None]:
+        """Stop what the window does."""
+
+        def busy() -> bool:
+            return isValid(window) and window.control is not None and window.control.busy
+
+        if busy():
+            window.control.runner.stop()
+            yield from self._wait(lambda: not busy())
+
+    def _wait(self, condition) -> Generator[int, None, None]:
+        give_up = time.monotonic() + _PATIENCE
+        while not condition():
+            if time.monotonic() > give_up:
+                self.watch.tell("waited in vain for a window to load, rest or close")
+                return
+            yield 100
+
+    def _program(self) -> Windows:
+        return next(each for each in gc.get_objects() if isinstance(each, Windows))
+
+
+def main() -> int:
+    """Play; exit status 0 if nothing went wrong."""
+    parser = argparse.ArgumentParser("tests.soak.monkey", description="Random actions on a window.")
+    parser.add_argument("folder", type=Path)
+    parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--seconds", type=float, default=120.0)
+    parser.add_argument("--keep-every-ms", type=int, help="recovery interval")
+    options = parser.parse_args()
+    folder = options.folder.absolute()
+    _furnish(folder)
+    os.environ["XDG_CONFIG_HOME"] = str(folder / "settings")
+    if options.keep_every_ms is not None:
+        ui.windows.Recovery = partial(
+            AccountedRecovery, account=folder / "kept.log", every_ms=options.keep_every_ms
+        )
+    played: list[Monkey] = []
+    run = QApplication.exec
+
+    def play() -> int:
+        monkey = Monkey(folder, options.seed, options.seconds)
+        played.append(monkey)
+        QTimer.singleShot(0, monkey, monkey.begin)
+        return run()
+
+    QApplication.exec = staticmethod(play)
+    status = app.main([])
+    (monkey,) = played
+    monkey.close()
+    report = {
+        "seed": options.seed,
+        "steps": monkey.steps,
+        "problems": monkey.watch.problems,
+        "longest_s": round(monkey.watch.longest, 2),
+        "memory_mb": [round(mb) for mb in monkey.memory],
+    }
+    print(json.dumps(report))
+    return status or int(bool(monkey.watch.problems))
+
+
+def _furnish(folder: Path) -> None:
+    """Have files to open and to drop, good ones and bad ones."""
+    files = folder / "files"
+    if files.is_dir():
+        return
+    files.mkdir(parents=True)
+    small = {
+        "lens": {"half_width": [1, 1], "refractive_index": 1.5, "control_points": [12, 12]},
+        "source": {"kind": "point", "position": [0, 0, -5], "rays": 2000},
+        "screen": {"z": 5, "half_width": [1, 1], "pixels": [32, 32]},
+        "target": {"builtin": "ball"},
+        "run": {"iterations": 200},
+    }
+    (files / "small.json").write_text(json.dumps(small))
+    (files / "not-a-scene.json").write_text("{}")
+    (files / "broken.freeform").write_bytes(b"PK\3\4 and nothing else")
+    picture = resources.path("targets", "flame-256.png")
+    (files / "picture.png").write_bytes(picture.read_bytes())
+    (files / "broken.png").write_bytes(b"no picture")
+
+
+if __name__ == "__main__":
+    sys.exit(main())
