@@ -82,7 +82,7 @@ def _application() -> "QApplication":
     from PySide6.QtWidgets import QApplication
 
     from ui import theme
-    from ui.main_window import TITLE
+    from ui.help import TITLE
 
     QCoreApplication.setAttribute(Qt.ApplicationAttribute.AA_ShareOpenGLContexts)
     QCoreApplication.setOrganizationName(_PROGRAM)

@@ -22,6 +22,8 @@ class Situation:
         Whether there is one at all, if only to start from.
     can_undo, can_redo : bool
         Whether the undo stack has a step in that direction.
+    can_revert : bool
+        Whether the design has a file and differs from it.
     """
 
     state: str
@@ -29,6 +31,7 @@ class Situation:
     has_lens: bool
     can_undo: bool
     can_redo: bool
+    can_revert: bool
 
     @property
     def editable(self) -> bool:
@@ -50,8 +53,11 @@ class Situation:
             "continue": idle and self.has_lens,
             "pause": under_way,
             "stop": under_way,
+            "restore_run": idle,
+            "delete_run": idle,
             "export": self.designed,
             "check": self.resting,
+            "revert": self.editable and self.can_revert,
             "undo": self.editable and self.can_undo,
             "redo": self.editable and self.can_redo,
         }

@@ -58,6 +58,23 @@ RAYS_BY = {"rays_by_outcome": False, "rays_by_weight": True}
 PICTURES = {f"save_scene_{times}": times for times in (1, 2, 4)}
 """Commands that save the 3D scene so many times as large as it is seen."""
 
+PANES = {
+    "design": ("Design", "1"),
+    "scene": ("3D scene", "2"),
+    "irradiance": ("Irradiance", "3"),
+    "error": ("Irradiance − target", "4"),
+    "target": ("Target", ""),
+    "derivative": ("Derivative", ""),
+    "surface": ("Surface", "5"),
+    "loss": ("Loss", "6"),
+    "section": ("Cross-section", "7"),
+    "light": ("Light account", ""),
+    "runs": ("Runs", ""),
+    "history": ("History", "8"),
+    "log": ("Log", "9"),
+}
+"""Title, and key with Alt, of each dock and of what stands between them."""
+
 COMMANDS = {
     **{name: Command(example.title, example.look) for name, example in NEW.items()},
     "new_tophat": Command(_FIRST.title, _FIRST.look, _Key.New, "new"),
@@ -73,6 +90,9 @@ COMMANDS = {
     "export": Command("&Export…", "Write the lens or its light for other programs", "Ctrl+E"),
     "close": Command("&Close window", "Close this window; others stay open", "Ctrl+W"),
     "quit": Command("&Quit", "Close all windows of the workbench", "Ctrl+Q"),
+    "revert": Command(
+        "Re&vert", "Go back to the file as it was saved; this can be undone", "Ctrl+Shift+R"
+    ),
     "undo": Command("&Undo", "Take the last change back", _Key.Undo, "undo"),
     "redo": Command("&Redo", "Make the change again", "Ctrl+Shift+Z", "redo"),
     "copy_plot": Command(
@@ -89,6 +109,10 @@ COMMANDS = {
     "continue": Command("&Continue", "Go on from the lens as it is", "Shift+F5", "continue"),
     "pause": Command("&Pause", "Hold the design; again to go on", "F6", "pause", checked=False),
     "stop": Command("S&top", "End the design and keep its best lens", "F7", "stop"),
+    "restore_run": Command(
+        "&Restore run", "Give the design task and lens of the run chosen in the dock Runs"
+    ),
+    "delete_run": Command("&Delete runs", "Forget the runs chosen in the dock Runs"),
     "check": Command(
         "&Check lens",
         "Trace the lens on show anew, with rays that its design never saw; again to cancel",
@@ -157,7 +181,22 @@ COMMANDS = {
     "unlock_all": Command("&Unlock all points", "Let runs change the whole lens"),
     "invert_locks": Command("&Invert locks", "Lock what is unlocked, and the reverse"),
     "scene_view": Command("&3D scene", "Show or hide the 3D scene", "Ctrl+3", checked=True),
+    "reset_layout": Command("R&eset layout", "Put all docks where they stood at first"),
+    "next_pane": Command("&Next pane", "Take the keyboard to the next pane", "Ctrl+F6"),
+    "previous_pane": Command(
+        "&Previous pane", "Take the keyboard to the pane before", "Ctrl+Shift+F6"
+    ),
+    **{
+        f"go_{name}": Command(
+            title, "Show this pane and take the keyboard there", f"Alt+{key}" if key else ""
+        )
+        for name, (title, key) in PANES.items()
+    },
     "palette": Command("Command &palette", "Find any command by its name", "Ctrl+Shift+P"),
+    "shortcuts": Command(
+        "&Keyboard shortcuts", "All keys, to be found by name or by key", "Ctrl+F1"
+    ),
+    "tour": Command("&Tour", "A short tour of the window"),
     "about": Command("&About", "What this program is"),
 }
 
@@ -185,6 +224,7 @@ MENUS: dict[str, list[Any]] = {
         None,
         "save",
         "save_as",
+        "revert",
         None,
         "export",
         None,
@@ -202,7 +242,7 @@ MENUS: dict[str, list[Any]] = {
         None,
         "check",
     ],
-    "&Run": _RUN,
+    "&Run": [*_RUN, None, "restore_run", "delete_run"],
     "&View": [
         "fit_view",
         "side_view",
@@ -216,9 +256,12 @@ MENUS: dict[str, list[Any]] = {
         "copy_scene",
         ("&Colours of light", list(COLOURS)),
         None,
+        ("&Go to", [*(f"go_{name}" for name in PANES), None, "next_pane", "previous_pane"]),
+        "reset_layout",
+        None,
         "scene_view",
     ],
-    "&Help": ["palette", None, "about"],
+    "&Help": ["tour", "shortcuts", "palette", None, "about"],
 }
 _FILES, _STEPS = ["new_tophat", "open", "save"], ["undo", "redo"]
 TOOLBAR = [*_FILES, None, *_STEPS, None, *_RUN, None, *TOOLS, None, "fit_view"]
@@ -227,3 +270,5 @@ LABELLED = _RUN
 """Those whose name stands beside the icon in the toolbar."""
 CHOICES = [list(RAYS), list(RAYS_BY), list(COLOURS), list(TOOLS)]
 """Groups of commands of which one is on."""
+LOOK = ["scene_view", "exploded", *RAYS, *COLOURS]
+"""Those whose state is part of how a design is looked at, and travels with it."""

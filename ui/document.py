@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 
@@ -9,7 +10,13 @@ import resources
 from ui.steps import Steps
 from workbench.design.snapshot import Result
 from workbench.files.scene import with_absolute_image
-from workbench.files.session import Session, is_session, open_design, write_session
+from workbench.files.session import (
+    Session,
+    is_session,
+    open_design,
+    read_session,
+    write_session,
+)
 from workbench.scene import Scene
 from workbench.targets import load_target
 
@@ -129,15 +136,34 @@ class Document(QObject):
         self._begin(session, path, Path(name))
         self.undo_stack.resetClean()
 
-    def save(self, path: Path) -> None:
+    def revert(self) -> None:
+        """Go back to what the file holds, as one step that can be undone.
+
+        Raises
+        ------
+        Refused
+            If it cannot be read; nothing has changed then.
+        """
+        if self._path is not None:
+            self.change(read_session(self._path), "revert to the file")
+            self.undo_stack.setClean()
+
+    def save(self, path: Path, view: dict[str, Any] | None = None) -> None:
         """Write the session and make ``path`` its file.
+
+        Parameters
+        ----------
+        path : Path
+            Session file.
+        view : dict, optional
+            How the design is looked at, which goes into the file and is no change of the design.
 
         Raises
         ------
         Refused
             If it cannot be written; what was at ``path`` before is still there.
         """
-        write_session(self._session, path)
+        write_session(replace(self._session, view=view), path)
         self._path = path
         self.undo_stack.setClean()
         self.path_changed.emit()

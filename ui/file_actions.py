@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from enum import Enum
 from pathlib import Path
+from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
@@ -44,8 +45,13 @@ class FileActions(QObject):
     ----------
     find_other : callable
         The window, other than this one, in which a file is open; None where there is none.
+    look : callable
+        How the design is looked at, for the file.
+    opened : Signal()
+        Another design is open.
     """
 
+    opened = Signal()
     recent_changed = Signal()
 
     def __init__(
@@ -57,11 +63,13 @@ class FileActions(QObject):
         self._messages = messages
         self._window = window
         self.find_other: Callable[[Path], QWidget | None] = lambda path: None
+        self.look: Callable[[], dict[str, Any] | None] = lambda: None
 
     def new(self, example: Example) -> bool:
         """Begin with an example, and say what to look for; False if not opened."""
         if not (self.may_leave() and self._attempt(lambda: self._document.open(example.file))):
             return False
+        self.opened.emit()
         self._messages.note(example.look)
         return True
 
@@ -84,13 +92,21 @@ class FileActions(QObject):
             return False
         if not (self.may_leave() and self._attempt(lambda: self._document.open(path))):
             return False
+        self.opened.emit()
         self._remember(path)
         return True
 
     def recover(self, file: Path, path: Path | None, name: str) -> bool:
         """Go on with unsaved work that was kept in ``file``; False if it cannot be read."""
         document = self._document
-        return self._attempt(lambda: document.recover(read_session(file), path, name))
+        if not self._attempt(lambda: document.recover(read_session(file), path, name)):
+            return False
+        self.opened.emit()
+        return True
+
+    def revert(self) -> None:
+        """Go back to the file as it was saved."""
+        self._attempt(self._document.revert)
 
     def open_recent(self, path: Path) -> None:
         """Open a file of the list, or strike it off the list if it is gone."""
@@ -144,7 +160,7 @@ class FileActions(QObject):
         if self.find_other(path) is not None:  # which would not know of it
             self._messages.warn(f"{path.name} is open in another window: choose another name.")
             return False
-        if not self._attempt(lambda: self._document.save(path)):
+        if not self._attempt(lambda: self._document.save(path, self.look())):
             return False
         self._remember(path)
         return True

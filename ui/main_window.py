@@ -5,11 +5,10 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QEvent, QSettings, QSize, Signal
+from PySide6.QtCore import QEvent, QSettings, Signal
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QPaintEvent
-from PySide6.QtWidgets import QMainWindow, QMessageBox
+from PySide6.QtWidgets import QMainWindow
 
-import workbench
 from resources import EXAMPLES, Example
 from ui.availability import Situation
 from ui.colour_map import ColourMap
@@ -19,13 +18,16 @@ from ui.document import ENDING, Document
 from ui.exporter import Exporter
 from ui.file_actions import Answer, FileActions
 from ui.gallery import Gallery
+from ui.help import TITLE, Help
+from ui.layout import Layout
 from ui.log_view import LogView
 from ui.message_bar import MessageBar
-from ui.palette import CommandPalette
 from ui.panels.forms import Forms
+from ui.panes import Panes
 from ui.plots import Plots
 from ui.recent import RecentFiles
 from ui.run_status import RunStatus
+from ui.view_state import ViewState
 from ui.workspace import Workspace
 
 if TYPE_CHECKING:
@@ -33,11 +35,8 @@ if TYPE_CHECKING:
     from ui.frame import Frame
     from ui.lens_tools import LensTools
     from ui.run_control import RunControl
+    from ui.runs import Runs
     from ui.views.views import Views
-
-TITLE = "Freeform Lens Workbench"
-_SHARE_OF_SCREEN = 0.85
-_SIZE = QSize(1280, 800)  # which smaller screens need whole
 
 _STATES = {
     "loading": "Loading…",
@@ -87,17 +86,23 @@ class MainWindow(QMainWindow):
         self.log = LogView()
         self.messages.said.connect(self.log.add)
         self.forms = Forms(document)
+        self.forms.told.connect(self.log.add)
         steps = document.undo_stack
         self.workspace = Workspace(self, self.forms, self.messages, steps, self.log)
         self._settings = settings
         self._recent = RecentFiles(settings)
         self.files = FileActions(document, self._recent, self.messages, self)
         self.exporter = Exporter(document, self.messages, self)
+        self._panes = Panes(self, self.workspace.docks, self.commands.toolbar)
+        self.help = Help(self, self.commands, self._panes, self.messages)
+        self._layout = Layout(self, self.workspace, settings)
+        self._view_state = ViewState(self.commands, self._layout, self.log.add)
         self._status = RunStatus(self.statusBar())
         self.control: RunControl | None = None
         self.check: Check | None = None
         self.tools: LensTools | None = None
         self.views: Views | None = None
+        self.runs: Runs | None = None
         self.plots: Plots | None = None
         self._leaving = False  # whatever would be lost
         self._closing = False  # as soon as the run has ended
@@ -107,9 +112,6 @@ class MainWindow(QMainWindow):
         self._show_title()
         self._show_recent()
         self._show_state()
-        room = self.screen().availableSize()
-        self.resize((room * _SHARE_OF_SCREEN).expandedTo(_SIZE).boundedTo(room))
-        self.workspace.arrange()
 
     def build(self) -> None:
         """Add runner and views; imports what they stand on."""
@@ -117,13 +119,18 @@ class MainWindow(QMainWindow):
         from ui.lens_tools import LensTools
         from ui.run_control import RunControl
         from ui.run_log import RunLog
+        from ui.runs import Runs
         from ui.scene_pictures import ScenePictures
         from ui.views.views import Views
 
         self.control = control = RunControl(self.document, self)
         self.views = views = Views(self)
         self.check = check = Check(self)
-        self.workspace.raise_curtain(views.scene, views.docked)
+        self.runs = runs = Runs(self.document, control, views.loss, self)
+        self.workspace.raise_curtain(views.scene, {**views.docked, "runs": runs.table})
+        runs.refused.connect(self.messages.warn)
+        runs.check.figures_changed.connect(self._status.show_verified)
+        check.checked.connect(runs.note_check)
         self.workspace.docks["derivative"].visibilityChanged.connect(views.derivative.uncover)
         views.link.drawn.connect(lambda _: self.workspace.show_dock("section"))
         views.follow(self.document, control)
@@ -157,6 +164,7 @@ class MainWindow(QMainWindow):
                 "stop": runner.stop,
                 "check": check.toggle,
                 **views.slots(),
+                **runs.slots(),
                 **self.plots.slots(),
                 **tools.slots(),
                 **pictures.slots(),
@@ -164,6 +172,7 @@ class MainWindow(QMainWindow):
             }
         )
         self.commands.connect_toggles(views.toggles())
+        self._view_state.attach(views.scene)
         self._show_state()
         self.built.emit()
 
@@ -193,8 +202,11 @@ class MainWindow(QMainWindow):
         if self.check is not None:
             self.check.close()
         self.exporter.close()
+        self._layout.keep()
         if self.plots is not None:
             self.plots.close()
+        if self.runs is not None:
+            self.runs.close()
         if self.views is not None:
             self.views.close()
         if self.tools is not None:
@@ -220,8 +232,10 @@ class MainWindow(QMainWindow):
             self.forms.choose_image(path)
 
     def changeEvent(self, event: QEvent) -> None:
-        """Light or dark: draw the icons again."""
+        """Light or dark: draw the icons again. Active: other windows may have opened files."""
         super().changeEvent(event)
+        if event.type() == QEvent.Type.ActivationChange:
+            self._show_recent()
         if event.type() == QEvent.Type.PaletteChange:
             self.commands.colour_icons()
 
@@ -282,14 +296,20 @@ class MainWindow(QMainWindow):
                 "quit": self.quit_asked.emit,
                 "undo": self.document.undo_stack.undo,
                 "redo": self.document.undo_stack.redo,
-                "palette": lambda: CommandPalette(self.commands.entries(), self).open(),
-                "about": self._show_about,
+                "revert": self.files.revert,
+                "reset_layout": self._layout.reset,
+                **self._panes.slots(),
+                **self.help.slots(),
             }
         )
         self.commands.connect_toggles({"scene_view": self.workspace.show_scene_view})
         self.document.session_changed.connect(self._show_state)
         self.document.path_changed.connect(self._show_title)
+        self.document.path_changed.connect(self._show_state)
         self.document.dirty_changed.connect(self.setWindowModified)
+        self.document.dirty_changed.connect(self._show_state)
+        self.files.look = self._view_state.to_data
+        self.files.opened.connect(lambda: self._view_state.restore(self.document.session.view))
         self.document.undo_stack.indexChanged.connect(self._show_state)
         self.files.recent_changed.connect(self._show_recent)
 
@@ -337,6 +357,7 @@ class MainWindow(QMainWindow):
             has_lens=session.control_points is not None,
             can_undo=stack.canUndo(),
             can_redo=stack.canRedo(),
+            can_revert=self.document.path is not None and self.document.dirty,
         )
         commands.allow(now.allows())
         commands["undo"].setText(f"&Undo {stack.undoText()}")
@@ -351,11 +372,3 @@ class MainWindow(QMainWindow):
     def _reword_check(self, under_way: bool) -> None:
         text = "Cancel &check" if under_way else COMMANDS["check"].text
         self.commands["check"].setText(text)
-
-    def _show_about(self) -> None:
-        QMessageBox.about(
-            self,
-            f"About {TITLE}",
-            f"<h3>{TITLE} {workbench.__version__}</h3><p>Shapes a freeform lens until it throws "
-            "the wanted image of light.</p><p>MIT licence</p>",
-        )

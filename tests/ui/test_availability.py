@@ -4,8 +4,10 @@ from ui.availability import Situation
 from ui.command_table import COMMANDS
 
 
-def situation(state="idle", designed=True, has_lens=True, can_undo=True, can_redo=True):
-    return Situation(state, designed, has_lens, can_undo, can_redo)
+def situation(
+    state="idle", designed=True, has_lens=True, can_undo=True, can_redo=True, can_revert=True
+):
+    return Situation(state, designed, has_lens, can_undo, can_redo, can_revert)
 
 
 def allowed(**what):
@@ -26,7 +28,7 @@ def test_a_run_can_begin_only_when_there_is_none():
 
 @pytest.mark.parametrize("state", ["running", "paused", "stopping"])
 def test_nothing_takes_the_design_away_from_a_run(state):
-    assert not {"open", "save", "gallery", "undo", "redo"} & allowed(state=state)
+    assert not {"open", "save", "gallery", "revert", "undo", "redo"} & allowed(state=state)
 
 
 def test_a_run_that_ends_already_cannot_be_held():
@@ -45,3 +47,8 @@ def test_a_lens_that_changes_is_not_checked():
 def test_export_needs_a_designed_lens():
     assert "export" in allowed(state="running")
     assert "export" not in allowed(designed=False)
+
+
+def test_only_what_differs_from_its_file_goes_back_to_it():
+    assert "revert" in allowed()
+    assert "revert" not in allowed(can_revert=False)

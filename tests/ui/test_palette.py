@@ -54,8 +54,9 @@ def test_typing_finds_names_with_all_words(palette, qtbot):
 def test_what_begins_with_the_word_comes_first(palette, qtbot):
     qtbot.keyClicks(palette._field, "s")
     names = [name for name, _ in listed(palette)]
-    assert names[:4] == ["File → Save", "File → Save as", "Run → Start", "Run → Stop"]
-    assert "Sparse network" in names[4]
+    begins = [name.split(" → ")[-1].lower().startswith("s") for name in names]
+    assert begins == sorted(begins, reverse=True) and {True, False} == set(begins)
+    assert names[:2] == ["File → Save", "File → Save as"]
 
 
 def test_enter_does_the_command(window, palette, qtbot):
@@ -73,7 +74,8 @@ def test_arrows_choose_and_a_click_does(window, palette, qtbot):
     assert tree.currentItem() is first
     qtbot.keyClick(palette._field, Qt.Key.Key_Down)
     assert tree.currentItem() is tree.itemBelow(first)
-    item = next(each for each in palette._items() if "Derivative" in each.text(0))
+    item = next(each for each in palette._items() if each.text(0) == "View → Derivative")
+    tree.scrollToItem(item)
     place = tree.visualItemRect(item).center()
     qtbot.mouseClick(tree.viewport(), Qt.MouseButton.LeftButton, pos=place)
     assert not dock.isHidden()

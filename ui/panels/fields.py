@@ -218,6 +218,8 @@ class Row(QWidget):
 
     def _add(self, widget: QWidget, stretch: int = 1) -> None:
         self._editors.insertWidget(self._editors.count() - 1, widget, stretch)
+        if not widget.accessibleName():
+            widget.setAccessibleName(self.label.text())
         if self.focusProxy() is None:
             self.setFocusProxy(widget)
             self.label.setBuddy(widget)
@@ -257,6 +259,8 @@ class NumberRow(Row):
         for number, (place, editor) in enumerate(self.editors.items()):
             if number:
                 self._add(QLabel(between), 0)
+            if between:
+                editor.setAccessibleName(f"{label}, {number + 1} of {count}")
             self._add(editor)
             editor.committed.connect(lambda text, p=place: self._commit(p, text))
             editor.reverted.connect(lambda p=place: self.reverted.emit(p))

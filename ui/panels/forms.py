@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from pathlib import Path
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QVBoxLayout, QWidget
 
@@ -28,7 +28,14 @@ class Forms(QScrollArea):
     document : Document
         What is edited. It holds possible scenes only; edits that were refused wait here and are
         tried again with the next one, because two values may only be possible together.
+
+    Attributes
+    ----------
+    told : Signal(str)
+        Why an edit was refused, each time.
     """
+
+    told = Signal(str)
 
     def __init__(self, document: Document) -> None:
         super().__init__()
@@ -108,6 +115,7 @@ class Forms(QScrollArea):
             self._pending.clear()
         elif refused := self._try([edit]):
             self._pending[edit.path] = _Waiting(edit, refused)
+            self.told.emit(f"Refused: {refused}")
         self._show()
 
     def _try(self, edits: list[Edit]) -> Refused | None:

@@ -284,10 +284,7 @@ class SceneView(View):
         if frame is None or self._shown is None or not look_alike(self._shown, session):
             self._begin(session)
         self._shown = session
-        if self._placement is not None and self._session is not None and self._picture is not None:
-            if look_alike(session, self._session):
-                self._picture.camera.place(self._placement)
-                self._placement = None
+        self._place_camera(session)
         if self._picture is not None and frame is not None:
             lit, paths = frame.snapshot.irradiance, _some(frame.paths, self._rays)
             self._picture.set_colours(self._colours)
@@ -295,6 +292,13 @@ class SceneView(View):
         if frame is not None:
             self._draw_tools(frame)
         self._plotter.repaint()
+
+    def _place_camera(self, session: "Session") -> None:
+        """Stand where it was asked for, as soon as the design is there that this was said of."""
+        latest = self._session is None or look_alike(session, self._session)
+        if self._placement is not None and self._picture is not None and latest:
+            self._picture.camera.place(self._placement)
+            self._placement = None
 
     def _draw_tools(self, frame: "Frame") -> None:
         net, handles, tool = self._net, self._handles, self._tool

@@ -23,6 +23,7 @@ VIEWS = {
 """Directions towards the camera and up in the picture, by name of the view."""
 
 _UP = (0.0, 1.0, 0.0)
+_PLACES = ("position", "focal_point", "up")
 _FARTHEST = 3.0  # times the larger of screen's distance and width: a source in view
 _MARGIN = 1.12
 
@@ -101,6 +102,32 @@ class FittedCamera:
         camera.position = np.array(camera.focal_point) + toward * distance
         self._plotter.renderer.ResetCameraClippingRange()
 
+    def placement(self) -> dict[str, Any]:
+        """Where the camera stands, as plain data for `place`."""
+        if self.untouched:
+            return {"fitted": self.view}
+        camera = self._plotter.camera
+        places = {key: [float(x) for x in getattr(camera, key)] for key in _PLACES}
+        return {**places, "scale": float(camera.parallel_scale)}
+
+    def place(self, placement: dict[str, Any]) -> None:
+        """Stand where `placement` told.
+
+        Raises
+        ------
+        ValueError
+            If that is no place for a camera; see `check_placement`.
+        """
+        check_placement(placement)
+        if "fitted" in placement:
+            self.fit(placement["fitted"])
+            return
+        camera = self._plotter.camera
+        for key in _PLACES:
+            setattr(camera, key, tuple(placement[key]))
+        camera.parallel_scale = placement["scale"]
+        self._plotter.renderer.ResetCameraClippingRange()
+
     @property
     def untouched(self) -> bool:
         """Whether the camera is where `fit` left it."""
@@ -109,6 +136,30 @@ class FittedCamera:
     def _state(self) -> tuple[object, ...]:
         camera = self._plotter.camera
         return camera.position, camera.focal_point, camera.up, camera.parallel_scale
+
+
+def check_placement(placement: dict[str, Any]) -> None:
+    """Find out whether a camera can stand there.
+
+    Raises
+    ------
+    ValueError
+        If something is missing, is no finite number, or if there is no direction to look into.
+    """
+    if "fitted" in placement:
+        if not isinstance(placement["fitted"], str):
+            raise ValueError("the name of a view is text")
+        return
+    try:
+        position, focal_point, up = (np.array(placement[key], dtype=float) for key in _PLACES)
+        scale = float(placement["scale"])
+    except (KeyError, TypeError, ValueError) as error:
+        raise ValueError(f"{error} is needed, in numbers") from error
+    shapes_fit = all(place.shape == (3,) for place in (position, focal_point, up))
+    if not (shapes_fit and np.isfinite([*position, *focal_point, *up, scale]).all()):
+        raise ValueError("three finite numbers are needed for each place")
+    if not (scale > 0 and np.cross(position - focal_point, up).any()):
+        raise ValueError("there is no direction to look into")
 
 
 def _half_height(camera: Any) -> float:

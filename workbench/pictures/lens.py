@@ -130,6 +130,11 @@ class LensPicture:
         self._paint_screen(irradiance)
         self._plotter.renderer.ResetCameraClippingRange()
 
+    @property
+    def camera(self) -> FittedCamera:
+        """From where it is seen."""
+        return self._camera
+
     def fit(self, view: str = "") -> None:
         """Turn the camera to one of `VIEWS`, by default the three-quarter view, and fit all in."""
         self._camera.fit(view)

@@ -1,0 +1,87 @@
+"""Every pane is reachable by keyboard, and the one with the focus is told from the others."""
+
+import pytest
+from PySide6.QtCore import QSettings, Qt
+from PySide6.QtGui import QAccessible
+from PySide6.QtWidgets import QAbstractButton, QApplication, QComboBox, QLineEdit
+
+from ui.command_table import PANES
+from ui.document import Document
+from ui.main_window import MainWindow
+
+
+@pytest.fixture
+def window(session, tmp_path, qtbot):
+    settings = QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat)
+    window = MainWindow(Document(session, "small"), settings)
+    qtbot.addWidget(window, before_close_func=lambda window: window.discard_and_close())
+    with qtbot.waitActive(window):
+        window.show()
+        window.activateWindow()
+    return window
+
+
+def holds_focus(pane):
+    focused = QApplication.focusWidget()
+    return focused is not None and (pane is focused or pane.isAncestorOf(focused))
+
+
+def test_the_table_knows_every_pane_by_its_title(window):
+    titles = {name: dock.windowTitle() for name, dock in window.workspace.docks.items()}
+    assert titles == {name: title for name, (title, _) in PANES.items() if name != "scene"}
+
+
+@pytest.mark.parametrize("name", [name for name in PANES if name != "scene"])
+def test_a_command_shows_a_dock_and_takes_the_keyboard_there(window, name, qtbot):
+    window.workspace.docks[name].hide()
+    window.commands[f"go_{name}"].trigger()
+    dock = window.workspace.docks[name]
+    qtbot.waitUntil(lambda: not dock.visibleRegion().isEmpty())
+    assert holds_focus(dock)
+    assert dock.property("active") is True
+
+
+def test_keys_go_round_all_panes_that_can_be_seen(window, qtbot):
+    window.commands["go_design"].trigger()
+    docks = window.workspace.docks
+    seen = {name for name, dock in docks.items() if not dock.visibleRegion().isEmpty()}
+    visited = []
+    for _ in range(len(seen) + 2):  # and the scene, and the toolbar
+        visited += [name for name, dock in docks.items() if holds_focus(dock)]
+        qtbot.keyClick(window, Qt.Key.Key_F6, Qt.KeyboardModifier.ControlModifier)
+    assert sorted(visited) == sorted(seen) and len(seen) >= 4
+    assert holds_focus(docks["design"])
+    both = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier
+    qtbot.keyClick(window, Qt.Key.Key_F6, both)
+    assert holds_focus(window.commands.toolbar)
+
+
+def test_a_pane_gives_the_focus_back_to_the_field_that_had_it(window, qtbot):
+    rows = [row for panel in window.forms.panels for row in panel.rows]
+    field = next(row for row in rows if row.path == "screen.z").editors["screen.z"]
+    field.setFocus()
+    window.commands["go_log"].trigger()
+    assert not field.hasFocus()
+    window.commands["go_design"].trigger()
+    assert field.hasFocus()
+
+
+def test_one_dock_at_a_time_is_marked(window):
+    for name in ("design", "loss"):
+        window.commands[f"go_{name}"].trigger()
+    docks = window.workspace.docks
+    assert [name for name, dock in docks.items() if dock.property("active")] == ["loss"]
+
+
+def test_nothing_on_the_window_is_without_a_name_for_screen_readers(window):
+    nameless = [
+        (widget, widget.parent())
+        for kind in (QAbstractButton, QLineEdit, QComboBox)
+        for widget in window.findChildren(kind)
+        if widget.isVisibleTo(window) and not _name_of(widget)
+    ]
+    assert nameless == []
+
+
+def _name_of(widget):
+    return QAccessible.queryAccessibleInterface(widget).text(QAccessible.Text.Name)

@@ -1,0 +1,71 @@
+"""All keys of the window, found by what they do or by the key itself."""
+
+from collections.abc import Sequence
+
+from PySide6.QtGui import QAction, QKeySequence
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QDialog,
+    QDialogButtonBox,
+    QHeaderView,
+    QLineEdit,
+    QTreeWidget,
+    QTreeWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
+
+_COLUMNS, _ROWS = 70, 24  # characters and lines seen at once
+
+
+class Shortcuts(QDialog):
+    """A table to read while the window is used.
+
+    Parameters
+    ----------
+    entries : sequence of (str, QAction)
+        The commands with their names; those without a key are left out.
+    window : QWidget
+        The dialog stands over it.
+    """
+
+    def __init__(self, entries: Sequence[tuple[str, QAction]], window: QWidget) -> None:
+        super().__init__(window)
+        self.setWindowTitle("Keyboard shortcuts")
+        self._field = QLineEdit(placeholderText="Find by a part of the name, or by the key")
+        self._field.setAccessibleName("Find a shortcut")
+        self._field.setClearButtonEnabled(True)
+        self._field.textChanged.connect(self._find)
+        self._table = QTreeWidget()
+        self._table.setAccessibleName("Keyboard shortcuts")
+        self._table.setHeaderLabels(["Command", "Key"])
+        self._table.setRootIsDecorated(False)
+        self._table.setUniformRowHeights(True)
+        self._table.setAlternatingRowColors(True)
+        self._table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        for name, action in entries:
+            keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
+            if keys:
+                item = QTreeWidgetItem([name, keys])
+                item.setToolTip(0, action.statusTip())
+                self._table.addTopLevelItem(item)
+        header = self._table.header()
+        header.setStretchLastSection(False)
+        header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
+        header.setSectionResizeMode(1, QHeaderView.ResizeMode.ResizeToContents)
+        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
+        buttons.rejected.connect(self.reject)
+        column = QVBoxLayout(self)
+        for widget in (self._field, self._table, buttons):
+            column.addWidget(widget)
+        font = self.fontMetrics()
+        wanted = font.averageCharWidth() * _COLUMNS, font.lineSpacing() * _ROWS
+        self.resize(min(wanted[0], window.width()), min(wanted[1], window.height()))
+
+    def _find(self, text: str) -> None:
+        words = text.lower().split()
+        for number in range(self._table.topLevelItemCount()):
+            item = self._table.topLevelItem(number)
+            if item is not None:
+                said = f"{item.text(0)} {item.text(1)}".lower()
+                item.setHidden(not all(word in said for word in words))
