@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from ui.document import Document
+from ui.kept_runs import with_run
 from ui.moments import Moments, moment
 from ui.runner import Runner
 from ui.views.view import look_alike
@@ -23,10 +24,18 @@ class RunControl(QObject):
     Parameters
     ----------
     document : Document
-        Its session is run; it gets the result as one step that can be undone.
+        Its session is run; it gets the result, and keeps the run, as one step that can be undone.
+
+    Attributes
+    ----------
+    ended : Signal()
+        A run has ended, and the document has its result.
+    gave_way : Signal(str)
+        Name of a kept run that had to make room for a later one.
     """
 
     ended = Signal()
+    gave_way = Signal(str)
 
     def __init__(self, document: Document, parent: QObject) -> None:
         super().__init__(parent)
@@ -100,5 +109,8 @@ class RunControl(QObject):
 
     def _finish(self, result: Result | None) -> None:
         if result is not None:
-            self._document.set_result(result, "design run")
+            session, given_way = with_run(self._document.session, result)
+            self._document.change(session, "design run")
+            for run in given_way:
+                self.gave_way.emit(run.name)
         self.ended.emit()

@@ -47,6 +47,9 @@ class RunLog(QObject):
         control.runner.state_changed.connect(self._follow)
         control.runner.frame_ready.connect(self._look)
         control.ended.connect(self._end)
+        control.gave_way.connect(
+            lambda name: tell(f"{name} is kept no longer: kept runs would take too much memory")
+        )
 
     def _follow(self, state: str) -> None:
         before, self._state = self._state, state

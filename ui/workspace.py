@@ -81,6 +81,7 @@ class Workspace:
             "section": self._dock("section", "Cross-section", _BOTTOM),
             "log": self._dock("log", "Log", _BOTTOM),
             "light": self._dock("light", "Light account", _BOTTOM),
+            "runs": self._dock("runs", "Runs", _BOTTOM),
         }
         self.docks["design"].setWidget(forms)
         self.history = QUndoView(steps)
@@ -96,6 +97,8 @@ class Workspace:
             window.tabifyDockWidget(self.docks["error"], self.docks[name])
         for name in ("section", "log"):
             window.tabifyDockWidget(self.docks["loss"], self.docks[name])
+        window.tabifyDockWidget(self.docks["light"], self.docks["runs"])
+        self.docks["light"].raise_()
         window.splitDockWidget(
             self.docks["irradiance"], self.docks["target"], Qt.Orientation.Horizontal
         )

@@ -36,7 +36,8 @@ class Views(QObject):
     docked : dict of str to View
         All others, by the names of their docks.
     derivative : DerivativeView
-        One of these.
+    loss : LossView
+        Two of these.
     look_back : LookBack
         Below the loss.
     link : ImageLink
@@ -47,15 +48,15 @@ class Views(QObject):
         super().__init__(parent)
         self.link = link = ImageLink(self)
         self.scene, self.look_back = SceneView(), LookBack()
-        self.derivative, loss = DerivativeView(), LossView()
-        loss.add_below(self.look_back)
+        self.derivative, self.loss = DerivativeView(), LossView()
+        self.loss.add_below(self.look_back)
         self.docked: dict[str, View] = {
             "irradiance": IrradianceView(link),
             "target": TargetView(link),
             "error": ErrorView(link),
             "derivative": self.derivative,
             "surface": SurfaceView(),
-            "loss": loss,
+            "loss": self.loss,
             "section": SectionView(link),
             "light": LightView(),
         }

@@ -1,0 +1,120 @@
+"""What an independent check says of a run while it goes on, and of what it led to."""
+
+from time import monotonic
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, QThread, Signal
+
+from ui.checking import Checking, Suspect, verified_error
+from ui.document import Document
+from ui.moments import moment
+from ui.run_control import RunControl
+from workbench.pictures.loss import Verified
+
+if TYPE_CHECKING:
+    from ui.frame import Frame
+    from workbench.analysis.validation import Validation
+
+_RAYS = 1_000_000  # enough to tell an error from the next
+_REST = 5.0  # seconds between checks, at least
+_RESTS = 19.0  # seconds of rest for each second of a check: 5 % of one core
+_GUESS = 0.5  # seconds that the first one takes
+
+
+class RunCheck(QObject):
+    """Checks lenses of a run at the ends of its stages, every some seconds, and at its end.
+
+    While the run goes on, one thread traces few rays on the core that the run leaves free; where
+    there is one core alone, none.
+
+    Parameters
+    ----------
+    document : Document
+        What is designed.
+    control : RunControl
+        Its runs are checked.
+
+    Attributes
+    ----------
+    figures_changed : Signal(str)
+        The latest verified error and the moment that it is of; empty for none.
+    course_changed : Signal(tuple of Verified)
+        All checks of this run and of those that it continues.
+    checked : Signal(Suspect, Validation)
+        One of them.
+    """
+
+    figures_changed = Signal(str)
+    course_changed = Signal(object)
+    checked = Signal(object, object)
+
+    def __init__(self, document: Document, control: RunControl, parent: QObject) -> None:
+        super().__init__(parent)
+        self._document, self._control = document, control
+        self._course: list[Verified] = []
+        self._last: Frame | None = None
+        self._began = self._rested_at = 0.0
+        self._cost = _GUESS
+        self._checking = Checking(self)
+        self._checking.checked.connect(self._take)
+        control.runner.state_changed.connect(self._follow)
+        control.runner.frame_ready.connect(self._look)
+        control.ended.connect(self._finish)
+        control.moments.changed.connect(self._follow_course)
+
+    def close(self) -> None:
+        """Wait for the thread; safe to call twice."""
+        self._checking.close()
+
+    def _follow(self, state: str) -> None:
+        if state == "running" and self._last is None:
+            self._checking.leave()
+            self._rested_at = monotonic()
+
+    def _look(self, frame: "Frame") -> None:
+        if not self._control.busy:  # a preview
+            return
+        last, self._last = self._last, frame
+        if self._checking.busy or QThread.idealThreadCount() < 2:
+            return
+        if last is not None and last.snapshot.stage != frame.snapshot.stage:
+            self._check(last)
+        elif monotonic() - self._rested_at > max(_REST, _RESTS * self._cost):
+            self._check(frame)
+
+    def _check(self, frame: "Frame") -> None:
+        self._began = monotonic()
+        seconds = float(frame.times[-1]) if frame.times.size else 0.0
+        heights = frame.snapshot.control_points
+        suspect = Suspect(frame.session, heights, moment(frame), seconds)
+        self._checking.begin(suspect, _RAYS, threads=1)
+
+    def _finish(self) -> None:
+        result, frame = self._document.session.result, self._last
+        self._last = None
+        if result is not None and frame is not None:
+            end = Suspect(
+                self._document.session, result.control_points, result.iterations, result.seconds
+            )
+            self._checking.begin(end)
+
+    def _take(self, suspect: Suspect, found: "Validation") -> None:
+        if self._control.busy:
+            self._rested_at = monotonic()
+            self._cost = self._rested_at - self._began
+        lens = found.relative_l2_corrected / found.relative_l2
+        self._course.append(Verified(suspect.iterations, suspect.seconds, lens * found.loss))
+        self.course_changed.emit(tuple(self._course))
+        self.figures_changed.emit(f"verified {verified_error(found)} at {suspect.iterations}")
+        self.checked.emit(suspect, found)
+
+    def _follow_course(self) -> None:
+        """Forget what is not of this course any more: see `Moments.add`."""
+        frames = self._control.moments.frames
+        now = moment(frames[-1]) if frames else -1
+        if any(each.iteration > now for each in self._course):
+            self._course = [each for each in self._course if each.iteration <= now]
+            self.course_changed.emit(tuple(self._course))
+            self.figures_changed.emit("")
+        if not frames:
+            self._checking.leave()

@@ -1,0 +1,205 @@
+"""The kept runs of a session, one in each line."""
+
+from collections.abc import Callable, Sequence
+
+from PySide6.QtCore import QSignalBlocker, Qt, Signal
+from PySide6.QtGui import QAction, QKeySequence
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QHBoxLayout,
+    QHeaderView,
+    QLabel,
+    QPushButton,
+    QTableWidget,
+    QTableWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
+
+from ui.run_status import clock
+from workbench.files.session import KeptRun
+
+_NOTHING = "Each run that ends is kept here, to be compared with others and gone back to."
+_COLUMNS = {
+    "Name": "What the run is called; a check mark draws its loss beside that of this run",
+    "Method": "How the lens was searched for",
+    "Net": "Numbers of control points along x and y",
+    "Iterations": "Iterations taken, those of runs that it continued included",
+    "Time": "Run time",
+    "Loss": "Loss of its best lens, as the run saw it",
+    "Verified": "Relative L2 error of its lens, by an independent trace with other rays",
+    "On screen": "Part of the light that lands on the screen",
+}
+
+
+class RunTable(QWidget):
+    """Shows runs and tells what a person wants with them.
+
+    Parameters
+    ----------
+    verified : Callable
+        What checks said of a run's lens; empty for nothing.
+
+    Attributes
+    ----------
+    compared : Signal()
+        Other runs shall be drawn: see `marked`.
+    renamed : Signal(KeptRun, str)
+        A run shall have another name.
+    restored : Signal(KeptRun)
+        The design shall have a run's task and lens.
+    deleted : Signal(tuple of KeptRun)
+        Runs shall be forgotten.
+    """
+
+    compared = Signal()
+    renamed = Signal(object, str)
+    restored = Signal(object)
+    deleted = Signal(object)
+
+    def __init__(self, verified: Callable[[KeptRun], str], parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._verified = verified
+        self._runs: tuple[KeptRun, ...] = ()
+        self._marked: set[int] = set()  # ids of results, which outlive other names
+        self._hint = QLabel(_NOTHING, alignment=Qt.AlignmentFlag.AlignCenter)
+        self._hint.setWordWrap(True)
+        self.table = QTableWidget(0, len(_COLUMNS))
+        self.table.setAccessibleName("Kept runs")
+        self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        self.table.setAlternatingRowColors(True)
+        self.table.setFrameShape(QTableWidget.Shape.NoFrame)
+        for column, (title, tip) in enumerate(_COLUMNS.items()):
+            heading = QTableWidgetItem(title)
+            heading.setToolTip(f"<p>{tip}</p>")
+            self.table.setHorizontalHeaderItem(column, heading)
+        self.table.verticalHeader().hide()
+        header = self.table.horizontalHeader()
+        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        self.table.itemChanged.connect(self._take_change)
+        self.table.itemSelectionChanged.connect(self._show_possible)
+        delete = QAction("Delete", self.table)
+        delete.setShortcut(QKeySequence(QKeySequence.StandardKey.Delete))
+        delete.setShortcutContext(Qt.ShortcutContext.WidgetShortcut)
+        delete.triggered.connect(self.delete)
+        self.table.addAction(delete)
+        self._restore = _button("Restore", "Give the design this run's task and lens", self.restore)
+        self._delete = _button("Delete", "Forget the chosen runs", self.delete)
+        self._editable = True
+        buttons = QHBoxLayout()
+        buttons.setContentsMargins(6, 4, 6, 4)
+        buttons.addWidget(self._restore)
+        buttons.addWidget(self._delete)
+        buttons.addStretch(1)
+        column_of_all = QVBoxLayout(self)
+        column_of_all.setContentsMargins(0, 0, 0, 0)
+        column_of_all.setSpacing(0)
+        column_of_all.addWidget(self._hint, 1)
+        column_of_all.addWidget(self.table, 1)
+        column_of_all.addLayout(buttons)
+        self.show_runs((), None)
+
+    @property
+    def marked(self) -> tuple[KeptRun, ...]:
+        """The runs whose loss shall be drawn."""
+        return tuple(run for run in self._runs if id(run.result) in self._marked)
+
+    @property
+    def chosen(self) -> tuple[KeptRun, ...]:
+        """The runs of the selected lines."""
+        rows = {index.row() for index in self.table.selectedIndexes()}
+        return tuple(self._runs[row] for row in sorted(rows))
+
+    def show_runs(self, runs: Sequence[KeptRun], current: KeptRun | None) -> None:
+        """Show runs; the one whose lens is the design's stands out."""
+        stays = self.table.currentRow()
+        self._runs = tuple(runs)
+        self._marked &= {id(run.result) for run in runs}
+        with QSignalBlocker(self.table):
+            self.table.setRowCount(len(runs))
+            for row, run in enumerate(runs):
+                self._fill(row, run, run is current)
+        self.table.setVisible(bool(runs))
+        self._hint.setVisible(not runs)
+        if 0 <= stays < len(runs):
+            self.table.selectRow(stays)
+        self._show_possible()
+
+    def show_verified(self) -> None:
+        """Show what checks say by now."""
+        column = list(_COLUMNS).index("Verified")
+        with QSignalBlocker(self.table):
+            for row, run in enumerate(self._runs):
+                item = self.table.item(row, column)
+                assert item is not None  # each row is filled
+                item.setText(self._verified(run) or "–")
+
+    def allow(self, editable: bool) -> None:
+        """Whether the design may be changed; comparing is always possible."""
+        self._editable = editable
+        triggers = QAbstractItemView.EditTrigger
+        self.table.setEditTriggers(
+            triggers.DoubleClicked | triggers.EditKeyPressed
+            if editable
+            else triggers.NoEditTriggers
+        )
+        self._show_possible()
+
+    def restore(self) -> None:
+        """Tell that the chosen run shall be the design's."""
+        if self._editable and len(self.chosen) == 1:
+            self.restored.emit(self.chosen[0])
+
+    def delete(self) -> None:
+        """Tell that the chosen runs shall be forgotten."""
+        if self._editable and self.chosen:
+            self.deleted.emit(self.chosen)
+
+    def _fill(self, row: int, run: KeptRun, is_current: bool) -> None:
+        result, (n_u, n_v) = run.result, run.scene.lens.control_points
+        texts = [
+            run.name,
+            run.scene.run.method,
+            f"{n_u} × {n_v}",
+            f"{result.iterations}",
+            clock(result.seconds),
+            f"{result.loss:.3e}",
+            self._verified(run) or "–",
+            f"{100 * result.ledger.efficiency:.1f} %",
+        ]
+        for column, text in enumerate(texts):
+            item = QTableWidgetItem(text)
+            if column == 0:
+                marked = id(result) in self._marked
+                item.setCheckState(Qt.CheckState.Checked if marked else Qt.CheckState.Unchecked)
+                font = item.font()
+                font.setBold(is_current)
+                item.setFont(font)
+                item.setToolTip("The lens of the design" if is_current else "")
+            else:
+                item.setFlags(item.flags() & ~Qt.ItemFlag.ItemIsEditable)
+                item.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+            self.table.setItem(row, column, item)
+
+    def _take_change(self, item: QTableWidgetItem) -> None:
+        """A check mark or the name of a run is another one."""
+        run = self._runs[item.row()]
+        result = id(run.result)
+        marked = item.checkState() is Qt.CheckState.Checked
+        if marked != (result in self._marked):
+            self._marked ^= {result}
+            self.compared.emit()
+        elif item.text() != run.name:
+            self.renamed.emit(run, item.text())
+
+    def _show_possible(self) -> None:
+        chosen = len(self.chosen)
+        self._restore.setEnabled(self._editable and chosen == 1)
+        self._delete.setEnabled(self._editable and chosen > 0)
+
+
+def _button(text: str, tip: str, slot: Callable[[], None]) -> QPushButton:
+    button = QPushButton(text)
+    button.setToolTip(tip)
+    button.clicked.connect(slot)
+    return button

@@ -1,0 +1,137 @@
+"""Kept runs and checks of runs: between the document, the runs that end, the table and the plot."""
+
+import weakref
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, Signal
+
+from ui.checking import Suspect, verified_error
+from ui.document import Document
+from ui.kept_runs import renamed, restored, without
+from ui.run_check import RunCheck
+from ui.run_control import RunControl
+from ui.run_table import RunTable
+from ui.views.view import look_alike
+from workbench.design.snapshot import Result
+from workbench.errors import Refused
+from workbench.files.session import KeptRun, Session
+from workbench.pictures.loss import Course
+
+if TYPE_CHECKING:
+    from ui.views.loss_view import LossView
+    from workbench.analysis.validation import Validation
+
+
+class Runs(QObject):
+    """Shows the kept runs, draws those that are marked, and does what is asked with them.
+
+    Parameters
+    ----------
+    document : Document
+        Whose runs.
+    control : RunControl
+        While a run of it goes on, none is changed.
+    loss : LossView
+        Draws the runs, and what checks say.
+
+    Attributes
+    ----------
+    table : RunTable
+        For a dock.
+    check : RunCheck
+        Of the run that goes on.
+    refused : Signal(str)
+        Why something was not done.
+    """
+
+    refused = Signal(str)
+
+    def __init__(
+        self, document: Document, control: RunControl, loss: "LossView", parent: QObject
+    ) -> None:
+        super().__init__(parent)
+        self._document, self._control, self._loss = document, control, loss
+        # By id of the result, which may be gone by now.
+        self._verified: dict[int, tuple[weakref.ref[Result], str]] = {}
+        self._drawn: list[KeptRun] = []
+        self.table = table = RunTable(self._verified_error)
+        self.check = RunCheck(document, control, self)
+        self.check.course_changed.connect(loss.show_verified)
+        self.check.checked.connect(self.note_check)
+        table.compared.connect(self._compare)
+        table.renamed.connect(self._rename)
+        table.restored.connect(self._restore)
+        table.deleted.connect(self._delete)
+        document.session_changed.connect(self._show)
+        control.runner.state_changed.connect(self._follow)
+        self._show()
+
+    def slots(self) -> dict[str, Callable[[], object]]:
+        """What commands do here."""
+        return {
+            "restore_run": lambda: self._with_choice(self.table.restore, "one run"),
+            "delete_run": lambda: self._with_choice(self.table.delete, "runs"),
+        }
+
+    def note_check(self, suspect: Suspect, found: "Validation") -> None:
+        """Keep what a check says of the lens of a kept run."""
+        for run in self._document.session.runs:
+            lens, task = run.result, Session(run.scene, run.target)
+            same = lens.control_points is suspect.control_points
+            if same and look_alike(task, suspect.session):
+                self._verified[id(lens)] = weakref.ref(lens), verified_error(found)
+        self.table.show_verified()
+
+    def close(self) -> None:
+        """Wait for the check; safe to call twice."""
+        self.check.close()
+
+    def _with_choice(self, act: Callable[[], None], what: str) -> None:
+        if self.table.chosen:
+            act()
+        else:
+            self.refused.emit(f"Choose {what} in View > Runs first.")
+
+    def _verified_error(self, run: KeptRun) -> str:
+        lens, figures = self._verified.get(id(run.result), (None, ""))
+        return figures if lens is not None and lens() is run.result else ""
+
+    def _show(self) -> None:
+        session = self._document.session
+        self.table.show_runs(session.runs, self._current)
+        self._compare()
+
+    @property
+    def _current(self) -> KeptRun | None:
+        session = self._document.session
+        return next((run for run in session.runs if run.result is session.result), None)
+
+    def _follow(self, state: str) -> None:
+        self.table.allow(state == "idle")
+        self._compare()
+
+    def _compare(self) -> None:
+        """Draw the marked runs, but for the one that is drawn as this run already."""
+        drawn = None if self._control.busy else self._current
+        runs = [run for run in self.table.marked if run is not drawn]
+        if runs != self._drawn:
+            self._drawn = runs
+            self._loss.show_runs(
+                [Course(run.name, run.result.losses, run.result.times()) for run in runs]
+            )
+
+    def _rename(self, run: KeptRun, name: str) -> None:
+        session = self._document.session
+        try:
+            self._document.change(renamed(session, run, name.strip()), "rename run")
+        except Refused as refused:
+            self.refused.emit(f"The run is still called {run.name}: {refused.reason}")
+            self._show()
+
+    def _restore(self, run: KeptRun) -> None:
+        self._document.change(restored(self._document.session, run), f"return to {run.name}")
+
+    def _delete(self, runs: tuple[KeptRun, ...]) -> None:
+        text = f"delete {runs[0].name}" if len(runs) == 1 else f"delete {len(runs)} runs"
+        self._document.change(without(self._document.session, runs), text)
