@@ -16,6 +16,7 @@ from PySide6.QtCore import QObject, QThread, Signal, Slot
 
 from ui.frame import Array, Frame, make_frame
 from ui.mailbox import Mailbox
+from workbench.design.session import Mask
 from workbench.design.snapshot import History, Result, Snapshot
 from workbench.errors import Refused, RunFailed
 
@@ -23,7 +24,7 @@ if TYPE_CHECKING:
     from workbench.files.session import Session
     from workbench.scene import Run, Scene
 
-Generate = Callable[["Scene", Array, Array | None], Iterator[Snapshot]]
+Generate = Callable[["Scene", Array, Array | None, Mask | None], Iterator[Snapshot]]
 
 
 class Gate:
@@ -154,10 +155,13 @@ class Worker(QObject):
         job.mailbox.put(make_frame(job.session, snapshot, History(result)))
 
     def _snapshots(self, job: Job) -> Generator[Snapshot, None, None]:
-        # A preview of a lens without figures of this task is the first one of a run from there.
-        start = job.session.control_points if job.continue_run or job.preview else None
+        # A preview of a lens without figures of this task is the first one of a run from there, and
+        # locked control points are those of the lens that is there, however the run begins.
+        session, locked = job.session, job.session.locked
+        locks = locked is not None and locked.any()
+        start = session.control_points if job.continue_run or job.preview or locks else None
         generate = self._generate or _engine()
-        yield from generate(job.session.scene, job.session.target, start)
+        yield from generate(session.scene, session.target, start, locked)
 
 
 def _engine() -> Generate:

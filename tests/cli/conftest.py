@@ -35,7 +35,7 @@ def fake_run(monkeypatch, rng):
     """Puts a run in place: a second each iteration, loss 1/(i+1), before it ``events[i]()``."""
 
     def put(events):
-        def run(scene, target, start=None):
+        def run(scene, target, start=None, locked=None):
             n_x, n_y = scene.screen.pixels
             for i in range(scene.run.iterations + 1):
                 if i in events:

@@ -3,13 +3,14 @@ import json
 import os
 import shutil
 import signal
+from dataclasses import replace
 
 import numpy as np
 import pytest
 import torch
 
 from workbench.errors import RunFailed
-from workbench.files.session import read_session
+from workbench.files.session import read_session, write_session
 
 
 def press_ctrl_c():
@@ -47,6 +48,19 @@ class TestDone:
         assert status == 0
         assert printed.count("\n") == 1
         assert "after 10 iterations" in printed
+
+    def test_locked_control_points_of_a_session_stay(self, freeform, scene_file, out):
+        assert freeform("design", scene_file, "-o", out)[0] == 0
+        first = read_session(out)
+        locked = np.zeros(first.result.control_points.shape, bool)
+        locked[:6] = True
+        write_session(replace(first, locked=locked), out)
+        assert freeform("design", out, "-o", out, "--iterations", "2")[0] == 0
+        again = read_session(out)
+        np.testing.assert_array_equal(again.locked, locked)
+        moved = again.result.control_points != first.result.control_points
+        assert not moved[locked].any()
+        assert moved[~locked].any()
 
     def test_a_session_is_continued(self, freeform, scene_file, out):
         freeform("design", scene_file, "-o", out)

@@ -160,7 +160,7 @@ def as_run(snapshots):
     """A generator function that stands in for the engine's, of so many iterations."""
 
     def make(iterations, pause=0.0):
-        def run(scene, target, start=None):
+        def run(scene, target, start=None, locked=None):
             for iteration in range(iterations + 1):
                 time.sleep(pause)
                 yield snapshots(iteration, iterations)
@@ -178,7 +178,7 @@ def as_seen_run(snapshots):
         seen = []
         runner.frame_ready.connect(lambda frame: seen.append(frame.snapshot))
 
-        def run(scene, target, start=None):
+        def run(scene, target, start=None, locked=None):
             for iteration in range(iterations + 1):
                 snapshot = snapshots(iteration, iterations)
                 yield snapshot

@@ -121,7 +121,7 @@ def test_pausing_and_stopping_are_told(window, as_run, qtbot):
 
 
 def test_a_failure_stands_in_the_log_when_its_message_is_closed(window, snapshots, qtbot):
-    def run(scene, target, start=None):
+    def run(scene, target, start=None, locked=None):
         yield snapshots(0)
         raise RunFailed("the loss is not finite")
 

@@ -48,7 +48,7 @@ def gated(snapshots, start_runner):
             self.allowed = threading.Semaphore(0)
             self.taken = 0
 
-        def __call__(self, scene, target, start=None):
+        def __call__(self, scene, target, start=None, locked=None):
             while True:
                 self.allowed.acquire()
                 yield snapshots(self.taken)
@@ -136,7 +136,7 @@ def test_second_start_is_an_error(session, gated, start_runner):
 
 
 def test_failure_is_told_before_the_end(session, snapshots, start_runner, qtbot):
-    def run(scene, target, start=None):
+    def run(scene, target, start=None, locked=None):
         yield snapshots(0)
         raise RunFailed("the loss is not finite")
 
@@ -188,7 +188,7 @@ def test_start_replaces_a_preview(session, gated, start_runner, qtbot):
 
 
 def test_failed_preview_tells_why(session, start_runner, qtbot):
-    def run(scene, target, start=None):
+    def run(scene, target, start=None, locked=None):
         raise RunFailed("no light")
         yield
 
@@ -229,7 +229,7 @@ def test_runs_again_after_a_shutdown(session, as_run, start_runner, qtbot):
 
 
 def test_a_preview_that_fails_says_of_what_there_is_no_picture(session, start_runner, qtbot):
-    def broken(scene, target, start=None):
+    def broken(scene, target, start=None, locked=None):
         raise RunFailed("no light at all")
         yield
 

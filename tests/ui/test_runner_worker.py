@@ -78,7 +78,7 @@ def test_stopped_job_ends_with_its_first_snapshot(session, as_run, work):
     ],
 )
 def test_failure_keeps_the_last_good_lens(session, snapshots, work, error, sentence):
-    def run(scene, target, start=None):
+    def run(scene, target, start=None, locked=None):
         yield snapshots(0)
         yield snapshots(1)
         raise error
@@ -91,7 +91,7 @@ def test_failure_keeps_the_last_good_lens(session, snapshots, work, error, sente
 
 
 def test_failure_before_the_first_snapshot_has_no_result(session, work):
-    def run(scene, target, start=None):
+    def run(scene, target, start=None, locked=None):
         raise Refused("run.device", "no GPU")
         yield
 
@@ -101,7 +101,7 @@ def test_failure_before_the_first_snapshot_has_no_result(session, work):
 def test_generator_is_closed_when_stopped(session, snapshots, work):
     closed = []
 
-    def run(scene, target, start=None):
+    def run(scene, target, start=None, locked=None):
         try:
             while True:
                 yield snapshots(0)
@@ -117,7 +117,7 @@ def test_generator_is_closed_when_stopped(session, snapshots, work):
 def test_continues_from_the_result(designed, snapshots, work):
     starts = []
 
-    def run(scene, target, start=None):
+    def run(scene, target, start=None, locked=None):
         starts.append(start)
         yield snapshots(0)
         yield snapshots(1)
@@ -136,7 +136,7 @@ def test_preview_takes_the_first_snapshot_alone(session, as_run, work):
 
 
 def test_preview_of_a_result_needs_no_run(designed, work):
-    def run(scene, target, start=None):
+    def run(scene, target, start=None, locked=None):
         raise AssertionError("not needed")
         yield
 
@@ -192,7 +192,7 @@ def test_a_lens_to_start_from_is_traced_for_its_preview_and_gone_on_from(session
     moved = dataclasses.replace(session, start=heights)
     starts = []
 
-    def generate(scene, target, start=None):
+    def generate(scene, target, start=None, locked=None):
         starts.append(start)
         return as_run(2)(scene, target, start)
 
@@ -200,3 +200,20 @@ def test_a_lens_to_start_from_is_traced_for_its_preview_and_gone_on_from(session
         work(job, generate)
     assert starts[0] is heights and starts[1] is heights
     assert starts[2] is None
+
+
+def test_locked_control_points_are_those_of_the_lens_that_is_there(designed, snapshots, work):
+    seen = []
+
+    def run(scene, target, start=None, locked=None):
+        seen.append((start, locked))
+        yield snapshots(0)
+
+    heights = designed.result.control_points
+    locked = np.zeros(heights.shape, bool)
+    work(Job(dataclasses.replace(designed, locked=locked)), run)
+    assert seen[-1][0] is None
+    locked[1, 2] = True
+    result, _ = work(Job(dataclasses.replace(designed, locked=locked)), run)
+    assert seen[-1][0] is heights and seen[-1][1] is locked
+    assert result.iterations == 0

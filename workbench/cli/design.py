@@ -22,7 +22,7 @@ def design(path: Path, output: Path, iterations: int | None, seconds: float, as_
     Parameters
     ----------
     path : Path
-        Scene or session; one with a lens is continued.
+        Scene or session; one with a lens is continued, its locked control points stay.
     output : Path
         Session to write.
     iterations : int, optional
@@ -56,7 +56,7 @@ def design(path: Path, output: Path, iterations: int | None, seconds: float, as_
         start = session.control_points
         try:
             with closing(Progress(seconds)) as progress:
-                for snapshot in run(scene, session.target, start):
+                for snapshot in run(scene, session.target, start, session.locked):
                     history.add(snapshot)
                     progress.show(snapshot)
                     if interruption.asked or snapshot.seconds >= seconds:
