@@ -5,6 +5,7 @@ import os
 import signal
 import socket
 import sys
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -12,6 +13,7 @@ import workbench
 from ui.display import why_no_window
 
 if TYPE_CHECKING:
+    from PySide6.QtCore import QSettings
     from PySide6.QtWidgets import QApplication
 
     from ui.main_window import MainWindow
@@ -47,11 +49,13 @@ def main(arguments: list[str] | None = None) -> int:
 
     beside_settings = QStandardPaths.StandardLocation.AppConfigLocation
     folder = Path(QStandardPaths.writableLocation(beside_settings)) / "recovery"
-    windows, trouble = Windows(QSettings(), folder), Trouble()
+    settings = QSettings()
+    windows, trouble = Windows(settings, folder), Trouble()
     trouble.happened.connect(windows.tell_trouble)
     trouble.qt_said.connect(windows.log)
     signals = _leave_on_signals(windows, application)
-    _begin(windows, windows.open(), options.file, options.start)
+    window = windows.open()
+    _begin_when_painted(window, lambda: _begin(windows, window, settings, options))
     status = application.exec()
     windows.wait()
     trouble.close()
@@ -93,25 +97,33 @@ def _application() -> "QApplication":
     return application
 
 
-def _begin(windows: "Windows", window: "MainWindow", file: Path | None, start: bool) -> None:
-    """After the first paint: load what is slow, recover or open, start."""
+def _begin_when_painted(window: "MainWindow", begin: Callable[[], None]) -> None:
+    """What takes time comes after a person sees the window."""
     from PySide6.QtCore import Qt, QTimer
 
-    def after_first_paint() -> None:
-        if not window.isVisible():  # a signal came first
-            return
-        windows.warm_up()
-        recovered = windows.recover(window)
-        opened = not recovered and (file is None or window.files.open(file))
-        if start and opened and window.control is None:
-            window.built.connect(window.start)
-        elif start and opened:  # all was loaded while a question stood
-            window.start()
+    def after_paint() -> None:
+        if window.isVisible():  # unless a signal came first
+            begin()
 
     window.painted.connect(
-        lambda: QTimer.singleShot(0, window, after_first_paint),
+        lambda: QTimer.singleShot(0, window, after_paint),
         Qt.ConnectionType.SingleShotConnection,
     )
+
+
+def _begin(
+    windows: "Windows", window: "MainWindow", settings: "QSettings", options: argparse.Namespace
+) -> None:
+    """Load what is slow, recover or open, start."""
+    windows.warm_up()
+    recovered = windows.recover(window)
+    opened = not recovered and (options.file is None or window.files.open(options.file))
+    if not window.messages.isVisible():
+        window.help.offer_tour(settings)
+    if options.start and opened and window.control is None:
+        window.built.connect(window.start)
+    elif options.start and opened:  # all was loaded while a question stood
+        window.start()
 
 
 def _leave_on_signals(windows: "Windows", application: "QApplication") -> socket.socket:

@@ -1,0 +1,195 @@
+"""How a design is looked at travels in its file, and changing it is no edit."""
+
+import json
+
+import pytest
+from PySide6.QtCore import QSettings
+
+from ui.document import Document
+from ui.main_window import MainWindow
+from workbench.files.session import read_session
+
+pytestmark = pytest.mark.usefixtures("kernels")
+
+
+@pytest.fixture
+def settings(tmp_path):
+    return QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat)
+
+
+@pytest.fixture
+def open_window(session, settings, qtbot):
+    def make():
+        window = MainWindow(Document(session, "small"), settings)
+        qtbot.addWidget(window, before_close_func=lambda window: window.discard_and_close())
+        with qtbot.waitActive(window):
+            window.show()
+            window.activateWindow()
+        return window
+
+    return make
+
+
+def shown(window):
+    return {name for name, dock in window.workspace.docks.items() if not dock.isHidden()}
+
+
+def save(window, path):
+    window.document.save(path, window.files.look())
+
+
+def test_docks_and_choices_come_back_with_the_design(open_window, tmp_path, qtbot):
+    path = tmp_path / "mine.freeform"
+    window = open_window()
+    window.build()
+    window.workspace.docks["target"].show()
+    window.workspace.docks["light"].hide()
+    for name in ("exploded", "rays_5", "colours_viridis"):
+        window.commands[name].trigger()
+    wanted = shown(window)
+    assert not window.document.dirty
+    save(window, path)
+    assert not window.document.dirty
+    window.workspace.docks["target"].hide()
+    window.workspace.docks["light"].show()
+    for name in ("exploded", "rays_45", "colours_gray"):
+        window.commands[name].trigger()
+    assert not window.document.dirty
+    assert window.files.open(path)
+    assert shown(window) == wanted
+    switches = ("exploded", "rays_5", "rays_45", "colours_viridis", "colours_gray")
+    on = [name for name in switches if window.commands[name].isChecked()]
+    assert on == ["exploded", "rays_5", "colours_viridis"]
+    assert not window.document.dirty and window.document.undo_stack.count() == 0
+
+
+def test_the_camera_comes_back_with_the_design(display, open_window, tmp_path, qtbot):
+    path = tmp_path / "mine.freeform"
+    window = open_window()
+    window.build()
+    scene = window.views.scene
+    qtbot.waitUntil(lambda: scene.camera() is not None and scene.frame is not None, timeout=60_000)
+    assert scene.camera() == {"fitted": ""}
+    placement = {
+        "position": [3.0, 2.0, 1.0],
+        "focal_point": [0.0, 0.5, 1.0],
+        "up": [0.0, 1.0, 0.0],
+        "scale": 2.5,
+    }
+    scene.set_camera(placement)
+    qtbot.waitUntil(lambda: scene._placement is None, timeout=60_000)
+    moved = scene.camera()
+    assert moved["position"] == pytest.approx(placement["position"])
+    save(window, path)
+    scene.fit("side")
+    assert scene.camera() == {"fitted": "side"}
+    assert window.files.open(path)
+    qtbot.waitUntil(lambda: scene._placement is None, timeout=60_000)
+    for key, value in placement.items():
+        assert scene.camera()[key] == pytest.approx(value)
+
+
+def test_a_file_opened_before_the_views_are_there_is_seen_as_it_was_left(
+    open_window, tmp_path, qtbot
+):
+    path = tmp_path / "mine.freeform"
+    first = open_window()
+    first.build()
+    first.commands["exploded"].trigger()
+    save(first, path)
+    second = open_window()
+    assert second.files.open(path)
+    assert second.files.look() == read_session(path).view  # nobody has seen another
+    second.build()
+    assert second.commands["exploded"].isChecked()
+
+
+@pytest.mark.parametrize(
+    "view",
+    [
+        {},
+        {"layout": 3, "on": "rays_5", "camera": []},
+        {"layout": "no base64!", "on": [1, None], "camera": {}},
+        {"layout": "AAAA", "on": ["no such"], "camera": {"position": "here"}},
+        {"camera": {"position": [0, 0, 0], "focal_point": [0, 0, 0], "up": [0, 1, 0], "scale": 1}},
+        {"camera": {"fitted": 3}},
+    ],
+)
+def test_a_broken_view_costs_a_line_in_the_log_and_nothing_else(open_window, tmp_path, view, qtbot):
+    path = tmp_path / "mine.freeform"
+    window = open_window()
+    window.build()
+    window.document.save(path, view)
+    before = shown(window)
+    assert window.files.open(path)
+    assert window.document.path == path and not window.messages.isVisible()
+    assert shown(window) == before
+    assert "cannot be shown again" in window.log.toPlainText()
+
+
+def test_a_scene_file_leaves_the_view_alone(open_window, session, tmp_path):
+    path = tmp_path / "scene.json"
+    path.write_text(json.dumps(session.scene.to_data()))
+    window = open_window()
+    window.workspace.docks["log"].show()
+    before = shown(window)
+    assert window.files.open(path)
+    assert shown(window) == before
+    assert "cannot be shown" not in window.log.toPlainText()
+
+
+def test_size_and_docks_outlive_the_window_and_can_be_reset(open_window, settings):
+    first = open_window()
+    usual = shown(first)
+    first.resize(1111, 777)
+    first.workspace.docks["history"].show()
+    first.workspace.docks["error"].hide()
+    changed = shown(first)
+    first.discard_and_close()
+    second = open_window()
+    assert (second.width(), second.height()) == (1111, 777)
+    assert shown(second) == changed != usual
+    second.commands["reset_layout"].trigger()
+    assert shown(second) == usual
+
+
+def edit(window, z):
+    scene = window.document.session.scene
+    screen = scene.screen.model_copy(update={"z": float(z)})
+    window.document.edit(scene.model_copy(update={"screen": screen}), "edit", "")
+
+
+def test_revert_goes_back_to_the_file_and_can_be_undone(open_window, tmp_path):
+    window = open_window()
+    document, revert = window.document, window.commands["revert"]
+    edit(window, 7)
+    assert not revert.isEnabled()  # there is no file yet
+    save(window, tmp_path / "mine.freeform")
+    assert not revert.isEnabled()
+    edit(window, 8)
+    assert revert.isEnabled()
+    revert.trigger()
+    assert document.session.scene.screen.z == 7
+    assert not document.dirty and not revert.isEnabled()
+    window.commands["undo"].trigger()
+    assert document.session.scene.screen.z == 8 and document.dirty
+
+
+def test_revert_to_a_file_that_is_gone_changes_nothing(open_window, tmp_path):
+    path = tmp_path / "mine.freeform"
+    window = open_window()
+    save(window, path)
+    edit(window, 8)
+    path.unlink()
+    window.commands["revert"].trigger()
+    assert window.document.session.scene.screen.z == 8 and window.document.dirty
+    assert "mine.freeform" in window.messages.text
+
+
+def test_a_refused_field_is_told_in_the_log(open_window):
+    window = open_window()
+    rows = [row for panel in window.forms.panels for row in panel.rows]
+    field = next(row for row in rows if row.path == "screen.z").editors["screen.z"]
+    field.setText("-3")
+    window.forms.commit()
+    assert "Refused: screen.z" in window.log.toPlainText()
