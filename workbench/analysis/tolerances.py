@@ -46,6 +46,11 @@ class Tolerances:
     distance: float = 0.0
     surface: tuple[float, float] = (0.0, 1.0)
 
+    @property
+    def any(self) -> bool:
+        """Whether anything is off."""
+        return bool(self.tilt or self.decentre or self.index or self.distance or self.surface[0])
+
     def check(self, scene: Scene) -> None:
         """Refuse what is not possible for a scene, in the words of the command line.
 

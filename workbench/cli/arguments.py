@@ -8,6 +8,7 @@ from workbench.cli.verbs import (
     design,
     export,
     pictures,
+    report,
     sweep,
     tolerances,
     validate,
@@ -21,6 +22,7 @@ _VERBS = {
     "tolerances": tolerances,
     "export": export,
     "pictures": pictures,
+    "report": report,
     "benchmark": benchmark,
 }
 _EXAMPLES = """\

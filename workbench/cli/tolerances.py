@@ -45,7 +45,7 @@ def tolerances(
     KeyboardInterrupt
         After Ctrl-C; what the lenses so far came to is printed and written.
     """
-    if not (within.tilt or within.decentre or within.index or within.distance or within.surface[0]):
+    if not within.any:
         raise Refused(
             "usage",
             "nothing is off; give --tilt, --decentre, --index, --distance or --surface",

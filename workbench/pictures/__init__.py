@@ -84,6 +84,30 @@ def _write_images(session: Designed, result: "Result", path: Path) -> Path:
 
 
 def _write_lens(session: Designed, result: "Result", path: Path) -> Path:
+    from PIL import Image
+
+    Image.fromarray(lens_image(session, result.irradiance)).save(path)
+    return path
+
+
+def lens_image(
+    session: Designed, irradiance: npt.NDArray[np.float64], explode: bool = False
+) -> npt.NDArray[np.uint8]:
+    """Draw a designed lens with its rays.
+
+    Parameters
+    ----------
+    session : Designed
+        A session with a result.
+    irradiance : ndarray, shape (n_y, n_x)
+        Flux per area on the screen.
+    explode : bool
+        Whether long distances are drawn short.
+
+    Returns
+    -------
+    ndarray of uint8, shape (height, width, 3)
+    """
     import pyvista as pv
     from vtkmodules.vtkCommonCore import vtkLogger
 
@@ -91,22 +115,22 @@ def _write_lens(session: Designed, result: "Result", path: Path) -> Path:
     from workbench.optics.paths import ray_paths
     from workbench.pictures.lens import LensPicture
 
-    scene, heights = session.scene, result.control_points
+    assert session.result is not None
+    scene, heights = session.scene, session.result.control_points
     # Without a display VTK draws in memory; that it looked for one is nobody's concern.
     vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_ERROR)
     plotter = pv.Plotter(off_screen=True, window_size=[1600, 1000])
     try:
-        picture = LensPicture(plotter, scene, session.target)
+        picture = LensPicture(plotter, scene, session.target, explode=explode)
         picture.update(
             sample_surface(scene.lens, heights, _SURFACE_SAMPLES),
             ray_paths(scene, heights, _RAYS),
-            result.irradiance,
+            irradiance,
         )
         picture.fit()
-        plotter.screenshot(path)
+        return np.asarray(plotter.screenshot(return_img=True))
     finally:
         plotter.close()
-    return path
 
 
 def _write_loss(result: "Result", path: Path) -> Path:

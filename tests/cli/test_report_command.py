@@ -1,0 +1,214 @@
+import base64
+import io
+import json
+from html.parser import HTMLParser
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from workbench.design.snapshot import Result
+from workbench.files.session import KeptRun, Session, write_session
+from workbench.optics.ledger import Ledger
+from workbench.targets import load_target
+
+RAYS = ("--rays", 20_000)
+OFF = ("--tolerances", 3, "--tilt", 1, "--surface", 0.001, 0.3)
+
+
+@pytest.fixture(scope="module")
+def white():
+    return np.full((100, 160, 3), 255, dtype=np.uint8)
+
+
+@pytest.fixture
+def no_3d(monkeypatch, white):
+    monkeypatch.setattr("workbench.pictures.report.lens_image", lambda *_, **__: white)
+
+
+@pytest.fixture
+def lens(make_scene, tmp_path):
+    """A session with a wavy lens that no run has made."""
+    scene = make_scene()
+    target = load_target(scene, tmp_path)
+    result = Result(
+        control_points=0.5 + 0.01 * np.sin(np.arange(120.0)).reshape(12, 10),
+        irradiance=np.ones((32, 32)),
+        losses=np.array([0.3, 0.2, 0.1]),
+        loss=0.1,
+        seconds=1.0,
+        ledger=Ledger(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
+    )
+    kept = KeptRun("first <try>", scene, target, result)
+    path = tmp_path / "a <b> & 'c'.freeform"
+    write_session(Session(scene, target, result, runs=(kept,)), path)
+    return path
+
+
+class Page(HTMLParser):
+    """Names and values, pictures, and all tags, which must close as they open."""
+
+    VOID = ("meta", "img")
+
+    def __init__(self, text):
+        super().__init__()
+        self.open, self.seen, self.rows, self.headings, self.images = [], set(), {}, [], []
+        self.feed(text)
+        self.close()
+        assert self.open == []
+
+    def handle_starttag(self, tag, attributes):
+        self.seen.add(tag)
+        if tag == "img":
+            self.images.append(dict(attributes))
+        if tag not in self.VOID:
+            self.open.append(tag)
+
+    def handle_endtag(self, tag):
+        assert self.open.pop() == tag
+
+    def handle_data(self, text):
+        if self.open[-1:] == ["dt"]:
+            self._name = text
+        if self.open[-1:] == ["dd"]:
+            self.rows[self._name] = text
+        if self.open[-1:] in (["h1"], ["h2"]):
+            self.headings.append(text)
+
+
+def number(text):
+    head = text.split()[0]
+    return float(head.rstrip("%°")) / (100 if head.endswith("%") else 1)
+
+
+@pytest.mark.usefixtures("no_3d")
+class TestHtml:
+    @pytest.fixture
+    def page(self, freeform, lens, tmp_path):
+        status, printed, told = freeform("report", lens, tmp_path / "out.html", *RAYS, *OFF)
+        assert (status, printed, told) == (0, "", "")
+        return (tmp_path / "out.html").read_text()
+
+    def test_it_needs_nothing_else_and_names_are_text(self, page, lens):
+        found = Page(page)
+        assert found.headings[0] == lens.stem
+        assert found.rows["first <try>"].startswith("loss ")
+        assert not found.seen & {"script", "link", "iframe", "object"}
+        assert "http" not in page
+        assert "url(" not in page
+        for image in found.images:
+            kind, data = image["src"].split(",", 1)
+            assert kind == "data:image/png;base64"
+            with Image.open(io.BytesIO(base64.b64decode(data, validate=True))) as picture:
+                assert picture.width == 1080
+            assert image["alt"]
+        assert len(found.images) == 5
+
+    def test_figures_are_those_of_the_check(self, freeform, page, lens):
+        found = Page(page).rows
+        check = json.loads(freeform("validate", lens, *RAYS, "--json")[1])
+        for name, key in (
+            ("relative L2 error", "relative_l2"),
+            ("without ray noise", "relative_l2_corrected"),
+            ("loss of the paper", "loss"),
+            ("PSNR", "psnr"),
+            ("SSIM", "ssim"),
+            ("correlation", "correlation"),
+            ("uniformity", "uniformity"),
+            ("contrast", "contrast"),
+            ("efficiency", "efficiency"),
+            ("off the optimiser's image", "optimiser_difference"),
+        ):
+            assert number(found[name]) == pytest.approx(check[key], rel=1e-3, abs=1e-5), name
+        low, high = check["relative_l2_interval"]
+        assert found["95 % of other rays"] == f"{low:.3%} to {high:.3%}"
+        assert found["rays"].replace(" ", "") == str(check["rays"])
+        light = check["ledger"]
+        for name, key in (
+            ("on the screen", "on_screen"),
+            ("beside the screen", "off_screen"),
+            ("reflected at the entrance", "fresnel_entrance"),
+            ("reflected at the exit", "fresnel_exit"),
+            ("totally reflected", "total_reflection"),
+        ):
+            assert number(found[name]) == pytest.approx(light[key], abs=1e-5), name
+        assert found["screen.z"] == "5 cm"
+        assert number(found["wanted at least"]) == 0.05
+        assert number(found["thinnest"]) > 0.05
+        assert (found["tilt up to"], found["lenses"]) == ("1°", "3")
+        assert number(found["worst"]) >= number(found["mean"]) > 0
+
+
+@pytest.mark.usefixtures("no_3d")
+class TestPdf:
+    def test_it_opens_and_has_all_text(self, freeform, lens, tmp_path):
+        pypdf = pytest.importorskip("pypdf")
+        files = tmp_path / "out.pdf", tmp_path / "out.html"
+        assert freeform("report", lens, *files, *RAYS, *OFF)[0] == 0
+        reader = pypdf.PdfReader(files[0])
+        assert reader.metadata.title == lens.stem
+        text = " ".join(" ".join(page.extract_text() for page in reader.pages).split())
+        page = Page(files[1].read_text())
+        for heading in page.headings:
+            assert heading in text
+        for name, value in page.rows.items():
+            assert name in text
+            assert value.split()[0] in text
+        assert all(round(side.width) == 595 for side in (p.mediabox for p in reader.pages))
+
+    def test_long_texts_stay_on_their_pages(self, tmp_path):
+        pypdf = pytest.importorskip("pypdf")
+        from workbench.report.content import Report, Row, Section
+        from workbench.report.pdf import write_pdf
+
+        rows = tuple(Row(f"row{n}", f"value{n} " + "long " * 30) for n in range(100))
+        with (tmp_path / "long.pdf").open("wb") as file:
+            write_pdf(Report("Long", "below", (Section("All", rows, note="why " * 200),)), file)
+        pages = pypdf.PdfReader(tmp_path / "long.pdf").pages
+        assert len(pages) > 2
+        text = "".join(page.extract_text() for page in pages)
+        assert all(f"value{n}" in text for n in range(100))
+        assert f"{len(pages)} / {len(pages)}" in text
+
+
+@pytest.mark.slow
+def test_the_lens_in_three_dimensions(freeform, lens, tmp_path):
+    assert freeform("report", lens, tmp_path / "a.htm", *RAYS)[0] == 0
+    image = Page((tmp_path / "a.htm").read_text()).images[0]
+    with Image.open(io.BytesIO(base64.b64decode(image["src"].split(",")[1]))) as picture:
+        colours = np.asarray(picture.convert("RGB")).reshape(-1, 3)
+    assert len(np.unique(colours, axis=0)) > 500
+
+
+@pytest.mark.usefixtures("no_3d")
+def test_a_report_that_fails_leaves_the_old_one(freeform, lens, tmp_path, monkeypatch):
+    old = tmp_path / "out.html"
+    old.write_text("old")
+
+    def full(*_):
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr("workbench.report.html.to_png", full)
+    status, _, told = freeform("report", lens, old, *RAYS)
+    assert status == 2
+    assert "No space left on device" in told
+    assert old.read_text() == "old"
+    assert [path.name for path in tmp_path.glob("*.tmp")] == []
+
+
+@pytest.mark.parametrize(
+    "arguments, reason",
+    [
+        (("a.txt",), "a.txt: has no ending that tells a format; one of .html, .htm, .pdf"),
+        (("a.html", "--tilt", 1), "usage: tolerances without a number of lenses"),
+        (("a.html", "--tolerances", 3), "usage: nothing is off; give --tilt"),
+        (("a.html", "--tolerances", 3, "--tilt", 50), "tilt: 50 degrees; at least 0"),
+        (("missing/a.html",), "missing/a.html: cannot be written: its folder does not exist"),
+    ],
+)
+def test_refusals(freeform, lens, tmp_path, monkeypatch, arguments, reason):
+    monkeypatch.chdir(tmp_path)
+    status, printed, told = freeform("report", lens, *arguments)
+    assert (status, printed) == (2, "")
+    assert told.startswith(f"freeform: {reason}")
+    assert not list(tmp_path.glob("a.*"))

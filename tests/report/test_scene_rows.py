@@ -1,0 +1,56 @@
+import pytest
+
+from workbench.report.scene_rows import scene_rows
+
+
+def rows(scene):
+    return dict(scene_rows(scene))
+
+
+def test_every_field_has_a_row_with_its_unit(make_scene):
+    found = rows(make_scene({"unit": "mm", "run.min_radius": 0.5}))
+    assert found["lens.half_width"] == "1 × 1 mm"
+    assert found["lens.height_range"] == "-0.3, 0.3 mm"
+    assert found["lens.control_points"] == "12 × 10"
+    assert found["screen.z"] == "5 mm"
+    assert found["filter.alpha"] == "1 per pixel²"
+    assert found["target.invert"] == "no"
+    assert found["run.min_radius"] == "0.5 mm"
+    assert found["unit"] == "mm"
+    assert "format" not in found
+
+
+def leaves(data, path=""):
+    if isinstance(data, dict):
+        for name, value in data.items():
+            yield from leaves(value, f"{path}.{name}" if path else name)
+    else:
+        yield path
+
+
+@pytest.mark.parametrize(
+    "changes",
+    [
+        {},
+        {"source": {"kind": "point", "position": [0, 0, -5]}},
+        {"source": {"kind": "grid", "center": [0, 0, -5], "half_width": [1, 1], "points": [3, 3]}},
+        {"run": {"method": "paper", "learning_rate": 0.01}},
+    ],
+)
+def test_none_is_left_out(make_scene, changes):
+    scene = make_scene(changes)
+    wanted = set(leaves(scene.to_data())) - {"format", "version", "run.stages"}
+    assert wanted == set(rows(scene))
+
+
+def test_a_material_comes_with_its_index(make_scene):
+    found = rows(make_scene({"lens.refractive_index": "PMMA", "lens.wavelength_um": 0.5876}))
+    assert found["lens.refractive_index"].startswith("PMMA (n = 1.49")
+    assert found["lens.wavelength_um"] == "0.5876 µm"
+
+
+def test_stages(make_scene):
+    source = {"kind": "point", "position": [0, 0, -5]}
+    found = rows(make_scene({"run.stages": [{"iterations": 3, "source": source}]}))
+    assert found["run.stages[0].iterations"] == "3"
+    assert found["run.stages[0].source.position"] == "0, 0, -5 cm"

@@ -1,0 +1,60 @@
+"""``freeform report``."""
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import BinaryIO
+
+from workbench.analysis.tolerances import Tolerances
+from workbench.cli.designed import read_designed
+from workbench.errors import Refused
+from workbench.files.atomic import check_writable, replacing
+from workbench.report.content import Report
+
+
+def report(
+    path: Path, files: Sequence[Path], rays: int, tolerances: tuple[Tolerances, int] | None
+) -> None:
+    """Check the lens of a session and write all that is known of it.
+
+    Parameters
+    ----------
+    path : Path
+        Session with a lens.
+    files : sequence of Path
+        HTML or PDF, told by their endings.
+    rays : int
+        Rays of the check, at least.
+    tolerances : tuple[Tolerances, int], optional
+        How far lenses may be off, and how many are traced.
+
+    Raises
+    ------
+    Refused
+        If the session cannot be read or holds no lens, a file cannot be written or a tolerance is
+        not possible.
+    RunFailed
+        If no light reaches the screen.
+    """
+    writers = [_writer(file) for file in files]
+    session, _ = read_designed(path)
+    for file in files:
+        check_writable(file)
+    from workbench.report.gather import gather  # late: draws, which takes long to import
+
+    found = gather(session, path.stem, rays, tolerances)
+    for file, write in zip(files, writers, strict=True):
+        with replacing(file) as stream:
+            write(found, stream)
+
+
+def _writer(file: Path) -> Callable[[Report, BinaryIO], None]:
+    ending = file.suffix.lower()
+    if ending in (".html", ".htm"):
+        from workbench.report.html import write_html
+
+        return write_html
+    if ending == ".pdf":
+        from workbench.report.pdf import write_pdf
+
+        return write_pdf
+    raise Refused(str(file), "has no ending that tells a format; one of .html, .htm, .pdf")

@@ -1,0 +1,63 @@
+"""Pictures of a report, drawn on figures that the caller owns."""
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+import numpy.typing as npt
+
+from workbench.pictures import Designed, lens_image
+from workbench.pictures.images import ErrorImage, IrradianceImage, target_irradiance
+from workbench.pictures.loss import LossPicture
+from workbench.pictures.section import SectionCurves, cut_through
+from workbench.pictures.surface import ASPECTS, SurfaceImage
+from workbench.pictures.tolerances import draw_errors
+
+if TYPE_CHECKING:
+    from matplotlib.figure import FigureBase
+
+    from workbench.design.snapshot import Result
+
+Array = npt.NDArray[np.float64]
+
+_FONT = 9
+_APART = {"wspace": 0.12, "hspace": 0.03}
+
+
+def draw_lens(figure: "FigureBase", session: Designed, irradiance: Array) -> None:
+    """Draw the lens with its rays, long distances short, and the screen lit by an image."""
+    axes = figure.subplots()
+    axes.imshow(lens_image(session, irradiance, explode=True), interpolation="antialiased")
+    axes.set_axis_off()
+
+
+def draw_images(figure: "FigureBase", session: Designed, irradiance: Array) -> None:
+    """Draw irradiance, target, signed error and the height of the exit face over its base."""
+    assert session.result is not None
+    scene, target = session.scene, session.target
+    (lit, wished), (off, face) = figure.subplots(2, 2, gridspec_kw=_APART)
+    IrradianceImage(lit, scene, target).update(irradiance)
+    IrradianceImage(wished, scene, target).update(target_irradiance(scene, target))
+    ErrorImage(off, scene, target).update(irradiance)
+    SurfaceImage(face, scene, ASPECTS[0]).update(session.result.control_points)
+    titles = ("Irradiance", "Target", "Irradiance − target", "Exit face over its base")
+    for axes, title in zip((lit, wished, off, face), titles, strict=True):
+        axes.set_title(title, fontsize=_FONT)
+
+
+def draw_sections(figure: "FigureBase", session: Designed, irradiance: Array) -> None:
+    """Draw irradiance and target along x and y through the middle of the screen."""
+    for axes, along in zip(figure.subplots(1, 2, gridspec_kw=_APART), "xy", strict=True):
+        curves = SectionCurves(axes, session.scene, session.target)
+        curves.update(irradiance, cut_through(session.scene, along, (0.0, 0.0)))
+
+
+def draw_loss(figure: "FigureBase", result: "Result") -> None:
+    """Draw the loss over the iterations."""
+    picture = LossPicture(figure.subplots())
+    picture.update(result.losses, result.losses.size, result.stage_starts)
+
+
+def draw_tolerances(figure: "FigureBase", nominal: float, errors: Sequence[float]) -> None:
+    """Draw the distribution of the error over lenses that are off."""
+    draw_errors(figure.subplots(), nominal, errors)

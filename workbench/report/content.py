@@ -1,0 +1,72 @@
+"""A report before it has a form: sections of rows and pictures."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, NamedTuple
+
+if TYPE_CHECKING:
+    from matplotlib.figure import FigureBase
+
+
+class Row(NamedTuple):
+    """A name and what is to be said of it."""
+
+    name: str
+    value: str
+
+
+class Picture(NamedTuple):
+    """A picture as wide as a page.
+
+    Attributes
+    ----------
+    name : str
+        What it shows.
+    draw : callable
+        Draws it on an empty figure or part of one.
+    height : float
+        Inches, for a width of `workbench.pictures.pages.WIDTH`.
+    """
+
+    name: str
+    draw: "Callable[[FigureBase], None]"
+    height: float
+
+
+@dataclass(frozen=True)
+class Section:
+    """A part of a report.
+
+    Attributes
+    ----------
+    title : str
+        Its heading.
+    rows : tuple of Row
+        What is known.
+    pictures : tuple of Picture
+        Stand behind the rows.
+    note : str
+        What has to be known to read it.
+    """
+
+    title: str
+    rows: tuple[Row, ...] = ()
+    pictures: tuple[Picture, ...] = ()
+    note: str = ""
+
+
+@dataclass(frozen=True)
+class Report:
+    """All of it.
+
+    Attributes
+    ----------
+    title, subtitle : str
+        Session, and when and by what it was reported.
+    sections : tuple of Section
+        One after the other.
+    """
+
+    title: str
+    subtitle: str
+    sections: tuple[Section, ...]

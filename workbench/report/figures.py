@@ -1,0 +1,105 @@
+"""Figures of a lens as rows: its check, its light, its manufacture, its tolerances."""
+
+import math
+
+from workbench.analysis.manufacture import Extreme, Manufacture
+from workbench.analysis.tolerances import Distribution, Tolerances
+from workbench.analysis.validation import Validation
+from workbench.optics.ledger import Ledger
+from workbench.report.content import Row
+from workbench.scene import Scene
+
+_LEDGER = {
+    "on_screen": "on the screen",
+    "off_screen": "beside the screen",
+    "missed_lens": "past the lens",
+    "left_side": "through the lens's side",
+    "total_reflection": "totally reflected",
+    "fresnel_entrance": "reflected at the entrance",
+    "fresnel_exit": "reflected at the exit",
+}
+
+
+def check_rows(found: Validation, difference: float) -> tuple[Row, ...]:
+    """What the independent check says; ``difference`` is that to the optimiser's own image."""
+    quality = found.quality
+    return (
+        Row("relative L2 error", f"{found.relative_l2:.3%}"),
+        Row("95 % of other rays", _interval(found.relative_l2_interval)),
+        Row("without ray noise", f"{found.relative_l2_corrected:.3%}"),
+        Row("95 % confidence", _interval(found.relative_l2_corrected_interval)),
+        Row("loss of the paper", f"{found.loss:.4g}"),
+        Row("PSNR", _or_dash(quality.psnr, ".2f", " dB")),
+        Row("SSIM", f"{quality.ssim:.5f}"),
+        Row("correlation", _or_dash(quality.correlation, ".5f")),
+        Row("uniformity", f"{quality.uniformity:.5f}"),
+        Row("contrast", _or_dash(quality.contrast, ".5f")),
+        Row("efficiency", f"{found.efficiency:.3%}"),
+        Row("off the optimiser's image", f"{difference:.3%}"),
+        Row("rays", f"{found.rays:,}".replace(",", " ")),
+    )
+
+
+def ledger_rows(ledger: Ledger) -> tuple[Row, ...]:
+    """Where the light went, in parts of what was emitted."""
+    data = ledger.to_data()
+    return tuple(Row(name, f"{data[part] / ledger.emitted:.3%}") for part, name in _LEDGER.items())
+
+
+def manufacture_rows(scene: Scene, found: Manufacture) -> tuple[Row, ...]:
+    """Figures of the lens, each with what it is not beyond anywhere, and the scene's limits."""
+    unit = scene.unit
+    rows = [
+        Row("thinnest", _extreme(found.thinnest, unit, "at least")),
+        Row("wanted at least", f"{scene.lens.min_thickness:.6g} {unit}"),
+        Row("thickest", _extreme(found.thickest, unit, "at most")),
+        Row("sag range", f"{found.sag_range:.6g} {unit}"),
+        Row("steepest slope", _extreme(found.steepest, "°", "at most")),
+        Row("draft", f"{found.draft:.3f}°"),
+        Row("smallest concave radius", _extreme(found.tightest_concave, unit, "at least")),
+        Row("smallest convex radius", _extreme(found.tightest_convex, unit, "at least")),
+    ]
+    if scene.run.min_radius is not None:
+        rows.append(Row("wanted radii at least", f"{scene.run.min_radius:.6g} {unit}"))
+    return tuple(rows)
+
+
+def tolerance_rows(
+    scene: Scene, within: Tolerances, spread: Distribution, samples: int
+) -> tuple[Row, ...]:
+    """How far lenses were off, and how their error without ray noise is distributed."""
+    unit = scene.unit
+    amplitude, scale = within.surface
+    off = {
+        "tilt up to": (within.tilt, f"{math.degrees(within.tilt):g}°"),
+        "decentre up to": (within.decentre, f"{within.decentre:g} {unit}"),
+        "index off by up to": (within.index, f"{within.index:g}"),
+        "distance off by up to": (within.distance, f"{within.distance:g} {unit}"),
+        "surface error, RMS": (amplitude, f"{amplitude:g} {unit} over {scale:g} {unit}"),
+    }
+    return (
+        *(Row(name, text) for name, (size, text) in off.items() if size),
+        Row("lenses", str(samples)),
+        Row("error as designed", f"{spread.nominal:.3%}"),
+        Row("mean", f"{spread.mean:.3%}"),
+        *(Row(f"{part} % of lenses", f"{e:.3%}") for part, e in spread.percentiles.items()),
+        Row("worst", f"{spread.worst:.3%}"),
+    )
+
+
+def _extreme(found: Extreme, unit: str, sense: str) -> str:
+    """The value, the bound, and where."""
+    if math.isinf(found.value):
+        return "none"
+    space = "" if unit == "°" else " "
+    x, y = found.place
+    return f"{found.value:.5g}{space}{unit} at ({x:.4g}, {y:.4g}); {sense} {found.bound:.5g}"
+
+
+def _interval(ends: tuple[float, float]) -> str:
+    return f"{ends[0]:.3%} to {ends[1]:.3%}"
+
+
+def _or_dash(value: float | None, form: str, tail: str = "") -> str:
+    """A figure, or a dash where it has no meaning."""
+    return "–" if value is None else f"{value:{form}}{tail}"

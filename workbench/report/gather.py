@@ -1,0 +1,142 @@
+"""Makes the report of a session: traces its lens anew and collects what is known of it."""
+
+from datetime import datetime
+from functools import partial
+
+from workbench import __version__
+from workbench.analysis.manufacture import manufacture
+from workbench.analysis.metrics import relative_l2
+from workbench.analysis.tolerances import Distribution, Tolerances, perturbed
+from workbench.analysis.validation import validate
+from workbench.design.session import KeptRun, Session
+from workbench.errors import Refused
+from workbench.pictures import report as pictures
+from workbench.report.content import Picture, Report, Row, Section
+from workbench.report.figures import check_rows, ledger_rows, manufacture_rows, tolerance_rows
+from workbench.report.scene_rows import scene_rows
+
+
+def gather(
+    session: Session,
+    name: str,
+    rays: int,
+    tolerances: tuple[Tolerances, int] | None = None,
+    now: datetime | None = None,
+) -> Report:
+    """Check a lens and put together what is to be told of it.
+
+    Parameters
+    ----------
+    session : Session
+        A session with a lens.
+    name : str
+        What it is called.
+    rays : int
+        Rays of the independent check, at least.
+    tolerances : tuple[Tolerances, int], optional
+        How far lenses may be off, and how many are traced; a quarter of the rays for each.
+    now : datetime, optional
+        When the report is made; now by default.
+
+    Raises
+    ------
+    Refused
+        If the session has no lens, or a tolerance is not possible.
+    RunFailed
+        If no light reaches the screen.
+    """
+    scene, target, result = session.scene, session.target, session.result
+    if result is None:
+        raise Refused("session", "holds no lens yet; a design run finds one")
+    if tolerances is not None:
+        tolerances[0].check(scene)
+    heights = result.control_points
+    found = validate(scene, target, heights, rays)
+    difference = relative_l2(found.irradiance, result.irradiance)
+    light = found.irradiance
+    sections = [
+        Section(
+            "Lens and light",
+            pictures=(
+                Picture(
+                    "Lens, rays and screen",
+                    partial(pictures.draw_lens, session=session, irradiance=light),
+                    4.3,
+                ),
+            ),
+            note="As the independent check sees it; long distances are drawn short.",
+        ),
+        Section(
+            "Independent check",
+            check_rows(found, difference),
+            note="Traced anew with fresh random rays, by other means than the optimiser's, against "
+            "the untouched target. Relative L2 error = ‖I − T‖ / ‖T‖, both divided by their sum.",
+        ),
+        Section("Light account", ledger_rows(found.ledger), note="Parts of the emitted light."),
+        Section(
+            "Light on the screen",
+            pictures=(
+                Picture(
+                    "Images and exit face",
+                    partial(pictures.draw_images, session=session, irradiance=light),
+                    6.2,
+                ),
+                Picture(
+                    "Cross-sections through the middle of the screen",
+                    partial(pictures.draw_sections, session=session, irradiance=light),
+                    2.6,
+                ),
+            ),
+            note="Irradiance and target are compared at the same flux: red is too much light, blue "
+            "too little.",
+        ),
+        Section(
+            "Manufacture",
+            manufacture_rows(scene, manufacture(scene.lens, heights)),
+            note=f"Found at a place (x, y) in {scene.unit}, and a bound that holds everywhere.",
+        ),
+    ]
+    if tolerances is not None:
+        sections.append(_tolerances(session, *tolerances, max(rays // 4, 1)))
+    sections.append(
+        Section(
+            "Design run",
+            (
+                Row("loss of the optimiser", f"{result.loss:.4g}"),
+                Row("iterations", str(result.iterations)),
+                Row("seconds", f"{result.seconds:.1f}"),
+                *map(_kept, session.runs),
+            ),
+            (Picture("Loss", partial(pictures.draw_loss, result=result), 2.6),),
+        )
+    )
+    sections.append(Section("Scene", scene_rows(scene)))
+    at = (now or datetime.now()).astimezone()
+    program = f"Freeform Lens Workbench {__version__}"
+    return Report(name, f"{at:%Y-%m-%d %H:%M %Z} · {program}", tuple(sections))
+
+
+def _tolerances(session: Session, within: Tolerances, samples: int, rays: int) -> Section:
+    assert session.result is not None
+    nominal, *others = perturbed(
+        session.scene, session.target, session.result.control_points, within, samples, rays
+    )
+    spread = Distribution.of(nominal, others)
+    errors = [each.relative_l2 for each in others]
+    draw = partial(pictures.draw_tolerances, nominal=nominal.relative_l2, errors=errors)
+    return Section(
+        "Tolerances",
+        tolerance_rows(session.scene, within, spread, samples),
+        (Picture("Which part of the lenses stays below an error", draw, 2.8),),
+        note="Lenses that are off at random, evenly within these, traced one by one; relative L2 "
+        "error without ray noise.",
+    )
+
+
+def _kept(run: KeptRun) -> Row:
+    result = run.result
+    return Row(
+        run.name,
+        f"loss {result.loss:.4g} after {result.iterations} iterations in {result.seconds:.1f} s, "
+        f"{result.ledger.efficiency:.1%} on the screen",
+    )

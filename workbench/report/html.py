@@ -1,0 +1,83 @@
+"""A report as one HTML file that needs nothing else."""
+
+import base64
+import io
+from collections.abc import Iterator
+from html import escape
+from typing import BinaryIO
+
+from workbench.pictures.pages import to_png
+from workbench.report.content import Picture, Report, Section
+
+_STYLE = """
+:root { color-scheme: light dark; --ink: #1d232b; --pale: #5d6673; --line: #d9dee5; --paper: #fff; }
+@media (prefers-color-scheme: dark) {
+  :root { --ink: #e4e8ee; --pale: #9aa4b2; --line: #363d48; --paper: #171b21; }
+}
+body { font: 15px/1.5 system-ui, sans-serif; color: var(--ink); background: var(--paper);
+  max-width: 54rem; margin: 2.5rem auto; padding: 0 1.25rem; }
+h1 { font-size: 1.9rem; line-height: 1.2; margin: 0; overflow-wrap: anywhere; }
+h2 { font-size: 1.2rem; margin: 2.2rem 0 .4rem; border-bottom: 1px solid var(--line); }
+p { color: var(--pale); margin: .3rem 0 .8rem; }
+dl { columns: 22rem 2; column-gap: 2.5rem; margin: 0; }
+dl div { display: flex; gap: 1rem; break-inside: avoid; padding: .15rem 0; }
+dt { flex: 0 0 11rem; color: var(--pale); overflow-wrap: anywhere; }
+dd { margin: 0; font-variant-numeric: tabular-nums; overflow-wrap: anywhere; }
+figure { margin: 1rem 0; break-inside: avoid; }
+img { display: block; width: 100%; background: #fff; border-radius: 6px; }
+figcaption { font-size: .87rem; color: var(--pale); }
+@page { size: A4; margin: 16mm; }
+@media print {
+  :root { --ink: #000; --pale: #444; --line: #bbb; --paper: #fff; }
+  body { font-size: 10pt; max-width: none; margin: 0; padding: 0; }
+  h2 { break-after: avoid; }
+}
+"""
+
+
+def write_html(report: Report, file: BinaryIO) -> None:
+    """Write a report; pictures are part of the file.
+
+    Raises
+    ------
+    OSError
+        If it cannot be written.
+    """
+    for part in _parts(report):
+        file.write(f"{part}\n".encode())
+
+
+def _parts(report: Report) -> Iterator[str]:
+    title = escape(report.title)
+    yield "<!doctype html>"
+    yield f'<html lang="en"><head><meta charset="utf-8"><title>{title}</title>'
+    yield '<meta name="viewport" content="width=device-width, initial-scale=1">'
+    yield f"<style>{_STYLE}</style></head><body>"
+    yield f"<h1>{title}</h1>"
+    yield f"<p>{escape(report.subtitle)}</p>"
+    for section in report.sections:
+        yield from _section(section)
+    yield "</body></html>"
+
+
+def _section(section: Section) -> Iterator[str]:
+    yield f"<section><h2>{escape(section.title)}</h2>"
+    if section.note:
+        yield f"<p>{escape(section.note)}</p>"
+    if section.rows:
+        yield "<dl>"
+        for name, value in section.rows:
+            yield f"<div><dt>{escape(name)}</dt><dd>{escape(value)}</dd></div>"
+        yield "</dl>"
+    for picture in section.pictures:
+        yield _figure(picture)
+    yield "</section>"
+
+
+def _figure(picture: Picture) -> str:
+    png = io.BytesIO()
+    to_png(picture.draw, picture.height, png)
+    data = base64.b64encode(png.getbuffer()).decode()
+    name = escape(picture.name)
+    image = f'<img src="data:image/png;base64,{data}" alt="{name}">'
+    return f"<figure>{image}<figcaption>{name}</figcaption></figure>"
