@@ -26,8 +26,9 @@ def test_curves_are_the_pixels_along_the_axis(scene, rng, along, positions, line
     np.testing.assert_allclose(light, [positions, image[line]])
     # As much light in all as the image has.
     np.testing.assert_allclose(wish, [positions, (target * image.sum() / target.sum())[line]])
-    assert axes.get_xlabel() == f"{along} (cm)"
-    assert curves.update(image, cut_through(scene, along, (0.6, 0.1))) is False
+    across = "y = 0.4" if along == "x" else "x = 1.1"
+    assert axes.get_xlabel() == f"{along} (cm) at {across} cm"
+    assert curves.update(image, cut_through(scene, along, (1.1, 0.4))) is False
 
 
 @pytest.mark.parametrize("ends", [((-1.7, 0.7), (1.2, -0.6)), ((0.3, -0.7), (0.3, 0.7))])

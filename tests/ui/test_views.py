@@ -15,6 +15,7 @@ from ui.views.light_view import LightView
 from ui.views.loss_view import LossView
 from ui.views.scene_view import SceneView
 from ui.views.turns import Turns, turns
+from workbench.files.session import Session
 from workbench.optics.ledger import Ledger
 
 PLOTS = [IrradianceView, ErrorView, LossView]
@@ -367,11 +368,37 @@ def test_a_design_without_a_frame_is_not_shown_as_the_one_before(kind, session, 
     with qtbot.waitExposed(view):
         view.show()
     qtbot.waitUntil(lambda: view._shown is session)
-    empty = grabbed(view)
+    assert view.empty and view._hint.text()
+    empty = grabbed(view._canvas)
     view.show_frame(frame(3))
-    qtbot.waitUntil(lambda: (grabbed(view) != empty).any())
+    qtbot.waitUntil(lambda: not view.empty)
+    assert not view._hint.text() and (grabbed(view._canvas) != empty).any()
     view.show_nothing(session)
-    qtbot.waitUntil(lambda: (grabbed(view) == empty).all())
+    qtbot.waitUntil(lambda: view.empty)
+    view._hint.setText("")
+    blank = grabbed(view._canvas)
+    assert (blank == blank[-1, -1]).mean() > 0.98  # all but a button in a corner
+
+
+@pytest.mark.parametrize("kind", [IrradianceView, ErrorView])
+@pytest.mark.parametrize("largest", [1e-6, 0.02, 12345.0])
+@pytest.mark.parametrize("size", [(250, 200), (500, 700)])
+def test_labels_of_a_bar_lie_inside_whatever_its_numbers(
+    kind, largest, size, make_scene, frame, snapshots, history, qtbot
+):
+    scene = make_scene({"screen.half_width": [1 / largest**0.5] * 2, "screen.z": 100.0})
+    target = np.eye(32) + 0.5
+    wide = Session(scene, target)
+    uneven = dataclasses.replace(snapshots(1), irradiance=largest * np.eye(32))
+    view = kind()
+    qtbot.addWidget(view)
+    view.resize(*size)
+    view.show_frame(make_frame(wide, uneven, history(1)))
+    with qtbot.waitExposed(view):
+        view.show()
+    qtbot.waitUntil(lambda: not view.empty)
+    figure = view._canvas.figure
+    assert figure.get_tightbbox().x1 < figure.get_size_inches()[0]
 
 
 def test_a_light_account_of_nothing_is_empty(session, frame, qtbot):

@@ -30,7 +30,7 @@ from workbench.pictures.style import paint
 _LEFT_OF_IMAGE, _LEFT_OF_CURVE, _BOTTOM, _RIGHT, _TOP = 68, 84, 40, 18, 12
 _SPAN = 1.105  # of axes with a colour bar, in widths of the axes
 _BAR_LABELS = 62.0  # to begin with
-_EDGE = 4.0  # between the widest label and the end
+_EDGE, _SLACK = 4.0, 20.0  # between the widest label and the end, at least and at most
 _FILE_DPI = 200
 _INK, _PAPER = "black", "white"  # of files, which are read and printed elsewhere
 
@@ -87,8 +87,9 @@ class Canvas(FigureCanvasQTAgg):
 
     def draw(self) -> None:
         """Draw everything and keep all but the artists as the background."""
-        self._make_room()
         super().draw()
+        if self._make_room():
+            super().draw()
         self._background = self.copy_from_bbox(self.figure.bbox)
         self._draw_artists()
 
@@ -142,18 +143,23 @@ class Canvas(FigureCanvasQTAgg):
         )
         self._background = None
 
-    def _make_room(self) -> None:
-        """Measure the labels of the colour bar."""
+    def _make_room(self) -> bool:
+        """Measure the labels of the colour bar; whether they need another room than they had."""
         bars = [bar for axes in self.figure.axes for bar in axes.child_axes]
-        if bars:
-            labels = bars[0].yaxis.get_tightbbox(self.get_renderer())
-            assert labels is not None  # it has a name
-            beyond = labels.x1 - bars[0].get_window_extent().x1
-            room = math.ceil(beyond / self.device_pixel_ratio) + _EDGE
-            if room != self._bar_labels:
-                self._bar_labels = room
-                self._place()
+        if not bars:
+            return False
+        labels = bars[0].yaxis.get_tightbbox(self.get_renderer())
+        assert labels is not None  # it has a name
+        beyond = labels.x1 - bars[0].get_window_extent().x1
+        room = math.ceil(beyond / self.device_pixel_ratio) + _EDGE
+        # Narrower ones in a larger room may grow again with it; that would not end.
+        if self._bar_labels - _SLACK <= room <= self._bar_labels:
+            return False
+        self._bar_labels = room
+        self._place()
+        return True
 
     def _draw_artists(self) -> None:
         for artist in self._artists:
-            self.figure.draw_artist(artist)
+            if artist.axes is not None and artist.axes.get_visible():
+                self.figure.draw_artist(artist)

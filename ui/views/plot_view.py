@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING, BinaryIO
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
 
 from ui.views.canvas import Canvas
 from ui.views.view import View, look_alike
@@ -32,7 +32,8 @@ class PlotView(View):
     touched = Signal()
 
     _HAS_BAR = True
-    _NOTHING = "There is no image of this design: its light cannot be traced."
+    _WAITING = "The first picture of this design comes in a moment."
+    _NOTHING = "There is no picture of this design: its light cannot be traced."
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -41,9 +42,12 @@ class PlotView(View):
         self._canvas.installEventFilter(self)
         self.setFocusProxy(self._canvas)
         self._box.addWidget(self._canvas, 1)
-        self._hint = QLabel(self._NOTHING, wordWrap=True, alignment=Qt.AlignmentFlag.AlignCenter)
+        self._hint = QLabel(wordWrap=True, alignment=Qt.AlignmentFlag.AlignCenter)
         self._hint.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
-        QVBoxLayout(self._canvas).addWidget(self._hint)
+        self._untraced = False
+        self._over = QGridLayout(self._canvas)
+        self._over.setContentsMargins(2, 2, 2, 2)
+        self._over.addWidget(self._hint, 0, 0)
         self._shown: Session | None = None
         self._anew = True
 
@@ -65,6 +69,16 @@ class PlotView(View):
         """What the picture shows, in numbers."""
         return shown_data(self._canvas.figure)
 
+    def show_frame(self, frame: "Frame") -> None:
+        """Show a frame of a run or a preview."""
+        self._untraced = False
+        super().show_frame(frame)
+
+    def show_nothing(self, session: "Session") -> None:
+        """Show a design of which there is no frame."""
+        self._untraced = True
+        super().show_nothing(session)
+
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Tell when the canvas gets the focus."""
         if event.type() == QEvent.Type.FocusIn:
@@ -77,7 +91,7 @@ class PlotView(View):
             self._canvas.animate(self._begin(self._canvas.begin(), session))
             self._anew = False
         self._shown = session
-        everything = self._hide_empty(self._is_empty(frame)) | self._adapt()
+        everything = self._explain(self._why_empty(frame)) | self._adapt()
         if frame is not None:
             everything |= self._change(frame)
         self._canvas.show_changes(everything)
@@ -87,20 +101,29 @@ class PlotView(View):
         self._anew = True
         self._ask()
 
-    def _hide_empty(self, empty: bool) -> bool:
-        """Say why there is nothing, instead of drawing it; whether that changed."""
+    def _add_in_corner(self, widget: QWidget) -> None:
+        """Put something where no label is: left of those of x, below those of y."""
+        self._over.addWidget(
+            widget, 0, 0, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignBottom
+        )
+
+    def _explain(self, why_empty: str) -> bool:
+        """Say why there is nothing to see, instead of drawing it; whether that changed."""
         (axes,) = self._canvas.figure.axes
-        self._hint.setVisible(empty)
-        changed = axes.get_visible() is empty
-        axes.set_visible(not empty)
+        shown = not why_empty
+        self._hint.setText(why_empty)
+        changed = axes.get_visible() is not shown
+        axes.set_visible(shown)
         return changed
 
     def _recolour(self) -> None:
         self._canvas.recolour()
 
-    def _is_empty(self, frame: "Frame | None") -> bool:
-        """Whether there is nothing to see yet, of which `_NOTHING` tells why."""
-        return frame is None
+    def _why_empty(self, frame: "Frame | None") -> str:
+        """Why there is nothing to see; empty if there is something."""
+        if frame is not None:
+            return ""
+        return self._NOTHING if self._untraced else self._WAITING
 
     def _begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
         """Put an empty picture of a design on the axes; the artists that will change."""

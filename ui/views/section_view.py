@@ -2,11 +2,11 @@
 
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QSignalBlocker
 from PySide6.QtGui import QHideEvent, QShowEvent
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSizePolicy, QWidget
+from PySide6.QtWidgets import QWidget
 
 from ui.views.image_link import ImageLink, Line, Place
+from ui.views.menu_button import MenuButton, choose, chosen_of
 from ui.views.plot_view import PlotView
 from workbench.pictures.section import Cut, SectionCurves, cut_between, cut_through
 
@@ -21,6 +21,10 @@ if TYPE_CHECKING:
     from workbench.scene import Scene
 
 _DIRECTIONS = ("x", "y", "line")
+_TIP = (
+    "Where the screen is cut: along x or y through the place that is clicked in an image, or "
+    "along a line that is drawn across one with Shift and drag"
+)
 
 
 class SectionView(PlotView):
@@ -40,17 +44,10 @@ class SectionView(PlotView):
         self._link = link or ImageLink(self)
         self._place: Place = (0.0, 0.0)
         self._line: Line | None = None  # from corner to corner until one is drawn
-        self._direction = QComboBox()
-        self._direction.addItems(["Along x", "Along y", "Along a line"])
-        self._direction.setAccessibleName("Direction of the cross-section")
-        self._direction.currentIndexChanged.connect(self._turn)
-        self._where = QLabel()
-        self._where.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
-        row = QHBoxLayout()
-        row.setContentsMargins(6, 4, 6, 0)
-        row.addWidget(self._direction)
-        row.addWidget(self._where, 1)
-        self._box.insertLayout(0, row)
+        self._button = MenuButton("Along", _TIP)
+        self._direction = self._button.add_choice(["Along x", "Along y", "Along a line"])
+        self._button.chosen.connect(self._turn)
+        self._add_in_corner(self._button)
         self._link.pinned.connect(self._pin)
         self._link.changed.connect(self._follow)
         self._link.drawn.connect(self._take)
@@ -68,7 +65,7 @@ class SectionView(PlotView):
 
     @property
     def _along(self) -> str:
-        return _DIRECTIONS[self._direction.currentIndex()]
+        return _DIRECTIONS[chosen_of(self._direction)]
 
     def _turn(self) -> None:
         self._mark()
@@ -94,8 +91,7 @@ class SectionView(PlotView):
 
     def _take(self, line: Line) -> None:
         self._line = line
-        with QSignalBlocker(self._direction):
-            self._direction.setCurrentIndex(_DIRECTIONS.index("line"))
+        choose(self._direction, _DIRECTIONS.index("line"))
         self._turn()
 
     def _begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
@@ -113,21 +109,13 @@ class SectionView(PlotView):
         return self._curves.artists
 
     def _change(self, frame: "Frame") -> bool:
-        scene = frame.session.scene
-        self._where.setText(self._tell(scene.unit))
-        return self._curves.update(frame.snapshot.irradiance, self._cut(scene))
+        return self._curves.update(frame.snapshot.irradiance, self._cut(frame.session.scene))
 
     def _cut(self, scene: "Scene") -> Cut:
         if self._along == "line":
             assert self._line is not None  # since the picture began
-            return cut_between(scene, *self._line)
-        return cut_through(scene, self._along, self._place)
-
-    def _tell(self, unit: str) -> str:
-        if self._along == "line":
-            assert self._line is not None
             start, end = (f"({x:.3g}, {y:.3g})" for x, y in self._line)
-            return f"from {start} to {end} {unit}; Shift and drag on an image draws another"
-        across = "yx"["xy".index(self._along)]
-        at = self._place["xy".index(across)]
-        return f"at {across} = {at:.3g} {unit}; click an image to move it"
+            self._button.setToolTip(f"From {start} to {end} {scene.unit}. {_TIP}")
+            return cut_between(scene, *self._line)
+        self._button.setToolTip(_TIP)
+        return cut_through(scene, self._along, self._place)

@@ -21,6 +21,7 @@ class TargetView(LightImageView):
     def show_frame(self, frame: "Frame") -> None:
         """Take note of another target; frames of a run have the same one."""
         before, self._frame = self._frame, frame
+        self._untraced = False
         if before is None or not look_alike(before.session, frame.session):
             self._ask()
 

@@ -27,7 +27,7 @@ class Cut(NamedTuple):
     Attributes
     ----------
     name : str
-        What is counted along it.
+        What is counted along it, and where it lies.
     ends : tuple[float, float]
         Where the line begins and ends, counted so; scene units.
     along : ndarray, shape (m,)
@@ -45,13 +45,21 @@ class Cut(NamedTuple):
 
 def cut_through(scene: Scene, along: str, place: Place) -> Cut:
     """The pixels beside each other along "x" or "y" through a place on the screen."""
+    unit, (x, y) = scene.unit, place
     axis = "xy".index(along)
     r, n = scene.screen.half_width[axis], scene.screen.pixels[axis]
     column, row = (math.floor(at) for at in scene.screen.to_pixels(*place))
     middles = np.linspace(r / n - r, r - r / n, n)  # of pixels
     if along == "x":
-        return Cut("x", (-r, r), middles, np.full(n, float(row)), np.arange(0.0, n))
-    return Cut("y", (-r, r), middles, np.arange(n - 1.0, -1, -1), np.full(n, float(column)))
+        return Cut(
+            f"x ({unit}) at y = {y:.3g} {unit}",
+            (-r, r),
+            middles,
+            np.full(n, float(row)),
+            np.arange(0.0, n),
+        )
+    name = f"y ({unit}) at x = {x:.3g} {unit}"
+    return Cut(name, (-r, r), middles, np.arange(n - 1.0, -1, -1), np.full(n, float(column)))
 
 
 def cut_between(scene: Scene, start: Place, end: Place) -> Cut:
@@ -62,7 +70,7 @@ def cut_between(scene: Scene, start: Place, end: Place) -> Cut:
     count = 1 + max(1, math.ceil(math.hypot(last_x - first_x, last_y - first_y)))
     part = np.linspace(0, 1, count)
     return Cut(
-        "distance along the line",
+        f"distance ({scene.unit})",
         (0.0, length),
         part * length,
         first_y + part * (last_y - first_y) - 0.5,
@@ -131,7 +139,14 @@ class SectionCurves:
         (wish,) = axes.plot([], [], color=_WISH, linewidth=1.2, linestyle="--", label="target")
         (light,) = axes.plot([], [], color=_LIGHT, linewidth=1.4, label="irradiance")
         self._wish_line, self._light_line = wish, light
-        axes.legend(loc="upper right", fontsize=_FONT, frameon=False, labelcolor="linecolor")
+        axes.legend(
+            loc="upper right",
+            fontsize=_FONT,
+            frameon=False,
+            labelcolor="linecolor",
+            handlelength=1.5,
+            labelspacing=0.2,
+        )
         self.artists: list[Artist] = [wish, light]
 
     def update(self, irradiance: Array, cut: Cut) -> bool:
@@ -149,5 +164,5 @@ class SectionCurves:
             return False
         self._shown = (cut.name, cut.ends)
         self._axes.set_xlim(*cut.ends)
-        self._axes.set_xlabel(f"{cut.name} ({self._scene.unit})", fontsize=_FONT, labelpad=2)
+        self._axes.set_xlabel(cut.name, fontsize=_FONT, labelpad=2)
         return True

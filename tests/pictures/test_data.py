@@ -1,0 +1,74 @@
+import numpy as np
+import pytest
+from matplotlib.figure import Figure
+
+from workbench.pictures.data import shown_data
+from workbench.pictures.images import IrradianceImage
+from workbench.pictures.loss import Course, LossPicture
+from workbench.pictures.section import SectionCurves, cut_through
+from workbench.pictures.surface import ASPECTS, SurfaceImage
+
+
+@pytest.fixture
+def scene(make_scene):
+    return make_scene({"screen.half_width": [2.0, 1.0], "screen.pixels": [8, 4]})
+
+
+@pytest.fixture
+def figure():
+    return Figure()
+
+
+def test_an_image_is_places_and_values_along_the_rows(scene, figure, rng):
+    image = rng.random((4, 8))
+    IrradianceImage(figure.subplots(), scene, np.ones((4, 8))).update(image)
+    x, y, values = shown_data(figure)
+    assert [x.name, y.name] == ["x [cm]", "y [cm]"]
+    assert values.name == "irradiance [flux / cm^2]"
+    np.testing.assert_allclose(x.values[:8], np.arange(-1.75, 2, 0.5))
+    np.testing.assert_allclose(y.values[::8], [0.75, 0.25, -0.25, -0.75])
+    np.testing.assert_array_equal(values.values, image.ravel())
+
+
+def test_of_an_image_what_is_seen(scene, figure, rng):
+    axes, image = figure.subplots(), rng.random((4, 8))
+    IrradianceImage(axes, scene, np.ones((4, 8))).update(image)
+    axes.set_xlim(0, 1)
+    axes.set_ylim(-1, 0)
+    np.testing.assert_array_equal(shown_data(figure)[2].values, image[2:, 4:6].ravel())
+
+
+def test_a_map_of_the_face_is_named_once(scene, figure):
+    SurfaceImage(figure.subplots(), scene, ASPECTS[3])
+    assert shown_data(figure)[2].name == "Gaussian curvature [1 / cm^2]"
+
+
+def test_curves_of_the_same_places_share_them(scene, figure, rng):
+    image = rng.random((4, 8))
+    SectionCurves(figure.subplots(), scene, np.ones((4, 8))).update(
+        image, cut_through(scene, "x", (0.0, 0.1))
+    )
+    columns = shown_data(figure)
+    assert [column.name for column in columns] == [
+        "x [cm] at y = 0.1 cm",
+        "target: flux / cm^2",
+        "irradiance: flux / cm^2",
+    ]
+    np.testing.assert_array_equal(columns[2].values, image[1])
+
+
+def test_runs_of_any_length_and_no_ornaments(figure):
+    picture = LossPicture(figure.subplots())
+    picture.compare([Course("other, coarse", np.array([5.0, 4.0, 3.0]), np.ones(3))])
+    picture.update(np.array([2.0, 1.0]), 5, stage_starts=(1,))
+    columns = shown_data(figure)
+    names = ["iteration", "this run: loss", "iteration", "other, coarse: loss"]
+    assert [column.name for column in columns] == names
+    np.testing.assert_array_equal(columns[0].values, [1, 2, np.nan])
+    np.testing.assert_array_equal(columns[1].values, [2, 1, np.nan])
+    np.testing.assert_array_equal(columns[3].values, [5, 4, 3])
+
+
+def test_curves_without_points_are_nothing(figure):
+    LossPicture(figure.subplots())
+    assert shown_data(figure) == []

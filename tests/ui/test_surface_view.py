@@ -1,0 +1,70 @@
+"""The map of the exit face."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint
+
+from ui.frame import make_frame
+from ui.views.surface_view import SurfaceView
+from workbench.geometry.surface import ControlNet
+from workbench.pictures.surface import ASPECTS
+
+
+@pytest.fixture
+def tilted(session, snapshots, history):
+    """A frame whose face rises by so much per length along x."""
+
+    def make(slope):
+        x, y = ControlNet.of(session.scene.lens).positions
+        heights = 0.5 + slope * x[:, None] + 0 * y
+        return make_frame(
+            session, dataclasses.replace(snapshots(1), control_points=heights), history(1)
+        )
+
+    return make
+
+
+@pytest.fixture
+def view(tilted, qtbot):
+    view = SurfaceView()
+    qtbot.addWidget(view)
+    view.resize(500, 400)
+    view.show_frame(tilted(0.1))
+    with qtbot.waitExposed(view):
+        view.show()
+    qtbot.waitUntil(lambda: not view.empty)
+    return view
+
+
+def bar(view):
+    return view._canvas.figure.axes[0].child_axes[0].get_ylabel()
+
+
+def test_any_aspect_can_be_chosen(view, qtbot):
+    assert bar(view) == "height (cm)"
+    for number, aspect in enumerate(ASPECTS):
+        view._aspects.setCurrentIndex(number)
+        qtbot.waitUntil(lambda name=aspect.name: bar(view).startswith(name))
+        assert aspect.tip in view._aspects.toolTip()
+
+
+def test_it_follows_the_lens_and_is_read_under_the_pointer(view, tilted, qtbot):
+    view._aspects.setCurrentIndex(1)
+    view.show_frame(tilted(1.0))
+    qtbot.waitUntil(lambda: view._values is not None and np.allclose(view._values, 45))
+
+    def reading():  # anew, should the layout still move
+        i, j = view._axes.transData.transform((0.25, 0.5))
+        qtbot.mouseMove(view._canvas, QPoint(round(i), round(view._canvas.height() - j)))
+        return view._readout.text()
+
+    qtbot.waitUntil(lambda: reading().startswith("45 ° at x = 0.2"))
+
+
+def test_nothing_is_computed_for_nobody(view, tilted, monkeypatch, qtbot):
+    view.hide()
+    monkeypatch.setattr(view._image, "update", lambda heights: pytest.fail("computed"))
+    view.show_frame(tilted(0.2))
+    qtbot.wait(50)
