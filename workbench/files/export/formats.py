@@ -65,6 +65,7 @@ FORMATS = (
         "write_tiff",
         "irradiance",
     ),
+    Format((".irradiance.exr",), "irradiance, 32 bit", "exr", "write_exr"),
     Format((".irradiance.npy",), "irradiance", "maps", "write_npy", "irradiance"),
     Format((".irradiance.csv",), "irradiance", "maps", "write_csv", "irradiance"),
     Format((".rays.csv",), "rays on the screen", "rays", "write_rays"),

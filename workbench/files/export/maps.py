@@ -4,7 +4,7 @@ Rows run from +y down and columns from −x on, as in image files.
 """
 
 import io
-from typing import BinaryIO, NamedTuple
+from typing import Any, BinaryIO, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -78,19 +78,18 @@ def write_png(shown: Map, file: BinaryIO) -> Deviation:
         file.write(png.getbuffer())
         with Image.open(png) as again:
             found = low + np.asarray(again, dtype=np.float64) * step
-    return _rounding(shown, found)
+    return rounding_of(shown, found)
 
 
 def write_tiff(shown: Map, file: BinaryIO) -> Deviation:
     """Write single-precision values; the description tells unit and extent."""
-    description = ", ".join(f"{key} {value}" for key, value in _extent(shown).items())
     with io.BytesIO() as tiff:
         image = Image.fromarray(shown.values.astype(np.float32))
-        image.save(tiff, "TIFF", tiffinfo={_DESCRIPTION: description})
+        image.save(tiff, "TIFF", tiffinfo={_DESCRIPTION: described(shown)})
         file.write(tiff.getbuffer())
         with Image.open(tiff) as again:
             found = np.asarray(again, dtype=np.float64)
-    return _rounding(shown, found)
+    return rounding_of(shown, found)
 
 
 def write_npy(shown: Map, file: BinaryIO) -> Deviation:
@@ -100,7 +99,7 @@ def write_npy(shown: Map, file: BinaryIO) -> Deviation:
         file.write(npy.getbuffer())
         npy.seek(0)
         found = np.load(npy)
-    return _rounding(shown, found)
+    return rounding_of(shown, found)
 
 
 def write_csv(shown: Map, file: BinaryIO) -> Deviation:
@@ -125,5 +124,11 @@ def _extent(shown: Map) -> dict[str, str | float]:
     }
 
 
-def _rounding(shown: Map, found: Array) -> Deviation:
+def described(shown: Map) -> str:
+    """Unit and extent in a line of text."""
+    return ", ".join(f"{key} {value}" for key, value in _extent(shown).items())
+
+
+def rounding_of(shown: Map, found: npt.NDArray[Any]) -> Deviation:
+    """How far values of a file are from those shown."""
     return Deviation("rounding", float(np.abs(found - shown.values).max()), shown.unit)
