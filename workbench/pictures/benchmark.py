@@ -17,7 +17,12 @@ from workbench.pictures.experiments import page
 _FONT = 8
 _DPI = 130
 _COLUMNS = 3
-COLOURS = {"paper": "#8a8f98", "transport": "#e0912f", "auto": "#2f86d1"}
+COLOURS = {
+    "paper on torch": "#c3c7cd",
+    "paper": "#8a8f98",
+    "transport": "#e0912f",
+    "auto": "#2f86d1",
+}
 _BAR = "#2f86d1"
 _KINDS = (("image", "o"), ("loss", "s"), ("gradient", "^"))
 

@@ -66,7 +66,7 @@ def test_how_many_times_sooner(scripted, told):
 def test_every_method_runs_and_gets_better(effort, told):
     found = list(courses(effort, told))
     assert [course.method for course in found] == list(METHODS)
-    assert found[0].method == "paper"
+    assert found[0].method == "paper on torch"
     for course in found:
         assert course.failure == ""
         assert list(course.times) == sorted(course.times)

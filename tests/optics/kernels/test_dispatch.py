@@ -66,6 +66,13 @@ def test_a_plan_does_not_compile_what_is_announced(monkeypatch):
     assert ready.is_ready("collimated", torch.float32)
 
 
+def test_kernels_held_back_come_back(make_scene):
+    plan = Plan(make_scene())
+    with ready.held_back():
+        assert not any("fused" in note for note in plan.notes)
+    assert any("fused" in note for note in plan.notes)
+
+
 def test_samples_take_the_place_of_the_sources_rays(make_scene):
     few, many = make_scene({"source.rays": [20, 30]}), make_scene({"source.rays": [70, 80]})
     for fused in (True, False):

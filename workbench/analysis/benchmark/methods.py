@@ -14,6 +14,7 @@ from workbench.design.run import run
 from workbench.design.transport import transport_start
 from workbench.errors import RunFailed
 from workbench.geometry.surface import ControlNet
+from workbench.optics.kernels.ready import held_back
 from workbench.scene import Scene
 
 Array = npt.NDArray[np.float64]
@@ -34,6 +35,12 @@ def _paper(example: Example, iterations: int | None) -> Iterator[tuple[float, Ar
     lens = example.scene.lens.model_copy(update=net)
     coarse = replace(example, scene=example.scene.model_copy(update={"lens": lens}))
     return _designed(coarse, {"method": "paper"}, iterations or _PAPER_ITERATIONS)
+
+
+def _paper_on_torch(example: Example, iterations: int | None) -> Iterator[tuple[float, Array]]:
+    """As printed: the same in plain torch, without the kernels."""
+    with held_back():
+        yield from _paper(example, iterations)
 
 
 def _transport(example: Example, iterations: int | None) -> Iterator[tuple[float, Array]]:
@@ -59,5 +66,10 @@ def _designed(
         yield snapshot.seconds, best
 
 
-METHODS: dict[str, Method] = {"paper": _paper, "transport": _transport, "auto": _auto}
+METHODS: dict[str, Method] = {
+    "paper on torch": _paper_on_torch,
+    "paper": _paper,
+    "transport": _transport,
+    "auto": _auto,
+}
 """What is compared, by name. The first is the one that others are measured against."""

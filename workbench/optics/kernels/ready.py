@@ -7,7 +7,8 @@ none, a plan compiles what it needs at once: a program without a window may as w
 """
 
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 
 import torch
 
@@ -23,10 +24,13 @@ _COMPILERS: dict[str, Callable[[torch.dtype], None]] = {
 _ready: set[tuple[str, torch.dtype]] = set()
 _compiling = threading.Lock()
 _announced = threading.Event()
+_held_back = threading.Event()
 
 
 def is_ready(name: str, dtype: torch.dtype) -> bool:
     """Whether a kernel can be called now; compiles it unless another thread does or will."""
+    if _held_back.is_set():
+        return False
     if (name, dtype) in _ready:
         return True
     if _announced.is_set() and dtype == torch.float32:
@@ -61,6 +65,16 @@ def compile_all(goes_on: Callable[[], bool] = lambda: True) -> None:
                 _compile(name, torch.float32)
     finally:
         _announced.clear()
+
+
+@contextmanager
+def held_back() -> Iterator[None]:
+    """Have all traces done by the reference, as if no kernel were ever ready: for comparisons."""
+    _held_back.set()
+    try:
+        yield
+    finally:
+        _held_back.clear()
 
 
 def _compile(name: str, dtype: torch.dtype) -> None:
