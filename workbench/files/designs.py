@@ -14,6 +14,7 @@ _TARGET = "target.npy"
 _CONTROL_POINTS = "control_points.npy"
 _IRRADIANCE = "irradiance.npy"
 _LOSS = "loss.npy"
+_SECONDS = "seconds.npy"  # sessions of earlier programs have none
 
 
 def entries_of(folder: str, target: Array, result: Result | None) -> dict[str, Array]:
@@ -23,12 +24,16 @@ def entries_of(folder: str, target: Array, result: Result | None) -> dict[str, A
         arrays[folder + _CONTROL_POINTS] = result.control_points
         arrays[folder + _IRRADIANCE] = result.irradiance
         arrays[folder + _LOSS] = result.losses
+        if result.seconds_at is not None:
+            arrays[folder + _SECONDS] = result.seconds_at
     return arrays
 
 
-def names_of(folder: str, figures: Figures | None) -> set[str]:
+def names_of(entries: Entries, folder: str, figures: Figures | None) -> set[str]:
     """Names of the entries of a design that has, or has not, a result."""
     names = [_TARGET] if figures is None else [_TARGET, _CONTROL_POINTS, _IRRADIANCE, _LOSS]
+    if figures is not None and folder + _SECONDS in entries:
+        names.append(_SECONDS)
     return {folder + name for name in names}
 
 
@@ -58,13 +63,15 @@ def read_result(entries: Entries, folder: str, scene: Scene, figures: Figures) -
         If an array is not as scene and figures imply.
     """
     n_x, n_y = scene.screen.pixels
+    seconds, count = folder + _SECONDS, (figures.iterations,)
     return Result(
         control_points=entries.array(folder + _CONTROL_POINTS, scene.lens.control_points),
         irradiance=entries.array(folder + _IRRADIANCE, (n_y, n_x)),
-        losses=entries.array(folder + _LOSS, (figures.iterations,)),
+        losses=entries.array(folder + _LOSS, count),
         loss=figures.loss,
         seconds=figures.seconds,
         ledger=figures.to_ledger(),
         stage_starts=figures.stage_starts or (),
         stages_left=figures.stages_left or 0,
+        seconds_at=entries.array(seconds, count) if seconds in entries else None,
     )

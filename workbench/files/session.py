@@ -111,14 +111,14 @@ def read_session(path: Path) -> Session:
         where = entries.where(_HEADER)
         header = read_header(entries.content(_HEADER, LARGEST_TEXT), where)
         scene = with_absolute_image(read_part(header.scene, where), path)
-        names = {_HEADER} | names_of("", header.result)
+        names = {_HEADER} | names_of(entries, "", header.result)
         if _LOCKED in entries:
             names.add(_LOCKED)
         starts = header.result is None and _START in entries
         if starts:
             names.add(_START)
         for number, run in enumerate(header.runs or ()):
-            names |= names_of(_folder(number), run.result)
+            names |= names_of(entries, _folder(number), run.result)
         entries.check_names(names)
         return Session(
             scene,

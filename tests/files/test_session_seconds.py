@@ -1,0 +1,54 @@
+"""Sessions keep when each iteration ended, which earlier ones did not."""
+
+import zipfile
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from workbench.design.session import KeptRun, Session
+from workbench.design.snapshot import Result
+from workbench.errors import Refused
+from workbench.files.session import read_session, write_session
+from workbench.optics.ledger import Ledger
+
+
+@pytest.fixture
+def session(make_scene, rng):
+    scene = make_scene({"lens.control_points": [5, 4], "screen.pixels": [7, 6]})
+    result = Result(
+        control_points=rng.random((5, 4)),
+        irradiance=rng.random((6, 7)),
+        losses=rng.random(3),
+        loss=0.25,
+        seconds=2.0,
+        ledger=Ledger(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
+        seconds_at=np.array([1.0, 1.25, 2.0]),
+    )
+    target = rng.random((6, 7))
+    earlier = replace(result, seconds_at=None)
+    runs = (KeptRun("now", scene, target, result), KeptRun("earlier", scene, target, earlier))
+    return Session(scene, target, result, runs=runs)
+
+
+def test_seconds_come_back(session, tmp_path):
+    write_session(session, tmp_path / "lens.freeform")
+    found = read_session(tmp_path / "lens.freeform")
+    now, earlier = (run.result for run in found.runs)
+    for result in (found.result, now):
+        assert result.times().tolist() == [1.0, 1.25, 2.0]
+    assert earlier.seconds_at is None
+    assert earlier.times().tolist() == pytest.approx([2 / 3, 4 / 3, 2])
+
+
+def test_seconds_of_another_number_of_iterations_are_refused(session, tmp_path):
+    path = tmp_path / "lens.freeform"
+    write_session(replace(session, runs=()), path)
+    with zipfile.ZipFile(path) as archive:
+        content = {name: archive.read(name) for name in archive.namelist()}
+    content["seconds.npy"] = content["target.npy"]
+    with zipfile.ZipFile(path, "w") as archive:
+        for name, entry in content.items():
+            archive.writestr(name, entry)
+    with pytest.raises(Refused, match=r"seconds\.npy"):
+        read_session(path)
