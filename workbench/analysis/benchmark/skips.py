@@ -3,11 +3,14 @@
 from collections.abc import Callable, Iterator
 
 import numpy as np
+import torch
 
 from workbench.analysis.benchmark.comparison import Measured, Variant, compare, image_error
 from workbench.analysis.benchmark.examples import Example, Tell, wavy
 from workbench.analysis.benchmark.kernels import Descent, rays_of
-from workbench.scene import CollimatedSource
+from workbench.design.wide_image import WideImage
+from workbench.optics.plan import Plan
+from workbench.scene import CollimatedSource, GaussianFilter
 
 _SECONDS = 10.0  # for each question
 
@@ -82,6 +85,30 @@ def _locked() -> list[Variant]:
     )
 
 
+def _pixels() -> list[Variant]:
+    """The image of a run, as wide as its light falls and as wide as it could ever fall."""
+    example = Example.of("flame")
+    scene, heights = example.scene, torch.as_tensor(wavy(example.scene)).requires_grad_()
+    assert isinstance(scene.source, CollimatedSource)
+    samples = scene.source.rays
+
+    def descent(reach: tuple[float, float]) -> Callable[[], object]:
+        none = (False, False)
+        image = WideImage(scene, example.target, GaussianFilter(), samples, none, reach)
+
+        def once() -> object:
+            return torch.autograd.grad(image.compare(heights)[0].square().sum(), [heights])
+
+        return once
+
+    beyond = tuple(4 * r for r in scene.screen.half_width)
+    rays = rays_of(scene)
+    return [
+        Variant("left out", descent(Plan(scene).reach(heights.detach())), rays),
+        Variant("all around the screen", descent((beyond[0], beyond[1])), rays),
+    ]
+
+
 def _pair(with_skip: tuple[str, Descent], without: tuple[str, Descent], rays: int) -> list[Variant]:
     true, *_ = without[1]()
     image, *_ = with_skip[1]()
@@ -96,6 +123,7 @@ SKIPS: dict[str, Callable[[], list[Variant]]] = {
     "collimated light: basis values and rays": lambda: _constants("flame"),
     "point source: rays up to the exit face": lambda: _constants("flame-point"),
     "box filter: ghost pixels and taps": _taps,
+    "pixels that no light reaches": _pixels,
     "symmetric in x: one half": lambda: _mirrored(True, False),
     "symmetric in x and y: three quarters": lambda: _mirrored(True, True),
     "locked control points: three quarters": _locked,
