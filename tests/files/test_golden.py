@@ -1,0 +1,105 @@
+"""Files that earlier programs wrote open for ever; see `golden`.
+
+``first`` is by the first program that wrote sessions, ``staged`` by the first that ran in stages;
+``compared`` has locks, kept runs and a view, ``started`` a lens of another task.
+"""
+
+import io
+import json
+import zipfile
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from workbench.files.session import read_session, write_session
+
+GOLDEN = Path(__file__).parent / "golden"
+NAMES = sorted(path.name for path in GOLDEN.iterdir())
+
+
+def arrays_of(path):
+    """The arrays as numpy itself reads them, by the names of their entries."""
+    with zipfile.ZipFile(path) as archive:
+        return {
+            name.removesuffix(".npy"): np.load(io.BytesIO(archive.read(name)))
+            for name in archive.namelist()
+            if name.endswith(".npy")
+        }
+
+
+def header_of(path):
+    with zipfile.ZipFile(path) as archive:
+        return json.loads(archive.read("session.json"))
+
+
+def assert_result(result, figures, arrays):
+    for name in ("control_points", "irradiance"):
+        np.testing.assert_array_equal(getattr(result, name), arrays[name])
+    np.testing.assert_array_equal(result.losses, arrays["loss"])
+    for name in ("loss", "iterations", "seconds"):
+        assert getattr(result, name) == figures[name]
+    told = result.ledger.to_data()
+    assert {name: told[name] for name in figures["ledger"]} == figures["ledger"]
+
+
+def test_they_are_all_there():
+    assert NAMES == ["compared.freeform", "first.freeform", "staged.freeform", "started.freeform"]
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_they_open_with_all_that_is_in_them(name):
+    session = read_session(GOLDEN / name)
+    header, arrays = header_of(GOLDEN / name), arrays_of(GOLDEN / name)
+    assert header["version"] == 1
+    assert session.scene.lens.control_points == (6, 5)
+    np.testing.assert_array_equal(session.target, arrays["target"])
+    if "result" in header:
+        assert_result(session.result, header["result"], arrays)
+    for number, run in enumerate(session.runs):
+        folder = f"runs/{number}/"
+        own = {k.removeprefix(folder): v for k, v in arrays.items() if k.startswith(folder)}
+        np.testing.assert_array_equal(run.target, own["target"])
+        assert_result(run.result, header["runs"][number]["result"], own)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_they_can_be_written_again_and_lose_nothing(name, tmp_path):
+    session = read_session(GOLDEN / name)
+    write_session(session, tmp_path / name)
+    before, after = arrays_of(GOLDEN / name), arrays_of(tmp_path / name)
+    assert before.keys() == after.keys()
+    for entry, array in before.items():
+        np.testing.assert_array_equal(after[entry], array)
+    again = read_session(tmp_path / name)
+    assert again.scene == session.scene
+    assert again.view == session.view
+
+
+def test_what_the_first_program_found():
+    session = read_session(GOLDEN / "first.freeform")
+    assert session.result.loss == 0.002639537211507559
+    assert session.result.ledger.left_side == 0
+    assert session.result.stage_starts == ()
+    assert (session.locked, session.runs, session.view, session.start) == (None, (), None, None)
+
+
+def test_what_a_run_in_stages_found():
+    session = read_session(GOLDEN / "staged.freeform")
+    assert session.result.stage_starts == (3,)
+    assert session.scene.run.stages[0].control_points == (4, 4)
+
+
+def test_what_belongs_to_the_window():
+    session = read_session(GOLDEN / "compared.freeform")
+    np.testing.assert_array_equal(session.locked, np.arange(6)[:, None] < [2] * 5)
+    assert [run.name for run in session.runs] == ["coarse, then fine"]
+    assert session.runs[0].result.stage_starts == (3,)
+    assert session.view == {"camera": [0.5, None, True], "colour map": "viridis"}
+
+
+def test_a_lens_of_another_task():
+    session = read_session(GOLDEN / "started.freeform")
+    first = read_session(GOLDEN / "first.freeform")
+    assert session.result is None
+    np.testing.assert_array_equal(session.start, first.result.control_points)
