@@ -21,7 +21,7 @@ from workbench.files.scene import read_scene
 from workbench.scene import ImageTarget
 
 _PICTURE = 96  # logical pixels
-_CELL = QSize(150, 160)
+_CELL = 150  # wide
 _SIZE = QSize(680, 560)
 
 
@@ -54,7 +54,8 @@ class Gallery(QDialog):
         self._list.setResizeMode(QListView.ResizeMode.Adjust)
         self._list.setMovement(QListView.Movement.Static)
         self._list.setIconSize(QSize(_PICTURE, _PICTURE))
-        self._list.setGridSize(_CELL)
+        below = 3 * self._list.fontMetrics().lineSpacing()  # two lines, and some air
+        self._list.setGridSize(QSize(_CELL, _PICTURE + below))
         self._list.setWordWrap(True)
         for example in examples:
             self._list.addItem(self._item(example))

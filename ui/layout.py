@@ -38,8 +38,10 @@ class Layout:
                 restore(kept)
 
     def reset(self) -> None:
-        """All docks as at first."""
+        """All docks as at first; a window that they made larger than the screen fits again."""
         self._window.restoreState(self._first)
+        room = self._window.screen().availableSize()
+        self._window.resize(self._window.size().boundedTo(room))
         self._workspace.arrange()
 
     def keep(self) -> None:

@@ -42,6 +42,7 @@ class CommandPalette(QDialog):
         self._field.textChanged.connect(self._find)
         self._field.installEventFilter(self)
         self._found = QTreeWidget()
+        self._found.setObjectName("commands")  # for the style sheet
         self._found.setColumnCount(2)
         self._found.setHeaderHidden(True)
         self._found.setRootIsDecorated(False)

@@ -37,6 +37,7 @@ class Shortcuts(QDialog):
         self._field.setClearButtonEnabled(True)
         self._field.textChanged.connect(self._find)
         self._table = QTreeWidget()
+        self._table.setObjectName("commands")  # for the style sheet
         self._table.setAccessibleName("Keyboard shortcuts")
         self._table.setHeaderLabels(["Command", "Key"])
         self._table.setRootIsDecorated(False)

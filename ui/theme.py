@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from PySide6.QtCore import QByteArray, Qt
+from PySide6.QtCore import QByteArray, Qt, QTimer
 from PySide6.QtGui import QColor, QIcon, QPainter, QPalette, QPixmap
 from PySide6.QtSvg import QSvgRenderer
 from PySide6.QtWidgets import QApplication, QWidget
@@ -23,7 +23,10 @@ def apply(application: QApplication) -> None:
     application.setStyle("Fusion")
     application.setWindowIcon(QIcon(str(_icon_file("workbench"))))
     _colour(application)
-    application.styleHints().colorSchemeChanged.connect(lambda _: _colour(application))
+    # The palette follows only after this signal.
+    application.styleHints().colorSchemeChanged.connect(
+        lambda _: QTimer.singleShot(0, application, lambda: _colour(application))
+    )
 
 
 def is_dark(palette: QPalette) -> bool:
@@ -79,6 +82,11 @@ def _colour(application: QApplication) -> None:
             font-weight: 600; border: none; border-bottom: 1px solid palette(mid); padding: 4px;
         }}
         QToolButton#heading:hover, QToolButton#heading:focus {{ background: palette(midlight); }}
+        QDockWidget[active="true"]::title {{
+            background: palette(midlight); border-bottom: 2px solid palette(highlight);
+            padding: 1px 4px;
+        }}
+        QTreeWidget#commands::item {{ padding: 3px; }}
         QLabel#hint {{ background: {_NOTE[scheme]}; padding: 6px; }}
         QFrame#warning {{ background: {_WARNING[scheme]}; }}
         QFrame#note {{ background: {_NOTE[scheme]}; }}

@@ -205,7 +205,7 @@ class Bubble(QFrame):
         """Stand where there is room beside the target, or in its middle."""
         self._text.setMinimumWidth(44 * self.fontMetrics().averageCharWidth())
         width = self.sizeHint().width()
-        own = QRect(0, 0, width, self._column.heightForWidth(width))
+        own = QRect(0, 0, width, self._column.totalHeightForWidth(width))
         gap = self.fontMetrics().averageCharWidth()
         middle = target.center() - own.center()
         places = (

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from ui.frame import Frame
     from workbench.files.session import Session
 
-_NARROWEST = 250  # pixels; less would be labels alone
+_NARROWEST = 200  # pixels; less would be labels alone
 _ZOOM = 1.25  # for each step of the wheel
 _NEAREST = 200.0  # times; a pixel is large enough then
 _DRAG = 4.0  # pixels that a click may shake

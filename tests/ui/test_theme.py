@@ -1,0 +1,52 @@
+"""Light and dark, also when the system changes its mind while the window is open."""
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QColor, QPalette
+
+from ui import theme
+
+
+@pytest.fixture
+def application(qapp):
+    sheet, palette, style = qapp.styleSheet(), qapp.palette(), qapp.style().name()
+    yield qapp
+    qapp.setStyleSheet(sheet)
+    qapp.setPalette(palette)
+    qapp.setStyle(style)
+
+
+def dark_palette():
+    return QPalette(QColor("#222"), QColor("#222"))
+
+
+def test_colours_follow_the_palette_which_comes_after_the_signal(application, qtbot):
+    theme.apply(application)
+    light = application.styleSheet()
+    application.styleHints().colorSchemeChanged.emit(Qt.ColorScheme.Dark)
+    application.setPalette(dark_palette())
+    qtbot.waitUntil(lambda: application.styleSheet() != light)
+    assert theme._REFUSED["light"] in light
+    assert theme._REFUSED["dark"] in application.styleSheet()
+
+
+def contrast(one, other):
+    """Of WCAG 2: 1 for equal colours, 21 for black on white."""
+
+    def luminance(colour):
+        parts = [getattr(QColor(colour), part)() for part in ("redF", "greenF", "blueF")]
+        linear = [p / 12.92 if p <= 0.04045 else ((p + 0.055) / 1.055) ** 2.4 for p in parts]
+        return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+
+    dark, bright = sorted([luminance(one), luminance(other)])
+    return (bright + 0.05) / (dark + 0.05)
+
+
+@pytest.mark.parametrize(
+    ("scheme", "ground", "text"), [("light", "#efefef", "#000"), ("dark", "#323232", "#fff")]
+)
+def test_what_is_coloured_can_be_read(scheme, ground, text):
+    """On Fusion's own grounds; 4.5 is what WCAG asks of text."""
+    assert contrast(theme._REFUSED[scheme], ground) >= 4.5
+    for ground_of_message in (theme._WARNING, theme._NOTE):
+        assert contrast(text, ground_of_message[scheme]) >= 7
