@@ -1,17 +1,26 @@
 """``freeform validate``."""
 
 import json
+from collections.abc import Sequence
 from pathlib import Path
 
 from workbench.analysis.cross_check import CrossCheck, cross_check
+from workbench.analysis.focus import Focus, focus_series
 from workbench.analysis.metrics import relative_l2
 from workbench.analysis.validation import Validation, with_screen_at
 from workbench.analysis.validation import validate as trace_anew
 from workbench.cli.designed import read_designed
+from workbench.files.atomic import check_writable, replacing
 
 
 def validate(
-    path: Path, rays: int, screen_z: float | None, with_mitsuba: bool, as_json: bool
+    path: Path,
+    rays: int,
+    screen_z: float | None,
+    with_mitsuba: bool,
+    distances: Sequence[float],
+    plot: Path | None,
+    as_json: bool,
 ) -> None:
     """Trace the lens of a session anew and print what that shows.
 
@@ -25,20 +34,27 @@ def validate(
         Where the screen is, in place of the scene's.
     with_mitsuba : bool
         Whether Mitsuba 3 traces the lens too, to be compared.
+    distances : sequence of float
+        Where else screens stand, to see the image through focus.
+    plot : Path, optional
+        PNG of the images there to write.
     as_json : bool
         Whether figures are printed as JSON.
 
     Raises
     ------
     Refused
-        If the session cannot be read or holds no lens, the screen may touch the lens there, or
-        Mitsuba is asked for and not installed.
+        If the session cannot be read or holds no lens, a screen may touch the lens, the plot
+        cannot be written, or Mitsuba is asked for and not installed.
     RunFailed
         If no light reaches the screen.
     """
     session, result = read_designed(path)
     scene = session.scene if screen_z is None else with_screen_at(session.scene, screen_z)
     task = scene, session.target, result.control_points, rays
+    if plot is not None:
+        check_writable(plot)
+    series = list(focus_series(*task[:3], distances, rays))
     compared = cross_check(*task) if with_mitsuba else None
     found = trace_anew(*task)
     # The optimiser's image is one on the scene's screen.
@@ -46,11 +62,22 @@ def validate(
     difference = None if elsewhere else relative_l2(found.irradiance, result.irradiance)
     if as_json:
         figures = found.to_data() | {"optimiser_difference": difference}
-        print(json.dumps(figures | ({"cross_check": compared.to_data()} if compared else {})))
+        if compared:
+            figures["cross_check"] = compared.to_data()
+        if series:
+            figures["through_focus"] = [each.to_data() for each in series]
+        print(json.dumps(figures))
     else:
         _print(found, difference)
         if compared:
             _print_compared(compared)
+        if series:
+            _print_series(series)
+    if plot is not None:
+        from workbench.pictures.focus import write_focus  # late: draws, takes long to import
+
+        with replacing(plot) as file:
+            write_focus(file, scene, session.target, series)
 
 
 def _print(found: Validation, difference: float | None) -> None:
@@ -98,6 +125,12 @@ def _print_compared(found: CrossCheck) -> None:
         ("efficiency", found.ours.efficiency, found.mitsuba.efficiency),
     ):
         print(f"{name:<18}{ours:<10.5f}{theirs:.5f}")
+
+
+def _print_series(series: Sequence[Focus]) -> None:
+    print(f"\n{'screen at z':<18}{'relative L2':<14}efficiency")
+    for each in series:
+        print(f"{each.z:<18.6g}{each.relative_l2:<14.5f}{each.efficiency:.5f}")
 
 
 def _interval(ends: tuple[float, float]) -> str:

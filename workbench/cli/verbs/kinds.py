@@ -4,6 +4,8 @@ import argparse
 import math
 from contextlib import suppress
 
+_MOST_DISTANCES = 1000
+
 
 def positive(text: str) -> float:
     """A number greater than 0; may be infinite."""
@@ -27,3 +29,15 @@ def count(text: str) -> int:
         if (number := int(text)) > 0:
             return number
     raise argparse.ArgumentTypeError(f"{text!r}; a whole number greater than 0 is needed")
+
+
+def distances(text: str) -> tuple[float, ...]:
+    """Equal steps: ``first:last:number``."""
+    with suppress(ValueError):
+        first, last, number = text.split(":")
+        low, high, steps = float(first), float(last), int(number)
+        if math.isfinite(high - low) and high > low and 2 <= steps <= _MOST_DISTANCES:
+            return tuple(low + (high - low) * step / (steps - 1) for step in range(steps))
+    raise argparse.ArgumentTypeError(
+        f"{text!r}; first:last:number is needed, as in 4:6:9, with 2 to {_MOST_DISTANCES} of them"
+    )

@@ -2,6 +2,7 @@
 
 import argparse
 import shutil
+import textwrap
 from collections.abc import Callable, Sequence
 from typing import Any, NoReturn
 
@@ -24,11 +25,15 @@ class Parser(argparse.ArgumentParser):
 
 
 class _Help(argparse.RawDescriptionHelpFormatter):
-    """Keeps the lines of examples as they are."""
+    """Keeps lines as they are, as long as they fit."""
 
     def __init__(self, prog: str) -> None:
         width = min(shutil.get_terminal_size().columns, _WIDEST)
         super().__init__(prog, max_help_position=_INDENT, width=width)
+
+    def _fill_text(self, text: str, width: int, indent: str) -> str:
+        lines = [textwrap.wrap(line, width) or [""] for line in text.splitlines()]
+        return "\n".join(indent + part for line in lines for part in line)
 
 
 def add_verb(

@@ -1,11 +1,13 @@
 """``freeform validate``: its arguments."""
 
 import argparse
+from pathlib import Path
 from typing import Any
 
-from workbench.cli.verbs.kinds import count
+from workbench.cli.verbs.kinds import count, distances
 from workbench.cli.verbs.parser import add_verb
 from workbench.cli.verbs.shared import add_json, add_session
+from workbench.errors import Refused
 
 DOES = "check a lens by an independent trace"
 
@@ -19,6 +21,7 @@ def add(commands: Any) -> None:
         [
             "validate flame.freeform --rays 16000000",
             "validate flame.freeform --screen-z 5.2 --json",
+            "validate flame.freeform --through-focus 4:6:9 --plot focus.png",
             "validate flame.freeform --with mitsuba",
         ],
         _run,
@@ -30,6 +33,14 @@ def add(commands: Any) -> None:
     parser.add_argument(
         "--screen-z", metavar="Z", type=float, help="where the screen is, in place of the scene's"
     )
+    parser.add_argument(
+        "--through-focus",
+        metavar="Z:Z:N",
+        type=distances,
+        default=(),
+        help="also the images on N screens from one distance to another",
+    )
+    parser.add_argument("--plot", metavar="FILE.png", type=Path, help="draw these images")
     parser.add_argument(
         "--with",
         dest="other",
@@ -43,5 +54,14 @@ def add(commands: Any) -> None:
 def _run(options: argparse.Namespace) -> None:
     from workbench.cli.validate import validate
 
-    with_mitsuba = options.other == "mitsuba"
-    validate(options.session, options.rays, options.screen_z, with_mitsuba, options.json)
+    if options.plot is not None and not options.through_focus:
+        raise Refused("usage", "--plot draws images through focus; give --through-focus as well")
+    validate(
+        options.session,
+        options.rays,
+        screen_z=options.screen_z,
+        with_mitsuba=options.other == "mitsuba",
+        distances=options.through_focus,
+        plot=options.plot,
+        as_json=options.json,
+    )

@@ -1,0 +1,41 @@
+import numpy as np
+import pytest
+
+from workbench.analysis import focus
+from workbench.analysis.focus import focus_series
+from workbench.analysis.validation import validate
+from workbench.errors import Refused
+
+
+@pytest.fixture
+def lens(make_scene, rng):
+    scene = make_scene({"screen.pixels": [16, 12], "screen.half_width": [0.8, 0.9]})
+    return scene, np.ones((12, 16)), 0.5 + 0.05 * rng.random((12, 10))
+
+
+def test_each_distance_as_if_the_screen_stood_there(lens):
+    found = list(focus_series(*lens, (3.0, 5.0, 7.5), 20_000))
+    assert [each.z for each in found] == [3.0, 5.0, 7.5]
+    for each in found:
+        alone = validate(*lens, 20_000, screen_z=each.z)
+        assert each.relative_l2 == pytest.approx(alone.relative_l2, rel=1e-9)
+        assert each.efficiency == pytest.approx(alone.efficiency, rel=1e-9)
+        assert each.irradiance == pytest.approx(alone.irradiance, rel=1e-6)
+
+
+def test_some_at_a_time_is_the_same(lens, monkeypatch):
+    at_once = [each.to_data() for each in focus_series(*lens, (3, 4, 5, 6, 7), 5_000)]
+    monkeypatch.setattr(focus, "_LARGEST_IMAGES", 2 * 16 * 12 * 8)
+    assert [each.to_data() for each in focus_series(*lens, (3, 4, 5, 6, 7), 5_000)] == at_once
+
+
+def test_no_light_is_all_wrong(make_scene):
+    scene = make_scene({"screen.half_width": [1e-3, 1e-3]})
+    x = np.linspace(-1, 1, 12)[:, None] + np.zeros(10)
+    (found,) = focus_series(scene, np.ones((32, 32)), 0.5 + 0.2 * x, (50.0,), 1000)
+    assert (found.relative_l2, found.efficiency) == (1.0, 0.0)
+
+
+def test_within_the_lens(lens):
+    with pytest.raises(Refused, match=r"screen\.z: 0\.7 may touch the lens"):
+        list(focus_series(*lens, (5.0, 0.7), 100))

@@ -1,0 +1,63 @@
+import json
+
+import numpy as np
+import pytest
+
+from workbench.design.snapshot import Result
+from workbench.files.session import Session, write_session
+from workbench.optics.ledger import Ledger
+
+
+@pytest.fixture
+def lens(make_scene, tmp_path):
+    ledger = Ledger(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1)
+    flat = Result(np.full((12, 10), 0.5), np.ones((32, 32)), np.zeros(1), 0.1, 1.0, ledger)
+    path = tmp_path / "lens.freeform"
+    write_session(Session(make_scene(), np.ones((32, 32)), flat), path)
+    return path
+
+
+FEW = ("--rays", 20_000)
+
+
+def test_figures_and_plot(freeform, lens, tmp_path):
+    plot = tmp_path / "focus.png"
+    focus = ("--through-focus", "3:8:6", "--plot", plot)
+    status, printed, told = freeform("validate", lens, *FEW, *focus, "--json")
+    assert (status, told) == (0, "")
+    series = json.loads(printed)["through_focus"]
+    assert [each["z"] for each in series] == [3, 4, 5, 6, 7, 8]
+    # Parallel light behind a flat lens is the same everywhere.
+    assert [each["efficiency"] for each in series] == pytest.approx([0.96**2] * 6, rel=1e-9)
+    assert max(each["relative_l2"] for each in series) < 0.5
+    assert plot.read_bytes().startswith(b"\x89PNG")
+
+
+def test_for_people(freeform, lens):
+    printed = freeform("validate", lens, *FEW, "--through-focus", "4:6:3")[1]
+    assert [line.split()[0] for line in printed.splitlines()[-3:]] == ["4", "5", "6"]
+    assert "through_focus" not in json.loads(freeform("validate", lens, *FEW, "--json")[1])
+
+
+@pytest.mark.parametrize(
+    "arguments, reason",
+    [
+        (("--through-focus", "4:6"), "usage: argument --through-focus: '4:6'; first:last:number"),
+        (("--through-focus", "6:4:3"), "usage: argument --through-focus: '6:4:3'"),
+        (("--through-focus", "4:inf:3"), "usage: argument --through-focus: '4:inf:3'"),
+        (("--through-focus", "4:6:1"), "usage: argument --through-focus: '4:6:1'"),
+        (("--through-focus", "0.6:6:3"), "screen.z: 0.6 may touch the lens"),
+        (("--plot", "a.png"), "usage: --plot draws images through focus"),
+    ],
+)
+def test_refusals(freeform, lens, arguments, reason):
+    status, printed, told = freeform("validate", lens, *arguments)
+    assert (status, printed) == (2, "")
+    assert told.startswith(f"freeform: {reason}")
+
+
+def test_a_plot_that_cannot_be_written_is_refused_at_once(freeform, lens, tmp_path):
+    focus = ("--through-focus", "4:6:3", "--plot", tmp_path / "missing" / "a.png")
+    status, printed, told = freeform("validate", lens, *focus)
+    assert (status, printed) == (2, "")
+    assert "its folder does not exist" in told

@@ -1,0 +1,78 @@
+"""The image of a lens on screens at several distances: through focus."""
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from workbench.analysis.metrics import relative_l2
+from workbench.analysis.validation import through_focus
+from workbench.scene import Scene
+
+Array = npt.NDArray[np.float64]
+
+# Bytes of images that one trace fills.
+_LARGEST_IMAGES = 1 << 27
+
+
+@dataclass(frozen=True, eq=False)
+class Focus:
+    """The image at one distance.
+
+    Attributes
+    ----------
+    z : float
+        Where the screen is.
+    relative_l2 : float
+        Error against the target, ray noise included; 1 where there is no light.
+    efficiency : float
+        Part of the emitted flux that lands on the screen.
+    irradiance : ndarray of float32, shape (n_y, n_x)
+        Flux per area, row 0 at +y.
+    """
+
+    z: float
+    relative_l2: float
+    efficiency: float
+    irradiance: npt.NDArray[np.float32]
+
+    def to_data(self) -> dict[str, float]:
+        """The figures by name, for JSON."""
+        return {"z": self.z, "relative_l2": self.relative_l2, "efficiency": self.efficiency}
+
+
+def focus_series(
+    scene: Scene,
+    target: Array,
+    control_points: Array,
+    distances: Sequence[float],
+    rays: int = 1_000_000,
+) -> Iterator[Focus]:
+    """Images at several distances, by the same rays.
+
+    Parameters
+    ----------
+    scene, target, control_points, rays
+        As for `workbench.analysis.validation.validate`.
+    distances : sequence of float
+        z of each screen; as large as the scene's.
+
+    Yields
+    ------
+    Focus
+        One for each.
+
+    Raises
+    ------
+    Refused
+        If a screen may touch the lens.
+    """
+    at_once = max(_LARGEST_IMAGES // (8 * math.prod(scene.screen.pixels)), 1)
+    for first in range(0, len(distances), at_once):
+        some = distances[first : first + at_once]
+        images = through_focus(scene, control_points, some, rays)
+        for z, image in zip(some, images, strict=True):
+            flux = float(image.sum()) * scene.screen.pixel_area
+            yield Focus(z, relative_l2(image, target), flux, image.astype(np.float32))
