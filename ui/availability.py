@@ -43,6 +43,13 @@ class Situation:
         """Whether the lens on show stays as it is until somebody asks for another."""
         return self.state in ("idle", "paused")
 
+    def texts(self) -> dict[str, str]:
+        """What commands are called that do one thing or another."""
+        return {
+            "start": "&Start over" if self.has_lens else "&Start",
+            "pause": "&Resume" if self.state == "paused" else "&Pause",
+        }
+
     def allows(self) -> dict[str, bool]:
         """Which of the commands are available; those that are left out always are."""
         idle, under_way = self.state == "idle", self.state in ("running", "paused")

@@ -105,8 +105,18 @@ COMMANDS = {
         "Save the plot that was clicked last: as a picture (PNG, SVG) or its numbers (CSV)",
         "Ctrl+Shift+E",
     ),
-    "start": Command("&Start", "Design the lens from its start", "F5", "start"),
-    "continue": Command("&Continue", "Go on from the lens as it is", "Shift+F5", "continue"),
+    "start": Command(
+        "&Start",
+        "Design the lens from nothing; one that is there gives way, and Undo brings it back",
+        "F5",
+        "start",
+    ),
+    "continue": Command(
+        "&Continue",
+        "Go on designing from the lens as it is, with as many more iterations",
+        "Shift+F5",
+        "continue",
+    ),
     "pause": Command("&Pause", "Hold the design; again to go on", "F6", "pause", checked=False),
     "stop": Command("S&top", "End the design and keep its best lens", "F7", "stop"),
     "restore_run": Command(

@@ -67,6 +67,11 @@ class Commands:
         for name, allow in allowed.items():
             self[name].setEnabled(allow and name in self._connected)
 
+    def reword(self, texts: Mapping[str, str]) -> None:
+        """Call commands by other names."""
+        for name, text in texts.items():
+            self[name].setText(text)
+
     def entries(self) -> list[tuple[str, QAction]]:
         """All actions of the menus as they are now, with menus and text for a name."""
         bar = self._window.menuBar()

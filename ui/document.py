@@ -35,9 +35,21 @@ class Document(QObject):
         What is open at first.
     name : str
         What the title calls it until it has a file of its own.
+
+    Attributes
+    ----------
+    session_changed : Signal(Session)
+        Another session is open, in whatever way it came.
+    edited : Signal(Session, Session)
+        An edit has led from the one to the other.
+    path_changed : Signal()
+        The design has another file.
+    dirty_changed : Signal(bool)
+        Whether closing now would lose changes.
     """
 
     session_changed = Signal(object)
+    edited = Signal(object, object)
     path_changed = Signal()
     dirty_changed = Signal(bool)
 
@@ -100,7 +112,9 @@ class Document(QObject):
         target = old.target
         if _wish(scene) != _wish(old.scene):
             target = load_target(scene, self.suggested_path.parent)
-        self.change(old.with_scene(scene, target), text, key)
+        after = old.with_scene(scene, target)
+        self.change(after, text, key)
+        self.edited.emit(old, after)
 
     def set_result(self, result: Result, text: str) -> None:
         """Put a run's result into the session, as one step that can be undone."""

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QMainWindow
 
 from resources import EXAMPLES, Example
 from ui.availability import Situation
+from ui.carried_lens import CarriedLens
 from ui.colour_map import ColourMap
 from ui.command_table import COMMANDS, NEW
 from ui.commands import Commands
@@ -87,6 +88,7 @@ class MainWindow(QMainWindow):
         self.messages.said.connect(self.log.add)
         self.forms = Forms(document)
         self.forms.told.connect(self.log.add)
+        CarriedLens(document, self.messages, self).told.connect(self.log.add)
         steps = document.undo_stack
         self.workspace = Workspace(self, self.forms, self.messages, steps, self.log)
         self._settings = settings
@@ -340,8 +342,9 @@ class MainWindow(QMainWindow):
     def _show_recent(self) -> None:
         menu = self.commands.menus["Open &recent"]
         menu.clear()
-        for path in self._recent.paths():
-            menu.addAction(str(path).replace("&", "&&"), partial(self.files.open_recent, path))
+        for number, path in enumerate(self._recent.paths(), 1):
+            text = f"&{number % 10} " + str(path).replace("&", "&&")  # a digit opens it
+            menu.addAction(text, partial(self.files.open_recent, path))
         menu.setEnabled(not menu.isEmpty())
 
     def _show_frame(self, frame: "Frame") -> None:
@@ -360,8 +363,8 @@ class MainWindow(QMainWindow):
             can_revert=self.document.path is not None and self.document.dirty,
         )
         commands.allow(now.allows())
-        commands["undo"].setText(f"&Undo {stack.undoText()}")
-        commands["redo"].setText(f"&Redo {stack.redoText()}")
+        commands.reword(now.texts())
+        commands.reword({"undo": f"&Undo {stack.undoText()}", "redo": f"&Redo {stack.redoText()}"})
         commands["pause"].setChecked(now.state == "paused")
         self.forms.set_running(not now.editable)
         self.workspace.history.setEnabled(now.editable)

@@ -13,7 +13,7 @@ from workbench.scene import Scene
 
 @pytest.fixture
 def session(make_scene, rng):
-    scene = make_scene()  # 12 × 10 control points of degree (3, 2)
+    scene = make_scene()
     n_x, n_y = scene.screen.pixels
     result = Result(
         control_points=0.5 + 0.01 * rng.normal(size=scene.lens.control_points),

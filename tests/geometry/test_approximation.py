@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from workbench.geometry.approximation import deviation, project
+from workbench.geometry.approximation import deviation, nearest_finer, project
 from workbench.geometry.surface import ControlNet
 
 HALF_WIDTH = (1.5, 0.7)
@@ -92,3 +92,12 @@ def test_a_smooth_surface_is_held_better_by_more_points(rng):
     assert errors[0] / errors[1] == pytest.approx(16, rel=0.5)
     assert errors[1] / errors[2] == pytest.approx(16, rel=0.5)
     assert errors[3] < errors[1] / 5
+
+
+def test_the_nearest_net_that_holds_the_surface():
+    coarse = net(64, 40)  # 61 and 37 spans
+    assert nearest_finer(coarse, (128, 128), 1024) == (125, 114)
+    assert nearest_finer(coarse, (64, 10), 1024) == (64, 40)
+    assert nearest_finer(coarse, (1024, 1024), 1024) == (979, 1002)
+    for wished in ((70, 200), (300, 41)):
+        assert net(*nearest_finer(coarse, wished, 1024)).contains(coarse)

@@ -36,7 +36,10 @@ class LookBack(QWidget):
         self._text = QLabel()
         self._text.setMinimumWidth(self._text.fontMetrics().horizontalAdvance("iteration 00000"))
         self._button = QPushButton("Go on from here")
-        self._button.setToolTip("Make this lens the design's, and continue the run from it")
+        self._button.setToolTip(
+            "Make the lens of this moment the design's, and continue from it; "
+            "Undo brings the later one back"
+        )
         self._button.clicked.connect(lambda: self.went_on.emit(self._frame))
         row = QHBoxLayout(self)
         row.setContentsMargins(8, 0, 8, 4)

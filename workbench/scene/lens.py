@@ -14,7 +14,9 @@ from workbench.refusals import told_by
 from workbench.scene.part import NonNegative, Part, Positive
 
 Degree = Annotated[int, Field(ge=1, le=7)]
-NetSize = Annotated[int, Field(ge=2, le=1024)]
+LARGEST_NET = 1024
+"""Control points along an axis, at most."""
+NetSize = Annotated[int, Field(ge=2, le=LARGEST_NET)]
 
 
 class FlatBase(Part):

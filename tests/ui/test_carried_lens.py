@@ -1,0 +1,125 @@
+"""What is said and offered when an edit changes the net or the task of a designed lens."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QObject, Qt
+
+from ui.carried_lens import CarriedLens
+from ui.document import Document
+from ui.message_bar import MessageBar
+from ui.panels.forms import Forms
+from workbench.geometry.approximation import deviation
+from workbench.geometry.surface import ControlNet
+
+
+@pytest.fixture
+def desk(qtbot, session, history, rng):
+    """Forms over a document with a lens that no coarser net can hold, and what is said of it."""
+    result = history(4).result()
+    heights = result.control_points + 0.01 * rng.normal(size=result.control_points.shape)
+    document = Document(
+        replace(session, result=replace(result, control_points=heights)), "designed"
+    )
+    document.setParent(owner := QObject())
+    owner.forms, owner.messages, owner.document = Forms(document), MessageBar(), document
+    owner.log = []
+    CarriedLens(document, owner.messages, owner).told.connect(owner.log.append)
+    qtbot.addWidget(owner.forms)
+    qtbot.addWidget(owner.messages)
+    owner.forms.show()
+    yield owner
+    owner.deleteLater()
+
+
+def type_in(desk, qtbot, path, text):
+    """Type into the field at a path, as a person does."""
+    rows = (row for panel in desk.forms.panels for row in panel.rows)
+    editor = next(row.editors[path] for row in rows if path in getattr(row, "editors", {}))
+    editor.setFocus()
+    editor.selectAll()
+    qtbot.keyClicks(editor, text)
+    qtbot.keyClick(editor, Qt.Key.Key_Return)
+
+
+def test_a_finer_net_that_holds_the_lens_keeps_its_result(desk, qtbot):
+    before = desk.document.session
+    type_in(desk, qtbot, "lens.control_points[0]", "21")  # 9 spans of degree 3 become 18
+    after = desk.document.session
+    assert after.result.control_points.shape == (21, 10)
+    assert after.result.irradiance is before.result.irradiance
+    assert desk.messages.text == "On 21 × 10 control points the lens is the same."
+    assert desk.document.undo_stack.count() == 1
+    desk.document.undo_stack.undo()
+    assert desk.document.session is before
+    assert desk.messages.text == ""
+
+
+def test_a_net_that_cannot_hold_the_lens_asks(desk, qtbot):
+    before = desk.document.session
+    type_in(desk, qtbot, "lens.control_points[0]", "20")
+    after = desk.document.session
+    assert after.result is None and after.start.shape == (20, 10)
+    off = deviation(
+        ControlNet.of(before.scene.lens),
+        before.control_points,
+        ControlNet.of(after.scene.lens),
+        after.start,
+    )
+    assert f"off by up to {off:.2g} cm" in desk.messages.text
+    assert desk.messages._button.text() == "Take 21 × 10, exact"
+    qtbot.mouseClick(desk.messages._button, Qt.MouseButton.LeftButton)
+    taken = desk.document.session
+    assert taken.scene.lens.control_points == (21, 10)
+    assert taken.result.loss == before.result.loss
+    assert desk.messages.text == ""
+    desk.document.undo_stack.undo()
+    assert desk.document.session is after
+
+
+def test_both_numbers_of_a_net_are_one_change_of_mind(desk, qtbot):
+    before = desk.document.session
+    type_in(desk, qtbot, "lens.control_points[0]", "20")
+    type_in(desk, qtbot, "lens.control_points[1]", "19")
+    # Offered and measured from the lens that was designed, 9 × 7 spans.
+    assert desk.messages._button.text() == "Take 21 × 17, exact"
+    qtbot.mouseClick(desk.messages._button, Qt.MouseButton.LeftButton)
+    taken = desk.document.session
+    assert taken.result is not None
+    np.testing.assert_array_equal(
+        taken.result.control_points,
+        ControlNet.of(before.scene.lens).refine(
+            before.control_points, ControlNet.of(taken.scene.lens)
+        ),
+    )
+
+
+def test_a_coarser_net_has_no_exact_one_to_offer(desk, qtbot):
+    type_in(desk, qtbot, "lens.control_points[0]", "6")
+    assert "off by up to" in desk.messages.text
+    assert desk.messages._button.isHidden()
+    type_in(desk, qtbot, "lens.control_points[0]", "12")
+    assert desk.document.session.result is not None
+    assert desk.messages.text == ""
+
+
+def test_another_task_is_told_once(desk, qtbot):
+    for z in ("6", "7", "8"):
+        type_in(desk, qtbot, "screen.z", z)
+        desk.document.undo_stack.setClean()  # steps of their own
+    assert len(desk.log) == 1 and "is a start for this one" in desk.log[0]
+    assert desk.document.session.start is not None
+    assert desk.messages.text == ""
+
+
+def test_a_lens_that_does_not_fit_is_told(desk, qtbot):
+    type_in(desk, qtbot, "lens.half_width[0]", "1.5")
+    assert "does not fit" in desk.log[0]
+    assert desk.document.session.control_points is None
+
+
+def test_run_settings_are_no_matter_for_the_lens(desk, qtbot):
+    type_in(desk, qtbot, "run.iterations", "77")
+    assert desk.log == [] and desk.messages.text == ""
+    assert desk.document.session.result is not None

@@ -1,0 +1,99 @@
+"""Tells what became of the lens when the task was edited, and how to go on."""
+
+from PySide6.QtCore import QObject, Signal
+
+from ui.document import Document
+from ui.message_bar import MessageBar, Offer
+from ui.panels.edits import Edit, edited_scene
+from workbench.files.session import Session
+from workbench.geometry.approximation import deviation, nearest_finer
+from workbench.geometry.surface import ControlNet
+from workbench.scene.lens import LARGEST_NET
+
+_NET = "lens.control_points"
+
+
+class CarriedLens(QObject):
+    """Listens to the edits of a document.
+
+    A lens that another control net cannot hold is carried over nearly: the message says how far
+    off it is, and offers the nearest net on which it would stay as it is.
+
+    Parameters
+    ----------
+    document : Document
+        What is edited.
+    messages : MessageBar
+        Gets what wants an answer.
+
+    Attributes
+    ----------
+    told : Signal(str)
+        What is good to know.
+    """
+
+    told = Signal(str)
+
+    def __init__(self, document: Document, messages: MessageBar, parent: QObject) -> None:
+        super().__init__(parent)
+        self._document, self._messages = document, messages
+        # The last change of a net: another one right after it is a change of mind.
+        self._before: Session | None = None
+        self._after: Session | None = None
+        self._said = ""
+        document.edited.connect(self._tell)
+        document.session_changed.connect(self._withdraw)
+
+    def _tell(self, before: Session, after: Session) -> None:
+        if before is self._after and self._before is not None:
+            before = self._before
+        old, new = before.control_points, after.control_points
+        if old is None or after.result is before.result is not None:
+            return
+        net, other = ControlNet.of(before.scene.lens), ControlNet.of(after.scene.lens)
+        if new is None:
+            self.told.emit(
+                "The lens does not fit into the new outline, base or height range: Start designs "
+                "another one, Undo brings it back"
+            )
+        elif net != other:
+            self._before, self._after = before, after
+            if other.contains(net):
+                self._say(f"On {_size(other.shape)} control points the lens is the same.")
+            else:
+                self._ask(before, after, deviation(net, old, other, new))
+        elif before.result is not None:
+            self.told.emit(
+                "The lens was designed for another task and is a start for this one: Continue "
+                "goes on from it, Start over does not"
+            )
+
+    def _ask(self, before: Session, after: Session, off: float) -> None:
+        net, wished = ControlNet.of(before.scene.lens), after.scene.lens.control_points
+        unit = after.scene.unit
+        exact = nearest_finer(net, wished, LARGEST_NET)
+        self._say(
+            f"On {_size(wished)} control points the lens is off by up to {off:.2g} {unit}. "
+            "Continue goes on from there, Start over from nothing, and Undo takes the change back.",
+            (f"Take {_size(exact)}, exact", lambda: self._take(before, after, exact))
+            if exact != net.shape
+            else None,
+        )
+
+    def _take(self, before: Session, after: Session, size: tuple[int, int]) -> None:
+        text = "change of lens control points"
+        scene = edited_scene(after.scene, [Edit(_NET, text, {_NET: list(size)})])
+        self._document.change(before.with_scene(scene, after.target), text)
+
+    def _say(self, text: str, offer: Offer | None = None) -> None:
+        self._said = text
+        self._messages.note(text, offer)
+
+    def _withdraw(self, session: Session) -> None:
+        """What was said is about the session that it was said of."""
+        if session is not self._after and self._said == self._messages.text:
+            self._messages.clear()
+
+
+def _size(shape: tuple[int, int]) -> str:
+    return f"{shape[0]} × {shape[1]}"
