@@ -45,8 +45,8 @@ class OptionalRow(NumberRow):
         Row.show_scene(self, data, pending)
         stand_ins = self._stand_in(data)
         for (path, editor), stand_in in zip(self.editors.items(), stand_ins, strict=True):
-            is_word = isinstance(stand_in, str)
-            editor.setPlaceholderText(stand_in if is_word else format(stand_in, "g"))
+            faint = stand_in if isinstance(stand_in, str) else format(stand_in, "g")
+            editor.setPlaceholderText(faint)
             if path not in pending:
                 value = value_at(data, path)
                 editor.show_value("" if value is None else format(value, ".12g"))

@@ -83,7 +83,7 @@ class RunPanel(Panel):
                     "run.min_radius",
                     "Smallest radius",
                     "Smallest radius of curvature that the exit face may have, in hollows and on "
-                    "humps: that of the tool. A designed lens keeps to it within some 2 %, and its "
+                    "humps: that of the tool. A designed lens keeps to it within some 1 %, and its "
                     "dark edges get softer. Left empty, any will do.",
                     lambda data: ["none"],
                     LENGTH,

@@ -6,13 +6,15 @@ face does not pass anywhere, from the convex hulls of its polynomials. The truth
 
 import math
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
+from workbench.analysis.manufacture_bounds import shape_bounds
 from workbench.geometry.basis import basis_matrix
 from workbench.geometry.bounds import derivative_range
+from workbench.geometry.curvature import local_shape
 from workbench.geometry.surface import ControlNet
 from workbench.scene import Lens
 
@@ -40,6 +42,11 @@ class Extreme(NamedTuple):
     value: float
     bound: float
     place: tuple[float, float]
+
+    def to_data(self) -> dict[str, Any]:
+        """The numbers by name, for JSON, which has no infinity: None in its place."""
+        value, bound = (None if math.isinf(n) else n for n in (self.value, self.bound))
+        return {"value": value, "bound": bound, "place": list(self.place)}
 
 
 class SurfaceMaps(NamedTuple):
@@ -100,6 +107,18 @@ class Manufacture:
         """
         return 90 - self.steepest.value
 
+    def to_data(self) -> dict[str, Any]:
+        """The figures by name, for JSON."""
+        return {
+            "thinnest": self.thinnest.to_data(),
+            "thickest": self.thickest.to_data(),
+            "sag_range": self.sag_range,
+            "steepest": self.steepest.to_data(),
+            "draft": self.draft,
+            "tightest_concave": self.tightest_concave.to_data(),
+            "tightest_convex": self.tightest_convex.to_data(),
+        }
+
 
 def surface_maps(lens: Lens, control_points: Array, count: tuple[int, int]) -> SurfaceMaps:
     """Thickness, slope and curvatures on a regular grid that includes the rim.
@@ -112,30 +131,16 @@ def surface_maps(lens: Lens, control_points: Array, count: tuple[int, int]) -> S
         Control heights, scene units.
     count : tuple[int, int]
         Numbers of points along x and y.
-
-    Notes
-    -----
-    The principal curvatures are the eigenvalues of I⁻¹ II, with the first fundamental form I and
-    the second II = H / √(1 + |∇z|²), H the second derivatives of the height z.
     """
-    net = ControlNet.of(lens)
     u, v = np.linspace(0, 1, count[0]), np.linspace(1, 0, count[1])
-    z, p, q, r, s, t = (
-        _derivative(net, control_points, u, v, order)
-        for order in ((0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2))
-    )
-    squared = p**2 + q**2
-    stretch = 1 + squared  # determinant of I
-    mean = ((1 + q**2) * r - 2 * p * q * s + (1 + p**2) * t) / (2 * stretch**1.5)
-    gauss = (r * t - s**2) / stretch**2
-    apart = np.sqrt((mean**2 - gauss).clip(0))  # negative by rounding alone
+    shape = local_shape(ControlNet.of(lens), control_points, u, v)
     return SurfaceMaps(
         x=(2 * u - 1) * lens.half_width[0],
         y=(2 * v - 1) * lens.half_width[1],
-        thickness=z - lens.entrance_z,
-        slope=np.degrees(np.arctan(np.sqrt(squared))),
-        concave=mean + apart,
-        convex=apart - mean,
+        thickness=shape.height.T - lens.entrance_z,
+        slope=np.degrees(np.arctan(shape.slope.T)),
+        concave=shape.largest.T,
+        convex=-shape.smallest.T,
     )
 
 
@@ -159,60 +164,22 @@ def manufacture(lens: Lens, control_points: Array) -> Manufacture:
     )
     maps = surface_maps(lens, control_points, (count[0], count[1]))
 
-    def hull(*order: int) -> tuple[Array, Array]:
-        return derivative_range(net, control_points, (order[0], order[1]), (parts_x, parts_y))
-
-    low, high = (z - lens.entrance_z for z in hull(0, 0))
-    (least_x, most_x), (least_y, most_y) = (_magnitudes(*hull(*o)) for o in ((1, 0), (0, 1)))
-    twist = _magnitudes(*hull(1, 1))[1]
-    (valley_x, peak_x), (valley_y, peak_y) = hull(2, 0), hull(0, 2)
-    stretch = np.sqrt(1 + least_x**2 + least_y**2)
-    hollow = _steepest_bend(peak_x, peak_y, twist) / stretch
-    hump = _steepest_bend(-valley_x, -valley_y, twist) / stretch
-
-    steepest = math.degrees(math.atan(float(np.sqrt(most_x**2 + most_y**2).max())))
-    thinnest = _most(maps, -maps.thickness, -float(low.min()))
+    low, high = derivative_range(net, control_points, (0, 0), (parts_x, parts_y))
+    bounds = shape_bounds(net, control_points, (parts_x, parts_y))
+    lowest, highest = float(low.min()) - lens.entrance_z, float(high.max()) - lens.entrance_z
+    thinnest = _most(maps, -maps.thickness, -lowest)
     thinnest = Extreme(-thinnest.value, -thinnest.bound, thinnest.place)
-    thickest = _most(maps, maps.thickness, float(high.max()))
+    thickest = _most(maps, maps.thickness, highest)
     rises, falls = _edges(net, control_points)
     flat = _FLAT / max(lens.half_width)
     return Manufacture(
         thinnest=thinnest,
         thickest=thickest,
         sag_range=thickest.value - thinnest.value,
-        steepest=_most(maps, maps.slope, steepest),
-        tightest_concave=_radius(_most(maps, maps.concave, float(hollow.max())), flat, rises),
-        tightest_convex=_radius(_most(maps, maps.convex, float(hump.max())), flat, falls),
+        steepest=_most(maps, maps.slope, math.degrees(math.atan(bounds.slope))),
+        tightest_concave=_radius(_most(maps, maps.concave, bounds.hollow), flat, rises),
+        tightest_convex=_radius(_most(maps, maps.convex, bounds.hump), flat, falls),
     )
-
-
-def _derivative(
-    net: ControlNet, heights: Array, u: Array, v: Array, order: tuple[int, int]
-) -> Array:
-    """A derivative with respect to x and y on the grid of parameters, shape (m_v, m_u)."""
-    along_x, along_y = (
-        basis_matrix(knots, degree, t, derivative=m) / (2 * r) ** m
-        for knots, degree, t, m, r in zip(
-            net.knots, net.degree, (u, v), order, net.half_width, strict=True
-        )
-    )
-    return np.asarray(along_y @ heights.T @ along_x.T)
-
-
-def _magnitudes(low: Array, high: Array) -> tuple[Array, Array]:
-    """The least and the most that magnitudes can be between two bounds."""
-    inside = (low < 0) & (high > 0)
-    least = np.where(inside, 0.0, np.minimum(np.abs(low), np.abs(high)))
-    return least, np.maximum(np.abs(low), np.abs(high))
-
-
-def _steepest_bend(r: Array, t: Array, s: Array) -> Array:
-    """Largest eigenvalue, at least 0, of second derivatives with z_xx ≤ r, z_yy ≤ t, |z_xy| ≤ s.
-
-    It grows with each of them. Over √(1 + |∇z|²) it bounds the curvature, since I is not less
-    than the identity.
-    """
-    return np.asarray(((r + t) / 2 + np.hypot((r - t) / 2, s)).clip(0))
 
 
 def _most(maps: SurfaceMaps, values: Array, bound: float) -> Extreme:

@@ -19,7 +19,7 @@ Array = npt.NDArray[np.float64]
 
 # The descent keeps to a radius that is larger by this part: a penalty gives a little, and bends
 # between the places that are looked at can be sharper.
-_RESERVE = 0.06
+_RESERVE = 0.08
 # Price of sharper bends: a face that is everywhere twice as sharp as allowed costs this much.
 _PRICE = 1e4
 # Part of the largest allowed curvature that rounds off where the two principal ones are equal.

@@ -38,18 +38,29 @@ def derivative_range(
     """
     coefficients = heights
     for axis in (0, 1):  # each time the axis that comes first
-        into = _to_bernstein(net, axis, order[axis], parts[axis])
+        into = to_bernstein(net, axis, order[axis], parts[axis])
         coefficients = np.tensordot(coefficients, into, axes=(0, 2))
     # [part along x, coefficient, part along y, coefficient]
     return coefficients.min(axis=(1, 3)), coefficients.max(axis=(1, 3))
 
 
-def _to_bernstein(net: ControlNet, axis: int, order: int, parts: int) -> Array:
-    """Matrices from control values to Bernstein coefficients of a derivative.
+def to_bernstein(net: ControlNet, axis: int, order: int, parts: int) -> Array:
+    """Matrices from control values to Bernstein coefficients of a derivative, along one axis.
+
+    Parameters
+    ----------
+    net : ControlNet
+        The control net.
+    axis : int
+        Its axis.
+    order : int
+        Order of the derivative.
+    parts : int
+        Equal parts of a knot span, each with its own coefficients.
 
     Returns
     -------
-    ndarray, shape (parts * spans, degree - order + 1, count)
+    ndarray, shape (parts * spans, max(degree - order, 0) + 1, count)
     """
     knots, degree, count = net.knots[axis], net.degree[axis], net.shape[axis]
     spans = count - degree

@@ -1,0 +1,51 @@
+import numpy as np
+import pytest
+
+from workbench.analysis.manufacture_bounds import shape_bounds
+from workbench.geometry.curvature import local_shape
+from workbench.geometry.surface import ControlNet
+
+LINE = np.linspace(0, 1, 301)
+
+
+def attained(net, heights):
+    shape = local_shape(net, heights, LINE, LINE)
+    return shape.slope.max(), shape.largest.max(), -shape.smallest.min()
+
+
+@pytest.mark.parametrize("degree", [(2, 2), (3, 3), (4, 2), (5, 7)])
+def test_nothing_is_beyond_and_they_close_in(degree, rng):
+    net = ControlNet((9, 10), degree, (1.0, 0.7))
+    heights = 0.02 * rng.random(net.shape)
+    most = attained(net, heights)
+    coarse, fine = (np.array(shape_bounds(net, heights, (k, k))) for k in (4, 32))
+    assert (fine >= np.array(most) * (1 - 1e-12)).all()
+    assert (fine <= coarse).all()
+    assert fine == pytest.approx(most, rel=0.07)
+
+
+def test_steep_slopes_count(rng):
+    """Across a steep plane bends are softer than second derivatives say; bounds know it."""
+    net = ControlNet((6, 6), (3, 3), (1.0, 1.0))
+    x, _ = net.positions
+    heights = 2.0 * x[:, None] + 0.05 * rng.random(net.shape)
+    slope, hollow, hump = shape_bounds(net, heights, (64, 64))
+    most = attained(net, heights)
+    assert [slope, hollow, hump] == pytest.approx(most, rel=0.05)
+
+
+def test_many_parts_are_looked_at_some_at_a_time(rng, monkeypatch):
+    net = ControlNet((9, 8), (3, 2), (1.0, 1.0))
+    heights = 0.2 * rng.random(net.shape)
+    at_once = shape_bounds(net, heights, (3, 5))
+    monkeypatch.setattr("workbench.analysis.manufacture_bounds._AT_ONCE", 100)
+    assert shape_bounds(net, heights, (3, 5)) == pytest.approx(at_once)
+
+
+@pytest.mark.parametrize("degree", [(1, 1), (1, 3)])
+def test_planes_have_no_bends(degree):
+    net = ControlNet((5, 6), degree, (1.0, 1.0))
+    x, y = net.positions
+    slope, hollow, hump = shape_bounds(net, 0.3 * x[:, None] - 0.4 * y, (2, 2))
+    assert slope == pytest.approx(0.5)
+    assert (hollow, hump) == pytest.approx((0, 0), abs=1e-6)

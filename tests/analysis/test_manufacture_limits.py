@@ -1,0 +1,61 @@
+import math
+
+import numpy as np
+import pytest
+
+from workbench.analysis.manufacture import Extreme, Manufacture, manufacture
+from workbench.analysis.manufacture_limits import Limits, verdicts
+
+
+def lens(**figures):
+    plain = {
+        "thinnest": Extreme(0.4, 0.39, (0.0, 0.0)),
+        "thickest": Extreme(0.6, 0.61, (0.0, 0.0)),
+        "sag_range": 0.2,
+        "steepest": Extreme(20.0, 21.0, (0.0, 0.0)),
+        "tightest_concave": Extreme(0.1, 0.09, (0.0, 0.0)),
+        "tightest_convex": Extreme(math.inf, math.inf, (0.0, 0.0)),
+    }
+    return Manufacture(**(plain | figures))
+
+
+def states(limits, **figures):
+    return [(v.name, v.state) for v in verdicts(lens(**figures), limits)]
+
+
+def test_nothing_is_judged_without_limits():
+    assert states(Limits()) == []
+
+
+@pytest.mark.parametrize(
+    ("limits", "state"),
+    [
+        ({"min_thickness": 0.38}, "met"),
+        ({"min_thickness": 0.395}, "open"),
+        ({"min_thickness": 0.41}, "broken"),
+        ({"max_thickness": 0.62}, "met"),
+        ({"max_thickness": 0.605}, "open"),
+        ({"max_thickness": 0.59}, "broken"),
+        ({"max_slope": 22.0}, "met"),
+        ({"max_slope": 20.5}, "open"),
+        ({"max_slope": 19.0}, "broken"),
+    ],
+)
+def test_bounds_and_places_decide(limits, state):
+    assert [s for _, s in states(Limits(**limits))] == [state]
+
+
+@pytest.mark.parametrize(("radius", "state"), [(0.05, "met"), (0.095, "open"), (0.2, "broken")])
+def test_radii_count_for_hollows_and_humps(radius, state):
+    found = states(Limits(min_radius=radius))
+    assert found == [("concave radius", state), ("convex radius", "met")]
+    edge = Extreme(0.0, 0.0, (0.0, 0.0))
+    assert states(Limits(min_radius=radius), tightest_convex=edge)[1][1] == "broken"
+
+
+def test_a_figure_on_its_limit_keeps_it(make_scene):
+    plate = manufacture(make_scene().lens, np.full((12, 10), 0.5))
+    found = verdicts(plate, Limits(min_thickness=0.5, max_thickness=0.5))
+    assert [v.state for v in found] == ["met", "met"]
+    assert plate.to_data()["tightest_concave"]["value"] is None
+    assert plate.to_data()["thinnest"]["value"] == pytest.approx(0.5)

@@ -1,0 +1,68 @@
+import numpy as np
+import pytest
+from matplotlib.figure import Figure
+
+from workbench.analysis.manufacture import surface_maps
+from workbench.analysis.manufacture_limits import Limits
+from workbench.geometry.surface import ControlNet
+from workbench.pictures.manufacture import draw_manufacture, write_manufacture
+
+
+@pytest.fixture
+def maps(make_scene):
+    """A bowl that is deeper along x: thickest at the rim, bent most along x."""
+    lens = make_scene({"lens.half_width": [1.0, 0.8]}).lens
+    x, y = ControlNet.of(lens).positions
+    return surface_maps(lens, 0.5 + 0.2 * x[:, None] ** 2 + 0.1 * y**2, (41, 33))
+
+
+def drawn(maps, limits):
+    figure = Figure()
+    draw_manufacture(figure, maps, limits, "cm")
+    return {axes.get_images()[0].get_label(): axes for axes in figure.axes}
+
+
+def hatched(axes, x, y):
+    """Whether a place lies in the hatched region."""
+    return any(
+        path.contains_point((x, y)) for shape in axes.collections for path in shape.get_paths()
+    )
+
+
+def test_each_map_shows_its_values(maps):
+    found = drawn(maps, Limits())
+    for name, values in (
+        ("Thickness", maps.thickness),
+        ("Slope", maps.slope),
+        ("Curvature of hollows", maps.concave),
+        ("Curvature of humps", maps.convex.clip(0)),
+    ):
+        image = found[name].get_images()[0]
+        assert np.asarray(image.get_array()) == pytest.approx(values)
+        assert image.get_extent() == pytest.approx((-1.0, 1.0, -0.8, 0.8))
+        assert not found[name].collections
+
+
+def test_what_is_beyond_limits_is_hatched(maps):
+    limits = Limits(min_thickness=0.55, max_thickness=0.7, max_slope=15.0, min_radius=2.6)
+    found = drawn(maps, limits)
+    thick, steep = found["Thickness"], found["Slope"]
+    assert hatched(thick, 0.05, 0.05)  # too thin
+    assert hatched(thick, 0.98, 0.7)  # too thick
+    assert not hatched(thick, 0.7, 0.0)
+    assert hatched(steep, -0.9, 0.0)
+    assert not hatched(steep, 0.1, 0.0)
+    assert hatched(found["Curvature of hollows"], 0.0, 0.0)
+    assert not found["Curvature of humps"].collections
+    assert thick.get_title() == "Thickness, at least 0.55 cm, at most 0.7 cm"
+    assert steep.get_title() == "Slope, at most 15°"
+    assert found["Curvature of humps"].get_title().endswith("radius at least 2.6 cm")
+
+
+def test_a_plane_can_be_drawn(make_scene, tmp_path):
+    lens = make_scene().lens
+    path = tmp_path / "maps.png"
+    write_manufacture(
+        path, surface_maps(lens, np.full((12, 10), 0.5), (9, 9)), Limits(max_slope=1.0), "mm"
+    )
+    assert path.read_bytes().startswith(b"\x89PNG")

@@ -1,0 +1,135 @@
+"""How steep and how bent the exit face can be at most, anywhere.
+
+On a part of a knot span, second derivatives are averages of the matrices that their Bernstein
+coefficients make, with weights that are not negative. The largest eigenvalue of an average is not
+above the largest of those that are averaged, so a few small matrices bound all curvatures there.
+"""
+
+import math
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+from scipy.sparse import csr_array
+
+from workbench.geometry.bounds import to_bernstein
+from workbench.geometry.surface import ControlNet
+
+Array = npt.NDArray[np.float64]
+
+# Coefficients that are looked at together.
+_AT_ONCE = 1 << 20
+_ORDERS = ((1, 0), (0, 1), (2, 0), (1, 1), (0, 2))
+
+
+class Bounds(NamedTuple):
+    """What the exit face is not beyond anywhere.
+
+    Attributes
+    ----------
+    slope : float
+        Largest magnitude of the gradient of z.
+    hollow, hump : float
+        Largest curvature of hollows and of humps, 1 / scene unit; 0 where there are none.
+    """
+
+    slope: float
+    hollow: float
+    hump: float
+
+
+def shape_bounds(net: ControlNet, heights: Array, parts: tuple[int, int]) -> Bounds:
+    """Bounds of slope and curvature.
+
+    Parameters
+    ----------
+    net : ControlNet
+        The control net.
+    heights : ndarray, shape (n_u, n_v)
+        Control heights, scene units.
+    parts : tuple[int, int]
+        Equal parts of a knot span along x and y. The bounds close in with their number.
+
+    Notes
+    -----
+    The curvature in a direction a is aᵀHa / (aᵀIa √(1 + |g|²)), with the slopes g and I = 1 + g gᵀ.
+    With slopes within δ of g₀ and any 0 < ε ≤ 1, I is not less than
+    (1 − (1 / ε − 1) δ²) + (1 − ε) g₀ g₀ᵀ; here ε = δ / |g₀|, or 1.
+    """
+    most = [0.0, 0.0, 0.0]
+    for p, q, r, s, t in _coefficients(net, heights, parts):
+        most[0] = max(most[0], float(np.hypot(p, q).max()))
+        (mid_p, half_p), (mid_q, half_q) = _box(p), _box(q)
+        off, size = np.hypot(half_p, half_q), np.hypot(mid_p, mid_q)
+        even = 1 - (size - off).clip(0) * off
+        along = 1 - np.divide(off, size, out=np.ones_like(off), where=size > off)
+        # The eigenvalues of M⁻¹ H, where M = even + along g₀ g₀ᵀ.
+        m_pp, m_qq = even + along * mid_p**2, even + along * mid_q**2
+        m_pq = along * mid_p * mid_q
+        determinant = m_pp * m_qq - m_pq**2
+        mean = (m_qq * r - 2 * m_pq * s + m_pp * t) / (2 * determinant)
+        apart = np.sqrt((mean**2 - (r * t - s**2) / determinant).clip(0))
+        stretch = np.sqrt(1 + (size - off).clip(0) ** 2)
+        for number, curvature in ((1, mean + apart), (2, apart - mean)):
+            most[number] = max(most[number], float((curvature / stretch).max()))
+    return Bounds(*most)
+
+
+def _coefficients(
+    net: ControlNet, heights: Array, parts: tuple[int, int]
+) -> Iterator[tuple[Array, ...]]:
+    """Bernstein coefficients, all of the net's degree, of the first and second derivatives.
+
+    Yields
+    ------
+    tuple of five arrays, shape (parts along x, p + 1, parts along y, q + 1)
+        z_x, z_y, z_xx, z_xy, z_yy on some of the parts.
+    """
+    sizes = [degree + 1 for degree in net.degree]
+    # Few control points matter on any part.
+    into_x, into_y = (
+        [
+            csr_array(_raised(to_bernstein(net, axis, order, parts[axis]), net.degree[axis]))
+            for order in (0, 1, 2)
+        ]
+        for axis in (0, 1)
+    )
+    by_column = [np.ascontiguousarray((into @ heights.T).T) for into in into_y]
+    step = sizes[0] * max(_AT_ONCE // (by_column[0].shape[1] * sizes[0]), 1)
+    for first in range(0, into_x[0].shape[0], step):
+        yield tuple(
+            (into_x[i][first : first + step] @ by_column[j]).reshape(
+                -1, sizes[0], by_column[j].shape[1] // sizes[1], sizes[1]
+            )
+            for i, j in _ORDERS
+        )
+
+
+def _raised(into: Array, degree: int) -> Array:
+    """The same polynomials with the coefficients of a higher degree (Farin, section 5.1).
+
+    Returns
+    -------
+    ndarray, shape (parts * (degree + 1), count)
+    """
+    low = into.shape[1] - 1
+    raising = np.array(
+        [
+            [
+                math.comb(low, j) * math.comb(degree - low, i - j) / math.comb(degree, i)
+                if 0 <= i - j <= degree - low
+                else 0.0
+                for j in range(low + 1)
+            ]
+            for i in range(degree + 1)
+        ]
+    )
+    return np.asarray(np.einsum("ij,kjn->kin", raising, into).reshape(-1, into.shape[-1]))
+
+
+def _box(coefficients: Array) -> tuple[Array, Array]:
+    """Middle and half of what lies between the least and the largest coefficient of each part."""
+    low = coefficients.min(axis=(1, 3), keepdims=True)
+    high = coefficients.max(axis=(1, 3), keepdims=True)
+    return (low + high) / 2, (high - low) / 2

@@ -1,0 +1,84 @@
+"""Whether a lens keeps to what a shop can make."""
+
+import math
+from dataclasses import dataclass
+from typing import Literal, NamedTuple
+
+from workbench.analysis.manufacture import Extreme, Manufacture
+
+State = Literal["met", "open", "broken"]
+
+# What rounding may add to a figure that lies on its limit.
+_ROUNDING = 1e-9
+
+
+@dataclass(frozen=True)
+class Limits:
+    """What a shop asks for; None where it does not matter.
+
+    Attributes
+    ----------
+    min_thickness, max_thickness : float, optional
+        Along z, scene units.
+    max_slope : float, optional
+        Angle between the exit face and the plane of the entrance face, degrees.
+    min_radius : float, optional
+        Radius of curvature of hollows and of humps, scene units.
+    """
+
+    min_thickness: float | None = None
+    max_thickness: float | None = None
+    max_slope: float | None = None
+    min_radius: float | None = None
+
+
+class Verdict(NamedTuple):
+    """What one limit comes to.
+
+    Attributes
+    ----------
+    name : str
+        What is limited.
+    limit : float
+        Scene units or degrees.
+    at_least : bool
+        Whether it is a lower limit.
+    found : Extreme
+        What the lens has.
+    state : str
+        "broken" if a place of the lens is beyond the limit, "met" if surely none is, "open" if no
+        place that was looked at is, but the bound does not tell.
+    """
+
+    name: str
+    limit: float
+    at_least: bool
+    found: Extreme
+    state: State
+
+
+def verdicts(found: Manufacture, limits: Limits) -> list[Verdict]:
+    """Judge a lens by all limits that there are."""
+    asked = [
+        ("thickness", limits.min_thickness, True, found.thinnest),
+        ("thickness", limits.max_thickness, False, found.thickest),
+        ("slope", limits.max_slope, False, found.steepest),
+        ("concave radius", limits.min_radius, True, found.tightest_concave),
+        ("convex radius", limits.min_radius, True, found.tightest_convex),
+    ]
+    return [
+        Verdict(name, limit, at_least, extreme, _state(limit, at_least, extreme))
+        for name, limit, at_least, extreme in asked
+        if limit is not None
+    ]
+
+
+def _state(limit: float, at_least: bool, found: Extreme) -> State:
+    sign = 1 if at_least else -1
+
+    def keeps(value: float) -> bool:
+        return math.isinf(value) or sign * (value - limit) >= -_ROUNDING * abs(limit)
+
+    if not keeps(found.value):
+        return "broken"
+    return "met" if keeps(found.bound) else "open"

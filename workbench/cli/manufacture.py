@@ -1,0 +1,100 @@
+"""``freeform manufacture``."""
+
+import json
+import math
+from collections.abc import Sequence
+from pathlib import Path
+
+from workbench.analysis.manufacture import Extreme, Manufacture, surface_maps
+from workbench.analysis.manufacture import manufacture as look_at
+from workbench.analysis.manufacture_limits import Limits, Verdict, verdicts
+from workbench.cli.designed import read_designed
+from workbench.errors import RunFailed
+from workbench.files.atomic import check_writable, replacing
+from workbench.scene import Scene
+
+# Places of a map along the longer side of the lens.
+_PLACES = 513
+
+
+def manufacture(path: Path, limits: Limits, plot: Path | None, as_json: bool) -> None:
+    """Print what a shop asks of the lens of a session, and whether it keeps to limits.
+
+    Parameters
+    ----------
+    path : Path
+        Session with a lens.
+    limits : Limits
+        What the shop can make.
+    plot : Path, optional
+        PNG of the maps to write.
+    as_json : bool
+        Whether figures are printed as JSON.
+
+    Raises
+    ------
+    Refused
+        If the session cannot be read or holds no lens, or the plot cannot be written.
+    RunFailed
+        If the lens is beyond a limit; after all is printed and drawn.
+    """
+    session, result = read_designed(path)
+    scene = session.scene
+    if plot is not None:
+        check_writable(plot)
+    found = look_at(scene.lens, result.control_points)
+    judged = verdicts(found, limits)
+    if as_json:
+        told = [v._asdict() | {"found": v.found.to_data()} for v in judged]
+        print(json.dumps({"unit": scene.unit} | found.to_data() | {"limits": told}))
+    else:
+        _print(found, judged, scene.unit)
+    if plot is not None:
+        from workbench.pictures.manufacture import write_manufacture  # late: draws
+
+        maps = surface_maps(scene.lens, result.control_points, _places(scene))
+        with replacing(plot) as file:
+            write_manufacture(file, maps, limits, scene.unit)
+    broken = [_sentence(v, scene.unit) for v in judged if v.state == "broken"]
+    if broken:
+        raise RunFailed("; ".join(broken))
+
+
+def _places(scene: Scene) -> tuple[int, int]:
+    long = max(scene.lens.half_width)
+    n_x, n_y = (max(round(_PLACES * r / long), 2) for r in scene.lens.half_width)
+    return n_x, n_y
+
+
+def _print(found: Manufacture, judged: Sequence[Verdict], unit: str) -> None:
+    print(f"{'':18}{'found':14}{'bound':14}at x, y ({unit})")
+    for name, extreme, of in (
+        ("thinnest", found.thinnest, unit),
+        ("thickest", found.thickest, unit),
+        ("steepest slope", found.steepest, "°"),
+        ("concave radius", found.tightest_concave, unit),
+        ("convex radius", found.tightest_convex, unit),
+    ):
+        print(_line(name, extreme, of))
+    print(f"{'sag range':<18}{found.sag_range:.5g} {unit}")
+    print(f"{'draft':<18}{found.draft:.5g} °")
+    for verdict in judged:
+        word = "at least" if verdict.at_least else "at most"
+        state = {"met": "met", "broken": "NOT MET", "open": "met where it was looked at"}
+        of = "°" if verdict.name == "slope" else unit
+        print(f"{verdict.name} {word} {verdict.limit:g} {of}: {state[verdict.state]}")
+
+
+def _line(name: str, extreme: Extreme, unit: str) -> str:
+    if math.isinf(extreme.value):
+        return f"{name:<18}-"
+    value, bound = (f"{n:.5g} {unit}" for n in (extreme.value, extreme.bound))
+    x, y = extreme.place
+    return f"{name:<18}{value:<14}{bound:<14}{x:.4g}, {y:.4g}"
+
+
+def _sentence(verdict: Verdict, unit: str) -> str:
+    of = "°" if verdict.name == "slope" else f" {unit}"
+    word = "at least" if verdict.at_least else "at most"
+    value, limit = verdict.found.value, verdict.limit
+    return f"{verdict.name} {value:.4g}{of}, {word} {limit:g}{of} wanted"
