@@ -46,7 +46,6 @@ class CommandPalette(QDialog):
         self._found.setColumnCount(2)
         self._found.setHeaderHidden(True)
         self._found.setRootIsDecorated(False)
-        self._found.setUniformRowHeights(True)
         self._found.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # typing goes on in the field
         header = self._found.header()
         header.setStretchLastSection(False)

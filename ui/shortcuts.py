@@ -41,7 +41,6 @@ class Shortcuts(QDialog):
         self._table.setAccessibleName("Keyboard shortcuts")
         self._table.setHeaderLabels(["Command", "Key"])
         self._table.setRootIsDecorated(False)
-        self._table.setUniformRowHeights(True)
         self._table.setAlternatingRowColors(True)
         self._table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         for name, action in entries:

@@ -241,11 +241,13 @@ def test_recent_files_are_kept_and_struck_off_when_gone(window, tmp_path, settin
         window.document.save(path)
         window.files.open(path)
     menu = window.commands.menus["Open &recent"]
-    assert [action.text() for action in menu.actions()] == [str(p) for p in paths[:1:-1]]
+    digits = "1234567890"  # as mnemonics
+    wanted = [f"&{k} {path}" for k, path in zip(digits, paths[:1:-1], strict=True)]
+    assert [action.text() for action in menu.actions()] == wanted
     paths[-1].unlink()
     menu.actions()[0].trigger()
     assert str(paths[-1]) in window.messages.text
-    assert menu.actions()[0].text() == str(paths[-2])
+    assert menu.actions()[0].text() == f"&1 {paths[-2]}"
 
 
 def test_a_dropped_image_becomes_the_target(window, tmp_path):

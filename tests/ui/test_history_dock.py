@@ -1,0 +1,55 @@
+"""The list of steps: by mouse and keyboard, also when there are a thousand."""
+
+import pytest
+from PySide6.QtCore import QSettings, Qt
+
+from ui.document import Document
+from ui.main_window import MainWindow
+
+STEPS = 1000
+
+
+@pytest.fixture
+def window(session, tmp_path, qtbot):
+    settings = QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat)
+    window = MainWindow(Document(session, "small"), settings)
+    qtbot.addWidget(window, before_close_func=lambda window: window.discard_and_close())
+    with qtbot.waitActive(window):
+        window.show()
+        window.activateWindow()
+    return window
+
+
+def edit(window, z):
+    scene = window.document.session.scene
+    screen = scene.screen.model_copy(update={"z": float(z)})
+    window.document.edit(scene.model_copy(update={"screen": screen}), f"screen at {z}", "")
+
+
+def test_a_thousand_steps_are_listed_and_gone_through_by_keyboard(window, qtbot):
+    window.document.blockSignals(True)  # forms that show each of them would take seconds
+    for number in range(STEPS):
+        edit(window, 6 + number)
+    window.document.blockSignals(False)
+    window.commands["go_history"].trigger()
+    history, document = window.workspace.history, window.document
+    qtbot.waitUntil(history.hasFocus)
+    assert history.model().rowCount() == STEPS + 1  # and the beginning
+    assert history.currentIndex().row() == STEPS
+    qtbot.waitUntil(lambda: history.visualRect(history.currentIndex()).isValid())
+    assert history.viewport().rect().intersects(history.visualRect(history.currentIndex()))
+    qtbot.keyClick(history, Qt.Key.Key_Up)
+    assert document.session.scene.screen.z == 6 + STEPS - 2
+    qtbot.keyClick(history, Qt.Key.Key_Home)
+    assert document.session.scene.screen.z == 5 and history.currentIndex().row() == 0
+    qtbot.keyClick(history, Qt.Key.Key_End)
+    assert document.session.scene.screen.z == 6 + STEPS - 1
+
+
+def test_undo_moves_the_mark(window):
+    for z in (6, 7):
+        edit(window, z)
+    history = window.workspace.history
+    assert history.currentIndex().data() == "screen at 7"
+    window.commands["undo"].trigger()
+    assert history.currentIndex().data() == "screen at 6"
