@@ -212,6 +212,21 @@ class TestWorkers:
         assert found[2].reason.startswith("unexpected ")
         assert sorted(found) == [1, 2, 3, 4]
 
+    def test_a_cluster_that_is_of_no_use(self, monkeypatch):
+        distributed = pytest.importorskip("distributed")
+        monkeypatch.setattr("workbench.sweep.cluster._SECONDS", 0.2)
+        with distributed.LocalCluster(
+            n_workers=0, processes=False, dashboard_address=None
+        ) as local:
+            with pytest.raises(Refused, match="dask: the cluster has no worker"):
+                Cluster(local.scheduler_address)
+            local.scale(1)
+            local.wait_for_workers(1)
+            monkeypatch.setattr("workbench.__version__", "99")
+            monkeypatch.setattr("workbench.sweep.cluster._version", lambda: "1.2")
+            with pytest.raises(Refused, match=r"dask: its workers have 1\.2; 99 is needed"):
+                Cluster(local.scheduler_address)
+
     def test_a_cluster_that_is_not_there(self, monkeypatch):
         pytest.importorskip("distributed")
         monkeypatch.setattr("workbench.sweep.cluster._SECONDS", 0.2)

@@ -9,7 +9,7 @@ from workbench.sweep.work import Done, Failed, Task, attempt
 
 Key = TypeVar("Key")
 
-_SECONDS = 10  # to reach it
+_SECONDS = 10  # to reach it, and for its first worker
 
 
 class Cluster:
@@ -45,12 +45,16 @@ class Cluster:
 
     def _check(self) -> None:
         try:
+            self._client.wait_for_workers(1, timeout=_SECONDS)
+        except TimeoutError as error:
+            raise Refused("dask", "the cluster has no worker; one is needed") from error
+        try:
             versions = set(self._client.run(_version).values())
         except Exception as error:  # whatever importing this fails with over there
             raise Refused("dask", f"its workers cannot run this program: {error}") from error
         if versions != {workbench.__version__}:
-            found = ", ".join(sorted(versions)) or "no worker"
-            raise Refused("dask", f"{found} there; version {workbench.__version__} is needed")
+            found = ", ".join(sorted(versions))
+            raise Refused("dask", f"its workers have {found}; {workbench.__version__} is needed")
 
     def __enter__(self) -> Self:
         return self
