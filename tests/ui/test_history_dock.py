@@ -5,6 +5,7 @@ from PySide6.QtCore import QSettings, Qt
 
 from ui.document import Document
 from ui.main_window import MainWindow
+from ui.steps import Steps
 
 STEPS = 1000
 
@@ -26,8 +27,10 @@ def edit(window, z):
     window.document.edit(scene.model_copy(update={"screen": screen}), f"screen at {z}", "")
 
 
-def test_a_thousand_steps_are_listed_and_gone_through_by_keyboard(window, qtbot):
-    window.document.blockSignals(True)  # forms that show each of them would take seconds
+def test_a_thousand_steps_are_listed_and_gone_through_by_keyboard(window, qtbot, monkeypatch):
+    # Neither forms that show each of them nor the account of memory are tried here.
+    window.document.blockSignals(True)
+    monkeypatch.setattr(Steps, "_forget_oldest", lambda self: None)
     for number in range(STEPS):
         edit(window, 6 + number)
     window.document.blockSignals(False)
