@@ -104,6 +104,7 @@ class LensTools(QObject):
         tool = MoveSource(self._view, self._source, self)
         tool.begun.connect(self._count)
         tool.moved.connect(self._move)
+        tool.taken_back.connect(self._move_back)
         return tool
 
     def _use(self, tool: "Tool | None") -> None:
@@ -152,19 +153,30 @@ class LensTools(QObject):
     def _count(self) -> None:
         self._drags += 1
 
+    @property
+    def _key(self) -> str:
+        """What makes all edits of a drag one step."""
+        return f"drag {self._drags}"
+
     def _move(self, source: "Source") -> None:
         old = self._document.session.scene
         try:
             scene = Scene.from_data({**old.to_data(), "source": source.model_dump(mode="json")})
-            self._as_own(
-                lambda: self._document.edit(scene, "move the source", f"drag {self._drags}")
-            )
+            self._as_own(lambda: self._document.edit(scene, "move the source", self._key))
         except Refused as refused:
             self.said.emit(str(refused))
             return
         session = self._document.session
         self._view.hold_camera(session.scene)
         self._live.show(Draft(session, _lens_of(session), session.result))
+
+    def _move_back(self) -> None:
+        self._live.forget()
+        if self._control.busy:  # a run that began in the midst of the drag keeps what it began with
+            return
+        steps = self._document.undo_stack
+        if steps.origin(self._key) is not None:
+            self._as_own(steps.undo)
 
     def _take(self, draft: Draft, frame: "Frame") -> None:
         shown = self._view.frame

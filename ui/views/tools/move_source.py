@@ -47,10 +47,13 @@ class MoveSource(QObject):
         A drag has begun: what is moved until the next one is one step.
     moved : Signal(Source)
         Where it has been dragged.
+    taken_back : Signal()
+        It is to be where it was when the drag began.
     """
 
     begun = Signal()
     moved = Signal(object)
+    taken_back = Signal()
 
     cursor = Qt.CursorShape.OpenHandCursor
     shows_net = False
@@ -112,7 +115,7 @@ class MoveSource(QObject):
         """Put it back."""
         drag, self._drag = self._drag, None
         if drag is not None:
-            self.moved.emit(drag.before)
+            self.taken_back.emit()
 
     def hover(self, at: Pointer | None) -> None:
         """Nothing lights up: the handles are seen."""

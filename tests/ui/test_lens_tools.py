@@ -1,0 +1,411 @@
+"""Hands on the lens, by events of the mouse over the 3D view."""
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QEvent, QPoint, QPointF, QSettings, Qt
+from PySide6.QtGui import QGuiApplication, QImage, QMouseEvent
+from PySide6.QtWidgets import QApplication, QMainWindow
+
+from ui.document import Document
+from ui.lens_tools import LensTools
+from ui.main_window import MainWindow
+from ui.run_control import RunControl
+from ui.scene_pictures import ScenePictures
+from ui.views.scene_view import SceneView
+from workbench.design.evaluation import undesigned
+from workbench.files.session import Session
+from workbench.scene import Scene
+from workbench.targets import load_target
+
+pytestmark = pytest.mark.usefixtures("kernels")
+
+LEFT = Qt.MouseButton.LeftButton
+POINT = {"kind": "point", "position": [0.0, 0.0, -3.0], "rays": 4096}
+GRID = {
+    "kind": "grid",
+    "center": [0.0, 0.0, -3.0],
+    "half_width": [0.5, 0.5],
+    "points": [5, 5],
+    "rays": 64,
+}
+
+
+class Bench:
+    """The 3D view with its tools, a document and its runs, and no more of the window."""
+
+    def __init__(self, session):
+        self.document = Document(session, "by hand")
+        self.window = QMainWindow()
+        self.document.setParent(self.window)
+        self.view = SceneView()
+        self.window.setCentralWidget(self.view)
+        self.window.resize(640, 480)
+        self.control = RunControl(self.document, self.window)
+        self.tools = LensTools(self.document, self.control, self.view, self.window)
+        self.commands = self.tools.slots()
+        self.said, self.put_away = [], []
+        self.tools.said.connect(self.said.append)
+        self.view.let_go.connect(lambda: self.put_away.append(True))
+        self.view.show_design(session)
+        self.document.session_changed.connect(self.view.show_design)
+        self.control.runner.frame_ready.connect(self.view.show_frame)
+
+    def close(self):
+        self.control.close()
+        self.tools.close()
+        self.view.close_plotter()
+
+    def heights(self):
+        found = self.document.session.control_points
+        return undesigned(self.document.session.scene.lens) if found is None else found
+
+
+@pytest.fixture
+def at_bench(display, make_scene, tmp_path, qtbot):
+    def at_bench(changes=None):
+        scene = make_scene(changes)
+        bench = Bench(Session(scene, load_target(scene, tmp_path)))
+        qtbot.addWidget(bench.window, before_close_func=lambda _: bench.close())
+        with qtbot.waitExposed(bench.window):
+            bench.window.show()
+        # Until the first preview is drawn there is nothing to take hold of.
+        view = bench.view
+        qtbot.waitUntil(lambda: view.frame is not None and view.lens is not None, timeout=60_000)
+        qtbot.waitUntil(lambda: not view._dated)
+        return bench
+
+    return at_bench
+
+
+@pytest.fixture
+def bench(at_bench):
+    return at_bench()
+
+
+@pytest.fixture
+def sculpting(bench, qtbot):
+    bench.commands["sculpt"]()
+    qtbot.waitUntil(lambda: bench.view.net._shown)
+    return bench
+
+
+def seen_at(view, place):
+    """Where a place of the scene is seen, as Qt counts."""
+    ((x, y),) = view.sight.pixels(np.array([place]))
+    scale = view.devicePixelRatioF()
+    return QPoint(round(x / scale), view._plotter.height() - 1 - round(y / scale))
+
+
+class Drag:
+    """A drag over the 3D view that the test begins, moves and ends."""
+
+    def __init__(self, qtbot, view, start):
+        self._qtbot, self._plotter, self.at = qtbot, view._plotter, start
+        qtbot.mousePress(self._plotter, LEFT, pos=start)
+
+    def move(self, by, keys=Qt.KeyboardModifier.NoModifier):
+        self.at = self.at + by
+        place = QPointF(self.at)
+        QApplication.sendEvent(
+            self._plotter,
+            QMouseEvent(
+                QEvent.Type.MouseMove,
+                place,
+                self._plotter.mapToGlobal(place),
+                Qt.MouseButton.NoButton,
+                LEFT,
+                keys,
+            ),
+        )
+
+    def release(self):
+        self._qtbot.mouseRelease(self._plotter, LEFT, pos=self.at)
+
+
+@pytest.fixture
+def drag(qtbot):
+    return lambda view, start: Drag(qtbot, view, start)
+
+
+def control_point(bench, index):
+    return seen_at(bench.view, bench.view.net.places[index])
+
+
+def upwards(view, length):
+    """Pixels, as Qt counts, that lead so far along z."""
+    there = seen_at(view, (0, 0, 0.5 + length)) - seen_at(view, (0, 0, 0.5))
+    assert there.manhattanLength() > 1
+    return there
+
+
+def test_dragging_a_point_is_one_step_with_its_light(sculpting, drag, qtbot):
+    bench, view, document = sculpting, sculpting.view, sculpting.document
+    bench.commands["brush_smaller"]()
+    bench.commands["brush_smaller"]()
+    frames, flat = [], view.frame
+    bench.control.runner.frame_ready.connect(frames.append)
+    camera = view._plotter.camera_position
+    held = drag(view, control_point(bench, (6, 5)))
+    for _ in range(4):
+        held.move(upwards(view, 0.05))
+    qtbot.waitUntil(lambda: bool(frames), timeout=20_000)
+    assert document.session.result is None  # not yet a step
+    assert frames[-1].snapshot.control_points[6, 5] > 0.5
+    held.release()
+    qtbot.waitUntil(lambda: document.session.result is not None, timeout=20_000)
+    result = document.session.result
+    np.testing.assert_array_equal(np.argwhere(result.control_points != 0.5), [[6, 5]])
+    assert result.control_points[6, 5] == pytest.approx(0.7, abs=0.06)
+    assert document.undo_stack.count() == 1
+    assert document.undo_stack.undoText() == "move control points"
+    assert view._plotter.camera_position == camera
+    assert result.iterations == 0 and 0 < result.loss < 1
+    # Light and account are those of this lens.
+    pixel = document.session.scene.screen.pixel_area
+    assert result.irradiance.sum() * pixel == pytest.approx(result.ledger.on_screen, rel=1e-5)
+    assert np.ptp(result.irradiance) > 5 * np.ptp(flat.snapshot.irradiance[4:-4, 4:-4])
+    document.undo_stack.undo()
+    assert document.session.result is None
+
+
+def test_shift_moves_finely_and_esc_takes_back(sculpting, drag, qtbot):
+    bench, view = sculpting, sculpting.view
+    held = drag(view, control_point(bench, (6, 5)))
+    held.move(upwards(view, 0.2), Qt.KeyboardModifier.ShiftModifier)
+    qtbot.waitUntil(lambda: view.frame.snapshot.control_points[6, 5] > 0.5, timeout=20_000)
+    assert view.frame.snapshot.control_points[6, 5] == pytest.approx(0.51, abs=0.002)
+    assert "Moved by +0.0" in view._hint.text()
+    qtbot.keyClick(view._plotter, Qt.Key.Key_Escape)
+    qtbot.waitUntil(lambda: view.frame.snapshot.control_points[6, 5] == 0.5, timeout=20_000)
+    held.release()
+    assert bench.document.undo_stack.count() == 0 and not bench.put_away
+    qtbot.keyClick(view._plotter, Qt.Key.Key_Escape)
+    assert bench.put_away
+
+
+def test_the_brush_takes_a_smooth_bump_and_stays_in_range(sculpting, drag, qtbot):
+    bench, view = sculpting, sculpting.view
+    for _ in range(3):
+        bench.commands["brush_larger"]()
+    held = drag(view, control_point(bench, (6, 5)))
+    held.move(upwards(view, 0.1))
+    held.release()
+    qtbot.waitUntil(lambda: bench.document.session.result is not None, timeout=20_000)
+    found = bench.heights()
+    assert found.min() == 0.5
+    assert 10 < (found > 0.5).sum() < 120
+    assert found[6, 5] > found[8, 5] > found[9, 5]
+    held = drag(view, control_point(bench, (6, 5)))
+    held.move(upwards(view, 1.0))
+    held.release()
+    qtbot.waitUntil(lambda: bench.heights().max() > 0.7, timeout=20_000)
+    assert bench.heights().max() == pytest.approx(0.8)  # the end of the height range
+    assert bench.document.undo_stack.count() == 2
+
+
+def test_beside_the_lens_the_camera_turns(sculpting, drag):
+    view = sculpting.view
+    position = view._plotter.camera.position
+    held = drag(view, QPoint(3, 3))
+    held.move(QPoint(40, 30))
+    held.release()
+    assert view._plotter.camera.position != position
+    assert sculpting.document.undo_stack.count() == 0
+
+
+def test_a_change_of_the_design_ends_the_drag(sculpting, drag, qtbot):
+    bench, view, document = sculpting, sculpting.view, sculpting.document
+    held = drag(view, control_point(bench, (6, 5)))
+    held.move(upwards(view, 0.1))
+    scene = document.session.scene
+    screen = scene.screen.model_copy(update={"z": 6.0})
+    document.edit(scene.model_copy(update={"screen": screen}), "distance", "z")
+    held.move(upwards(view, 0.1))
+    held.release()
+    qtbot.waitUntil(lambda: view.frame.session is document.session, timeout=20_000)
+    assert document.undo_stack.count() == 1
+    assert (view.frame.snapshot.control_points == 0.5).all()
+
+
+def test_locked_points_do_not_move(sculpting, drag):
+    bench = sculpting
+    bench.commands["lock_all"]()
+    locked = bench.document.session.locked
+    assert locked.shape == (12, 10) and locked.all() and not locked.flags.writeable
+    held = drag(bench.view, control_point(bench, (6, 5)))
+    held.move(upwards(bench.view, 0.1))
+    held.release()
+    assert "locked" in bench.said[-1]
+    assert bench.document.session.result is None
+    bench.commands["unlock_all"]()
+    assert bench.document.session.locked is None
+    bench.commands["invert_locks"]()
+    assert bench.document.session.locked.all() and bench.document.undo_stack.count() == 3
+
+
+def test_painting_locks_and_unlocks(bench, drag, qtbot):
+    view, document = bench.view, bench.document
+    bench.commands["lock"]()
+    for _ in range(2):
+        bench.commands["brush_smaller"]()
+    qtbot.waitUntil(lambda: view.net._shown)
+    held = drag(view, control_point(bench, (3, 3)))
+    held.move(control_point(bench, (4, 3)) - held.at)
+    held.move(control_point(bench, (5, 3)) - held.at)
+    assert view.locked.sum() == 3 and document.session.locked is None
+    held.release()
+    np.testing.assert_array_equal(np.argwhere(document.session.locked), [[3, 3], [4, 3], [5, 3]])
+    assert document.undo_stack.undoText() == "lock points"
+    qtbot.waitUntil(lambda: view.net._locked is not None)
+    held = drag(view, control_point(bench, (4, 3)))
+    held.move(control_point(bench, (4, 4)) - held.at)
+    held.release()
+    np.testing.assert_array_equal(np.argwhere(document.session.locked), [[3, 3], [5, 3]])
+    held = drag(view, control_point(bench, (8, 8)))
+    qtbot.keyClick(view._plotter, Qt.Key.Key_Escape)
+    np.testing.assert_array_equal(np.argwhere(view.locked), [[3, 3], [5, 3]])
+    held.release()
+    document.undo_stack.undo()
+    document.undo_stack.undo()
+    assert document.session.locked is None and view.locked is None
+
+
+def test_hands_off_while_a_run_goes_on(sculpting, drag, qtbot):
+    bench, view = sculpting, sculpting.view
+    bench.control.start()
+    bench.control.toggle_pause()
+    held = drag(view, control_point(bench, (6, 5)))
+    held.move(upwards(view, 0.1))
+    held.release()
+    assert "Stop the run first" in bench.said[-1]
+    bench.commands["lock_all"]()
+    assert bench.document.session.locked is None
+    bench.control.runner.stop()
+    qtbot.waitUntil(lambda: not bench.control.busy, timeout=30_000)
+
+
+def test_the_source_follows_the_pointer_in_its_plane(at_bench, drag, qtbot):
+    bench = at_bench({"source": POINT})
+    view, document = bench.view, bench.document
+    bench.commands["move_source"]()
+    qtbot.waitUntil(lambda: view.handles._source is not None)
+    camera, start = view._plotter.camera_position, seen_at(view, (0.0, 0.0, -3.0))
+    there = seen_at(view, (0.3, -0.2, -3.0)) - start
+    held = drag(view, start)
+    held.move(there / 2)
+    held.move(there - there / 2)
+    x, y, z = document.session.scene.source.position
+    assert (x, y) == (pytest.approx(0.3, abs=0.05), pytest.approx(-0.2, abs=0.05)) and z == -3.0
+    assert x == round(x, 3)
+    held.release()
+    assert document.undo_stack.count() == 1
+    assert document.undo_stack.undoText() == "move the source"
+    qtbot.waitUntil(lambda: view.frame.source.position == (x, y, z), timeout=20_000)
+    # At rest the new design is shown; the camera has not moved.
+    qtbot.waitUntil(lambda: view.frame.session is document.session, timeout=20_000)
+    qtbot.waitUntil(lambda: view._shown is document.session)
+    assert view._plotter.camera_position == camera
+    # Along the axis, until the lens is in the way.
+    ctrl = Qt.KeyboardModifier.ControlModifier
+    start = seen_at(view, (x, y, z))
+    held = drag(view, start)
+    held.move(seen_at(view, (x, y, -2.0)) - start, ctrl)
+    assert document.session.scene.source.position[:2] == (x, y)
+    assert document.session.scene.source.position[2] == pytest.approx(-2.0, abs=0.05)
+    held.move(seen_at(view, (x, y, 3.0)) - start, ctrl)
+    assert document.session.scene.source.position[2] < 0
+    assert "source.position" in bench.said[-1]
+    qtbot.keyClick(view._plotter, Qt.Key.Key_Escape)
+    assert document.session.scene.source.position == (x, y, z)
+    held.release()
+    assert document.undo_stack.index() == 1
+    qtbot.waitUntil(lambda: view.frame.session is document.session, timeout=20_000)
+    assert view.frame.source.position == (x, y, z)
+    document.undo_stack.undo()
+    assert document.session.scene.source.position == (0.0, 0.0, -3.0)
+
+
+def test_a_corner_widens_the_grid_unless_exploded(at_bench, drag, qtbot):
+    bench = at_bench({"source": GRID})
+    view, corner = bench.view, (0.5, 0.5, -3.0)
+    bench.commands["move_source"]()
+    qtbot.waitUntil(lambda: view.handles._source is not None)
+    held = drag(view, seen_at(view, corner))
+    held.move(seen_at(view, (0.8, 0.6, -3.0)) - seen_at(view, corner))
+    held.release()
+    source = bench.document.session.scene.source
+    assert source.half_width == (pytest.approx(0.8, abs=0.05), pytest.approx(0.6, abs=0.05))
+    assert source.center == (0.0, 0.0, -3.0)
+    qtbot.waitUntil(lambda: view.frame.session is bench.document.session, timeout=20_000)
+    view.explode(True)
+    qtbot.waitUntil(lambda: view._shown is not None)
+    held = drag(view, seen_at(view, view.handles._dots._mesh.points[-1]))
+    held.move(QPoint(20, 5))
+    held.release()
+    assert bench.document.undo_stack.count() == 1
+    assert "to scale" in bench.said[-1]
+
+
+def test_projection_and_colours_of_rays_outlive_another_design(bench, qtbot):
+    view, document = bench.view, bench.document
+    view.see_in_perspective(True)
+    view.colour_rays(by_weight=True)
+    assert not view._plotter.camera.parallel_projection
+    data = document.session.scene.to_data()
+    farther = Scene.from_data({**data, "screen": {**data["screen"], "z": 9.0}})
+    old = view._picture
+    document.edit(farther, "distance", "z")
+    qtbot.waitUntil(lambda: view._picture is not old, timeout=20_000)
+    assert not view._plotter.camera.parallel_projection
+    assert view._picture._by_weight
+    view.see_in_perspective(False)
+    view.colour_rays(by_weight=False)
+    assert view._plotter.camera.parallel_projection and not view._picture._by_weight
+
+
+def test_in_the_window(display, make_scene, tmp_path, drag, qtbot, monkeypatch):
+    """Commands, all views and the run, from a drag to what goes on from it."""
+    scene = make_scene({"run.iterations": 3})
+    session = Session(scene, load_target(scene, tmp_path))
+    settings = QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat)
+    window = MainWindow(Document(session, "by hand"), settings)
+    qtbot.addWidget(window, before_close_func=lambda window: window.discard_and_close())
+    with qtbot.waitExposed(window):
+        window.show()
+    window.build()
+    view, commands, document = window.views.scene, window.commands, window.document
+    qtbot.waitUntil(lambda: view.frame is not None and view.lens is not None, timeout=60_000)
+    commands["sculpt"].trigger()
+    qtbot.waitUntil(lambda: view.net._shown)
+    held = drag(view, seen_at(view, view.net.places[6, 5]))
+    held.move(upwards(view, 0.1))
+    held.release()
+    qtbot.waitUntil(lambda: document.session.result is not None, timeout=20_000)
+    shaped = document.session.control_points
+    for shows in window.views.docked.values():
+        assert (shows._frame.snapshot.control_points == shaped).all()
+    qtbot.keyClick(view._plotter, Qt.Key.Key_Escape)
+    assert commands["turn"].isChecked()
+
+    frames = []
+    window.control.runner.frame_ready.connect(frames.append)
+    commands["continue"].trigger()
+    assert not commands["lock_all"].isEnabled()
+    qtbot.waitUntil(lambda: window.control.runner.state == "idle", timeout=60_000)
+    assert document.session.result.iterations > 0
+    np.testing.assert_allclose(frames[0].snapshot.control_points, shaped, atol=0.05)
+
+    file = tmp_path / "lens.png"
+    monkeypatch.setattr(ScenePictures, "ask_for_name", lambda self: file)
+    for times in (1, 2):
+        size = view._plotter.size() * view.devicePixelRatioF()  # less, below a message
+        commands[f"save_scene_{times}"].trigger()
+        assert QImage(str(file)).size() == size * times
+    seen = QImage(str(file))
+    assert len({seen.pixel(x, seen.height() // 2) for x in range(seen.width())}) > 20
+    commands["copy_scene"].trigger()
+    assert QGuiApplication.clipboard().image().width() == size.width()
+    commands["scene_view"].trigger()
+    file.unlink()
+    commands["save_scene_1"].trigger()
+    assert not file.exists() and "hidden" in window.messages.text
