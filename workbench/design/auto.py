@@ -108,8 +108,10 @@ def auto_steps(
     if start is None:
         undesigned = free.heights(parameters)
         image = _image(scene, target, PHASES[-1], mirrored, _reach(scene, undesigned), locked)
-        undesigned_step = image.compare(undesigned)[1]
-        yield undesigned_step if smoothness is None else smoothness.judged(undesigned_step)
+        step = image.compare(undesigned)[1]
+        if smoothness is not None:
+            step = smoothness.judged(step, smoothness.penalty(undesigned))
+        yield step
         first = transport_start(scene, target)
         if first is not None:
             parameters = free.parameters(_joined(first, undesigned.cpu().numpy(), locked))
@@ -168,14 +170,15 @@ def _objective(
         error, step = image.compare(heights)
         value = error.square().sum()
         if smoothness is not None:
-            value = value + smoothness.penalty(heights)
+            penalty = smoothness.penalty(heights)
+            value = value + penalty
         (gradient,) = torch.autograd.grad(value, [x])
         check_gradient(gradient)
         if image is not judge:
             with torch.no_grad():
                 step = judge.compare(heights)[1]
         if smoothness is not None:
-            step = smoothness.judged(step)
+            step = smoothness.judged(step, penalty)
         return Evaluation(value.item(), gradient, step)
 
     return objective

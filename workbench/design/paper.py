@@ -66,7 +66,7 @@ def paper_steps(
         check_finite(loss, traced.ledger)
         step = Step(loss.item(), heights.detach(), traced.flux.detach(), traced.ledger)
         if smoothness is not None:
-            loss = smoothness.merit(loss, heights)
+            loss = smoothness.merit(loss, smoothness.penalty(heights))
             step = step._replace(merit=loss.item())
         yield step
         (gradient,) = torch.autograd.grad(loss, [heights])

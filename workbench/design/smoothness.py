@@ -105,23 +105,21 @@ class Smoothness:
         apart = ((mean * mean - gauss).clamp_min(0) + (_UMBILIC / radius) ** 2).sqrt()
         return ((mean.abs() + apart) * radius - 1).clamp_min(0).square().mean()
 
-    def merit(self, loss: Tensor, heights: Tensor) -> Tensor:
+    def merit(self, loss: Tensor, penalty: Tensor) -> Tensor:
         """Loss and penalty as one number, in the measure of the loss: what tells the best lens.
 
         Parameters
         ----------
         loss : Tensor, scalar
             Paper's loss of the image.
-        heights : Tensor, shape (n_u, n_v), float64
-            Control heights, scene units.
+        penalty : Tensor, scalar
+            Of the same lens.
         """
-        penalty = self._loss_of_1**2 * self.penalty(heights)
-        return (loss.double().square() + penalty).sqrt()
+        return (loss.double().square() + self._loss_of_1**2 * penalty).sqrt()
 
-    def judged(self, step: Step) -> Step:
+    def judged(self, step: Step, penalty: Tensor) -> Step:
         """A step that tells its merit."""
-        with torch.no_grad():
-            merit = self.merit(torch.tensor(step.loss), step.heights)
+        merit = self.merit(torch.tensor(step.loss), penalty.detach())
         return step._replace(merit=merit.item())
 
 
