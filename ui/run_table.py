@@ -22,14 +22,15 @@ from workbench.files.session import KeptRun
 _NOTHING = "Each run that ends is kept here, to be compared with others and gone back to."
 _COLUMNS = {
     "Name": "What the run is called; a check mark draws its loss beside that of this run",
-    "Method": "How the lens was searched for",
-    "Net": "Numbers of control points along x and y",
-    "Iterations": "Iterations taken, those of runs that it continued included",
-    "Time": "Run time",
-    "Loss": "Loss of its best lens, as the run saw it",
     "Verified": "Relative L2 error of its lens, by an independent trace with other rays",
+    "Loss": "Loss of its best lens, as the run saw it",
     "On screen": "Part of the light that lands on the screen",
+    "Time": "Run time",
+    "Iterations": "Iterations taken, those of runs that it continued included",
+    "Net": "Numbers of control points along x and y",
+    "Method": "How the lens was searched for",
 }
+_VERIFIED = 1
 
 
 class RunTable(QWidget):
@@ -73,7 +74,9 @@ class RunTable(QWidget):
             heading = QTableWidgetItem(title)
             heading.setToolTip(f"<p>{tip}</p>")
             self.table.setHorizontalHeaderItem(column, heading)
-        self.table.verticalHeader().hide()
+        rows = self.table.verticalHeader()
+        rows.hide()
+        rows.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         header = self.table.horizontalHeader()
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         self.table.itemChanged.connect(self._take_change)
@@ -127,10 +130,9 @@ class RunTable(QWidget):
 
     def show_verified(self) -> None:
         """Show what checks say by now."""
-        column = list(_COLUMNS).index("Verified")
         with QSignalBlocker(self.table):
             for row, run in enumerate(self._runs):
-                item = self.table.item(row, column)
+                item = self.table.item(row, _VERIFIED)
                 assert item is not None  # each row is filled
                 item.setText(self._verified(run) or "–")
 
@@ -159,13 +161,13 @@ class RunTable(QWidget):
         result, (n_u, n_v) = run.result, run.scene.lens.control_points
         texts = [
             run.name,
-            run.scene.run.method,
-            f"{n_u} × {n_v}",
-            f"{result.iterations}",
-            clock(result.seconds),
-            f"{result.loss:.3e}",
             self._verified(run) or "–",
+            f"{result.loss:.3e}",
             f"{100 * result.ledger.efficiency:.1f} %",
+            clock(result.seconds),
+            f"{result.iterations}",
+            f"{n_u} × {n_v}",
+            run.scene.run.method,
         ]
         for column, text in enumerate(texts):
             item = QTableWidgetItem(text)

@@ -4,6 +4,7 @@ import weakref
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+import numpy as np
 from PySide6.QtCore import QObject, Signal
 
 from ui.checking import Suspect, verified_error
@@ -12,10 +13,9 @@ from ui.kept_runs import renamed, restored, without
 from ui.run_check import RunCheck
 from ui.run_control import RunControl
 from ui.run_table import RunTable
-from ui.views.view import look_alike
 from workbench.design.snapshot import Result
 from workbench.errors import Refused
-from workbench.files.session import KeptRun, Session
+from workbench.files.session import KeptRun
 from workbench.pictures.loss import Course
 
 if TYPE_CHECKING:
@@ -77,9 +77,8 @@ class Runs(QObject):
     def note_check(self, suspect: Suspect, found: "Validation") -> None:
         """Keep what a check says of the lens of a kept run."""
         for run in self._document.session.runs:
-            lens, task = run.result, Session(run.scene, run.target)
-            same = lens.control_points is suspect.control_points
-            if same and look_alike(task, suspect.session):
+            if _is_lens_of(run, suspect):
+                lens = run.result
                 self._verified[id(lens)] = weakref.ref(lens), verified_error(found)
         self.table.show_verified()
 
@@ -105,7 +104,10 @@ class Runs(QObject):
     @property
     def _current(self) -> KeptRun | None:
         session = self._document.session
-        return next((run for run in session.runs if run.result is session.result), None)
+        if session.result is None:
+            return None
+        lens = Suspect(session, session.result.control_points)
+        return next((run for run in reversed(session.runs) if _is_lens_of(run, lens)), None)
 
     def _follow(self, state: str) -> None:
         self.table.allow(state == "idle")
@@ -135,3 +137,13 @@ class Runs(QObject):
     def _delete(self, runs: tuple[KeptRun, ...]) -> None:
         text = f"delete {runs[0].name}" if len(runs) == 1 else f"delete {len(runs)} runs"
         self._document.change(without(self._document.session, runs), text)
+
+
+def _is_lens_of(run: KeptRun, suspect: Suspect) -> bool:
+    """Whether a lens is that of a run, for the same task; by value, since files share nothing."""
+    task, other = run.scene, suspect.session
+    return (
+        np.array_equal(run.result.control_points, suspect.control_points)
+        and task == other.scene.model_copy(update={"run": task.run})
+        and np.array_equal(run.target, other.target)
+    )

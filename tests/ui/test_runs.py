@@ -93,7 +93,8 @@ def test_each_run_is_kept_in_one_step_with_its_result(window, run):
     assert window.document.undo_stack.count() == 1
     run("continue")
     assert names(window) == ["Run 1: auto, 12 × 10", "Run 2: auto, 12 × 10"]
-    assert texts(window, 1)[1:6] == ["auto", "12 × 10", "12", "0:01", "1.429e-01"]
+    figures = ["1.25 %", "1.429e-01", "92.0 %", "0:01", "12", "12 × 10", "auto"]
+    assert texts(window, 1)[1:] == figures
     window.commands["undo"].trigger()
     window.commands["undo"].trigger()
     assert names(window) == [] and window.document.session.result is None
@@ -190,6 +191,11 @@ def test_kept_runs_travel_with_the_file(two_runs, tmp_path):
     two_runs.document.save(path)
     two_runs.document.open(path)
     assert names(two_runs) == ["Run 1: auto, 12 × 10", "Run 2: auto, 12 × 10"]
+    assert [table(two_runs).item(row, 0).font().bold() for row in (0, 1)] == [False, True]
+    assert texts(two_runs, 1)[1] == "–"  # checks do not travel
+    session = two_runs.document.session
+    two_runs.runs.note_check(Suspect(session, session.control_points), found(0.03))
+    assert texts(two_runs, 1)[1] == "3.00 %" and texts(two_runs, 0)[1] == "–"
 
 
 def test_the_lens_of_a_run_is_checked_at_its_end(window, run, checks, qtbot):
@@ -198,13 +204,13 @@ def test_the_lens_of_a_run_is_checked_at_its_end(window, run, checks, qtbot):
     heights, rays, threads = checks.asked[-1]
     assert heights is result.control_points and rays == 4_000_000 and threads is None
     assert window._status._verified.text() == "verified 1.25 % at 6"
-    assert texts(window, 0)[6] == "1.25 %"
+    assert texts(window, 0)[1] == "1.25 %"
     (point,) = window.views.loss._verified
     assert (point.iteration, point.loss) == (6, 0.1)
     scene = window.document.session.scene
     window.document.edit(scene.model_copy(update={"unit": "mm"}), "unit", "unit")
     assert window._status._verified.text() == "" and window.views.loss._verified == ()
-    assert texts(window, 0)[6] == "1.25 %"
+    assert texts(window, 0)[1] == "1.25 %"
 
 
 def test_a_run_is_checked_while_it_goes_on(window, as_run, checks, monkeypatch, qtbot):
@@ -247,6 +253,6 @@ def test_a_check_of_another_task_is_not_that_of_the_run(window, run, checks):
     )
     assert moved.start is session.result.control_points
     window.runs.note_check(Suspect(moved, moved.start), found(0.5))
-    assert texts(window, 0)[6] == "1.25 %"
+    assert texts(window, 0)[1] == "1.25 %"
     window.runs.note_check(Suspect(replace(session, runs=()), moved.start), found(0.5))
-    assert texts(window, 0)[6] == "50.00 %"
+    assert texts(window, 0)[1] == "50.00 %"
