@@ -91,18 +91,23 @@ def shown(dots):
     return dots._mesh.n_points if dots._actor.visibility else 0
 
 
-def test_a_coarse_net_is_shown_whole_with_its_lines(net):
+def test_a_coarse_net_is_shown_whole_with_its_lines(net, plotter):
     net.mark(None)
     assert shown(net._points) == 0
     net.show(True)
     assert shown(net._points) == 120
     assert net._threads.visibility and net._lines.n_lines == 22
+    plotter.camera.zoom(0.2)
+    net.update(np.full((12, 10), 0.5))
+    assert not net._threads.visibility and shown(net._points) == 120  # too close together
     net.show(False)
     assert shown(net._points) == 0 and not net._threads.visibility
 
 
-def test_of_a_fine_net_what_is_near_the_brush(fine):
+def test_of_a_fine_net_what_is_near_the_brush(fine, plotter):
     assert shown(fine._points) == 0
+    plotter.camera.zoom(20)
+    fine.update(np.full((192, 192), 0.5))
     fine.brush((100, 3), 0.05)
     assert shown(fine._points) == 25 * 16
     assert fine._lines.n_lines == 25 + 16

@@ -1,7 +1,7 @@
 """Control points of the exit face in three dimensions: shown, picked, marked, brushed, locked.
 
 1. All of a fine net would hide the lens. Of such a net only what is near the brush is shown, and
-   beside no brush the locked points alone.
+   beside no brush the locked points alone. Points seen close together are drawn small.
 2. A locked point is a square and the others are balls, so that nobody has to tell colours apart.
 """
 
@@ -28,7 +28,11 @@ _POINT = {True: "#c9d2de", False: "#2c3440"}  # by dark
 _MARK = {True: "#ff7ad9", False: "#c2188f"}  # neither of light nor of glass
 _BRUSH = {True: "#ffffff", False: "#000000"}
 _LOCKED = {True: "#f0a202", False: "#9a4a00"}
-_SIZES = 4.0, 13.0, 8.0, 8.0  # of points, of the marked one, in the brush and locked; in pixels
+_MARKED = 13.0  # size of the marked point in pixels
+_SIZES = 4.0, 8.0, 8.0  # of points, of those in the brush and of locked ones, at most
+_SMALLEST = 2.0, 3.0, 3.0
+_PARTS = 0.25, 0.6, 0.6  # of what is between neighbours
+_LINES = 6.0  # pixels between neighbours, from which on lines are drawn
 _LIFT = 0.004  # of the lens's half-width, above the face that would swallow half of each point
 _REACH = 0.75  # of the diagonal between neighbours; farther away nothing is picked
 _WHOLE = 1200  # control points of a net that is shown whole
@@ -71,9 +75,9 @@ class ControlNetPicture:
             reset_camera=False,
             render=False,
         )
-        near, mark, brush, locked = _SIZES
-        self._points, self._mark = Dots(plotter, near), Dots(plotter, mark)
-        self._brushed, self._locks = Dots(plotter, brush), Dots(plotter, locked, round=False)
+        self._mark = Dots(plotter, _MARKED)
+        self._points, self._brushed = Dots(plotter, _SIZES[0]), Dots(plotter, _SIZES[1])
+        self._locks = Dots(plotter, _SIZES[2], round=False)
         self._sight = Sight(plotter)
         self.update(self._places[..., 2])
         self.recolour(dark)
@@ -86,6 +90,7 @@ class ControlNetPicture:
     def update(self, heights: Array) -> None:
         """Move the points to their heights z, shape (n_u, n_v), scene units."""
         self._places[..., 2] = heights
+        self._resize()
         self._place()
 
     def show(self, shown: bool) -> None:
@@ -162,6 +167,15 @@ class ControlNetPicture:
             block.append(slice(first, last))
         return block[0], block[1]
 
+    def _resize(self) -> None:
+        """Keep points apart, as they are seen in the middle of the net."""
+        i, j = (count // 2 for count in self._net.shape)
+        here, *there = self._sight.pixels(self._places[[i, i - 1, i], [j, j, j - 1]])
+        self._apart = max(float(np.linalg.norm(seen - here)) for seen in there)
+        kinds = (self._points, self._brushed, self._locks)
+        for dots, part, low, high in zip(kinds, _PARTS, _SMALLEST, _SIZES, strict=True):
+            dots.resize(min(max(part * self._apart, low), high))
+
     def _place(self) -> None:
         places, lift = self._places, self._lift
         block, none = self._block(), np.zeros((0, 3))
@@ -190,7 +204,7 @@ class ControlNetPicture:
     def _string(self, block: Block | None, points: Array) -> None:
         """Lines between neighbours of a block."""
         shape = (0, 0) if block is None else self._places[block].shape[:2]
-        shown = self._shown and min(shape) > 1
+        shown = self._shown and min(shape) > 1 and self._apart >= _LINES
         self._threads.SetVisibility(shown)
         if not shown:
             return

@@ -46,6 +46,10 @@ class Dots:
         if self._mesh.n_verts != len(points):
             self._mesh.verts = np.insert(np.arange(len(points)), np.arange(len(points)), 1)
 
+    def resize(self, size: float) -> None:
+        """Draw them larger or smaller, in pixels."""
+        self._actor.prop.point_size = size
+
     def colour(self, colour: str) -> None:
         """Draw them in another colour."""
         self._actor.prop.color = colour
