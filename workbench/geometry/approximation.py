@@ -1,11 +1,11 @@
 """A surface on another control net: as near as that net allows, and how far off it is."""
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
 
-from workbench.geometry.basis import basis_matrix
+from workbench.geometry.basis import local_basis
 
 if TYPE_CHECKING:
     from workbench.geometry.surface import ControlNet
@@ -36,13 +36,14 @@ def project(net: "ControlNet", heights: Array, other: "ControlNet") -> Array:
     Projections onto tensor products are products of projections along u and along v. The
     integrals are exact: Gauss-Legendre between all knots of both nets.
     """
-    along_u, along_v = (
-        _projection(knots, degree, others, other_degree)
-        for knots, degree, others, other_degree in zip(
-            net.knots, net.degree, other.knots, other.degree, strict=True
+    for axis in (0, 1):
+        along = _project(
+            heights if axis == 0 else heights.T,
+            (net.knots[axis], net.degree[axis]),
+            (other.knots[axis], other.degree[axis]),
         )
-    )
-    return np.asarray(along_u @ heights @ along_v.T)
+        heights = along if axis == 0 else along.T
+    return heights
 
 
 def deviation(net: "ControlNet", heights: Array, other: "ControlNet", others: Array) -> float:
@@ -65,22 +66,41 @@ def deviation(net: "ControlNet", heights: Array, other: "ControlNet", others: Ar
     return float(np.abs(here - _values(other, others, u, v)).max())
 
 
-def _projection(knots: Array, degree: int, others: Array, other_degree: int) -> Array:
+def _project(values: Array, spline: tuple[Array, int], other: tuple[Array, int]) -> Array:
+    """Project the columns of control values from one spline space to another."""
+    from scipy.linalg import solveh_banded  # late: it takes long to import
+
+    (knots, degree), (others, other_degree) = spline, other
     places, weights = np.polynomial.legendre.leggauss(max(degree, other_degree) + 1)
     ends = np.union1d(knots, others)
     half = np.diff(ends)[:, None] / 2
     t = (ends[:-1, None] + half * (1 + places)).ravel()
-    weight = (half * weights).reshape(-1, 1)
-    here, there = basis_matrix(knots, degree, t), basis_matrix(others, other_degree, t)
-    return np.asarray(np.linalg.solve(there.T @ (weight * there), there.T @ (weight * here)))
+    here, there = _basis(knots, degree, t), _basis(others, other_degree, t)
+    weighted = there.T.multiply((half * weights).ravel()).tocsr()
+    gram = weighted @ there
+    bands = np.zeros((other_degree + 1, gram.shape[0]))
+    for k in range(other_degree + 1):  # the lower ones, as the solver wants them
+        bands[k, : gram.shape[0] - k] = gram.diagonal(-k)
+    return np.asarray(solveh_banded(bands, weighted @ (here @ values), lower=True))
 
 
 def _values(net: "ControlNet", heights: Array, u: Array, v: Array) -> Array:
     along_u, along_v = (
-        basis_matrix(knots, degree, t)
+        _basis(knots, degree, t)
         for knots, degree, t in zip(net.knots, net.degree, (u, v), strict=True)
     )
-    return np.asarray(along_u @ heights @ along_v.T)
+    return np.asarray((along_v @ (along_u @ heights).T).T)
+
+
+def _basis(knots: Array, degree: int, t: Array) -> Any:
+    """`basis_matrix` without its zeros, so that products with it need no other cores."""
+    from scipy.sparse import csr_array  # late: it takes long to import
+
+    first, values = local_basis(knots, degree, t)
+    columns = first[:, None] + np.arange(degree + 1)
+    begins = np.arange(0, columns.size + 1, degree + 1)
+    shape = (t.size, len(knots) - degree - 1)
+    return csr_array((values.ravel(), columns.ravel(), begins), shape=shape)
 
 
 def _with_midpoints(knots: Array, others: Array) -> Array:
