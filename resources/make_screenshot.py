@@ -1,12 +1,15 @@
-"""Takes the README's picture of the real window: ``python -m resources.make_screenshot``.
+"""Takes the README's pictures of the real window: ``python -m resources.make_screenshot``.
 
 Needs a screen, real or virtual: ``xvfb-run -a -s '-screen 0 1600x1000x24' python -m ...``.
 """
 
+import os
 import sys
+from collections.abc import Callable
 
-from PySide6.QtCore import QEventLoop, QSettings, QSize, QTimer
-from PySide6.QtWidgets import QApplication
+from PySide6.QtCore import QEventLoop, QSettings, QSize, Qt, QTimer
+from PySide6.QtGui import QPixmap
+from PySide6.QtWidgets import QApplication, QDialog
 
 import resources
 from ui import theme
@@ -15,24 +18,75 @@ from ui.main_window import MainWindow
 from workbench.files.session import open_design
 
 _SIZE = QSize(1440, 900)
-_EXAMPLE = "flame"
+_SETTLING = 2500  # milliseconds in which all views have had their turn
+
+
+def begin() -> QApplication:
+    """An application that turns dark when it is told to."""
+    if sys.platform.startswith("linux"):
+        os.environ.setdefault("QT_QPA_PLATFORMTHEME", "gnome")  # heeds `setColorScheme`
+    application = QApplication(sys.argv[:1])
+    theme.apply(application)
+    return application
+
+
+def open_window(example: str, size: QSize) -> MainWindow:
+    """A window with its views, and an example in it."""
+    path = resources.path("examples", f"{example}.json")
+    settings = QSettings("none", "screenshot")
+    settings.clear()
+    window = MainWindow(Document(open_design(path), example), settings)
+    window.resize(size)
+    window.show()
+    window.activateWindow()
+    window.build()
+    return window
+
+
+def design(window: MainWindow) -> None:
+    """Run the design to its end."""
+    assert window.control is not None
+    done = QEventLoop()
+    window.control.ended.connect(done.quit, Qt.ConnectionType.SingleShotConnection)
+    window.start()
+    done.exec()
+    settle()
+
+
+def settle(milliseconds: int = _SETTLING) -> None:
+    """Let the window draw."""
+    loop = QEventLoop()
+    QTimer.singleShot(milliseconds, loop.quit)
+    loop.exec()
+
+
+def dialog_of(window: MainWindow, command: str) -> QPixmap:
+    """The dialog that a command opens."""
+    before = set(window.findChildren(QDialog))
+    window.commands[command].trigger()
+    settle(500)
+    (dialog,) = set(window.findChildren(QDialog)) - before
+    picture = dialog.grab()
+    dialog.close()
+    return picture
 
 
 def make() -> None:
-    """Design the example in a window and write ``readme/window.png``."""
-    application = QApplication(sys.argv[:1])
-    theme.apply(application)
-    example = resources.path("examples", f"{_EXAMPLE}.json")
-    window = MainWindow(Document(open_design(example), _EXAMPLE), QSettings("none", "screenshot"))
-    window.resize(_SIZE)
-    window.show()
-    window.build()
-    assert window.control is not None
-    done = QEventLoop()
-    window.control.ended.connect(lambda: QTimer.singleShot(1000, done.quit))
-    window.start()
-    done.exec()
-    window.grab().save(str(resources.path("readme", "window.png")))
+    """Design the flame in a window, and write ``readme/*.png`` on the way."""
+    application = begin()
+    window = open_window("flame", _SIZE)
+
+    def take(name: str, picture: Callable[[], QPixmap] = window.grab) -> None:
+        picture().save(str(resources.path("readme", f"{name}.png")))
+
+    design(window)
+    take("window")
+    take("gallery", lambda: dialog_of(window, "gallery"))
+    application.styleHints().setColorScheme(Qt.ColorScheme.Dark)
+    for command in ("go_surface", "go_section", "go_history", "sculpt"):
+        window.commands[command].trigger()
+    settle()
+    take("sculpting")
     window.discard_and_close()
 
 
