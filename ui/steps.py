@@ -123,6 +123,8 @@ class _Step(QUndoCommand):
             return False
         self.after = other.after
         self.cost = _cost(self.before, self.after)
+        # Qt deletes the other in the midst of `push`, after which PySide keeps its shell for ever.
+        del other.before, other.after
         return True
 
 

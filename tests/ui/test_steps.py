@@ -1,5 +1,7 @@
 """Steps that can be taken back: all of them, until they hold too much memory."""
 
+import gc
+import weakref
 from dataclasses import replace
 
 import numpy as np
@@ -138,3 +140,12 @@ def test_the_origin_is_that_of_the_step_under_way(walk):
     assert walk.steps.origin("other") is None and walk.steps.origin("") is None
     walk.steps.setClean()
     assert walk.steps.origin("key") is None
+
+
+def test_what_steps_that_became_one_have_passed_through_is_let_go(walk):
+    passed = weakref.ref(walk.go("drag", "drag 1", result=lens()))
+    walk.go("drag", "drag 1", result=lens())
+    walk.shown.clear()
+    gc.collect()
+    assert walk.steps.count() == 1
+    assert passed() is None
