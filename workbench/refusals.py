@@ -7,6 +7,9 @@ from pydantic_core import ErrorDetails
 
 from workbench.errors import Refused
 
+# Most characters of a value or name that a sentence quotes.
+_LONGEST = 60
+
 # What is wrong, by pydantic's error type; {x} are the values pydantic reports with it.
 _SENTENCES = {
     "missing": "missing; it is required",
@@ -80,7 +83,9 @@ def _follow(location: tuple[int | str, ...], model: type[BaseModel]) -> tuple[st
         if tagged and len(candidates) > 1:
             candidates = tagged
             continue
-        path += f".{step}" if path else step
+        # What is not a field here may be any text.
+        name = step if step.isidentifier() and len(step) < _LONGEST else shown(step)
+        path += f".{name}" if path else name
         fields = sorted({name for c in candidates for name in c.model_fields})
         annotations = [
             c.model_fields[step].annotation for c in candidates if step in c.model_fields
@@ -102,7 +107,7 @@ def _models(annotation: object) -> list[type[BaseModel]]:
 
 def _sentence(details: ErrorDetails, fields: list[str]) -> str:
     kind = details["type"]
-    value = _shown(details["input"])
+    value = shown(details["input"])
     context: dict[str, Any] = details.get("ctx", {})
     if kind == "json_invalid":
         return f"not valid JSON: {context.get('error', '')}"
@@ -115,7 +120,7 @@ def _sentence(details: ErrorDetails, fields: list[str]) -> str:
         given = details["input"].get(field)
         if given is None:
             return _SENTENCES["missing"]
-        return f"{_shown(given)} is not available; allowed: {allowed}"
+        return f"{shown(given)} is not available; allowed: {allowed}"
     if kind == "too_long":
         most = context["max_length"]
         return f"{context['actual_length']} values given; exactly {most} are needed"
@@ -125,6 +130,7 @@ def _sentence(details: ErrorDetails, fields: list[str]) -> str:
     return f"{value}: {message[:1].lower()}{message[1:]}"
 
 
-def _shown(value: object) -> str:
+def shown(value: object) -> str:
+    """A value as a sentence can hold it: on one line, and short."""
     text = repr(value)
-    return text if len(text) <= 60 else text[:57] + "..."
+    return text if len(text) <= _LONGEST else text[: _LONGEST - 3] + "..."

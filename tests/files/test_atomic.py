@@ -179,3 +179,58 @@ def test_asking_changes_nothing(tmp_path):
     check_writable(tmp_path / "old")
     assert (tmp_path / "old").read_bytes() == b"old"
     assert os.listdir(tmp_path) == ["old"]
+
+
+class TestLeftBehind:
+    """What a process that was killed leaves goes with the next that writes the same file."""
+
+    @pytest.fixture
+    def target(self, tmp_path):
+        return tmp_path / "file"
+
+    @pytest.fixture
+    def left(self, target):
+        """The file that was being written as the process was killed."""
+        with replacing(target) as file:
+            left = atomic.Path(file.name)
+        target.rename(left)
+        left.write_bytes(b"half")
+        return left
+
+    def test_goes_with_the_next(self, left, target):
+        write(target, b"whole")
+        assert os.listdir(target.parent) == ["file"]
+        assert target.read_bytes() == b"whole"
+
+    def test_goes_even_if_the_next_fails(self, left, target):
+        with pytest.raises(ZeroDivisionError), replacing(target):
+            raise ZeroDivisionError
+        assert os.listdir(target.parent) == []
+
+    def test_stays_beside_other_files(self, left, target):
+        write(target.with_name("other"), b"other")
+        assert left.read_bytes() == b"half"
+
+    def test_stays_while_it_is_written(self, target):
+        with replacing(target) as slow:
+            slow.write(b"slow")
+            write(target, b"fast")
+            assert target.read_bytes() == b"fast"
+        assert target.read_bytes() == b"slow"
+        assert os.listdir(target.parent) == ["file"]
+
+    def test_a_file_that_is_taken_away_at_its_birth_is_made_anew(self, target, monkeypatch):
+        born = []
+        locked = atomic._locked
+
+        def unlucky(file, path):
+            born.append(path)
+            if len(born) == 1:
+                path.unlink()
+            return locked(file, path)
+
+        monkeypatch.setattr(atomic, "_locked", unlucky)
+        write(target, b"content")
+        assert len(set(born)) == 2
+        assert target.read_bytes() == b"content"
+        assert os.listdir(target.parent) == ["file"]

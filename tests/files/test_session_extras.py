@@ -11,6 +11,7 @@ from workbench.design.session import LONGEST_NAME, KeptRun, Session
 from workbench.design.snapshot import Result
 from workbench.errors import Refused
 from workbench.files import header
+from workbench.files.figures import Figures
 from workbench.files.session import read_session, write_session
 from workbench.optics.ledger import Ledger
 
@@ -215,6 +216,12 @@ class TestRefused:
         content = path.with_suffix(".npy").read_bytes()
         told = refused(forge({"locked.npy": content[:-1] + b"\2"}))
         assert told.startswith(": locked.npy: holds a value that is neither 0 nor 1")
+
+    @pytest.mark.parametrize("starts", [[9], [-1], [3, 2], [10**30]])
+    def test_stages_that_began_when_there_was_no_run(self, forge, session, starts):
+        figures = Figures.of(session.result).model_dump(exclude_none=True)
+        told = refused(forge(result=figures | {"stage_starts": starts}))
+        assert told.startswith(": loss.npy: has 8 losses; stages cannot have begun after (")
 
     def test_a_run_without_its_arrays(self, forge):
         assert refused(forge({"runs/1/loss.npy": None})).startswith(": runs/1/loss.npy: is missing")

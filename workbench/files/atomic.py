@@ -5,11 +5,17 @@ import os
 import secrets
 import stat
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
+from hashlib import blake2b
 from pathlib import Path
 from typing import BinaryIO
 
 from workbench.errors import Refused
+
+try:
+    import fcntl
+except ImportError:  # Windows
+    fcntl = None  # type: ignore[assignment]
 
 
 @contextmanager
@@ -38,13 +44,14 @@ def replacing(path: Path) -> Iterator[BinaryIO]:
     with _refusing(path):
         target = Path(os.path.realpath(path))
         mode = _mode(target)
-        with _temporary(target.parent) as file:
+        with _temporary(target) as file:
             yield file
             file.flush()
             os.fsync(file.fileno())
-            file.close()
             if mode is not None:
                 os.chmod(file.name, mode)
+            if os.name == "nt":  # renames no open file; elsewhere it stays locked until then
+                file.close()
             os.replace(file.name, target)
         _sync(target.parent)
 
@@ -60,7 +67,7 @@ def check_writable(path: Path) -> None:
     with _refusing(path):
         target = Path(os.path.realpath(path))
         _mode(target)
-        with _temporary(target.parent):
+        with _temporary(target):
             pass
 
 
@@ -90,14 +97,48 @@ def _mode(target: Path) -> int | None:
 
 
 @contextmanager
-def _temporary(folder: Path) -> Iterator[BinaryIO]:
-    # Not from tempfile, whose files only their owner may read, whatever the umask says.
-    path = folder / f".{secrets.token_hex(8)}.tmp"
+def _temporary(target: Path) -> Iterator[BinaryIO]:
+    """A file beside ``target`` for as long as the block lasts, or until it is renamed.
+
+    A process that is killed leaves its file behind. The next that writes the same target, which
+    the name tells, takes it away, since nobody has it locked.
+    """
+    mark = blake2b(os.fsencode(target.name), digest_size=8).hexdigest()
+    for path in target.parent.glob(f".{mark}.*.tmp"):
+        _remove_if_left(path)
+    while True:
+        path = target.with_name(f".{mark}.{secrets.token_hex(8)}.tmp")
+        try:
+            # Not from tempfile, whose files only their owner may read, whatever the umask says.
+            with path.open("xb") as file:
+                if _locked(file, path):
+                    yield file
+                    return
+        finally:
+            path.unlink(missing_ok=True)
+
+
+def _locked(file: BinaryIO, path: Path) -> bool:
+    """Lock a new file; False if another process was faster and takes it away."""
+    if fcntl is None:
+        return True
     try:
-        with path.open("xb") as file:
-            yield file
-    finally:
-        path.unlink(missing_ok=True)
+        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        return False
+    except OSError:  # a file system without locks, where nobody takes anything away
+        return True
+    return path.exists()
+
+
+def _remove_if_left(path: Path) -> None:
+    with suppress(OSError):
+        if fcntl is None:
+            path.unlink()  # Windows does not remove what is open
+        else:
+            with path.open("rb") as file:
+                fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+                path.unlink()
 
 
 def _sync(folder: Path) -> None:

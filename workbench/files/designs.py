@@ -8,6 +8,7 @@ from workbench.errors import Refused
 from workbench.files.entries import Entries
 from workbench.files.figures import Figures
 from workbench.files.npy import Array
+from workbench.refusals import shown
 from workbench.scene import Scene
 
 _TARGET = "target.npy"
@@ -64,6 +65,12 @@ def read_result(entries: Entries, folder: str, scene: Scene, figures: Figures) -
     """
     n_x, n_y = scene.screen.pixels
     seconds, count = folder + _SECONDS, (figures.iterations,)
+    starts = figures.stage_starts or ()
+    if list(starts) != sorted(starts) or not all(0 <= at <= figures.iterations for at in starts):
+        raise Refused(
+            entries.where(folder + _LOSS),
+            f"has {figures.iterations} losses; stages cannot have begun after {shown(starts)}",
+        )
     return Result(
         control_points=entries.array(folder + _CONTROL_POINTS, scene.lens.control_points),
         irradiance=entries.array(folder + _IRRADIANCE, (n_y, n_x)),
@@ -71,7 +78,7 @@ def read_result(entries: Entries, folder: str, scene: Scene, figures: Figures) -
         loss=figures.loss,
         seconds=figures.seconds,
         ledger=figures.to_ledger(),
-        stage_starts=figures.stage_starts or (),
+        stage_starts=starts,
         stages_left=figures.stages_left or 0,
         seconds_at=entries.array(seconds, count) if seconds in entries else None,
     )

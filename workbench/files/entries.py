@@ -5,10 +5,12 @@ import zipfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from textwrap import shorten
 from typing import BinaryIO
 
 from workbench.errors import Refused
 from workbench.files.npy import Array, Mask, largest_size, read_array, read_mask
+from workbench.refusals import shown
 
 # What zipfile raises on damaged archives, besides OSError.
 _DAMAGE = (
@@ -56,7 +58,7 @@ class Entries:
         """Refuse a zip that holds anything else, anything twice, or more than its size."""
         for name in self._archive.namelist():
             if name not in needed:
-                raise Refused(f"{self._path}: {name!r}", "does not belong into this session")
+                raise Refused(self.where(shown(name)), "does not belong into this session")
         if len(self._archive.namelist()) > len(self._names):
             raise Refused(str(self._path), "holds an entry twice; each must be there once")
         entries = self._archive.infolist()
@@ -92,5 +94,6 @@ class Entries:
         try:
             yield
         except _DAMAGE as error:
-            detail = str(error) or "it ends too soon"
+            # Some quote what they found, be it as long as the file.
+            detail = shorten(str(error) or "it ends too soon", 100, placeholder=" ...")
             raise Refused(str(self._path), f"is a damaged or incomplete zip: {detail}") from error

@@ -1,0 +1,119 @@
+"""A process that is killed while it saves leaves the old file or the new one, whole."""
+
+import multiprocessing
+import os
+import time
+from dataclasses import replace
+from random import Random
+
+import pytest
+
+from workbench.design.session import KeptRun, Session
+from workbench.design.snapshot import Result
+from workbench.files.export.write import export
+from workbench.files.session import read_session, write_session
+from workbench.optics.ledger import Ledger
+
+EXPORTS = ("lens.stl", "lens.obj", "lens.csv", "lens.npy", "lens.glb")
+
+
+@pytest.fixture
+def make_session(make_scene, rng):
+    def make(net, pixels, kept):
+        scene = make_scene({"lens.control_points": [net, net], "screen.pixels": [pixels, pixels]})
+        result = Result(
+            control_points=0.5 + 0.01 * rng.random((net, net)),
+            irradiance=rng.random((pixels, pixels)),
+            losses=rng.random(300),
+            loss=0.25,
+            seconds=2.0,
+            ledger=Ledger(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
+        )
+        target = rng.random((pixels, pixels))
+        runs = tuple(KeptRun(f"run {k}", scene, target, result) for k in range(kept))
+        return Session(scene, target, result, runs=runs)
+
+    return make
+
+
+def save(session, folder):
+    write_session(session, folder / "lens.freeform")
+
+
+def export_all(session, folder):
+    for _ in export(session, [folder / name for name in EXPORTS]):
+        pass
+
+
+def save_for_ever(write, sessions, folder, begun):
+    begun.set()
+    while True:
+        for session in sessions:
+            write(session, folder)
+
+
+def kill(write, sessions, folder, seconds):
+    """Let a process save, and kill it; the temporary files that it has left."""
+    context = multiprocessing.get_context("fork")
+    begun = context.Event()
+    process = context.Process(target=save_for_ever, args=(write, sessions, folder, begun))
+    process.start()
+    assert begun.wait(60)
+    time.sleep(seconds)
+    process.kill()
+    process.join()
+    assert process.exitcode == -9  # and not by an error of its own
+    return {name for name in os.listdir(folder) if name.endswith(".tmp")}
+
+
+def check(write, first, tmp_path, kills):
+    """Kill so often; every file must be byte by byte one of the two that were to be written."""
+    sessions = first, replace(first, target=first.target[::-1], result=moved(first.result))
+    folder, *wholes = (tmp_path / name for name in ("folder", "old", "new"))
+    for session, whole in zip(sessions, wholes, strict=True):
+        whole.mkdir()
+        write(session, whole)
+    folder.mkdir()
+    begin = time.monotonic()
+    write(first, folder)
+    typical = time.monotonic() - begin
+    names = set(os.listdir(folder))
+    random, broken_off, seen = Random(0), 0, set()
+    for _ in range(kills):
+        left = kill(write, sessions, folder, random.uniform(0, 4 * typical))
+        broken_off += bool(left)
+        assert set(os.listdir(folder)) == names | left
+        for name in names:
+            content = (folder / name).read_bytes()
+            now = [content == (whole / name).read_bytes() for whole in wholes]
+            assert any(now), f"{name} is broken"
+            seen |= {name, now.index(True)}
+        write(first, folder)
+        assert set(os.listdir(folder)) == names, "left behind"
+    # The moments were such that both were found, and saving was broken off.
+    assert {0, 1} <= seen
+    assert broken_off > 0.1 * kills
+
+
+def moved(result):
+    return replace(result, control_points=result.control_points[::-1])
+
+
+def test_a_session(make_session, tmp_path):
+    check(save, make_session(5, 40, 1), tmp_path, kills=20)
+    assert read_session(tmp_path / "folder" / "lens.freeform").runs[0].name == "run 0"
+
+
+@pytest.mark.slow
+@pytest.mark.timeout(3600)
+@pytest.mark.parametrize(
+    "write, size, kills",
+    [
+        (save, (8, 8, 0), 200),
+        (save, (64, 512, 4), 200),
+        (export_all, (8, 16, 0), 200),
+    ],
+    ids=["small", "large", "exports"],
+)
+def test_many_times(make_session, tmp_path, write, size, kills):
+    check(write, make_session(*size), tmp_path, kills)
