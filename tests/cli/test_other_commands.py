@@ -72,8 +72,9 @@ class TestValidate:
         assert printed.startswith("relative L2 ")
         assert "total reflection  0.00000\n" in printed
 
-    def test_with_mitsuba(self, freeform, lens):
+    def test_with_mitsuba(self, freeform, lens, monkeypatch):
         pytest.importorskip("mitsuba")
+        monkeypatch.setattr("workbench.analysis.mitsuba._CELLS", 96)
         given = "validate", lens, "--rays", 50_000, "--with", "mitsuba"
         status, printed, told = freeform(*given, "--json")
         assert (status, told) == (0, "")

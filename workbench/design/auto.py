@@ -229,7 +229,7 @@ def _samples(source: Source) -> tuple[int, int]:
 
 
 def _mirrored(
-    scene: Scene, target: Array, start: Array | None, locked: Mask | None
+    scene: Scene, target: Array, start: Array | None, locked: Mask | None = None
 ) -> tuple[bool, bool]:
     """Whether target, source, first lens and locks are their own mirror images in x, in y."""
     source = scene.source
