@@ -80,6 +80,16 @@ def test_other_runs_are_told_apart_without_colour_and_fit_in(axes):
     assert axes.get_legend() is None and len(axes.lines) == 2
 
 
+def test_names_that_have_no_room_are_left_out():
+    low = Figure(figsize=(2.2, 1.2)).subplots()
+    picture = LossPicture(low)
+    picture.compare([Course(f"run {k}", np.ones(2), np.ones(2)) for k in range(6)])
+    assert low.get_legend() is None
+    low.get_figure().set_size_inches(8, 4)
+    assert picture.update(np.ones(2), 2) is True
+    assert len(low.get_legend().get_texts()) == 7
+
+
 def test_checks_stand_where_the_run_was(axes):
     picture = LossPicture(axes, "seconds")
     picture.update(np.array([3.0]), 1, times=np.ones(1), verified=[Verified(7, 0.5, 4.0)])

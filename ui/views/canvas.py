@@ -31,6 +31,7 @@ _LEFT_OF_IMAGE, _LEFT_OF_CURVE, _BOTTOM, _RIGHT, _TOP = 68, 84, 40, 18, 12
 _SPAN = 1.105  # of axes with a colour bar, in widths of the axes
 _BAR_LABELS = 62.0  # to begin with
 _EDGE, _SLACK = 4.0, 20.0  # between the widest label and the end, at least and at most
+_TRIES = 3  # with more room, other numbers may stand beside the bar
 _FILE_DPI = 200
 _INK, _PAPER = "black", "white"  # of files, which are read and printed elsewhere
 
@@ -87,9 +88,10 @@ class Canvas(FigureCanvasQTAgg):
 
     def draw(self) -> None:
         """Draw everything and keep all but the artists as the background."""
-        super().draw()
-        if self._make_room():
+        for _ in range(_TRIES):
             super().draw()
+            if not self._make_room():
+                break
         self._background = self.copy_from_bbox(self.figure.bbox)
         self._draw_artists()
 

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QWidget
 
 from ui.views.menu_button import MenuButton, chosen_of
@@ -46,6 +47,11 @@ class LossView(PlotView):
     def show_verified(self, verified: Sequence[Verified]) -> None:
         """Show what checks said of lenses of this run."""
         self._verified = tuple(verified)
+        self._ask()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Another size has another room for names."""
+        super().resizeEvent(event)
         self._ask()
 
     def _why_empty(self, frame: "Frame | None") -> str:

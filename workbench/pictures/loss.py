@@ -19,6 +19,7 @@ Against = Literal["iterations", "seconds"]
 
 _FONT = 8
 _SHORT_RANGE = 50
+_NAME = 13  # widths of letters that a name and its stroke take
 _MARK = "#8a8f98"  # seen on light and dark
 _THIS_RUN = "#2f86d1"
 _CHECKED = "#d9822b"
@@ -30,7 +31,6 @@ _OTHERS = (
     ("#e69f00", (0, (7, 2))),
     ("#56b4e9", (0, (3, 1, 1, 1, 1, 1))),
 )
-_LEGEND_ROWS = 4
 
 
 class Course(NamedTuple):
@@ -112,6 +112,7 @@ class LossPicture:
         self._others: list[Line2D] = []
         self._runs: tuple[Course, ...] = ()
         self._has_points = False
+        self._legend: tuple[int, list[Line2D]] = (0, [])  # its columns and what it names
         look = {"color": _THIS_RUN, "linewidth": 1.5, "zorder": 3}
         (self._line,) = axes.plot([], [], **look, label="this run")  # type: ignore[arg-type]
         (self._points,) = axes.plot(
@@ -179,9 +180,8 @@ class LossPicture:
         self._points.set_data(
             [v.seconds if by_time else v.iteration for v in verified], [v.loss for v in verified]
         )
-        if named := bool(verified) != self._has_points:
-            self._has_points = bool(verified)
-            self._name_all()
+        self._has_points = bool(verified)
+        named = self._name_all()
         self._value.set_text(f"{losses[-1]:.3g}" if losses.size else "")
         starts = (float(x[start - 1]) for start in stage_starts if 0 < start <= x.size)
         marked = self._mark(tuple(starts) if by_time else tuple(n + 0.5 for n in stage_starts))
@@ -196,23 +196,33 @@ class LossPicture:
             low, high = _round(float(seen.min()), down=True), _round(float(seen.max()), down=False)
         return self._set_limits((self._begins(places), right, low, high)) or marked or named
 
-    def _name_all(self) -> None:
-        """A legend, unless this run is alone."""
+    def _name_all(self) -> bool:
+        """A legend, unless this run is alone or there is no room; whether that changed."""
         points = [self._points] if self._has_points else []
         named = [self._line, *points, *self._others]
-        if len(named) == 1:
-            if legend := self._axes.get_legend():
-                legend.remove()
-            return
-        self._axes.legend(
-            handles=named,
-            loc="upper right",
-            bbox_to_anchor=(1.0, 0.9),  # below the value; curves fall from the left
-            ncols=1 + len(named) // _LEGEND_ROWS,
-            fontsize=_FONT,
-            frameon=False,
-            labelcolor="linecolor",
-        )
+        box = self._axes.bbox
+        em = _FONT * self._axes.get_figure(root=True).dpi / 72  # type: ignore[union-attr]
+        rows, columns = int(0.85 * box.height / (1.3 * em)), int(box.width / (_NAME * em))
+        columns = min(columns, math.ceil(len(named) / max(rows, 1)))
+        if len(named) == 1 or rows * columns < len(named):
+            columns = 0
+        if (columns, named) == self._legend:
+            return False
+        self._legend = columns, named
+        if legend := self._axes.get_legend():
+            legend.remove()
+        if columns:
+            self._axes.legend(
+                handles=named,
+                loc="upper right",
+                bbox_to_anchor=(1.0, 0.92),  # below the value; curves fall from the left
+                ncols=columns,
+                fontsize=_FONT,
+                frameon=False,
+                labelcolor="linecolor",
+                labelspacing=0.2,
+            )
+        return True
 
     def _places(self, losses: Array, times: Array) -> Array:
         if self._against == "seconds":

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 from matplotlib.colors import Colormap
+from matplotlib.ticker import MaxNLocator
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -63,8 +64,8 @@ def map_image(
     axes.set_xlabel(f"x ({unit})", fontsize=_FONT, labelpad=2)
     axes.set_ylabel(f"y ({unit})", fontsize=_FONT, labelpad=2)
     axes.tick_params(labelsize=_FONT)
-    axes.locator_params(axis="x", nbins=4)  # labels beside each other need more room
-    axes.locator_params(axis="y", nbins=5)
+    for axis in (axes.xaxis, axes.yaxis):
+        axis.set_major_locator(ticks())
     return image
 
 
@@ -76,6 +77,11 @@ def colour_bar(axes: "Axes", image: Any, unit: str, extend: str) -> None:
     bar.set_label(unit, fontsize=_FONT)
     bar.ax.tick_params(labelsize=_FONT)
     bar.outline.set_linewidth(0.6)
+
+
+def ticks() -> MaxNLocator:
+    """Places of ticks, as many as there is room for."""
+    return MaxNLocator("auto", steps=[1, 2, 5, 10], min_n_ticks=2)
 
 
 def round_scale(largest: float) -> float:

@@ -7,6 +7,7 @@ import numpy as np
 import numpy.typing as npt
 
 from workbench.pictures.images import full_scale, target_irradiance
+from workbench.pictures.maps import ticks
 from workbench.scene import Scene
 
 if TYPE_CHECKING:
@@ -134,7 +135,8 @@ class SectionCurves:
         axes.set_ylim(0, _HEADROOM * full_scale(scene, target))
         axes.set_ylabel(f"flux / {scene.unit}²", fontsize=_FONT, labelpad=2)
         axes.tick_params(labelsize=_FONT)
-        axes.locator_params(nbins=5)
+        for axis in (axes.xaxis, axes.yaxis):
+            axis.set_major_locator(ticks())
         axes.grid(visible=True, linewidth=0.6, alpha=0.35)
         (wish,) = axes.plot([], [], color=_WISH, linewidth=1.2, linestyle="--", label="target")
         (light,) = axes.plot([], [], color=_LIGHT, linewidth=1.4, label="irradiance")
