@@ -207,4 +207,4 @@ def _with_sizes(content: bytes, random: Random) -> bytes:
 
 @cache
 def _bomb() -> bytes:
-    return bytes(100_000_000)
+    return bytes(20_000_000)
