@@ -46,7 +46,7 @@ def add(commands: Any) -> None:
         dest="other",
         choices=["mitsuba"],
         help="have another program trace the lens too, and compare; mitsuba is an optional extra "
-        "and takes half a minute for the default number of rays",
+        "and takes about a minute for the default number of rays",
     )
     add_json(parser)
 
