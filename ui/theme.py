@@ -83,8 +83,8 @@ def _colour(application: QApplication) -> None:
         }}
         QToolButton#heading:hover, QToolButton#heading:focus {{ background: palette(midlight); }}
         QDockWidget[active="true"]::title {{
-            background: palette(midlight); border-bottom: 2px solid palette(highlight);
-            padding: 1px 4px;
+            background: palette(midlight); border-left: 4px solid palette(highlight);
+            padding-left: 3px;
         }}
         QTreeWidget#commands::item {{ padding: 3px; }}
         QLabel#hint {{ background: {_NOTE[scheme]}; padding: 6px; }}

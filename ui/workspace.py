@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QUndoStack
 from PySide6.QtWidgets import (
     QDockWidget,
@@ -104,6 +104,9 @@ class Workspace:
         )
         for name in _HIDDEN:
             self.docks[name].hide()
+        # A dock that comes between others gets no more than it cannot do without.
+        shown = self.docks["target"].toggleViewAction().toggled
+        shown.connect(lambda shown: QTimer.singleShot(0, window, self._share) if shown else None)
 
     def arrange(self) -> None:
         """Share the window out among the docks."""
@@ -139,6 +142,12 @@ class Workspace:
     def show_scene_view(self, shown: bool) -> None:
         """Show the 3D scene, or nothing in its place (which costs nothing while a run goes on)."""
         self._stage.setCurrentIndex(1 if shown else 0)
+
+    def _share(self) -> None:
+        """Give both images of light as much room, where the target has hardly any."""
+        images = [self.docks["irradiance"], self.docks["target"]]
+        if images[1].width() < images[0].width() / 2:
+            self._window.resizeDocks(images, [1, 1], Qt.Orientation.Horizontal)
 
     def _dock(self, name: str, title: str, area: Qt.DockWidgetArea) -> QDockWidget:
         dock = QDockWidget(title, self._window)
