@@ -37,6 +37,7 @@ _DISK = 1e-4
 _FADE = 1e-3
 # Paths of a pass: an interruption waits for one of them.
 _AT_ONCE = 1 << 19
+_BLACK = {"type": "diffuse", "reflectance": {"type": "rgb", "value": 0.0}}
 
 
 class MitsubaScene:
@@ -243,9 +244,6 @@ class MitsubaScene:
                 "component_format": "float32",
             },
         }
-
-
-_BLACK = {"type": "diffuse", "reflectance": {"type": "rgb", "value": 0.0}}
 
 
 def _mitsuba() -> Any:
