@@ -11,12 +11,13 @@ from workbench.pictures.maps import UNSIGNED, colour_bar, map_image
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
+    from matplotlib.figure import FigureBase
 
 Array = npt.NDArray[np.float64]
 
 _FONT = 9
 _DPI = 150
+_APART = {"wspace": 0.12, "hspace": 0.06}
 _BEYOND = "#ff4d3d"  # viridis has no red
 
 
@@ -68,13 +69,13 @@ class ShopLimits(Protocol):
         """Scene units."""
 
 
-def draw_manufacture(figure: "Figure", maps: FaceMaps, limits: ShopLimits, unit: str) -> None:
+def draw_manufacture(figure: "FigureBase", maps: FaceMaps, limits: ShopLimits, unit: str) -> None:
     """Draw thickness, slope and both curvatures of a lens.
 
     Parameters
     ----------
-    figure : matplotlib.figure.Figure
-        Empty figure.
+    figure : matplotlib.figure.FigureBase
+        Empty figure, or an empty part of one.
     maps : FaceMaps
         The exit face point by point.
     limits : ShopLimits
@@ -98,7 +99,7 @@ def draw_manufacture(figure: "Figure", maps: FaceMaps, limits: ShopLimits, unit:
         (maps.convex.clip(0), "Curvature of humps", f"1 / {unit}", None, bent, tool),
     )
     for axes, (values, name, of, below, above, told) in zip(
-        figure.subplots(2, 2).ravel(), panels, strict=True
+        figure.subplots(2, 2, gridspec_kw=_APART).ravel(), panels, strict=True
     ):
         half_width = float(maps.x.max()), float(maps.y.max())
         image = map_image(axes, name, half_width, values.shape[::-1], unit, UNSIGNED[1])
@@ -125,7 +126,7 @@ def write_manufacture(path: Path | BinaryIO, maps: FaceMaps, limits: ShopLimits,
     from matplotlib.figure import Figure
     from matplotlib.layout_engine import ConstrainedLayoutEngine
 
-    layout = ConstrainedLayoutEngine(w_pad=0.15, wspace=0.12, hspace=0.06)
+    layout = ConstrainedLayoutEngine(w_pad=0.15)
     figure = Figure(figsize=(11, 9), layout=layout)
     draw_manufacture(figure, maps, limits, unit)
     figure.savefig(path, dpi=_DPI, format="png")

@@ -79,13 +79,13 @@ class Pages:
 
         self._blocks.append(_Block((len(lines) + 0.4) * _LINE, draw, heads=True))
 
-    def rows(self, rows: Sequence[tuple[str, str]]) -> None:
-        """Add names and values, two beside each other."""
+    def rows(self, rows: Sequence[tuple[str, str]], heads: bool = False) -> None:
+        """Add names and values, two beside each other; they may stay with what follows."""
         for first in range(0, len(rows), _TOGETHER):
             lines: list[_Line] = []
             for left in range(first, min(first + _TOGETHER, len(rows)), 2):
                 lines += _beside(rows[left : left + 2])
-            self._blocks.append(_Block(len(lines) * _LINE, partial(_draw_lines, lines)))
+            self._blocks.append(_Block(len(lines) * _LINE, partial(_draw_lines, lines), heads))
 
     def picture(self, draw: "Callable[[FigureBase], None]", height: float) -> None:
         """Add a picture as wide as the page and as high as this, inches."""

@@ -9,6 +9,7 @@ import numpy.typing as npt
 from workbench.pictures import Designed, lens_image
 from workbench.pictures.images import ErrorImage, IrradianceImage, target_irradiance
 from workbench.pictures.loss import LossPicture
+from workbench.pictures.manufacture import draw_manufacture
 from workbench.pictures.section import SectionCurves, cut_through
 from workbench.pictures.surface import ASPECTS, SurfaceImage
 from workbench.pictures.tolerances import draw_errors
@@ -19,6 +20,15 @@ if TYPE_CHECKING:
     from workbench.design.snapshot import Result
 
 Array = npt.NDArray[np.float64]
+
+__all__ = [
+    "draw_images",
+    "draw_lens",
+    "draw_loss",
+    "draw_manufacture",
+    "draw_sections",
+    "draw_tolerances",
+]
 
 _FONT = 9
 _APART = {"wspace": 0.12, "hspace": 0.03}

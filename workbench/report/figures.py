@@ -3,6 +3,7 @@
 import math
 
 from workbench.analysis.manufacture import Extreme, Manufacture
+from workbench.analysis.manufacture_limits import Limits, verdicts
 from workbench.analysis.tolerances import Distribution, Tolerances
 from workbench.analysis.validation import Validation
 from workbench.optics.ledger import Ledger
@@ -18,6 +19,8 @@ _LEDGER = {
     "fresnel_entrance": "reflected at the entrance",
     "fresnel_exit": "reflected at the exit",
 }
+
+_STATES = {"met": "met", "broken": "not met", "open": "met where it was looked at"}
 
 
 def check_rows(found: Validation, difference: float) -> tuple[Row, ...]:
@@ -46,22 +49,24 @@ def ledger_rows(ledger: Ledger) -> tuple[Row, ...]:
     return tuple(Row(name, f"{data[part] / ledger.emitted:.3%}") for part, name in _LEDGER.items())
 
 
-def manufacture_rows(scene: Scene, found: Manufacture) -> tuple[Row, ...]:
-    """Figures of the lens, each with what it is not beyond anywhere, and the scene's limits."""
-    unit = scene.unit
-    rows = [
+def manufacture_rows(found: Manufacture, limits: Limits, unit: str) -> tuple[Row, ...]:
+    """Figures of the lens, each with what it is not beyond anywhere, and whether limits are met."""
+    return (
         Row("thinnest", _extreme(found.thinnest, unit, "at least")),
-        Row("wanted at least", f"{scene.lens.min_thickness:.6g} {unit}"),
         Row("thickest", _extreme(found.thickest, unit, "at most")),
-        Row("sag range", f"{found.sag_range:.6g} {unit}"),
         Row("steepest slope", _extreme(found.steepest, "°", "at most")),
         Row("draft", f"{found.draft:.3f}°"),
         Row("smallest concave radius", _extreme(found.tightest_concave, unit, "at least")),
         Row("smallest convex radius", _extreme(found.tightest_convex, unit, "at least")),
-    ]
-    if scene.run.min_radius is not None:
-        rows.append(Row("wanted radii at least", f"{scene.run.min_radius:.6g} {unit}"))
-    return tuple(rows)
+        Row("sag range", f"{found.sag_range:.6g} {unit}"),
+        *(
+            Row(
+                f"limit of the {verdict.name}",
+                f"{verdict.limit:g} {unit}: {_STATES[verdict.state]}",
+            )
+            for verdict in verdicts(found, limits)
+        ),
+    )
 
 
 def tolerance_rows(

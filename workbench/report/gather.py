@@ -3,8 +3,12 @@
 from datetime import datetime
 from functools import partial
 
+import numpy as np
+import numpy.typing as npt
+
 from workbench import __version__
-from workbench.analysis.manufacture import manufacture
+from workbench.analysis.manufacture import manufacture, surface_maps
+from workbench.analysis.manufacture_limits import Limits
 from workbench.analysis.metrics import relative_l2
 from workbench.analysis.tolerances import Distribution, Tolerances, perturbed
 from workbench.analysis.validation import validate
@@ -14,6 +18,11 @@ from workbench.pictures import report as pictures
 from workbench.report.content import Picture, Report, Row, Section
 from workbench.report.figures import check_rows, ledger_rows, manufacture_rows, tolerance_rows
 from workbench.report.scene_rows import scene_rows
+from workbench.scene import Scene
+
+Array = npt.NDArray[np.float64]
+
+_PLACES = 257  # of maps, along the longer side of the lens
 
 
 def gather(
@@ -90,11 +99,7 @@ def gather(
             note="Irradiance and target are compared at the same flux: red is too much light, blue "
             "too little.",
         ),
-        Section(
-            "Manufacture",
-            manufacture_rows(scene, manufacture(scene.lens, heights)),
-            note=f"Found at a place (x, y) in {scene.unit}, and a bound that holds everywhere.",
-        ),
+        _manufacture(scene, heights),
     ]
     if tolerances is not None:
         sections.append(_tolerances(session, *tolerances, max(rays // 4, 1)))
@@ -114,6 +119,22 @@ def gather(
     at = (now or datetime.now()).astimezone()
     program = f"Freeform Lens Workbench {__version__}"
     return Report(name, f"{at:%Y-%m-%d %H:%M %Z} · {program}", tuple(sections))
+
+
+def _manufacture(scene: Scene, heights: Array) -> Section:
+    lens = scene.lens
+    limits = Limits(min_thickness=lens.min_thickness, min_radius=scene.run.min_radius)
+    long = max(lens.half_width)
+    n_x, n_y = (max(round(_PLACES * r / long), 2) for r in lens.half_width)
+    maps = surface_maps(lens, heights, (n_x, n_y))
+    draw = partial(pictures.draw_manufacture, maps=maps, limits=limits, unit=scene.unit)
+    return Section(
+        "Manufacture",
+        manufacture_rows(manufacture(lens, heights), limits, scene.unit),
+        (Picture("Thickness, slope and curvature of the exit face", draw, 6.2),),
+        note=f"Found at a place (x, y) in {scene.unit}, and a bound that holds everywhere. Limits "
+        "are those of the scene; what is beyond them is hatched.",
+    )
 
 
 def _tolerances(session: Session, within: Tolerances, samples: int, rays: int) -> Section:

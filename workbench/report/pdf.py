@@ -20,7 +20,7 @@ def write_pdf(report: Report, file: BinaryIO) -> None:
         pages.heading(section.title)
         if section.note:
             pages.note(section.note)
-        pages.rows(section.rows)
+        pages.rows(section.rows, heads=bool(section.pictures))
         for picture in section.pictures:
             pages.picture(picture.draw, picture.height)
     pages.write(file, report.title)
