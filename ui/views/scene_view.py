@@ -104,9 +104,7 @@ class SceneView(View):
 
     @property
     def source(self) -> "Source | None":
-        """Where the rays come from."""
-        if self._frame is not None:
-            return self._frame.source
+        """The source of the design, which the rays on show may be behind."""
         return None if self._session is None else self._session.scene.source
 
     @property

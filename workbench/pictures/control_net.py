@@ -35,6 +35,7 @@ _PARTS = 0.25, 0.6, 0.6  # of what is between neighbours
 _LINES = 6.0  # pixels between neighbours, from which on lines are drawn
 _LIFT = 0.004  # of the lens's half-width, above the face that would swallow half of each point
 _REACH = 0.75  # of the diagonal between neighbours; farther away nothing is picked
+_MOST_LOCKS = 40_000  # that are drawn; of more, every second or third
 _WHOLE = 1200  # control points of a net that is shown whole
 _NEAR = 12  # control points on each side of the brush, of a finer one
 
@@ -191,7 +192,8 @@ class ControlNetPicture:
             reached, weights = bump(self._net, *self._brush)
             brushed = places[reached][weights > 0] + 2 * lift
         self._brushed.place(brushed)
-        self._locks.place(none if locked is None else places[locked] + 2 * lift)
+        held = none if locked is None else places[locked]
+        self._locks.place(held[:: 1 + len(held) // _MOST_LOCKS] + 2 * lift)
 
     def _block(self) -> Block | None:
         """The part of the net that is shown point by point."""
