@@ -22,7 +22,7 @@ def help_of(capsys, monkeypatch):
 def test_help_fits_on_one_screen_and_shows_what_to_type(help_of, verb):
     lines = help_of(*verb).splitlines()
     assert len(lines) <= 40
-    assert max(map(len, lines)) <= 96
+    assert max(map(len, lines)) <= 80
     examples = lines[lines.index("examples:") + 1 :]
     assert examples[0].startswith(f"  freeform {' '.join(verb)}")
 

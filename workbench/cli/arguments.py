@@ -50,7 +50,7 @@ def parse(arguments: Sequence[str] | None) -> argparse.Namespace:
     Refused
         If it is not understood.
     """
-    verbs = "\n".join(f"  {name:<12}{verb.DOES}" for name, verb in _VERBS.items())
+    verbs = "\n".join(f"  {name:<13}{verb.DOES}" for name, verb in _VERBS.items())
     parser = Parser(
         prog="freeform",
         usage="freeform COMMAND ...",

@@ -32,8 +32,12 @@ class _Help(argparse.RawDescriptionHelpFormatter):
         super().__init__(prog, max_help_position=_INDENT, width=width)
 
     def _fill_text(self, text: str, width: int, indent: str) -> str:
-        lines = [textwrap.wrap(line, width) or [""] for line in text.splitlines()]
-        return "\n".join(indent + part for line in lines for part in line)
+        # Lines of a list hang by what they are indented, and a bit.
+        lines = [
+            textwrap.fill(line, width, subsequent_indent="      " if line[:1] == " " else "")
+            for line in text.splitlines()
+        ]
+        return "\n".join(indent + line for line in lines)
 
 
 def add_verb(

@@ -17,8 +17,8 @@ def add(commands: Any) -> None:
     parser = add_verb(
         commands,
         "report",
-        "Check the lens of a session and write scene, pictures, figures, light account and what\n"
-        "a shop asks for, as one HTML file that needs nothing else, or as PDF. With --tolerances\n"
+        "Check the lens of a session and write scene, pictures, figures, light account and what "
+        "a shop asks for, as one HTML file that needs nothing else, or as PDF. With --tolerances "
         "also how the error spreads over lenses that are off; lengths are in the scene's unit.",
         [
             "report flame.freeform flame.html flame.pdf",

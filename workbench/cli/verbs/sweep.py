@@ -16,10 +16,14 @@ def add(commands: Any) -> None:
     parser = add_verb(
         commands,
         "sweep",
-        "Design a lens for each scene and each combination of values, check each, and write all\n"
-        "sessions and a table (CSV and JSON). What is finished is not done again when the same\n"
+        "Design a lens for each scene and each combination of values, check each, and write all "
+        "sessions and a table (CSV and JSON). What is finished is not done again when the same "
         "command is typed once more. Ctrl-C keeps what is finished.\n\n"
-        "Values: 1,2,3  0..4 (whole numbers)  64x48 (a pair; 64 alone is both)  auto,paper (text)",
+        "values:\n"
+        "  1,2.5,3      numbers\n"
+        "  0..4         whole numbers, both ends included\n"
+        "  64x48,128    pairs; 128 alone is 128x128\n"
+        "  auto,paper   text",
         [
             "sweep flame.json --vary lens.control_points=32,64,128 --vary run.seed=0..4",
             "sweep flame.json ball.json -o both/ --jobs 2",
@@ -28,7 +32,11 @@ def add(commands: Any) -> None:
         _run,
     )
     parser.add_argument(
-        "scenes", metavar="SCENE", type=Path, nargs="+", help="scene file, or session"
+        "scenes",
+        metavar="SCENE",
+        type=Path,
+        nargs="+",
+        help="scene file, or session; designed anew",
     )
     parser.add_argument(
         "--vary",

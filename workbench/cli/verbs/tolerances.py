@@ -16,8 +16,8 @@ def add(commands: Any) -> None:
     parser = add_verb(
         commands,
         "tolerances",
-        "Perturb the lens of a session at random, evenly within tolerances, and trace each lens\n"
-        "anew. Lengths are in the scene's unit. Ctrl-C keeps what is finished.",
+        "Perturb the lens of a session at random, evenly within tolerances, and trace each "
+        "lens anew. Lengths are in the scene's unit. Ctrl-C keeps what is finished.",
         [
             "tolerances flame.freeform --tilt 0.2 --decentre 0.01",
             "tolerances flame.freeform --surface 1e-5 0.1 --samples 500 --plot errors.png",
