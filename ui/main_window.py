@@ -198,13 +198,14 @@ class MainWindow(QMainWindow):
         if not self._leaving and not self._may_close():
             event.ignore()
             return
+        self._layout.keep()
+        self.hide()  # threads are waited for, which can take as long as a kernel is compiled
         if self.control is not None:
             self.control.close()
             self.control = None  # nothing can be started any more
         if self.check is not None:
             self.check.close()
         self.exporter.close()
-        self._layout.keep()
         if self.plots is not None:
             self.plots.close()
         if self.runs is not None:
