@@ -259,6 +259,7 @@ class SceneView(View):
         super().resizeEvent(event)
         if self._picture is not None and self._picture.fitted:
             self._picture.fit_again()
+            self._plotter.update()  # the plotter may have been painted before the view was told
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """Close the plotter with the view."""
