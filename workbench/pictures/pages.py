@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, BinaryIO
 import matplotlib
 from matplotlib.backends.backend_pdf import PdfPages
 from matplotlib.figure import Figure
+from matplotlib.layout_engine import ConstrainedLayoutEngine
 
 if TYPE_CHECKING:
     from matplotlib.figure import FigureBase, SubFigure
@@ -184,6 +185,7 @@ def _write(
 
 def to_png(draw: "Callable[[FigureBase], None]", height: float, file: BinaryIO) -> None:
     """Draw such a picture as a PNG file."""
-    figure = Figure(figsize=(WIDTH, height), layout="constrained")
+    # Labels may stand out a little from the place that the layout has for them.
+    figure = Figure(figsize=(WIDTH, height), layout=ConstrainedLayoutEngine(w_pad=0.15))
     draw(figure)
     figure.savefig(file, dpi=144, format="png")

@@ -19,9 +19,9 @@ body { font: 15px/1.5 system-ui, sans-serif; color: var(--ink); background: var(
 h1 { font-size: 1.9rem; line-height: 1.2; margin: 0; overflow-wrap: anywhere; }
 h2 { font-size: 1.2rem; margin: 2.2rem 0 .4rem; border-bottom: 1px solid var(--line); }
 p { color: var(--pale); margin: .3rem 0 .8rem; }
-dl { columns: 22rem 2; column-gap: 2.5rem; margin: 0; }
+dl { columns: 17rem 2; column-gap: 2rem; margin: 0; }
 dl div { display: flex; gap: 1rem; break-inside: avoid; padding: .15rem 0; }
-dt { flex: 0 0 11rem; color: var(--pale); overflow-wrap: anywhere; }
+dt { flex: 0 0 11.5rem; color: var(--pale); overflow-wrap: anywhere; }
 dd { margin: 0; font-variant-numeric: tabular-nums; overflow-wrap: anywhere; }
 figure { margin: 1rem 0; break-inside: avoid; }
 img { display: block; width: 100%; background: #fff; border-radius: 6px; }
@@ -29,8 +29,9 @@ figcaption { font-size: .87rem; color: var(--pale); }
 @page { size: A4; margin: 16mm; }
 @media print {
   :root { --ink: #000; --pale: #444; --line: #bbb; --paper: #fff; }
-  body { font-size: 10pt; max-width: none; margin: 0; padding: 0; }
-  h2 { break-after: avoid; }
+  html { font-size: 12px; }
+  body { font-size: 9.5pt; max-width: none; margin: 0; padding: 0; }
+  h2, p { break-after: avoid; }
 }
 """
 
