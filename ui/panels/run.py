@@ -83,8 +83,8 @@ class RunPanel(Panel):
                     "run.min_radius",
                     "Smallest radius",
                     "Smallest radius of curvature that the exit face may have, in hollows and on "
-                    "humps: that of the tool. A designed lens keeps to it within some 1 %, and its "
-                    "dark edges get softer. Left empty, any will do.",
+                    "humps: that of the tool. A run that has settled keeps to it; dark edges get "
+                    "softer. Left empty, any will do.",
                     lambda data: ["none"],
                     LENGTH,
                 ),
