@@ -69,15 +69,17 @@ class RunCheck(QObject):
     def _follow(self, state: str) -> None:
         if state == "running" and self._last is None:
             self._checking.leave()
-            self._rested_at = monotonic()
 
     def _look(self, frame: "Frame") -> None:
         if not self._control.busy:  # a preview
             return
         last, self._last = self._last, frame
+        if last is None:  # what came before was no run yet
+            self._rested_at = monotonic()
+            return
         if self._checking.busy or QThread.idealThreadCount() < 2:
             return
-        if last is not None and last.snapshot.stage != frame.snapshot.stage:
+        if last.snapshot.stage != frame.snapshot.stage:
             self._check(last)
         elif monotonic() - self._rested_at > max(_REST, _RESTS * self._cost):
             self._check(frame)

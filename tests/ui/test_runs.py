@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QLineEdit
 from ui.checking import Suspect
 from ui.document import Document
 from ui.main_window import MainWindow
+from workbench.scene import Stage
 
 pytestmark = pytest.mark.usefixtures("kernels")
 
@@ -227,7 +228,28 @@ def test_a_run_is_checked_while_it_goes_on(window, as_run, checks, monkeypatch, 
     qtbot.waitUntil(lambda: checks.asked[-1][1] == 4_000_000)
     qtbot.waitUntil(lambda: not window.runs.check._checking.busy)
     seen = [point.iteration for point in window.views.loss._verified]
-    assert seen == sorted(seen)
+    assert seen == sorted(seen) and seen[0] > 0
+
+
+def test_a_stage_is_checked_at_its_end(window, snapshots, as_seen_run, checks, monkeypatch, qtbot):
+    monkeypatch.setattr("ui.run_check.QThread.idealThreadCount", lambda: 2)
+
+    def staged(iteration, iterations):
+        return replace(snapshots(iteration, iterations), stage=iteration // 4, stages=2)
+
+    scene = window.document.session.scene
+    run = scene.run.model_copy(update={"stages": (Stage(iterations=4),)})
+    window.document.edit(scene.model_copy(update={"run": run}), "stages", "")
+    runner = window.control.runner
+    runner._generate = as_seen_run(runner, 7, staged)
+    with qtbot.waitSignal(window.control.ended, timeout=60_000):
+        window.commands["start"].trigger()
+    qtbot.waitUntil(lambda: not window.runs.check._checking.busy)
+    assert [(rays, threads) for _, rays, threads in checks.asked] == [
+        (1_000_000, 1),
+        (4_000_000, None),
+    ]
+    assert checks.asked[0][0][0, 0] == 0.5 - 0.003  # the last lens of the first stage
 
 
 def test_one_core_alone_is_the_runs(window, as_run, checks, monkeypatch, qtbot):
