@@ -186,7 +186,7 @@ COMMANDS = {
         "&Move source", "Drag the source; Ctrl: along z", "Alt+M", "move-source", checked=False
     ),
     "brush_larger": Command("Lar&ger brush", "Take more control points along", "]"),
-    "brush_smaller": Command("S&maller brush", "Take fewer control points along", "["),
+    "brush_smaller": Command("Smaller brus&h", "Take fewer control points along", "["),
     "lock_all": Command("Lock &all points", "Leave the whole lens as it is in runs"),
     "unlock_all": Command("&Unlock all points", "Let runs change the whole lens"),
     "invert_locks": Command("&Invert locks", "Lock what is unlocked, and the reverse"),
@@ -262,7 +262,7 @@ MENUS: dict[str, list[Any]] = {
         "exploded",
         "perspective",
         ("&Rays", [*RAYS, None, *RAYS_BY]),
-        ("Save pi&cture of 3D", list(PICTURES)),
+        ("Save pict&ure of 3D", list(PICTURES)),
         "copy_scene",
         ("&Colours of light", list(COLOURS)),
         None,
