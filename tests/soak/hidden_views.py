@@ -42,6 +42,8 @@ class Turn:
     ----------
     pace : float
         Iterations a second.
+    cost_ms : float
+        CPU time of the whole program for each iteration.
     share : float
         Of a core that the window's thread takes.
     waits_ms : ndarray
@@ -49,6 +51,7 @@ class Turn:
     """
 
     pace: float
+    cost_ms: float
     share: float
     waits_ms: np.ndarray
 
@@ -60,6 +63,8 @@ class Row:
     seen: str
     pace: float
     pace_ratio: float
+    cost_ms: float
+    cost_ratio: float
     share: float
     share_ratio: float
     p99_ms: float
@@ -81,6 +86,8 @@ _COLUMNS = (
     Column("seen", "seen of the run"),
     Column("pace", "iterations/s", ".0f"),
     Column("pace_ratio", "times as many", ".2f"),
+    Column("cost_ms", "CPU for each, in all (ms)", ".1f"),
+    Column("cost_ratio", "times as much", ".2f"),
     Column("share", "CPU of the window's thread", ".1%"),
     Column("share_ratio", "times as much", ".2f"),
     Column("p99_ms", "event loop, 99th percentile (ms)", ".0f"),
@@ -167,32 +174,29 @@ def wait(seconds: float) -> None:
 def measure(window: MainWindow, frames: list, seconds: float) -> Turn:
     """See the run for a while as the window shows it."""
     wait(_SETTLING)
-    waits, began = Waits(), time.perf_counter()
-    cpu, iteration = time.thread_time(), frames[-1].snapshot.iteration
+    waits, began, iteration = Waits(), time.perf_counter(), frames[-1].snapshot.iteration
+    own, all_threads = time.thread_time(), time.process_time()
     wait(seconds)
-    taken, cpu = time.perf_counter() - began, time.thread_time() - cpu
-    done = frames[-1].snapshot.iteration - iteration
+    taken, done = time.perf_counter() - began, frames[-1].snapshot.iteration - iteration
+    own, all_threads = time.thread_time() - own, time.process_time() - all_threads
     waits.deleteLater()
-    return Turn(done / taken, cpu / taken, np.array(waits.ms))
+    return Turn(done / taken, 1000 * all_threads / done, own / taken, np.array(waits.ms))
 
 
 def rows(turns: dict[str, list[Turn]]) -> list[Row]:
     """Medians of all rounds, and of their ratios."""
     first = next(iter(turns.values()))
+
+    def figure(own: list[Turn], name: str) -> tuple[float, float]:
+        values = [getattr(turn, name) for turn in own]
+        ratios = [value / getattr(turn, name) for value, turn in zip(values, first, strict=True)]
+        return median(values), median(ratios)
+
     made = []
     for seen, own in turns.items():
         waits = np.concatenate([turn.waits_ms for turn in own])
-        made.append(
-            Row(
-                seen=seen,
-                pace=median(turn.pace for turn in own),
-                pace_ratio=median(a.pace / b.pace for a, b in zip(own, first, strict=True)),
-                share=median(turn.share for turn in own),
-                share_ratio=median(a.share / b.share for a, b in zip(own, first, strict=True)),
-                p99_ms=float(np.quantile(waits, 0.99)),
-                longest_ms=float(waits.max()),
-            )
-        )
+        figures = [part for name in ("pace", "cost_ms", "share") for part in figure(own, name)]
+        made.append(Row(seen, *figures, float(np.quantile(waits, 0.99)), float(waits.max())))
     return made
 
 
