@@ -50,6 +50,7 @@ def test_a_stage_can_change_method_and_learning_rate(make_scene):
     ("stages", "sentence"),
     [
         ([{"iterations": 10}], "run.stages: they leave none of the 10 iterations"),
+        ([{"iterations": 1}] * 101, "run.stages: 101 are given; at most 100"),
         ([{"iterations": 0}], "run.stages[0].iterations: 0 is too small; at least 1"),
         ([{"iterations": 1, "sauce": 1}], "run.stages[0].sauce: unknown field"),
         (

@@ -14,7 +14,7 @@ from workbench.files.export.write import export
 from workbench.files.session import read_session, write_session
 from workbench.optics.ledger import Ledger
 
-EXPORTS = ("lens.stl", "lens.obj", "lens.csv", "lens.npy", "lens.glb")
+EXPORTS = ("lens.stl", "lens.obj", "lens.glb", "lens.height.npy", "lens.irradiance.csv")
 
 
 @pytest.fixture

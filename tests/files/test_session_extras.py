@@ -185,9 +185,10 @@ class TestNotWritten:
         assert not path.exists()
 
     def test_more_text_than_can_be_read(self, session, path):
-        stages = [{"iterations": 1}] * 500
+        stages = [{"iterations": 1}] * 100
         data = session.scene.to_data()
         data["run"] |= {"stages": stages, "iterations": 1000}
+        data["target"] = {"image": "/" + "x" * 15_000}
         run = replace(session.runs[0], scene=session.scene.from_data(data))
         with pytest.raises(Refused, match=r"its text would have \d+ bytes; at most 1048576"):
             write_session(replace(session, runs=(run,) * 64), path)
@@ -237,9 +238,11 @@ class TestRefused:
         ]
         assert refused(forge(runs=text)).startswith(": session.json: runs[0].result.loss: missing")
 
-    def test_too_many_runs(self, forge):
-        told = refused(forge(runs=[{}] * 65))
-        assert told.startswith(": session.json: runs")
+    def test_too_many_runs(self, forge, session):
+        data = session.scene.to_data()
+        figures = Figures.of(session.result).model_dump(exclude_none=True)
+        told = refused(forge(runs=[{"name": "x", "scene": data, "result": figures}] * 65))
+        assert told == ": session.json: runs: 65 are given; at most 64 are kept"
 
     @pytest.mark.parametrize("view", [3, [], "x"])
     def test_a_view_that_is_no_object(self, forge, view):

@@ -39,7 +39,7 @@ class Header(Part):
     version: Literal[1] = VERSION
     scene: dict[str, Any]
     result: Figures | None = None
-    runs: Annotated[tuple[RunHeader, ...] | None, Field(max_length=MOST_RUNS)] = None
+    runs: tuple[RunHeader, ...] | None = None
     view: dict[str, Any] | None = None
     program: str
 
@@ -78,6 +78,9 @@ def read_header(text: bytes, where: str) -> Header:
     except ValidationError as error:
         refused = refusal(error, Header, whole="text")
         raise Refused(f"{where}: {refused.path}", refused.reason) from None
+    runs = header.runs or ()
+    if len(runs) > MOST_RUNS:
+        raise Refused(f"{where}: runs", f"{len(runs)} are given; at most {MOST_RUNS} are kept")
     plain_view(header.view, f"{where}: view")
     return header
 

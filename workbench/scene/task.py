@@ -14,6 +14,9 @@ from workbench.scene.screen import FilterField, GaussianFilter, Screen
 from workbench.scene.source import CollimatedSource, MeshMethod, PointSource, SourceField
 from workbench.scene.target import TargetField
 
+MOST_STAGES = 100
+"""Most stages of a run: each is checked as a scene of its own."""
+
 
 class Scene(Part):
     """A whole design task. Only lens, source, screen and target are required."""
@@ -95,11 +98,14 @@ class Scene(Part):
         Raises
         ------
         Refused
-            If a stage is not possible, or the stages leave no iteration for the scene itself.
+            If a stage is not possible, there are too many, or they leave no iteration for the
+            scene itself.
         """
         stages = self.run.stages
         if not stages:
             return (self,)
+        if len(stages) > MOST_STAGES:
+            raise Refused("run.stages", f"{len(stages)} are given; at most {MOST_STAGES}")
         left = self.run.iterations - sum(stage.iterations for stage in stages)
         if left < 1:
             raise Refused(
