@@ -1,0 +1,83 @@
+"""Commands for plots and for the colours of light, in the window."""
+
+import pytest
+from PySide6.QtCore import QSettings, Qt
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QMainWindow
+
+from ui.colour_map import ColourMap
+from ui.command_table import COLOURS
+from ui.commands import Commands
+from ui.document import Document
+from ui.main_window import MainWindow
+from workbench.pictures.maps import UNSIGNED
+
+
+@pytest.fixture
+def settings(tmp_path):
+    return QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat)
+
+
+@pytest.fixture
+def make_window(display, session, settings, qtbot):
+    def make():
+        window = MainWindow(Document(session, "small"), settings)
+        qtbot.addWidget(window, before_close_func=lambda window: window.discard_and_close())
+        with qtbot.waitActive(window):
+            window.show()
+            window.activateWindow()
+        window.build()
+        return window
+
+    return make
+
+
+def test_there_is_a_command_for_each_choice_of_colours():
+    assert tuple(COLOURS.values()) == UNSIGNED
+
+
+def test_colours_reach_all_views_and_the_next_window(make_window, settings, qtbot):
+    window = make_window()
+    assert window.commands["colours_inferno"].isChecked()
+    window.commands["colours_cividis"].trigger()
+    assert window.views.link.colours == window.views.scene._colours == "cividis"
+    irradiance = window.views.docked["irradiance"]
+    qtbot.waitUntil(lambda: not irradiance.empty, timeout=30_000)
+    shown = irradiance._image.artists[0]
+    qtbot.waitUntil(lambda: shown.get_cmap().name == "cividis")
+    other, told = QMainWindow(), []
+    qtbot.addWidget(other)
+    commands = Commands(other)
+    ColourMap(settings, commands, told.append)
+    assert told == ["cividis"] and commands["colours_cividis"].isChecked()
+
+
+def test_colours_that_are_not_known_are_left_out(settings, qtbot):
+    settings.setValue("view/colours", "jet")
+    window, told = QMainWindow(), []
+    qtbot.addWidget(window)
+    ColourMap(settings, Commands(window), told.append)
+    assert told == []
+
+
+def test_the_plot_on_show_is_copied_by_a_key(make_window, qtbot):
+    window = make_window()
+    view = window.views.docked["irradiance"]
+    qtbot.waitUntil(lambda: not view.empty, timeout=30_000)
+    QGuiApplication.clipboard().clear()
+    keys = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier
+    qtbot.keyClick(window, Qt.Key.Key_C, keys)
+    assert not QGuiApplication.clipboard().image().isNull()
+    assert [action.text() for action in view._canvas.actions()] == ["Copy &plot", "Save p&lot…"]
+
+
+def test_a_line_that_is_drawn_brings_its_cross_section(make_window, qtbot):
+    window = make_window()
+    dock, link = window.workspace.docks["section"], window.views.link
+    assert not dock.isVisible()
+    link.drawn.emit(((-0.5, 0.0), (0.5, 0.25)))
+    qtbot.waitUntil(dock.isVisible)
+    assert link.line == ((-0.5, 0.0), (0.5, 0.25))
+    section = window.views.docked["section"]
+    qtbot.waitUntil(lambda: not section.empty, timeout=30_000)
+    assert section._curves._axes.get_xlabel() == "distance (cm)"
