@@ -39,6 +39,7 @@ def open_window(example: str, size: QSize) -> MainWindow:
     window.resize(size)
     window.show()
     window.activateWindow()
+    window.commands["reset_layout"].trigger()  # the docks were laid out for another size
     window.build()
     return window
 
