@@ -5,7 +5,7 @@ from PySide6.QtCore import QSettings, Qt
 from PySide6.QtGui import QAccessible
 from PySide6.QtWidgets import QAbstractButton, QApplication, QComboBox, QLineEdit
 
-from ui.command_table import PANES
+from ui.command_table import COMMANDS, PANES
 from ui.document import Document
 from ui.main_window import MainWindow
 
@@ -85,3 +85,23 @@ def test_nothing_on_the_window_is_without_a_name_for_screen_readers(window):
 
 def _name_of(widget):
     return QAccessible.queryAccessibleInterface(widget).text(QAccessible.Text.Name)
+
+
+def test_tab_goes_down_the_forms_row_by_row(window):
+    forms = window.forms
+    content = forms.widget()
+    places, widget = [], content.nextInFocusChain()
+    while widget is not content:
+        takes = widget.focusPolicy() & Qt.FocusPolicy.TabFocus and widget.focusProxy() is None
+        if takes and content.isAncestorOf(widget) and widget.isVisibleTo(content):
+            middle = widget.mapTo(content, widget.rect().center())
+            places.append((middle.y() // 4, middle.x()))  # rows are not exact to the pixel
+        widget = widget.nextInFocusChain()
+    assert len(places) > 20
+    assert places == sorted(places)
+
+
+def test_every_command_is_in_a_menu_and_with_it_in_the_palette(window):
+    offered = {action for _, action in window.commands.entries()}
+    missing = [name for name in COMMANDS if window.commands[name] not in offered]
+    assert missing == []
