@@ -15,6 +15,8 @@ Array = npt.NDArray[np.float64]
 
 # Bytes of images that one trace fills.
 _LARGEST_IMAGES = 1 << 27
+# Most pixels along each side of an image that is kept.
+_MOST_PIXELS = 512
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,14 +31,15 @@ class Focus:
         Error against the target, ray noise included; 1 where there is no light.
     efficiency : float
         Part of the emitted flux that lands on the screen.
-    irradiance : ndarray of float32, shape (n_y, n_x)
-        Flux per area, row 0 at +y.
+    irradiance : ndarray, shape (m_y, m_x)
+        Flux per area, row 0 at +y; the mean of some pixels where the screen has more than 512
+        along a side, so that a long series needs little memory.
     """
 
     z: float
     relative_l2: float
     efficiency: float
-    irradiance: npt.NDArray[np.float32]
+    irradiance: Array
 
     def to_data(self) -> dict[str, float]:
         """The figures by name, for JSON."""
@@ -75,4 +78,15 @@ def focus_series(
         images = through_focus(scene, control_points, some, rays)
         for z, image in zip(some, images, strict=True):
             flux = float(image.sum()) * scene.screen.pixel_area
-            yield Focus(z, relative_l2(image, target), flux, image.astype(np.float32))
+            yield Focus(z, relative_l2(image, target), flux, _small(image))
+        del images, image  # large ones must not wait for the next
+
+
+def _small(image: Array) -> Array:
+    """A copy with few enough pixels, each the mean of those it stands for."""
+    for axis in (0, 1):
+        count = image.shape[axis]
+        first = np.arange(0, count, -(-count // _MOST_PIXELS))
+        size = np.diff(first, append=count)
+        image = np.add.reduceat(image, first, axis) / np.expand_dims(size, 1 - axis)
+    return image

@@ -259,9 +259,12 @@ def through_focus(
             total = batch
         else:
             total.add(batch)
+        del batch
     assert total is not None
     n_x, n_y = scene.screen.pixels
-    return total.flux.reshape(-1, n_y, n_x) / (total.emitted * scene.screen.pixel_area)
+    images: Array = total.flux.reshape(-1, n_y, n_x)
+    images /= total.emitted * scene.screen.pixel_area
+    return images
 
 
 def with_screen_at(scene: Scene, z: float) -> Scene:

@@ -36,7 +36,7 @@ class InFocus(Protocol):
         """Part of the flux on the screen."""
 
     @property
-    def irradiance(self) -> npt.NDArray[np.float32]:
+    def irradiance(self) -> npt.NDArray[np.float64]:
         """The image."""
 
 
