@@ -1,5 +1,7 @@
 """What a session keeps of its lens when the task changes."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -109,6 +111,15 @@ def test_another_image_takes_the_lens_for_a_start(session):
 def test_another_room_for_the_lens_takes_it_away(session, values):
     other = edited(session, **values)
     assert other.result is None and other.start is None and other.control_points is None
+
+
+def test_locks_stay_with_their_control_points_wherever_these_are(session):
+    locked = np.zeros(session.scene.lens.control_points, dtype=bool)
+    session = replace(session, locked=locked)
+    assert edited(session, lens__half_width=[2.0, 2.0]).locked is locked
+    assert edited(session, screen__z=7.0).locked is locked
+    finer_net = finer(session.scene.lens, 2)
+    assert edited(session, lens__control_points=finer_net).locked is None
 
 
 def test_a_start_stays_one_whatever_is_edited_back(session):

@@ -107,7 +107,8 @@ class Session:
             result = result and replace(result, control_points=start)
         if result is not None or _room(scene.lens) != _room(self.scene.lens):
             start = None
-        locked = self.locked if other == net else None
+        same_points = (other.shape, other.degree) == (net.shape, net.degree)
+        locked = self.locked if same_points else None
         return replace(self, scene=scene, target=target, result=result, start=start, locked=locked)
 
 
