@@ -90,6 +90,9 @@ class MainWindow(QMainWindow):
         self.forms.told.connect(self.log.add)
         CarriedLens(document, self.messages, self).told.connect(self.log.add)
         steps = document.undo_stack
+        steps.forgot.connect(
+            lambda count: self.log.add(f"Oldest steps ({count}) forgotten: too much memory to undo")
+        )
         self.workspace = Workspace(self, self.forms, self.messages, steps, self.log)
         self._settings = settings
         self._recent = RecentFiles(settings)

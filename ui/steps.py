@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QObject, QSignalBlocker
+from PySide6.QtCore import QObject, QSignalBlocker, Signal
 from PySide6.QtGui import QUndoCommand, QUndoStack
 
 from ui.memory import arrays
@@ -26,7 +26,14 @@ class Steps(QUndoStack):
         Is given the session that a step, or taking it back, leads to.
     budget : int
         Bytes that the steps may hold.
+
+    Attributes
+    ----------
+    forgot : Signal(int)
+        So many of the oldest steps can be taken back no more.
     """
+
+    forgot = Signal(int)
 
     def __init__(self, show: Show, parent: QObject, budget: int = _BUDGET) -> None:
         super().__init__(parent)
@@ -84,6 +91,7 @@ class Steps(QUndoStack):
                 if number == clean:
                     self.setClean()
         self.push(last)
+        self.forgot.emit(forgotten)
 
 
 class _Step(QUndoCommand):

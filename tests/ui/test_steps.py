@@ -76,7 +76,10 @@ def test_a_step_costs_what_only_the_session_before_it_holds(walk):
 
 
 def test_the_oldest_steps_are_forgotten_when_all_cost_too_much(walk):
+    forgotten = []
+    walk.steps.forgot.connect(forgotten.append)
     sessions = [walk.go(f"run {number}", result=lens()) for number in range(12)]
+    assert sum(forgotten) == 8
     assert walk.steps.cost <= 5 * MEGABYTE
     assert walk.texts == [f"run {number}" for number in (8, 9, 10, 11)]
     assert walk.steps.index() == 4 and not walk.steps.isClean()
