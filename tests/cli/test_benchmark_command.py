@@ -104,9 +104,9 @@ def test_help_tells_every_benchmark(capsys):
 
     with pytest.raises(SystemExit):
         main(["benchmark", "--help"])
-    printed = capsys.readouterr().out
+    printed = " ".join(capsys.readouterr().out.split())
     for name, does in BENCHMARKS.items():
-        assert f"{name}" in printed and does in printed
+        assert f" {name} {does} " in printed
 
 
 def test_without_a_name_the_quick_one_runs(monkeypatch):

@@ -1,6 +1,7 @@
 """A parser that refuses in one line, and help that fits on one screen."""
 
 import argparse
+import re
 import shutil
 import textwrap
 from collections.abc import Callable, Sequence
@@ -32,12 +33,18 @@ class _Help(argparse.RawDescriptionHelpFormatter):
         super().__init__(prog, max_help_position=_INDENT, width=width)
 
     def _fill_text(self, text: str, width: int, indent: str) -> str:
-        # Lines of a list hang by what they are indented, and a bit.
         lines = [
-            textwrap.fill(line, width, subsequent_indent="      " if line[:1] == " " else "")
+            textwrap.fill(line, width, subsequent_indent=" " * _hang(line))
             for line in text.splitlines()
         ]
         return "\n".join(indent + line for line in lines)
+
+
+def _hang(line: str) -> int:
+    """Where a line goes on below itself: behind the name in a list, under examples a bit inwards."""
+    if named := re.match(r"  \S+ {2,}", line):
+        return named.end()
+    return 6 if line.startswith(" ") else 0
 
 
 def add_verb(
