@@ -56,6 +56,7 @@ class Canvas(FigureCanvasQTAgg):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self._artists: Sequence[Artist] = ()
         self._background: Any = None
+        self.recolour()  # no white sheet before the first picture
 
     def begin(self) -> Axes:
         """Throw the old picture away; the axes of the next."""
