@@ -22,7 +22,7 @@ import numpy as np
 import numpy.typing as npt
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QCloseEvent, QResizeEvent
-from PySide6.QtWidgets import QLabel, QWidget
+from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
 
 from ui.frame import RAYS
 from ui.views.tools.hand import Hand
@@ -83,6 +83,7 @@ class SceneView(View):
         self._hand.let_go.connect(self.let_go)
         self._hint = QLabel(wordWrap=True)
         self._hint.setObjectName("hint")
+        self._hint.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Maximum)
         self._hint.hide()
         self.add_below(self._hint)
         self._colours = LIGHT
@@ -153,16 +154,16 @@ class SceneView(View):
         """Take back what a tool has under way."""
         self._hand.drop()
 
-    def show_hint(self, text: str) -> None:
-        """Say below the scene what a tool does."""
-        self._hint.setText(text)
-
     def show_brush(self, index: tuple[int, int] | None, radius: float) -> None:
         """Highlight the control points of a brush, its radius in scene units; or none."""
         brush = None if index is None else (index, radius)
         if brush != self._brush:
             self._brush = brush
             self._ask()
+
+    def refresh(self) -> None:
+        """Draw what a tool has changed, its hint included."""
+        self._ask()
 
     def show_locked(self, locked: Mask | None) -> None:
         """Show other control points as locked."""
@@ -174,8 +175,6 @@ class SceneView(View):
         super().show_design(session)
         if session.locked is not self._locked:
             self.show_locked(session.locked)
-        if self._tool is not None:
-            self.show_hint(self._tool.hint)
 
     def hold_camera(self, scene: "Scene") -> None:
         """Leave the camera where it is when this scene comes."""
@@ -304,6 +303,8 @@ class SceneView(View):
         assert net is not None and handles is not None  # made with the picture
         net.update(frame.snapshot.control_points)
         net.mark(self._marked)
+        if tool is not None:
+            self._hint.setText(tool.hint)
         net.show(tool is not None and tool.shows_net)
         net.brush(*(self._brush or (None, 0.0)))
         fits = self._locked is not None and self._locked.shape == net.places.shape[:2]

@@ -44,20 +44,26 @@ def bump(net: ControlNet, index: tuple[int, int], radius: float) -> tuple[Block,
     return (block[0], block[1]), weights
 
 
-def radius_of(net: ControlNet, size: int) -> float:
-    """Radius of a brush, scene units: size 0 is a single point, 1 takes its neighbours along."""
-    if size == 0:
-        return 0.0
-    apart = max(float(np.diff(at).max()) for at in net.positions)
-    return _SMALLEST * apart * _GROWTH ** (size - 1)
+def resized(net: ControlNet, radius: float, steps: int) -> float:
+    """Radius of a brush some steps larger or, if they are negative, smaller.
 
-
-def largest_size(net: ControlNet) -> int:
-    """The size of a brush that reaches over the whole lens from its middle."""
-    span, size = max(net.half_width), 1
-    while radius_of(net, size) < span:
-        size += 1
-    return size
+    Parameters
+    ----------
+    net : ControlNet
+        The control net.
+    radius : float
+        Of the brush, scene units.
+    steps : int
+        The smallest brush is a single point, the next one takes its neighbours along, the
+        largest one reaches over the whole lens.
+    """
+    least = _SMALLEST * max(float(np.diff(at).max()) for at in net.positions)
+    for _ in range(abs(steps)):
+        if steps > 0:
+            radius = min(max(radius * _GROWTH, least), max(net.half_width))
+        else:
+            radius = radius / _GROWTH if radius > least else 0.0
+    return radius
 
 
 class Stroke:

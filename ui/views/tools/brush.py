@@ -6,13 +6,13 @@ import numpy as np
 import numpy.typing as npt
 
 from ui.views.tools.tool import Pointer
-from workbench.design.brush import bump, largest_size, radius_of
+from workbench.design.brush import bump, resized
 from workbench.geometry.surface import ControlNet
 
 if TYPE_CHECKING:
     from ui.views.scene_view import SceneView
 
-_SIZE = 2  # at first: a point with its neighbours and some more
+_FIRST = 0.1  # of the lens's half-width
 
 
 class Brush:
@@ -26,28 +26,30 @@ class Brush:
 
     def __init__(self, view: "SceneView") -> None:
         self._view = view
-        self._size = _SIZE
+        self._part = _FIRST  # of the half-width: it stays that with another lens
         self._index: tuple[int, int] | None = None
 
     @property
     def radius(self) -> float:
         """Scene units; 0 for a single point."""
         lens = self._view.lens
-        return 0.0 if lens is None else radius_of(ControlNet.of(lens), self._size)
+        if lens is None or not self._part:
+            return 0.0
+        return max(self._part * max(lens.half_width), resized(ControlNet.of(lens), 0.0, 1))
 
     @property
     def words(self) -> str:
         """How large it is."""
-        if not self._size or self._view.lens is None:
-            return "a single point"
-        return f"radius {self.radius:.2g} {self._view.unit}"
+        return f"radius {self.radius:.2g} {self._view.unit}" if self._part else "a single point"
 
     def resize(self, steps: int) -> None:
         """Make it larger, or smaller."""
         lens = self._view.lens
         if lens is not None:
-            self._size = min(max(self._size + steps, 0), largest_size(ControlNet.of(lens)))
+            radius = resized(ControlNet.of(lens), self.radius, steps)
+            self._part = radius / max(lens.half_width)
             self.hold(self._index)
+            self._view.refresh()  # also where there is nothing but its size to tell
 
     def point_at(self, at: Pointer) -> tuple[int, int] | None:
         """The control point under the pointer, with the brush around it."""

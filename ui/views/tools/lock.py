@@ -85,7 +85,7 @@ class Lock(QObject):
             return
         # A new array each time: whoever shows it tells by that that it has changed.
         paint.locked = np.where(self._brush.touched(index), paint.value, paint.locked)
-        self._show(paint.locked)
+        self._view.show_locked(paint.locked)
 
     def release(self) -> None:
         """Leave it so."""
@@ -97,7 +97,7 @@ class Lock(QObject):
         """Take it back."""
         paint, self._paint = self._paint, None
         if paint is not None:
-            self._show(paint.before)
+            self._view.show_locked(paint.before)
 
     def hover(self, at: Pointer | None) -> None:
         """Show which ones would be painted."""
@@ -109,8 +109,3 @@ class Lock(QObject):
     def turn_wheel(self, steps: int) -> None:
         """Change the brush."""
         self._brush.resize(steps)
-        self._view.show_hint(self.hint)
-
-    def _show(self, locked: Mask | None) -> None:
-        self._view.show_locked(locked)
-        self._view.show_hint(self.hint)

@@ -99,7 +99,6 @@ class Sculpt(QObject):
         drag.rise += float(rise) * (_FINE if at.fine else 1.0)
         drag.at = at
         self.shaped.emit(drag.stroke.raised(drag.rise), False)
-        self._view.show_hint(self.hint)
 
     def release(self) -> None:
         """Leave them there."""
@@ -120,10 +119,8 @@ class Sculpt(QObject):
         """Change the brush."""
         if self._drag is None:
             self._brush.resize(steps)
-            self._view.show_hint(self.hint)
 
     def _end(self, *, moved: bool) -> None:
         drag, self._drag = self._drag, None
         if drag is not None:
             self.shaped.emit(drag.stroke.raised(drag.rise if moved else 0.0), True)
-            self._view.show_hint(self.hint)
