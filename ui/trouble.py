@@ -23,6 +23,8 @@ from PySide6.QtCore import (
 
 import workbench
 
+# The 3D view asks for its format when a context is there already, which serves it as well.
+_HARMLESS = "Setting a new default format"
 _SERIOUS = (QtMsgType.QtWarningMsg, QtMsgType.QtCriticalMsg, QtMsgType.QtFatalMsg)
 
 
@@ -77,7 +79,7 @@ class Trouble(QObject):
 
     def _hear(self, kind: QtMsgType, context: QMessageLogContext, text: str) -> None:
         print(text, file=sys.stderr)
-        if kind in _SERIOUS and text not in self._heard:
+        if kind in _SERIOUS and text not in self._heard and not text.startswith(_HARMLESS):
             self._heard.add(text)
             self.qt_said.emit(f"Qt: {text}")
 
