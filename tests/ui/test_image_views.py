@@ -44,7 +44,7 @@ def views(frame, qtbot):
 
 def place(view, x, y):
     """Where a place on the screen is in the canvas."""
-    i, j = view._axes.transData.transform((x, y))
+    i, j = view._axes.transData.transform((x, y)) / view._canvas.device_pixel_ratio
     return QPoint(round(i), round(view._canvas.height() - j))
 
 

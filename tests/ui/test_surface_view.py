@@ -56,7 +56,7 @@ def test_it_follows_the_lens_and_is_read_under_the_pointer(view, tilted, qtbot):
     qtbot.waitUntil(lambda: view._values is not None and np.allclose(view._values, 45))
 
     def reading():  # anew, should the layout still move
-        i, j = view._axes.transData.transform((0.25, 0.5))
+        i, j = view._axes.transData.transform((0.25, 0.5)) / view._canvas.device_pixel_ratio
         qtbot.mouseMove(view._canvas, QPoint(round(i), round(view._canvas.height() - j)))
         return view._readout.text()
 
