@@ -203,6 +203,8 @@ class MainWindow(QMainWindow):
             return
         self._layout.keep()
         self.hide()  # threads are waited for, which can take as long as a kernel is compiled
+        for dock in self.workspace.docks.values():
+            dock.hide()  # one that floats does not go with the window
         if self.control is not None:
             self.control.close()
             self.control = None  # nothing can be started any more

@@ -1,7 +1,7 @@
 """The whole life of a window, again and again; the leak check looks at what is left."""
 
 import pytest
-from PySide6.QtCore import QSettings
+from PySide6.QtCore import QCoreApplication, QEvent, QSettings
 
 from ui.document import Document
 from ui.main_window import MainWindow
@@ -30,6 +30,22 @@ def test_a_window_leaves_nothing_behind(display, qtbot, session, tmp_path, leaks
     for _ in range(3):
         open_start_close(session, settings, qtbot)
         assert not left_behind(before)
+
+
+def test_docks_that_float_go_with_their_window(display, qtbot, session, tmp_path):
+    settings = QSettings(str(tmp_path / "s.ini"), QSettings.Format.IniFormat)
+    window = MainWindow(Document(session, "top hat"), settings)
+    window.show()
+    window.build()
+    docks = [window.workspace.docks[name] for name in ("section", "loss")]
+    for dock in docks:
+        dock.show()
+        dock.setFloating(True)
+    qtbot.waitUntil(lambda: all(dock.isVisible() for dock in docks))
+    window.discard_and_close()
+    assert not any(dock.isVisible() for dock in docks)
+    window.deleteLater()
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
 
 
 @pytest.mark.slow
