@@ -14,8 +14,8 @@ HANG = 10.0  # seconds without an answer of the event loop
 _SLOW = 1.0  # worth a line
 _BEAT_MS = 50
 
-# Said by Qt on a screen without a window manager, or under a load that no event loop bears.
-_HARMLESS = ("This plugin does not support", "XSETTINGS", "propagateSizeHints")
+# Said on a screen without a window manager, and of the format that VTK's widget asks for each time.
+_HARMLESS = ("This plugin does not support", "Setting a new default format")
 
 
 class Watch(QObject):
