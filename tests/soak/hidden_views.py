@@ -1,9 +1,11 @@
-"""What it costs to see a run: ``python -m tests.soak.hidden_views`` prints a table.
+"""What it costs to see a run: a table of iterations, CPU time and waiting, seen in several ways.
 
-On a screen of its own, a run that never ends goes on while all docks are open, while the 3D scene
-is hidden, while the docks are hidden, and while the window is minimised. These take turns, so that
-another program that takes a core for a while slows all of them alike, and ratios hold. Then, with
-all docks open and no run, control points are dragged.
+``xvfb-run -a -s '-screen 0 1600x1000x24' python -m tests.soak.hidden_views``
+
+A run that never ends goes on while all docks are open, while the 3D scene is hidden, while the
+docks are hidden, and while the window is minimised. These take turns, so that another program that
+takes a core for a while slows all of them alike, and ratios hold. Before that, with no run, control
+points are dragged.
 """
 
 import argparse
