@@ -41,7 +41,7 @@ class _Help(argparse.RawDescriptionHelpFormatter):
 
 
 def _hang(line: str) -> int:
-    """Where a line goes on below itself: behind the name in a list, under examples a bit inwards."""
+    """Where a line goes on below itself: behind a name in a list, a bit inwards in an example."""
     if named := re.match(r"  \S+ {2,}", line):
         return named.end()
     return 6 if line.startswith(" ") else 0
