@@ -71,6 +71,7 @@ def _drawn(drawing: str, colour: QColor, size: int) -> QPixmap:
 
 
 def _colour(application: QApplication) -> None:
+    # Fusion's buttons of docks vanish in the dark; these are of a grey between both grounds.
     scheme = "dark" if is_dark(application.palette()) else "light"
     application.setStyleSheet(
         f"""
@@ -82,6 +83,10 @@ def _colour(application: QApplication) -> None:
             font-weight: 600; border: none; border-bottom: 1px solid palette(mid); padding: 4px;
         }}
         QToolButton#heading:hover, QToolButton#heading:focus {{ background: palette(midlight); }}
+        QDockWidget {{
+            titlebar-close-icon: url("{_icon_file("dock-close").as_posix()}");
+            titlebar-normal-icon: url("{_icon_file("dock-float").as_posix()}");
+        }}
         QDockWidget[active="true"]::title {{
             background: palette(midlight); border-left: 4px solid palette(highlight);
             padding-left: 3px;

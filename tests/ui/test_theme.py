@@ -1,5 +1,7 @@
 """Light and dark, also when the system changes its mind while the window is open."""
 
+import re
+
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QPalette
@@ -50,3 +52,11 @@ def test_what_is_coloured_can_be_read(scheme, ground, text):
     assert contrast(theme._REFUSED[scheme], ground) >= 4.5
     for ground_of_message in (theme._WARNING, theme._NOTE):
         assert contrast(text, ground_of_message[scheme]) >= 7
+
+
+@pytest.mark.parametrize("name", ["dock-close", "dock-float"])
+@pytest.mark.parametrize("ground", ["#efefef", "#323232"])
+def test_buttons_of_docks_are_seen_on_both_grounds(name, ground):
+    """3 is what WCAG asks of what is not text."""
+    (ink,) = re.findall('stroke="(#[0-9a-f]{6})"', theme._icon_file(name).read_text())
+    assert contrast(ink, ground) >= 3
