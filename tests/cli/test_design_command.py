@@ -73,6 +73,20 @@ class TestDone:
         assert second.loss <= first.loss * 1.01
         assert second.seconds > first.seconds
 
+    def test_a_lens_of_another_task_is_a_start(self, freeform, scene_file, out):
+        freeform("design", scene_file, "-o", out)
+        designed = read_session(out)
+        heights = designed.result.control_points
+        screen = designed.scene.screen.model_copy(update={"z": designed.scene.screen.z + 0.5})
+        moved = designed.with_scene(
+            designed.scene.model_copy(update={"screen": screen}), designed.target
+        )
+        write_session(moved, out)
+        assert freeform("design", out, "-o", out, "--iterations", 0)[0] == 0
+        found = read_session(out)
+        assert found.result.iterations == 0 and found.start is None
+        np.testing.assert_allclose(found.result.control_points, heights, atol=1e-3)
+
     def test_a_session_without_a_lens_is_begun(self, freeform, scene_file, out, fake_run):
         fake_run({})
         freeform("design", scene_file, "-o", out)
