@@ -186,7 +186,9 @@ COMMANDS = {
         "&Move source", "Drag the source; Ctrl: along z", "Alt+M", "move-source", checked=False
     ),
     "brush_larger": Command("Lar&ger brush", "More control points at once; also Ctrl+wheel", "]"),
-    "brush_smaller": Command("Smaller brus&h", "Fewer control points at once; also Ctrl+wheel", "["),
+    "brush_smaller": Command(
+        "Smaller brus&h", "Fewer control points at once; also Ctrl+wheel", "["
+    ),
     "lock_all": Command("Lock &all points", "Leave the whole lens as it is in runs"),
     "unlock_all": Command("&Unlock all points", "Let runs change the whole lens"),
     "invert_locks": Command("&Invert locks", "Lock what is unlocked, and the reverse"),
