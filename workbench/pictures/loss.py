@@ -112,7 +112,8 @@ class LossPicture:
         self._others: list[Line2D] = []
         self._runs: tuple[Course, ...] = ()
         self._has_points = False
-        self._legend: tuple[int, list[Line2D]] = (0, [])  # its columns and what it names
+        # Of the legend: its columns, where it begins and what it names.
+        self._legend: tuple[int, float, list[Line2D]] = (0, 0.0, [])
         look = {"color": _THIS_RUN, "linewidth": 1.5, "zorder": 3}
         (self._line,) = axes.plot([], [], **look, label="this run")  # type: ignore[arg-type]
         (self._points,) = axes.plot(
@@ -202,20 +203,23 @@ class LossPicture:
         named = [self._line, *points, *self._others]
         box = self._axes.bbox
         em = _FONT * self._axes.get_figure(root=True).dpi / 72  # type: ignore[union-attr]
-        rows, columns = int(0.85 * box.height / (1.3 * em)), int(box.width / (_NAME * em))
+        line = 1.3 * em
+        top = round(0.94 - line / max(box.height, line), 2)  # below the value
+        rows, columns = int(top * box.height / line), int(box.width / (_NAME * em))
         columns = min(columns, math.ceil(len(named) / max(rows, 1)))
         if len(named) == 1 or rows * columns < len(named):
             columns = 0
-        if (columns, named) == self._legend:
+        if (columns, top, named) == self._legend:
             return False
-        self._legend = columns, named
+        self._legend = columns, top, named
         if legend := self._axes.get_legend():
             legend.remove()
         if columns:
             self._axes.legend(
                 handles=named,
                 loc="upper right",
-                bbox_to_anchor=(1.0, 0.92),  # below the value; curves fall from the left
+                bbox_to_anchor=(1.0, top),  # curves fall from the left
+                borderaxespad=0.2,
                 ncols=columns,
                 fontsize=_FONT,
                 frameon=False,
