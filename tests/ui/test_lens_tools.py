@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, QSettings, Qt
-from PySide6.QtGui import QGuiApplication, QImage, QMouseEvent
+from PySide6.QtGui import QGuiApplication, QImage, QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QApplication, QMainWindow
 
 from ui.document import Document
@@ -174,7 +174,7 @@ def test_shift_moves_finely_and_esc_takes_back(sculpting, drag, qtbot):
     held.move(upwards(view, 0.2), Qt.KeyboardModifier.ShiftModifier)
     qtbot.waitUntil(lambda: view.frame.snapshot.control_points[6, 5] > 0.5, timeout=20_000)
     assert view.frame.snapshot.control_points[6, 5] == pytest.approx(0.51, abs=0.002)
-    assert "Moved by +0.0" in view._hint.text()
+    qtbot.waitUntil(lambda: "Moved by +0.0" in view._hint.text())
     qtbot.keyClick(view._plotter, Qt.Key.Key_Escape)
     qtbot.waitUntil(lambda: view.frame.snapshot.control_points[6, 5] == 0.5, timeout=20_000)
     held.release()
@@ -211,6 +211,44 @@ def test_beside_the_lens_the_camera_turns(sculpting, drag):
     held.release()
     assert view._plotter.camera.position != position
     assert sculpting.document.undo_stack.count() == 0
+
+
+def wheel(view, place, keys):
+    event = QWheelEvent(
+        QPointF(place),
+        view._plotter.mapToGlobal(QPointF(place)),
+        QPoint(),
+        QPoint(0, 240),
+        Qt.MouseButton.NoButton,
+        keys,
+        Qt.ScrollPhase.NoScrollPhase,
+        False,
+    )
+    QApplication.sendEvent(view._plotter, event)
+
+
+def test_the_wheel_with_ctrl_is_the_brush_and_without_it_the_zoom(sculpting, qtbot):
+    view, camera = sculpting.view, sculpting.view._plotter.camera
+    place = control_point(sculpting, (6, 5))
+    move = QMouseEvent(
+        QEvent.Type.MouseMove,
+        QPointF(place),
+        view._plotter.mapToGlobal(QPointF(place)),
+        Qt.MouseButton.NoButton,
+        Qt.MouseButton.NoButton,
+        Qt.KeyboardModifier.NoModifier,
+    )
+    QApplication.sendEvent(view._plotter, move)
+    index, radius = view._brush
+    assert index == (6, 5)
+    scale = camera.parallel_scale
+    wheel(view, place, Qt.KeyboardModifier.ControlModifier)
+    assert view._brush[1] > 1.2 * radius and camera.parallel_scale == scale
+    qtbot.waitUntil(lambda: f"radius {view._brush[1]:.2g} cm" in view._hint.text())
+    wheel(view, place, Qt.KeyboardModifier.NoModifier)
+    assert camera.parallel_scale < scale
+    QApplication.sendEvent(view._plotter, QEvent(QEvent.Type.Leave))
+    assert view._brush is None
 
 
 def test_a_change_of_the_design_ends_the_drag(sculpting, drag, qtbot):
