@@ -282,5 +282,5 @@ LABELLED = _RUN
 """Those whose name stands beside the icon in the toolbar."""
 CHOICES = [list(RAYS), list(RAYS_BY), list(COLOURS), list(TOOLS)]
 """Groups of commands of which one is on."""
-LOOK = ["scene_view", "exploded", *RAYS, *COLOURS]
+LOOK = ["scene_view", "exploded", "perspective", *RAYS, *RAYS_BY, *COLOURS]
 """Those whose state is part of how a design is looked at, and travels with it."""
