@@ -14,6 +14,7 @@ from PySide6.QtCore import QLockFile
 from PySide6.QtWidgets import QMessageBox, QWidget
 
 from ui.document import ENDING
+from workbench.files.atomic import remove_left_behind
 
 
 @dataclass(frozen=True)
@@ -47,6 +48,7 @@ class LeftBehind:
         """Nobody needs it any more."""
         for file in (self.file, about_of(self.file)):
             file.unlink(missing_ok=True)
+            remove_left_behind(file)
         self.lock.unlock()
 
     def put_back(self) -> None:
@@ -63,6 +65,7 @@ def find(folder: Path) -> list[LeftBehind]:
         if not lock.tryLock(0):
             continue  # its window is open
         if not file.exists():
+            remove_left_behind(file)
             lock.unlock()  # which removes what is left of a window that had nothing to keep
             continue
         try:

@@ -202,6 +202,12 @@ class TestLeftBehind:
         assert os.listdir(target.parent) == ["file"]
         assert target.read_bytes() == b"whole"
 
+    def test_can_be_taken_away_without_writing(self, left, target):
+        atomic.remove_left_behind(target.with_name("other"))
+        assert left.exists()
+        atomic.remove_left_behind(target)
+        assert os.listdir(target.parent) == []
+
     def test_goes_even_if_the_next_fails(self, left, target):
         with pytest.raises(ZeroDivisionError), replacing(target):
             raise ZeroDivisionError

@@ -17,7 +17,8 @@ from ui.left_behind import Choice
 from ui.main_window import MainWindow
 from ui.recovery import Recovery
 from workbench.errors import Refused
-from workbench.files.session import read_session
+from workbench.files.atomic import replacing
+from workbench.files.session import read_session, write_session
 
 pytestmark = pytest.mark.usefixtures("kernels")
 
@@ -109,6 +110,19 @@ def test_a_signal_leaves_it_for_the_next_start(document, keeping):
     assert read_session(work.file).scene.screen.z == 7
     assert work.ended
     work.put_back()
+
+
+def test_what_a_kill_broke_off_goes_with_the_work(document, tmp_path):
+    file = tmp_path / "work.freeform"
+    with replacing(file) as half:
+        half.write(b"half")
+    file.rename(half.name)
+    write_session(document.session, tmp_path / "whole")
+    (tmp_path / "whole").rename(file)
+    assert len(list(tmp_path.iterdir())) == 2
+    (work,) = left_behind.find(tmp_path)
+    work.remove()
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_work_of_an_open_window_is_not_offered(document, keeping):

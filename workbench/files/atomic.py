@@ -71,6 +71,12 @@ def check_writable(path: Path) -> None:
             pass
 
 
+def remove_left_behind(path: Path) -> None:
+    """Remove what processes left that were killed while they wrote a file; `replacing` does too."""
+    for left in path.parent.glob(f".{_mark(path)}.*.tmp"):
+        _remove_if_left(left)
+
+
 @contextmanager
 def _refusing(path: Path) -> Iterator[None]:
     try:
@@ -103,11 +109,9 @@ def _temporary(target: Path) -> Iterator[BinaryIO]:
     A process that is killed leaves its file behind. The next that writes the same target, which
     the name tells, takes it away, since nobody has it locked.
     """
-    mark = blake2b(os.fsencode(target.name), digest_size=8).hexdigest()
-    for path in target.parent.glob(f".{mark}.*.tmp"):
-        _remove_if_left(path)
+    remove_left_behind(target)
     while True:
-        path = target.with_name(f".{mark}.{secrets.token_hex(8)}.tmp")
+        path = target.with_name(f".{_mark(target)}.{secrets.token_hex(8)}.tmp")
         try:
             # Not from tempfile, whose files only their owner may read, whatever the umask says.
             with path.open("xb") as file:
@@ -129,6 +133,10 @@ def _locked(file: BinaryIO, path: Path) -> bool:
     except OSError:  # a file system without locks, where nobody takes anything away
         return True
     return path.exists()
+
+
+def _mark(target: Path) -> str:
+    return blake2b(os.fsencode(target.name), digest_size=8).hexdigest()
 
 
 def _remove_if_left(path: Path) -> None:
