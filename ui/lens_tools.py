@@ -92,6 +92,7 @@ class LensTools(QObject):
 
     def close(self) -> None:
         """Wait for the thread; safe to call twice."""
+        turns().hurry(False)
         self._live.close()
 
     def _sculpt(self) -> Sculpt:
@@ -115,22 +116,28 @@ class LensTools(QObject):
         if self._tool is not None:
             self._tool.turn_wheel(steps)
 
-    def _may_change(self) -> bool:
+    def _is_idle(self) -> bool:
         if self._control.busy:
             self.said.emit(_BUSY)
         return not self._control.busy
 
+    def _may_change(self) -> bool:
+        """Whether what is shown is the lens of the design, and no run works on it."""
+        if not self._is_idle():
+            return False
+        frame, lens = self._view.frame, self._document.session.scene.lens
+        there = frame is not None and frame.session.scene.lens == lens
+        if not there:
+            self.said.emit(_NO_LENS)
+        return there
+
     def _heights(self) -> Array | None:
         """Of the lens that is shown, which a hand may now shape."""
-        if not self._may_change():
+        frame = self._view.frame
+        if not self._may_change() or frame is None:
             return None
-        if self._settling is not None:
-            return self._settling.heights
-        frame, lens = self._view.frame, self._document.session.scene.lens
-        if frame is None or frame.session.scene.lens != lens:
-            self.said.emit(_NO_LENS)
-            return None
-        return frame.snapshot.control_points
+        draft = self._settling
+        return frame.snapshot.control_points if draft is None else draft.heights
 
     def _shape(self, heights: Array, settled: bool) -> None:
         frame = self._view.frame
@@ -143,7 +150,7 @@ class LensTools(QObject):
         self._live.show(draft)
 
     def _source(self) -> "Source | None":
-        if not self._may_change():
+        if not self._is_idle():
             return None
         if self._view.exploded:
             self.said.emit(_NOT_TO_SCALE)
@@ -204,7 +211,7 @@ class LensTools(QObject):
             self._control.preview()
 
     def _lock(self, change: Callable[[Mask], Mask], text: str) -> None:
-        if self._may_change():
+        if self._is_idle():
             session = self._document.session
             locked = session.locked
             if locked is None:

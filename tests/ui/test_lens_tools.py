@@ -265,6 +265,21 @@ def test_a_change_of_the_design_ends_the_drag(sculpting, drag, qtbot):
     assert (view.frame.snapshot.control_points == 0.5).all()
 
 
+def test_nothing_is_done_to_a_lens_that_is_not_shown_yet(sculpting, drag, qtbot):
+    bench, view, document = sculpting, sculpting.view, sculpting.document
+    data = document.session.scene.to_data()
+    other = Scene.from_data({**data, "lens": {**data["lens"], "control_points": [8, 8]}})
+    for tool in ("sculpt", "lock"):
+        bench.commands[tool]()
+        document.edit(other, "net", "")
+        held = drag(view, control_point(bench, (6, 5)))
+        held.move(upwards(view, 0.1))
+        held.release()
+        assert "no lens" in bench.said[-1] and document.session.locked is None
+        document.undo_stack.undo()
+    assert document.session.result is None
+
+
 def test_locked_points_do_not_move(sculpting, drag):
     bench = sculpting
     bench.commands["lock_all"]()
