@@ -57,6 +57,7 @@ class AccountedRecovery(Recovery):
         """End keeping and looking."""
         self._looking.stop()
         super().close(leave)
+        self._note("holds", None)  # a person has been asked
 
     def _look(self) -> None:
         session = self._unsaved()
