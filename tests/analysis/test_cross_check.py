@@ -2,6 +2,7 @@
 
 import math
 import sys
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -90,6 +91,19 @@ class TestWithMitsuba:
         monkeypatch.setattr(other, "_AT_ONCE", 5_000)
         flux = other.MitsubaScene(make_scene(), np.full((12, 10), 0.5)).flux(20_000, 1)
         assert flux.sum() == pytest.approx(0.96**2, rel=0.01)
+
+    def test_passes_never_trace_more_than_wanted(self, make_scene, monkeypatch):
+        """Each needs a path for every pixel, however many pixels there are."""
+        monkeypatch.setattr(other, "_AT_ONCE", 100)
+        trace, asked = other.MitsubaScene(make_scene(), np.full((12, 10), 0.5)), []
+
+        def render(_, spp, seed):
+            asked.append(spp)
+            return np.zeros((32, 32, 1))
+
+        monkeypatch.setattr(trace, "_mi", SimpleNamespace(render=render))
+        trace.flux(2 * 32 * 32, 1)
+        assert asked == [1, 1]
 
     def test_pixels_that_are_not_square_are_refused(self, make_scene):
         scene = make_scene({"screen.pixels": [32, 31]})

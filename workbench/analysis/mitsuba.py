@@ -35,7 +35,7 @@ _AWAY = 4.0
 _DISK = 1e-4
 # Mitsuba's spots fade at their rims, here beyond the cone.
 _FADE = 1e-3
-# Paths of a pass: an interruption waits for one of them.
+# Paths of a pass, at least one for each pixel: an interruption waits for one of them.
 _AT_ONCE = 1 << 19
 _BLACK = {"type": "diffuse", "reflectance": {"type": "rgb", "value": 0.0}}
 
@@ -98,7 +98,7 @@ class MitsubaScene:
         """
         n_x, n_y = self._scene.screen.pixels
         samples = -(-rays // (n_x * n_y))
-        passes = -(-samples * n_x * n_y // _AT_ONCE)
+        passes = min(-(-samples * n_x * n_y // _AT_ONCE), samples)
         samples = -(-samples // passes)
         radiance = np.zeros((n_y, n_x))
         # Seeds that have nothing to do with each other: Mitsuba counts on from them.
