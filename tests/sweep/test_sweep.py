@@ -197,6 +197,15 @@ class TestWorkers:
         assert found[3] == Failed("its process ended with exit status -9")
         assert not process.is_alive()
 
+    def test_a_process_that_was_killed_idle_is_told(self, task):
+        with Processes(1, 1) as workers:
+            workers._idle.append(workers._start())
+            (process,) = workers._all.values()
+            process.kill()
+            process.join()
+            found = dict(workers.work(iter([(1, task._replace(target=np.ones((500, 500))))])))
+        assert found == {1: Failed("its process ended with exit status -9")}
+
     def test_a_cluster_does_the_same(self, task):
         distributed = pytest.importorskip("distributed")
         with (

@@ -9,6 +9,7 @@ import os
 import signal
 import threading
 from collections.abc import Iterator
+from contextlib import suppress
 from multiprocessing.connection import Connection, wait
 from multiprocessing.context import SpawnProcess
 from typing import Any, Self, TypeVar
@@ -57,7 +58,8 @@ class Processes:
             while len(busy) < self._count and (task := next(tasks, None)) is not None:
                 pipe = self._idle.pop() if self._idle else self._start()
                 busy[pipe] = task[0]
-                pipe.send(task[1])
+                with suppress(OSError):  # a process that is gone tells so by its answer
+                    pipe.send(task[1])
             if not busy:
                 return
             ready = wait(list(busy))
