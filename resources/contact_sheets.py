@@ -12,7 +12,7 @@ from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPixmap
 
 from resources.make_screenshot import begin, design, dialog_of, open_window, settle
-from ui.command_table import PANES
+from ui.commands.table import PANES
 from ui.main_window import MainWindow
 from ui.tour import STOPS, Bubble
 

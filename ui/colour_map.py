@@ -5,8 +5,8 @@ from functools import partial
 
 from PySide6.QtCore import QSettings
 
-from ui.command_table import COLOURS
-from ui.commands import Commands
+from ui.commands.actions import Commands
+from ui.commands.table import COLOURS
 
 _KEY = "view/colours"
 

@@ -6,11 +6,11 @@ from PySide6.QtCore import QObject, QSettings
 from PySide6.QtWidgets import QMainWindow, QMessageBox, QWidget
 
 import workbench
-from ui.commands import Commands
+from ui.commands.actions import Commands
+from ui.commands.palette import CommandPalette
+from ui.commands.shortcuts import Shortcuts
 from ui.message_bar import MessageBar
-from ui.palette import CommandPalette
 from ui.panes import Panes
-from ui.shortcuts import Shortcuts
 from ui.tour import STOPS, Tour
 
 TITLE = "Freeform Lens Workbench"

@@ -10,14 +10,15 @@ from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QPaintEvent
 from PySide6.QtWidgets import QMainWindow
 
 from resources import EXAMPLES, Example
-from ui.availability import Situation
 from ui.carried_lens import CarriedLens
 from ui.colour_map import ColourMap
-from ui.command_table import COMMANDS, NEW
-from ui.commands import Commands
+from ui.commands.actions import Commands
+from ui.commands.availability import Situation
+from ui.commands.table import COMMANDS, NEW
 from ui.document import ENDING, Document
-from ui.exporter import Exporter
-from ui.file_actions import Answer, FileActions
+from ui.files.actions import Answer, FileActions
+from ui.files.exporter import Exporter
+from ui.files.recent import RecentFiles
 from ui.gallery import Gallery
 from ui.help import TITLE, Help
 from ui.layout import Layout
@@ -26,17 +27,16 @@ from ui.message_bar import MessageBar
 from ui.panels.forms import Forms
 from ui.panes import Panes
 from ui.plots import Plots
-from ui.recent import RecentFiles
-from ui.run_status import RunStatus
+from ui.run.status import RunStatus
 from ui.view_state import ViewState
 from ui.workspace import Workspace
 
 if TYPE_CHECKING:
-    from ui.check import Check
-    from ui.frame import Frame
-    from ui.lens_tools import LensTools
-    from ui.run_control import RunControl
-    from ui.runs import Runs
+    from ui.check.check import Check
+    from ui.lens.tools import LensTools
+    from ui.run.control import RunControl
+    from ui.run.frame import Frame
+    from ui.run.runs import Runs
     from ui.views.views import Views
 
 _STATES = {
@@ -120,11 +120,11 @@ class MainWindow(QMainWindow):
 
     def build(self) -> None:
         """Add runner and views; imports what they stand on."""
-        from ui.check import Check
-        from ui.lens_tools import LensTools
-        from ui.run_control import RunControl
-        from ui.run_log import RunLog
-        from ui.runs import Runs
+        from ui.check.check import Check
+        from ui.lens.tools import LensTools
+        from ui.run.control import RunControl
+        from ui.run.log import RunLog
+        from ui.run.runs import Runs
         from ui.scene_pictures import ScenePictures
         from ui.views.views import Views
 

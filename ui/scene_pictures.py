@@ -9,7 +9,7 @@ from PySide6.QtCore import QBuffer, QIODevice, QObject, Qt
 from PySide6.QtGui import QCursor, QGuiApplication, QImage, QImageWriter
 from PySide6.QtWidgets import QFileDialog, QWidget
 
-from ui.command_table import PICTURES
+from ui.commands.table import PICTURES
 from ui.document import Document
 from ui.message_bar import MessageBar
 from workbench.errors import Refused

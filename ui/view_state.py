@@ -3,8 +3,8 @@
 from collections.abc import Callable, Mapping
 from typing import Any, Protocol
 
-from ui.command_table import LOOK
-from ui.commands import Commands
+from ui.commands.actions import Commands
+from ui.commands.table import LOOK
 from ui.layout import Layout
 
 _LAYOUT, _ON, _CAMERA = "layout", "on", "camera"

@@ -8,11 +8,11 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QApplication
 
 from resources import EXAMPLES
-from ui import left_behind
 from ui.document import Document
-from ui.left_behind import LeftBehind
+from ui.files import left_behind
+from ui.files.left_behind import LeftBehind
+from ui.files.recovery import Recovery
 from ui.main_window import MainWindow
-from ui.recovery import Recovery
 from ui.warm_up import WarmUp
 from workbench.files.session import open_design
 

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from PySide6.QtCore import QTimer
 
-from ui.recovery import Recovery
+from ui.files.recovery import Recovery
 from workbench.files.session import Session
 
 _LOOK_MS = 250

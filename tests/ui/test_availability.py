@@ -1,7 +1,7 @@
 import pytest
 
-from ui.availability import Situation
-from ui.command_table import COMMANDS
+from ui.commands.availability import Situation
+from ui.commands.table import COMMANDS
 
 
 def situation(

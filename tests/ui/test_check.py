@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import pytest
 from PySide6.QtCore import QSettings
 
-from ui.checking import verified_error
+from ui.check.checking import verified_error
 from ui.document import Document
 from ui.main_window import MainWindow
 from workbench.analysis.validation import validating

@@ -10,7 +10,7 @@ import pytest
 from PySide6.QtCore import QThread
 
 import workbench.analysis.derivatives
-from ui.derivatives import Derivatives, Question
+from ui.lens.derivatives import Derivatives, Question
 from ui.views.derivative_view import DerivativeView
 from workbench.analysis.derivatives import DerivativeMap, irradiance_derivative
 from workbench.files.session import Session

@@ -62,7 +62,7 @@ def held(monkeypatch):
         assert release.wait(30)
         return SimpleNamespace(sentence="written")
 
-    monkeypatch.setattr("ui.exporter._write", write)
+    monkeypatch.setattr("ui.files.exporter._write", write)
     yield release
     release.set()
 

@@ -8,7 +8,7 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QApplication, QHBoxLayout, QWidget
 
-from ui.frame import make_frame
+from ui.run.frame import make_frame
 from ui.views.error_view import ErrorView
 from ui.views.image_link import ImageLink
 from ui.views.irradiance_view import IrradianceView

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from ui.kept_runs import is_named, renamed, restored, with_run, without
+from ui.run.kept import is_named, renamed, restored, with_run, without
 from workbench.errors import Refused
 from workbench.files.header import MOST_RUNS
 

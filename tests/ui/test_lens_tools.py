@@ -7,9 +7,9 @@ from PySide6.QtGui import QGuiApplication, QImage, QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QApplication, QMainWindow
 
 from ui.document import Document
-from ui.lens_tools import LensTools
+from ui.lens.tools import LensTools
 from ui.main_window import MainWindow
-from ui.run_control import RunControl
+from ui.run.control import RunControl
 from ui.scene_pictures import ScenePictures
 from ui.views.scene_view import SceneView
 from workbench.design.evaluation import undesigned

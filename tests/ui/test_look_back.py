@@ -8,7 +8,7 @@ from PySide6.QtCore import QSettings, Qt
 
 from ui.document import Document
 from ui.main_window import MainWindow
-from ui.moments import Moments, moment
+from ui.run.moments import Moments, moment
 
 pytestmark = pytest.mark.usefixtures("kernels")
 

@@ -1,4 +1,4 @@
-from ui.mailbox import Mailbox
+from ui.run.mailbox import Mailbox
 
 
 def test_holds_the_latest_value_alone():

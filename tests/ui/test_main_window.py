@@ -8,7 +8,7 @@ from PySide6.QtGui import QDropEvent
 from PySide6.QtWidgets import QMessageBox
 
 from resources import EXAMPLES
-from ui.command_table import COMMANDS
+from ui.commands.table import COMMANDS
 from ui.document import Document
 from ui.main_window import MainWindow
 from workbench.files.session import Session, read_session

@@ -4,9 +4,9 @@ import pytest
 from PySide6.QtCore import QSettings, Qt
 from PySide6.QtWidgets import QTreeWidget
 
+from ui.commands.palette import CommandPalette
 from ui.document import Document
 from ui.main_window import MainWindow
-from ui.palette import CommandPalette
 
 BOTH = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier
 

@@ -5,7 +5,7 @@ from PySide6.QtCore import QSettings, Qt
 from PySide6.QtGui import QAccessible
 from PySide6.QtWidgets import QAbstractButton, QApplication, QComboBox, QLineEdit
 
-from ui.command_table import COMMANDS, PANES
+from ui.commands.table import COMMANDS, PANES
 from ui.document import Document
 from ui.main_window import MainWindow
 

@@ -6,8 +6,8 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QMainWindow
 
 from ui.colour_map import ColourMap
-from ui.command_table import COLOURS
-from ui.commands import Commands
+from ui.commands.actions import Commands
+from ui.commands.table import COLOURS
 from ui.document import Document
 from ui.main_window import MainWindow
 from workbench.pictures.maps import UNSIGNED

@@ -11,9 +11,9 @@ from PySide6.QtGui import QAction, QGuiApplication, QImage
 from PySide6.QtWidgets import QHBoxLayout, QWidget
 
 from ui.document import Document
-from ui.frame import make_frame
 from ui.message_bar import MessageBar
 from ui.plots import Plots
+from ui.run.frame import make_frame
 from ui.views.irradiance_view import IrradianceView
 from ui.views.loss_view import LossView
 from ui.views.surface_view import SurfaceView

@@ -11,11 +11,11 @@ import pytest
 from PySide6.QtCore import QSettings, Qt, QTimer
 from PySide6.QtWidgets import QApplication, QMessageBox, QPushButton
 
-from ui import left_behind
 from ui.document import Document
-from ui.left_behind import Choice
+from ui.files import left_behind
+from ui.files.left_behind import Choice
+from ui.files.recovery import Recovery
 from ui.main_window import MainWindow
-from ui.recovery import Recovery
 from workbench.errors import Refused
 from workbench.files.atomic import replacing
 from workbench.files.session import read_session, write_session
@@ -161,7 +161,7 @@ def test_a_full_disk_is_told_once(document, keeping, monkeypatch, qtbot):
     def full(session, path):
         raise Refused(str(path), "No space left on device")
 
-    monkeypatch.setattr("ui.recovery.write_session", full)
+    monkeypatch.setattr("ui.files.recovery.write_session", full)
     recovery, told = keeping(), []
     recovery.failed.connect(told.append)
     for z in (7, 8):
@@ -272,7 +272,7 @@ def test_each_is_asked_about(document, keeping, monkeypatch):
 
 
 BEGIN = (
-    "import sys; from PySide6.QtCore import QTimer; import ui.app, ui.recovery as r\n"
+    "import sys; from PySide6.QtCore import QTimer; import ui.app, ui.files.recovery as r\n"
     "start = r.Recovery.start\n"
     "def started(self):\n"
     "    start(self)\n"
@@ -284,7 +284,7 @@ BEGIN = (
     "sys.exit(ui.app.main([]))"
 )
 AGAIN = (
-    "import sys; import ui.app, ui.left_behind as l, ui.main_window as m\n"
+    "import sys; import ui.app, ui.files.left_behind as l, ui.main_window as m\n"
     "l.ask = lambda work, window: l.Choice.RECOVER\n"
     "recover = m.FileActions.recover\n"
     "def told(self, *a):\n"

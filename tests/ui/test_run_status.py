@@ -5,8 +5,8 @@ from types import SimpleNamespace
 import pytest
 from PySide6.QtWidgets import QStatusBar
 
-from ui.pace import Pace
-from ui.run_status import RunStatus
+from ui.run.pace import Pace
+from ui.run.status import RunStatus
 
 
 def test_the_pace_is_that_of_the_last_seconds():

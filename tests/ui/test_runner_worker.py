@@ -5,8 +5,8 @@ import dataclasses
 import numpy as np
 import pytest
 
-from ui import worker as worker_module
-from ui.worker import Job, Worker
+from ui.run import worker as worker_module
+from ui.run.worker import Job, Worker
 from workbench.design.snapshot import History
 from workbench.errors import Refused, RunFailed
 

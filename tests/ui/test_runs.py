@@ -7,7 +7,7 @@ import pytest
 from PySide6.QtCore import QSettings, Qt
 from PySide6.QtWidgets import QLineEdit
 
-from ui.checking import Suspect
+from ui.check.checking import Suspect
 from ui.document import Document
 from ui.main_window import MainWindow
 from workbench.scene import Stage
@@ -215,9 +215,9 @@ def test_the_lens_of_a_run_is_checked_at_its_end(window, run, checks, qtbot):
 
 
 def test_a_run_is_checked_while_it_goes_on(window, as_run, checks, monkeypatch, qtbot):
-    monkeypatch.setattr("ui.run_check._REST", 0.0)
-    monkeypatch.setattr("ui.run_check._RESTS", 0.0)
-    monkeypatch.setattr("ui.run_check.QThread.idealThreadCount", lambda: 2)
+    monkeypatch.setattr("ui.check.run_check._REST", 0.0)
+    monkeypatch.setattr("ui.check.run_check._RESTS", 0.0)
+    monkeypatch.setattr("ui.check.run_check.QThread.idealThreadCount", lambda: 2)
     window.control.runner._generate = as_run(100_000, pause=0.01)
     window.commands["start"].trigger()
     qtbot.waitUntil(lambda: len(window.views.loss._verified) >= 2, timeout=60_000)
@@ -232,7 +232,7 @@ def test_a_run_is_checked_while_it_goes_on(window, as_run, checks, monkeypatch, 
 
 
 def test_a_stage_is_checked_at_its_end(window, snapshots, as_seen_run, checks, monkeypatch, qtbot):
-    monkeypatch.setattr("ui.run_check.QThread.idealThreadCount", lambda: 2)
+    monkeypatch.setattr("ui.check.run_check.QThread.idealThreadCount", lambda: 2)
 
     def staged(iteration, iterations):
         return replace(snapshots(iteration, iterations), stage=iteration // 4, stages=2)
@@ -253,9 +253,9 @@ def test_a_stage_is_checked_at_its_end(window, snapshots, as_seen_run, checks, m
 
 
 def test_one_core_alone_is_the_runs(window, as_run, checks, monkeypatch, qtbot):
-    monkeypatch.setattr("ui.run_check._REST", 0.0)
-    monkeypatch.setattr("ui.run_check._RESTS", 0.0)
-    monkeypatch.setattr("ui.run_check.QThread.idealThreadCount", lambda: 1)
+    monkeypatch.setattr("ui.check.run_check._REST", 0.0)
+    monkeypatch.setattr("ui.check.run_check._RESTS", 0.0)
+    monkeypatch.setattr("ui.check.run_check.QThread.idealThreadCount", lambda: 1)
     window.control.runner._generate = as_run(20, pause=0.01)
     with qtbot.waitSignal(window.control.ended, timeout=60_000):
         window.commands["start"].trigger()

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QPoint
 
-from ui.frame import make_frame
+from ui.run.frame import make_frame
 from ui.views.surface_view import SurfaceView
 from workbench.geometry.surface import ControlNet
 from workbench.pictures.surface import ASPECTS

@@ -4,10 +4,10 @@ import pytest
 from PySide6.QtCore import QSettings, Qt
 from PySide6.QtGui import QKeySequence
 
-from ui.command_table import COMMANDS
+from ui.commands.shortcuts import Shortcuts
+from ui.commands.table import COMMANDS
 from ui.document import Document
 from ui.main_window import MainWindow
-from ui.shortcuts import Shortcuts
 from ui.tour import STOPS, Bubble
 
 

@@ -7,7 +7,7 @@ import pytest
 from PySide6.QtGui import QColor, QPalette
 from PySide6.QtWidgets import QMainWindow, QTabWidget
 
-from ui.frame import make_frame
+from ui.run.frame import make_frame
 from ui.views import light_view
 from ui.views.error_view import ErrorView
 from ui.views.irradiance_view import IrradianceView

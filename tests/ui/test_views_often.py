@@ -3,7 +3,7 @@
 import pytest
 from PySide6.QtWidgets import QMainWindow
 
-from ui.runner import Runner
+from ui.run.runner import Runner
 from ui.views.irradiance_view import IrradianceView
 from ui.views.scene_view import SceneView
 

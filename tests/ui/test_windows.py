@@ -4,7 +4,7 @@ import pytest
 from PySide6.QtCore import QSettings, Qt
 from PySide6.QtWidgets import QApplication, QMessageBox
 
-from ui import left_behind
+from ui.files import left_behind
 from ui.windows import Windows
 from workbench.files.session import read_session
 

@@ -11,7 +11,7 @@ from PySide6.QtCore import QSignalBlocker, QTimer, Signal
 from PySide6.QtGui import QCloseEvent, QHideEvent, QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSpinBox, QWidget
 
-from ui.derivatives import Derivatives, Question
+from ui.lens.derivatives import Derivatives, Question
 from ui.views.plot_view import PlotView
 from ui.views.view import look_alike
 from workbench.pictures.derivative import DerivativeImage
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from matplotlib.artist import Artist
     from matplotlib.axes import Axes
 
-    from ui.frame import Frame
+    from ui.run.frame import Frame
     from workbench.analysis.derivatives import DerivativeMap
     from workbench.files.session import Session
 

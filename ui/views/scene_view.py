@@ -24,14 +24,14 @@ from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QCloseEvent, QResizeEvent
 from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
 
-from ui.frame import RAYS
+from ui.run.frame import RAYS
 from ui.views.tools.hand import Hand
 from ui.views.tools.tool import Pointer, Tool
 from ui.views.view import View, look_alike
 from workbench.pictures.images import LIGHT
 
 if TYPE_CHECKING:
-    from ui.frame import Frame
+    from ui.run.frame import Frame
     from workbench.files.session import Session
     from workbench.optics.paths import RayPaths
     from workbench.pictures.control_net import ControlNetPicture

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 
-from ui.command_table import RAYS, RAYS_BY
+from ui.commands.table import RAYS, RAYS_BY
 from ui.views.derivative_view import DerivativeView
 from ui.views.error_view import ErrorView
 from ui.views.image_link import ImageLink
@@ -23,7 +23,7 @@ from ui.views.view import View
 
 if TYPE_CHECKING:
     from ui.document import Document
-    from ui.run_control import RunControl
+    from ui.run.control import RunControl
 
 
 class Views(QObject):

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from ui.command_table import LOCKS, NEW
+from ui.commands.table import LOCKS, NEW
 
 # Not while a run works on the design as it was when it began.
 _CHANGING = [*NEW, "gallery", "open", "save", "save_as"]

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Signal
 
 if TYPE_CHECKING:
-    from ui.frame import Frame
+    from ui.run.frame import Frame
 
 _BUDGET = 200 << 20  # bytes of all frames
 

@@ -8,8 +8,8 @@ from PySide6.QtGui import QAction, QActionGroup, QKeySequence
 from PySide6.QtWidgets import QMainWindow, QMenu, QMenuBar, QToolBar, QToolButton
 
 from ui import theme
-from ui.command_table import CHOICES, COMMANDS, LABELLED, MENUS, TOOLBAR, Command
-from ui.palette import SEPARATOR
+from ui.commands.palette import SEPARATOR
+from ui.commands.table import CHOICES, COMMANDS, LABELLED, MENUS, TOOLBAR, Command
 
 
 class Commands:

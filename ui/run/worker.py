@@ -14,8 +14,8 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QThread, Signal, Slot
 
-from ui.frame import Array, Frame, make_frame
-from ui.mailbox import Mailbox
+from ui.run.frame import Array, Frame, make_frame
+from ui.run.mailbox import Mailbox
 from workbench.design.session import Mask
 from workbench.design.snapshot import History, Result, Snapshot
 from workbench.errors import Refused, RunFailed

@@ -5,14 +5,14 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from ui.document import Document
-from ui.kept_runs import with_run
-from ui.moments import Moments, moment
-from ui.runner import Runner
+from ui.run.kept import with_run
+from ui.run.moments import Moments, moment
+from ui.run.runner import Runner
 from ui.views.view import look_alike
 from workbench.design.snapshot import Result
 
 if TYPE_CHECKING:
-    from ui.frame import Frame
+    from ui.run.frame import Frame
     from workbench.files.session import Session
 
 _PREVIEW_MS = 200  # a person who types is not done yet

@@ -6,11 +6,11 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject
 
 from ui.document import Document
-from ui.run_control import RunControl
-from ui.run_status import clock
+from ui.run.control import RunControl
+from ui.run.status import clock
 
 if TYPE_CHECKING:
-    from ui.frame import Frame
+    from ui.run.frame import Frame
     from workbench.design.snapshot import Snapshot
 
 _TURNS = {

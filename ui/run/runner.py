@@ -4,11 +4,11 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QThread, QTimer, Signal, Slot
 
-from ui.worker import Generate, Job, Worker
+from ui.run.worker import Generate, Job, Worker
 from workbench.design.snapshot import Result
 
 if TYPE_CHECKING:
-    from ui.frame import Frame
+    from ui.run.frame import Frame
     from workbench.files.session import Session
 
 _FRAME_MS = 66  # 15 Hz

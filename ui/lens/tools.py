@@ -15,7 +15,7 @@ import numpy as np
 import numpy.typing as npt
 from PySide6.QtCore import QObject, Signal
 
-from ui.live import Draft, LiveLens
+from ui.lens.live import Draft, LiveLens
 from ui.views.tools.brush import Brush
 from ui.views.tools.lock import Lock
 from ui.views.tools.move_source import MoveSource
@@ -27,8 +27,8 @@ from workbench.scene import Scene
 
 if TYPE_CHECKING:
     from ui.document import Document
-    from ui.frame import Frame
-    from ui.run_control import RunControl
+    from ui.run.control import RunControl
+    from ui.run.frame import Frame
     from ui.views.scene_view import SceneView
     from ui.views.tools.tool import Tool
     from workbench.files.session import Session

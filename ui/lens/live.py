@@ -14,7 +14,7 @@ import torch
 from PySide6.QtCore import QObject, QThread, Signal
 
 from ui.background import Background
-from ui.frame import Frame, make_frame
+from ui.run.frame import Frame, make_frame
 from workbench.design.evaluation import Evaluator
 from workbench.design.snapshot import History
 

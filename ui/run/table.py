@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from ui.run_status import clock
+from ui.run.status import clock
 from workbench.files.session import KeptRun
 
 _NOTHING = "Each run that ends is kept here, to be compared with others and gone back to."

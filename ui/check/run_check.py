@@ -5,14 +5,14 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QThread, Signal
 
-from ui.checking import Checking, Suspect, verified_error
+from ui.check.checking import Checking, Suspect, verified_error
 from ui.document import Document
-from ui.moments import moment
-from ui.run_control import RunControl
+from ui.run.control import RunControl
+from ui.run.moments import moment
 from workbench.pictures.loss import Verified
 
 if TYPE_CHECKING:
-    from ui.frame import Frame
+    from ui.run.frame import Frame
     from workbench.analysis.validation import Validation
 
 _RAYS = 1_000_000  # enough to tell an error from the next

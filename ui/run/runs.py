@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 from PySide6.QtCore import QObject, Signal
 
-from ui.checking import Suspect, verified_error
+from ui.check.checking import Suspect, verified_error
+from ui.check.run_check import RunCheck
 from ui.document import Document
-from ui.kept_runs import renamed, restored, without
-from ui.run_check import RunCheck
-from ui.run_control import RunControl
-from ui.run_table import RunTable
+from ui.run.control import RunControl
+from ui.run.kept import renamed, restored, without
+from ui.run.table import RunTable
 from workbench.design.snapshot import Result
 from workbench.errors import Refused
 from workbench.files.session import KeptRun

@@ -5,10 +5,10 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel, QProgressBar, QStatusBar
 
-from ui.pace import Pace
+from ui.run.pace import Pace
 
 if TYPE_CHECKING:
-    from ui.frame import Frame
+    from ui.run.frame import Frame
 
 
 class RunStatus:

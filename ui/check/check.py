@@ -5,11 +5,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 from PySide6.QtCore import QObject, Signal
 
-from ui.checking import Checking, Suspect, verified_error
+from ui.check.checking import Checking, Suspect, verified_error
 from ui.views.view import look_alike
 
 if TYPE_CHECKING:
-    from ui.frame import Frame
+    from ui.run.frame import Frame
     from workbench.analysis.validation import Validation
     from workbench.files.session import Session
 

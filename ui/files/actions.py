@@ -10,8 +10,8 @@ from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
 from resources import Example
 from ui.document import ENDING, Document
+from ui.files.recent import RecentFiles
 from ui.message_bar import MessageBar
-from ui.recent import RecentFiles
 from workbench.errors import Refused
 from workbench.files.session import read_session
 

@@ -1,0 +1,1 @@
+"""Independent checks of lenses, asked for and during runs."""

@@ -1,0 +1,1 @@
+"""The design in files: opened, saved, recovered, exported."""

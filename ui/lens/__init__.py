@@ -1,0 +1,1 @@
+"""The lens under a person's hands."""
