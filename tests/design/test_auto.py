@@ -6,6 +6,7 @@ import torch
 
 from workbench.design import auto
 from workbench.design.loss import share
+from workbench.design.phases import SHARPEST, Phase, image_of
 from workbench.design.run import run
 from workbench.geometry.surface import ControlNet
 from workbench.optics.filtered import expected_image
@@ -74,7 +75,7 @@ def test_light_of_points_comes_to_the_screen(make_scene, letter, kind):
 def test_all_lenses_are_judged_by_the_sharpest_image(make_scene, letter):
     # Other rays through the same filter agree, whatever the phase.
     scene = make_scene({"lens.control_points": [24, 24], "run.iterations": 60})
-    sharp = GaussianFilter(alpha=auto.PHASES[-1].alpha)
+    sharp = GaussianFilter(alpha=SHARPEST.alpha)
     wanted = expected_image(share(letter), sharp)
     plan = Plan(scene, ControlNet.of(scene.lens), sharp, samples=(1001, 1001))
     for snapshot in list(run(scene, letter))[::12]:
@@ -87,10 +88,20 @@ def test_a_good_lens_is_not_taken_through_the_blunt_phases_again(make_scene, let
     scene = make_scene({"lens.control_points": [24, 24], "run.iterations": 60})
     found = best(scene, letter)
     seen = []
-    look = auto._image
-    monkeypatch.setattr(auto, "_image", lambda *given: seen.append(given[2].alpha) or look(*given))
+
+    def look(phase, **task):
+        seen.append(phase)
+        return image_of(phase, **task)
+
+    monkeypatch.setattr(auto, "image_of", look)
     next(run(scene, letter, found.control_points))
-    assert set(seen) == {auto.PHASES[-1].alpha}
+    assert seen == [SHARPEST]
+
+
+def test_phases_share_the_iterations():
+    blunt, sharp = Phase(1.0, 3, 1.0, most=30), Phase(12.0, 6, 4.0)
+    assert [blunt.iterations(left) for left in (300, 60, 4, 1, 0)] == [30, 20, 2, 1, 0]
+    assert sharp.iterations(300) == 300
 
 
 def test_the_largest_screen_has_room_beside_it(make_scene):

@@ -50,6 +50,35 @@ def test_one_plan_serves_many_lenses(make_scene, target):
     assert moved.loss == pytest.approx(fresh.loss, rel=1e-3)
 
 
+@pytest.mark.parametrize("changes", [{}, {"run": PAPER}])
+def test_locked_control_points_save_rays_and_change_no_light(make_scene, target, changes):
+    scene = make_scene(changes)
+    flat, locked = np.full((12, 10), 0.5), np.ones((12, 10), dtype=np.bool_)
+    locked[:3] = False
+    bent = np.where(locked, flat, 0.52)
+    evaluator = Evaluator(scene, target, flat, locked)
+    evaluator.snapshot(flat)
+    found = evaluator.snapshot(bent)
+    all_traced = Evaluator(scene, target, flat).snapshot(bent)
+    lit = all_traced.irradiance.max()
+    np.testing.assert_allclose(found.irradiance, all_traced.irradiance, atol=1e-5 * lit)
+    assert any("of the rays after the first" in note for note in found.notes)
+
+
+def test_it_suits_lenses_that_keep_what_is_locked(make_scene, target):
+    scene, flat = make_scene(), np.full((12, 10), 0.5)
+    locked = np.zeros((12, 10), dtype=np.bool_)
+    locked[2, 3] = True
+    evaluator = Evaluator(scene, target, flat, locked)
+    free, moved = np.where(locked, flat, 0.6), np.where(locked, 0.6, flat)
+    assert evaluator.suits(scene, free, locked)
+    assert not evaluator.suits(scene, moved, locked)
+    assert not evaluator.suits(scene, free, None)
+    assert not evaluator.suits(make_scene({"screen.z": 6.0}), free, locked)
+    unlocked = Evaluator(scene, target, flat)
+    assert unlocked.suits(scene, moved)
+
+
 def test_it_goes_on_from_an_earlier_result(make_scene, scene_data, target):
     scene = make_scene({"run.iterations": 4})
     history = History()

@@ -5,10 +5,10 @@ import numpy.typing as npt
 import torch
 from torch import Tensor
 
-from workbench.design.auto import judging_image
-from workbench.design.heights import HeightRange
+from workbench.design.heights import HeightRange, Mask
 from workbench.design.loss import check_finite, paper_loss, share
-from workbench.design.snapshot import Result, Snapshot
+from workbench.design.phases import SHARPEST, image_of, reach_of
+from workbench.design.snapshot import Result, Snapshot, frozen
 from workbench.design.step import Step
 from workbench.geometry.surface import ControlNet
 from workbench.optics.plan import Plan, device_of
@@ -30,6 +30,8 @@ class Evaluator:
         The wanted image in any scale, row 0 at +y.
     heights : ndarray, shape (n_u, n_v)
         Control heights of a lens like those to come, scene units; says how far their light falls.
+    locked : ndarray of bool, shape (n_u, n_v), optional
+        Control points whose heights are the same in all lenses to come; see `suits`.
 
     Raises
     ------
@@ -37,16 +39,26 @@ class Evaluator:
         If the scene asks for a device that is not there.
     """
 
-    def __init__(self, scene: Scene, target: Array, heights: Array) -> None:
-        self._scene = scene
+    def __init__(
+        self, scene: Scene, target: Array, heights: Array, locked: Mask | None = None
+    ) -> None:
+        self._scene, self._locked = scene, locked
+        self._kept = None if locked is None else heights[locked]
         self._device = device_of(scene)
         if isinstance(scene.run, PaperRun):
-            self._plan = Plan(scene)
+            self._plan = Plan(scene, locked=locked)
             self._wanted = torch.as_tensor(share(target), dtype=torch.float32, device=self._device)
             self._step = self._step_of_paper
         else:
-            image = judging_image(scene, target, self._tensor(heights))
+            reach = reach_of(scene, self._tensor(heights))
+            image = image_of(SHARPEST, scene, target, reach, locked=locked)
             self._step = lambda heights: image.compare(heights)[1]
+
+    def suits(self, scene: Scene, heights: Array, locked: Mask | None = None) -> bool:
+        """Whether it can judge a lens of this scene, with these locked control points."""
+        if scene is not self._scene or locked is not self._locked:
+            return False
+        return locked is None or np.array_equal(heights[locked], self._kept)
 
     def snapshot(self, heights: Array, earlier: Result | None = None) -> Snapshot:
         """A lens and its light, as the last of its run.
@@ -70,8 +82,8 @@ class Evaluator:
             iteration=count,
             iterations=max(scene.run.iterations, count),
             loss=step.loss,
-            control_points=_frozen(heights),
-            irradiance=_frozen(step.flux.cpu().double().numpy() / scene.screen.pixel_area),
+            control_points=frozen(heights),
+            irradiance=frozen(step.flux.cpu().double().numpy() / scene.screen.pixel_area),
             ledger=step.ledger,
             seconds=earlier.seconds if earlier else 0.0,
             best=True,
@@ -94,9 +106,3 @@ def undesigned(lens: Lens) -> Array:
     """Control heights of a lens before any design, shape (n_u, n_v), scene units."""
     free = HeightRange.of(lens, ControlNet.of(lens))
     return np.asarray(free.heights(free.rest).numpy())
-
-
-def _frozen(values: Array) -> Array:
-    copy = values.copy()
-    copy.flags.writeable = False
-    return copy

@@ -15,7 +15,7 @@ import numpy.typing as npt
 from workbench.design.auto import auto_steps
 from workbench.design.heights import Mask
 from workbench.design.paper import paper_steps
-from workbench.design.snapshot import Snapshot
+from workbench.design.snapshot import Snapshot, frozen
 from workbench.design.step import Step
 from workbench.errors import Refused, RunFailed
 from workbench.geometry.surface import ControlNet
@@ -89,8 +89,8 @@ def run(
                 iteration=iteration,
                 iterations=scene.run.iterations,
                 loss=step.loss,
-                control_points=_frozen(control_points),
-                irradiance=_frozen(irradiance),
+                control_points=frozen(control_points),
+                irradiance=frozen(irradiance),
                 ledger=step.ledger,
                 seconds=seconds,
                 best=best,
@@ -118,9 +118,3 @@ def _steps(scene: Scene, target: Array, start: Array | None, locked: Mask | None
     if isinstance(scene.run, PaperRun):
         return paper_steps(scene, target, scene.run, start, locked)
     return auto_steps(scene, target, start, locked)
-
-
-def _frozen(values: Array) -> Array:
-    copy = values.copy()
-    copy.flags.writeable = False
-    return copy

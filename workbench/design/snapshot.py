@@ -170,3 +170,10 @@ class History:
             stages_left=self._best.stages - 1 - self._best.stage,
             seconds_at=self.times(),
         )
+
+
+def frozen(values: Array) -> Array:
+    """A copy of an array that nobody can change."""
+    copy = values.copy()
+    copy.flags.writeable = False
+    return copy
