@@ -21,7 +21,6 @@ from workbench.design.snapshot import History
 if TYPE_CHECKING:
     from workbench.design.snapshot import Result
     from workbench.files.session import Session
-    from workbench.scene import Scene
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,7 +66,6 @@ class LiveLens(QObject):
         self._background.failed.connect(self._give_up)
         self._waiting: Draft | None = None
         self._asked: Draft | None = None
-        self._scene: Scene | None = None
         self._evaluator: Evaluator | None = None
 
     def show(self, draft: Draft) -> None:
@@ -95,12 +93,12 @@ class LiveLens(QObject):
         """Meant for the thread, which alone touches the evaluator."""
         # As for runs: one core stays the window's.
         torch.set_num_threads(max(1, QThread.idealThreadCount() - 1))
-        scene, heights = draft.session.scene, draft.heights
-        if self._evaluator is None or self._scene is not scene:
-            self._evaluator = Evaluator(scene, draft.session.target, heights)
-            self._scene = scene
+        session, heights = draft.session, draft.heights
+        scene, locked = session.scene, session.locked
+        if self._evaluator is None or not self._evaluator.suits(scene, heights, locked):
+            self._evaluator = Evaluator(scene, session.target, heights, locked)
         snapshot = self._evaluator.snapshot(heights, draft.earlier)
-        return make_frame(draft.session, snapshot, History(draft.earlier))
+        return make_frame(session, snapshot, History(draft.earlier))
 
     def _take(self, frame: Frame) -> None:
         draft, self._asked = self._asked, None
