@@ -43,7 +43,7 @@ class Evaluator:
         self, scene: Scene, target: Array, heights: Array, locked: Mask | None = None
     ) -> None:
         self._scene, self._locked = scene, locked
-        self._kept = None if locked is None else heights[locked]
+        self._kept = heights[locked] if locked is not None else np.zeros(0)
         self._device = device_of(scene)
         if isinstance(scene.run, PaperRun):
             self._plan = Plan(scene, locked=locked)
