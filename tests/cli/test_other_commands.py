@@ -98,3 +98,10 @@ def test_pictures(freeform, lens, tmp_path):
     assert (status, printed, told) == (0, "", "")
     for name in ("irradiance.png", "lens.png"):
         assert (folder / name).read_bytes().startswith(b"\x89PNG")
+
+
+def test_a_picture_that_cannot_be_written_is_told(freeform, lens, tmp_path):
+    (tmp_path / "irradiance.png").mkdir()
+    status, printed, told = freeform("pictures", lens, tmp_path)
+    assert (status, printed) == (2, "")
+    assert told.endswith("irradiance.png: cannot be written: a folder of that name is there\n")

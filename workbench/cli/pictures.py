@@ -4,6 +4,8 @@ from pathlib import Path
 
 from workbench.cli.designed import read_designed
 from workbench.errors import Refused
+from workbench.files.atomic import replacing
+from workbench.pictures import PICTURES
 
 
 def pictures(path: Path, folder: Path) -> None:
@@ -19,14 +21,14 @@ def pictures(path: Path, folder: Path) -> None:
     Raises
     ------
     Refused
-        If the session cannot be read or holds no lens, or the folder cannot be written.
+        If the session cannot be read or holds no lens, or the folder or a picture cannot be
+        written.
     """
     session, _ = read_designed(path)
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        from workbench.pictures import write_pictures  # late: draws, which takes long to import
-
-        write_pictures(session, folder)
     except OSError as error:
-        reason = error.strerror or error
-        raise Refused(str(folder), f"pictures cannot be written there: {reason}") from error
+        raise Refused(str(folder), f"cannot be made: {error.strerror or error}") from error
+    for name, write in PICTURES.items():
+        with replacing(folder / name) as file:
+            write(session, file)

@@ -4,8 +4,8 @@ pyvista and matplotlib are imported by the modules in here alone, so whoever nee
 not wait for them.
 """
 
-from pathlib import Path
-from typing import TYPE_CHECKING, Protocol
+from collections.abc import Callable
+from typing import TYPE_CHECKING, BinaryIO, Protocol
 
 import numpy as np
 import numpy.typing as npt
@@ -35,59 +35,52 @@ class Designed(Protocol):
         """The designed lens, if there is one."""
 
 
-def write_pictures(session: Designed, folder: Path) -> list[Path]:
-    """Draw what a design run came to.
-
-    Parameters
-    ----------
-    session : Designed
-        A session with a result.
-    folder : Path
-        Existing folder; files of the same names are replaced.
-
-    Returns
-    -------
-    list[Path]
-        ``irradiance.png`` (irradiance, target and signed error), ``lens.png`` (the lens with its
-        rays and the lit screen) and ``loss.png``. Nothing without a result.
-
-    Raises
-    ------
-    OSError
-        If a picture cannot be written.
-    """
-    if session.result is None:
-        return []
-    return [
-        _write_images(session, session.result, folder / "irradiance.png"),
-        _write_lens(session, session.result, folder / "lens.png"),
-        _write_loss(session.result, folder / "loss.png"),
-    ]
-
-
-def _write_images(session: Designed, result: "Result", path: Path) -> Path:
+def write_images(session: Designed, file: BinaryIO) -> None:
+    """Draw irradiance, target and signed error of a designed lens as PNG."""
     from matplotlib.figure import Figure
     from matplotlib.layout_engine import ConstrainedLayoutEngine
 
     from workbench.pictures.images import ErrorImage, IrradianceImage, target_irradiance
 
+    assert session.result is not None
     figure = Figure(figsize=(13, 4), layout=ConstrainedLayoutEngine(wspace=0.12))
     lit, wished, off = figure.subplots(1, 3)
-    scene, target = session.scene, session.target
-    IrradianceImage(lit, scene, target).update(result.irradiance)
+    scene, target, irradiance = session.scene, session.target, session.result.irradiance
+    IrradianceImage(lit, scene, target).update(irradiance)
     IrradianceImage(wished, scene, target).update(target_irradiance(scene, target))
-    ErrorImage(off, scene, target).update(result.irradiance)
+    ErrorImage(off, scene, target).update(irradiance)
     for axes, title in ((lit, "Irradiance"), (wished, "Target"), (off, "Irradiance − target")):
         axes.set_title(title, fontsize=10)
-    figure.savefig(path, dpi=_DPI)
-    return path
+    figure.savefig(file, format="png", dpi=_DPI)
 
 
-def _write_lens(session: Designed, result: "Result", path: Path) -> Path:
+def write_lens(session: Designed, file: BinaryIO) -> None:
+    """Draw a designed lens with its rays and the lit screen as PNG."""
     from PIL import Image
 
-    Image.fromarray(lens_image(session, result.irradiance)).save(path)
-    return path
+    assert session.result is not None
+    Image.fromarray(lens_image(session, session.result.irradiance)).save(file, "PNG")
+
+
+def write_loss(session: Designed, file: BinaryIO) -> None:
+    """Draw the loss of a designed lens over the iterations as PNG."""
+    from matplotlib.figure import Figure
+
+    from workbench.pictures.loss import LossPicture
+
+    assert session.result is not None
+    losses, starts = session.result.losses, session.result.stage_starts
+    figure = Figure(figsize=(7, 4), layout="constrained")
+    LossPicture(figure.subplots()).update(losses, losses.size, starts)
+    figure.savefig(file, format="png", dpi=_DPI)
+
+
+PICTURES: dict[str, Callable[[Designed, BinaryIO], None]] = {
+    "irradiance.png": write_images,
+    "lens.png": write_lens,
+    "loss.png": write_loss,
+}
+"""What a design run came to, by file name: each writes one picture of a session with a result."""
 
 
 def lens_image(
@@ -131,14 +124,3 @@ def lens_image(
         return np.asarray(plotter.screenshot(return_img=True))
     finally:
         plotter.close()
-
-
-def _write_loss(result: "Result", path: Path) -> Path:
-    from matplotlib.figure import Figure
-
-    from workbench.pictures.loss import LossPicture
-
-    figure = Figure(figsize=(7, 4), layout="constrained")
-    LossPicture(figure.subplots()).update(result.losses, result.losses.size, result.stage_starts)
-    figure.savefig(path, dpi=_DPI)
-    return path

@@ -1,6 +1,5 @@
 """Maps of what a shop asks of a lens, with what is beyond its limits hatched."""
 
-from pathlib import Path
 from typing import TYPE_CHECKING, BinaryIO, Protocol
 
 import numpy as np
@@ -115,7 +114,7 @@ def draw_manufacture(figure: "FigureBase", maps: FaceMaps, limits: ShopLimits, u
             _hatch(axes, maps, values, [above, float(values.max()) + 1])
 
 
-def write_manufacture(path: Path | BinaryIO, maps: FaceMaps, limits: ShopLimits, unit: str) -> None:
+def write_manufacture(file: BinaryIO, maps: FaceMaps, limits: ShopLimits, unit: str) -> None:
     """Draw `draw_manufacture` as a PNG file.
 
     Raises
@@ -129,7 +128,7 @@ def write_manufacture(path: Path | BinaryIO, maps: FaceMaps, limits: ShopLimits,
     layout = ConstrainedLayoutEngine(w_pad=0.15)
     figure = Figure(figsize=(11, 9), layout=layout)
     draw_manufacture(figure, maps, limits, unit)
-    figure.savefig(path, dpi=_DPI, format="png")
+    figure.savefig(file, dpi=_DPI, format="png")
 
 
 def _hatch(axes: "Axes", maps: FaceMaps, values: Array, between: list[float]) -> None:
