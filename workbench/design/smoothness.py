@@ -12,6 +12,7 @@ from torch import Tensor
 from workbench.design.loss import share
 from workbench.design.step import Step
 from workbench.geometry.basis import basis_matrix
+from workbench.geometry.curvature import mean_and_gaussian
 from workbench.geometry.surface import ControlNet
 from workbench.scene import Scene
 
@@ -98,9 +99,7 @@ class Smoothness:
         p, q, r, s, t = (
             along_x[i] @ heights @ along_y[j].T for i, j in ((1, 0), (0, 1), (2, 0), (1, 1), (0, 2))
         )
-        stretch = 1 + p * p + q * q  # determinant of the first fundamental form
-        mean = ((1 + q * q) * r - 2 * p * q * s + (1 + p * p) * t) / (2 * stretch**1.5)
-        gauss = (r * t - s * s) / stretch**2
+        mean, gauss = mean_and_gaussian(p, q, r, s, t)
         # The principal curvatures are mean ± apart, both at most mean.abs() + apart.
         apart = ((mean * mean - gauss).clamp_min(0) + (_UMBILIC / radius) ** 2).sqrt()
         return ((mean.abs() + apart) * radius - 1).clamp_min(0).square().mean()

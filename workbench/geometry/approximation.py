@@ -1,11 +1,11 @@
 """A surface on another control net: as near as that net allows, and how far off it is."""
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
 
-from workbench.geometry.basis import local_basis
+from workbench.geometry.basis import sparse_basis
 
 if TYPE_CHECKING:
     from workbench.geometry.surface import ControlNet
@@ -75,7 +75,7 @@ def _project(values: Array, spline: tuple[Array, int], other: tuple[Array, int])
     ends = np.union1d(knots, others)
     half = np.diff(ends)[:, None] / 2
     t = (ends[:-1, None] + half * (1 + places)).ravel()
-    here, there = _basis(knots, degree, t), _basis(others, other_degree, t)
+    here, there = sparse_basis(knots, degree, t), sparse_basis(others, other_degree, t)
     weighted = there.T.multiply((half * weights).ravel()).tocsr()
     gram = weighted @ there
     bands = np.zeros((other_degree + 1, gram.shape[0]))
@@ -86,21 +86,10 @@ def _project(values: Array, spline: tuple[Array, int], other: tuple[Array, int])
 
 def _values(net: "ControlNet", heights: Array, u: Array, v: Array) -> Array:
     along_u, along_v = (
-        _basis(knots, degree, t)
+        sparse_basis(knots, degree, t)
         for knots, degree, t in zip(net.knots, net.degree, (u, v), strict=True)
     )
     return np.asarray((along_v @ (along_u @ heights).T).T)
-
-
-def _basis(knots: Array, degree: int, t: Array) -> Any:
-    """`basis_matrix` without its zeros, so that products with it need no other cores."""
-    from scipy.sparse import csr_array  # late: it takes long to import
-
-    first, values = local_basis(knots, degree, t)
-    columns = first[:, None] + np.arange(degree + 1)
-    begins = np.arange(0, columns.size + 1, degree + 1)
-    shape = (t.size, len(knots) - degree - 1)
-    return csr_array((values.ravel(), columns.ravel(), begins), shape=shape)
 
 
 def _with_midpoints(knots: Array, others: Array) -> Array:

@@ -1,7 +1,12 @@
 """Values and derivatives of B-spline basis functions."""
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 import numpy.typing as npt
+
+if TYPE_CHECKING:
+    from scipy.sparse import csr_array
 
 Array = npt.NDArray[np.float64]
 Indices = npt.NDArray[np.intp]
@@ -77,3 +82,17 @@ def basis_matrix(knots: Array, degree: int, u: Array, derivative: int = 0) -> Ar
     matrix = np.zeros((len(u), len(knots) - degree - 1))
     np.put_along_axis(matrix, first[:, None] + np.arange(degree + 1), values, axis=1)
     return matrix
+
+
+def sparse_basis(knots: Array, degree: int, u: Array, derivative: int = 0) -> "csr_array":
+    """`basis_matrix` without its zeros: few control points matter at any one place.
+
+    Products with it are fast on the core of the caller and leave the others alone.
+    """
+    from scipy.sparse import csr_array  # late: it takes long to import
+
+    first, values = local_basis(knots, degree, u, derivative)
+    columns = first[:, None] + np.arange(degree + 1)
+    begins = np.arange(0, columns.size + 1, degree + 1)
+    shape = (len(u), len(knots) - degree - 1)
+    return csr_array((values.ravel(), columns.ravel(), begins), shape=shape)

@@ -4,10 +4,9 @@ from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
-from scipy.sparse import csr_array
 
-from workbench.geometry.basis import local_basis
-from workbench.geometry.surface import ControlNet
+from workbench.geometry.basis import sparse_basis
+from workbench.geometry.surface import AnyArray, ControlNet
 
 Array = npt.NDArray[np.float64]
 
@@ -64,12 +63,24 @@ def local_shape(net: ControlNet, heights: Array, u: Array, v: Array) -> LocalSha
     z, q, t = (_along_first(net, 1, by_u[0].T, v, order).T for order in _ORDERS)
     p, s = (_along_first(net, 1, by_u[1].T, v, order).T for order in _ORDERS[:2])
     r = _along_first(net, 1, by_u[2].T, v, 0).T
-    squared = p**2 + q**2
-    stretch = 1 + squared  # determinant of I
-    mean = ((1 + q**2) * r - 2 * p * q * s + (1 + p**2) * t) / (2 * stretch**1.5)
-    gaussian = (r * t - s**2) / stretch**2
+    mean, gaussian = mean_and_gaussian(p, q, r, s, t)
     apart = np.sqrt((mean**2 - gaussian).clip(0))  # negative by rounding alone
-    return LocalShape(z, np.sqrt(squared), mean, gaussian, mean - apart, mean + apart)
+    return LocalShape(z, np.hypot(p, q), mean, gaussian, mean - apart, mean + apart)
+
+
+def mean_and_gaussian(
+    p: AnyArray, q: AnyArray, r: AnyArray, s: AnyArray, t: AnyArray
+) -> tuple[AnyArray, AnyArray]:
+    """Mean and Gaussian curvature of z(x, y), of the shape of its derivatives.
+
+    Parameters
+    ----------
+    p, q, r, s, t : array
+        Derivatives z_x, z_y, z_xx, z_xy, z_yy.
+    """
+    stretch = 1 + p * p + q * q  # determinant of the first fundamental form
+    mean = ((1 + q * q) * r - 2 * p * q * s + (1 + p * p) * t) / (2 * stretch**1.5)
+    return mean, (r * t - s * s) / stretch**2
 
 
 def _along_first(net: ControlNet, axis: int, values: Array, at: Array, order: int) -> Array:
@@ -80,12 +91,5 @@ def _along_first(net: ControlNet, axis: int, values: Array, at: Array, order: in
     ndarray, shape (m, n)
         A derivative with respect to x or y.
     """
-    degree, width = net.degree[axis], 2 * net.half_width[axis]
-    first, basis = local_basis(net.knots[axis], degree, at, derivative=order)
-    columns = first[:, None] + np.arange(degree + 1)
-    rows = np.arange(len(at) + 1) * (degree + 1)
-    # Most control points do not matter at any one place.
-    matrix = csr_array(
-        (basis.ravel() / width**order, columns.ravel(), rows), shape=(len(at), net.shape[axis])
-    )
-    return np.asarray(matrix @ values)
+    matrix = sparse_basis(net.knots[axis], net.degree[axis], at, derivative=order)
+    return np.asarray(matrix @ values) / (2 * net.half_width[axis]) ** order
