@@ -46,9 +46,9 @@ def open_window(example: str, size: QSize) -> MainWindow:
 
 def design(window: MainWindow) -> None:
     """Run the design to its end."""
-    assert window.control is not None
+    assert window.bench.control is not None
     done = QEventLoop()
-    window.control.ended.connect(done.quit, Qt.ConnectionType.SingleShotConnection)
+    window.bench.control.ended.connect(done.quit, Qt.ConnectionType.SingleShotConnection)
     window.start()
     done.exec()
     settle()

@@ -120,7 +120,7 @@ def _begin(
     opened = not recovered and (options.file is None or window.files.open(options.file))
     if not window.messages.isVisible():
         window.help.offer_tour(settings)
-    if options.start and opened and window.control is None:
+    if options.start and opened and window.bench is None:
         window.built.connect(window.start)
     elif options.start and opened:  # all was loaded while a question stood
         window.start()

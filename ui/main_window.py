@@ -11,10 +11,9 @@ from PySide6.QtWidgets import QMainWindow
 
 from resources import EXAMPLES, Example
 from ui.carried_lens import CarriedLens
-from ui.colour_map import ColourMap
 from ui.commands.actions import Commands
 from ui.commands.availability import Situation
-from ui.commands.table import COMMANDS, NEW
+from ui.commands.table import NEW
 from ui.document import ENDING, Document
 from ui.files.actions import Answer, FileActions
 from ui.files.exporter import Exporter
@@ -26,18 +25,12 @@ from ui.log_view import LogView
 from ui.message_bar import MessageBar
 from ui.panels.forms import Forms
 from ui.panes import Panes
-from ui.plots import Plots
 from ui.run.status import RunStatus
 from ui.view_state import ViewState
 from ui.workspace import Workspace
 
 if TYPE_CHECKING:
-    from ui.check.check import Check
-    from ui.lens.tools import LensTools
-    from ui.run.control import RunControl
-    from ui.run.frame import Frame
-    from ui.run.runs import Runs
-    from ui.views.views import Views
+    from ui.bench import Bench
 
 _STATES = {
     "loading": "Loading…",
@@ -63,6 +56,8 @@ class MainWindow(QMainWindow):
 
     Attributes
     ----------
+    bench : Bench, optional
+        Runner, views and what works with them, between `build` and the end.
     painted, built, closed : Signal()
         It can be seen, has its views, is gone.
     stayed : Signal()
@@ -102,13 +97,8 @@ class MainWindow(QMainWindow):
         self.help = Help(self, self.commands, self._panes, self.messages)
         self._layout = Layout(self, self.workspace, settings)
         self._view_state = ViewState(self.commands, self._layout, self.log.add)
-        self._status = RunStatus(self.statusBar())
-        self.control: RunControl | None = None
-        self.check: Check | None = None
-        self.tools: LensTools | None = None
-        self.views: Views | None = None
-        self.runs: Runs | None = None
-        self.plots: Plots | None = None
+        self.status = RunStatus(self.statusBar())
+        self.bench: Bench | None = None
         self._leaving = False  # whatever would be lost
         self._closing = False  # as soon as the run has ended
         self.setAcceptDrops(True)
@@ -120,71 +110,28 @@ class MainWindow(QMainWindow):
 
     def build(self) -> None:
         """Add runner and views; imports what they stand on."""
-        from ui.check.check import Check
-        from ui.lens.tools import LensTools
-        from ui.run.control import RunControl
-        from ui.run.log import RunLog
-        from ui.run.runs import Runs
-        from ui.scene_pictures import ScenePictures
-        from ui.views.views import Views
+        from ui.bench import Bench
 
-        self.control = control = RunControl(self.document, self)
-        self.views = views = Views(self)
-        self.check = check = Check(self)
-        self.runs = runs = Runs(self.document, control, views.loss, self)
-        self.workspace.raise_curtain(views.scene, {**views.docked, "runs": runs.table})
-        runs.refused.connect(self.messages.warn)
-        runs.check.figures_changed.connect(self._status.show_verified)
-        check.checked.connect(runs.note_check)
-        self.workspace.docks["derivative"].visibilityChanged.connect(views.derivative.uncover)
-        views.link.drawn.connect(lambda _: self.workspace.show_dock("section"))
-        views.follow(self.document, control)
-        self.plots = Plots(views.plots(), self.document, self.messages, self)
-        self.plots.offer([self.commands[name] for name in self.plots.slots()])
-        colours = ColourMap(self._settings, self.commands, views.show_colours)
-        self.tools = tools = LensTools(self.document, control, views.scene, self)
-        tools.said.connect(self.messages.note)
-        views.scene.let_go.connect(self.commands["turn"].trigger)
-        pictures = ScenePictures(views.scene, self.document, self.messages, self)
-        RunLog(self.document, control, self.log.add)
-        runner, look_back = control.runner, views.look_back
-        check.figures_changed.connect(self._status.show_check)
-        check.under_way_changed.connect(self._reword_check)
-        check.told.connect(self.log.add)
-        check.failed.connect(self.messages.warn)
-        runner.unshown.connect(check.show_nothing)
-        for shows in (runner.frame_ready, look_back.looked):
-            shows.connect(check.show_frame)
-            shows.connect(self._show_frame)
-        look_back.went_on.connect(lambda frame: self._begin(lambda: control.go_on_from(frame)))
-        runner.state_changed.connect(self._show_state)
-        runner.unshown.connect(self._status.show_nothing)
-        runner.failed.connect(self.messages.warn)
-        control.ended.connect(self._end_run)
-        self.commands.connect(
-            {
-                "start": self.start,
-                "continue": lambda: self._begin(control.go_on),
-                "pause": control.toggle_pause,
-                "stop": runner.stop,
-                "check": check.toggle,
-                **views.slots(),
-                **runs.slots(),
-                **self.plots.slots(),
-                **tools.slots(),
-                **pictures.slots(),
-                **colours.slots(),
-            }
-        )
-        self.commands.connect_toggles(views.toggles())
-        self._view_state.attach(views.scene)
+        self.bench = bench = Bench(self, self._settings)
+        bench.state_changed.connect(self._show_state)
+        bench.control.ended.connect(self._end_run)
+        self._view_state.attach(bench.views.scene)
         self._show_state()
         self.built.emit()
 
     def start(self) -> None:
         """Design the lens from its start."""
-        if self.control is not None:
-            self._begin(self.control.start)
+        if self.bench is not None:
+            self.begin(self.bench.control.start)
+
+    def begin(self, begin: Callable[[], None]) -> None:
+        """Begin a run, unless something that was typed is refused."""
+        self.forms.commit()
+        if self.forms.refused:
+            self.messages.warn("A marked field is refused; correct it, or press Esc in it, first.")
+        else:
+            self.messages.clear()
+            begin()
 
     def discard_and_close(self) -> None:
         """Close without a question, a run and unsaved changes lost."""
@@ -205,20 +152,10 @@ class MainWindow(QMainWindow):
         self.hide()  # threads are waited for, which can take as long as a kernel is compiled
         for dock in self.workspace.docks.values():
             dock.hide()  # one that floats does not go with the window
-        if self.control is not None:
-            self.control.close()
-            self.control = None  # nothing can be started any more
-        if self.check is not None:
-            self.check.close()
         self.exporter.close()
-        if self.plots is not None:
-            self.plots.close()
-        if self.runs is not None:
-            self.runs.close()
-        if self.views is not None:
-            self.views.close()
-        if self.tools is not None:
-            self.tools.close()
+        if self.bench is not None:
+            self.bench.close()
+            self.bench = None  # nothing can be started any more
         super().closeEvent(event)
         self.closed.emit()
 
@@ -254,7 +191,7 @@ class MainWindow(QMainWindow):
 
     @property
     def _busy(self) -> bool:
-        return self.control is not None and self.control.busy
+        return self.bench is not None and self.bench.control.busy
 
     def _may_close(self) -> bool:
         self.forms.commit()
@@ -267,20 +204,12 @@ class MainWindow(QMainWindow):
         if not self._busy:  # it ended while the question stood
             return self.files.save()
         self._closing = True
-        assert self.control is not None  # or nothing would be under way
-        self.control.runner.stop()
+        assert self.bench is not None  # or nothing would be under way
+        self.bench.control.runner.stop()
         return False
 
-    def _begin(self, begin: Callable[[], None]) -> None:
-        self.forms.commit()
-        if self.forms.refused:
-            self.messages.warn("A marked field is refused; correct it, or press Esc in it, first.")
-        else:
-            self.messages.clear()
-            begin()
-
     def _end_run(self) -> None:
-        self._status.settle()
+        self.status.settle()
         if self._closing:
             self._closing = False
             if not (self.files.save() and self.close()):
@@ -353,15 +282,12 @@ class MainWindow(QMainWindow):
             menu.addAction(text, partial(self.files.open_recent, path))
         menu.setEnabled(not menu.isEmpty())
 
-    def _show_frame(self, frame: "Frame") -> None:
-        self._status.show_frame(frame, self._busy)
-
     def _show_state(self) -> None:
         """What can be done depends on the run, on the result and on the undo stack."""
         stack, commands = self.document.undo_stack, self.commands
         session = self.document.session
         now = Situation(
-            state="loading" if self.control is None else self.control.runner.state,
+            state="loading" if self.bench is None else self.bench.state,
             designed=session.result is not None,
             has_lens=session.control_points is not None,
             can_undo=stack.canUndo(),
@@ -374,10 +300,6 @@ class MainWindow(QMainWindow):
         commands["pause"].setChecked(now.state == "paused")
         self.forms.set_running(not now.editable)
         self.workspace.history.setEnabled(now.editable)
-        if self.views is not None:
-            self.views.look_back.allow(look=now.resting, go_on=now.state == "idle")
-        self._status.show_state(_STATES[now.state])
-
-    def _reword_check(self, under_way: bool) -> None:
-        text = "Cancel &check" if under_way else COMMANDS["check"].text
-        self.commands["check"].setText(text)
+        if self.bench is not None:
+            self.bench.allow(look=now.resting, go_on=now.state == "idle")
+        self.status.show_state(_STATES[now.state])

@@ -125,7 +125,7 @@ class Windows(QObject):
     def _build_all(self) -> None:
         self._warm = True
         for window in self._recoveries:
-            if window.control is None:
+            if window.bench is None:
                 window.build()
 
     def _build_if_warm(self) -> None:
@@ -133,8 +133,8 @@ class Windows(QObject):
             self._build_all()
 
     def _follow(self, window: MainWindow) -> None:
-        if window.control is not None:
-            self._recoveries[window].follow(window.control)
+        if window.bench is not None:
+            self._recoveries[window].follow(window.bench.control)
 
     def _other_with(self, window: MainWindow, path: Path) -> MainWindow | None:
         """The window beside ``window`` whose design lives in a file."""

@@ -39,7 +39,7 @@ def window(display, session, snapshots, tmp_path, qtbot):
     with qtbot.waitExposed(window):
         window.show()
     window.build()
-    qtbot.waitUntil(lambda: window.check._shown is not None, timeout=60_000)
+    qtbot.waitUntil(lambda: window.bench.check._shown is not None, timeout=60_000)
     return window
 
 
@@ -52,7 +52,7 @@ def outcome(steps):
 
 
 def figures(window):
-    return window._status._check.text()
+    return window.status._check.text()
 
 
 def test_the_figures_stand_beside_the_loss(window, few_rays, qtbot):
@@ -64,7 +64,7 @@ def test_the_figures_stand_beside_the_loss(window, few_rays, qtbot):
     found = outcome(steps)
     error = verified_error(found)
     assert figures(window) == f"checked: error {error}"
-    assert window._status._check.isVisible()
+    assert window.status._check.isVisible()
     log = window.log.toPlainText()
     assert f"relative L2 error {error}" in log
     assert f"{100 * found.relative_l2:.2f} ± {100 * found.noise:.2f} %" in log
@@ -86,12 +86,12 @@ def test_they_are_forgotten_with_the_lens(window, few_rays, qtbot):
     scene, stack = window.document.session.scene, window.document.undo_stack
     run = scene.run.model_copy(update={"iterations": 17})
     window.document.edit(scene.model_copy(update={"run": run}), "run", "")
-    qtbot.waitUntil(lambda: window.check._shown.session.scene.run.iterations == 17)
+    qtbot.waitUntil(lambda: window.bench.check._shown.session.scene.run.iterations == 17)
     assert figures(window).startswith("checked")  # it is the same lens
     screen = scene.screen.model_copy(update={"z": 7.0})
     window.document.edit(scene.model_copy(update={"screen": screen}), "screen", "")
     qtbot.waitUntil(lambda: not figures(window), timeout=60_000)
-    assert not window._status._check.isVisible()
+    assert not window.status._check.isVisible()
     assert stack.count() == 2
 
 
@@ -129,7 +129,7 @@ def test_a_second_order_cancels_it(window, gate, qtbot):
     check.trigger()
     assert figures(window) == "" and check.text() == "&Check lens"
     gate.release(1)  # the step that it was in
-    qtbot.waitUntil(lambda: not window.check._checking._background.busy)
+    qtbot.waitUntil(lambda: not window.bench.check._checking._background.busy)
     assert len(gate.left) == 1
     assert "Check with" not in window.log.toPlainText()
     check.trigger()
@@ -170,21 +170,22 @@ def test_why_there_are_no_figures_is_said(window, monkeypatch, qtbot):
 
 
 def test_closing_in_the_midst_of_a_check(window, gate, qtbot):
+    check = window.bench.check
     window.commands["check"].trigger()
     qtbot.waitUntil(lambda: len(gate.begun) == 1)
     gate.release(1)
     window.discard_and_close()
-    assert not window.check._checking._background.busy
+    assert not check._checking._background.busy
 
 
 def test_no_check_while_a_run_goes_on(window, as_run, qtbot):
-    window.control.runner._generate = as_run(100_000, pause=0.01)
+    window.bench.control.runner._generate = as_run(100_000, pause=0.01)
     window.commands["start"].trigger()
     assert not window.commands["check"].isEnabled()
     window.commands["pause"].trigger()
     assert window.commands["check"].isEnabled()
     window.commands["stop"].trigger()
-    qtbot.waitUntil(lambda: not window.control.busy, timeout=60_000)
+    qtbot.waitUntil(lambda: not window.bench.control.busy, timeout=60_000)
 
 
 @pytest.fixture

@@ -426,7 +426,7 @@ def test_in_the_window(display, make_scene, tmp_path, drag, qtbot, monkeypatch):
     with qtbot.waitExposed(window):
         window.show()
     window.build()
-    view, commands, document = window.views.scene, window.commands, window.document
+    view, commands, document = window.bench.views.scene, window.commands, window.document
     qtbot.waitUntil(lambda: view.frame is not None and view.lens is not None, timeout=60_000)
     commands["sculpt"].trigger()
     qtbot.waitUntil(lambda: view.net._shown)
@@ -435,16 +435,16 @@ def test_in_the_window(display, make_scene, tmp_path, drag, qtbot, monkeypatch):
     held.release()
     qtbot.waitUntil(lambda: document.session.result is not None, timeout=20_000)
     shaped = document.session.control_points
-    for shows in window.views.docked.values():
+    for shows in window.bench.views.docked.values():
         assert (shows._frame.snapshot.control_points == shaped).all()
     qtbot.keyClick(view._plotter, Qt.Key.Key_Escape)
     assert commands["turn"].isChecked()
 
     frames = []
-    window.control.runner.frame_ready.connect(frames.append)
+    window.bench.control.runner.frame_ready.connect(frames.append)
     commands["continue"].trigger()
     assert not commands["lock_all"].isEnabled()
-    qtbot.waitUntil(lambda: window.control.runner.state == "idle", timeout=60_000)
+    qtbot.waitUntil(lambda: window.bench.control.runner.state == "idle", timeout=60_000)
     assert document.session.result.iterations > 0
     np.testing.assert_allclose(frames[0].snapshot.control_points, shaped, atol=0.05)
 

@@ -63,23 +63,26 @@ def window(display, session, as_seen_run, tmp_path, qtbot):
     with qtbot.waitExposed(window):
         window.show()
     window.build()
-    window.control.runner._generate = as_seen_run(window.control.runner, 12)
+    window.bench.control.runner._generate = as_seen_run(window.bench.control.runner, 12)
     return window
 
 
 @pytest.fixture
 def designed(window, qtbot):
     """The window after a run, of which at least the first and last moment are kept."""
-    with qtbot.waitSignal(window.control.ended, timeout=60_000):
+    with qtbot.waitSignal(window.bench.control.ended, timeout=60_000):
         window.commands["start"].trigger()
-        assert not window.views.look_back._slider.isEnabled()
-    qtbot.waitUntil(lambda: window.views.look_back.isVisible())
+        assert not window.bench.views.look_back._slider.isEnabled()
+    qtbot.waitUntil(lambda: window.bench.views.look_back.isVisible())
     return window
 
 
 def test_the_slider_shows_an_earlier_lens(designed, qtbot):
-    look_back, loss = designed.views.look_back, designed.workspace.docks["irradiance"].widget()
-    frames = designed.control.moments.frames
+    look_back, loss = (
+        designed.bench.views.look_back,
+        designed.workspace.docks["irradiance"].widget(),
+    )
+    frames = designed.bench.control.moments.frames
     qtbot.wait(300)  # the preview of the result comes after the run
     look_back._slider.setFocus()
     qtbot.keyClick(look_back._slider, Qt.Key.Key_Home)
@@ -89,9 +92,9 @@ def test_the_slider_shows_an_earlier_lens(designed, qtbot):
 
 
 def test_the_design_goes_on_from_an_earlier_lens(designed, qtbot):
-    look_back, first = designed.views.look_back, designed.control.moments.frames[0]
+    look_back, first = designed.bench.views.look_back, designed.bench.control.moments.frames[0]
     look_back._slider.setValue(0)
-    with qtbot.waitSignal(designed.control.ended, timeout=60_000):
+    with qtbot.waitSignal(designed.bench.control.ended, timeout=60_000):
         qtbot.mouseClick(look_back._button, Qt.MouseButton.LeftButton)
         np.testing.assert_array_equal(
             designed.document.session.result.control_points, first.snapshot.control_points
@@ -100,14 +103,14 @@ def test_the_design_goes_on_from_an_earlier_lens(designed, qtbot):
     texts = [stack.text(k) for k in range(stack.count())]
     assert texts == ["design run", f"return to iteration {moment(first)}", "design run"]
     assert designed.document.session.result.iterations == moment(first) + 12
-    assert moment(designed.control.moments.frames[-1]) == moment(first) + 12
+    assert moment(designed.bench.control.moments.frames[-1]) == moment(first) + 12
 
 
 def test_an_edit_forgets_the_course(designed, qtbot):
     scene = designed.document.session.scene
     designed.document.edit(scene.model_copy(update={"unit": "mm"}), "unit", "unit")
-    assert designed.control.moments.frames == []
-    assert not designed.views.look_back.isVisible()
+    assert designed.bench.control.moments.frames == []
+    assert not designed.bench.views.look_back.isVisible()
 
 
 def test_the_list_of_steps_can_be_jumped_in(designed, qtbot):
@@ -128,7 +131,7 @@ def test_the_list_of_steps_can_be_jumped_in(designed, qtbot):
 
 
 def test_steps_are_not_jumped_in_while_a_run_goes_on(window, qtbot):
-    with qtbot.waitSignal(window.control.ended, timeout=60_000):
+    with qtbot.waitSignal(window.bench.control.ended, timeout=60_000):
         window.commands["start"].trigger()
         assert not window.workspace.history.isEnabled()
     assert window.workspace.history.isEnabled()

@@ -49,7 +49,7 @@ def window(display, session, as_seen_run, checks, tmp_path, qtbot):
     with qtbot.waitExposed(window):
         window.show()
     window.build()
-    window.control.runner._generate = as_seen_run(window.control.runner, 6)
+    window.bench.control.runner._generate = as_seen_run(window.bench.control.runner, 6)
     window.workspace.docks["runs"].show()
     window.workspace.docks["runs"].raise_()
     return window
@@ -58,9 +58,9 @@ def window(display, session, as_seen_run, checks, tmp_path, qtbot):
 @pytest.fixture
 def run(window, qtbot):
     def do(command="start"):
-        with qtbot.waitSignal(window.control.ended, timeout=60_000):
+        with qtbot.waitSignal(window.bench.control.ended, timeout=60_000):
             window.commands[command].trigger()
-        qtbot.waitUntil(lambda: not window.runs.check._checking.busy)
+        qtbot.waitUntil(lambda: not window.bench.runs.check._checking.busy)
 
     return do
 
@@ -76,7 +76,7 @@ def two_runs(window, run):
 
 
 def table(window):
-    return window.runs.table.table
+    return window.bench.runs.table.table
 
 
 def names(window):
@@ -108,7 +108,7 @@ def test_runs_stay_while_the_design_changes(two_runs):
 
 
 def test_a_check_mark_draws_the_loss_of_another_run(two_runs, qtbot):
-    loss = two_runs.views.loss
+    loss = two_runs.bench.views.loss
     for row in (0, 1):
         table(two_runs).item(row, 0).setCheckState(Qt.CheckState.Checked)
     # The lens on show is drawn anyway.
@@ -121,13 +121,13 @@ def test_a_check_mark_draws_the_loss_of_another_run(two_runs, qtbot):
 def test_the_run_before_is_drawn_beside_the_one_that_goes_on(window, run, as_run, qtbot):
     run()
     table(window).item(0, 0).setCheckState(Qt.CheckState.Checked)
-    assert window.views.loss._runs == ()
-    window.control.runner._generate = as_run(100_000, pause=0.01)
+    assert window.bench.views.loss._runs == ()
+    window.bench.control.runner._generate = as_run(100_000, pause=0.01)
     window.commands["start"].trigger()
-    assert [course.name for course in window.views.loss._runs] == ["Run 1: auto, 12 × 10"]
-    assert not window.runs.table._restore.isEnabled()
+    assert [course.name for course in window.bench.views.loss._runs] == ["Run 1: auto, 12 × 10"]
+    assert not window.bench.runs.table._restore.isEnabled()
     window.commands["stop"].trigger()
-    qtbot.waitUntil(lambda: not window.control.busy, timeout=60_000)
+    qtbot.waitUntil(lambda: not window.bench.control.busy, timeout=60_000)
 
 
 def test_a_run_is_given_another_name_by_keyboard(two_runs, qtbot):
@@ -156,7 +156,7 @@ def test_going_back_to_a_run(two_runs, qtbot):
     document = two_runs.document
     first = document.session.runs[0]
     table(two_runs).selectRow(0)
-    qtbot.mouseClick(two_runs.runs.table._restore, Qt.MouseButton.LeftButton)
+    qtbot.mouseClick(two_runs.bench.runs.table._restore, Qt.MouseButton.LeftButton)
     assert document.session.scene is first.scene and document.session.scene.screen.z == 5.0
     assert document.session.result is first.result
     assert document.undo_stack.undoText() == "return to Run 1: auto, 12 × 10"
@@ -195,7 +195,7 @@ def test_kept_runs_travel_with_the_file(two_runs, tmp_path):
     assert [table(two_runs).item(row, 0).font().bold() for row in (0, 1)] == [False, True]
     assert texts(two_runs, 1)[1] == "–"  # checks do not travel
     session = two_runs.document.session
-    two_runs.runs.note_check(Suspect(session, session.control_points), found(0.03))
+    two_runs.bench.runs.note_check(Suspect(session, session.control_points), found(0.03))
     assert texts(two_runs, 1)[1] == "3.00 %" and texts(two_runs, 0)[1] == "–"
 
 
@@ -204,13 +204,13 @@ def test_the_lens_of_a_run_is_checked_at_its_end(window, run, checks, qtbot):
     result = window.document.session.result
     heights, rays, threads = checks.asked[-1]
     assert heights is result.control_points and rays == 4_000_000 and threads is None
-    assert window._status._verified.text() == "verified 1.25 % at 6"
+    assert window.status._verified.text() == "verified 1.25 % at 6"
     assert texts(window, 0)[1] == "1.25 %"
-    (point,) = window.views.loss._verified
+    (point,) = window.bench.views.loss._verified
     assert (point.iteration, point.loss) == (6, 0.1)
     scene = window.document.session.scene
     window.document.edit(scene.model_copy(update={"unit": "mm"}), "unit", "unit")
-    assert window._status._verified.text() == "" and window.views.loss._verified == ()
+    assert window.status._verified.text() == "" and window.bench.views.loss._verified == ()
     assert texts(window, 0)[1] == "1.25 %"
 
 
@@ -218,16 +218,16 @@ def test_a_run_is_checked_while_it_goes_on(window, as_run, checks, monkeypatch, 
     monkeypatch.setattr("ui.check.run_check._REST", 0.0)
     monkeypatch.setattr("ui.check.run_check._RESTS", 0.0)
     monkeypatch.setattr("ui.check.run_check.QThread.idealThreadCount", lambda: 2)
-    window.control.runner._generate = as_run(100_000, pause=0.01)
+    window.bench.control.runner._generate = as_run(100_000, pause=0.01)
     window.commands["start"].trigger()
-    qtbot.waitUntil(lambda: len(window.views.loss._verified) >= 2, timeout=60_000)
+    qtbot.waitUntil(lambda: len(window.bench.views.loss._verified) >= 2, timeout=60_000)
     assert {(rays, threads) for _, rays, threads in checks.asked} == {(1_000_000, 1)}
-    assert window._status._verified.text().startswith("verified 1.25 % at ")
+    assert window.status._verified.text().startswith("verified 1.25 % at ")
     window.commands["stop"].trigger()
-    qtbot.waitUntil(lambda: not window.control.busy, timeout=60_000)
+    qtbot.waitUntil(lambda: not window.bench.control.busy, timeout=60_000)
     qtbot.waitUntil(lambda: checks.asked[-1][1] == 4_000_000)
-    qtbot.waitUntil(lambda: not window.runs.check._checking.busy)
-    seen = [point.iteration for point in window.views.loss._verified]
+    qtbot.waitUntil(lambda: not window.bench.runs.check._checking.busy)
+    seen = [point.iteration for point in window.bench.views.loss._verified]
     assert seen == sorted(seen) and seen[0] > 0
 
 
@@ -240,11 +240,11 @@ def test_a_stage_is_checked_at_its_end(window, snapshots, as_seen_run, checks, m
     scene = window.document.session.scene
     run = scene.run.model_copy(update={"stages": (Stage(iterations=4),)})
     window.document.edit(scene.model_copy(update={"run": run}), "stages", "")
-    runner = window.control.runner
+    runner = window.bench.control.runner
     runner._generate = as_seen_run(runner, 7, staged)
-    with qtbot.waitSignal(window.control.ended, timeout=60_000):
+    with qtbot.waitSignal(window.bench.control.ended, timeout=60_000):
         window.commands["start"].trigger()
-    qtbot.waitUntil(lambda: not window.runs.check._checking.busy)
+    qtbot.waitUntil(lambda: not window.bench.runs.check._checking.busy)
     assert [(rays, threads) for _, rays, threads in checks.asked] == [
         (1_000_000, 1),
         (4_000_000, None),
@@ -256,10 +256,10 @@ def test_one_core_alone_is_the_runs(window, as_run, checks, monkeypatch, qtbot):
     monkeypatch.setattr("ui.check.run_check._REST", 0.0)
     monkeypatch.setattr("ui.check.run_check._RESTS", 0.0)
     monkeypatch.setattr("ui.check.run_check.QThread.idealThreadCount", lambda: 1)
-    window.control.runner._generate = as_run(20, pause=0.01)
-    with qtbot.waitSignal(window.control.ended, timeout=60_000):
+    window.bench.control.runner._generate = as_run(20, pause=0.01)
+    with qtbot.waitSignal(window.bench.control.ended, timeout=60_000):
         window.commands["start"].trigger()
-    qtbot.waitUntil(lambda: not window.runs.check._checking.busy)
+    qtbot.waitUntil(lambda: not window.bench.runs.check._checking.busy)
     assert [rays for _, rays, _ in checks.asked] == [4_000_000]
 
 
@@ -274,7 +274,7 @@ def test_a_check_of_another_task_is_not_that_of_the_run(window, run, checks):
         session.target,
     )
     assert moved.start is session.result.control_points
-    window.runs.note_check(Suspect(moved, moved.start), found(0.5))
+    window.bench.runs.note_check(Suspect(moved, moved.start), found(0.5))
     assert texts(window, 0)[1] == "1.25 %"
-    window.runs.note_check(Suspect(replace(session, runs=()), moved.start), found(0.5))
+    window.bench.runs.note_check(Suspect(replace(session, runs=()), moved.start), found(0.5))
     assert texts(window, 0)[1] == "50.00 %"

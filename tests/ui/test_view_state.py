@@ -67,7 +67,7 @@ def test_the_camera_comes_back_with_the_design(display, open_window, tmp_path, q
     path = tmp_path / "mine.freeform"
     window = open_window()
     window.build()
-    scene = window.views.scene
+    scene = window.bench.views.scene
     qtbot.waitUntil(lambda: scene.camera() is not None and scene.frame is not None, timeout=60_000)
     assert scene.camera() == {"fitted": ""}
     placement = {
