@@ -59,3 +59,15 @@ def test_a_figure_on_its_limit_keeps_it(make_scene):
     assert [v.state for v in found] == ["met", "met"]
     assert plate.to_data()["tightest_concave"]["value"] is None
     assert plate.to_data()["thinnest"]["value"] == pytest.approx(0.5)
+
+
+def test_limits_in_words():
+    limits = Limits(min_thickness=0.3, max_thickness=1.0, max_slope=20.5, min_radius=0.05)
+    found = [f"{v.name} {v.wanted('mm')}" for v in verdicts(lens(), limits)]
+    assert found == [
+        "thickness at least 0.3 mm",
+        "thickness at most 1 mm",
+        "slope at most 20.5°",
+        "concave radius at least 0.05 mm",
+        "convex radius at least 0.05 mm",
+    ]

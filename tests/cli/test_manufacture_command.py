@@ -51,7 +51,7 @@ def test_limits(freeform, bowl, tmp_path):
     assert told.startswith("freeform: slope 21")
     assert told.endswith("at most 10° wanted\n")
     assert "thickness at least 0.45 cm: met\n" in printed
-    assert "slope at most 10 °: NOT MET\n" in printed
+    assert "slope at most 10°: NOT MET\n" in printed
     assert plot.read_bytes().startswith(b"\x89PNG")
     status, printed, _ = freeform(*given, "--json")
     assert status == 1

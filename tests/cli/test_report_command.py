@@ -136,7 +136,7 @@ class TestHtml:
         ):
             assert number(found[name]) == pytest.approx(light[key], abs=1e-5), name
         assert found["screen.z"] == "5 cm"
-        assert found["limit of the thickness"] == "0.05 cm: met"
+        assert found["limit of the thickness"] == "at least 0.05 cm: met"
         assert number(found["thinnest"]) > 0.05
         assert (found["tilt up to"], found["lenses"]) == ("1°", "3")
         assert number(found["worst"]) >= number(found["mean"]) > 0

@@ -56,6 +56,14 @@ class Verdict(NamedTuple):
     found: Extreme
     state: State
 
+    def wanted(self, unit: str) -> str:
+        """The limit in words, for a scene's unit of length."""
+        return f"at {'least' if self.at_least else 'most'} {self.limit:g}{self.behind(unit)}"
+
+    def behind(self, unit: str) -> str:
+        """What stands behind its numbers, for a scene's unit of length."""
+        return "°" if self.name == "slope" else f" {unit}"
+
 
 def verdicts(found: Manufacture, limits: Limits) -> list[Verdict]:
     """Judge a lens by all limits that there are."""

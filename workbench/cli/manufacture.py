@@ -11,7 +11,7 @@ from workbench.analysis.manufacture_limits import Limits, Verdict, verdicts
 from workbench.cli.designed import read_designed
 from workbench.errors import RunFailed
 from workbench.files.atomic import check_writable, replacing
-from workbench.scene import Scene
+from workbench.geometry.surface import even_counts
 
 # Places of a map along the longer side of the lens.
 _PLACES = 513
@@ -52,18 +52,13 @@ def manufacture(path: Path, limits: Limits, plot: Path | None, as_json: bool) ->
     if plot is not None:
         from workbench.pictures.manufacture import write_manufacture  # late: draws
 
-        maps = surface_maps(scene.lens, result.control_points, _places(scene))
+        count = even_counts(scene.lens.half_width, _PLACES)
+        maps = surface_maps(scene.lens, result.control_points, count)
         with replacing(plot) as file:
             write_manufacture(file, maps, limits, scene.unit)
     broken = [_sentence(v, scene.unit) for v in judged if v.state == "broken"]
     if broken:
         raise RunFailed("; ".join(broken))
-
-
-def _places(scene: Scene) -> tuple[int, int]:
-    long = max(scene.lens.half_width)
-    n_x, n_y = (max(round(_PLACES * r / long), 2) for r in scene.lens.half_width)
-    return n_x, n_y
 
 
 def _print(found: Manufacture, judged: Sequence[Verdict], unit: str) -> None:
@@ -78,11 +73,9 @@ def _print(found: Manufacture, judged: Sequence[Verdict], unit: str) -> None:
         print(_line(name, extreme, of))
     print(f"{'sag range':<18}{found.sag_range:.5g} {unit}")
     print(f"{'draft':<18}{found.draft:.5g} °")
+    state = {"met": "met", "broken": "NOT MET", "open": "met where it was looked at"}
     for verdict in judged:
-        word = "at least" if verdict.at_least else "at most"
-        state = {"met": "met", "broken": "NOT MET", "open": "met where it was looked at"}
-        of = "°" if verdict.name == "slope" else unit
-        print(f"{verdict.name} {word} {verdict.limit:g} {of}: {state[verdict.state]}")
+        print(f"{verdict.name} {verdict.wanted(unit)}: {state[verdict.state]}")
 
 
 def _line(name: str, extreme: Extreme, unit: str) -> str:
@@ -94,7 +87,5 @@ def _line(name: str, extreme: Extreme, unit: str) -> str:
 
 
 def _sentence(verdict: Verdict, unit: str) -> str:
-    of = "°" if verdict.name == "slope" else f" {unit}"
-    word = "at least" if verdict.at_least else "at most"
-    value, limit = verdict.found.value, verdict.limit
-    return f"{verdict.name} {value:.4g}{of}, {word} {limit:g}{of} wanted"
+    value = f"{verdict.found.value:.4g}{verdict.behind(unit)}"
+    return f"{verdict.name} {value}, {verdict.wanted(unit)} wanted"

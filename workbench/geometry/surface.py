@@ -206,6 +206,12 @@ class ControlNet:
         return np.asarray(into_u @ heights @ into_v.T)
 
 
+def even_counts(half_width: tuple[float, float], longer: int) -> tuple[int, int]:
+    """Numbers of places along x and y, as dense along both: ``longer`` along the longer side."""
+    n_x, n_y = (max(round(longer * r / max(half_width)), 2) for r in half_width)
+    return n_x, n_y
+
+
 def sample_surface(lens: Lens, control_points: Array, count: tuple[int, int]) -> Array:
     """Points of the exit face on a regular grid that includes the rim.
 

@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from workbench.geometry.curvature import LocalShape, local_shape
-from workbench.geometry.surface import ControlNet
+from workbench.geometry.surface import ControlNet, even_counts
 from workbench.pictures.maps import SIGNED, UNSIGNED, colour_bar, map_image, settled_scale
 from workbench.scene import Scene
 
@@ -121,12 +121,11 @@ class SurfaceImage:
         lens = scene.lens
         self._aspect = aspect
         self._net = ControlNet.of(lens)
-        long = max(lens.half_width)
-        count_x, count_y = (max(2, round(_PLACES * r / long)) for r in lens.half_width)
+        count_x, count_y = even_counts(lens.half_width, _PLACES)
         self._u, self._v = ((np.arange(n) + 0.5) / n for n in (count_x, count_y))
         x, y = (2 * self._u - 1) * lens.half_width[0], (2 * self._v - 1) * lens.half_width[1]
         self._base = lens.base.height_at(x[:, None], y)
-        self._least = _ROUNDING * long**aspect.length
+        self._least = _ROUNDING * max(lens.half_width) ** aspect.length
         self.values = np.zeros((count_y, count_x))
         colours = SIGNED if aspect.signed else UNSIGNED[1]
         size = (count_x, count_y)

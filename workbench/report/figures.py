@@ -60,11 +60,8 @@ def manufacture_rows(found: Manufacture, limits: Limits, unit: str) -> tuple[Row
         Row("smallest convex radius", _extreme(found.tightest_convex, unit, "at least")),
         Row("sag range", f"{found.sag_range:.6g} {unit}"),
         *(
-            Row(
-                f"limit of the {verdict.name}",
-                f"{verdict.limit:g} {unit}: {_STATES[verdict.state]}",
-            )
-            for verdict in verdicts(found, limits)
+            Row(f"limit of the {v.name}", f"{v.wanted(unit)}: {_STATES[v.state]}")
+            for v in verdicts(found, limits)
         ),
     )
 

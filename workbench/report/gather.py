@@ -14,6 +14,7 @@ from workbench.analysis.tolerances import Distribution, Tolerances, perturbed
 from workbench.analysis.validation import validate
 from workbench.design.session import KeptRun, Session
 from workbench.errors import Refused
+from workbench.geometry.surface import even_counts
 from workbench.pictures import report as pictures
 from workbench.report.content import Picture, Report, Row, Section
 from workbench.report.figures import check_rows, ledger_rows, manufacture_rows, tolerance_rows
@@ -124,9 +125,7 @@ def gather(
 def _manufacture(scene: Scene, heights: Array) -> Section:
     lens = scene.lens
     limits = Limits(min_thickness=lens.min_thickness, min_radius=scene.run.min_radius)
-    long = max(lens.half_width)
-    n_x, n_y = (max(round(_PLACES * r / long), 2) for r in lens.half_width)
-    maps = surface_maps(lens, heights, (n_x, n_y))
+    maps = surface_maps(lens, heights, even_counts(lens.half_width, _PLACES))
     draw = partial(pictures.draw_manufacture, maps=maps, limits=limits, unit=scene.unit)
     return Section(
         "Manufacture",
