@@ -7,6 +7,7 @@ from typing import Any
 from PySide6.QtCore import QObject, Signal
 
 import resources
+from ui.run.verified import VerifiedErrors
 from ui.steps import Steps
 from workbench.design.snapshot import Result
 from workbench.files.scene import with_absolute_image
@@ -38,6 +39,8 @@ class Document(QObject):
 
     Attributes
     ----------
+    verified : VerifiedErrors
+        What checks say of the lenses of kept runs, which goes into files.
     session_changed : Signal(Session)
         Another session is open, in whatever way it came.
     edited : Signal(Session, Session)
@@ -58,6 +61,7 @@ class Document(QObject):
         self._session = session
         self._path: Path | None = None
         self._suggestion = Path(name)
+        self.verified = VerifiedErrors()
         self.undo_stack = Steps(self._show, self)
         self.undo_stack.cleanChanged.connect(self._tell_dirty)
 
@@ -177,7 +181,7 @@ class Document(QObject):
         Refused
             If it cannot be written; what was at ``path`` before is still there.
         """
-        write_session(replace(self._session, view=view), path)
+        write_session(replace(self.verified.complete(self._session), view=view), path)
         self._path = path
         self.undo_stack.setClean()
         self.path_changed.emit()

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from workbench.design.session import VerifiedError
 from workbench.design.snapshot import Result
 from workbench.files.session import KeptRun, Session, write_session
 from workbench.optics.ledger import Ledger
@@ -40,7 +41,8 @@ def lens(make_scene, tmp_path):
         seconds=1.0,
         ledger=Ledger(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
     )
-    kept = KeptRun("first <try>", scene, target, result)
+    checked = VerifiedError(0.0625, (0.06, 0.065))
+    kept = KeptRun("first <try>", scene, target, result, checked)
     path = tmp_path / "a <b> & 'c'.freeform"
     write_session(Session(scene, target, result, runs=(kept,)), path)
     return path
@@ -94,6 +96,7 @@ class TestHtml:
         found = Page(page)
         assert found.headings[0] == lens.stem
         assert found.rows["first <try>"].startswith("loss ")
+        assert found.rows["first <try>"].endswith(" on the screen, error 6.25%")
         assert not found.seen & {"script", "link", "iframe", "object"}
         text = re.sub(r'base64,[^"]+"', "", page)  # in which any four letters may stand
         assert len(text) < 20_000

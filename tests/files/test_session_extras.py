@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from workbench.design.session import LONGEST_NAME, KeptRun, Session
+from workbench.design.session import LONGEST_NAME, KeptRun, Session, VerifiedError
 from workbench.design.snapshot import Result
 from workbench.errors import Refused
 from workbench.files import header
@@ -38,7 +38,11 @@ def make_run(make_scene, rng):
 @pytest.fixture
 def session(make_run, rng):
     design = make_run("open")
-    runs = (make_run("coarse", (4, 4), (3, 2)), make_run("fein gemäß α = 4", losses=0))
+    checked = VerifiedError(0.0123, (0.011, 0.0135))
+    runs = (
+        replace(make_run("coarse", (4, 4), (3, 2)), verified=checked),
+        make_run("fein gemäß α = 4", losses=0),
+    )
     return Session(design.scene, design.target, design.result, rng.random((5, 4)) < 0.5, runs, VIEW)
 
 
@@ -92,6 +96,7 @@ def test_everything_comes_back(session, path):
     np.testing.assert_array_equal(found.locked, session.locked)
     assert [run.name for run in found.runs] == ["coarse", "fein gemäß α = 4"]
     for run, expected in zip(found.runs, session.runs, strict=True):
+        assert run.verified == expected.verified
         assert_same(run, expected)
     assert found.view == VIEW
 

@@ -193,10 +193,14 @@ def test_kept_runs_travel_with_the_file(two_runs, tmp_path):
     two_runs.document.open(path)
     assert names(two_runs) == ["Run 1: auto, 12 × 10", "Run 2: auto, 12 × 10"]
     assert [table(two_runs).item(row, 0).font().bold() for row in (0, 1)] == [False, True]
-    assert texts(two_runs, 1)[1] == "–"  # checks do not travel
+    assert [texts(two_runs, row)[1] for row in (0, 1)] == ["1.25 %", "1.25 %"]
     session = two_runs.document.session
     two_runs.bench.runs.note_check(Suspect(session, session.control_points), found(0.03))
-    assert texts(two_runs, 1)[1] == "3.00 %" and texts(two_runs, 0)[1] == "–"
+    assert not two_runs.document.dirty  # a check is no edit
+    assert [texts(two_runs, row)[1] for row in (0, 1)] == ["1.25 %", "3.00 %"]
+    two_runs.document.save(path)
+    two_runs.document.open(path)
+    assert [texts(two_runs, row)[1] for row in (0, 1)] == ["1.25 %", "3.00 %"]
 
 
 def test_the_lens_of_a_run_is_checked_at_its_end(window, run, checks, qtbot):

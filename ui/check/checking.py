@@ -12,6 +12,7 @@ from ui.background import Background
 
 if TYPE_CHECKING:
     from workbench.analysis.validation import Validation
+    from workbench.design.session import VerifiedError
     from workbench.files.session import Session
 
 Array = npt.NDArray[np.float64]
@@ -142,7 +143,7 @@ class Checking(QObject):
         self.failed.emit(suspect, sentence)
 
 
-def verified_error(found: "Validation") -> str:
+def verified_error(found: "Validation | VerifiedError") -> str:
     """What a check says of the lens itself: the scatter of its own rays is no error of a lens."""
     low, high = found.relative_l2_corrected_interval
     if low == 0:  # so few rays cannot tell it from none

@@ -100,7 +100,7 @@ class Recovery(QObject):
             self._remove()
         elif session is not self._kept:
             self._kept = session
-            work = session, self._about(ended=False)
+            work = self._document.verified.complete(session), self._about(ended=False)
             self._writer = threading.Thread(target=self._write, args=work, name="recovery")
             self._writer.start()
 

@@ -1,6 +1,5 @@
 """Kept runs and checks of runs: between the document, the runs that end, the table and the plot."""
 
-import weakref
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
@@ -13,7 +12,6 @@ from ui.document import Document
 from ui.run.control import RunControl
 from ui.run.kept import renamed, restored, without
 from ui.run.table import RunTable
-from workbench.design.snapshot import Result
 from workbench.errors import Refused
 from workbench.files.session import KeptRun
 from workbench.pictures.loss import Course
@@ -52,8 +50,6 @@ class Runs(QObject):
     ) -> None:
         super().__init__(parent)
         self._document, self._control, self._loss = document, control, loss
-        # By id of the result, which may be gone by now.
-        self._verified: dict[int, tuple[weakref.ref[Result], str]] = {}
         self._drawn: list[KeptRun] = []
         self.table = table = RunTable(self._verified_error)
         self.check = RunCheck(document, control, self)
@@ -78,8 +74,7 @@ class Runs(QObject):
         """Keep what a check says of the lens of a kept run."""
         for run in self._document.session.runs:
             if _is_lens_of(run, suspect):
-                lens = run.result
-                self._verified[id(lens)] = weakref.ref(lens), verified_error(found)
+                self._document.verified.note(run.result, found)
         self.table.show_verified()
 
     def close(self) -> None:
@@ -93,8 +88,8 @@ class Runs(QObject):
             self.refused.emit(f"Choose {what} in View > Runs first.")
 
     def _verified_error(self, run: KeptRun) -> str:
-        lens, figures = self._verified.get(id(run.result), (None, ""))
-        return figures if lens is not None and lens() is run.result else ""
+        error = self._document.verified.of(run)
+        return "" if error is None else verified_error(error)
 
     def _show(self) -> None:
         session = self._document.session

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -20,6 +20,21 @@ LONGEST_NAME = 100
 """Most characters in the name of a kept run."""
 
 
+class VerifiedError(NamedTuple):
+    """Error of a lens by an independent check; see `workbench.analysis.validation.Validation`.
+
+    Attributes
+    ----------
+    relative_l2_corrected : float
+        Without the scatter of the check's own rays.
+    relative_l2_corrected_interval : tuple[float, float]
+        Where it lies with 95 % confidence.
+    """
+
+    relative_l2_corrected: float
+    relative_l2_corrected_interval: tuple[float, float]
+
+
 @dataclass(frozen=True, eq=False)
 class KeptRun:
     """A finished run, kept to be compared with others.
@@ -34,6 +49,8 @@ class KeptRun:
         The wished image of that task.
     result : Result
         The lens that it found.
+    verified : VerifiedError, optional
+        What a check said of that lens.
 
     Raises
     ------
@@ -45,6 +62,7 @@ class KeptRun:
     scene: Scene
     target: Array
     result: Result
+    verified: VerifiedError | None = None
 
     def __post_init__(self) -> None:
         if not 1 <= len(self.name) <= LONGEST_NAME:

@@ -4,6 +4,7 @@ from typing import Annotated, Self
 
 from pydantic import Field
 
+from workbench.design.session import VerifiedError
 from workbench.design.snapshot import Result
 from workbench.optics.ledger import Ledger
 from workbench.scene import NonNegative, Part, Positive
@@ -22,6 +23,17 @@ class LedgerFigures(Part):
     total_reflection: float
     fresnel_entrance: float
     fresnel_exit: float
+
+
+class VerifiedFigures(Part):
+    """`VerifiedError` as JSON."""
+
+    relative_l2_corrected: NonNegative
+    relative_l2_corrected_interval: tuple[NonNegative, NonNegative]
+
+    def to_error(self) -> VerifiedError:
+        """The error of the lens."""
+        return VerifiedError(**dict(self))
 
 
 class Figures(Part):

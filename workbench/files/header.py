@@ -8,7 +8,7 @@ from pydantic import Field, ValidationError
 
 from workbench.design.session import LONGEST_NAME
 from workbench.errors import Refused
-from workbench.files.figures import Figures
+from workbench.files.figures import Figures, VerifiedFigures
 from workbench.refusals import refusal
 from workbench.scene import Part, Scene
 
@@ -30,6 +30,7 @@ class RunHeader(Part):
     name: Annotated[str, Field(min_length=1, max_length=LONGEST_NAME)]
     scene: dict[str, Any]
     result: Figures
+    verified: VerifiedFigures | None = None
 
 
 class Header(Part):

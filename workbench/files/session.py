@@ -11,7 +11,7 @@ from workbench.errors import Refused
 from workbench.files.atomic import replacing
 from workbench.files.designs import entries_of, names_of, read_result, read_target
 from workbench.files.entries import Entries
-from workbench.files.figures import Figures
+from workbench.files.figures import Figures, VerifiedFigures
 from workbench.files.header import MOST_RUNS, Header, RunHeader, plain_view, read_header, read_part
 from workbench.files.npy import Array, Mask, write_array
 from workbench.files.reading import opened
@@ -139,6 +139,7 @@ def _header(session: Session, path: Path) -> Header:
             name=run.name,
             scene=with_portable_image(run.scene, path).to_data(),
             result=Figures.of(run.result),
+            verified=None if run.verified is None else VerifiedFigures(**run.verified._asdict()),
         )
         for run in session.runs
     ]
@@ -156,9 +157,9 @@ def _read_runs(entries: Entries, runs: tuple[RunHeader, ...], path: Path) -> Ite
         where = f"{entries.where(_HEADER)}: runs[{number}].scene"
         scene = with_absolute_image(read_part(run.scene, where), path)
         target = read_target(entries, _folder(number), scene)
-        yield KeptRun(
-            run.name, scene, target, read_result(entries, _folder(number), scene, run.result)
-        )
+        result = read_result(entries, _folder(number), scene, run.result)
+        verified = None if run.verified is None else run.verified.to_error()
+        yield KeptRun(run.name, scene, target, result, verified)
 
 
 def _folder(number: int) -> str:

@@ -154,9 +154,10 @@ def _tolerances(session: Session, within: Tolerances, samples: int, rays: int) -
 
 
 def _kept(run: KeptRun) -> Row:
-    result = run.result
+    result, checked = run.result, run.verified
+    error = f", error {checked.relative_l2_corrected:.2%}" if checked else ""
     return Row(
         run.name,
         f"loss {result.loss:.4g} after {result.iterations} iterations in {result.seconds:.1f} s, "
-        f"{result.ledger.efficiency:.1%} on the screen",
+        f"{result.ledger.efficiency:.1%} on the screen{error}",
     )
