@@ -1,6 +1,6 @@
 """Maps of what a shop asks of a lens, with what is beyond its limits hatched."""
 
-from typing import TYPE_CHECKING, BinaryIO, Protocol
+from typing import TYPE_CHECKING, BinaryIO, NamedTuple, Protocol
 
 import numpy as np
 import numpy.typing as npt
@@ -68,6 +68,61 @@ class ShopLimits(Protocol):
         """Scene units."""
 
 
+MAPS = ("Thickness", "Slope", "Curvature of hollows", "Curvature of humps")
+"""What can be shown of a face."""
+
+
+class _Map(NamedTuple):
+    """Values of a map, their unit, the limits, and these in words."""
+
+    values: Array
+    unit: str
+    low: float | None
+    high: float | None
+    told: str
+
+
+def map_unit(name: str, unit: str) -> str:
+    """Unit of a map's values, by that of lengths."""
+    return {"Thickness": unit, "Slope": "°"}.get(name, f"1 / {unit}")
+
+
+def draw_map(axes: "Axes", name: str, maps: FaceMaps, limits: ShopLimits, unit: str) -> Array:
+    """Draw one map of a lens.
+
+    Parameters
+    ----------
+    axes : matplotlib.axes.Axes
+        Empty axes.
+    name : str
+        One of `MAPS`.
+    maps : FaceMaps
+        The exit face point by point.
+    limits : ShopLimits
+        Places beyond them are hatched.
+    unit : str
+        The scene's unit of length.
+
+    Returns
+    -------
+    ndarray, shape (n_y, n_x)
+        What is shown.
+    """
+    values, of, below, above, _ = _map(name, maps, limits, unit)
+    half_width = float(maps.x.max()), float(maps.y.max())
+    image = map_image(axes, name, half_width, values.shape[::-1], unit, UNSIGNED[1])
+    image.set_data(values)
+    # Sharp bends are few and far above the others.
+    image.set_norm(PowerNorm(0.5 if "Curvature" in name else 1.0))
+    image.set_clim(float(values.min()), float(values.max()) or 1.0)
+    colour_bar(axes, image, of, "neither")
+    if below is not None and (values < below).any():
+        _hatch(axes, maps, values, [float(values.min()) - 1, below])
+    if above is not None and (values > above).any():
+        _hatch(axes, maps, values, [above, float(values.max()) + 1])
+    return values
+
+
 def draw_manufacture(figure: "FigureBase", maps: FaceMaps, limits: ShopLimits, unit: str) -> None:
     """Draw thickness, slope and both curvatures of a lens.
 
@@ -75,43 +130,12 @@ def draw_manufacture(figure: "FigureBase", maps: FaceMaps, limits: ShopLimits, u
     ----------
     figure : matplotlib.figure.FigureBase
         Empty figure, or an empty part of one.
-    maps : FaceMaps
-        The exit face point by point.
-    limits : ShopLimits
-        Places beyond them are hatched.
-    unit : str
-        The scene's unit of length.
+    maps, limits, unit
+        As for `draw_map`.
     """
-    low, high, steep, radius = (
-        limits.min_thickness,
-        limits.max_thickness,
-        limits.max_slope,
-        limits.min_radius,
-    )
-    bent = None if radius is None else 1 / radius
-    tool = _told("radius at least", radius, f" {unit}")
-    thickness = _told("at least", low, f" {unit}") + _told("at most", high, f" {unit}")
-    panels = (
-        (maps.thickness, "Thickness", unit, low, high, thickness),
-        (maps.slope, "Slope", "°", None, steep, _told("at most", steep, "°")),
-        (maps.concave.clip(0), "Curvature of hollows", f"1 / {unit}", None, bent, tool),
-        (maps.convex.clip(0), "Curvature of humps", f"1 / {unit}", None, bent, tool),
-    )
-    for axes, (values, name, of, below, above, told) in zip(
-        figure.subplots(2, 2, gridspec_kw=_APART).ravel(), panels, strict=True
-    ):
-        half_width = float(maps.x.max()), float(maps.y.max())
-        image = map_image(axes, name, half_width, values.shape[::-1], unit, UNSIGNED[1])
-        image.set_data(values)
-        # Sharp bends are few and far above the others.
-        image.set_norm(PowerNorm(0.5 if "Curvature" in name else 1.0))
-        image.set_clim(float(values.min()), float(values.max()) or 1.0)
-        colour_bar(axes, image, of, "neither")
-        axes.set_title(f"{name}{told}", fontsize=_FONT)
-        if below is not None and (values < below).any():
-            _hatch(axes, maps, values, [float(values.min()) - 1, below])
-        if above is not None and (values > above).any():
-            _hatch(axes, maps, values, [above, float(values.max()) + 1])
+    for axes, name in zip(figure.subplots(2, 2, gridspec_kw=_APART).ravel(), MAPS, strict=True):
+        draw_map(axes, name, maps, limits, unit)
+        axes.set_title(f"{name}{_map(name, maps, limits, unit).told}", fontsize=_FONT)
 
 
 def write_manufacture(file: BinaryIO, maps: FaceMaps, limits: ShopLimits, unit: str) -> None:
@@ -129,6 +153,21 @@ def write_manufacture(file: BinaryIO, maps: FaceMaps, limits: ShopLimits, unit: 
     figure = Figure(figsize=(11, 9), layout=layout)
     draw_manufacture(figure, maps, limits, unit)
     figure.savefig(file, dpi=_DPI, format="png")
+
+
+def _map(name: str, maps: FaceMaps, limits: ShopLimits, unit: str) -> _Map:
+    of = map_unit(name, unit)
+    if name == "Thickness":
+        low, high = limits.min_thickness, limits.max_thickness
+        told = _told("at least", low, f" {unit}") + _told("at most", high, f" {unit}")
+        return _Map(maps.thickness, of, low, high, told)
+    if name == "Slope":
+        steep = limits.max_slope
+        return _Map(maps.slope, of, None, steep, _told("at most", steep, "°"))
+    radius = limits.min_radius
+    bent = None if radius is None else 1 / radius
+    values = maps.concave if name == "Curvature of hollows" else maps.convex
+    return _Map(values.clip(0), of, None, bent, _told("radius at least", radius, f" {unit}"))
 
 
 def _hatch(axes: "Axes", maps: FaceMaps, values: Array, between: list[float]) -> None:
