@@ -114,6 +114,7 @@ class MainWindow(QMainWindow):
 
         self.bench = bench = Bench(self, self._settings)
         bench.state_changed.connect(self._show_state)
+        bench.state_changed.connect(self._show_recent)
         bench.control.ended.connect(self._end_run)
         self._view_state.attach(bench.views.scene)
         self._show_state()
@@ -279,8 +280,9 @@ class MainWindow(QMainWindow):
         menu.clear()
         for number, path in enumerate(self._recent.paths(), 1):
             text = f"&{number % 10} " + str(path).replace("&", "&&")  # a digit opens it
-            menu.addAction(text, partial(self.files.open_recent, path))
-        menu.setEnabled(not menu.isEmpty())
+            action = menu.addAction(text, partial(self.files.open_recent, path))
+            action.setEnabled(not self._busy)  # also in the palette, which asks no menu
+        menu.setEnabled(not (menu.isEmpty() or self._busy))
 
     def _show_state(self) -> None:
         """What can be done depends on the run, on the result and on the undo stack."""

@@ -291,6 +291,23 @@ def test_a_run_leaves_its_result_as_one_step(built, qtbot):
     assert not built.commands["continue"].isEnabled()
 
 
+def test_a_run_keeps_its_design_from_recent_files(built, qtbot, tmp_path):
+    path = tmp_path / "recent.freeform"
+    built.document.save(path)
+    built.files.open(path)
+    built.document.edit(small_session(100_000).scene, "many iterations", "run.iterations")
+    menu = built.commands.menus["Open &recent"]
+    (recent,) = menu.actions()
+    assert menu.isEnabled() and recent.isEnabled()
+    built.commands["start"].trigger()
+    (recent,) = menu.actions()
+    assert not menu.isEnabled() and not recent.isEnabled()
+    built.commands["stop"].trigger()
+    wait_for_idle(built, qtbot)
+    (recent,) = menu.actions()
+    assert menu.isEnabled() and recent.isEnabled()
+
+
 def test_a_saved_run_goes_on_after_it_is_opened(built, qtbot, tmp_path):
     with qtbot.waitSignal(built.bench.control.ended, timeout=60_000):
         built.commands["start"].trigger()
