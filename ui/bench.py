@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, QSettings, Signal
 
 from ui.check.check import Check
-from ui.colour_map import ColourMap
+from ui.colour_map import keep_colours
 from ui.commands.table import COMMANDS
 from ui.lens.tools import LensTools
 from ui.plots import Plots
@@ -52,7 +52,6 @@ class Bench(QObject):
         self.plots = Plots(views.plots(), document, messages, window)
         self.tools = LensTools(document, self.control, views.scene, self)
         self._pictures = ScenePictures(views.scene, document, messages, window)
-        self._colours = ColourMap(settings, window.commands, views.show_colours)
         RunLog(document, self.control, window.log.add)
         workspace.raise_curtain(views.scene, {**views.docked, "runs": self.runs.table})
         workspace.docks["derivative"].visibilityChanged.connect(views.derivative.uncover)
@@ -62,6 +61,7 @@ class Bench(QObject):
         self._connect_run()
         self._connect_check()
         self._connect_commands()
+        keep_colours(settings, window.commands)
         self.runs.refused.connect(messages.warn)
         self.tools.said.connect(messages.note)
 
@@ -117,10 +117,10 @@ class Bench(QObject):
                 **self.plots.slots(),
                 **self.tools.slots(),
                 **self._pictures.slots(),
-                **self._colours.slots(),
             }
         )
         commands.connect_toggles(self.views.toggles())
+        commands.connect_choices(self.views.choices())
 
     def _show_frame(self, frame: "Frame") -> None:
         self._window.status.show_frame(frame, self.control.busy)

@@ -74,8 +74,8 @@ class ViewState:
         for name in LOOK:
             action = self._commands[name]
             only_one = action.actionGroup() is not None  # is switched off by another
-            if action.isChecked() != (name in on) and not (only_one and action.isChecked()):
-                action.trigger()
+            if not (only_one and action.isChecked()):
+                action.setChecked(name in on)
 
     def _try(self, what: str, restore: Callable[[], None]) -> None:
         try:

@@ -5,7 +5,7 @@ from PySide6.QtCore import QSettings, Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QMainWindow
 
-from ui.colour_map import ColourMap
+from ui.colour_map import keep_colours
 from ui.commands.actions import Commands
 from ui.commands.table import COLOURS
 from ui.document import Document
@@ -45,19 +45,22 @@ def test_colours_reach_all_views_and_the_next_window(make_window, settings, qtbo
     qtbot.waitUntil(lambda: not irradiance.empty, timeout=30_000)
     shown = irradiance._image.artists[0]
     qtbot.waitUntil(lambda: shown.get_cmap().name == "cividis")
+    assert settings.value("view/colours") == "cividis"
     other, told = QMainWindow(), []
     qtbot.addWidget(other)
     commands = Commands(other)
-    ColourMap(settings, commands, told.append)
+    commands.connect_choices({"colours_cividis": lambda: told.append("cividis")})
+    keep_colours(settings, commands)
     assert told == ["cividis"] and commands["colours_cividis"].isChecked()
 
 
 def test_colours_that_are_not_known_are_left_out(settings, qtbot):
     settings.setValue("view/colours", "jet")
-    window, told = QMainWindow(), []
+    window = QMainWindow()
     qtbot.addWidget(window)
-    ColourMap(settings, Commands(window), told.append)
-    assert told == []
+    commands = Commands(window)
+    keep_colours(settings, commands)
+    assert commands["colours_inferno"].isChecked()
 
 
 def test_the_plot_on_show_is_copied_by_a_key(make_window, qtbot):

@@ -63,6 +63,18 @@ def test_docks_and_choices_come_back_with_the_design(open_window, tmp_path, qtbo
     assert not window.document.dirty and window.document.undo_stack.count() == 0
 
 
+def test_colours_of_a_design_are_not_those_of_the_next_window(open_window, settings, tmp_path):
+    path = tmp_path / "mine.freeform"
+    window = open_window()
+    window.build()
+    window.commands["colours_viridis"].trigger()
+    save(window, path)
+    window.commands["colours_gray"].trigger()
+    assert window.files.open(path)
+    assert window.bench.views.link.colours == window.bench.views.scene._colours == "viridis"
+    assert settings.value("view/colours") == "gray"
+
+
 def test_the_camera_comes_back_with_the_design(display, open_window, tmp_path, qtbot):
     path = tmp_path / "mine.freeform"
     window = open_window()

@@ -62,6 +62,12 @@ class Commands:
             self[name].toggled.connect(slot)
         self._open(slots.keys())
 
+    def connect_choices(self, slots: Mapping[str, Callable[[], object]]) -> None:
+        """Tell what each of `CHOICES` does once it is the one that is on, whoever chose it."""
+        for name, slot in slots.items():
+            self[name].toggled.connect(lambda on, slot=slot: slot() if on else None)
+        self._open(slots.keys())
+
     def allow(self, allowed: Mapping[str, bool]) -> None:
         """Make commands available or not, as far as they do anything yet."""
         for name, allow in allowed.items():

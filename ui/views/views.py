@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 
-from ui.commands.table import RAYS, RAYS_BY
+from ui.commands.table import COLOURS, RAYS, RAYS_BY
 from ui.views.derivative_view import DerivativeView
 from ui.views.error_view import ErrorView
 from ui.views.image_link import ImageLink
@@ -88,8 +88,14 @@ class Views(QObject):
         return {
             "fit_view": self.scene.fit,
             **{f"{view}_view": partial(self.scene.fit, view) for view in ("side", "top", "axis")},
+        }
+
+    def choices(self) -> dict[str, Callable[[], object]]:
+        """What commands do here of which one is on."""
+        return {
             **{name: partial(self.scene.show_rays, rays) for name, rays in RAYS.items()},
             **{name: partial(self.scene.colour_rays, by) for name, by in RAYS_BY.items()},
+            **{name: partial(self.show_colours, colours) for name, colours in COLOURS.items()},
         }
 
     def toggles(self) -> dict[str, Callable[[bool], object]]:
