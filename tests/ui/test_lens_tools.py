@@ -294,6 +294,8 @@ def test_locked_points_do_not_move(sculpting, drag):
     assert bench.document.session.locked is None
     bench.commands["invert_locks"]()
     assert bench.document.session.locked.all() and bench.document.undo_stack.count() == 3
+    bench.commands["lock_all"]()  # which they are
+    assert bench.document.undo_stack.count() == 3
 
 
 def test_painting_locks_and_unlocks(bench, drag, qtbot):

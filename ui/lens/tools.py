@@ -219,8 +219,12 @@ class LensTools(QObject):
             self._set_locked(change(locked), text)
 
     def _set_locked(self, locked: Mask, text: str) -> None:
+        before = self._document.session
+        now = np.zeros_like(locked) if before.locked is None else before.locked
+        if np.array_equal(locked, now):
+            return
         locked.flags.writeable = False
-        session = replace(self._document.session, locked=locked if locked.any() else None)
+        session = replace(before, locked=locked if locked.any() else None)
         self._as_own(lambda: self._document.change(session, text))
 
     def _as_own(self, change: Callable[[], object]) -> None:
