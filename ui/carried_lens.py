@@ -41,6 +41,7 @@ class CarriedLens(QObject):
         self._before: Session | None = None
         self._after: Session | None = None
         self._said = ""
+        self._told: tuple[Session, str] | None = None  # said once of all edits of one step
         document.edited.connect(self._tell)
         document.session_changed.connect(self._withdraw)
 
@@ -52,9 +53,10 @@ class CarriedLens(QObject):
             return
         net, other = ControlNet.of(before.scene.lens), ControlNet.of(after.scene.lens)
         if new is None:
-            self.told.emit(
+            self._tell_once(
+                before,
                 "The lens does not fit into the new outline, base or height range: Start designs "
-                "another one, Undo brings it back"
+                "another one, Undo brings it back",
             )
         elif net != other:
             self._before, self._after = before, after
@@ -63,9 +65,10 @@ class CarriedLens(QObject):
             else:
                 self._ask(before, after, deviation(net, old, other, new))
         elif before.result is not None:
-            self.told.emit(
+            self._tell_once(
+                before,
                 "The lens was designed for another task and is a start for this one: Continue "
-                "goes on from it, Start over does not"
+                "goes on from it, Start over does not",
             )
 
     def _ask(self, before: Session, after: Session, off: float) -> None:
@@ -84,6 +87,11 @@ class CarriedLens(QObject):
         text = "change of lens control points"
         scene = edited_scene(after.scene, [Edit(_NET, text, {_NET: list(size)})])
         self._document.change(before.with_scene(scene, after.target), text)
+
+    def _tell_once(self, before: Session, text: str) -> None:
+        if self._told is None or self._told[0] is not before or self._told[1] != text:
+            self._told = before, text
+            self.told.emit(text)
 
     def _say(self, text: str, offer: Offer | None = None) -> None:
         self._said = text

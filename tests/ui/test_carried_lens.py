@@ -123,3 +123,13 @@ def test_run_settings_are_no_matter_for_the_lens(desk, qtbot):
     type_in(desk, qtbot, "run.iterations", "77")
     assert desk.log == [] and desk.messages.text == ""
     assert desk.document.session.result is not None
+
+
+def test_another_task_is_told_once_of_all_edits_of_a_step(desk, qtbot):
+    z = desk.document.session.scene.screen.z
+    for beyond in (1, 2, 3):
+        type_in(desk, qtbot, "screen.z", f"{z + beyond}")
+    assert desk.document.undo_stack.count() == 1
+    assert len(desk.log) == 1 and "another task" in desk.log[0]
+    type_in(desk, qtbot, "screen.half_width[0]", "7")
+    assert desk.document.undo_stack.count() == 2
