@@ -46,6 +46,25 @@ class Focus:
         return {"z": self.z, "relative_l2": self.relative_l2, "efficiency": self.efficiency}
 
 
+def screen_at(scene: Scene, part: float) -> float:
+    """Where a screen stands at a part of the way from the lens to the scene's screen.
+
+    Parameters
+    ----------
+    scene : Scene
+        Lens and screen.
+    part : float
+        Above 0, where the highest place is that the exit face can reach; 1 is the scene's screen.
+
+    Returns
+    -------
+    float
+        z of the screen.
+    """
+    highest = scene.lens.highest
+    return highest + part * (scene.screen.z - highest)
+
+
 def focus_series(
     scene: Scene,
     target: Array,

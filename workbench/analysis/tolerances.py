@@ -67,8 +67,7 @@ class Tolerances:
             raise Refused(
                 "index", f"{self.index:g}; at least 0, less than {scene.lens.index - 1:g}"
             )
-        lens = scene.lens
-        room = scene.screen.z - lens.base.extent(lens.half_width)[1] - lens.height_range[1]
+        room = scene.screen.z - scene.lens.highest
         if not 0 <= self.distance < room:
             raise Refused(
                 "distance",
@@ -78,7 +77,7 @@ class Tolerances:
         amplitude, scale = self.surface
         if not 0 <= amplitude < math.inf:
             raise Refused("surface[0]", f"{amplitude:g}; a finite number from 0 is needed")
-        width = 2 * max(lens.half_width)
+        width = 2 * max(scene.lens.half_width)
         if amplitude > 0 and not FINEST * width <= scale <= width:
             raise Refused("surface[1]", f"{scale:g}; from {FINEST * width:g} to {width:g}")
 

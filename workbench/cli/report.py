@@ -6,9 +6,9 @@ from typing import BinaryIO
 
 from workbench.analysis.tolerances import Tolerances
 from workbench.cli.designed import read_designed
-from workbench.errors import Refused
 from workbench.files.atomic import check_writable, replacing
 from workbench.report.content import Report
+from workbench.report.endings import HTML, check_ending
 
 
 def report(
@@ -48,13 +48,11 @@ def report(
 
 
 def _writer(file: Path) -> Callable[[Report, BinaryIO], None]:
-    ending = file.suffix.lower()
-    if ending in (".html", ".htm"):
+    check_ending(file)
+    if file.suffix.lower() in HTML:
         from workbench.report.html import write_html
 
         return write_html
-    if ending == ".pdf":
-        from workbench.report.pdf import write_pdf
+    from workbench.report.pdf import write_pdf
 
-        return write_pdf
-    raise Refused(str(file), "has no ending that tells a format; one of .html, .htm, .pdf")
+    return write_pdf

@@ -55,9 +55,7 @@ def _screen_scale(scene: Scene) -> float:
 
 
 def _drawn_screen_z(scene: Scene) -> float:
-    lens = scene.lens
-    top = lens.base.extent(lens.half_width)[1] + lens.height_range[1]
-    return min(scene.screen.z, top + _TO_SCREEN * _lens_width(scene))
+    return min(scene.screen.z, scene.lens.highest + _TO_SCREEN * _lens_width(scene))
 
 
 def _source_scale(scene: Scene) -> float:

@@ -137,6 +137,11 @@ class Lens(Part):
         return self
 
     @property
+    def highest(self) -> float:
+        """The z that no control point, and so no point of the exit face, can be above."""
+        return self.base.extent(self.half_width)[1] + self.height_range[1]
+
+    @property
     def index(self) -> float:
         """Refractive index as a number."""
         if isinstance(self.refractive_index, str):

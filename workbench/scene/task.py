@@ -65,13 +65,11 @@ class Scene(Part):
 
     @model_validator(mode="after")
     def _screen_clears_the_lens(self) -> Self:
-        lens = self.lens
-        highest = lens.base.extent(lens.half_width)[1] + lens.height_range[1]
-        if self.screen.z <= highest:
+        if self.screen.z <= self.lens.highest:
             raise Refused(
                 "screen.z",
                 f"{self.screen.z:g} may touch the lens; "
-                f"more than {highest:g}, the highest that the exit face can become",
+                f"more than {self.lens.highest:g}, the highest that the exit face can become",
             )
         return self
 

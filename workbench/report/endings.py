@@ -1,0 +1,20 @@
+"""What endings of files say about the form of a report."""
+
+from pathlib import Path
+
+from workbench.errors import Refused
+
+HTML, PDF = (".html", ".htm"), (".pdf",)
+
+
+def check_ending(file: Path) -> None:
+    """Find out whether a file can be a report.
+
+    Raises
+    ------
+    Refused
+        If its ending tells no form of one.
+    """
+    if file.suffix.lower() not in (*HTML, *PDF):
+        known = ", ".join((*HTML, *PDF))
+        raise Refused(str(file), f"has no ending that tells a format; one of {known}")
