@@ -18,6 +18,9 @@ if TYPE_CHECKING:
 WIDTH = 7.5
 """Inches between the margins."""
 
+Draw = Callable[["FigureBase"], None]
+"""Draws a picture on an empty figure or part of one."""
+
 _PAGE = (8.27, 11.69)
 _MARGIN = (_PAGE[0] - WIDTH) / 2
 _LINE = 0.17  # inches
@@ -88,7 +91,7 @@ class Pages:
                 lines += _beside(rows[left : left + 2])
             self._blocks.append(_Block(len(lines) * _LINE, partial(_draw_lines, lines), heads))
 
-    def picture(self, draw: "Callable[[FigureBase], None]", height: float) -> None:
+    def picture(self, draw: Draw, height: float) -> None:
         """Add a picture as wide as the page and as high as this, inches."""
 
         def between_margins(part: "SubFigure") -> None:
@@ -183,7 +186,7 @@ def _write(
     )
 
 
-def to_png(draw: "Callable[[FigureBase], None]", height: float, file: BinaryIO) -> None:
+def to_png(draw: Draw, height: float, file: BinaryIO) -> None:
     """Draw such a picture as a PNG file."""
     # Labels may stand out a little from the place that the layout has for them.
     figure = Figure(figsize=(WIDTH, height), layout=ConstrainedLayoutEngine(w_pad=0.15))

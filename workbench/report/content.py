@@ -1,11 +1,10 @@
 """A report before it has a form: sections of rows and pictures."""
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, NamedTuple
 
 if TYPE_CHECKING:
-    from matplotlib.figure import FigureBase
+    from workbench.pictures.pages import Draw
 
 
 class Row(NamedTuple):
@@ -22,14 +21,14 @@ class Picture(NamedTuple):
     ----------
     name : str
         What it shows.
-    draw : callable
-        Draws it on an empty figure or part of one.
+    draw : Draw
+        Draws it.
     height : float
         Inches, for a width of `workbench.pictures.pages.WIDTH`.
     """
 
     name: str
-    draw: "Callable[[FigureBase], None]"
+    draw: "Draw"
     height: float
 
 
