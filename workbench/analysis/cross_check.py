@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from workbench.analysis.metrics import product, relative_l2
+from workbench.analysis.metrics import product, relative_l2, root
 from workbench.analysis.mitsuba import MitsubaScene
 from workbench.analysis.validation import through_focus
 from workbench.errors import RunFailed
@@ -120,8 +120,8 @@ def cross_check(
     return CrossCheck(
         difference=_norm(m_1 + m_2 - o_1 - o_2) / (2 * size),
         noise=math.hypot(_norm(m_1 - m_2), _norm(o_1 - o_2)) / (2 * size),
-        difference_corrected=_root(square),
-        difference_corrected_interval=(_root(square - spread), _root(square + spread)),
+        difference_corrected=root(square),
+        difference_corrected_interval=(root(square - spread), root(square + spread)),
         ours=_seen(light["ours"], target),
         mitsuba=_seen(light["mitsuba"], target),
         rays=2 * half,
@@ -132,14 +132,10 @@ def _seen(halves: list[Array], target: Array) -> Seen:
     image = (halves[0] + halves[1]) / 2
     return Seen(
         relative_l2=relative_l2(image, target),
-        relative_l2_corrected=_root(product(halves[0], halves[1], target)),
+        relative_l2_corrected=root(product(halves[0], halves[1], target)),
         efficiency=float(image.sum()),
     )
 
 
 def _norm(image: Array) -> float:
     return math.sqrt(float(np.square(image).sum()))
-
-
-def _root(square: float) -> float:
-    return math.sqrt(max(square, 0.0))

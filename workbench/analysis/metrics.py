@@ -27,7 +27,12 @@ _AT_ONCE = 1 << 18
 
 def relative_l2(image: Array, target: Array) -> float:
     """‖I − T‖ / ‖T‖ of normalised images."""
-    return math.sqrt(max(product(image, image, target), 0.0))
+    return root(product(image, image, target))
+
+
+def root(square: float) -> float:
+    """Its square root; what noise or rounding has made negative counts as 0."""
+    return math.sqrt(max(square, 0.0))
 
 
 def product(image: Array, other: Array, target: Array) -> float:

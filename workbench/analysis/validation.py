@@ -15,7 +15,7 @@ import numpy as np
 import numpy.typing as npt
 
 from workbench.analysis.cells import BATCHES
-from workbench.analysis.metrics import Quality, paper_loss, product, relative_l2
+from workbench.analysis.metrics import Quality, paper_loss, product, relative_l2, root
 from workbench.analysis.pose import Pose
 from workbench.analysis.tracing import Tally, Trace
 from workbench.errors import RunFailed
@@ -214,8 +214,8 @@ def validating(
         loss=paper_loss(irradiance, target),
         relative_l2=error,
         relative_l2_interval=(max(error - _T * noise, 0.0), error + _T * noise),
-        relative_l2_corrected=_root(square),
-        relative_l2_corrected_interval=(_root(square - spread), _root(square + spread)),
+        relative_l2_corrected=root(square),
+        relative_l2_corrected_interval=(root(square - spread), root(square + spread)),
         efficiency=ledger.efficiency,
         ledger=ledger,
         quality=Quality.of(irradiance, target),
@@ -283,7 +283,3 @@ def with_screen_at(scene: Scene, z: float) -> Scene:
 def _another(seed: int) -> int:
     """A seed for rays that have nothing to do with those of this one."""
     return int(np.random.SeedSequence([seed, 1000]).generate_state(1, np.uint64)[0])
-
-
-def _root(square: float) -> float:
-    return math.sqrt(max(square, 0.0))
