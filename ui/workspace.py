@@ -88,22 +88,24 @@ class Workspace:
         self.history.setEmptyLabel("As opened")
         self.history.setToolTip("A click goes back or forth to that step")
         self.docks["history"].setWidget(self.history)
-        window.tabifyDockWidget(self.docks["design"], self.docks["history"])
         self.docks["log"].setWidget(log)
         for name in self.docks.keys() - {"design", "history", "log"}:
             curtain = QLabel("Loading…", alignment=Qt.AlignmentFlag.AlignCenter)
             self.docks[name].setWidget(curtain)
+        window.splitDockWidget(
+            self.docks["irradiance"], self.docks["target"], Qt.Orientation.Horizontal
+        )
+        # Tabs of docks that are shown leave a bar behind that belongs to nothing and covers others.
+        for name in (*_HIDDEN, "runs"):
+            self.docks[name].hide()
+        window.tabifyDockWidget(self.docks["design"], self.docks["history"])
         for name in ("derivative", "surface"):
             window.tabifyDockWidget(self.docks["error"], self.docks[name])
         for name in ("section", "log"):
             window.tabifyDockWidget(self.docks["loss"], self.docks[name])
         window.tabifyDockWidget(self.docks["light"], self.docks["runs"])
+        self.docks["runs"].show()
         self.docks["light"].raise_()
-        window.splitDockWidget(
-            self.docks["irradiance"], self.docks["target"], Qt.Orientation.Horizontal
-        )
-        for name in _HIDDEN:
-            self.docks[name].hide()
         # A dock that comes between others gets no more than it cannot do without.
         shown = self.docks["target"].toggleViewAction().toggled
         shown.connect(lambda shown: QTimer.singleShot(0, window, self._share) if shown else None)
