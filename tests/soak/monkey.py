@@ -133,7 +133,7 @@ class Monkey(QObject):
 
     def _play(self) -> Generator[int, None, None]:
         """All that it does, with the milliseconds to wait after each step."""
-        yield from self._wait(lambda: windows() and windows()[0].control is not None)
+        yield from self._wait(lambda: windows() and windows()[0].bench is not None)
         yield from self._rest()
         end, next_rest = self._began + self._seconds, time.monotonic() + REST_SECONDS
         while time.monotonic() < end:
