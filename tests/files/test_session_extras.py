@@ -223,6 +223,15 @@ class TestRefused:
         told = refused(forge({"locked.npy": content[:-1] + b"\2"}))
         assert told.startswith(": locked.npy: holds a value that is neither 0 nor 1")
 
+    @pytest.mark.parametrize("interval", [[0.1], [-0.1, 0.2], [0.1, None]])
+    def test_a_verified_error_that_is_none(self, forge, session, path, interval):
+        write_session(session, path)
+        with zipfile.ZipFile(path) as archive:
+            runs = json.loads(archive.read("session.json"))["runs"]
+        runs[0]["verified"]["relative_l2_corrected_interval"] = interval
+        told = refused(forge(runs=runs))
+        assert told.startswith(": session.json: runs[0].verified.relative_l2_corrected_interval")
+
     @pytest.mark.parametrize("starts", [[9], [-1], [3, 2], [10**30]])
     def test_stages_that_began_when_there_was_no_run(self, forge, session, starts):
         figures = Figures.of(session.result).model_dump(exclude_none=True)
