@@ -172,7 +172,7 @@ class Monkey(QObject):
             window.close()
         yield from self._wait(lambda: len(windows()) == 1)
         (window,) = windows()
-        yield from self._wait(lambda: window.bench.control is not None)
+        yield from self._wait(lambda: window.bench is not None)
         yield from self._still(window)
         window.showNormal()
         window.commands["new_tophat"].trigger()
@@ -194,7 +194,7 @@ class Monkey(QObject):
         """Stop what the window does."""
 
         def busy() -> bool:
-            return isValid(window) and window.bench.control is not None and window.bench.control.busy
+            return isValid(window) and window.bench is not None and window.bench.control.busy
 
         if busy():
             window.bench.control.runner.stop()
