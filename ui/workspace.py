@@ -6,11 +6,11 @@ from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QUndoStack
 from PySide6.QtWidgets import (
     QDockWidget,
+    QGridLayout,
     QLabel,
     QMainWindow,
     QStackedWidget,
     QUndoView,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -41,7 +41,7 @@ class Workspace:
     forms : Forms
         Stands at the left.
     messages : MessageBar
-        Stands above the 3D scene.
+        Lies over the 3D scene, at its top.
     steps : QUndoStack
         What was done, listed in a dock; a click goes back or forth to that step.
     log : LogView
@@ -61,11 +61,11 @@ class Workspace:
         self._curtain = QLabel("Loading the 3D scene…", alignment=Qt.AlignmentFlag.AlignCenter)
         self._stage.addWidget(self._curtain)
         centre = QWidget()
-        column = QVBoxLayout(centre)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(0)
-        column.addWidget(messages)
-        column.addWidget(self._stage, 1)
+        # One over the other: a message that comes or goes leaves the picture as it is.
+        over = QGridLayout(centre)
+        over.setContentsMargins(0, 0, 0, 0)
+        over.addWidget(self._stage, 0, 0)
+        over.addWidget(messages, 0, 0, Qt.AlignmentFlag.AlignTop)
         window.setCentralWidget(centre)
         window.setCorner(Qt.Corner.BottomLeftCorner, _LEFT)
         window.setCorner(Qt.Corner.BottomRightCorner, _RIGHT)
