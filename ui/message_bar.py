@@ -1,4 +1,4 @@
-"""One sentence on top of the work, until it is read and closed."""
+"""One sentence over the 3D scene, until it is read and closed."""
 
 from collections.abc import Callable
 
@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
 )
 
 from ui import theme
+from ui.native import make_native
 
 Offer = tuple[str, Callable[[], object]]
 """What a button beside a message says, and what it does."""
@@ -35,6 +36,8 @@ class MessageBar(QFrame):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setAutoFillBackground(True)
+        make_native(self)
         self._icon = QLabel()
         self._text = QLabel()
         self._text.setWordWrap(True)
@@ -87,6 +90,7 @@ class MessageBar(QFrame):
         self._button.setVisible(offer is not None)
         self.setAccessibleName(text)
         self.show()
+        self.raise_()
         QAccessible.updateAccessibility(QAccessibleEvent(self, QAccessible.Event.Alert))
         self.said.emit(text)
 

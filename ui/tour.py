@@ -11,6 +11,8 @@ from PySide6.QtCore import QEvent, QObject, QPoint, QRect, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent, QPainter, QPaintEvent, QPalette, QRegion
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
+from ui.native import make_native
+
 
 @dataclass(frozen=True)
 class Stop:
@@ -166,7 +168,7 @@ class Bubble(QFrame):
 
     def __init__(self, window: QWidget) -> None:
         super().__init__(window)
-        _make_native(self)
+        make_native(self)
         self.setObjectName("bubble")
         self.setFrameShape(QFrame.Shape.StyledPanel)
         self.setAutoFillBackground(True)
@@ -242,7 +244,7 @@ class _Frame(QWidget):
 
     def __init__(self, window: QWidget) -> None:
         super().__init__(window)
-        _make_native(self)
+        make_native(self)
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
 
     def surround(self, place: QRect) -> None:
@@ -258,11 +260,6 @@ class _Frame(QWidget):
         painter = QPainter(self)
         painter.fillRect(self.rect(), self.palette().highlight())
         painter.end()
-
-
-def _make_native(widget: QWidget) -> None:
-    widget.setAttribute(Qt.WidgetAttribute.WA_DontCreateNativeAncestors)
-    widget.setAttribute(Qt.WidgetAttribute.WA_NativeWindow)
 
 
 def _push_into(own: QRect, room: QRect) -> None:

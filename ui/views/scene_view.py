@@ -20,10 +20,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
-from PySide6.QtCore import QEvent, QObject, Qt, Signal
+from PySide6.QtCore import QEvent, QObject, Signal
 from PySide6.QtGui import QCloseEvent, QResizeEvent
 from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
 
+from ui.native import make_native
 from ui.run.frame import RAYS
 from ui.views.tools.hand import Hand
 from ui.views.tools.tool import Pointer, Tool
@@ -59,8 +60,7 @@ class SceneView(View):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setAttribute(Qt.WidgetAttribute.WA_DontCreateNativeAncestors)
-        self.setAttribute(Qt.WidgetAttribute.WA_NativeWindow)
+        make_native(self)
         self._plotter: Any = None
         self._picture: LensPicture | None = None
         self._net: ControlNetPicture | None = None
