@@ -65,10 +65,12 @@ def _design(task: Task, threads: int | None) -> Done:
     import torch  # late: takes seconds, which the process that waits for results can do without
 
     from workbench.analysis.validation import validate
+    from workbench.design.kernels import compile_all
     from workbench.design.run import run
 
     if threads is not None:
         torch.set_num_threads(threads)
+    compile_all()  # which is no part of any run's time
     history = History()
     for snapshot in run(task.scene, task.target):
         history.add(snapshot)

@@ -63,7 +63,7 @@ def add(commands: Any) -> None:
         "--validate-rays",
         metavar="N",
         type=count,
-        default=1_000_000,
+        default=4_000_000,
         help="of the check of each lens, at least; default %(default)s",
     )
     add_json(parser)
