@@ -27,7 +27,7 @@ class Example:
     group : str
         What it belongs to.
     title : str
-        What a person reads, within its group.
+        What a person reads; no other example has it.
     look : str
         What to look for: one sentence.
     dock : str
@@ -73,10 +73,16 @@ EXAMPLES = (
         "letter", _FIRST, "Letter", "A bold letter on black; see its straight edges and corners."
     ),
     Example(
-        "flame-512", _FINE, "Flame", "The flame with four times the detail; see its thin parts."
+        "flame-512",
+        _FINE,
+        "Flame, 512 × 512",
+        "The flame with four times the detail; see its thin parts.",
     ),
     Example(
-        "ball-512", _FINE, "Ball", "The ball with four times the detail; see the facets' edges."
+        "ball-512",
+        _FINE,
+        "Ball, 512 × 512",
+        "The ball with four times the detail; see the facets' edges.",
     ),
     Example(
         "tophat-none-zeros",

@@ -36,6 +36,7 @@ def named(gallery, name):
 def test_every_example_has_a_picture_of_its_target(gallery):
     items = [gallery._list.item(row) for row in range(gallery._list.count())]
     assert [item.text() for item in items] == [example.title for example in EXAMPLES]
+    assert len({item.text() for item in items}) == len(items)
     size = gallery._list.iconSize()
     for item in items:
         picture = item.icon().pixmap(size).toImage()

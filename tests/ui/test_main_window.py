@@ -3,9 +3,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 from PIL import Image
-from PySide6.QtCore import QMimeData, QPointF, QSettings, Qt, QUrl
+from PySide6.QtCore import QMimeData, QPoint, QPointF, QSettings, Qt, QUrl
 from PySide6.QtGui import QDropEvent
-from PySide6.QtWidgets import QMessageBox
+from PySide6.QtWidgets import QApplication, QMessageBox, QTabBar
 
 from resources import EXAMPLES
 from ui.commands.table import COMMANDS
@@ -248,6 +248,27 @@ def test_recent_files_are_kept_and_struck_off_when_gone(window, tmp_path, settin
     menu.actions()[0].trigger()
     assert str(paths[-1]) in window.messages.text
     assert menu.actions()[0].text() == f"&1 {paths[-2]}"
+
+
+def test_a_message_leaves_the_picture_where_it_is(built):
+    scene = built.bench.views.scene
+    place = scene.mapTo(built, scene.rect().topLeft()), scene.size()
+    built.messages.note("Something good to know")
+    QApplication.processEvents()
+    assert built.messages.isVisible()
+    assert (scene.mapTo(built, scene.rect().topLeft()), scene.size()) == place
+    assert built.messages.mapTo(built, QPoint(0, 0)) == place[0]
+    assert built.messages.width() == scene.width()
+    assert built.messages.height() < scene.height() / 2
+
+
+def test_no_bar_of_tabs_lies_over_a_pane(window):
+    panes = [window.centralWidget(), *window.workspace.docks.values()]
+    places = [pane.geometry() for pane in panes if not pane.visibleRegion().isEmpty()]
+    bars = [bar for bar in window.findChildren(QTabBar) if not bar.visibleRegion().isEmpty()]
+    assert len(places) > 3 and bars
+    for bar in bars:
+        assert not any(bar.geometry().intersects(place) for place in places)
 
 
 def test_a_dropped_image_becomes_the_target(window, tmp_path):
