@@ -2,10 +2,11 @@
 
 import csv
 import io
+import json
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, BinaryIO
 
 from PySide6.QtCore import QObject
 from PySide6.QtGui import QAction, QGuiApplication, QImage
@@ -24,11 +25,13 @@ if TYPE_CHECKING:
 
 _PICTURES = {".png": "png", ".svg": "svg"}
 _TABLE = ".csv"
+_DATA = ".json"
 _FILTERS = {
     "Picture in pixels (*.png)": ".png",
     "Picture in lines (*.svg)": ".svg",
     "Numbers shown (*.csv)": _TABLE,
 }
+_FIGURES = {"Figures (*.json)": _DATA}
 
 
 class Plots(QObject):
@@ -86,25 +89,27 @@ class Plots(QObject):
     def choose_and_save(self) -> None:
         """Ask for a file and save the plot there."""
         name = self._current()
-        path = None if name is None else self.ask_for_name(name)
-        if name is not None and path is not None:
+        if name is not None:
+            self.choose_and_save_plot(name)
+
+    def choose_and_save_plot(self, name: str) -> None:
+        """Ask for a file and save a plot there, whichever was touched last."""
+        path = self.ask_for_name(name)
+        if path is not None:
             self.save(name, path)
 
     def save(self, name: str, path: Path) -> None:
         """Save a plot; the ending of the file tells as what."""
         ending, plot = path.suffix.lower(), self._plots[name]
+        figures = plot.figures()
         if ending == _TABLE:
             self._write_table(plot.data(), path)
+        elif ending == _DATA and figures is not None:
+            self._write(path, lambda file: file.write(json.dumps(figures, indent=2).encode()))
         elif ending in _PICTURES:
-            try:
-                with replacing(path) as file:
-                    plot.write(file, _PICTURES[ending])
-            except Refused as refused:
-                self._messages.warn(str(refused))
-            else:
-                self._messages.note(f"{path} is written.")
+            self._write(path, lambda file: plot.write(file, _PICTURES[ending]))
         else:
-            known = ", ".join((*_PICTURES, _TABLE))
+            known = ", ".join((*_PICTURES, _TABLE, *([] if figures is None else [_DATA])))
             self._messages.warn(f"{path.name}: a plot is saved as one of {known}")
 
     def ask_for_name(self, name: str) -> Path | None:
@@ -112,10 +117,11 @@ class Plots(QObject):
         suggested = self._document.suggested_path
         dialog = QFileDialog(self._window, f"Save {name} plot", str(suggested.parent))
         dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
-        dialog.setNameFilters(list(_FILTERS))
+        filters = _FILTERS if self._plots[name].figures() is None else _FILTERS | _FIGURES
+        dialog.setNameFilters(list(filters))
 
         def suggest(chosen: str) -> None:
-            dialog.setDefaultSuffix(_FILTERS[chosen].removeprefix("."))
+            dialog.setDefaultSuffix(filters[chosen].removeprefix("."))
 
         dialog.filterSelected.connect(suggest)
         suggest(dialog.selectedNameFilter())
@@ -138,6 +144,15 @@ class Plots(QObject):
                 return name
         self._messages.note("There is no plot to be seen; View shows the docks of all plots.")
         return None
+
+    def _write(self, path: Path, write: Callable[[BinaryIO], object]) -> None:
+        try:
+            with replacing(path) as file:
+                write(file)
+        except Refused as refused:
+            self._messages.warn(str(refused))
+        else:
+            self._messages.note(f"{path} is written.")
 
     def _write_table(self, columns: "list[Column]", path: Path) -> None:
         if self._background.busy:

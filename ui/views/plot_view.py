@@ -1,6 +1,6 @@
 """A view with one matplotlib canvas."""
 
-from typing import TYPE_CHECKING, BinaryIO
+from typing import TYPE_CHECKING, Any, BinaryIO
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QAction
@@ -68,6 +68,10 @@ class PlotView(View):
     def data(self) -> list[Column]:
         """What the picture shows, in numbers."""
         return shown_data(self._canvas.figure)
+
+    def figures(self) -> dict[str, Any] | None:
+        """What the picture comes to, for JSON; None where that is nothing but its numbers."""
+        return None
 
     def show_frame(self, frame: "Frame") -> None:
         """Show a frame of a run or a preview."""

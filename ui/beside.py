@@ -1,0 +1,58 @@
+"""A picture and what belongs to it: beside each other where there is width, else one below."""
+
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import QBoxLayout, QFrame, QScrollArea, QWidget
+
+_WIDE = 1.3  # times as wide as high
+_HIGH, _OTHER_HIGH = 200, 160  # pixels; a lower picture would be labels alone
+
+
+class Beside(QWidget):
+    """Gives the picture all room that the other does not need; that one scrolls where it must.
+
+    Parameters
+    ----------
+    picture : QWidget
+        Takes what room there is.
+    other : QWidget
+        Fields and figures.
+    """
+
+    def __init__(self, picture: QWidget, other: QWidget, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._line = QBoxLayout(QBoxLayout.Direction.TopToBottom, self)
+        self._line.setContentsMargins(0, 0, 0, 0)
+        self._line.setSpacing(0)
+        self._line.addWidget(picture, 1)
+        self._line.addWidget(_Scrolled(other))
+        picture.setMinimumHeight(_HIGH)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Follow the shape of the room."""
+        super().resizeEvent(event)
+        wide = self.width() > _WIDE * self.height()
+        directions = QBoxLayout.Direction
+        self._line.setDirection(directions.LeftToRight if wide else directions.TopToBottom)
+
+
+class _Scrolled(QScrollArea):
+    """Asks for all the room that what it holds needs, and makes do with less."""
+
+    def __init__(self, held: QWidget) -> None:
+        super().__init__()
+        self._held = held
+        self.setWidget(held)
+        self.setWidgetResizable(True)
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+
+    def sizeHint(self) -> QSize:
+        """That of what it holds, and of a bar to scroll it."""
+        bar = self.verticalScrollBar().sizeHint().width()
+        return self._held.sizeHint() + QSize(bar, 0)
+
+    def minimumSizeHint(self) -> QSize:
+        """Enough to see where to begin."""
+        least = super().minimumSizeHint()
+        return QSize(least.width(), min(self.sizeHint().height(), _OTHER_HIGH))

@@ -1,0 +1,1 @@
+"""What a shop asks of the lens on show: figures, limits and maps."""

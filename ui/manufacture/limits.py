@@ -1,0 +1,110 @@
+"""What a shop can make: limits that a person gives, kept for all designs of the same unit."""
+
+import math
+from functools import partial
+from typing import Any
+
+from PySide6.QtCore import QObject, QSettings, Signal
+
+from ui.panels.edits import Edit
+from ui.panels.optional import OptionalRow
+from workbench.analysis.manufacture_limits import Limits
+from workbench.scene import Scene
+
+_ROWS = {
+    "min_thickness": ("Least thickness", "The lens has to be as thick as this everywhere"),
+    "max_thickness": ("Largest thickness", "The lens must not be thicker than this anywhere"),
+    "max_slope": ("Largest slope", "Largest angle between exit face and entrance face, in degrees"),
+    "min_radius": ("Least radius", "Smallest radius that a tool can cut, in hollows and on humps"),
+}
+_ANGLE = "max_slope"
+_HINT = "Empty: what the design task keeps to, if anything. Kept for the next start."
+
+
+class LimitFields(QObject):
+    """A field for each limit. An empty one stands for the limit that the design keeps to.
+
+    Parameters
+    ----------
+    settings : QSettings
+        Where limits outlive the window. Lengths are kept for each unit by itself.
+
+    Attributes
+    ----------
+    rows : dict of str to OptionalRow
+        By the names of `Limits`; to be put somewhere.
+    changed : Signal(Limits)
+        Other ones count.
+    """
+
+    changed = Signal(object)
+
+    def __init__(self, settings: QSettings, parent: QObject) -> None:
+        super().__init__(parent)
+        self._settings = settings
+        self._scene: Scene | None = None
+        self.rows = {
+            name: OptionalRow(name, label, f"{tip}. {_HINT}", partial(self._stand_in, name))
+            for name, (label, tip) in _ROWS.items()
+        }
+        for row in self.rows.values():
+            row.edited.connect(self._take)
+            row.reverted.connect(self._revert)
+
+    @property
+    def limits(self) -> Limits:
+        """Those that count now."""
+        own = self._own()
+        return Limits(**{name: self._kept(name) or own[name] for name in self.rows})
+
+    def show_scene(self, scene: Scene) -> None:
+        """Take unit and own limits of another design."""
+        before, self._scene = self._scene, scene
+        if before is None or before.unit != scene.unit:
+            for row in self.rows.values():
+                row.refuse("")
+        self._show()
+        self.changed.emit(self.limits)
+
+    def _take(self, edit: Edit) -> None:
+        value = edit.changes[edit.path]
+        row = self.rows[edit.path]
+        if value is not None and not (isinstance(value, float) and 0 < value < math.inf):
+            row.refuse(f"{value}; a number above 0, or nothing")
+            return
+        row.refuse("")
+        self._settings.setValue(self._key(edit.path), "" if value is None else repr(value))
+        self._show()
+        self.changed.emit(self.limits)
+
+    def _revert(self, path: str) -> None:
+        self.rows[path].refuse("")
+        self._show()
+
+    def _show(self) -> None:
+        pending = {name for name, row in self.rows.items() if row.refusal}
+        data: dict[str, Any] = {name: self._kept(name) for name in self.rows}
+        for row in self.rows.values():
+            row.show_scene(data, pending)
+
+    def _kept(self, name: str) -> float | None:
+        try:
+            value = float(str(self._settings.value(self._key(name), "")))
+        except ValueError:  # none, or not this program's
+            return None
+        return value if 0 < value < math.inf else None
+
+    def _key(self, name: str) -> str:
+        unit = "" if self._scene is None or name == _ANGLE else f"{self._scene.unit}/"
+        return f"manufacture/{unit}{name}"
+
+    def _own(self) -> dict[str, float | None]:
+        own: dict[str, float | None] = dict.fromkeys(self.rows)
+        if self._scene is not None:
+            own["min_thickness"] = self._scene.lens.min_thickness or None
+            own["min_radius"] = self._scene.run.min_radius
+        return own
+
+    def _stand_in(self, name: str, _: dict[str, Any]) -> list[float | str]:
+        own = self._own()[name]
+        return ["none" if own is None else own]

@@ -1,0 +1,142 @@
+"""The dock that says whether a shop can make the lens on show.
+
+1. Figures and maps are computed only for eyes: never while the pane cannot be seen.
+2. They follow the lens when it rests: not while a run brings frame after frame, and a moment after
+   the last step of whoever turns or drags something.
+"""
+
+from typing import TYPE_CHECKING, NamedTuple
+
+from PySide6.QtCore import QSettings, QTimer
+from PySide6.QtGui import QShowEvent
+from PySide6.QtWidgets import QWidget
+
+from ui.background import Background
+from ui.beside import Beside
+from ui.check.check import same_lens
+from ui.manufacture.face_map import FaceMap
+from ui.manufacture.figures import Figures
+from ui.manufacture.limits import LimitFields
+from workbench.analysis.manufacture import Manufacture, SurfaceMaps, manufacture, surface_maps
+from workbench.geometry.surface import even_counts
+
+if TYPE_CHECKING:
+    from ui.run.frame import Frame
+    from workbench.files.session import Session
+
+_REST_MS = 250  # longer than between two steps of a hand
+_PLACES = 257  # of a map along the longer side of the lens
+
+
+class _Found(NamedTuple):
+    """What was asked about, and what was found."""
+
+    frame: "Frame"
+    figures: Manufacture
+    maps: SurfaceMaps
+
+
+class ManufacturePane(Beside):
+    """Map, figures and limits of the lens on show.
+
+    Parameters
+    ----------
+    settings : QSettings
+        Where limits outlive the window.
+
+    Attributes
+    ----------
+    map : FaceMap
+        Its picture.
+    """
+
+    def __init__(self, settings: QSettings, parent: QWidget | None = None) -> None:
+        face_map = FaceMap()
+        fields = LimitFields(settings, face_map)
+        figures = Figures(fields)
+        super().__init__(face_map, figures, parent)
+        self.map, self._fields, self._figures = face_map, fields, figures
+        self.setFocusProxy(face_map)
+        self._frame: Frame | None = None
+        self._found: _Found | None = None
+        self._resting = True
+        self._rest = QTimer(self, singleShot=True, interval=_REST_MS)
+        self._rest.timeout.connect(self._compute)
+        self._background = Background("look at the face", self)
+        self._background.done.connect(self._take)
+        self._background.failed.connect(self._figures.say)
+        self._fields.changed.connect(self.map.show_limits)
+
+    def show_design(self, session: "Session") -> None:
+        """Take unit and own limits of a design."""
+        self._fields.show_scene(session.scene)
+
+    def show_frame(self, frame: "Frame") -> None:
+        """Take note of another lens."""
+        self._frame = frame
+        self.look()
+
+    def show_nothing(self, session: "Session") -> None:
+        """Take note that there is no lens to show."""
+        self._frame = self._found = None
+        self._rest.stop()
+        self.map.show_nothing(session)
+        self._figures.show_nothing()
+        self._figures.say("")
+
+    def allow(self, resting: bool) -> None:
+        """Whether the lens on show stays as it is; while it does not, nothing is computed."""
+        self._resting = resting
+        self.look()
+
+    def look(self) -> None:
+        """Look at the lens in a moment, if that is not done and somebody sees it."""
+        if self._frame is None:
+            return
+        if self._known:
+            self._figures.say("")
+            return
+        if self._found is not None:
+            self._figures.say("These are of the lens before; computed anew when it rests.")
+        if self._resting and self.isVisible():
+            self._rest.start()
+        else:
+            self._rest.stop()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Compute what came while hidden."""
+        super().showEvent(event)
+        self.look()
+
+    def close_thread(self) -> None:
+        """Wait for what is under way; nothing is computed any more. Safe to call twice."""
+        self._frame = None
+        self._rest.stop()
+        self._background.close()
+
+    @property
+    def _known(self) -> bool:
+        frame, found = self._frame, self._found
+        return frame is not None and found is not None and same_lens(found.frame, frame)
+
+    def _compute(self) -> None:
+        frame = self._frame
+        # One behind another tab is not hidden, but nothing of it is seen.
+        if frame is None or self._background.busy or self.visibleRegion().isEmpty():
+            return
+        lens, heights = frame.session.scene.lens, frame.snapshot.control_points
+
+        def work() -> _Found:
+            maps = surface_maps(lens, heights, even_counts(lens.half_width, _PLACES))
+            return _Found(frame, manufacture(lens, heights), maps)
+
+        self._background.begin(work)
+
+    def _take(self, found: _Found) -> None:
+        if self._frame is None:
+            return
+        if same_lens(found.frame, self._frame):
+            self._found = found
+            self._figures.show_found(found.figures, found.frame.session.scene.unit)
+            self.map.show_maps(found.frame, found.maps)
+        self.look()

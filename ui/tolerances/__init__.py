@@ -1,0 +1,1 @@
+"""What becomes of the image when the lens on show is a little off."""

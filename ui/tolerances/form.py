@@ -1,0 +1,183 @@
+"""Fields for how far lenses may be off, and for how many of them are traced."""
+
+import math
+from typing import Any
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QPushButton, QWidget
+
+from ui.panels.edits import Edit
+from ui.panels.fields import LENGTH, NumberRow, Row
+from workbench.analysis.tolerances import Tolerances
+from workbench.errors import Refused
+from workbench.scene import Scene
+
+_MOST = 100_000  # lenses
+# Of the lens, to begin with.
+_DECENTRE, _SCALE = 0.005, 0.1
+
+
+class ToleranceForm(QWidget):
+    """What is asked for; a field that is refused says why.
+
+    Attributes
+    ----------
+    toggled, save_asked : Signal()
+        A person wants to begin, or to cancel; to save what was found.
+    """
+
+    toggled = Signal()
+    save_asked = Signal()
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._scene: Scene | None = None
+        self._data: dict[str, Any] = {}
+        tilt, decentre, index, distance, surface, lenses, seed = self._rows = (
+            NumberRow(
+                "tilt",
+                "Tilt",
+                "Largest angle between lens and optical axis; lenses are tilted evenly within it",
+                "°",
+            ),
+            NumberRow(
+                "decentre",
+                "Decentre",
+                "Largest distance of the lens from the optical axis",
+                LENGTH,
+            ),
+            NumberRow("index", "Index ±", "Largest error of the refractive index"),
+            NumberRow("distance", "Screen ±", "Largest error of the screen's distance", LENGTH),
+            NumberRow(
+                "surface",
+                "Surface",
+                "Root mean square of the exit face's error, and the length over which it is "
+                "alike: some micrometres over some millimetres for a milled face",
+                LENGTH,
+                between="over",
+            ),
+            NumberRow(
+                "lenses", "Lenses", "How many are traced; more make the tail surer", whole=True
+            ),
+            NumberRow("seed", "Seed", "The same seed gives the same lenses", whole=True),
+        )
+        grid = QGridLayout(self)
+        grid.setContentsMargins(6, 4, 6, 6)
+        grid.setVerticalSpacing(3)
+        pairs = ((tilt, decentre), (index, distance), (surface,), (lenses, seed))
+        for line, pair in enumerate(pairs):
+            for number, row in enumerate(pair):
+                grid.addWidget(row.label, line, 2 * number)
+                grid.addWidget(row, line, 2 * number + 1, 1, 1 if len(pair) == 2 else 3)
+        self.begin = QPushButton()
+        self.begin.clicked.connect(self.toggled)
+        self.save = QPushButton("Save…")
+        self.save.setToolTip("Save the plot (PNG, SVG), or the figures of each lens (CSV, JSON)")
+        self.save.clicked.connect(self.save_asked)
+        buttons = QHBoxLayout()
+        buttons.addWidget(self.begin)
+        buttons.addWidget(self.save)
+        buttons.addStretch(1)
+        grid.addLayout(buttons, len(pairs), 0, 1, 4)
+        grid.setRowStretch(len(pairs) + 1, 1)
+        for row in self._rows:
+            row.edited.connect(self._take)
+            row.reverted.connect(self._revert)
+
+    @property
+    def within(self) -> Tolerances:
+        """How far lenses may be off."""
+        data = self._data
+        return Tolerances(
+            tilt=math.radians(data["tilt"]),
+            decentre=data["decentre"],
+            index=data["index"],
+            distance=data["distance"],
+            surface=(data["surface"][0], data["surface"][1]),
+        )
+
+    @property
+    def lenses(self) -> int:
+        """How many."""
+        return int(self._data["lenses"])
+
+    @property
+    def seed(self) -> int:
+        """Of which kind."""
+        return int(self._data["seed"])
+
+    def show_scene(self, scene: Scene) -> None:
+        """Take the unit of a design, and for another size of lens lengths that suit it."""
+        before, self._scene = self._scene, scene
+        width = 2 * max(scene.lens.half_width)
+        if before is None or (before.unit, before.lens.half_width) != (
+            scene.unit,
+            scene.lens.half_width,
+        ):
+            self._data = {
+                "tilt": 0.1,
+                "decentre": _DECENTRE * width,
+                "index": 0.001,
+                "distance": 0.0,
+                "surface": [0.0, _SCALE * width],
+                "lenses": 100,
+                "seed": 1,
+            }
+            for row in self._rows:
+                row.refuse("")
+        self._show()
+
+    def accepted(self) -> bool:
+        """Whether all that is typed is possible; what is not, says so."""
+        for row in self._rows:
+            row.commit()
+        self._judge()
+        return not any(row.refusal for row in self._rows)
+
+    def _take(self, edit: Edit) -> None:
+        value = edit.changes[edit.path]
+        row = self._row(edit.path)
+        if not isinstance(value, int | float) or not self._sound(row.path, value):
+            row.refuse(f"{value}; {self._allowed(row.path)}")
+            return
+        row.refuse("")
+        if row.path == "surface":
+            self._data["surface"][int(edit.path[-2])] = value
+        else:
+            self._data[row.path] = value
+        self._judge()
+        self._show()
+
+    def _judge(self) -> None:
+        """Have the engine refuse what is not possible for this lens."""
+        if self._scene is None or any(row.refusal for row in self._rows):
+            return
+        try:
+            self.within.check(self._scene)
+        except Refused as refused:
+            self._row(refused.path).refuse(refused.reason)
+
+    def _revert(self, path: str) -> None:
+        self._row(path).refuse("")
+        self._show()
+
+    def _show(self) -> None:
+        assert self._scene is not None
+        pending = {p for row in self._rows if row.refusal for p in row.editors}
+        for row in self._rows:
+            row.show_scene({"unit": self._scene.unit, **self._data}, pending)
+
+    def _row(self, path: str) -> Row:
+        return next(row for row in self._rows if row.concerns(path))
+
+    @staticmethod
+    def _sound(path: str, value: float) -> bool:
+        if path == "lenses":
+            return 1 <= value <= _MOST
+        return 0 <= value < math.inf
+
+    @staticmethod
+    def _allowed(path: str) -> str:
+        if path == "lenses":
+            return f"a whole number from 1 to {_MOST} is needed"
+        return f"a {'whole' if path == 'seed' else 'finite'} number from 0 is needed"

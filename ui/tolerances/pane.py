@@ -1,0 +1,133 @@
+"""The dock that perturbs the lens on show and tells what becomes of its image."""
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QLabel
+
+from ui.beside import Beside
+from ui.check.check import same_lens
+from ui.tolerances.form import ToleranceForm
+from ui.tolerances.sampling import Sample, Sampling
+from ui.tolerances.spread_view import SpreadView
+from workbench.analysis.tolerances import Distribution
+
+if TYPE_CHECKING:
+    from ui.run.frame import Frame
+    from workbench.files.session import Session
+
+_RAYS = 1_000_000  # for each lens, as on the command line
+
+
+class TolerancePane(Beside):
+    """Fields, the distribution, and its figures.
+
+    What was found is that of the lens that was asked about; once another one is shown, it says so.
+
+    Attributes
+    ----------
+    plot : SpreadView
+        Its picture.
+    save_asked : Signal()
+        A person wants the plot or the figures in a file.
+    failed : Signal(str)
+        Why there is no distribution.
+    """
+
+    save_asked = Signal()
+    failed = Signal(str)
+
+    def __init__(self) -> None:
+        plot, form = SpreadView(), ToleranceForm()
+        super().__init__(plot, form)
+        self.plot, self.form = plot, form
+        self.told = QLabel(wordWrap=True)
+        self.told.setContentsMargins(6, 0, 6, 4)
+        plot.add_below(self.told)
+        self._frame: Frame | None = None
+        self._sample: Sample | None = None
+        self._resting = True
+        self._sampling = Sampling(self)
+        self._sampling.came_on.connect(self._follow)
+        self._sampling.ended.connect(self._follow)
+        self._sampling.failed.connect(self._give_up)
+        form.toggled.connect(self.toggle)
+        form.save_asked.connect(self.save_asked)
+        self._offer()
+
+    def show_design(self, session: "Session") -> None:
+        """Take the unit of a design."""
+        self.form.show_scene(session.scene)
+        self.plot.show_design(session)
+
+    def show_frame(self, frame: "Frame") -> None:
+        """Take note of the lens that is shown."""
+        self._frame = frame
+        self._offer()
+
+    def show_nothing(self, session: "Session") -> None:
+        """Take note that there is no lens to show."""
+        self._frame = None
+        self._offer()
+
+    def allow(self, resting: bool) -> None:
+        """Whether the lens on show stays as it is; only then it is perturbed."""
+        self._resting = resting
+        self._offer()
+
+    def toggle(self) -> None:
+        """Perturb the lens on show; while that is under way, make do with what there is."""
+        if self._sampling.busy:
+            self._sampling.leave()
+            self.form.begin.setEnabled(False)
+        elif self._frame is not None and self.form.accepted():
+            if not self.form.within.any:
+                self.told.setText("Nothing is off: give a tilt, a decentre or another tolerance.")
+                return
+            self._sample = Sample(self._frame, self.form.within, self.form.lenses, self.form.seed)
+            self._sampling.begin(self._sample, _RAYS)
+            self._offer()
+
+    def close_thread(self) -> None:
+        """Leave the sample and wait for its thread; safe to call twice."""
+        self._sampling.close()
+
+    def _follow(self, sample: Sample) -> None:
+        self.plot.show_sample(sample)
+        self._offer()
+
+    def _give_up(self, sentence: str) -> None:
+        self._sample = None
+        self._offer()
+        self.failed.emit(sentence)
+
+    def _offer(self) -> None:
+        """Tell what can be done now, and of which lens the figures are."""
+        busy, sample = self._sampling.busy, self._sample
+        begin = self.form.begin
+        begin.setText("Cancel" if busy else "Start")
+        begin.setToolTip(
+            "Trace no more lenses; those that are traced count"
+            if busy
+            else "Perturb the lens on show at random, and trace each lens with fresh rays"
+        )
+        begin.setEnabled(busy or (self._resting and self._frame is not None))
+        self.form.save.setEnabled(sample is not None and sample.shown)
+        self.told.setText(self._figures(busy))
+
+    def _figures(self, busy: bool) -> str:
+        sample = self._sample
+        if sample is None:
+            return ""
+        done = f"{len(sample.others)} of {sample.wanted} lenses"
+        if sample.nominal is None or not sample.others:
+            return f"{done}…"
+        spread = Distribution.of(sample.nominal, sample.others)
+        text = (
+            f"{done}{'…' if busy else ''}: error as designed {100 * spread.nominal:.2f} %, median "
+            f"{100 * spread.percentiles['50']:.2f} %, 95 % of lenses below "
+            f"{100 * spread.percentiles['95']:.2f} %, worst {100 * spread.worst:.2f} %"
+        )
+        if self._frame is None or not same_lens(sample.frame, self._frame):
+            return f"{text}. The lens has changed since; these are of the one before."
+        return text

@@ -1,0 +1,77 @@
+"""Which part of the perturbed lenses stays below an error."""
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ui.tolerances.sampling import Sample
+from ui.views.plot_view import PlotView
+from workbench.analysis.tolerances import Distribution
+from workbench.pictures.data import Column
+from workbench.pictures.tolerances import draw_errors
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from matplotlib.artist import Artist
+    from matplotlib.axes import Axes
+
+    from ui.run.frame import Frame
+    from workbench.files.session import Session
+
+
+class SpreadView(PlotView):
+    """The distribution of the error over the lenses of a sample, while they come in."""
+
+    _HAS_BAR = False
+    _WAITING = "How does the image change when lenses are a little off? Start traces some of them."
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._sample: Sample | None = None
+
+    def show_sample(self, sample: Sample) -> None:
+        """Show the lenses of a sample that are traced."""
+        if sample.shown:
+            self._sample = sample
+            self.show_frame(sample.frame)
+            self._begin_anew()
+
+    def data(self) -> list[Column]:
+        """How far each lens is off, and what comes of it."""
+        if self._sample is None:
+            return []
+        unit = self._sample.frame.session.scene.unit
+        rows = [each.to_data() for each in self._sample.others]
+        columns: dict[str, list[float]] = {
+            "tilt x [deg]": [row["tilt"][0] for row in rows],
+            "tilt y [deg]": [row["tilt"][1] for row in rows],
+            f"decentre x [{unit}]": [row["decentre"][0] for row in rows],
+            f"decentre y [{unit}]": [row["decentre"][1] for row in rows],
+            "index error": [row["index"] for row in rows],
+            f"error of the screen's distance [{unit}]": [row["distance"] for row in rows],
+            "relative L2 error": [row["relative_l2"] for row in rows],
+            "light on the screen": [row["efficiency"] for row in rows],
+        }
+        return [Column(name, np.array(values)) for name, values in columns.items()]
+
+    def figures(self) -> dict[str, Any] | None:
+        """The distribution and each lens, as the command line tells them."""
+        sample = self._sample
+        if sample is None or sample.nominal is None:
+            return {}  # there is nothing to save yet
+        spread = Distribution.of(sample.nominal, sample.others)
+        return spread.to_data() | {"samples": [each.to_data() for each in sample.others]}
+
+    def _why_empty(self, frame: "Frame | None") -> str:
+        return "" if self._sample is not None else self._WAITING
+
+    def _begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
+        sample = self._sample
+        if sample is not None and sample.nominal is not None:
+            errors = [each.relative_l2 for each in sample.others]
+            draw_errors(axes, sample.nominal.relative_l2, errors)
+        return ()
+
+    def _change(self, frame: "Frame") -> bool:
+        return False  # another lens has another picture
