@@ -12,6 +12,7 @@ from ui.colour_map import keep_colours
 from ui.commands.table import COMMANDS
 from ui.lens.tools import LensTools
 from ui.plots import Plots
+from ui.production import Production
 from ui.run.control import RunControl
 from ui.run.log import RunLog
 from ui.run.runs import Runs
@@ -49,14 +50,19 @@ class Bench(QObject):
         self.views = views = Views(self)
         self.check = Check(self)
         self.runs = Runs(document, self.control, views.loss, self)
-        self.plots = Plots(views.plots(), document, messages, window)
+        self.production = production = Production(settings, self)
+        plots = views.plots() | production.plots()
+        self.plots = Plots(plots, document, messages, window)
         self.tools = LensTools(document, self.control, views.scene, self)
         self._pictures = ScenePictures(views.scene, document, messages, window)
         RunLog(document, self.control, window.log.add)
-        workspace.raise_curtain(views.scene, {**views.docked, "runs": self.runs.table})
+        docked = {**views.docked, **production.panes, "runs": self.runs.table}
+        workspace.raise_curtain(views.scene, docked)
         workspace.docks["derivative"].visibilityChanged.connect(views.derivative.uncover)
+        workspace.docks["manufacture"].visibilityChanged.connect(production.manufacture.look)
         views.link.drawn.connect(lambda _: workspace.show_dock("section"))
         views.follow(document, self.control)
+        production.follow(document, self.control, views.look_back)
         views.scene.let_go.connect(window.commands["turn"].trigger)
         self._connect_run()
         self._connect_check()
@@ -64,6 +70,10 @@ class Bench(QObject):
         keep_colours(settings, window.commands)
         self.runs.refused.connect(messages.warn)
         self.tools.said.connect(messages.note)
+        production.tolerances.failed.connect(messages.warn)
+        production.tolerances.save_asked.connect(
+            lambda: self.plots.choose_and_save_plot("tolerances")
+        )
 
     @property
     def state(self) -> str:
@@ -73,10 +83,12 @@ class Bench(QObject):
     def allow(self, look: bool, go_on: bool) -> None:
         """Whether one may look back at the run now, and go on from what is seen."""
         self.views.look_back.allow(look=look, go_on=go_on)
+        self.production.allow(resting=look)
 
     def close(self) -> None:
         """End all threads and free what VTK holds; safe to call twice."""
-        for part in (self.control, self.check, self.plots, self.runs, self.views, self.tools):
+        engines = (self.control, self.check, self.plots, self.runs, self.production)
+        for part in (*engines, self.views, self.tools):
             part.close()
 
     def _connect_run(self) -> None:

@@ -23,7 +23,16 @@ _RIGHT = Qt.DockWidgetArea.RightDockWidgetArea
 _BOTTOM = Qt.DockWidgetArea.BottomDockWidgetArea
 
 # Until they are asked for.
-_HIDDEN = ("history", "target", "derivative", "surface", "section", "log")
+_HIDDEN = (
+    "history",
+    "target",
+    "derivative",
+    "surface",
+    "manufacture",
+    "tolerances",
+    "section",
+    "log",
+)
 
 # Shares of the window for forms, images and what stands below the 3D scene.
 _FORMS_SHARE = 0.25
@@ -77,6 +86,8 @@ class Workspace:
             "error": self._dock("error", "Irradiance − target", _RIGHT),
             "derivative": self._dock("derivative", "Derivative", _RIGHT),
             "surface": self._dock("surface", "Surface", _RIGHT),
+            "manufacture": self._dock("manufacture", "Manufacture", _RIGHT),
+            "tolerances": self._dock("tolerances", "Tolerances", _RIGHT),
             "loss": self._dock("loss", "Loss", _BOTTOM),
             "section": self._dock("section", "Cross-section", _BOTTOM),
             "log": self._dock("log", "Log", _BOTTOM),
@@ -99,7 +110,7 @@ class Workspace:
         for name in (*_HIDDEN, "runs"):
             self.docks[name].hide()
         window.tabifyDockWidget(self.docks["design"], self.docks["history"])
-        for name in ("derivative", "surface"):
+        for name in ("derivative", "surface", "manufacture", "tolerances"):
             window.tabifyDockWidget(self.docks["error"], self.docks[name])
         for name in ("section", "log"):
             window.tabifyDockWidget(self.docks["loss"], self.docks[name])

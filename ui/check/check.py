@@ -49,7 +49,7 @@ class Check(QObject):
     def show_frame(self, frame: "Frame") -> None:
         """Take note of the lens that is shown."""
         self._shown = frame
-        if self._asked is not None and not _same_lens(self._asked, frame):
+        if self._asked is not None and not same_lens(self._asked, frame):
             self._forget()
 
     def show_nothing(self, session: "Session") -> None:
@@ -98,6 +98,7 @@ class Check(QObject):
         self.under_way_changed.emit(False)
 
 
-def _same_lens(one: "Frame", other: "Frame") -> bool:
+def same_lens(one: "Frame", other: "Frame") -> bool:
+    """Whether two frames show the same lens for the same task."""
     alike = look_alike(one.session, other.session)
     return alike and np.array_equal(one.snapshot.control_points, other.snapshot.control_points)

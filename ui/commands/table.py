@@ -66,6 +66,8 @@ PANES = {
     "target": ("Target", ""),
     "derivative": ("Derivative", ""),
     "surface": ("Surface", "5"),
+    "manufacture": ("Manufacture", ""),
+    "tolerances": ("Tolerances", ""),
     "loss": ("Loss", "6"),
     "section": ("Cross-section", "7"),
     "light": ("Light account", ""),
