@@ -1,7 +1,8 @@
 """Files that earlier programs wrote open for ever; see `golden`.
 
 ``first`` is by the first program that wrote sessions, ``staged`` by the first that ran in stages;
-``compared`` has locks, kept runs and a view, ``started`` a lens of another task.
+``compared`` has locks, kept runs and a view, ``checked`` a run whose error is verified, ``started``
+a lens of another task.
 """
 
 import io
@@ -44,7 +45,8 @@ def assert_result(result, figures, arrays):
 
 
 def test_they_are_all_there():
-    assert NAMES == ["compared.freeform", "first.freeform", "staged.freeform", "started.freeform"]
+    names = ["checked", "compared", "first", "staged", "started"]
+    assert [f"{name}.freeform" for name in names] == NAMES
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -96,6 +98,11 @@ def test_what_belongs_to_the_window():
     assert [run.name for run in session.runs] == ["coarse, then fine"]
     assert session.runs[0].result.stage_starts == (3,)
     assert session.view == {"camera": [0.5, None, True], "colour map": "viridis"}
+
+
+def test_what_a_check_said():
+    (run,) = read_session(GOLDEN / "checked.freeform").runs
+    assert run.verified == (0.0125, (0.011, 0.014))
 
 
 def test_a_lens_of_another_task():
