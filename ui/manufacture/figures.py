@@ -23,39 +23,19 @@ _STATES = {
 
 
 class _Line(NamedTuple):
-    """One figure: what it is called, its tip, its unit, and the limit that it is judged by."""
+    """The limit that a figure is judged by: as verdicts call it, and its field, if that is here."""
 
-    name: str
-    tip: str
-    verdict: tuple[str, bool]
-    sign: str
+    limited: str
+    at_least: bool
     field: str
 
 
 _LINES = {
-    "thinnest": _Line(
-        "Thinnest", "Least thickness along z", ("thickness", True), "≥", "min_thickness"
-    ),
-    "thickest": _Line(
-        "Thickest", "Largest thickness along z", ("thickness", False), "≤", "max_thickness"
-    ),
-    "steepest": _Line(
-        "Slope",
-        "Largest angle between exit face and entrance face",
-        ("slope", False),
-        "≤",
-        "max_slope",
-    ),
-    "tightest_concave": _Line(
-        "Hollows",
-        "Smallest radius of curvature of hollows",
-        ("concave radius", True),
-        "≥",
-        "min_radius",
-    ),
-    "tightest_convex": _Line(
-        "Humps", "Smallest radius of curvature of humps", ("convex radius", True), "≥", ""
-    ),
+    "thinnest": _Line("thickness", True, "min_thickness"),
+    "thickest": _Line("thickness", False, "max_thickness"),
+    "steepest": _Line("slope", False, "max_slope"),
+    "tightest_concave": _Line("concave radius", True, "min_radius"),
+    "tightest_convex": _Line("convex radius", True, ""),  # the same as that above
 }
 _NAME, _FOUND, _SIGN, _LIMIT, _STATE = range(5)
 
@@ -84,22 +64,22 @@ class Figures(QWidget):
         self.found: dict[str, QLabel] = {}
         self.states: dict[str, QLabel] = {}
         for row, (key, line) in enumerate(_LINES.items(), 1):
-            self._add(row, key, line.name, line.tip)
-            grid.addWidget(QLabel(line.sign), row, _SIGN)
-            self.states[key] = state = QLabel()
-            state.setAccessibleName(f"Verdict on {line.name.lower()}")
-            grid.addWidget(state, row, _STATE)
             if line.field:  # one radius for hollows and humps
+                field = fields.rows[line.field]
                 rows = 2 if line.field == "min_radius" else 1
-                grid.addWidget(fields.rows[line.field], row, _LIMIT, rows, 1)
+                grid.addWidget(field, row, _LIMIT, rows, 1)
+                self._add(row, key, field.label)
+            else:
+                self._add(row, key, _named("Humps", "Smallest radius of curvature of humps"))
+            grid.addWidget(QLabel("≥" if line.at_least else "≤"), row, _SIGN)
+            self.states[key] = state = QLabel()
+            state.setAccessibleName(f"Verdict: {self.found[key].accessibleName()}")
+            grid.addWidget(state, row, _STATE)
         end = len(_LINES) + 1
-        self._add(end, "sag_range", "Sag range", "Highest point of the exit face over the lowest")
-        self._add(
-            end + 1,
-            "draft",
-            "Draft",
-            "Least angle between exit face and axis, along which a mould opens",
-        )
+        sag = _named("Sag range", "Height of the highest point of the exit face over the lowest")
+        draft = _named("Draft", "Least angle between exit face and axis, along which a mould opens")
+        self._add(end, "sag_range", sag)
+        self._add(end + 1, "draft", draft)
         self.told = QLabel(wordWrap=True)
         grid.addWidget(self.told, end + 2, 0, 1, 5)
         grid.setRowStretch(end + 3, 1)
@@ -132,12 +112,10 @@ class Figures(QWidget):
         for label in (*self.found.values(), *self.states.values()):
             label.setEnabled(not sentence)
 
-    def _add(self, row: int, key: str, name: str, tip: str) -> None:
-        label = QLabel(name)
-        label.setToolTip(f"<p>{tip}</p>")
-        self._grid.addWidget(label, row, _NAME)
-        self.found[key] = QLabel("–")
-        self.found[key].setAccessibleName(name)
+    def _add(self, row: int, key: str, name: QLabel) -> None:
+        self._grid.addWidget(name, row, _NAME)
+        self.found[key] = QLabel()
+        self.found[key].setAccessibleName(name.text())
         self.found[key].setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self._grid.addWidget(self.found[key], row, _FOUND)
 
@@ -146,7 +124,7 @@ class Figures(QWidget):
             return
         judged = {(v.name, v.at_least): v for v in verdicts(self._found, limits)}
         for key, line in _LINES.items():
-            self._show_state(key, judged.get(line.verdict))
+            self._show_state(key, judged.get((line.limited, line.at_least)))
 
     def _show_state(self, key: str, verdict: Verdict | None) -> None:
         text, tip = _STATES[verdict.state] if verdict else ("", "")
@@ -170,3 +148,9 @@ class Figures(QWidget):
         x, y = extreme.place
         bound = self._told(key, extreme.bound)
         return f"At x = {x:.4g}, y = {y:.4g} {self._unit}. Nowhere beyond {bound}."
+
+
+def _named(text: str, tip: str) -> QLabel:
+    label = QLabel(text)
+    label.setToolTip(f"<p>{tip}</p>")
+    return label

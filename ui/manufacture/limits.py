@@ -12,10 +12,10 @@ from workbench.analysis.manufacture_limits import Limits
 from workbench.scene import Scene
 
 _ROWS = {
-    "min_thickness": ("Least thickness", "The lens has to be as thick as this everywhere"),
-    "max_thickness": ("Largest thickness", "The lens must not be thicker than this anywhere"),
-    "max_slope": ("Largest slope", "Largest angle between exit face and entrance face, in degrees"),
-    "min_radius": ("Least radius", "Smallest radius that a tool can cut, in hollows and on humps"),
+    "min_thickness": ("Thinnest", "The lens has to be as thick as this everywhere"),
+    "max_thickness": ("Thickest", "The lens must not be thicker than this anywhere"),
+    "max_slope": ("Slope", "Largest angle between exit face and entrance face, in degrees"),
+    "min_radius": ("Hollows", "Smallest radius that a tool can cut, in hollows and on humps"),
 }
 _ANGLE = "max_slope"
 _HINT = "Empty: what the design task keeps to, if anything. Kept for the next start."
@@ -47,7 +47,8 @@ class LimitFields(QObject):
             name: OptionalRow(name, label, f"{tip}. {_HINT}", partial(self._stand_in, name))
             for name, (label, tip) in _ROWS.items()
         }
-        for row in self.rows.values():
+        for name, row in self.rows.items():
+            row.editors[name].setAccessibleName(f"Limit: {row.label.text()}")
             row.edited.connect(self._take)
             row.reverted.connect(self._revert)
 

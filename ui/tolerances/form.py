@@ -7,7 +7,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QPushButton, QWidget
 
 from ui.panels.edits import Edit
-from ui.panels.fields import LENGTH, NumberRow, Row
+from ui.panels.fields import LENGTH, NumberRow
 from workbench.analysis.tolerances import Tolerances
 from workbench.errors import Refused
 from workbench.scene import Scene
@@ -87,14 +87,7 @@ class ToleranceForm(QWidget):
     @property
     def within(self) -> Tolerances:
         """How far lenses may be off."""
-        data = self._data
-        return Tolerances(
-            tilt=math.radians(data["tilt"]),
-            decentre=data["decentre"],
-            index=data["index"],
-            distance=data["distance"],
-            surface=(data["surface"][0], data["surface"][1]),
-        )
+        return _within(self._data)
 
     @property
     def lenses(self) -> int:
@@ -110,10 +103,7 @@ class ToleranceForm(QWidget):
         """Take the unit of a design, and for another size of lens lengths that suit it."""
         before, self._scene = self._scene, scene
         width = 2 * max(scene.lens.half_width)
-        if before is None or (before.unit, before.lens.half_width) != (
-            scene.unit,
-            scene.lens.half_width,
-        ):
+        if before is None or _size(before) != _size(scene):
             self._data = {
                 "tilt": 0.1,
                 "decentre": _DECENTRE * width,
@@ -123,7 +113,8 @@ class ToleranceForm(QWidget):
                 "lenses": 100,
                 "seed": 1,
             }
-            for row in self._rows:
+        if before is None or (before.lens, before.screen) != (scene.lens, scene.screen):
+            for row in self._rows:  # what was refused may be possible now
                 row.refuse("")
         self._show()
 
@@ -131,31 +122,34 @@ class ToleranceForm(QWidget):
         """Whether all that is typed is possible; what is not, says so."""
         for row in self._rows:
             row.commit()
-        self._judge()
-        return not any(row.refusal for row in self._rows)
+        if not self._refused():
+            self._judge(self._data)
+        return not self._refused()
 
     def _take(self, edit: Edit) -> None:
-        value = edit.changes[edit.path]
         row = self._row(edit.path)
-        if not isinstance(value, int | float) or not self._sound(row.path, value):
-            row.refuse(f"{value}; {self._allowed(row.path)}")
-            return
+        values = [editor.value(editor.text()) for editor in row.editors.values()]
+        for value in values:
+            if not isinstance(value, int | float) or not _sound(row.path, value):
+                row.refuse(f"{value}; {_allowed(row.path)}")
+                return
         row.refuse("")
-        if row.path == "surface":
-            self._data["surface"][int(edit.path[-2])] = value
-        else:
-            self._data[row.path] = value
-        self._judge()
-        self._show()
+        wanted = {**self._data, row.path: values if row.path == "surface" else values[0]}
+        self._judge(wanted)
+        if not row.refusal:
+            self._data = wanted
+            self._show()
 
-    def _judge(self) -> None:
+    def _judge(self, data: dict[str, Any]) -> None:
         """Have the engine refuse what is not possible for this lens."""
-        if self._scene is None or any(row.refusal for row in self._rows):
-            return
+        assert self._scene is not None  # there is one before anything is typed
         try:
-            self.within.check(self._scene)
+            _within(data).check(self._scene)
         except Refused as refused:
             self._row(refused.path).refuse(refused.reason)
+
+    def _refused(self) -> bool:
+        return any(row.refusal for row in self._rows)
 
     def _revert(self, path: str) -> None:
         self._row(path).refuse("")
@@ -167,17 +161,31 @@ class ToleranceForm(QWidget):
         for row in self._rows:
             row.show_scene({"unit": self._scene.unit, **self._data}, pending)
 
-    def _row(self, path: str) -> Row:
+    def _row(self, path: str) -> NumberRow:
         return next(row for row in self._rows if row.concerns(path))
 
-    @staticmethod
-    def _sound(path: str, value: float) -> bool:
-        if path == "lenses":
-            return 1 <= value <= _MOST
-        return 0 <= value < math.inf
 
-    @staticmethod
-    def _allowed(path: str) -> str:
-        if path == "lenses":
-            return f"a whole number from 1 to {_MOST} is needed"
-        return f"a {'whole' if path == 'seed' else 'finite'} number from 0 is needed"
+def _within(data: dict[str, Any]) -> Tolerances:
+    return Tolerances(
+        tilt=math.radians(data["tilt"]),
+        decentre=data["decentre"],
+        index=data["index"],
+        distance=data["distance"],
+        surface=(data["surface"][0], data["surface"][1]),
+    )
+
+
+def _size(scene: Scene) -> tuple[object, ...]:
+    return scene.unit, scene.lens.half_width
+
+
+def _sound(path: str, value: float) -> bool:
+    if path == "lenses":
+        return 1 <= value <= _MOST
+    return 0 <= value < math.inf
+
+
+def _allowed(path: str) -> str:
+    if path == "lenses":
+        return f"a whole number from 1 to {_MOST} is needed"
+    return f"a {'whole' if path == 'seed' else 'finite'} number from 0 is needed"

@@ -79,7 +79,7 @@ class TolerancePane(Beside):
         """Perturb the lens on show; while that is under way, make do with what there is."""
         if self._sampling.busy:
             self._sampling.leave()
-            self.form.begin.setEnabled(False)
+            self._offer()
         elif self._frame is not None and self.form.accepted():
             if not self.form.within.any:
                 self.told.setText("Nothing is off: give a tilt, a decentre or another tolerance.")
@@ -111,7 +111,8 @@ class TolerancePane(Beside):
             if busy
             else "Perturb the lens on show at random, and trace each lens with fresh rays"
         )
-        begin.setEnabled(busy or (self._resting and self._frame is not None))
+        possible = self._resting and self._frame is not None
+        begin.setEnabled(not self._sampling.left if busy else possible)
         self.form.save.setEnabled(sample is not None and sample.shown)
         self.told.setText(self._figures(busy))
 

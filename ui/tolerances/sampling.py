@@ -78,6 +78,11 @@ class Sampling(QObject):
         """Whether lenses are being traced."""
         return self._background.busy
 
+    @property
+    def left(self) -> bool:
+        """Whether the sample under way was left."""
+        return self.busy and self._left.is_set()
+
     def begin(self, sample: Sample, rays: int) -> None:
         """Trace lenses, each with so many rays at least; no sample may be under way."""
         self._left = left = Event()

@@ -1,0 +1,160 @@
+"""The dock that says whether a shop can make the lens on show."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QSettings, Qt
+
+from ui.manufacture.pane import ManufacturePane
+from ui.run.frame import make_frame
+from workbench.analysis.manufacture import manufacture
+from workbench.geometry.surface import ControlNet
+from workbench.pictures.manufacture import MAPS
+
+
+@pytest.fixture
+def settings(tmp_path):
+    return QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat)
+
+
+@pytest.fixture
+def bowl(session, snapshots, history):
+    """A frame whose face is a bowl of this depth at the middle of its sides."""
+
+    def make(depth, session=session):
+        x, y = ControlNet.of(session.scene.lens).positions
+        heights = 0.5 + depth * (x[:, None] ** 2 + y**2)
+        snapshot = dataclasses.replace(snapshots(1), control_points=heights)
+        return make_frame(session, snapshot, history(1))
+
+    return make
+
+
+@pytest.fixture
+def pane(settings, session, bowl, qtbot):
+    pane = ManufacturePane(settings)
+    qtbot.addWidget(pane, before_close_func=lambda pane: pane.close_thread())
+    pane.resize(760, 420)
+    pane.show_design(session)
+    pane.show_frame(bowl(0.2))
+    with qtbot.waitExposed(pane):
+        pane.show()
+    qtbot.waitUntil(lambda: pane._found is not None and not pane.map.empty, timeout=10_000)
+    return pane
+
+
+def enter(pane, qtbot, name, text):
+    """Type a limit."""
+    editor = pane._fields.rows[name].editors[name]
+    editor.setFocus()
+    editor.clear()
+    qtbot.keyClicks(editor, text)
+    qtbot.keyClick(editor, Qt.Key.Key_Return)
+    return editor
+
+
+def states(pane):
+    return {key: label.text() for key, label in pane._figures.states.items()}
+
+
+def hatched(pane):
+    return bool(pane.map._canvas.figure.axes[0].collections)
+
+
+def test_the_figures_are_those_of_the_engine(pane, bowl, session):
+    frame = bowl(0.2)
+    found = manufacture(session.scene.lens, frame.snapshot.control_points)
+    texts = {key: label.text() for key, label in pane._figures.found.items()}
+    assert texts == {
+        "thinnest": f"{found.thinnest.value:.4g} cm",
+        "thickest": f"{found.thickest.value:.4g} cm",
+        "steepest": f"{found.steepest.value:.4g}°",
+        "tightest_concave": f"{found.tightest_concave.value:.4g} cm",
+        "tightest_convex": "none",
+        "sag_range": f"{found.sag_range:.4g} cm",
+        "draft": f"{found.draft:.4g}°",
+    }
+    assert "At x = " in pane._figures.found["steepest"].toolTip()
+
+
+def test_limits_are_judged_by_word_and_shown_on_the_map(pane, qtbot):
+    own = pane._fields.limits.min_thickness
+    assert own > 0 and states(pane)["thinnest"] == "✓ met"  # the design's own, unless told
+    assert not any(text for key, text in states(pane).items() if key != "thinnest")
+    enter(pane, qtbot, "max_slope", "5")
+    assert states(pane)["steepest"] == "✗ broken"
+    pane.map.chooser.setCurrentIndex(MAPS.index("Slope"))
+    qtbot.waitUntil(lambda: hatched(pane))
+    enter(pane, qtbot, "max_slope", "89")
+    assert states(pane)["steepest"] == "✓ met"
+    qtbot.waitUntil(lambda: not hatched(pane))
+    concave = pane._found.figures.tightest_concave
+    between = f"{(concave.value + concave.bound) / 2:.12g}"
+    enter(pane, qtbot, "min_radius", between)
+    assert states(pane)["tightest_concave"] == "? open"
+    assert states(pane)["tightest_convex"] == "✓ met"
+
+
+def test_a_limit_that_is_none_is_refused_and_taken_back(pane, qtbot):
+    before = pane._fields.limits
+    editor = enter(pane, qtbot, "max_thickness", "-1")
+    row = pane._fields.rows["max_thickness"]
+    assert "-1.0; a number above 0" in row.refusal and pane._fields.limits == before
+    qtbot.keyClick(editor, Qt.Key.Key_Escape)
+    assert not row.refusal and editor.text() == ""
+
+
+def test_limits_are_kept_for_each_unit(pane, settings, session, make_scene, qtbot):
+    enter(pane, qtbot, "max_thickness", "0.65")
+    enter(pane, qtbot, "max_slope", "20")
+    other = ManufacturePane(settings)
+    qtbot.addWidget(other)
+    other.show_design(session)
+    assert (other._fields.limits.max_thickness, other._fields.limits.max_slope) == (0.65, 20)
+    inches = dataclasses.replace(session, scene=make_scene({"unit": "inch"}))
+    other.show_design(inches)
+    assert (other._fields.limits.max_thickness, other._fields.limits.max_slope) == (None, 20)
+    enter(pane, qtbot, "max_thickness", "")
+    other.show_design(session)
+    assert other._fields.limits.max_thickness is None
+
+
+def test_it_follows_the_lens_when_that_rests(pane, bowl, monkeypatch, qtbot):
+    pane.allow(resting=False)
+    pane.show_frame(bowl(0.1))
+    assert "lens before" in pane._figures.told.text()
+    assert not pane._figures.found["steepest"].isEnabled()
+    qtbot.wait(400)
+    before = pane._figures.found["steepest"].text()
+    assert not pane._background.busy and not pane._rest.isActive()
+    pane.allow(resting=True)
+    qtbot.waitUntil(lambda: pane._figures.found["steepest"].text() != before, timeout=10_000)
+    assert pane._figures.told.text() == "" and pane._figures.found["steepest"].isEnabled()
+
+
+def test_nothing_is_computed_for_nobody(pane, bowl, monkeypatch, qtbot):
+    pane.hide()
+    monkeypatch.setattr(pane._background, "begin", lambda work: pytest.fail("computed"))
+    pane.show_frame(bowl(0.1))
+    qtbot.wait(400)
+
+
+def test_without_a_lens_there_are_no_figures(pane, session, qtbot):
+    pane.show_nothing(session)
+    qtbot.waitUntil(lambda: pane.map.empty)
+    assert not any(label.text() for label in pane._figures.found.values())
+
+
+def test_closing_in_the_midst_of_a_computation(pane, bowl, qtbot):
+    pane.show_frame(bowl(0.1))
+    qtbot.waitUntil(lambda: pane._background.busy, timeout=10_000)
+    pane.close_thread()
+    assert not pane._background.busy
+
+
+def test_the_map_can_be_saved_in_numbers(pane):
+    names = [column.name for column in pane.map.data()]
+    assert names == ["x [cm]", "y [cm]", "Thickness [cm]"]
+    lowest = min(pane.map.data()[2].values)
+    assert np.isclose(lowest, pane._found.figures.thinnest.value, rtol=1e-3)
