@@ -106,7 +106,7 @@ class Workspace:
         window.splitDockWidget(
             self.docks["irradiance"], self.docks["target"], Qt.Orientation.Horizontal
         )
-        # Tabs of docks that are shown leave a bar behind that belongs to nothing and covers others.
+        # Tabs of docks that are shown leave bars behind, which lie about until Qt deletes them.
         for name in (*_HIDDEN, "runs"):
             self.docks[name].hide()
         window.tabifyDockWidget(self.docks["design"], self.docks["history"])
