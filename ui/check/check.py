@@ -68,6 +68,11 @@ class Check(QObject):
             shown = self._shown
             self._checking.begin(Suspect(shown.session, shown.snapshot.control_points))
 
+    def cancel(self) -> None:
+        """Leave the check, if one is under way."""
+        if self._checking.busy:
+            self._forget()
+
     def close(self) -> None:
         """Leave the check and wait for its thread; safe to call twice."""
         self._checking.close()
