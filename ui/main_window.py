@@ -5,8 +5,8 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QEvent, QSettings, Signal
-from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QPaintEvent
+from PySide6.QtCore import QEvent, QSettings, Qt, Signal
+from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QKeyEvent, QPaintEvent
 from PySide6.QtWidgets import QMainWindow
 
 from resources import EXAMPLES, Example
@@ -184,6 +184,13 @@ class MainWindow(QMainWindow):
             self._show_recent()
         if event.type() == QEvent.Type.PaletteChange:
             self.commands.colour_icons()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Escape that nothing else has taken cancels a check."""
+        if event.key() == Qt.Key.Key_Escape and self.bench is not None:
+            self.bench.check.cancel()
+        else:
+            super().keyPressEvent(event)
 
     @property
     def closing(self) -> bool:
