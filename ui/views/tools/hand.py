@@ -55,7 +55,7 @@ class Hand(QObject):
         tool = self._tool
         if isinstance(event, QKeyEvent) and event.key() == Qt.Key.Key_Escape:
             if event.type() == QEvent.Type.KeyPress:
-                self._escape()
+                event.setAccepted(self._escape())  # or it is the window's
             return True
         if tool is not None and event.type() == QEvent.Type.Leave:
             tool.hover(None)
@@ -101,11 +101,15 @@ class Hand(QObject):
         self._tool.turn_wheel(round(event.angleDelta().y() / _NOTCH))
         return True
 
-    def _escape(self) -> None:
+    def _escape(self) -> bool:
+        """Whether there was anything to leave."""
         if self._dragging:
             self.drop()
-        elif self._tool is not None:
+            return True
+        if self._tool is not None:
             self.let_go.emit()
+            return True
+        return False
 
 
 def _pointer(plotter: QWidget, event: QMouseEvent) -> Pointer:
