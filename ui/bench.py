@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, QSettings, Signal
 
 from ui.check.check import Check
+from ui.check.figures import CheckFigures
 from ui.colour_map import keep_colours
 from ui.commands.table import COMMANDS
 from ui.lens.tools import LensTools
@@ -49,6 +50,7 @@ class Bench(QObject):
         self.control = RunControl(document, self)
         self.views = views = Views(self)
         self.check = Check(self)
+        self.figures = CheckFigures(settings, window.commands["check"])
         self.runs = Runs(document, self.control, views.loss, self)
         self.production = production = Production(settings, self)
         plots = views.plots() | production.plots()
@@ -56,9 +58,15 @@ class Bench(QObject):
         self.tools = LensTools(document, self.control, views.scene, self)
         self._pictures = ScenePictures(views.scene, document, messages, window)
         RunLog(document, self.control, window.log.add)
-        docked = {**views.docked, **production.panes, "runs": self.runs.table}
+        docked = {
+            **views.docked,
+            **production.panes,
+            "check": self.figures,
+            "runs": self.runs.table,
+        }
         workspace.raise_curtain(views.scene, docked)
         workspace.docks["derivative"].visibilityChanged.connect(views.derivative.uncover)
+        workspace.docks["focus"].visibilityChanged.connect(views.focus.uncover)
         workspace.docks["manufacture"].visibilityChanged.connect(production.manufacture.look)
         views.link.drawn.connect(lambda _: workspace.show_dock("section"))
         views.follow(document, self.control)
@@ -107,7 +115,12 @@ class Bench(QObject):
         )
 
     def _connect_check(self) -> None:
-        check, window = self.check, self._window
+        check, figures, window = self.check, self.figures, self._window
+        check.use_rays(figures.rays)
+        figures.rays_chosen.connect(check.use_rays)
+        check.figures_changed.connect(figures.follow)
+        check.checked.connect(figures.show_check)
+        check.checked.connect(lambda: window.workspace.show_dock("check"))
         check.checked.connect(self.runs.note_check)
         check.figures_changed.connect(window.status.show_check)
         check.under_way_changed.connect(self._reword_check)

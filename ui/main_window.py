@@ -18,6 +18,7 @@ from ui.document import ENDING, Document
 from ui.files.actions import Answer, FileActions
 from ui.files.exporter import Exporter
 from ui.files.recent import RecentFiles
+from ui.files.reporter import Reporter
 from ui.gallery import Gallery
 from ui.help import TITLE, Help
 from ui.layout import Layout
@@ -93,6 +94,7 @@ class MainWindow(QMainWindow):
         self._recent = RecentFiles(settings)
         self.files = FileActions(document, self._recent, self.messages, self)
         self.exporter = Exporter(document, self.messages, self)
+        self.reporter = Reporter(document, self.messages, self)
         self._panes = Panes(self, self.workspace.docks, self.commands.toolbar)
         self.help = Help(self, self.commands, self._panes, self.messages)
         self._layout = Layout(self, self.workspace, settings)
@@ -154,6 +156,7 @@ class MainWindow(QMainWindow):
         for dock in self.workspace.docks.values():
             dock.hide()  # one that floats does not go with the window
         self.exporter.close()
+        self.reporter.close()
         if self.bench is not None:
             self.bench.close()
             self.bench = None  # nothing can be started any more
@@ -235,7 +238,8 @@ class MainWindow(QMainWindow):
                 "open": self.files.choose_and_open,
                 "save": lambda: self._save(self.files.save),
                 "save_as": lambda: self._save(self.files.save_as),
-                "export": self._export,
+                "export": lambda: self._take_along(self.exporter.choose_and_export),
+                "report": lambda: self._take_along(self.reporter.choose_and_report),
                 "new_window": self.new_window_asked.emit,
                 "close": self.close,
                 "quit": self.quit_asked.emit,
@@ -274,9 +278,9 @@ class MainWindow(QMainWindow):
         if save() and self.forms.refused:
             self.messages.note("Saved with the last valid value of each marked field.")
 
-    def _export(self) -> None:
+    def _take_along(self, take: Callable[[], None]) -> None:
         self.forms.commit()
-        self.exporter.choose_and_export()
+        take()
 
     def _show_title(self) -> None:
         self.setWindowTitle(f"{self.document.name}[*] - {TITLE}")

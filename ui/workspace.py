@@ -28,6 +28,8 @@ _HIDDEN = (
     "target",
     "derivative",
     "surface",
+    "focus",
+    "check",
     "manufacture",
     "tolerances",
     "section",
@@ -88,6 +90,8 @@ class Workspace:
             "surface": self._dock("surface", "Surface", _RIGHT),
             "manufacture": self._dock("manufacture", "Manufacture", _RIGHT),
             "tolerances": self._dock("tolerances", "Tolerances", _RIGHT),
+            "focus": self._dock("focus", "Through focus", _RIGHT),
+            "check": self._dock("check", "Check", _RIGHT),
             "loss": self._dock("loss", "Loss", _BOTTOM),
             "section": self._dock("section", "Cross-section", _BOTTOM),
             "log": self._dock("log", "Log", _BOTTOM),
@@ -110,7 +114,7 @@ class Workspace:
         for name in (*_HIDDEN, "runs"):
             self.docks[name].hide()
         window.tabifyDockWidget(self.docks["design"], self.docks["history"])
-        for name in ("derivative", "surface", "manufacture", "tolerances"):
+        for name in ("derivative", "surface", "manufacture", "tolerances", "focus", "check"):
             window.tabifyDockWidget(self.docks["error"], self.docks[name])
         for name in ("section", "log"):
             window.tabifyDockWidget(self.docks["loss"], self.docks[name])

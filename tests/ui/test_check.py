@@ -3,16 +3,19 @@
 from threading import Semaphore, Timer
 from types import SimpleNamespace
 
+import numpy as np
 import pytest
 from PySide6.QtCore import QSettings
 
 from ui.check.checking import verified_error
 from ui.document import Document
 from ui.main_window import MainWindow
-from workbench.analysis.validation import validating
+from workbench.analysis.metrics import Quality
+from workbench.analysis.validation import Validation, validating
 from workbench.design.snapshot import History
 from workbench.errors import RunFailed
 from workbench.files.session import Session
+from workbench.optics.ledger import Ledger
 
 pytestmark = pytest.mark.usefixtures("kernels")
 
@@ -194,17 +197,21 @@ def test_no_check_while_a_run_goes_on(window, as_run, qtbot):
 
 
 @pytest.fixture
-def gate(monkeypatch):
+def gate(session, monkeypatch):
     """Checks of some steps that wait until they are let; notes scenes begun, and left half-way."""
     allowed, begun, left = Semaphore(0), [], []
-    found = SimpleNamespace(
+    found = Validation(
+        loss=0.1,
         relative_l2=0.5,
-        noise=0.001,
+        relative_l2_interval=(0.4, 0.6),
         relative_l2_corrected=0.4,
         relative_l2_corrected_interval=(0.3, 0.5),
         efficiency=0.9,
+        ledger=Ledger(1.0, 0.9, 0.02, 0.0, 0.0, 0.0, 0.04, 0.04),
+        quality=Quality(None, 0.8, 0.7, 0.6, None),
         rays=16,
-        loss=0.1,
+        noise=0.001,
+        irradiance=np.ones_like(session.target),
     )
 
     def steps(scene, target, heights, rays, threads):

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from PySide6.QtCore import QObject, Signal
 
-from ui.check.checking import Checking, Suspect, verified_error
+from ui.check.checking import RAYS, Checking, Suspect, verified_error
 from ui.views.view import look_alike
 
 if TYPE_CHECKING:
@@ -23,8 +23,8 @@ class Check(QObject):
         What is known of the lens on show, or how far its check is; empty for nothing.
     under_way_changed : Signal(bool)
         Whether there is a check that could be cancelled.
-    checked : Signal(Suspect, Validation)
-        The outcome for a lens.
+    checked : Signal(Suspect, Validation, float)
+        The outcome for a lens, and how far it is from the optimiser's own image.
     told : Signal(str)
         The same as a sentence.
     failed : Signal(str)
@@ -33,7 +33,7 @@ class Check(QObject):
 
     figures_changed = Signal(str)
     under_way_changed = Signal(bool)
-    checked = Signal(object, object)
+    checked = Signal(object, object, object)
     told = Signal(str)
     failed = Signal(str)
 
@@ -41,6 +41,7 @@ class Check(QObject):
         super().__init__(parent)
         self._shown: Frame | None = None
         self._asked: Frame | None = None  # whose check goes on, or whose figures are shown
+        self._rays = self._asked_rays = RAYS
         self._checking = Checking(self)
         self._checking.came_on.connect(self._tell_progress)
         self._checking.checked.connect(self._take)
@@ -57,16 +58,21 @@ class Check(QObject):
         self._shown = None
         self._forget()
 
+    def use_rays(self, rays: int) -> None:
+        """Trace so many from the next check on."""
+        self._rays = rays
+
     def toggle(self) -> None:
         """Check the lens on show, unless that is done; while it is under way, cancel it."""
         if self._checking.busy:
             self._forget()
-        elif self._shown is not None and self._asked is None:
-            self._asked = self._shown
+        elif self._shown is not None and (self._asked is None or self._asked_rays != self._rays):
+            self._asked, self._asked_rays = self._shown, self._rays
             self.figures_changed.emit("checking…")
             self.under_way_changed.emit(True)
-            shown = self._shown
-            self._checking.begin(Suspect(shown.session, shown.snapshot.control_points))
+            session, shot = self._shown.session, self._shown.snapshot
+            suspect = Suspect(session, shot.control_points, irradiance=shot.irradiance)
+            self._checking.begin(suspect, self._rays)
 
     def cancel(self) -> None:
         """Leave the check, if one is under way."""
@@ -80,10 +86,10 @@ class Check(QObject):
     def _tell_progress(self, suspect: Suspect, part: float) -> None:
         self.figures_changed.emit(f"checking… {100 * part:.0f} %")
 
-    def _take(self, suspect: Suspect, found: "Validation") -> None:
+    def _take(self, suspect: Suspect, found: "Validation", difference: float) -> None:
         self.figures_changed.emit(f"checked: error {verified_error(found)}")
         self.under_way_changed.emit(False)
-        self.checked.emit(suspect, found)
+        self.checked.emit(suspect, found, difference)
         low, high = found.relative_l2_corrected_interval
         self.told.emit(
             f"Check with {found.rays:,} fresh rays: relative L2 error {verified_error(found)} "

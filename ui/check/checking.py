@@ -35,12 +35,15 @@ class Suspect:
         Iterations before it.
     seconds : float
         Run time before it.
+    irradiance : ndarray, shape (n_y, n_x), optional
+        The optimiser's own image, to compare with.
     """
 
     session: "Session"
     control_points: Array
     iterations: int = 0
     seconds: float = 0.0
+    irradiance: Array | None = None
 
 
 class Checking(QObject):
@@ -55,14 +58,14 @@ class Checking(QObject):
     ----------
     came_on : Signal(Suspect, float)
         The part of its check that is done.
-    checked : Signal(Suspect, Validation)
-        What the check says.
+    checked : Signal(Suspect, Validation, float or None)
+        What the check says, and the relative L2 difference to the optimiser's own image.
     failed : Signal(Suspect, str)
         Why it says nothing.
     """
 
     came_on = Signal(object, float)
-    checked = Signal(object, object)
+    checked = Signal(object, object, object)
     failed = Signal(object, str)
 
     _stepped = Signal(object, float)
@@ -106,8 +109,9 @@ class Checking(QObject):
         self._asked, self._left = suspect, Event()
         left, session, heights = self._left, suspect.session, suspect.control_points
 
-        def work() -> "Validation | None":
+        def work() -> "tuple[Validation, float | None] | None":
             # Late: what it stands on is slow to import.
+            from workbench.analysis.metrics import relative_l2
             from workbench.analysis.validation import validating
 
             steps = validating(session.scene, session.target, heights, rays, threads=threads)
@@ -116,7 +120,8 @@ class Checking(QObject):
                     self._stepped.emit(suspect, next(steps))
                 except StopIteration as end:
                     found: Validation = end.value
-                    return found
+                    own = suspect.irradiance
+                    return found, None if own is None else relative_l2(found.irradiance, own)
             steps.close()
             return None
 
@@ -126,13 +131,13 @@ class Checking(QObject):
         if suspect is self._wanted:
             self.came_on.emit(suspect, part)
 
-    def _take(self, found: "Validation | None") -> None:
+    def _take(self, found: "tuple[Validation, float | None] | None") -> None:
         suspect = self._asked
         if suspect is None or suspect is not self._wanted or found is None:
             self._next()
             return
         self._wanted = None
-        self.checked.emit(suspect, found)
+        self.checked.emit(suspect, *found)
 
     def _give_up(self, sentence: str) -> None:
         suspect = self._asked

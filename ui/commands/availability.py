@@ -63,6 +63,7 @@ class Situation:
             "restore_run": idle,
             "delete_run": idle,
             "export": self.designed,
+            "report": self.designed,
             "check": self.resting,
             "revert": self.editable and self.can_revert,
             "undo": self.editable and self.can_undo,

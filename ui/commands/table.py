@@ -66,6 +66,8 @@ PANES = {
     "target": ("Target", ""),
     "derivative": ("Derivative", ""),
     "surface": ("Surface", "5"),
+    "focus": ("Through focus", ""),
+    "check": ("Check", ""),
     "manufacture": ("Manufacture", ""),
     "tolerances": ("Tolerances", ""),
     "loss": ("Loss", "6"),
@@ -90,6 +92,9 @@ COMMANDS = {
     "save": Command("&Save", "Save scene, target and lens", _Key.Save, "save"),
     "save_as": Command("Save &as…", "Save under another name", "Ctrl+Shift+S"),
     "export": Command("&Export…", "Write the lens or its light for other programs", "Ctrl+E"),
+    "report": Command(
+        "&Report…", "Write scene, pictures, check and figures on some pages (HTML, PDF)", "Ctrl+R"
+    ),
     "close": Command("&Close window", "Close this window; others stay open", "Ctrl+W"),
     "quit": Command("&Quit", "Close all windows of the workbench", "Ctrl+Q"),
     "revert": Command(
@@ -241,6 +246,7 @@ MENUS: dict[str, list[Any]] = {
         "revert",
         None,
         "export",
+        "report",
         None,
         "close",
         "quit",

@@ -9,6 +9,7 @@ from PySide6.QtCore import QObject
 from ui.commands.table import COLOURS, RAYS, RAYS_BY
 from ui.views.derivative_view import DerivativeView
 from ui.views.error_view import ErrorView
+from ui.views.focus_view import FocusView
 from ui.views.image_link import ImageLink
 from ui.views.irradiance_view import IrradianceView
 from ui.views.light_view import LightView
@@ -36,8 +37,9 @@ class Views(QObject):
     docked : dict of str to View
         All others, by the names of their docks.
     derivative : DerivativeView
+    focus : FocusView
     loss : LossView
-        Two of these.
+        Three of these.
     look_back : LookBack
         Below the loss.
     link : ImageLink
@@ -48,7 +50,7 @@ class Views(QObject):
         super().__init__(parent)
         self.link = link = ImageLink(self)
         self.scene, self.look_back = SceneView(), LookBack()
-        self.derivative, self.loss = DerivativeView(), LossView()
+        self.derivative, self.focus, self.loss = DerivativeView(), FocusView(link), LossView()
         self.loss.add_below(self.look_back)
         self.docked: dict[str, View] = {
             "irradiance": IrradianceView(link),
@@ -56,6 +58,7 @@ class Views(QObject):
             "error": ErrorView(link),
             "derivative": self.derivative,
             "surface": SurfaceView(),
+            "focus": self.focus,
             "loss": self.loss,
             "section": SectionView(link),
             "light": LightView(),
@@ -106,3 +109,4 @@ class Views(QObject):
         """Free plotter and threads; safe to call twice."""
         self.scene.close_plotter()
         self.derivative.close_thread()
+        self.focus.close_threads()

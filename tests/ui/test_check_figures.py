@@ -1,0 +1,152 @@
+"""All figures of a check in a dock: told, explained, copied; and the choice of rays."""
+
+import pytest
+from PySide6.QtCore import QSettings, Qt
+from PySide6.QtGui import QAction, QGuiApplication
+
+from ui.check.checking import Suspect
+from ui.check.figures import CheckFigures
+from ui.document import Document
+from ui.main_window import MainWindow
+from workbench.analysis.metrics import relative_l2
+from workbench.analysis.validation import validate, validating
+from workbench.design.snapshot import History
+from workbench.files.session import Session
+from workbench.report.figures import check_rows, ledger_rows
+
+pytestmark = pytest.mark.usefixtures("kernels")
+
+RAYS = 20_000
+
+
+@pytest.fixture
+def settings(tmp_path):
+    return QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat)
+
+
+@pytest.fixture
+def designed(session, snapshots):
+    history = History()
+    history.add(snapshots(3))
+    return Session(session.scene, session.target, history.result())
+
+
+@pytest.fixture
+def found(designed):
+    return validate(designed.scene, designed.target, designed.result.control_points, RAYS)
+
+
+@pytest.fixture
+def figures(settings, qtbot):
+    action = QAction("&Check lens")
+    figures = CheckFigures(settings, action)
+    figures.action = action
+    qtbot.addWidget(figures)
+    with qtbot.waitExposed(figures):
+        figures.show()
+    return figures
+
+
+def rows(figures):
+    return dict(line.split("\t") for line in figures.text.splitlines())
+
+
+def test_all_figures_are_told_and_each_is_explained(figures, designed, found):
+    figures.show_check(Suspect(designed, designed.result.control_points), found, 0.0321)
+    assert rows(figures) == dict((*check_rows(found, 0.0321), *ledger_rows(found.ledger)))
+    told = rows(figures)
+    assert told["relative L2 error"] == f"{found.relative_l2:.3%}"
+    assert told["off the optimiser's image"] == "3.210%"
+    assert told["on the screen"] == told["efficiency"] == f"{found.efficiency:.3%}"
+    table = figures._table
+    tips = [table.item(row, 0).toolTip() for row in range(table.rowCount())]
+    assert len(set(tips)) == table.rowCount() == 20
+    assert all(table.item(row, 1).toolTip() == tip for row, tip in enumerate(tips))
+
+
+def test_they_are_copied_with_tabs(figures, designed, found, qtbot):
+    assert not figures._copy.isEnabled()
+    figures.show_check(Suspect(designed, designed.result.control_points), found, 0.0)
+    clipboard = QGuiApplication.clipboard()
+    figures._copy.click()
+    assert clipboard.text() == figures.text
+    assert len(clipboard.text().splitlines()) == 20
+    clipboard.setText("else")
+    with qtbot.waitActive(figures):
+        figures.activateWindow()
+    figures._table.setFocus()
+    qtbot.keyClick(figures._table, Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier)
+    assert clipboard.text() == figures.text
+
+
+def test_figures_of_the_lens_before_are_told_from_those_of_this(figures, designed, found):
+    assert "F8" in figures._hint.text() and "before" not in figures._hint.text()
+    figures.follow("checking… 5 %")
+    assert figures._hint.text() == "Checking… 5 %"
+    figures.show_check(Suspect(designed, designed.result.control_points), found, 0.0)
+    figures.follow("checked: error 5 %")
+    assert figures._hint.isHidden() and figures._table.isEnabled()
+    figures.follow("")
+    assert "of the lens before" in figures._hint.text() and not figures._hint.isHidden()
+    assert not figures._table.isEnabled()
+    assert rows(figures)["rays"] == f"{found.rays:,}".replace(",", " ")
+
+
+def test_the_choice_of_rays_is_kept(figures, settings, qtbot):
+    assert figures.rays == 4_000_000
+    with qtbot.waitSignal(figures.rays_chosen) as chosen:
+        figures._rays.setCurrentIndex(figures._rays.findText("16 million rays"))
+    assert chosen.args == [16_000_000] and figures.rays == 16_000_000
+    again = CheckFigures(settings, figures.action)
+    qtbot.addWidget(again)
+    assert again.rays == 16_000_000
+    settings.setValue("check/rays", 7)
+    unknown = CheckFigures(settings, figures.action)
+    qtbot.addWidget(unknown)
+    assert unknown.rays == 4_000_000
+
+
+@pytest.fixture
+def window(display, designed, found, settings, monkeypatch, qtbot):
+    asked = []
+
+    def few(scene, target, heights, rays, threads):
+        asked.append(rays)
+        return validating(scene, target, heights, RAYS)
+
+    monkeypatch.setattr("workbench.analysis.validation.validating", few)
+    window = MainWindow(Document(designed, "flat"), settings)
+    window.asked = asked
+    qtbot.addWidget(window, before_close_func=lambda window: window.discard_and_close())
+    with qtbot.waitExposed(window):
+        window.show()
+    window.build()
+    qtbot.waitUntil(lambda: window.bench.check._shown is not None, timeout=60_000)
+    return window
+
+
+def test_a_check_brings_the_dock_with_its_figures(window, found, qtbot):
+    dock, figures = window.workspace.docks["check"], window.bench.figures
+    assert not dock.isVisible()
+    window.commands["check"].trigger()
+    qtbot.waitUntil(lambda: figures.text != "", timeout=60_000)
+    qtbot.waitUntil(lambda: not figures._table.visibleRegion().isEmpty())
+    own = window.bench.check._shown.snapshot.irradiance
+    told = dict(check_rows(found, relative_l2(found.irradiance, own)))
+    assert told.items() <= rows(figures).items()
+    assert figures._hint.isHidden()
+    scene = window.document.session.scene
+    screen = scene.screen.model_copy(update={"z": 7.0})
+    window.document.edit(scene.model_copy(update={"screen": screen}), "screen", "")
+    qtbot.waitUntil(lambda: not figures._table.isEnabled(), timeout=60_000)
+    assert told.items() <= rows(figures).items()
+
+
+def test_other_rays_are_for_another_check_of_the_same_lens(window, qtbot):
+    figures, check = window.bench.figures, window.commands["check"]
+    for rays in (1_000_000, 64_000_000):
+        figures._rays.setCurrentIndex(figures._rays.findData(rays))
+        check.trigger()
+        qtbot.waitUntil(lambda: not window.bench.check._checking.busy, timeout=60_000)
+        check.trigger()  # nothing more to find out
+    assert window.asked == [1_000_000, 64_000_000]

@@ -1,0 +1,211 @@
+"""Light before and behind the screen: traced for eyes, the latest distance first."""
+
+import dataclasses
+import time
+
+import numpy as np
+import pytest
+
+from ui.run.frame import make_frame
+from ui.views import focus_view
+from ui.views.focus_view import FocusView
+from workbench.analysis.validation import validate, validating
+from workbench.errors import RunFailed
+from workbench.files.session import Session
+
+pytestmark = pytest.mark.usefixtures("kernels")
+
+FEW, MANY = 2_000, 8_000
+
+
+@pytest.fixture(autouse=True)
+def fewer_rays(monkeypatch):
+    monkeypatch.setattr(focus_view, "_FEW", FEW)
+    monkeypatch.setattr(focus_view, "_MANY", MANY)
+
+
+@pytest.fixture
+def frames(session, snapshots, history):
+    """Makes frames of wavy lenses, whose light is another at each distance."""
+
+    def make(iteration, session=session):
+        waves = 0.5 + 0.01 * iteration * np.sin(np.arange(120.0)).reshape(12, 10)
+        snapshot = dataclasses.replace(snapshots(iteration), control_points=waves)
+        return make_frame(session, snapshot, history(iteration))
+
+    return make
+
+
+@pytest.fixture
+def frame(frames):
+    return frames(1)
+
+
+@pytest.fixture
+def traces(monkeypatch):
+    """Notes distances and rays of all traces."""
+    seen = []
+
+    def noting(scene, target, heights, rays, *others, **named):
+        if named:  # not the test's own
+            seen.append((named["screen_z"], rays))
+        return validating(scene, target, heights, rays, *others, **named)
+
+    monkeypatch.setattr("workbench.analysis.validation.validating", noting)
+    return seen
+
+
+@pytest.fixture
+def view(frame, traces, qtbot):
+    view = FocusView()
+    qtbot.addWidget(view)
+    view.resize(420, 420)
+    view.show_frame(frame)
+    with qtbot.waitExposed(view):
+        view.show()
+    qtbot.waitUntil(lambda: view._light is not None, timeout=30_000)
+    yield view
+
+
+def traced(view, frame, qtbot, rays=MANY):
+    """Wait for the light at the distance on show; what it has to be."""
+    scene, target = frame.session.scene, frame.session.target
+    heights = frame.snapshot.control_points
+    wished = validate(scene, target, heights, rays, screen_z=view.z)
+    qtbot.waitUntil(lambda: np.array_equal(view._values, wished.irradiance), timeout=30_000)
+    return wished
+
+
+def test_it_begins_at_the_screen_and_moves_to_any_distance(view, frame, qtbot):
+    scene = frame.session.scene
+    assert view.z == scene.screen.z
+    found = traced(view, frame, qtbot)
+    assert f"z = {scene.screen.z:.4g} cm (screen): error" in view._place.text()
+    assert f"{100 * found.efficiency:.1f} % of the light" in view._place.text()
+    near, far = (view._z_of(part) for part in (500, 1500))
+    top = scene.lens.highest
+    assert near - top == pytest.approx((scene.screen.z - top) / 2)
+    assert far - top == pytest.approx((scene.screen.z - top) * 1.5)
+    for part, z in ((500, near), (1500, far), (1235, view._z_of(1235))):
+        view._slider.setValue(part)
+        assert view.z == z
+        traced(view, frame, qtbot)
+        assert f"z = {z:.4g} cm: error" in view._place.text()
+    view._back.click()
+    assert view.z == scene.screen.z
+
+
+def test_few_rays_answer_at_once_and_many_when_the_slider_stays(view, frame, traces, qtbot):
+    traced(view, frame, qtbot)
+    assert traces == [(5.0, FEW), (5.0, MANY)]
+
+
+def test_the_latest_distance_wins(view, frame, traces, qtbot):
+    traced(view, frame, qtbot)
+    traces.clear()
+    for part in range(1005, 1405, 5):
+        view._slider.setValue(part)
+    traced(view, frame, qtbot)
+    assert traces[-1] == (view.z, MANY)
+    assert len(traces) < 10
+
+
+def test_nothing_is_traced_for_nobody(view, frame, traces, qtbot):
+    traced(view, frame, qtbot)
+    traces.clear()
+    view.uncover(False)
+    view._slider.setValue(700)
+    view.show_frame(frame)
+    qtbot.wait(400)
+    view.hide()
+    view.uncover(True)
+    qtbot.wait(400)
+    assert traces == []
+    view.show()
+    traced(view, frame, qtbot)
+    assert traces[-1] == (view.z, MANY)
+
+
+def test_it_follows_the_lens_when_it_rests(view, frame, frames, traces, qtbot):
+    traced(view, frame, qtbot)
+    traces.clear()
+    for iteration in (2, 3, 4):
+        view.show_frame(frames(iteration))
+    assert traces == []
+    assert "when the lens rests" in view._place.text()
+    traced(view, frames(4), qtbot)
+    assert [rays for _, rays in traces] == [FEW, MANY]
+
+
+def test_of_another_design_nothing_is_shown_before_it_is_traced(
+    view, session, frames, frame, qtbot
+):
+    traced(view, frame, qtbot)
+    scene = session.scene
+    screen = scene.screen.model_copy(update={"pixels": (16, 16)})
+    other = Session(scene.model_copy(update={"screen": screen}), session.target[::2, ::2])
+    moved = frames(1, other)
+    view.show_frame(moved)
+    assert view._light is None
+    qtbot.waitUntil(lambda: view.empty)
+    traced(view, moved, qtbot)
+    assert view._values.shape == (16, 16) and not view.empty
+    view.show_nothing(other)
+    qtbot.waitUntil(lambda: view.empty)
+    assert view._place.text() == ""
+
+
+def test_a_dark_screen_is_an_answer(view, monkeypatch, qtbot):
+    def dark(*_, **__):
+        yield 0.5
+        raise RunFailed("no light")
+
+    monkeypatch.setattr("workbench.analysis.validation.validating", dark)
+    view._slider.setValue(600)
+    qtbot.waitUntil(lambda: "no light arrives" in view._place.text(), timeout=30_000)
+    qtbot.waitUntil(lambda: not view._values.any())
+
+
+def test_the_curve_tells_the_error_at_many_distances(view, frame, traces, qtbot):
+    traced(view, frame, qtbot)
+    assert not view._curve.isVisible()
+    traces.clear()
+    view._more.click()
+    curve = view._curve
+    qtbot.waitUntil(lambda: len(curve.errors) == 41, timeout=30_000)
+    assert [z for z, _ in curve.errors] == [z for z, _ in traces]
+    assert {rays for _, rays in traces} == {FEW}
+    session, heights = frame.session, frame.snapshot.control_points
+    for z, error in curve.errors[::10]:
+        wished = validate(session.scene, session.target, heights, FEW, screen_z=z)
+        assert error == wished.relative_l2_corrected
+    qtbot.waitUntil(lambda: len(curve._curve._curve.get_xdata()) == 41)
+    np.testing.assert_allclose(
+        curve._curve._curve.get_ydata(), [100 * error for _, error in curve.errors]
+    )
+    view._slider.setValue(600)
+    qtbot.waitUntil(lambda: curve._curve.mark.get_xdata()[0] == view.z)
+    assert len(curve.errors) == 41
+    view._more.click()
+    assert not curve.isVisible()
+
+
+def test_closing_leaves_what_is_being_traced(view, monkeypatch, qtbot):
+    left = []
+
+    def endless(*_, **__):
+        try:
+            while True:
+                time.sleep(0.01)
+                yield 0.0
+        except GeneratorExit:
+            left.append(1)
+            raise
+
+    monkeypatch.setattr("workbench.analysis.validation.validating", endless)
+    view._slider.setValue(600)
+    view._more.click()
+    qtbot.wait(50)
+    view.close()
+    assert len(left) == 2
+    assert not view._image_of._background.busy and not view._curve_of._background.busy

@@ -1,0 +1,141 @@
+"""Reports from the window: written by a process beside it, told, cancelled, refused."""
+
+import subprocess
+import sys
+
+import pytest
+from PySide6.QtCore import QSettings, QTimer
+from PySide6.QtWidgets import QApplication, QFileDialog
+
+from ui.document import Document
+from ui.files import reporter
+from ui.main_window import MainWindow
+from workbench.design.snapshot import History
+from workbench.files.session import Session
+
+
+@pytest.fixture
+def window(session, snapshots, tmp_path, qtbot):
+    history = History()
+    history.add(snapshots(3))
+    designed = Session(session.scene, session.target, history.result())
+    settings = QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat)
+    window = MainWindow(Document(designed, "flat lens"), settings)
+    qtbot.addWidget(window, before_close_func=lambda window: window.discard_and_close())
+    with qtbot.waitExposed(window):
+        window.show()
+    return window
+
+
+def as_command(text):
+    """A process that does this with the session's and the report's path."""
+    return (sys.executable, "-c", f"import sys, time; lens, report = sys.argv[1:]; {text}")
+
+
+@pytest.fixture
+def written(window, qtbot):
+    def report(path):
+        window.reporter.report(path)
+        qtbot.waitUntil(lambda: not window.reporter._background.busy, timeout=120_000)
+        return window.messages.text
+
+    return report
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("name", "begin"), [("a.html", b"<!doctype html>"), ("a.pdf", b"%PDF-")])
+def test_a_report_is_written(display, window, written, name, begin, tmp_path):
+    path = tmp_path / name
+    assert written(path) == f"{path} is written."
+    content = path.read_bytes()
+    assert content.startswith(begin) and len(content) > 50_000
+    if name == "a.html":
+        assert b"<title>flat lens</title>" in content
+
+
+def test_the_command_asks_and_takes_the_session_as_it_is(window, monkeypatch, tmp_path, qtbot):
+    path = tmp_path / "there.html"
+    copy = "import shutil; shutil.copy(lens, report); open(report, 'a').write(lens)"
+    monkeypatch.setattr(reporter, "_COMMAND", as_command(copy))
+    monkeypatch.setattr(window.reporter, "ask_for_name", lambda: path)
+    window.commands["report"].trigger()
+    assert "there.html is being written" in window.messages.text
+    qtbot.waitUntil(lambda: window.messages.text == f"{path} is written.", timeout=30_000)
+    assert path.read_bytes().startswith(b"PK")  # the session itself
+    assert path.read_bytes().endswith(b"flat lens.freeform")
+    assert [each.name for each in tmp_path.iterdir() if each.suffix != ".ini"] == ["there.html"]
+
+
+def test_why_there_is_none_is_said(window, written, monkeypatch, tmp_path):
+    fail = "print('chatter', file=sys.stderr); sys.exit('freeform: no light of this lens')"
+    monkeypatch.setattr(reporter, "_COMMAND", as_command(fail))
+    path = tmp_path / "a.html"
+    path.write_text("before")
+    assert written(path) == "No report: no light of this lens"
+    assert path.read_text() == "before"
+    monkeypatch.setattr(reporter, "_COMMAND", as_command("sys.exit(3)"))
+    assert written(path) == "No report: it ended without a word"
+    assert window.messages.objectName() == "warning"
+
+
+@pytest.mark.parametrize("name", ["a.docx", "no/a.pdf"])
+def test_what_cannot_be_written_is_refused_at_once(window, written, name, monkeypatch, tmp_path):
+    monkeypatch.setattr(reporter, "_COMMAND", ("no such program",))
+    assert str(tmp_path / name) in written(tmp_path / name)
+    assert window.messages.objectName() == "warning"
+
+
+@pytest.fixture
+def endless(monkeypatch):
+    """A report that never ends; its processes."""
+    begun = []
+
+    class Noted(subprocess.Popen):
+        def __init__(self, *arguments, **named):
+            super().__init__(*arguments, **named)
+            begun.append(self)
+
+    monkeypatch.setattr(reporter, "Popen", Noted)
+    monkeypatch.setattr(reporter, "_COMMAND", as_command("time.sleep(600)"))
+    return begun
+
+
+def test_it_is_cancelled_from_its_message(window, endless, tmp_path, qtbot):
+    path = tmp_path / "a.pdf"
+    window.reporter.report(path)
+    qtbot.waitUntil(lambda: len(endless) == 1, timeout=30_000)
+    window.reporter.report(path)
+    assert "still being written" in window.messages.text
+    assert window.messages._button.text() == "Cancel"
+    window.messages._button.click()
+    qtbot.waitUntil(lambda: window.messages.text == "No report is written.", timeout=30_000)
+    assert endless[0].returncode not in (None, 0)
+    assert len(endless) == 1 and not path.exists()
+
+
+def test_closing_ends_the_process(window, endless, tmp_path, qtbot):
+    window.reporter.report(tmp_path / "a.pdf")
+    qtbot.waitUntil(lambda: len(endless) == 1, timeout=30_000)
+    window.discard_and_close()
+    assert endless[0].returncode not in (None, 0)
+    assert not list(tmp_path.glob("*.pdf"))
+
+
+def test_without_a_lens_there_is_nothing_to_report(window):
+    assert window.commands["report"].isEnabled()
+    window.commands["new_tophat"].trigger()
+    assert not window.commands["report"].isEnabled()
+
+
+def test_the_dialog_adds_the_ending(window, tmp_path):
+    window.document.save(tmp_path / "mine.freeform")
+
+    def accept():
+        dialog = next(w for w in QApplication.topLevelWidgets() if isinstance(w, QFileDialog))
+        pdf = next(each for each in dialog.nameFilters() if "*.pdf" in each)
+        dialog.selectNameFilter(pdf)
+        dialog.filterSelected.emit(pdf)
+        dialog.accept()
+
+    QTimer.singleShot(300, accept)
+    assert window.reporter.ask_for_name() == tmp_path / "mine.pdf"

@@ -1,0 +1,182 @@
+"""All figures of the last check in a table, and how many rays the next one traces."""
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QSettings, Qt, Signal
+from PySide6.QtGui import QAction, QGuiApplication, QKeySequence
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QComboBox,
+    QHBoxLayout,
+    QHeaderView,
+    QLabel,
+    QTableWidget,
+    QTableWidgetItem,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from ui.check.checking import RAYS, Suspect
+
+if TYPE_CHECKING:
+    from workbench.analysis.validation import Validation
+    from workbench.report.content import Row
+
+_CHOICES = (1_000_000, 4_000_000, 16_000_000, 64_000_000)
+_KEY = "check/rays"
+_NOTHING = "Design > Check lens (F8) traces the lens anew, with rays that its design never saw."
+_TIPS = {
+    "relative L2 error": "‖I − T‖ / ‖T‖ of image and target, each divided by its sum. The scatter "
+    "of the rays from pixel to pixel is in it; more rays make it smaller.",
+    "95 % of other rays": "Where the error with scatter lies for as many other rays.",
+    "without ray noise": "The same error without the scatter of the rays: what the lens itself "
+    "is off. 0 if so few rays cannot tell.",
+    "95 % confidence": "Where the error of the lens itself lies.",
+    "loss of the paper": "The norm of the difference between image and target, each divided by "
+    "its sum, over the root of the number of pixels.",
+    "PSNR": "Peak signal-to-noise ratio, against the target's peak: more is better.",
+    "SSIM": "Mean structural similarity in windows of 11 × 11 pixels: 1 for equal images.",
+    "correlation": "Pearson's coefficient of image and target over the pixels: 1 for images of "
+    "one shape.",
+    "uniformity": "Least over mean of irradiance / target where the target is lit, at half its "
+    "peak or more: 1 is even, 0 has a dark pixel.",
+    "contrast": "(lit − black) / (lit + black) of the mean irradiances there; black is up to a "
+    "hundredth of the target's peak. 1 is a perfect black.",
+    "efficiency": "Part of the emitted light that lands on the screen.",
+    "off the optimiser's image": "Relative L2 difference to the image that the optimiser sees. Its "
+    "filter and the scatter of these rays are in it.",
+    "rays": "Rays of the image; a quarter as many more are traced for the error without scatter.",
+    "on the screen": "Light that makes the image.",
+    "beside the screen": "Light that passes the lens and the screen by.",
+    "past the lens": "Light of the source that passes the entrance face by.",
+    "through the lens's side": "Light that meets a side wall before the exit face.",
+    "totally reflected": "Light that meets the exit face too steeply to leave the lens there.",
+    "reflected at the entrance": "The part that the entrance face reflects of what it refracts.",
+    "reflected at the exit": "The part that the exit face reflects of what it refracts.",
+}
+
+
+class CheckFigures(QWidget):
+    """Keeps the figures when another lens is shown, and tells that they are of the one before.
+
+    Parameters
+    ----------
+    settings : QSettings
+        Where the number of rays is kept for the next start.
+    check : QAction
+        Checks the lens on show, or cancels that.
+
+    Attributes
+    ----------
+    rays_chosen : Signal(int)
+        The next check shall trace so many.
+    """
+
+    rays_chosen = Signal(int)
+
+    def __init__(self, settings: QSettings, check: QAction, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._settings = settings
+        self._hint = QLabel(_NOTHING, wordWrap=True)
+        self._hint.setContentsMargins(6, 4, 6, 2)
+        self._table = QTableWidget(0, 2)
+        self._table.setAccessibleName("Figures of the check")
+        self._table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self._table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        self._table.setAlternatingRowColors(True)
+        self._table.setShowGrid(False)
+        self._table.setFrameShape(QTableWidget.Shape.NoFrame)
+        self._table.horizontalHeader().hide()
+        self._table.verticalHeader().hide()
+        self._table.horizontalHeader().setStretchLastSection(True)
+        contents = QHeaderView.ResizeMode.ResizeToContents
+        self._table.horizontalHeader().setSectionResizeMode(0, contents)
+        self._table.verticalHeader().setSectionResizeMode(contents)
+        copy = QAction("Copy", self._table)
+        copy.setShortcut(QKeySequence(QKeySequence.StandardKey.Copy))
+        copy.setShortcutContext(Qt.ShortcutContext.WidgetShortcut)
+        copy.triggered.connect(self.copy)
+        self._table.addAction(copy)
+        self._rays = QComboBox()
+        self._rays.setAccessibleName("Rays of a check")
+        self._rays.setToolTip("Rays of a check; four times as many halve their scatter")
+        for rays in _CHOICES:
+            self._rays.addItem(f"{rays // 1_000_000} million rays", rays)
+        kept = self._rays.findData(settings.value(_KEY, RAYS, type=int))
+        self._rays.setCurrentIndex(kept if kept >= 0 else _CHOICES.index(RAYS))
+        self._rays.currentIndexChanged.connect(self._choose)
+        ask = QToolButton()
+        ask.setDefaultAction(check)
+        self._copy = QToolButton()
+        self._copy.setText("Copy")
+        self._copy.setToolTip("Put all figures on the clipboard, a tab between name and value")
+        self._copy.clicked.connect(self.copy)
+        self._copy.setEnabled(False)
+        row = QHBoxLayout()
+        row.setContentsMargins(6, 4, 6, 4)
+        row.addWidget(self._rays)
+        row.addStretch(1)
+        row.addWidget(ask)
+        row.addWidget(self._copy)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addWidget(self._hint)
+        column.addWidget(self._table, 1)
+        column.addLayout(row)
+
+    @property
+    def rays(self) -> int:
+        """Rays that a check traces."""
+        return int(self._rays.currentData())
+
+    @property
+    def text(self) -> str:
+        """All figures, a line for each, with a tab between name and value."""
+        return "".join(f"{self._cell(n, 0)}\t{self._cell(n, 1)}\n" for n in range(self._count))
+
+    def show_check(self, suspect: Suspect, found: "Validation", difference: float) -> None:
+        """Show what a check says."""
+        # Late: what it stands on is slow to import, and is there after a check.
+        from workbench.report.figures import check_rows, ledger_rows
+
+        self._fill((*check_rows(found, difference), *ledger_rows(found.ledger)))
+        self._table.setEnabled(True)
+        self._copy.setEnabled(True)
+        self._hint.hide()
+
+    def follow(self, figures: str) -> None:
+        """Take note of what is known of the lens on show, as `Check.figures_changed` tells it."""
+        if figures.startswith("checked"):
+            return
+        before = " These figures are of the lens before." if self._count else ""
+        self._hint.setText(f"{figures.capitalize() or _NOTHING}{before}")
+        self._hint.show()
+        self._table.setEnabled(False)
+
+    def copy(self) -> None:
+        """Put all figures on the clipboard."""
+        if self._count:
+            QGuiApplication.clipboard().setText(self.text)
+
+    @property
+    def _count(self) -> int:
+        return self._table.rowCount()
+
+    def _cell(self, row: int, column: int) -> str:
+        item = self._table.item(row, column)
+        assert item is not None  # each row is filled
+        return item.text()
+
+    def _fill(self, rows: "tuple[Row, ...]") -> None:
+        self._table.setRowCount(len(rows))
+        for number, row in enumerate(rows):
+            for column, text in enumerate(row):
+                item = QTableWidgetItem(text)
+                item.setToolTip(f"<p>{_TIPS[row.name]}</p>")
+                self._table.setItem(number, column, item)
+
+    def _choose(self) -> None:
+        self._settings.setValue(_KEY, self.rays)
+        self.rays_chosen.emit(self.rays)

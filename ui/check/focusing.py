@@ -1,0 +1,127 @@
+"""Traces the lens to screens elsewhere in a thread, always for the latest question."""
+
+from dataclasses import dataclass
+from threading import Event
+from typing import TYPE_CHECKING
+
+import numpy as np
+import numpy.typing as npt
+from PySide6.QtCore import QObject, QThread, Signal
+
+from ui.background import Background
+from workbench.errors import RunFailed
+
+if TYPE_CHECKING:
+    from workbench.analysis.validation import Validation
+    from workbench.files.session import Session
+
+
+@dataclass(frozen=True, eq=False)
+class Question:
+    """What the light of a lens is like on screens elsewhere.
+
+    Attributes
+    ----------
+    session : Session
+        Its task.
+    control_points : ndarray, shape (n_u, n_v)
+        Heights of its control points.
+    traces : tuple of (float, int)
+        One after the other: z of the screen, and rays.
+    """
+
+    session: "Session"
+    control_points: npt.NDArray[np.float64]
+    traces: tuple[tuple[float, int], ...]
+
+
+class Focusing(QObject):
+    """Another question, or none any more, ends the one before within a moment.
+
+    Attributes
+    ----------
+    found : Signal(Question, float, Validation or None)
+        z of a screen and what the light is like there; None for no light.
+    failed : Signal(Question, str)
+        Why there is no answer.
+    """
+
+    found = Signal(object, float, object)
+    failed = Signal(object, str)
+
+    _traced = Signal(object, float, object)
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
+        self._wanted: Question | None = None
+        self._begun: Question | None = None  # in the thread
+        self._left = Event()
+        self._background = Background("trace through focus", self)
+        self._background.done.connect(self._end)
+        self._background.failed.connect(self._give_up)
+        self._traced.connect(self._take)  # queued: the receiver lives in the window's thread
+
+    def ask(self, question: Question) -> None:
+        """Answer this instead of what was asked before."""
+        self.forget()
+        self._wanted = question
+        self._next()
+
+    def forget(self) -> None:
+        """Tell nothing more."""
+        self._wanted = None
+        self._left.set()
+
+    def close(self) -> None:
+        """Wait for the thread; safe to call twice."""
+        self.forget()
+        self._background.close()
+
+    def _next(self) -> None:
+        if self._wanted is None or self._background.busy:
+            return
+        self._begun, self._left = self._wanted, Event()
+        question, left = self._begun, self._left
+
+        def work() -> None:
+            for z, rays in question.traces:
+                if left.is_set():
+                    return
+                self._traced.emit(question, z, _trace(question, z, rays, left))
+
+        self._background.begin(work)
+
+    def _take(self, question: Question, z: float, found: "Validation | None") -> None:
+        if question is self._wanted:
+            self.found.emit(question, z, found)
+
+    def _end(self) -> None:
+        if self._wanted is not self._begun:
+            self._next()
+
+    def _give_up(self, sentence: str) -> None:
+        if self._wanted is not self._begun:
+            self._next()
+        else:
+            self.failed.emit(self._begun, sentence)
+
+
+def _trace(question: Question, z: float, rays: int, left: Event) -> "Validation | None":
+    """The light on a screen; None if there is none, or nobody wants to know any more."""
+    # Late: what it stands on is slow to import.
+    from workbench.analysis.validation import validating
+
+    session, threads = question.session, max(1, QThread.idealThreadCount() - 1)
+    steps = validating(
+        session.scene, session.target, question.control_points, rays, screen_z=z, threads=threads
+    )
+    try:
+        while not left.is_set():
+            next(steps)
+    except StopIteration as end:
+        found: Validation = end.value
+        return found
+    except RunFailed:
+        return None
+    steps.close()
+    return None

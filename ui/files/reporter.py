@@ -1,0 +1,145 @@
+"""Takes all that is known of the lens to a report for those who do not have the program.
+
+1. A process of its own makes it: its 3D picture needs VTK, which does not work in a second thread
+   beside the window's.
+2. It writes to a folder of its own. What it has written goes to its place whole, and a process
+   that is killed leaves nothing there.
+"""
+
+import shutil
+import sys
+from pathlib import Path
+from subprocess import DEVNULL, PIPE, Popen, TimeoutExpired
+from tempfile import TemporaryDirectory
+from threading import Event
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject
+from PySide6.QtWidgets import QFileDialog, QWidget
+
+from ui.background import Background
+from ui.document import ENDING, Document
+from ui.message_bar import MessageBar
+from workbench.errors import RunFailed
+from workbench.files.atomic import check_writable, replacing
+from workbench.report.endings import HTML, PDF, check_ending
+
+if TYPE_CHECKING:
+    from workbench.files.session import Session
+
+_COMMAND = (sys.executable, "-P", "-m", "workbench", "report")
+_SAYS = "freeform: "  # before a reason
+_OFTEN = 0.1  # seconds after which it may be cancelled
+_FILTERS = {"Web page (*.html)": HTML[0], "Document (*.pdf)": PDF[0]}
+
+
+class Reporter(QObject):
+    """Asks for a file and has the report written there, one at a time.
+
+    Parameters
+    ----------
+    document : Document
+        Its lens is reported.
+    messages : MessageBar
+        Tells what was written, or why nothing was.
+    window : QWidget
+        Parent of the dialog.
+    """
+
+    def __init__(self, document: Document, messages: MessageBar, window: QWidget) -> None:
+        super().__init__(window)
+        self._document, self._messages, self._window = document, messages, window
+        self._cancelled = Event()
+        self._background = Background("report", self)
+        self._background.done.connect(self._tell)
+        self._background.failed.connect(messages.warn)
+
+    def choose_and_report(self) -> None:
+        """Ask for a file and write it; the ending of its name tells the format."""
+        path = self.ask_for_name()
+        if path is not None:
+            self.report(path)
+
+    def report(self, path: Path) -> None:
+        """Write a report of the lens as it is now."""
+        if self._background.busy:
+            self._messages.note(
+                "One report is still being written; ask for the next after it.",
+                ("Cancel", self.cancel),
+            )
+            return
+        document, self._cancelled = self._document, Event()
+        session, cancelled = document.verified.complete(document.session), self._cancelled
+        name = document.suggested_path.stem
+        self._messages.note(
+            f"{path.name} is being written, with a check of the lens…", ("Cancel", self.cancel)
+        )
+        self._background.begin(lambda: _write(session, name, path, cancelled))
+
+    def ask_for_name(self) -> Path | None:
+        """Ask for a file; a name without an ending gets that of the chosen format."""
+        suggested = self._document.suggested_path
+        dialog = QFileDialog(self._window, "Report", str(suggested.parent))
+        dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
+        dialog.setNameFilters(list(_FILTERS))
+
+        def suggest(chosen: str) -> None:
+            dialog.setDefaultSuffix(_FILTERS[chosen].removeprefix("."))
+
+        dialog.filterSelected.connect(suggest)
+        suggest(dialog.selectedNameFilter())
+        dialog.selectFile(suggested.stem)
+        return Path(dialog.selectedFiles()[0]) if dialog.exec() else None
+
+    def cancel(self) -> None:
+        """Write none after all."""
+        self._cancelled.set()
+
+    def close(self) -> None:
+        """Cancel the report under way. Safe to call twice."""
+        self.cancel()
+        self._background.close()
+
+    def _tell(self, path: Path | None) -> None:
+        self._messages.note("No report is written." if path is None else f"{path} is written.")
+
+
+def _write(session: "Session", name: str, path: Path, cancelled: Event) -> Path | None:
+    """Write a report; None if it was cancelled."""
+    # Late: torch comes with it, and the window shows before that.
+    from workbench.files.session import write_session
+
+    check_ending(path)
+    check_writable(path)
+    with TemporaryDirectory() as folder:
+        lens, report = Path(folder, f"{name}{ENDING}"), Path(folder, f"report{path.suffix}")
+        write_session(session, lens)
+        if not _run([*_COMMAND, str(lens), str(report)], cancelled):
+            return None
+        with replacing(path) as file, report.open("rb") as source:
+            shutil.copyfileobj(source, file)
+    return path
+
+
+def _run(command: list[str], cancelled: Event) -> bool:
+    """Let a command do its work; False if it was cancelled.
+
+    Raises
+    ------
+    RunFailed
+        If it failed, with its last line.
+    """
+    with Popen(command, stdin=DEVNULL, stdout=DEVNULL, stderr=PIPE, encoding="utf-8") as process:
+        while True:
+            if cancelled.is_set():
+                process.kill()
+                return False
+            try:
+                _, said = process.communicate(timeout=_OFTEN)
+                break
+            except TimeoutExpired:
+                pass
+    if process.returncode:
+        *_, last = ["it ended without a word", *said.splitlines()]
+        raise RunFailed(f"No report: {last.removeprefix(_SAYS)}")
+    return True

@@ -1,0 +1,59 @@
+"""How the error changes with the distance of the screen, below the image there."""
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtWidgets import QWidget
+
+from ui.views.canvas import Canvas
+from ui.views.view import View
+from workbench.pictures.focus_curve import FocusCurve
+
+if TYPE_CHECKING:
+    from ui.run.frame import Frame
+    from workbench.files.session import Session
+
+_LINES = 8  # of text, as high as it is
+
+
+class FocusCurveView(View):
+    """A small plot that grows as traces come in."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._canvas = Canvas(self, bar=False)
+        self._box.addWidget(self._canvas)
+        self.setFixedHeight(_LINES * self.fontMetrics().lineSpacing())
+        self.setToolTip("Relative L2 error against the distance; the dotted line is the screen")
+        self._ends = (0.0, 1.0)
+        self._z = 0.0
+        self._errors: dict[float, float] = {}
+        self._curve: FocusCurve | None = None
+
+    @property
+    def errors(self) -> list[tuple[float, float]]:
+        """Distances and errors on show."""
+        return sorted(self._errors.items())
+
+    def begin(self, session: "Session", ends: tuple[float, float]) -> None:
+        """Forget all errors, to show those of another lens."""
+        self._ends, self._errors, self._curve = ends, {}, None
+        self.show_design(session)
+
+    def add(self, z: float, error: float) -> None:
+        """Show one more."""
+        self._errors[z] = error
+        self._ask()
+
+    def mark(self, z: float) -> None:
+        """Mark the distance on show."""
+        self._z = z
+        self._ask()
+
+    def _draw(self, session: "Session", frame: "Frame | None") -> None:
+        if self._curve is None:
+            self._curve = FocusCurve(self._canvas.begin(), session.scene, self._ends)
+            self._canvas.animate([self._curve.mark])
+        self._canvas.show_changes(self._curve.update(self.errors, self._z))
+
+    def _recolour(self) -> None:
+        self._canvas.recolour()

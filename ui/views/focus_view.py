@@ -1,0 +1,213 @@
+"""Through focus: the irradiance on a screen before or behind the scene's.
+
+1. It is traced anew by other means than the optimiser's, only for eyes: never while hidden.
+2. It follows the lens when it rests, as the derivative does. A slider that moves is answered with
+   few rays at once, and with many when it stays.
+"""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+import numpy.typing as npt
+from PySide6.QtCore import Qt, QTimer
+from PySide6.QtGui import QCloseEvent, QHideEvent, QShowEvent
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSlider, QWidget
+
+from ui.check.checking import verified_error
+from ui.check.focusing import Focusing, Question
+from ui.views.focus_curve import FocusCurveView
+from ui.views.image_link import ImageLink
+from ui.views.light_image_view import LightImageView
+from ui.views.view import look_alike
+from workbench.analysis.focus import screen_at
+
+if TYPE_CHECKING:
+    from ui.run.frame import Frame
+    from workbench.analysis.validation import Validation
+    from workbench.files.session import Session
+
+_REST_MS = 250  # longer than between two frames of a run
+_FEW, _MANY = 200_000, 4_000_000  # rays
+_NEAREST, _SCREEN, _FARTHEST = 500, 1000, 1500  # of the way from lens to screen, per mille
+_STEP, _PAGE = 5, 50
+_PLACES = 41  # of the curve
+
+
+class FocusView(LightImageView):
+    """A slider over distances, and the light there; the scene stays as it is."""
+
+    _NAME = "irradiance"
+
+    def __init__(self, link: ImageLink | None = None, parent: QWidget | None = None) -> None:
+        super().__init__(link, parent)
+        self._image_of, self._curve_of = Focusing(self), Focusing(self)
+        self._image_of.found.connect(self._take)
+        self._image_of.failed.connect(lambda _, sentence: self._tell(sentence))
+        self._curve_of.found.connect(self._take_error)
+        self._covered = False
+        self._light: npt.NDArray[np.float64] | None = None  # as far as it is traced
+        self._rest = QTimer(self, singleShot=True, interval=_REST_MS)
+        self._rest.timeout.connect(self._trace_anew)
+        self._slider = QSlider(Qt.Orientation.Horizontal)
+        self._slider.setRange(_NEAREST, _FARTHEST)
+        self._slider.setValue(_SCREEN)
+        self._slider.setSingleStep(_STEP)
+        self._slider.setPageStep(_PAGE)
+        self._slider.setAccessibleName("Distance of the screen")
+        self._slider.setToolTip(
+            "Look at the light before or behind the screen: half to one and a half times its "
+            "distance from the lens. The scene stays as it is"
+        )
+        self._slider.valueChanged.connect(self._slide)
+        self._place = QLabel()
+        self._back = QPushButton("At screen")
+        self._back.setToolTip("Go back to the distance of the scene's screen")
+        self._back.clicked.connect(lambda: self._slider.setValue(_SCREEN))
+        self._more = QPushButton("Curve")
+        self._more.setToolTip("Trace the lens to many distances and draw the error against them")
+        self._more.setCheckable(True)
+        self._more.toggled.connect(self._show_curve)
+        row = QHBoxLayout()
+        row.setContentsMargins(6, 0, 6, 2)
+        row.addWidget(self._slider, 1)
+        row.addWidget(self._back)
+        row.addWidget(self._more)
+        self._place.setContentsMargins(6, 0, 6, 4)
+        self._place.setWordWrap(True)
+        self._curve = FocusCurveView()
+        self._curve.hide()
+        self._box.addLayout(row)
+        self._box.addWidget(self._place)
+        self.add_below(self._curve)
+
+    @property
+    def z(self) -> float:
+        """Where the screen is that is shown; there has to be a frame."""
+        return self._z_of(self._slider.value())
+
+    def show_frame(self, frame: "Frame") -> None:
+        """Take note of another lens."""
+        if self._frame is None or not look_alike(self._frame.session, frame.session):
+            self._forget()
+        super().show_frame(frame)
+        self._want()
+
+    def show_nothing(self, session: "Session") -> None:
+        """Show a design that cannot be traced."""
+        self._want_nothing()
+        self._forget()
+        super().show_nothing(session)
+        self._place.clear()
+
+    def uncover(self, uncovered: bool) -> None:
+        """Trace, or not; a dock behind another tab is not hidden, but covered."""
+        self._covered = not uncovered
+        if uncovered:
+            self._want()
+        else:
+            self._want_nothing()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Trace what came while hidden."""
+        super().showEvent(event)
+        self._want()
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        """Trace nothing that nobody sees."""
+        self._want_nothing()
+        super().hideEvent(event)
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        """End the threads with the view."""
+        self.close_threads()
+        super().closeEvent(event)
+
+    def close_threads(self) -> None:
+        """Leave what is being traced and wait for it; safe to call twice."""
+        self._want_nothing()
+        self._image_of.close()
+        self._curve_of.close()
+
+    def _seen(self) -> bool:
+        return self._frame is not None and self.isVisible() and not self._covered
+
+    def _want(self) -> None:
+        """What is shown may be of another lens."""
+        if self._seen():
+            self._tell("traced when the lens rests…")
+            self._rest.start()
+
+    def _want_nothing(self) -> None:
+        self._rest.stop()
+        self._image_of.forget()
+        self._curve_of.forget()
+
+    def _forget(self) -> None:
+        """What is known is of another design, and so is what is being traced."""
+        self._light = None
+        self._image_of.forget()
+        self._curve_of.forget()
+
+    def _slide(self) -> None:
+        if self._seen():
+            self._trace()
+
+    def _trace_anew(self) -> None:
+        self._trace()
+        self._trace_curve()
+
+    def _trace(self) -> None:
+        frame = self._frame
+        assert frame is not None  # what nobody sees is not traced
+        lens = frame.session, frame.snapshot.control_points
+        self._curve.mark(self.z)
+        self._tell("tracing…")
+        self._image_of.ask(Question(*lens, ((self.z, _FEW), (self.z, _MANY))))
+
+    def _take(self, question: Question, z: float, found: "Validation | None") -> None:
+        if found is None:
+            self._light = np.zeros_like(question.session.target)
+            self._tell("no light arrives there")
+        else:
+            self._light = found.irradiance
+            arrives = f"{100 * found.efficiency:.1f} % of the light"
+            self._tell(f"error {verified_error(found)}, {arrives}")
+        self._ask()
+
+    def _tell(self, what: str) -> None:
+        assert self._frame is not None
+        at_screen = " (screen)" if self._slider.value() == _SCREEN else ""
+        self._place.setText(f"z = {self.z:.4g} {self._frame.session.scene.unit}{at_screen}: {what}")
+
+    def _show_curve(self, shown: bool) -> None:
+        self._curve.setVisible(shown)
+        if self._seen():
+            self._trace_curve()
+
+    def _trace_curve(self) -> None:
+        self._curve_of.forget()
+        frame = self._frame
+        if frame is None or not self._more.isChecked():
+            return
+        places = [
+            self._z_of(round(part)) for part in np.linspace(_NEAREST, _FARTHEST, _PLACES).tolist()
+        ]
+        self._curve.begin(frame.session, (places[0], places[-1]))
+        self._curve.mark(self.z)
+        lens = frame.session, frame.snapshot.control_points
+        self._curve_of.ask(Question(*lens, tuple((z, _FEW) for z in places)))
+
+    def _take_error(self, question: Question, z: float, found: "Validation | None") -> None:
+        self._curve.add(z, 1.0 if found is None else found.relative_l2_corrected)
+
+    def _z_of(self, part: int) -> float:
+        assert self._frame is not None
+        return screen_at(self._frame.session.scene, part / _SCREEN)
+
+    def _why_empty(self, frame: "Frame | None") -> str:
+        if frame is not None and self._light is None:
+            return "The light there is traced when the lens rests."
+        return super()._why_empty(frame)
+
+    def _shown_values(self, frame: "Frame") -> npt.NDArray[np.float64]:
+        return np.zeros_like(frame.session.target) if self._light is None else self._light
