@@ -5,7 +5,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QSettings
+from PySide6.QtCore import QSettings, Qt
 
 from ui.check.checking import verified_error
 from ui.document import Document
@@ -140,6 +140,21 @@ def test_a_second_order_cancels_it(window, gate, qtbot):
     gate.release(STEPS)
     qtbot.waitUntil(lambda: figures(window).startswith("checked"))
     assert len(gate.begun) == 2 and len(gate.left) == 1
+
+
+def test_escape_cancels_it_once_no_tool_needs_the_key(window, gate, qtbot):
+    scene = window.bench.views.scene
+    qtbot.waitUntil(lambda: scene._plotter is not None, timeout=30_000)
+    window.commands["lock"].trigger()
+    window.commands["check"].trigger()
+    qtbot.keyClick(scene._plotter, Qt.Key.Key_Escape)
+    assert window.commands["turn"].isChecked()
+    assert figures(window).startswith("checking…")
+    qtbot.keyClick(scene._plotter, Qt.Key.Key_Escape)
+    assert figures(window) == "" and window.commands["check"].text() == "&Check lens"
+    gate.release(1)  # the step that it was in
+    qtbot.waitUntil(lambda: not window.bench.check._checking._background.busy)
+    assert len(gate.left) == 1
 
 
 def test_one_cancelled_and_begun_again_at_once(window, gate, qtbot):
