@@ -212,4 +212,4 @@ def test_a_picture_folder_that_is_a_file(refusal, freeform, scene_file, out, fak
     fake_run({})
     assert freeform("design", scene_file, "-o", out)[0] == 0
     told = refusal("pictures", out, scene_file)
-    assert told == f"{scene_file}: pictures cannot be written there: File exists"
+    assert told == f"{scene_file}: cannot be made: File exists"
