@@ -2,9 +2,11 @@ import io
 
 import numpy as np
 import pytest
+from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
 from PIL import Image
 
+from workbench.pictures.style import paint
 from workbench.pictures.tolerances import draw_errors, write_errors
 
 ERRORS = [0.3, 0.1, 0.2, 0.4]
@@ -26,3 +28,12 @@ def test_a_file():
     file = io.BytesIO()
     write_errors(file, 0.05, ERRORS)
     assert Image.open(file).size == (900, 600)
+
+
+def test_the_legend_follows_ink_and_paper():
+    figure = Figure()
+    draw_errors(figure.subplots(), 0.05, ERRORS)
+    paint(figure, "#eeeeee", "#202020")
+    legend = figure.axes[0].get_legend()
+    assert to_hex(legend.get_frame().get_facecolor()) == "#202020"
+    assert {text.get_color() for text in legend.get_texts()} == {"#eeeeee"}

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from workbench.files.session import Session
 
 _REST_MS = 250  # longer than between two steps of a hand
-_PLACES = 257  # of a map along the longer side of the lens
+_PLACES = 193  # of a map along the longer side of the lens
 
 
 class _Found(NamedTuple):

@@ -1,0 +1,59 @@
+"""Manufacture and tolerances in the real window: hidden at first, shown when asked for."""
+
+import pytest
+from PySide6.QtCore import QSettings
+
+from ui.document import Document
+from ui.main_window import MainWindow
+from workbench.design.snapshot import History
+from workbench.files.session import Session
+
+pytestmark = pytest.mark.usefixtures("kernels")
+
+
+@pytest.fixture
+def window(display, session, snapshots, tmp_path, qtbot):
+    history = History()
+    history.add(snapshots(3))
+    designed = Session(session.scene, session.target, history.result())
+    settings = QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat)
+    window = MainWindow(Document(designed, "flat"), settings)
+    qtbot.addWidget(window, before_close_func=lambda window: window.discard_and_close())
+    with qtbot.waitExposed(window):
+        window.show()
+    window.build()
+    qtbot.waitUntil(lambda: window.bench.production.tolerances._frame is not None, timeout=60_000)
+    return window
+
+
+def test_the_dock_shows_what_a_shop_asks(window, qtbot):
+    pane = window.bench.production.manufacture
+    qtbot.wait(400)
+    assert pane._found is None and not window.workspace.docks["manufacture"].isVisible()
+    window.commands["go_manufacture"].trigger()
+    qtbot.waitUntil(lambda: pane._found is not None and not pane.map.empty, timeout=60_000)
+    assert pane._figures.found["thinnest"].text() == "0.497 cm"
+    assert pane._figures.found["tightest_concave"].text() == "none"
+
+
+def test_nothing_is_computed_behind_another_tab(window, qtbot):
+    docks, pane = window.workspace.docks, window.bench.production.manufacture
+    window.commands["go_manufacture"].trigger()
+    docks["tolerances"].show()
+    docks["tolerances"].raise_()
+    qtbot.waitUntil(lambda: docks["manufacture"].visibleRegion().isEmpty())
+    pane._found = None
+    pane.look()
+    qtbot.wait(600)
+    assert pane._found is None and not pane._background.busy
+    docks["manufacture"].raise_()
+    qtbot.waitUntil(lambda: pane._found is not None, timeout=60_000)
+
+
+def test_the_window_closes_in_the_midst_of_a_sample(window, qtbot):
+    pane = window.bench.production.tolerances
+    window.commands["go_tolerances"].trigger()
+    pane.toggle()
+    qtbot.waitUntil(lambda: pane._sample.nominal is not None, timeout=60_000)
+    window.discard_and_close()
+    assert not pane._sampling.busy
