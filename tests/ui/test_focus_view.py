@@ -16,12 +16,14 @@ from workbench.files.session import Session
 pytestmark = pytest.mark.usefixtures("kernels")
 
 FEW, MANY = 2_000, 8_000
+PLACES = 31
 
 
 @pytest.fixture(autouse=True)
 def fewer_rays(monkeypatch):
     monkeypatch.setattr(focus_view, "_FEW", FEW)
     monkeypatch.setattr(focus_view, "_MANY", MANY)
+    monkeypatch.setattr(focus_view, "_CURVE_RAYS", FEW)
 
 
 @pytest.fixture
@@ -172,22 +174,36 @@ def test_the_curve_tells_the_error_at_many_distances(view, frame, traces, qtbot)
     traces.clear()
     view._more.click()
     curve = view._curve
-    qtbot.waitUntil(lambda: len(curve.errors) == 41, timeout=30_000)
+    qtbot.waitUntil(lambda: len(curve.errors) == PLACES, timeout=30_000)
     assert [z for z, _ in curve.errors] == [z for z, _ in traces]
     assert {rays for _, rays in traces} == {FEW}
     session, heights = frame.session, frame.snapshot.control_points
     for z, error in curve.errors[::10]:
         wished = validate(session.scene, session.target, heights, FEW, screen_z=z)
         assert error == wished.relative_l2_corrected
-    qtbot.waitUntil(lambda: len(curve._curve._curve.get_xdata()) == 41)
+    qtbot.waitUntil(lambda: len(curve._curve._curve.get_xdata()) == PLACES)
     np.testing.assert_allclose(
         curve._curve._curve.get_ydata(), [100 * error for _, error in curve.errors]
     )
     view._slider.setValue(600)
     qtbot.waitUntil(lambda: curve._curve.mark.get_xdata()[0] == view.z)
-    assert len(curve.errors) == 41
+    assert len(curve.errors) == PLACES
     view._more.click()
     assert not curve.isVisible()
+
+
+def test_image_and_curve_share_what_room_there_is(view, frame, qtbot):
+    traced(view, frame, qtbot)
+    view._more.click()
+    view.resize(420, 300)
+    qtbot.waitUntil(lambda: not view._canvas.isVisible() and view._curve.height() > 150)
+    view.resize(420, 700)
+    qtbot.waitUntil(lambda: view._canvas.isVisible() and view._canvas.height() > 300)
+    assert view._curve.height() == view._curve.sizeHint().height()
+    view.resize(420, 300)
+    qtbot.waitUntil(lambda: not view._canvas.isVisible())
+    view._more.click()
+    assert view._canvas.isVisible() and not view._curve.isVisible()
 
 
 def test_closing_leaves_what_is_being_traced(view, monkeypatch, qtbot):

@@ -2,7 +2,8 @@
 
 from typing import TYPE_CHECKING
 
-from PySide6.QtWidgets import QWidget
+from PySide6.QtCore import QSize
+from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from ui.views.canvas import Canvas
 from ui.views.view import View
@@ -12,7 +13,7 @@ if TYPE_CHECKING:
     from ui.run.frame import Frame
     from workbench.files.session import Session
 
-_LINES = 8  # of text, as high as it is
+_LINES = 8  # of text, as high as it is beside an image
 
 
 class FocusCurveView(View):
@@ -22,12 +23,17 @@ class FocusCurveView(View):
         super().__init__(parent)
         self._canvas = Canvas(self, bar=False)
         self._box.addWidget(self._canvas)
-        self.setFixedHeight(_LINES * self.fontMetrics().lineSpacing())
+        self.setMinimumHeight(self.sizeHint().height())
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Expanding)
         self.setToolTip("Relative L2 error against the distance; the dotted line is the screen")
         self._ends = (0.0, 1.0)
         self._z = 0.0
         self._errors: dict[float, float] = {}
         self._curve: FocusCurve | None = None
+
+    def sizeHint(self) -> QSize:
+        """Some lines of text high."""
+        return QSize(super().sizeHint().width(), _LINES * self.fontMetrics().lineSpacing())
 
     @property
     def errors(self) -> list[tuple[float, float]]:

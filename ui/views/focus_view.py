@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import numpy.typing as npt
 from PySide6.QtCore import Qt, QTimer
-from PySide6.QtGui import QCloseEvent, QHideEvent, QShowEvent
+from PySide6.QtGui import QCloseEvent, QHideEvent, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSlider, QWidget
 
 from ui.check.checking import verified_error
@@ -30,7 +30,8 @@ _REST_MS = 250  # longer than between two frames of a run
 _FEW, _MANY = 200_000, 4_000_000  # rays
 _NEAREST, _SCREEN, _FARTHEST = 500, 1000, 1500  # of the way from lens to screen, per mille
 _STEP, _PAGE = 5, 50
-_PLACES = 41  # of the curve
+_PLACES, _CURVE_RAYS = 31, 100_000  # of the curve
+_ROOMY = 3.5  # times the height of the curve; below that, it takes the place of the image
 
 
 class FocusView(LightImageView):
@@ -117,6 +118,11 @@ class FocusView(LightImageView):
         self._want_nothing()
         super().hideEvent(event)
 
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Show image and curve where there is room for both."""
+        super().resizeEvent(event)
+        self._share()
+
     def closeEvent(self, event: QCloseEvent) -> None:
         """End the threads with the view."""
         self.close_threads()
@@ -181,8 +187,13 @@ class FocusView(LightImageView):
 
     def _show_curve(self, shown: bool) -> None:
         self._curve.setVisible(shown)
+        self._share()
         if self._seen():
             self._trace_curve()
+
+    def _share(self) -> None:
+        roomy = self.height() > _ROOMY * self._curve.sizeHint().height()
+        self._canvas.setVisible(roomy or not self._more.isChecked())
 
     def _trace_curve(self) -> None:
         self._curve_of.forget()
@@ -195,7 +206,7 @@ class FocusView(LightImageView):
         self._curve.begin(frame.session, (places[0], places[-1]))
         self._curve.mark(self.z)
         lens = frame.session, frame.snapshot.control_points
-        self._curve_of.ask(Question(*lens, tuple((z, _FEW) for z in places)))
+        self._curve_of.ask(Question(*lens, tuple((z, _CURVE_RAYS) for z in places)))
 
     def _take_error(self, question: Question, z: float, found: "Validation | None") -> None:
         self._curve.add(z, 1.0 if found is None else found.relative_l2_corrected)
