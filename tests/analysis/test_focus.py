@@ -2,8 +2,8 @@ import numpy as np
 import pytest
 
 from workbench.analysis import focus
-from workbench.analysis.focus import focus_series
-from workbench.analysis.validation import validate
+from workbench.analysis.focus import focus_series, screen_at
+from workbench.analysis.validation import validate, with_screen_at
 from workbench.errors import Refused
 
 
@@ -52,3 +52,13 @@ def test_no_light_is_all_wrong(make_scene):
 def test_within_the_lens(lens):
     with pytest.raises(Refused, match=r"screen\.z: 0\.7 may touch the lens"):
         list(focus_series(*lens, (5.0, 0.7), 100))
+
+
+def test_parts_of_the_way_to_the_screen_clear_the_lens(make_scene):
+    scene = make_scene()
+    top = scene.lens.highest
+    assert screen_at(scene, 1) == scene.screen.z
+    assert screen_at(scene, 0.5) - top == pytest.approx((scene.screen.z - top) / 2)
+    with_screen_at(scene, screen_at(scene, 1e-6))
+    with pytest.raises(Refused, match="may touch the lens"):
+        with_screen_at(scene, screen_at(scene, 0))

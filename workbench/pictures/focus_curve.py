@@ -61,7 +61,7 @@ class FocusCurve:
             Whether more than the mark changed, so that the whole figure has to be drawn.
         """
         self.mark.set_xdata([z, z])
-        if errors == self._shown:
+        if tuple(errors) == self._shown:
             return False
         self._shown = tuple(errors)
         self._curve.set_data([at for at, _ in errors], [100 * error for _, error in errors])
