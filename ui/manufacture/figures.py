@@ -57,7 +57,7 @@ class Figures(QWidget):
         self._grid = grid = QGridLayout(self)
         grid.setContentsMargins(6, 4, 6, 6)
         grid.setHorizontalSpacing(8)
-        grid.setVerticalSpacing(2)
+        grid.setVerticalSpacing(3)
         grid.setColumnStretch(_LIMIT, 1)
         for column, text in ((_FOUND, "Lens"), (_LIMIT, "Limit")):
             grid.addWidget(QLabel(f"<b>{text}</b>"), 0, column)
@@ -70,7 +70,7 @@ class Figures(QWidget):
                 grid.addWidget(field, row, _LIMIT, rows, 1)
                 self._add(row, key, field.label)
             else:
-                self._add(row, key, _named("Humps", "Smallest radius of curvature of humps"))
+                self._add(row, key, _named("Hump radius", "Smallest radius of curvature of humps"))
             grid.addWidget(QLabel("≥" if line.at_least else "≤"), row, _SIGN)
             self.states[key] = state = QLabel()
             state.setAccessibleName(f"Verdict: {self.found[key].accessibleName()}")

@@ -15,7 +15,7 @@ _ROWS = {
     "min_thickness": ("Thinnest", "The lens has to be as thick as this everywhere"),
     "max_thickness": ("Thickest", "The lens must not be thicker than this anywhere"),
     "max_slope": ("Slope", "Largest angle between exit face and entrance face, in degrees"),
-    "min_radius": ("Hollows", "Smallest radius that a tool can cut, in hollows and on humps"),
+    "min_radius": ("Hollow radius", "Smallest radius that a tool can cut, in hollows and on humps"),
 }
 _ANGLE = "max_slope"
 _HINT = "Empty: what the design task keeps to, if anything. Kept for the next start."
