@@ -280,6 +280,18 @@ def test_nothing_is_done_to_a_lens_that_is_not_shown_yet(sculpting, drag, qtbot)
     assert document.session.result is None
 
 
+def test_words_of_a_tool_leave_the_picture_as_it_is(bench, qtbot):
+    view = bench.view
+    qtbot.waitUntil(lambda: view._plotter is not None, timeout=30_000)
+    place = view._plotter.geometry()
+    bench.commands["sculpt"]()
+    view._hint.setText("as many words as it takes for some lines of them " * 5)
+    QApplication.processEvents()
+    assert view._hint.isVisible() and view._plotter.geometry() == place
+    assert view._hint.geometry().bottom() == place.bottom()
+    assert view._hint.height() >= view._hint.heightForWidth(place.width())
+
+
 def test_locked_points_do_not_move(sculpting, drag):
     bench = sculpting
     bench.commands["lock_all"]()

@@ -20,9 +20,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
-from PySide6.QtCore import QEvent, QObject, Signal
+from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QCloseEvent, QResizeEvent
-from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
+from PySide6.QtWidgets import QGridLayout, QLabel, QSizePolicy, QWidget
 
 from ui.native import make_native
 from ui.run.frame import RAYS
@@ -85,7 +85,11 @@ class SceneView(View):
         self._hint.setObjectName("hint")
         self._hint.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Maximum)
         self._hint.hide()
-        self.add_below(self._hint)
+        make_native(self._hint)
+        # Over the picture, which words that come, go or grow leave as it is.
+        self._over = QGridLayout()
+        self._over.addWidget(self._hint, 0, 0, Qt.AlignmentFlag.AlignBottom)
+        self._box.addLayout(self._over, 1)
         self._colours = LIGHT
 
     def show_colours(self, name: str) -> None:
@@ -319,9 +323,10 @@ class SceneView(View):
         self._plotter.setAcceptDrops(False)  # files dropped here are for the window
         self._plotter.installEventFilter(self)
         self._show_cursor()
-        self._box.insertWidget(0, self._plotter, 1)
+        self._over.addWidget(self._plotter, 0, 0)
         self._box.activate()
         self._plotter.show()  # a layout shows what joins it only in a later turn
+        self._hint.raise_()
 
     def _show_cursor(self) -> None:
         if self._tool is None:
