@@ -165,7 +165,7 @@ def test_a_dark_screen_is_an_answer(view, monkeypatch, qtbot):
     monkeypatch.setattr("workbench.analysis.validation.validating", dark)
     view._slider.setValue(600)
     qtbot.waitUntil(lambda: "no light arrives" in view._place.text(), timeout=30_000)
-    qtbot.waitUntil(lambda: not view._values.any())
+    qtbot.waitUntil(lambda: view._values is not None and not view._values.any())
 
 
 def test_the_curve_tells_the_error_at_many_distances(view, frame, traces, qtbot):
