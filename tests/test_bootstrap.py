@@ -146,7 +146,7 @@ def test_an_interrupted_design_ends_with_its_own_status(monkeypatch, commands):
 
 
 def test_root_on_debian_gets_missing_packages_installed(monkeypatch, commands, apt_get, capsys):
-    monkeypatch.setattr(system_libraries, "missing", lambda: [("libGL.so.1", "libgl1")])
+    monkeypatch.setattr(system_libraries, "missing", lambda _=(): [("libGL.so.1", "libgl1")])
     monkeypatch.setattr(system_libraries, "has_display", lambda: False)
     monkeypatch.setattr(system_libraries, "missing_programs", lambda programs: [("xauth", "xauth")])
     assert bootstrap.main(["test"]) == 0
@@ -159,7 +159,7 @@ def test_root_on_debian_gets_missing_packages_installed(monkeypatch, commands, a
 
 def test_a_failing_apt_get_shows_its_reason(monkeypatch, commands, apt_get, capsys):
     apt_get.write_text("#!/bin/sh\necho 'E: no network'\nexit 100\n")
-    monkeypatch.setattr(system_libraries, "missing", lambda: [("libGL.so.1", "libgl1")])
+    monkeypatch.setattr(system_libraries, "missing", lambda _=(): [("libGL.so.1", "libgl1")])
     assert bootstrap.main([]) == 1
     assert commands == []
     assert capsys.readouterr().err == (
@@ -169,7 +169,7 @@ def test_a_failing_apt_get_shows_its_reason(monkeypatch, commands, apt_get, caps
 
 def test_others_are_told_what_to_type(monkeypatch, commands, apt_get, capsys):
     monkeypatch.setattr(os, "geteuid", lambda: 1000)
-    monkeypatch.setattr(system_libraries, "missing", lambda: [("libGL.so.1", "libgl1")])
+    monkeypatch.setattr(system_libraries, "missing", lambda _=(): [("libGL.so.1", "libgl1")])
     assert bootstrap.main([]) == 1
     assert commands == []
     assert capsys.readouterr().err == (

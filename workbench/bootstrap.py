@@ -84,7 +84,7 @@ def _design_without_window() -> int:
 
 def _test(pytest_arguments: Sequence[str]) -> int:
     command: list[str | Path] = [SCRIPTS / "python", "-m", "pytest", *pytest_arguments]
-    missing = system_libraries.missing()
+    missing = system_libraries.missing((*system_libraries.WINDOW, *system_libraries.MITSUBA))
     if not system_libraries.has_display():
         missing += system_libraries.missing_programs(system_libraries.VIRTUAL_SCREEN)
         command = ["xvfb-run", "-a", "-s", "-screen 0 1600x1000x24", *command]

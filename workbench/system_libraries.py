@@ -49,6 +49,9 @@ WINDOW = (
     ("libxcb-xkb.so.1", "libxcb-xkb1"),
 )
 
+# What Mitsuba 3 is linked to, where it is installed to check lenses.
+MITSUBA = (("libatomic.so.1", "libatomic1"),)
+
 # What tests of the window need where there is no display: a screen, and hands to use it.
 VIRTUAL_SCREEN = (("xvfb-run", "xvfb"), ("xauth", "xauth"), ("xdotool", "xdotool"))
 

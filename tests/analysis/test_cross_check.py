@@ -7,6 +7,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from workbench import system_libraries
 from workbench.analysis import mitsuba as other
 from workbench.analysis.cross_check import cross_check
 from workbench.errors import Refused
@@ -26,6 +27,13 @@ SOURCES = {
     "lambertian": POINT | {"emission": "lambertian"},
     "grid": GRID,
 }
+
+
+def test_a_library_that_is_missing_is_named(make_scene, monkeypatch):
+    monkeypatch.setattr(system_libraries, "_loads", lambda library: False)
+    monkeypatch.setattr(sys, "platform", "linux")
+    with pytest.raises(Refused, match="libatomic1"):
+        other._mitsuba()
 
 
 def test_the_extra_is_named_where_it_is_missing(make_scene, monkeypatch):

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from workbench import system_libraries
 from workbench.errors import Refused
 from workbench.geometry.surface import ControlNet
 from workbench.optics.cap import covering_cap
@@ -247,6 +248,8 @@ class MitsubaScene:
 
 
 def _mitsuba() -> Any:
+    if missing := system_libraries.missing(system_libraries.MITSUBA):
+        raise Refused("--with", f"'mitsuba' cannot be loaded. {system_libraries.advice(missing)}")
     try:
         import mitsuba
     except ImportError as error:
