@@ -6,7 +6,7 @@ import numpy as np
 import numpy.typing as npt
 from PySide6.QtWidgets import QHBoxLayout, QWidget
 
-from ui.panels.fields import Chooser
+from ui.panels.editors import Chooser
 from ui.views.image_view import ImageView
 from workbench.analysis.manufacture_limits import Limits
 from workbench.pictures.manufacture import MAPS, draw_map, map_unit

@@ -7,131 +7,23 @@ was refused stays as typed until it is corrected, or taken back with Escape.
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from PySide6.QtCore import QEvent, Qt, Signal
-from PySide6.QtGui import QKeyEvent, QKeySequence, QResizeEvent, QWheelEvent
+from PySide6.QtCore import Signal
 from PySide6.QtWidgets import (
     QCheckBox,
-    QComboBox,
     QHBoxLayout,
     QLabel,
-    QLineEdit,
-    QSizePolicy,
     QToolButton,
     QVBoxLayout,
     QWidget,
 )
 
 from ui import theme
+from ui.panels.editors import Chooser, NumberEditor, Refusal, TextEditor
 from ui.panels.edits import Edit, value_at
 
 LENGTH = "length"  # a unit that stands for the scene's own
 
 Changes = dict[str, object]
-
-
-class TextEditor(QLineEdit):
-    """One value as text; committed by Enter or by leaving it, taken back by Escape."""
-
-    committed = Signal(str)
-    reverted = Signal()
-
-    def __init__(self) -> None:
-        super().__init__()
-        self._settled = ""
-        # Files dropped here are for the window, which knows what to do with them.
-        self.setAcceptDrops(False)
-        self.editingFinished.connect(self.commit)
-
-    def show_value(self, text: str) -> None:
-        """Show what the scene holds; typing before that cannot be undone here any more."""
-        self._settled = text
-        cursor = self.cursorPosition() if self.hasFocus() else 0
-        self.setText(text)
-        self.setCursorPosition(cursor)
-
-    def commit(self) -> None:
-        """Tell of the text if it is new since it was last told or shown."""
-        if self.text() != self._settled:
-            self._settled = self.text()
-            self.committed.emit(self._settled)
-
-    def event(self, event: QEvent) -> bool:
-        """Leave undo to the window where there is no typing to undo."""
-        if (
-            event.type() == QEvent.Type.ShortcutOverride
-            and isinstance(event, QKeyEvent)
-            and (
-                (event.matches(QKeySequence.StandardKey.Undo) and not self.isUndoAvailable())
-                or (event.matches(QKeySequence.StandardKey.Redo) and not self.isRedoAvailable())
-            )
-        ):
-            event.ignore()
-            return True
-        return super().event(event)
-
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Escape takes the typed text back."""
-        if event.key() == Qt.Key.Key_Escape:
-            self.reverted.emit()
-        else:
-            super().keyPressEvent(event)
-
-
-class NumberEditor(TextEditor):
-    """A number as text, because spin boxes round and change under the mouse wheel."""
-
-    def __init__(self, whole: bool, narrow: bool = False) -> None:
-        super().__init__()
-        self._parse: Callable[[str], float] = int if whole else float
-        seen = "0000" if narrow else "0000000"
-        self.setMinimumWidth(self.fontMetrics().horizontalAdvance(seen))
-
-    def value(self, text: str) -> float | str:
-        """The number, or the text itself, for the scene to refuse."""
-        try:
-            return self._parse(text)
-        except ValueError:
-            return text
-
-
-class Chooser(QComboBox):
-    """A combo box that the mouse wheel scrolls past."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        # Long entries must not widen the whole form.
-        self.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
-        self.setMinimumContentsLength(8)
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-
-    def wheelEvent(self, event: QWheelEvent) -> None:
-        """Scroll the form instead."""
-        event.ignore()
-
-
-class _Refusal(QLabel):
-    """Wrapped text that is never cut off: forms ask for its height before they know its width."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.setObjectName("refusal")
-        self.setWordWrap(True)
-        self.setTextFormat(Qt.TextFormat.PlainText)
-        self.hide()
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        """Keep the height that fits the width."""
-        super().resizeEvent(event)
-        self._insist()
-
-    def say(self, text: str) -> None:
-        """Show a text; nothing is shown for an empty one."""
-        self.setText(text)
-        self.setVisible(bool(text))
-        self._insist()
-
-    def _insist(self) -> None:
-        self.setMinimumHeight(max(0, self.heightForWidth(self.width())))
 
 
 class Row(QWidget):
@@ -170,7 +62,7 @@ class Row(QWidget):
         self._present = present
         self._unit = QLabel()
         self._unit.setVisible(bool(unit))
-        self._refusal = _Refusal()
+        self._refusal = Refusal()
         self._editors = QHBoxLayout()
         self._editors.addWidget(self._unit)
         column = QVBoxLayout(self)
