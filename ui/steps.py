@@ -10,7 +10,7 @@ from workbench.files.session import Session
 
 Show = Callable[[Session], None]
 
-_BUDGET = 500 << 20  # bytes
+_BUDGET = 64 << 20  # bytes
 _SMALL = 16 << 10  # bytes of a step without arrays of its own: scene, text, Qt's part
 
 

@@ -66,7 +66,7 @@ class Screen:
 
     def moves(self) -> bool:
         """Whether something happens on and on, rather than once, as at the click of a button."""
-        return all(self._changes() for _ in range(4))
+        return all(self._changes(0.8) for _ in range(3))
 
     def rests(self) -> bool:
         """Whether nothing happens."""

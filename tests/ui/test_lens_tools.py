@@ -476,3 +476,14 @@ def test_in_the_window(display, make_scene, tmp_path, drag, qtbot, monkeypatch):
     file.unlink()
     commands["save_scene_1"].trigger()
     assert not file.exists() and "hidden" in window.messages.text
+
+
+def test_no_key_does_what_the_window_knows_nothing_of(bench, qtbot):
+    view = bench.view
+    before = [actor.prop.style for actor in view._plotter.actors.values() if hasattr(actor, "prop")]
+    position = view._plotter.camera_position
+    for key in "wsprv3qbC":  # wireframe, picking, other cameras, stereo, closing
+        qtbot.keyClicks(view._plotter, key)
+    now = [actor.prop.style for actor in view._plotter.actors.values() if hasattr(actor, "prop")]
+    assert now == before and "Surface" in now
+    assert view._plotter.camera_position == position

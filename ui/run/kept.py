@@ -10,7 +10,7 @@ from workbench.files.header import MOST_RUNS
 from workbench.files.session import KeptRun, Session
 from workbench.scene import Scene
 
-_BUDGET = 200 << 20  # bytes of all kept runs
+_BUDGET = 64 << 20  # bytes of all kept runs
 _NUMBER = re.compile(r"Run (\d+): ")
 
 

@@ -8,7 +8,7 @@ from PySide6.QtCore import QObject, Signal
 if TYPE_CHECKING:
     from ui.run.frame import Frame
 
-_BUDGET = 200 << 20  # bytes of all frames
+_BUDGET = 64 << 20  # bytes of all frames
 
 
 class Moments(QObject):

@@ -3,7 +3,8 @@
 1. The left button goes to the tool. If the tool has nothing to do there, the camera gets press,
    moves and release; all of them or none, or it would believe the button still pressed.
 2. Without a tool a press and a release at one place are a click, which picks.
-3. Other buttons, and the wheel without Ctrl, are the camera's with any tool.
+3. Keys that no tool takes are for the window.
+4. Other buttons, and the wheel without Ctrl, are the camera's with any tool.
 """
 
 from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
@@ -14,6 +15,9 @@ from ui.views.tools.tool import Pointer, Tool
 
 _LEFT = Qt.MouseButton.LeftButton
 _NOTCH = 120  # Qt's measure of the wheel's smallest turn
+
+# VTK and pyvista do things at a key that the window knows nothing of: wireframe, picking, the end.
+_KEYS = QEvent.Type.KeyPress, QEvent.Type.KeyRelease
 
 
 class Hand(QObject):
@@ -56,6 +60,9 @@ class Hand(QObject):
         if isinstance(event, QKeyEvent) and event.key() == Qt.Key.Key_Escape:
             if event.type() == QEvent.Type.KeyPress:
                 event.setAccepted(self._escape())  # or it is the window's
+            return True
+        if event.type() in _KEYS:
+            event.ignore()  # for the window
             return True
         if tool is not None and event.type() == QEvent.Type.Leave:
             tool.hover(None)
