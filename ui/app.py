@@ -76,6 +76,9 @@ def _parser() -> argparse.ArgumentParser:
 def _prepare_environment() -> None:
     # Threads of the optimiser that wait must sleep, or the window stutters on few cores.
     os.environ.setdefault("OMP_WAIT_POLICY", "PASSIVE")
+    # Torch's CUDA builds would load it for `paper`. It brings an LLVM of its own, which crashes
+    # where that of Mesa draws already; nothing here uses it.
+    sys.modules.setdefault("triton", None)  # type: ignore[arg-type]
     if sys.platform.startswith("linux"):
         # The 3D view draws into an X window, also where the desktop speaks Wayland.
         os.environ.setdefault("QT_QPA_PLATFORM", "xcb")
