@@ -8,12 +8,13 @@
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QSignalBlocker, QTimer, Signal
-from PySide6.QtGui import QCloseEvent, QHideEvent, QShowEvent
+from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSpinBox, QWidget
 
 from ui.lens.derivatives import Derivatives, Question
 from ui.views.plot_view import PlotView
 from ui.views.view import look_alike
+from ui.views.while_seen import WhileSeen
 from workbench.pictures.derivative import DerivativeImage
 
 if TYPE_CHECKING:
@@ -29,7 +30,7 @@ if TYPE_CHECKING:
 _REST_MS = 250  # longer than between two frames of a run, or two steps of a spin box
 
 
-class DerivativeView(PlotView):
+class DerivativeView(WhileSeen, PlotView):
     """A control point to choose, the map of its influence, and the sum of that map.
 
     Attributes
@@ -47,7 +48,6 @@ class DerivativeView(PlotView):
         self._derivatives = Derivatives(self)
         self._derivatives.answered.connect(self._take)
         self._wanted: Question | None = None
-        self._covered = False
         self._map: DerivativeMap | None = None
         self._rest = QTimer(self, singleShot=True, interval=_REST_MS)
         self._rest.timeout.connect(self._ask_for_map)
@@ -93,24 +93,6 @@ class DerivativeView(PlotView):
         self._place.clear()
         self._sum.clear()
 
-    def uncover(self, uncovered: bool) -> None:
-        """Compute, or not; a dock behind another tab is not hidden, but covered."""
-        self._covered = not uncovered
-        if uncovered:
-            self._want()
-        else:
-            self._want_nothing()
-
-    def showEvent(self, event: QShowEvent) -> None:
-        """Compute what came while hidden."""
-        super().showEvent(event)
-        self._want()
-
-    def hideEvent(self, event: QHideEvent) -> None:
-        """Compute nothing that nobody sees."""
-        self._want_nothing()
-        super().hideEvent(event)
-
     def closeEvent(self, event: QCloseEvent) -> None:
         """End the thread with the view."""
         self.close_thread()
@@ -138,7 +120,7 @@ class DerivativeView(PlotView):
     def _want(self) -> None:
         """The map on show is not of this lens or point any more."""
         self._wanted = None
-        if self._frame is not None and self.isVisible() and not self._covered:
+        if self._seen():
             self._sum.setText("Computed when the lens rests…")
             self._rest.start()
             self.chosen.emit(self.index)

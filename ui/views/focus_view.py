@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import numpy.typing as npt
 from PySide6.QtCore import Qt, QTimer
-from PySide6.QtGui import QCloseEvent, QHideEvent, QResizeEvent, QShowEvent
+from PySide6.QtGui import QCloseEvent, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSlider, QWidget
 
 from ui.check.checking import verified_error
@@ -19,6 +19,7 @@ from ui.views.focus_curve import FocusCurveView
 from ui.views.image_link import ImageLink
 from ui.views.light_image_view import LightImageView
 from ui.views.view import look_alike
+from ui.views.while_seen import WhileSeen
 from workbench.analysis.focus import screen_at
 
 if TYPE_CHECKING:
@@ -34,7 +35,7 @@ _PLACES, _CURVE_RAYS = 31, 100_000  # of the curve
 _ROOMY = 3.5  # times the height of the curve; below that, it takes the place of the image
 
 
-class FocusView(LightImageView):
+class FocusView(WhileSeen, LightImageView):
     """A slider over distances, and the light there; the scene stays as it is."""
 
     _NAME = "irradiance"
@@ -45,7 +46,6 @@ class FocusView(LightImageView):
         self._image_of.found.connect(self._take)
         self._image_of.failed.connect(lambda _, sentence: self._tell(sentence))
         self._curve_of.found.connect(self._take_error)
-        self._covered = False
         self._light: npt.NDArray[np.float64] | None = None  # as far as it is traced
         self._rest = QTimer(self, singleShot=True, interval=_REST_MS)
         self._rest.timeout.connect(self._trace_anew)
@@ -100,24 +100,6 @@ class FocusView(LightImageView):
         super().show_nothing(session)
         self._place.clear()
 
-    def uncover(self, uncovered: bool) -> None:
-        """Trace, or not; a dock behind another tab is not hidden, but covered."""
-        self._covered = not uncovered
-        if uncovered:
-            self._want()
-        else:
-            self._want_nothing()
-
-    def showEvent(self, event: QShowEvent) -> None:
-        """Trace what came while hidden."""
-        super().showEvent(event)
-        self._want()
-
-    def hideEvent(self, event: QHideEvent) -> None:
-        """Trace nothing that nobody sees."""
-        self._want_nothing()
-        super().hideEvent(event)
-
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Show image and curve where there is room for both."""
         super().resizeEvent(event)
@@ -133,9 +115,6 @@ class FocusView(LightImageView):
         self._want_nothing()
         self._image_of.close()
         self._curve_of.close()
-
-    def _seen(self) -> bool:
-        return self._frame is not None and self.isVisible() and not self._covered
 
     def _want(self) -> None:
         """What is shown may be of another lens."""
