@@ -1,5 +1,6 @@
 """A process that is killed while it saves leaves the old file or the new one, whole."""
 
+import itertools
 import multiprocessing
 import os
 import time
@@ -45,42 +46,45 @@ def export_all(session, folder):
         pass
 
 
-def save_for_ever(write, sessions, folder, begun):
-    begun.set()
-    while True:
+def save_for_ever(write, sessions, folder, told):
+    """Save one after the other again and again; tell how long the first round took."""
+    begin = time.monotonic()
+    for round_ in itertools.count():
         for session in sessions:
             write(session, folder)
+        if round_ == 0:
+            told.send(time.monotonic() - begin)
 
 
-def kill(write, sessions, folder, seconds):
-    """Let a process save, and kill it; the temporary files that it has left."""
+def kill(write, sessions, folder, part):
+    """Let a process save, and kill it in a part of a round; the temporary files that it left."""
     context = multiprocessing.get_context("fork")
-    begun = context.Event()
-    process = context.Process(target=save_for_ever, args=(write, sessions, folder, begun))
+    hears, told = context.Pipe(duplex=False)
+    process = context.Process(target=save_for_ever, args=(write, sessions, folder, told))
     process.start()
-    assert begun.wait(60)
-    time.sleep(seconds)
+    assert hears.poll(60)
+    time.sleep(part * hears.recv())  # by its own clock, however loaded the machine is
     process.kill()
     process.join()
     assert process.exitcode == -9  # and not by an error of its own
+    hears.close()
+    told.close()
     return {name for name in os.listdir(folder) if name.endswith(".tmp")}
 
 
 def check(write, first, tmp_path, kills):
     """Kill so often; every file must be byte by byte one of the two that were to be written."""
-    sessions = first, replace(first, target=first.target[::-1], result=moved(first.result))
-    folder, *wholes = (tmp_path / name for name in ("folder", "old", "new"))
+    sessions = replace(first, target=first.target[::-1], result=moved(first.result)), first
+    folder, *wholes = (tmp_path / name for name in ("folder", "new", "old"))
     for session, whole in zip(sessions, wholes, strict=True):
         whole.mkdir()
         write(session, whole)
     folder.mkdir()
-    begin = time.monotonic()
     write(first, folder)
-    typical = time.monotonic() - begin
     names = set(os.listdir(folder))
     random, broken_off, seen = Random(0), 0, set()
     for _ in range(kills):
-        left = kill(write, sessions, folder, random.uniform(0, 4 * typical))
+        left = kill(write, sessions, folder, random.random())
         broken_off += bool(left)
         assert set(os.listdir(folder)) == names | left
         for name in names:

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 _REST_MS = 250  # longer than between two frames of a run, or two steps of a spin box
 
 
-class DerivativeView(WhileSeen, PlotView):
+class DerivativeView(PlotView, WhileSeen):
     """A control point to choose, the map of its influence, and the sum of that map.
 
     Attributes

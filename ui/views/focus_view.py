@@ -35,7 +35,7 @@ _PLACES, _CURVE_RAYS = 31, 100_000  # of the curve
 _ROOMY = 3.5  # times the height of the curve; below that, it takes the place of the image
 
 
-class FocusView(WhileSeen, LightImageView):
+class FocusView(LightImageView, WhileSeen):
     """A slider over distances, and the light there; the scene stays as it is."""
 
     _NAME = "irradiance"

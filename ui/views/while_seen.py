@@ -6,7 +6,10 @@ from ui.views.view import View
 
 
 class WhileSeen(View):
-    """Says when there is something to compute, and when no longer."""
+    """Says when there is something to compute, and when no longer.
+
+    The last among the bases of a view: PySide looks for signals along the first.
+    """
 
     _covered = False
 
