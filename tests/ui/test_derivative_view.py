@@ -1,7 +1,6 @@
 """The derivative dock's view: when it computes, of which lens, what it tells."""
 
 import dataclasses
-import threading
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -10,7 +9,6 @@ import pytest
 from PySide6.QtCore import QThread
 
 import workbench.analysis.derivatives
-from ui.lens.derivatives import Derivatives, Question
 from ui.views.derivative_view import DerivativeView
 from workbench.analysis.derivatives import DerivativeMap, irradiance_derivative
 from workbench.files.session import Session
@@ -138,25 +136,3 @@ def test_defects_reach_the_person(seen, frame, monkeypatch, qtbot):
     monkeypatch.setattr(workbench.analysis.derivatives, "irradiance_derivative", broken)
     seen.show_frame(frame(1))
     qtbot.waitUntil(lambda: "unexpected ZeroDivisionError: by zero" in seen._sum.text())
-
-
-def test_questions_that_wait_are_replaced(session, monkeypatch, qtbot):
-    gate, taken = threading.Semaphore(0), []
-
-    def slow(scene, control_points, index):
-        taken.append(index)
-        gate.acquire()
-
-    monkeypatch.setattr(workbench.analysis.derivatives, "irradiance_derivative", slow)
-    derivatives, answered = Derivatives(), []
-    derivatives.answered.connect(lambda question, *_: answered.append(question.index))
-    for i in range(5):
-        derivatives.ask(Question(session.scene, np.zeros((12, 10)), (i, 0)))
-    gate.release(5)
-    qtbot.waitUntil(lambda: len(answered) == 2)
-    assert taken == answered == [(0, 0), (4, 0)]
-    derivatives.ask(Question(session.scene, np.zeros((12, 10)), (9, 9)))
-    derivatives.close()
-    derivatives.close()
-    qtbot.wait(50)
-    assert len(answered) == 2

@@ -224,4 +224,5 @@ def test_closing_leaves_what_is_being_traced(view, monkeypatch, qtbot):
     qtbot.wait(50)
     view.close()
     assert len(left) == 2
-    assert not view._image_of._background.busy and not view._curve_of._background.busy
+    for focusing in (view._image_of, view._curve_of):
+        assert not focusing._latest._background.busy

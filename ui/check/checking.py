@@ -1,6 +1,7 @@
 """Independent traces of lenses in a thread: the latest that was asked for, and no other."""
 
 from dataclasses import dataclass
+from functools import partial
 from threading import Event
 from typing import TYPE_CHECKING
 
@@ -8,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 from PySide6.QtCore import QObject, Signal
 
-from ui.background import Background
+from ui.latest import Latest
 
 if TYPE_CHECKING:
     from workbench.analysis.validation import Validation
@@ -72,80 +73,50 @@ class Checking(QObject):
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
-        self._wanted: Suspect | None = None
-        self._asked: Suspect | None = None  # in the thread
-        self._rays, self._threads = RAYS, 0
-        self._left = Event()
-        self._background = Background("check", self)
-        self._background.done.connect(self._take)
-        self._background.failed.connect(self._give_up)
+        self._latest = Latest("check", self)
+        self._latest.answered.connect(lambda suspect, found: self.checked.emit(suspect, *found))
+        self._latest.failed.connect(self.failed)
         self._stepped.connect(self._tell)
 
     @property
     def busy(self) -> bool:
         """Whether a check is under way that was not left."""
-        return self._wanted is not None
+        return self._latest.busy
 
     def begin(self, suspect: Suspect, rays: int = RAYS, threads: int = 0) -> None:
         """Check a lens with so many rays, in so many threads; 0 for as many as there are cores."""
-        self.leave()
-        self._wanted, self._rays, self._threads = suspect, rays, threads
-        self._next()
+        self._latest.ask(suspect, partial(self._check, suspect, rays, threads or None))
 
     def leave(self) -> None:
         """Tell nothing more of the check that is under way."""
-        self._wanted = None
-        self._left.set()
+        self._latest.forget()
 
     def close(self) -> None:
         """Leave the check and wait for the thread; safe to call twice."""
-        self.leave()
-        self._background.close()
+        self._latest.close()
 
-    def _next(self) -> None:
-        if self._wanted is None or self._background.busy:
-            return
-        suspect, rays, threads = self._wanted, self._rays, self._threads or None
-        self._asked, self._left = suspect, Event()
-        left, session, heights = self._left, suspect.session, suspect.control_points
+    def _check(
+        self, suspect: Suspect, rays: int, threads: int | None, left: Event
+    ) -> "tuple[Validation, float | None] | None":
+        # Late: what it stands on is slow to import.
+        from workbench.analysis.metrics import relative_l2
+        from workbench.analysis.validation import validating
 
-        def work() -> "tuple[Validation, float | None] | None":
-            # Late: what it stands on is slow to import.
-            from workbench.analysis.metrics import relative_l2
-            from workbench.analysis.validation import validating
-
-            steps = validating(session.scene, session.target, heights, rays, threads=threads)
-            while not left.is_set():
-                try:
-                    self._stepped.emit(suspect, next(steps))
-                except StopIteration as end:
-                    found: Validation = end.value
-                    own = suspect.irradiance
-                    return found, None if own is None else relative_l2(found.irradiance, own)
-            steps.close()
-            return None
-
-        self._background.begin(work)
+        scene, target = suspect.session.scene, suspect.session.target
+        steps = validating(scene, target, suspect.control_points, rays, threads=threads)
+        while not left.is_set():
+            try:
+                self._stepped.emit(suspect, next(steps))
+            except StopIteration as end:
+                found: Validation = end.value
+                own = suspect.irradiance
+                return found, None if own is None else relative_l2(found.irradiance, own)
+        steps.close()
+        return None
 
     def _tell(self, suspect: Suspect, part: float) -> None:
-        if suspect is self._wanted:
+        if self._latest.wants(suspect):
             self.came_on.emit(suspect, part)
-
-    def _take(self, found: "tuple[Validation, float | None] | None") -> None:
-        suspect = self._asked
-        if suspect is None or suspect is not self._wanted or found is None:
-            self._next()
-            return
-        self._wanted = None
-        self.checked.emit(suspect, *found)
-
-    def _give_up(self, sentence: str) -> None:
-        suspect = self._asked
-        if suspect is not self._wanted:
-            self._next()
-            return
-        self._wanted = None
-        self.failed.emit(suspect, sentence)
 
 
 def verified_error(found: "Validation | VerifiedError") -> str:

@@ -1,6 +1,7 @@
 """Traces the lens to screens elsewhere in a thread, always for the latest question."""
 
 from dataclasses import dataclass
+from functools import partial
 from threading import Event
 from typing import TYPE_CHECKING
 
@@ -8,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 from PySide6.QtCore import QObject, QThread, Signal
 
-from ui.background import Background
+from ui.latest import Latest
 from workbench.errors import RunFailed
 
 if TYPE_CHECKING:
@@ -53,57 +54,31 @@ class Focusing(QObject):
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
-        self._wanted: Question | None = None
-        self._begun: Question | None = None  # in the thread
-        self._left = Event()
-        self._background = Background("trace through focus", self)
-        self._background.done.connect(self._end)
-        self._background.failed.connect(self._give_up)
+        self._latest = Latest("trace through focus", self)
+        self._latest.failed.connect(self.failed)
         self._traced.connect(self._take)  # queued: the receiver lives in the window's thread
 
     def ask(self, question: Question) -> None:
         """Answer this instead of what was asked before."""
-        self.forget()
-        self._wanted = question
-        self._next()
+        self._latest.ask(question, partial(self._answer, question))
 
     def forget(self) -> None:
         """Tell nothing more."""
-        self._wanted = None
-        self._left.set()
+        self._latest.forget()
 
     def close(self) -> None:
         """Wait for the thread; safe to call twice."""
-        self.forget()
-        self._background.close()
+        self._latest.close()
 
-    def _next(self) -> None:
-        if self._wanted is None or self._background.busy:
-            return
-        self._begun, self._left = self._wanted, Event()
-        question, left = self._begun, self._left
-
-        def work() -> None:
-            for z, rays in question.traces:
-                if left.is_set():
-                    return
-                self._traced.emit(question, z, _trace(question, z, rays, left))
-
-        self._background.begin(work)
+    def _answer(self, question: Question, left: Event) -> None:
+        for z, rays in question.traces:
+            if left.is_set():
+                return
+            self._traced.emit(question, z, _trace(question, z, rays, left))
 
     def _take(self, question: Question, z: float, found: "Validation | None") -> None:
-        if question is self._wanted:
+        if self._latest.wants(question):
             self.found.emit(question, z, found)
-
-    def _end(self) -> None:
-        if self._wanted is not self._begun:
-            self._next()
-
-    def _give_up(self, sentence: str) -> None:
-        if self._wanted is not self._begun:
-            self._next()
-        else:
-            self.failed.emit(self._begun, sentence)
 
 
 def _trace(question: Question, z: float, rays: int, left: Event) -> "Validation | None":

@@ -5,13 +5,15 @@
    take the run's time and be of the past when it is there.
 """
 
+from functools import partial
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QSignalBlocker, QTimer, Signal
 from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSpinBox, QWidget
 
-from ui.lens.derivatives import Derivatives, Question
+from ui.latest import Latest
+from ui.lens.derivatives import Question, derivative
 from ui.views.plot_view import PlotView
 from ui.views.view import look_alike
 from ui.views.while_seen import WhileSeen
@@ -45,9 +47,9 @@ class DerivativeView(PlotView, WhileSeen):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._derivatives = Derivatives(self)
-        self._derivatives.answered.connect(self._take)
-        self._wanted: Question | None = None
+        self._latest = Latest("derivative map", self)
+        self._latest.answered.connect(self._take)
+        self._latest.failed.connect(self._give_up)
         self._map: DerivativeMap | None = None
         self._rest = QTimer(self, singleShot=True, interval=_REST_MS)
         self._rest.timeout.connect(self._ask_for_map)
@@ -75,7 +77,7 @@ class DerivativeView(PlotView, WhileSeen):
     def close_thread(self) -> None:
         """Wait for the last computation; nothing is computed any more. Safe to call twice."""
         self._rest.stop()
-        self._derivatives.close()
+        self._latest.close()
 
     def show_frame(self, frame: "Frame") -> None:
         """Take note of another lens."""
@@ -119,31 +121,34 @@ class DerivativeView(PlotView, WhileSeen):
 
     def _want(self) -> None:
         """The map on show is not of this lens or point any more."""
-        self._wanted = None
+        self._latest.forget()
         if self._seen():
             self._sum.setText("Computed when the lens rests…")
             self._rest.start()
             self.chosen.emit(self.index)
 
     def _want_nothing(self) -> None:
-        self._wanted = None
+        self._latest.forget()
         self._rest.stop()
-        self._derivatives.forget()
         self.chosen.emit(None)
 
     def _ask_for_map(self) -> None:
         frame = self._frame
         assert frame is not None
-        self._wanted = Question(frame.session.scene, frame.snapshot.control_points, self.index)
+        question = Question(frame.session.scene, frame.snapshot.control_points, self.index)
         self._sum.setText("Computing…")
-        self._derivatives.ask(self._wanted)
+        self._latest.ask(question, partial(derivative, question))
 
-    def _take(self, question: Question, found: "DerivativeMap | None", sentence: str) -> None:
-        if question is not self._wanted:
-            return
+    def _take(self, question: Question, found: "DerivativeMap") -> None:
         self._map = found
-        self._place.setText("" if found is None else _place(found, question.scene.unit))
-        self._sum.setText(sentence if found is None else _sum(found, question.scene.unit))
+        self._place.setText(_place(found, question.scene.unit))
+        self._sum.setText(_sum(found, question.scene.unit))
+        self._ask()
+
+    def _give_up(self, question: Question, sentence: str) -> None:
+        self._map = None
+        self._place.clear()
+        self._sum.setText(sentence)
         self._ask()
 
     def _begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
