@@ -1,18 +1,20 @@
-"""Every test of the window leaves nothing behind: no thread, timer, widget or VTK object."""
+"""What tests of the window share; each of them leaves nothing behind."""
 
+import dataclasses
 import gc
 import os
 import sys
-import threading
 import time
 from pathlib import Path
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QCoreApplication, QEvent, Qt, QThread, QTimer
-from PySide6.QtWidgets import QApplication
-from shiboken6 import isValid
+from PySide6.QtCore import QSettings
 
+from tests.ui.latency import LatencyProbe
+from tests.ui.leftovers import left_behind, living
+from ui.document import Document
+from ui.main_window import MainWindow
 from workbench.design.snapshot import History, Snapshot
 from workbench.files.session import Session
 from workbench.optics.ledger import Ledger
@@ -20,59 +22,6 @@ from workbench.targets import load_target
 
 if sys.platform == "linux" and not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")):
     os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
-
-_SETTLING = 4  # rounds of events that may still be under way
-_VTK = (
-    ("vtkmodules.vtkRenderingCore", "vtkRenderWindow"),
-    ("vtkmodules.vtkRenderingCore", "vtkRenderWindowInteractor"),
-    ("pyvista.plotting.plotter", "BasePlotter"),
-)
-
-
-def living():
-    """Everything that a test must not leave behind, by id, with a name for each."""
-    found = {id(w): f"top-level widget {w!r}" for w in QApplication.topLevelWidgets()}
-    for thread in threading.enumerate():
-        # Python makes up a dummy for every QThread that it meets; those are told below.
-        if not isinstance(thread, threading._DummyThread):
-            found[id(thread)] = f"thread {thread.name}"
-    scene_parts = tuple(
-        getattr(sys.modules[module], name) for module, name in _VTK if module in sys.modules
-    )
-    application = QCoreApplication.instance()
-    window_thread = application.thread() if application else None
-    # isinstance would wake lazy proxies; each of the few kinds is looked at once.
-    sought = (QThread, QTimer, *scene_parts)
-    kinds = {}
-    for thing in gc.get_objects():
-        kind = type(thing)
-        if kind not in kinds:
-            kinds[kind] = issubclass(kind, sought)
-        if not kinds[kind]:
-            continue
-        if issubclass(kind, QThread):
-            if isValid(thing) and thing.isRunning() and thing != window_thread:
-                found[id(thing)] = f"running {thing!r}"
-        elif issubclass(kind, QTimer):
-            if isValid(thing) and thing.isActive():
-                found[id(thing)] = f"active {thing!r} of {thing.parent()!r}"
-        else:
-            found[id(thing)] = f"VTK's {kind.__name__}"
-    return found
-
-
-def left_behind(before):
-    """Names of what lives now and did not before, after giving it a chance to go."""
-    application = QApplication.instance()
-    for _ in range(_SETTLING):
-        if application is not None:
-            application.processEvents()
-            QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
-        found = {key: name for key, name in living().items() if key not in before}
-        if not found:
-            return []
-        gc.collect()
-    return sorted(found.values())
 
 
 @pytest.fixture(scope="session", autouse=True)
@@ -99,12 +48,6 @@ def nothing_left_behind():
     left = left_behind(before)
     if left:
         pytest.fail("left behind: " + "; ".join(left), pytrace=False)
-
-
-@pytest.fixture
-def leaks():
-    """The two halves of the check, for tests of the check itself."""
-    return living, left_behind
 
 
 @pytest.fixture
@@ -156,6 +99,12 @@ def history(snapshots):
 
 
 @pytest.fixture
+def designed(session, history):
+    """The small design with a lens: a flat one."""
+    return dataclasses.replace(session, result=history(3).result())
+
+
+@pytest.fixture
 def as_run(snapshots):
     """A generator function that stands in for the engine's, of so many iterations."""
 
@@ -192,32 +141,30 @@ def as_seen_run(snapshots):
     return make
 
 
-class LatencyProbe:
-    """A 5 ms timer that notes how long the event loop lets it wait."""
+@pytest.fixture
+def settings(tmp_path):
+    """What windows keep, of nobody as yet."""
+    return QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat)
 
-    def __init__(self):
-        self._last = None
-        self.gaps_ms = []
-        self._timer = QTimer(interval=5, timerType=Qt.TimerType.PreciseTimer)
-        self._timer.timeout.connect(self._tick)
 
-    def start(self):
-        self._last = None
-        self._timer.start()
+@pytest.fixture
+def open_window(session, settings, qtbot):
+    """Opens windows, active, without runner and views as yet; they close with the test."""
 
-    def stop(self):
-        self._timer.stop()
+    def make(session=session, name="small"):
+        window = MainWindow(Document(session, name), settings)
+        qtbot.addWidget(window, before_close_func=MainWindow.discard_and_close)
+        with qtbot.waitActive(window):
+            window.show()
+            window.activateWindow()
+        return window
 
-    def report(self, name):
-        gaps = np.array(self.gaps_ms)
-        p95, most = np.quantile(gaps, 0.95), gaps.max()
-        return f"{name}: p95 {p95:.1f} ms, max {most:.0f} ms over {gaps.size} ticks"
+    return make
 
-    def _tick(self):
-        now = time.perf_counter()
-        if self._last is not None:
-            self.gaps_ms.append(1000 * (now - self._last))
-        self._last = now
+
+@pytest.fixture
+def window(open_window):
+    return open_window()
 
 
 @pytest.fixture

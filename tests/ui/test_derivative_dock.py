@@ -1,28 +1,21 @@
 """The dock in the real window: hidden at first, one of two tabs when shown, closed with it."""
 
+import threading
+import time
+
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, QSettings, Qt
+from PySide6.QtCore import QPoint, Qt
 
-from ui.document import Document
-from ui.main_window import MainWindow
+from workbench.analysis import derivatives
 from workbench.analysis.derivatives import irradiance_derivative
-from workbench.design.snapshot import History
-from workbench.files.session import Session
 
 pytestmark = pytest.mark.usefixtures("kernels")
 
 
 @pytest.fixture
-def window(display, session, snapshots, tmp_path, qtbot):
-    history = History()
-    history.add(snapshots(3))
-    designed = Session(session.scene, session.target, history.result())
-    settings = QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat)
-    window = MainWindow(Document(designed, "designed"), settings)
-    qtbot.addWidget(window, before_close_func=lambda window: window.discard_and_close())
-    with qtbot.waitExposed(window):
-        window.show()
+def window(display, open_window, designed):
+    window = open_window(designed)
     window.build()
     return window
 
@@ -44,23 +37,29 @@ def test_nothing_is_computed_behind_another_tab(window, qtbot):
     dock, other = window.workspace.docks["derivative"], window.workspace.docks["error"]
     dock.toggleViewAction().trigger()
     view = dock.widget()
-    qtbot.waitUntil(lambda: view._wanted is not None, timeout=60_000)
+    qtbot.waitUntil(lambda: view._map is not None, timeout=60_000)
     other.raise_()
-    qtbot.waitUntil(lambda: view._wanted is None)
+    qtbot.waitUntil(lambda: dock.visibleRegion().isEmpty())
     view._boxes[0].setValue(2)
     qtbot.wait(400)
-    assert view._wanted is None and not view._rest.isActive()
+    assert not view._latest.busy and not view._rest.isActive()
+    assert view._map.index[0] != 2
     dock.raise_()
-    qtbot.waitUntil(lambda: view._wanted is not None)
-    assert view._wanted.index[0] == 2
+    qtbot.waitUntil(lambda: view._map.index[0] == 2, timeout=60_000)
 
 
-def test_closing_in_the_midst_of_a_computation(window, qtbot):
+def test_closing_in_the_midst_of_a_computation(window, monkeypatch, qtbot):
+    begun = threading.Event()
+
+    def slow(*_):
+        begun.set()
+        time.sleep(0.2)
+
+    monkeypatch.setattr(derivatives, "irradiance_derivative", slow)
     window.workspace.docks["derivative"].toggleViewAction().trigger()
-    view = window.workspace.docks["derivative"].widget()
-    qtbot.waitUntil(lambda: view._wanted is not None, timeout=60_000)
+    qtbot.waitUntil(begun.is_set, timeout=60_000)
     window.discard_and_close()
-    assert view._derivatives._thread is None
+    assert not window.workspace.docks["derivative"].widget()._latest._background.busy
 
 
 def seen_at(window, index):

@@ -5,27 +5,15 @@ import threading
 from types import SimpleNamespace
 
 import pytest
-from PySide6.QtCore import QSettings, QTimer
+from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication, QFileDialog
 
-from ui.document import Document
-from ui.main_window import MainWindow
-from workbench.design.snapshot import History
 from workbench.files.export.formats import FORMATS
-from workbench.files.session import Session
 
 
 @pytest.fixture
-def window(session, snapshots, tmp_path, qtbot):
-    history = History()
-    history.add(snapshots(3))
-    designed = Session(session.scene, session.target, history.result())
-    settings = QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat)
-    window = MainWindow(Document(designed, "flat"), settings)
-    qtbot.addWidget(window, before_close_func=lambda window: window.discard_and_close())
-    with qtbot.waitExposed(window):
-        window.show()
-    return window
+def window(open_window, designed):
+    return open_window(designed)
 
 
 def export(window, path, qtbot, monkeypatch):

@@ -1,22 +1,10 @@
 """The gallery of examples in the real window, by keyboard and mouse."""
 
 import pytest
-from PySide6.QtCore import QSettings, Qt
+from PySide6.QtCore import Qt
 
 from resources import EXAMPLES
-from ui.document import Document
 from ui.gallery import Gallery
-from ui.main_window import MainWindow
-
-
-@pytest.fixture
-def window(session, tmp_path, qtbot):
-    settings = QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat)
-    window = MainWindow(Document(session, "small"), settings)
-    qtbot.addWidget(window, before_close_func=lambda window: window.discard_and_close())
-    with qtbot.waitExposed(window):
-        window.show()
-    return window
 
 
 @pytest.fixture

@@ -1,24 +1,10 @@
 """The list of steps: by mouse and keyboard, also when there are a thousand."""
 
-import pytest
-from PySide6.QtCore import QSettings, Qt
+from PySide6.QtCore import Qt
 
-from ui.document import Document
-from ui.main_window import MainWindow
 from ui.steps import Steps
 
 STEPS = 1000
-
-
-@pytest.fixture
-def window(session, tmp_path, qtbot):
-    settings = QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat)
-    window = MainWindow(Document(session, "small"), settings)
-    qtbot.addWidget(window, before_close_func=lambda window: window.discard_and_close())
-    with qtbot.waitActive(window):
-        window.show()
-        window.activateWindow()
-    return window
 
 
 def edit(window, z):

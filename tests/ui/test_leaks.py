@@ -6,16 +6,16 @@ import pytest
 from PySide6.QtCore import QThread, QTimer
 from PySide6.QtWidgets import QWidget
 
+from tests.ui.leftovers import left_behind, living
+
 pytest_plugins = ["pytester"]
 
 
-def test_nothing_is_found_where_nothing_is_left(qapp, leaks):
-    living, left_behind = leaks
+def test_nothing_is_found_where_nothing_is_left(qapp):
     assert left_behind(living()) == []
 
 
-def test_finds_a_python_thread(leaks):
-    living, left_behind = leaks
+def test_finds_a_python_thread():
     before, release = living(), threading.Event()
     thread = threading.Thread(target=release.wait, name="forgotten")
     thread.start()
@@ -25,8 +25,7 @@ def test_finds_a_python_thread(leaks):
     assert left_behind(before) == []
 
 
-def test_finds_a_running_qthread(qapp, leaks):
-    living, left_behind = leaks
+def test_finds_a_running_qthread(qapp):
     before, thread = living(), QThread()
     thread.start()
     (found,) = left_behind(before)
@@ -36,8 +35,7 @@ def test_finds_a_running_qthread(qapp, leaks):
     assert left_behind(before) == []
 
 
-def test_finds_an_active_timer(qapp, leaks):
-    living, left_behind = leaks
+def test_finds_an_active_timer(qapp):
     before, timer = living(), QTimer(interval=3_600_000)
     timer.start()
     (found,) = left_behind(before)
@@ -46,8 +44,7 @@ def test_finds_an_active_timer(qapp, leaks):
     assert left_behind(before) == []
 
 
-def test_finds_a_top_level_widget(qapp, leaks):
-    living, left_behind = leaks
+def test_finds_a_top_level_widget(qapp):
     before, widget = living(), QWidget()
     (found,) = left_behind(before)
     assert found.startswith("top-level widget")
@@ -56,9 +53,8 @@ def test_finds_a_top_level_widget(qapp, leaks):
     assert left_behind(before) == []
 
 
-def test_finds_what_a_plotter_holds(leaks):
+def test_finds_what_a_plotter_holds():
     pyvista = pytest.importorskip("pyvista")
-    living, left_behind = leaks
     before, plotter = living(), pyvista.Plotter(off_screen=True)
     found = left_behind(before)
     assert "VTK's Plotter" in found

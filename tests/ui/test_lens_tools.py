@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, QSettings, Qt
-from PySide6.QtGui import QGuiApplication, QImage, QMouseEvent, QWheelEvent
+from PySide6.QtGui import QFocusEvent, QGuiApplication, QImage, QKeyEvent, QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QApplication, QMainWindow
 
 from ui.document import Document
@@ -411,6 +411,137 @@ def test_a_corner_widens_the_grid_unless_exploded(at_bench, drag, qtbot):
     held.release()
     assert bench.document.undo_stack.count() == 1
     assert "to scale" in bench.said[-1]
+
+
+def test_arrows_move_the_brush_from_where_it_was(sculpting, qtbot):
+    view = sculpting.view
+    qtbot.keyClick(view._plotter, Qt.Key.Key_Right)
+    assert view._brush[0] == (7, 5)  # from the middle
+    for _ in range(6):
+        qtbot.keyClick(view._plotter, Qt.Key.Key_Up)
+    assert view._brush[0] == (7, 9)
+    qtbot.mouseMove(view._plotter, control_point(sculpting, (3, 4)))
+    qtbot.waitUntil(lambda: view._brush[0] == (3, 4))
+    QApplication.sendEvent(view._plotter, QEvent(QEvent.Type.Leave))
+    assert view._brush is None
+    qtbot.keyClick(view._plotter, Qt.Key.Key_Down)
+    qtbot.keyClick(view._plotter, Qt.Key.Key_Left)
+    assert view._brush[0] == (2, 3)
+    qtbot.waitUntil(lambda: view.net._brush == view._brush)  # it is seen
+    sculpting.commands["turn"]()
+    assert view._brush is None
+
+
+def test_a_brush_beyond_another_net_is_not_drawn(sculpting, qtbot):
+    view, document = sculpting.view, sculpting.document
+    for _ in range(6):
+        qtbot.keyClick(view._plotter, Qt.Key.Key_Right)
+    assert view._brush[0] == (11, 5)
+    data = document.session.scene.to_data()
+    coarse = {**data["lens"], "control_points": [8, 4]}
+    document.edit(Scene.from_data({**data, "lens": coarse}), "net", "")
+    qtbot.waitUntil(lambda: view._shown is document.session, timeout=20_000)
+    assert view.net._brush is None
+    qtbot.keyClick(view._plotter, Qt.Key.Key_Right)
+    assert view._brush[0] == (7, 3)
+
+
+def hold_key(view, key, times, keys=Qt.KeyboardModifier.NoModifier):
+    """A key that is pressed and repeats itself, as long as it is not released."""
+    for time in range(times):
+        for kind in (QEvent.Type.KeyRelease, QEvent.Type.KeyPress)[time == 0 :]:
+            event = QKeyEvent(kind, key, keys, "", autorep=time > 0)
+            QApplication.sendEvent(view._plotter, event)
+
+
+def test_a_held_key_is_one_step(sculpting, qtbot):
+    bench, view, document = sculpting, sculpting.view, sculpting.document
+    bench.commands["brush_smaller"]()
+    bench.commands["brush_smaller"]()
+    hold_key(view, Qt.Key.Key_PageUp, 10)
+    qtbot.waitUntil(lambda: view.frame.snapshot.control_points[6, 5] > 0.5, timeout=20_000)
+    qtbot.waitUntil(lambda: "Moved by +0.06 cm" in view._hint.text())
+    assert document.session.result is None
+    # Neither hand nor pointer is in its way.
+    qtbot.mouseMove(view._plotter, control_point(bench, (3, 4)))
+    QApplication.sendEvent(view._plotter, QEvent(QEvent.Type.Leave))
+    assert view._brush[0] == (6, 5)
+    qtbot.keyRelease(view._plotter, Qt.Key.Key_PageUp)
+    qtbot.waitUntil(lambda: document.session.result is not None, timeout=20_000)
+    np.testing.assert_array_equal(np.argwhere(bench.heights() != 0.5), [[6, 5]])
+    assert bench.heights()[6, 5] == pytest.approx(0.56)  # ten times 1/100 of 0.6
+    assert document.undo_stack.count() == 1
+    assert document.undo_stack.undoText() == "move control points"
+    qtbot.keyClick(view._plotter, Qt.Key.Key_PageDown, Qt.KeyboardModifier.ShiftModifier)
+    qtbot.waitUntil(lambda: document.undo_stack.count() == 2, timeout=20_000)
+    assert bench.heights()[6, 5] == pytest.approx(0.5597)
+    document.undo_stack.undo()
+    document.undo_stack.undo()
+    assert document.session.result is None
+
+
+def test_esc_takes_a_held_key_back_and_lost_focus_lets_it_go(sculpting, qtbot):
+    bench, view, document = sculpting, sculpting.view, sculpting.document
+    hold_key(view, Qt.Key.Key_PageDown, 3)
+    qtbot.waitUntil(lambda: view.frame.snapshot.control_points.min() < 0.5, timeout=20_000)
+    qtbot.keyClick(view._plotter, Qt.Key.Key_Escape)
+    qtbot.waitUntil(lambda: (view.frame.snapshot.control_points == 0.5).all(), timeout=20_000)
+    again = QKeyEvent(
+        QEvent.Type.KeyPress, Qt.Key.Key_PageDown, Qt.KeyboardModifier.NoModifier, "", True
+    )
+    QApplication.sendEvent(view._plotter, again)  # it is held still
+    qtbot.keyRelease(view._plotter, Qt.Key.Key_PageDown)
+    assert document.undo_stack.count() == 0 and not bench.put_away
+    hold_key(view, Qt.Key.Key_PageDown, 3)
+    QApplication.sendEvent(view._plotter, QFocusEvent(QEvent.Type.FocusOut))
+    qtbot.waitUntil(lambda: document.undo_stack.count() == 1, timeout=20_000)
+    assert bench.heights().min() == pytest.approx(0.482)
+
+
+def test_keys_are_refused_as_drags_are(sculpting, qtbot):
+    bench, view = sculpting, sculpting.view
+    bench.commands["lock_all"]()
+    hold_key(view, Qt.Key.Key_PageUp, 5)
+    qtbot.keyRelease(view._plotter, Qt.Key.Key_PageUp)
+    assert len(bench.said) == 1 and "locked" in bench.said[0]
+    assert bench.document.session.result is None
+
+
+def test_space_locks_and_unlocks_what_is_in_the_brush(bench, qtbot):
+    view, document = bench.view, bench.document
+    bench.commands["lock"]()
+    bench.commands["brush_smaller"]()
+    qtbot.waitUntil(lambda: view.net._shown)
+    hold_key(view, Qt.Key.Key_Space, 3)
+    assert view.locked.sum() == 9 and document.session.locked is None
+    qtbot.keyClick(view._plotter, Qt.Key.Key_Escape)
+    assert view.locked is None and not bench.put_away
+    qtbot.keyClick(view._plotter, Qt.Key.Key_Space)
+    locked = document.session.locked
+    assert locked[5:8, 4:7].all() and locked.sum() == 9
+    assert document.undo_stack.undoText() == "lock points"
+    qtbot.keyClick(view._plotter, Qt.Key.Key_Right)
+    qtbot.keyClick(view._plotter, Qt.Key.Key_Return)
+    locked = document.session.locked
+    assert locked[5, 4:7].all() and locked.sum() == 3
+    assert document.undo_stack.undoText() == "unlock points"
+
+
+def test_keys_move_the_source(at_bench, qtbot):
+    bench = at_bench({"source": POINT})
+    view, document = bench.view, bench.document
+    bench.commands["move_source"]()
+    qtbot.waitUntil(lambda: view.handles._source is not None)
+    hold_key(view, Qt.Key.Key_Right, 5)
+    qtbot.keyRelease(view._plotter, Qt.Key.Key_Right)
+    qtbot.keyClick(view._plotter, Qt.Key.Key_PageDown, Qt.KeyboardModifier.ShiftModifier)
+    assert document.session.scene.source.position == pytest.approx((0.1, 0.0, -3.002))
+    assert document.undo_stack.count() == 2
+    hold_key(view, Qt.Key.Key_Down, 2)
+    assert document.session.scene.source.position == pytest.approx((0.1, -0.04, -3.002))
+    qtbot.keyClick(view._plotter, Qt.Key.Key_Escape)
+    assert document.session.scene.source.position == pytest.approx((0.1, 0.0, -3.002))
+    assert document.undo_stack.index() == 2
 
 
 def test_projection_and_colours_of_rays_outlive_another_design(bench, qtbot):

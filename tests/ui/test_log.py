@@ -4,12 +4,9 @@ import dataclasses
 import re
 
 import pytest
-from PySide6.QtCore import QSettings
 from PySide6.QtWidgets import QTabWidget
 
-from ui.document import Document
 from ui.log_view import LogView
-from ui.main_window import MainWindow
 from workbench.errors import RunFailed
 from workbench.scene import Stage
 
@@ -63,12 +60,7 @@ def test_behind_another_tab_nothing_is_drawn(qtbot, monkeypatch):
 
 
 @pytest.fixture
-def window(display, session, tmp_path, qtbot):
-    settings = QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat)
-    window = MainWindow(Document(session, "small"), settings)
-    qtbot.addWidget(window, before_close_func=lambda window: window.discard_and_close())
-    with qtbot.waitExposed(window):
-        window.show()
+def window(display, window):
     window.build()
     return window
 

@@ -4,10 +4,8 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QSettings, Qt
+from PySide6.QtCore import Qt
 
-from ui.document import Document
-from ui.main_window import MainWindow
 from ui.run.moments import Moments, moment
 
 pytestmark = pytest.mark.usefixtures("kernels")
@@ -56,12 +54,7 @@ def test_another_course_from_an_earlier_moment_replaces_the_later_ones():
 
 
 @pytest.fixture
-def window(display, session, as_seen_run, tmp_path, qtbot):
-    settings = QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat)
-    window = MainWindow(Document(session, "small"), settings)
-    qtbot.addWidget(window, before_close_func=lambda window: window.discard_and_close())
-    with qtbot.waitExposed(window):
-        window.show()
+def window(display, window, as_seen_run):
     window.build()
     window.bench.control.runner._generate = as_seen_run(window.bench.control.runner, 12)
     return window

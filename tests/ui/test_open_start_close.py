@@ -1,8 +1,9 @@
 """The whole life of a window, again and again; the leak check looks at what is left."""
 
 import pytest
-from PySide6.QtCore import QCoreApplication, QEvent, QSettings
+from PySide6.QtCore import QCoreApplication, QEvent
 
+from tests.ui.leftovers import left_behind, living
 from ui.document import Document
 from ui.main_window import MainWindow
 
@@ -23,17 +24,14 @@ def open_start_close(session, settings, qtbot):
     window.deleteLater()
 
 
-def test_a_window_leaves_nothing_behind(display, qtbot, session, tmp_path, leaks):
-    settings = QSettings(str(tmp_path / "s.ini"), QSettings.Format.IniFormat)
-    living, left_behind = leaks
+def test_a_window_leaves_nothing_behind(display, qtbot, session, settings):
     before = living()
     for _ in range(3):
         open_start_close(session, settings, qtbot)
         assert not left_behind(before)
 
 
-def test_docks_that_float_go_with_their_window(display, qtbot, session, tmp_path):
-    settings = QSettings(str(tmp_path / "s.ini"), QSettings.Format.IniFormat)
+def test_docks_that_float_go_with_their_window(display, qtbot, session, settings):
     window = MainWindow(Document(session, "top hat"), settings)
     window.show()
     window.build()
@@ -50,9 +48,7 @@ def test_docks_that_float_go_with_their_window(display, qtbot, session, tmp_path
 
 @pytest.mark.slow
 @pytest.mark.timeout(0)
-def test_fifty_windows_leave_nothing_behind(display, qtbot, session, tmp_path, leaks):
-    settings = QSettings(str(tmp_path / "s.ini"), QSettings.Format.IniFormat)
-    living, left_behind = leaks
+def test_fifty_windows_leave_nothing_behind(display, qtbot, session, settings):
     before = living()
     for _ in range(TIMES):
         open_start_close(session, settings, qtbot)

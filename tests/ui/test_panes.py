@@ -1,24 +1,11 @@
 """Every pane is reachable by keyboard, and the one with the focus is told from the others."""
 
 import pytest
-from PySide6.QtCore import QSettings, Qt
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QAccessible
 from PySide6.QtWidgets import QAbstractButton, QApplication, QComboBox, QLineEdit
 
 from ui.commands.table import COMMANDS, PANES
-from ui.document import Document
-from ui.main_window import MainWindow
-
-
-@pytest.fixture
-def window(session, tmp_path, qtbot):
-    settings = QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat)
-    window = MainWindow(Document(session, "small"), settings)
-    qtbot.addWidget(window, before_close_func=lambda window: window.discard_and_close())
-    with qtbot.waitActive(window):
-        window.show()
-        window.activateWindow()
-    return window
 
 
 def holds_focus(pane):

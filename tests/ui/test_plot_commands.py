@@ -1,43 +1,27 @@
 """Commands for plots and for the colours of light, in the window."""
 
 import pytest
-from PySide6.QtCore import QSettings, Qt
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QMainWindow
 
 from ui.colour_map import keep_colours
 from ui.commands.actions import Commands
 from ui.commands.table import COLOURS
-from ui.document import Document
-from ui.main_window import MainWindow
 from workbench.pictures.maps import UNSIGNED
 
 
 @pytest.fixture
-def settings(tmp_path):
-    return QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat)
-
-
-@pytest.fixture
-def make_window(display, session, settings, qtbot):
-    def make():
-        window = MainWindow(Document(session, "small"), settings)
-        qtbot.addWidget(window, before_close_func=lambda window: window.discard_and_close())
-        with qtbot.waitActive(window):
-            window.show()
-            window.activateWindow()
-        window.build()
-        return window
-
-    return make
+def window(display, window):
+    window.build()
+    return window
 
 
 def test_there_is_a_command_for_each_choice_of_colours():
     assert tuple(COLOURS.values()) == UNSIGNED
 
 
-def test_colours_reach_all_views_and_the_next_window(make_window, settings, qtbot):
-    window = make_window()
+def test_colours_reach_all_views_and_the_next_window(window, settings, qtbot):
     assert window.commands["colours_inferno"].isChecked()
     window.commands["colours_cividis"].trigger()
     assert window.bench.views.link.colours == window.bench.views.scene._colours == "cividis"
@@ -63,8 +47,7 @@ def test_colours_that_are_not_known_are_left_out(settings, qtbot):
     assert commands["colours_inferno"].isChecked()
 
 
-def test_the_plot_on_show_is_copied_by_a_key(make_window, qtbot):
-    window = make_window()
+def test_the_plot_on_show_is_copied_by_a_key(window, qtbot):
     view = window.bench.views.docked["irradiance"]
     qtbot.waitUntil(lambda: not view.empty, timeout=30_000)
     QGuiApplication.clipboard().clear()
@@ -74,8 +57,7 @@ def test_the_plot_on_show_is_copied_by_a_key(make_window, qtbot):
     assert [action.text() for action in view._canvas.actions()] == ["Copy &plot", "Save p&lot…"]
 
 
-def test_a_line_that_is_drawn_brings_its_cross_section(make_window, qtbot):
-    window = make_window()
+def test_a_line_that_is_drawn_brings_its_cross_section(window, qtbot):
     dock, link = window.workspace.docks["section"], window.bench.views.link
     assert not dock.isVisible()
     link.drawn.emit(((-0.5, 0.0), (0.5, 0.25)))

@@ -1,26 +1,13 @@
 """Manufacture and tolerances in the real window: hidden at first, shown when asked for."""
 
 import pytest
-from PySide6.QtCore import QSettings
-
-from ui.document import Document
-from ui.main_window import MainWindow
-from workbench.design.snapshot import History
-from workbench.files.session import Session
 
 pytestmark = pytest.mark.usefixtures("kernels")
 
 
 @pytest.fixture
-def window(display, session, snapshots, tmp_path, qtbot):
-    history = History()
-    history.add(snapshots(3))
-    designed = Session(session.scene, session.target, history.result())
-    settings = QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat)
-    window = MainWindow(Document(designed, "flat"), settings)
-    qtbot.addWidget(window, before_close_func=lambda window: window.discard_and_close())
-    with qtbot.waitExposed(window):
-        window.show()
+def window(display, open_window, designed, qtbot):
+    window = open_window(designed)
     window.build()
     qtbot.waitUntil(lambda: window.bench.production.tolerances._frame is not None, timeout=60_000)
     return window

@@ -1,29 +1,12 @@
 """The tour and the table of shortcuts, by keyboard in the real window."""
 
 import pytest
-from PySide6.QtCore import QSettings, Qt
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeySequence
 
 from ui.commands.shortcuts import Shortcuts
 from ui.commands.table import COMMANDS
-from ui.document import Document
-from ui.main_window import MainWindow
 from ui.tour import STOPS, Bubble
-
-
-@pytest.fixture
-def settings(tmp_path):
-    return QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat)
-
-
-@pytest.fixture
-def window(session, settings, qtbot):
-    window = MainWindow(Document(session, "small"), settings)
-    qtbot.addWidget(window, before_close_func=lambda window: window.discard_and_close())
-    with qtbot.waitActive(window):
-        window.show()
-        window.activateWindow()
-    return window
 
 
 @pytest.fixture

@@ -3,31 +3,10 @@
 import json
 
 import pytest
-from PySide6.QtCore import QSettings
 
-from ui.document import Document
-from ui.main_window import MainWindow
 from workbench.files.session import read_session
 
 pytestmark = pytest.mark.usefixtures("kernels")
-
-
-@pytest.fixture
-def settings(tmp_path):
-    return QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat)
-
-
-@pytest.fixture
-def open_window(session, settings, qtbot):
-    def make():
-        window = MainWindow(Document(session, "small"), settings)
-        qtbot.addWidget(window, before_close_func=lambda window: window.discard_and_close())
-        with qtbot.waitActive(window):
-            window.show()
-            window.activateWindow()
-        return window
-
-    return make
 
 
 def shown(window):

@@ -3,6 +3,7 @@
 import pytest
 from PySide6.QtWidgets import QMainWindow
 
+from tests.ui.leftovers import left_behind, living
 from ui.run.runner import Runner
 from ui.views.irradiance_view import IrradianceView
 from ui.views.scene_view import SceneView
@@ -10,8 +11,7 @@ from ui.views.scene_view import SceneView
 pytestmark = pytest.mark.slow
 
 
-def test_fifty_windows(display, session, as_run, leaks, qtbot):
-    living, left_behind = leaks
+def test_fifty_windows(display, session, as_run, qtbot):
     for round_ in range(50):
         before = living()
         window, scene, image = QMainWindow(), SceneView(), IrradianceView()
