@@ -18,6 +18,7 @@ pytestmark = pytest.mark.usefixtures("kernels")
 def found(error):
     return SimpleNamespace(
         loss=0.2,
+        loss_corrected=0.1,
         relative_l2=2 * error,
         relative_l2_corrected=error,
         relative_l2_corrected_interval=(0.9 * error, 1.1 * error),
@@ -216,6 +217,17 @@ def test_the_lens_of_a_run_is_checked_at_its_end(window, run, checks, qtbot):
     window.document.edit(scene.model_copy(update={"unit": "mm"}), "unit", "unit")
     assert window.status._verified.text() == "" and window.bench.views.loss._verified == ()
     assert texts(window, 0)[1] == "1.25 %"
+
+
+def test_a_lens_changed_by_hand_is_not_the_one_that_was_checked(window, run, checks):
+    run()
+    document, status = window.document, window.status
+    result = document.session.result
+    moved = replace(result, control_points=result.control_points + 0.001)
+    document.set_result(moved, "move control points")
+    assert status._verified.text() == ""
+    document.undo_stack.undo()
+    assert status._verified.text() == "verified 1.25 % at 6"
 
 
 def test_a_run_is_checked_while_it_goes_on(window, as_run, checks, monkeypatch, qtbot):

@@ -14,6 +14,7 @@ from workbench.pictures.loss import Verified
 if TYPE_CHECKING:
     from ui.run.frame import Frame
     from workbench.analysis.validation import Validation
+    from workbench.design.snapshot import Result
 
 _RAYS = 1_000_000  # enough to tell an error from the next
 _REST = 5.0  # seconds between checks, at least
@@ -37,7 +38,8 @@ class RunCheck(QObject):
     Attributes
     ----------
     figures_changed : Signal(str)
-        The latest verified error and the moment that it is of; empty for none.
+        The latest verified error and the moment that it is of; empty for none, and while the
+        design is another lens.
     course_changed : Signal(tuple of Verified)
         All checks of this run and of those that it continues.
     checked : Signal(Suspect, Validation)
@@ -55,12 +57,15 @@ class RunCheck(QObject):
         self._last: Frame | None = None
         self._began = self._rested_at = 0.0
         self._cost = _GUESS
+        self._text = ""
+        self._result: Result | None = None  # of the run that is checked
         self._checking = Checking(self)
         self._checking.checked.connect(self._take)
         control.runner.state_changed.connect(self._follow)
         control.runner.frame_ready.connect(self._look)
         control.ended.connect(self._finish)
         control.moments.changed.connect(self._follow_course)
+        document.session_changed.connect(self._tell)
 
     def close(self) -> None:
         """Wait for the thread; safe to call twice."""
@@ -93,7 +98,8 @@ class RunCheck(QObject):
 
     def _finish(self) -> None:
         result, frame = self._document.session.result, self._last
-        self._last = None
+        self._last, self._result = None, result
+        self._tell()
         if result is not None and frame is not None:
             end = Suspect(
                 self._document.session, result.control_points, result.iterations, result.seconds
@@ -104,10 +110,10 @@ class RunCheck(QObject):
         if self._control.busy:
             self._rested_at = monotonic()
             self._cost = self._rested_at - self._began
-        lens = found.relative_l2_corrected / found.relative_l2
-        self._course.append(Verified(suspect.iterations, suspect.seconds, lens * found.loss))
+        self._course.append(Verified(suspect.iterations, suspect.seconds, found.loss_corrected))
         self.course_changed.emit(tuple(self._course))
-        self.figures_changed.emit(f"verified {verified_error(found)} at {suspect.iterations}")
+        self._text = f"verified {verified_error(found)} at {suspect.iterations}"
+        self._tell()
         self.checked.emit(suspect, found)
 
     def _follow_course(self) -> None:
@@ -117,6 +123,12 @@ class RunCheck(QObject):
         if any(each.iteration > now for each in self._course):
             self._course = [each for each in self._course if each.iteration <= now]
             self.course_changed.emit(tuple(self._course))
-            self.figures_changed.emit("")
+            self._text = ""
+            self._tell()
         if not frames:
             self._checking.leave()
+
+    def _tell(self) -> None:
+        """A hand at the lens makes another of it; taking that back brings the figures back."""
+        same = self._control.busy or self._document.session.result is self._result
+        self.figures_changed.emit(self._text if same else "")

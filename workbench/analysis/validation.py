@@ -82,6 +82,13 @@ class Validation:
     noise: float
     irradiance: Array
 
+    @property
+    def loss_corrected(self) -> float:
+        """``loss`` without the scatter of the rays, as ``relative_l2_corrected`` is without it."""
+        if self.relative_l2 == 0:
+            return self.loss
+        return self.loss * self.relative_l2_corrected / self.relative_l2
+
     def to_data(self) -> dict[str, Any]:
         """The figures by name, for JSON."""
         return {
