@@ -510,7 +510,6 @@ def test_keys_are_refused_as_drags_are(sculpting, qtbot):
 def test_space_locks_and_unlocks_what_is_in_the_brush(bench, qtbot):
     view, document = bench.view, bench.document
     bench.commands["lock"]()
-    bench.commands["brush_smaller"]()
     qtbot.waitUntil(lambda: view.net._shown)
     hold_key(view, Qt.Key.Key_Space, 3)
     assert view.locked.sum() == 9 and document.session.locked is None

@@ -126,7 +126,7 @@ class LensTools(QObject):
         if not self._is_idle():
             return False
         frame, lens = self._view.frame, self._document.session.scene.lens
-        there = frame is not None and frame.session.scene.lens == lens
+        there = frame is not None and frame.session.scene.lens == lens == self._view.lens
         if not there:
             self.said.emit(_NO_LENS)
         return there

@@ -12,6 +12,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QWidget
 
+from ui.views.arrows import ARROWS
 from ui.views.image_link import ImageLink, Part, Place
 from ui.views.plot_view import PlotView
 from workbench.pictures.maps import pixel_at
@@ -34,12 +35,6 @@ _STEP = 0.1  # of what is seen, for an arrow
 _Key = Qt.Key
 _COMMANDS = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.AltModifier
 _ZOOMS: dict[int, int] = {_Key.Key_Plus: 1, _Key.Key_Equal: 1, _Key.Key_Minus: -1}
-_MOVES: dict[int, tuple[int, int]] = {
-    _Key.Key_Left: (-1, 0),
-    _Key.Key_Right: (1, 0),
-    _Key.Key_Down: (0, -1),
-    _Key.Key_Up: (0, 1),
-}
 
 
 class ImageView(PlotView):
@@ -91,8 +86,8 @@ class ImageView(PlotView):
         left, right, bottom, top = self._part()
         if key in _ZOOMS:
             self._zoom(((left + right) / 2, (bottom + top) / 2), _ZOOMS[key])
-        elif key in _MOVES:
-            right_by, up_by = _MOVES[key]
+        elif key in ARROWS:
+            right_by, up_by = ARROWS[key]
             dx, dy = _STEP * right_by * (right - left), _STEP * up_by * (top - bottom)
             self._show_part((left + dx, right + dx, bottom + dy, top + dy))
         elif key == _Key.Key_Home:

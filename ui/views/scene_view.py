@@ -310,9 +310,12 @@ class SceneView(View):
         if tool is not None:
             self._hint.setText(tool.hint)
         net.show(tool is not None and tool.shows_net)
-        net.brush(*(self._brush or (None, 0.0)))
-        fits = self._locked is not None and self._locked.shape == net.places.shape[:2]
-        net.lock(self._locked if fits else None)
+        # What was meant for another net is left out until the tool is moved.
+        shape, brush, locked = net.places.shape[:2], self._brush, self._locked
+        if brush is not None and (brush[0][0] >= shape[0] or brush[0][1] >= shape[1]):
+            brush = None
+        net.brush(*(brush or (None, 0.0)))
+        net.lock(locked if locked is not None and locked.shape == shape else None)
         handles.show(frame.source if tool is not None and tool.shows_handles else None)
 
     def _open_plotter(self) -> None:

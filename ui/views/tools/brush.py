@@ -1,10 +1,13 @@
-"""The brush that tools for control points share."""
+"""The brush that tools for control points share, and what else they share."""
 
+from collections.abc import Set
 from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
+from PySide6.QtCore import QObject
 
+from ui.views.arrows import ARROWS
 from ui.views.tools.tool import Pointer
 from workbench.design.brush import bump, resized
 from workbench.geometry.surface import ControlNet
@@ -28,6 +31,7 @@ class Brush:
         self._view = view
         self._part = _FIRST  # of the half-width: it stays that with another lens
         self._index: tuple[int, int] | None = None
+        self._last: tuple[int, int] | None = None  # place that it had, also while it has none
 
     @property
     def radius(self) -> float:
@@ -57,9 +61,27 @@ class Brush:
         self.hold(index)
         return index
 
+    def step(self, right: int, up: int) -> tuple[int, int] | None:
+        """Go on by so many control points along x and y; where to, or None without a lens.
+
+        It goes from where it was last, even if the pointer has left the lens, and begins in the
+        middle.
+        """
+        lens = self._view.lens
+        if lens is None:
+            return None
+        shape = lens.control_points
+        last = self._last or (shape[0] // 2, shape[1] // 2)
+        i, j = (
+            min(max(at + by, 0), n - 1) for at, by, n in zip(last, (right, up), shape, strict=True)
+        )
+        self.hold((i, j))
+        return i, j
+
     def hold(self, index: tuple[int, int] | None) -> None:
         """Stay around a control point, wherever the pointer goes; or nowhere."""
         self._index = index
+        self._last = index or self._last
         self._view.show_brush(index, self.radius)
 
     def touched(self, index: tuple[int, int]) -> npt.NDArray[np.bool_]:
@@ -70,3 +92,39 @@ class Brush:
         block, weights = bump(ControlNet.of(lens), index, self.radius)
         touched[block] = weights > 0
         return touched
+
+
+class BrushTool(QObject):
+    """A tool that works on what the brush takes along; arrow keys move it.
+
+    Parameters
+    ----------
+    view : SceneView
+        Where the control points are shown.
+    brush : Brush
+        Which ones it works on.
+    """
+
+    shows_net = True
+    shows_handles = False
+    keys: Set[int] = ARROWS.keys()
+
+    def __init__(self, view: "SceneView", brush: Brush, parent: QObject) -> None:
+        super().__init__(parent)
+        self._view, self._brush = view, brush
+
+    def repeat_key(self, key: int, fine: bool) -> None:
+        """Go on to the next control point."""
+        if key in ARROWS:
+            self._brush.step(*ARROWS[key])
+
+    def hover(self, at: Pointer | None) -> None:
+        """Show what the brush would take along."""
+        if at is None:
+            self._brush.hold(None)
+        else:
+            self._brush.point_at(at)
+
+    def turn_wheel(self, steps: int) -> None:
+        """Change the brush."""
+        self._brush.resize(steps)

@@ -1,10 +1,13 @@
-"""Between the mouse over the 3D scene and its tools.
+"""Between mouse and keyboard over the 3D scene and its tools.
 
 1. The left button goes to the tool. If the tool has nothing to do there, the camera gets press,
    moves and release; all of them or none, or it would believe the button still pressed.
 2. Without a tool a press and a release at one place are a click, which picks.
-3. Keys that no tool takes are for the window.
-4. Other buttons, and the wheel without Ctrl, are the camera's with any tool.
+3. A key that the tool takes does its work again and again while it is held, as one drag, which the
+   mouse does not disturb. Another key or button ends it, and so does the focus that goes elsewhere:
+   the release would be told there.
+4. Keys that no tool takes are for the window.
+5. Other buttons, and the wheel without Ctrl, are the camera's with any tool.
 """
 
 from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
@@ -14,6 +17,7 @@ from PySide6.QtWidgets import QApplication, QWidget
 from ui.views.tools.tool import Pointer, Tool
 
 _LEFT = Qt.MouseButton.LeftButton
+_COMMANDS = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.AltModifier
 _NOTCH = 120  # Qt's measure of the wheel's smallest turn
 
 # VTK and pyvista do things at a key that the window knows nothing of: wireframe, picking, the end.
@@ -37,7 +41,7 @@ class Hand(QObject):
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
         self._tool: Tool | None = None
-        self._dragging = False
+        self._held: Qt.MouseButton | int | None = None  # the button or key that the tool works by
         self._pressed_at: QPointF | None = None
 
     def take(self, tool: Tool | None) -> None:
@@ -48,9 +52,9 @@ class Hand(QObject):
         self._tool = tool
 
     def drop(self) -> None:
-        """Take back what is under way; until the next press, movements do nothing."""
-        if self._tool is not None and self._dragging:
-            self._dragging = False
+        """Take back what is under way; until the next press, movements and held keys do nothing."""
+        if self._tool is not None and self._held is not None:
+            self._held = None
             self._tool.cancel()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
@@ -61,10 +65,12 @@ class Hand(QObject):
             if event.type() == QEvent.Type.KeyPress:
                 event.setAccepted(self._escape())  # or it is the window's
             return True
-        if event.type() in _KEYS:
-            event.ignore()  # for the window
+        if isinstance(event, QKeyEvent) and event.type() in _KEYS:
+            event.setAccepted(tool is not None and self._use_key(tool, event))
             return True
-        if tool is not None and event.type() == QEvent.Type.Leave:
+        if event.type() == QEvent.Type.FocusOut and self._held is not _LEFT:
+            self._let_go()
+        if tool is not None and event.type() == QEvent.Type.Leave and self._held is None:
             tool.hover(None)
         if isinstance(event, QWheelEvent):
             return self._turn_wheel(event)
@@ -77,19 +83,42 @@ class Hand(QObject):
     def _use(self, tool: Tool, plotter: QWidget, event: QMouseEvent) -> bool:
         kind, at = event.type(), _pointer(plotter, event)
         if kind == QEvent.Type.MouseButtonPress and event.button() is _LEFT:
-            self._dragging = tool.press(at)
-            return self._dragging
+            self._let_go()  # of a key
+            self._held = _LEFT if tool.press(at) else None
+            return self._held is _LEFT
         if kind == QEvent.Type.MouseMove:
-            if self._dragging:
+            if self._held is _LEFT:
                 tool.drag(at)
                 return True
-            if not event.buttons():
+            if self._held is None and not event.buttons():
                 tool.hover(at)
-        if kind == QEvent.Type.MouseButtonRelease and event.button() is _LEFT and self._dragging:
-            self._dragging = False
-            tool.release()
+        if kind == QEvent.Type.MouseButtonRelease and event.button() is self._held:
+            self._let_go()
             return True
         return False
+
+    def _use_key(self, tool: Tool, event: QKeyEvent) -> bool:
+        """Whether the key is for the tool."""
+        key, again, keys = event.key(), event.isAutoRepeat(), event.modifiers()
+        if event.type() == QEvent.Type.KeyRelease:
+            if key == self._held and not again:
+                self._let_go()
+            return key in tool.keys
+        if key not in tool.keys or keys & _COMMANDS or self._held is _LEFT:
+            return False
+        if not again:
+            self._let_go()  # of another key
+            tool.press_key(key)
+            self._held = key
+        if key == self._held:
+            tool.repeat_key(key, fine=bool(keys & Qt.KeyboardModifier.ShiftModifier))
+        return True
+
+    def _let_go(self) -> None:
+        """Leave what is under way as it is."""
+        if self._tool is not None and self._held is not None:
+            self._held = None
+            self._tool.release()
 
     def _click(self, plotter: QWidget, event: QMouseEvent) -> bool:
         if event.button() is _LEFT and event.type() == QEvent.Type.MouseButtonPress:
@@ -110,7 +139,7 @@ class Hand(QObject):
 
     def _escape(self) -> bool:
         """Whether there was anything to leave."""
-        if self._dragging:
+        if self._held is not None:
             self.drop()
             return True
         if self._tool is not None:
@@ -121,10 +150,9 @@ class Hand(QObject):
 
 def _pointer(plotter: QWidget, event: QMouseEvent) -> Pointer:
     scale, place, keys = plotter.devicePixelRatioF(), event.position(), event.modifiers()
-    along = Qt.KeyboardModifier.AltModifier | Qt.KeyboardModifier.ControlModifier
     return Pointer(
         x=place.x() * scale,
         y=(plotter.height() - 1 - place.y()) * scale,
         fine=bool(keys & Qt.KeyboardModifier.ShiftModifier),
-        along=bool(keys & along),
+        along=bool(keys & _COMMANDS),
     )

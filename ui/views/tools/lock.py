@@ -1,6 +1,6 @@
 """Locks and unlocks control points by painting over them."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Set
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -8,13 +8,16 @@ import numpy as np
 import numpy.typing as npt
 from PySide6.QtCore import QObject, Qt, Signal
 
-from ui.views.tools.brush import Brush
+from ui.views.arrows import ARROWS
+from ui.views.tools.brush import Brush, BrushTool
 from ui.views.tools.tool import Pointer
 
 if TYPE_CHECKING:
     from ui.views.scene_view import SceneView
 
 Mask = npt.NDArray[np.bool_]
+
+_PAINTS: set[int] = {Qt.Key.Key_Space, Qt.Key.Key_Return, Qt.Key.Key_Enter}
 
 
 @dataclass
@@ -24,7 +27,7 @@ class _Paint:
     value: bool  # that the brush leaves
 
 
-class Lock(QObject):
+class Lock(BrushTool):
     """The tool for locks: the first point decides whether it locks or unlocks.
 
     Parameters
@@ -45,14 +48,13 @@ class Lock(QObject):
     painted = Signal(object, str)
 
     cursor = Qt.CursorShape.PointingHandCursor
-    shows_net = True
-    shows_handles = False
+    keys: Set[int] = ARROWS.keys() | _PAINTS
 
     def __init__(
         self, view: "SceneView", brush: Brush, may: Callable[[], bool], parent: QObject
     ) -> None:
-        super().__init__(parent)
-        self._view, self._brush, self._may = view, brush, may
+        super().__init__(view, brush, parent)
+        self._may = may
         self._paint: _Paint | None = None
 
     @property
@@ -61,31 +63,29 @@ class Lock(QObject):
         locked = self._view.locked
         count = 0 if locked is None else int(locked.sum())
         return (
-            "Paint over control points to lock them, or unlock them where you begin on a lock. "
-            f"Brush, [ and ]: {self._brush.words}. {count} locked"
+            "Paint over control points to lock them, or unlock them where you begin on a lock; or "
+            f"use arrows and Space. Brush, [ and ]: {self._brush.words}. {count} locked"
         )
 
     def press(self, at: Pointer) -> bool:
         """Begin to paint."""
-        index, lens = self._brush.point_at(at), self._view.lens
-        if index is None or lens is None:
+        index = self._brush.point_at(at)
+        if index is None:
             return False
-        if not self._may():
-            return True
-        before = self._view.locked
-        locked = np.zeros(lens.control_points, dtype=bool) if before is None else before.copy()
-        self._paint = _Paint(before, locked, not locked[index])
-        self.drag(at)
+        self._begin(index)
         return True
 
     def drag(self, at: Pointer) -> None:
         """Paint what the brush touches."""
-        index, paint = self._brush.point_at(at), self._paint
-        if index is None or paint is None:
-            return
-        # A new array each time: whoever shows it tells by that that it has changed.
-        paint.locked = np.where(self._brush.touched(index), paint.value, paint.locked)
-        self._view.show_locked(paint.locked)
+        index = self._brush.point_at(at)
+        if index is not None:
+            self._touch(index)
+
+    def press_key(self, key: int) -> None:
+        """Paint what the brush touches, wherever the pointer is."""
+        index = self._brush.step(0, 0) if key in _PAINTS else None
+        if index is not None:
+            self._begin(index)
 
     def release(self) -> None:
         """Leave it so."""
@@ -99,13 +99,18 @@ class Lock(QObject):
         if paint is not None:
             self._view.show_locked(paint.before)
 
-    def hover(self, at: Pointer | None) -> None:
-        """Show which ones would be painted."""
-        if at is None:
-            self._brush.hold(None)
-        else:
-            self._brush.point_at(at)
+    def _begin(self, index: tuple[int, int]) -> None:
+        lens = self._view.lens
+        if lens is None or not self._may():
+            return
+        before = self._view.locked
+        locked = np.zeros(lens.control_points, dtype=bool) if before is None else before.copy()
+        self._paint = _Paint(before, locked, not locked[index])
+        self._touch(index)
 
-    def turn_wheel(self, steps: int) -> None:
-        """Change the brush."""
-        self._brush.resize(steps)
+    def _touch(self, index: tuple[int, int]) -> None:
+        paint = self._paint
+        if paint is not None:
+            # A new array each time: whoever shows it tells by that that it has changed.
+            paint.locked = np.where(self._brush.touched(index), paint.value, paint.locked)
+            self._view.show_locked(paint.locked)

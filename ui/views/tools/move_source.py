@@ -1,7 +1,7 @@
 """Moves and widens the source."""
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Set
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -9,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 from PySide6.QtCore import QObject, Qt, Signal
 
+from ui.views.arrows import ARROWS
 from ui.views.tools.tool import Pointer
 from workbench.pictures.source_handles import Handle, moved
 from workbench.scene import CollimatedSource, PointSource, Source
@@ -19,15 +20,21 @@ if TYPE_CHECKING:
 Array = npt.NDArray[np.float64]
 
 _ACROSS, _ALONG = np.eye(3)[:2], np.eye(3)[2:]
-_FINE = 1 / 10  # of the movement of the hand, with Shift
+_FINE = 1 / 10  # of the movement of the hand or key, with Shift
+_STEP = 1 / 50  # of a lens's half-width, for a press of a key and each repeat
 _DIGITS = 3  # of a lens's half-width, that a place of the source is rounded to
+_STEPS: dict[int, tuple[int, int, int]] = {
+    **{key: (*across, 0) for key, across in ARROWS.items()},
+    Qt.Key.Key_PageUp: (0, 0, 1),
+    Qt.Key.Key_PageDown: (0, 0, -1),
+}
 
 
 @dataclass
 class _Drag:
     before: Source
     handle: Handle
-    at: Pointer
+    at: Pointer | None  # None with a key
     by: Array  # shape (3,), scene units
 
 
@@ -58,6 +65,7 @@ class MoveSource(QObject):
     cursor = Qt.CursorShape.OpenHandCursor
     shows_net = False
     shows_handles = True
+    keys: Set[int] = _STEPS.keys()
 
     def __init__(
         self, view: "SceneView", source: Callable[[], Source | None], parent: QObject
@@ -72,7 +80,10 @@ class MoveSource(QObject):
         source = self._view.source
         if source is None or isinstance(source, CollimatedSource):
             return "Collimated light comes from everywhere: choose another source to move it"
-        text = "Drag the source across; Ctrl: along z; Shift: finely; Esc: back. "
+        text = (
+            "Drag the source across, Ctrl: along z; or use arrows, Page Up and Page Down; "
+            "Shift: finely; Esc: back. "
+        )
         if isinstance(source, PointSource):
             return text + f"It is at {_words(source.position)} {self._view.unit}"
         return (
@@ -85,27 +96,32 @@ class MoveSource(QObject):
         handle = self._view.handles.pick(at.x, at.y) if self._view.handles else None
         if handle is None:
             return False
-        source = self._source()
-        if source is not None:
-            self._drag = _Drag(source, handle, at, np.zeros(3))
-            self.begun.emit()
+        self._begin(handle, at)
         return True
 
     def drag(self, at: Pointer) -> None:
         """Take it where the pointer goes, in its plane or along the axis."""
-        drag, sight, lens = self._drag, self._view.sight, self._view.lens
-        if drag is None or sight is None or lens is None:
+        drag, sight = self._drag, self._view.sight
+        if drag is None or drag.at is None or sight is None:
             return
         source = drag.before
         assert not isinstance(source, CollimatedSource)  # which has no handles
         middle = source.position if isinstance(source, PointSource) else source.center
         to = _ALONG if at.along and drag.handle == "middle" else _ACROSS
         gone = (at.x - drag.at.x, at.y - drag.at.y)
-        by = sight.movement(np.array(middle) + drag.by, to, gone) @ to
-        drag.by = drag.by + by * (_FINE if at.fine else 1.0)
         drag.at = at
-        digits = _DIGITS - math.floor(math.log10(max(lens.half_width)))
-        self.moved.emit(moved(source, drag.handle, drag.by, digits))
+        self._move(drag, sight.movement(np.array(middle) + drag.by, to, gone) @ to, at.fine)
+
+    def press_key(self, key: int) -> None:
+        """Take hold of the source, wherever the pointer is."""
+        if not isinstance(self._view.source, CollimatedSource):
+            self._begin("middle")
+
+    def repeat_key(self, key: int, fine: bool) -> None:
+        """Take it a little further."""
+        drag, lens = self._drag, self._view.lens
+        if drag is not None and lens is not None:
+            self._move(drag, _STEP * max(lens.half_width) * np.array(_STEPS[key]), fine)
 
     def release(self) -> None:
         """Leave it there."""
@@ -122,6 +138,19 @@ class MoveSource(QObject):
 
     def turn_wheel(self, steps: int) -> None:
         """It has no size."""
+
+    def _begin(self, handle: Handle, at: Pointer | None = None) -> None:
+        source = self._source()
+        if source is not None:
+            self._drag = _Drag(source, handle, at, np.zeros(3))
+            self.begun.emit()
+
+    def _move(self, drag: _Drag, by: Array, fine: bool) -> None:
+        lens = self._view.lens
+        if lens is not None:
+            drag.by = drag.by + by * (_FINE if fine else 1.0)
+            digits = _DIGITS - math.floor(math.log10(max(lens.half_width)))
+            self.moved.emit(moved(drag.before, drag.handle, drag.by, digits))
 
 
 def _words(lengths: tuple[float, ...]) -> str:

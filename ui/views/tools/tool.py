@@ -1,5 +1,6 @@
 """What a tool of the 3D scene is told, and what it has to answer."""
 
+from collections.abc import Set
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -27,7 +28,7 @@ class Pointer:
 
 
 class Tool(Protocol):
-    """Takes the left button for itself where it has something to do there.
+    """Takes the left button for itself where it has something to do there, and some keys.
 
     Attributes
     ----------
@@ -35,11 +36,14 @@ class Tool(Protocol):
         What the pointer looks like.
     shows_net, shows_handles : bool
         Whether control points are shown, and handles of the source.
+    keys : set of int
+        The keys that are its own, of `Qt.Key`, without Ctrl and Alt.
     """
 
     cursor: Qt.CursorShape
     shows_net: bool
     shows_handles: bool
+    keys: Set[int]
 
     @property
     def hint(self) -> str:
@@ -51,8 +55,14 @@ class Tool(Protocol):
     def drag(self, at: Pointer) -> None:
         """Go on with it."""
 
+    def press_key(self, key: int) -> None:
+        """Begin what a key of its own does, as a drag."""
+
+    def repeat_key(self, key: int, fine: bool) -> None:
+        """Do it: right after the press, and again and again while the key is held."""
+
     def release(self) -> None:
-        """End it."""
+        """End a drag, or what a key does."""
 
     def cancel(self) -> None:
         """Take it back; without a drag do nothing."""
