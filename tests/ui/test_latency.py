@@ -6,11 +6,8 @@
 import os
 
 import pytest
-from PySide6.QtCore import QSettings
 
 import resources
-from ui.document import Document
-from ui.main_window import MainWindow
 from workbench.files.session import Session, open_design
 
 pytestmark = pytest.mark.slow
@@ -20,21 +17,16 @@ _WARMING_SECONDS = 5.0  # imports, first drawings
 
 
 @pytest.fixture
-def window(display, qtbot, tmp_path):
+def window(display, open_window):
     """The window with the flame example, which the paper's method never finishes."""
     shipped = open_design(resources.path("examples", "flame.json"))
     data = shipped.scene.to_data()
     data["run"] = {"method": "paper", "iterations": 1_000_000}
     data["lens"]["control_points"] = [64, 64]  # on finer nets its learning rate is too bold
-    session = Session(shipped.scene.from_data(data), shipped.target)
-    made = MainWindow(
-        Document(session, "flame"), QSettings(str(tmp_path / "s.ini"), QSettings.Format.IniFormat)
-    )
-    qtbot.addWidget(made, before_close_func=lambda made: made.discard_and_close())
-    made.resize(1600, 1000)
-    made.show()
-    made.build()
-    return made
+    window = open_window(Session(shipped.scene.from_data(data), shipped.target), "flame")
+    window.resize(1600, 1000)
+    window.build()
+    return window
 
 
 @pytest.mark.timeout(0)

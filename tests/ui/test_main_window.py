@@ -3,7 +3,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from PIL import Image
-from PySide6.QtCore import QMimeData, QPoint, QPointF, QSettings, Qt, QUrl
+from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
 from PySide6.QtGui import QDropEvent
 from PySide6.QtWidgets import QApplication, QMessageBox, QTabBar
 
@@ -38,11 +38,6 @@ def small_session(iterations=2):
 
 
 @pytest.fixture
-def settings(tmp_path):
-    return QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat)
-
-
-@pytest.fixture
 def answers(monkeypatch):
     """Answers to the questions to come; each is used once."""
     given = []
@@ -55,12 +50,12 @@ def answers(monkeypatch):
 
 
 @pytest.fixture
-def window(settings, qtbot, answers):
-    window = MainWindow(Document(small_session(), "small"), settings)
-    qtbot.addWidget(window, before_close_func=lambda window: window.discard_and_close())
-    with qtbot.waitActive(window):
-        window.show()
-        window.activateWindow()
+def session():
+    return small_session()
+
+
+@pytest.fixture
+def window(answers, window):
     yield window
     assert not answers, "a question that was expected was not asked"
 

@@ -4,15 +4,14 @@
 """
 
 import time
+from pathlib import Path
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QEvent, QPointF, QSettings, Qt, QTimer
+from PySide6.QtCore import QEvent, QPointF, Qt, QTimer
 from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QApplication
 
-from ui.document import Document
-from ui.main_window import MainWindow
 from workbench.files.session import Session
 from workbench.targets import load_target
 
@@ -23,7 +22,7 @@ _MOVE_MS = 16  # between movements of the mouse
 
 
 @pytest.fixture
-def window(display, qtbot, tmp_path, make_scene):
+def window(display, open_window, make_scene):
     scene = make_scene(
         {
             "lens.control_points": [64, 64],
@@ -32,14 +31,10 @@ def window(display, qtbot, tmp_path, make_scene):
             "target": {"builtin": "flame"},
         }
     )
-    session = Session(scene, load_target(scene, tmp_path))
-    settings = QSettings(str(tmp_path / "s.ini"), QSettings.Format.IniFormat)
-    made = MainWindow(Document(session, "flame"), settings)
-    qtbot.addWidget(made, before_close_func=lambda made: made.discard_and_close())
-    made.resize(1280, 800)
-    made.show()
-    made.build()
-    return made
+    window = open_window(Session(scene, load_target(scene, Path.cwd())), "flame")
+    window.resize(1280, 800)
+    window.build()
+    return window
 
 
 class Watch:
