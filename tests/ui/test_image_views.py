@@ -1,6 +1,7 @@
 """Images of the screen: zoomed and moved together, read under the pointer, cut along lines."""
 
 import dataclasses
+import math
 
 import numpy as np
 import pytest
@@ -194,6 +195,56 @@ def test_a_cross_section_follows_a_line_that_is_drawn(views, frame, qtbot, with_
     assert link.line is None
     section.hide()
     assert link.pin is None
+
+
+def test_arrows_move_place_and_line(views, frame, qtbot):
+    link, shift = views[0]._link, Qt.KeyboardModifier.ShiftModifier
+    section = SectionView(link)
+    section.resize(400, 260)
+    qtbot.addWidget(section)
+    section.show_frame(frame)
+    with qtbot.waitExposed(section):
+        section.show()
+    qtbot.waitUntil(lambda: section._shown is not None)
+    canvas, pixel, image = section.focusProxy(), 2 / 32, frame.snapshot.irradiance
+    light = lambda: section._curves.artists[1].get_ydata()  # noqa: E731
+    qtbot.keyClick(canvas, Qt.Key.Key_Down)
+    qtbot.keyClick(canvas, Qt.Key.Key_Left, shift)
+    assert link.pin == pytest.approx((-10 * pixel, -pixel))
+    qtbot.waitUntil(lambda: np.array_equal(light(), image[17]))
+    for _ in range(3):
+        qtbot.keyClick(canvas, Qt.Key.Key_Left, shift)
+    assert link.pin == pytest.approx((-1.0, -pixel))  # the edge of the screen
+    section._direction.actions()[2].trigger()
+    assert link.line == ((-1.0, -1.0), (1.0, 1.0))
+    ctrl = Qt.KeyboardModifier.ControlModifier
+    qtbot.keyClick(canvas, Qt.Key.Key_Down, ctrl | shift)
+    qtbot.keyClick(canvas, Qt.Key.Key_Left, ctrl)
+    start, end = link.line
+    assert start == (-1.0, -1.0) and end == pytest.approx((1 - pixel, 1 - 10 * pixel))
+    qtbot.keyClick(canvas, Qt.Key.Key_Right, shift)  # as far as there is room
+    qtbot.keyClick(canvas, Qt.Key.Key_Up)
+    start, end = link.line
+    assert start == pytest.approx((-1 + pixel, -1 + pixel))
+    assert end == pytest.approx((1.0, 1 - 9 * pixel))
+    qtbot.waitUntil(lambda: not section._dated and not views[1]._dated)
+    np.testing.assert_allclose(views[1]._marks[2].get_xydata(), link.line)
+    assert section._curves._axes.get_xlim()[1] == pytest.approx(math.hypot(31, 22) * pixel)
+
+
+def test_a_line_keeps_a_length(views, frame, qtbot):
+    link, ctrl = views[0]._link, Qt.KeyboardModifier.ControlModifier
+    section = SectionView(link)
+    qtbot.addWidget(section)
+    section.show_frame(frame)
+    with qtbot.waitExposed(section):
+        section.show()
+    qtbot.waitUntil(lambda: section._shown is not None)
+    link.drawn.emit(((0.0, 0.0), (2 / 32, 0.0)))
+    qtbot.keyClick(section.focusProxy(), Qt.Key.Key_Left, ctrl)
+    assert link.line == ((0.0, 0.0), (2 / 32, 0.0))
+    qtbot.keyClick(section.focusProxy(), Qt.Key.Key_Up, ctrl)
+    assert link.line == ((0.0, 0.0), (2 / 32, 2 / 32))
 
 
 def test_a_line_drawn_for_a_hidden_section_is_its_when_it_is_shown(views, qtbot):

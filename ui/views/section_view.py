@@ -1,10 +1,18 @@
-"""Irradiance and target along a line across the screen."""
+"""Irradiance and target along a line across the screen.
 
+By keys: arrows move the place or line by a pixel of the screen, with Shift by ten; with Ctrl, only
+the end of the line.
+"""
+
+import math
 from typing import TYPE_CHECKING
 
-from PySide6.QtGui import QHideEvent, QShowEvent
+import numpy as np
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QHideEvent, QKeyEvent, QShowEvent
 from PySide6.QtWidgets import QWidget
 
+from ui.views.arrows import ARROWS
 from ui.views.image_link import ImageLink, Line, Place
 from ui.views.menu_button import MenuButton, choose, chosen_of
 from ui.views.plot_view import PlotView
@@ -18,13 +26,18 @@ if TYPE_CHECKING:
 
     from ui.run.frame import Frame
     from workbench.files.session import Session
-    from workbench.scene import Scene
+    from workbench.scene import Scene, Screen
 
 _DIRECTIONS = ("x", "y", "line")
 _TIP = (
     "Where the screen is cut: along x or y through the place that is clicked in an image, or "
-    "along a line that is drawn across one with Shift and drag"
+    "along a line that is drawn across one with Shift and drag. Arrow keys move place or line by a "
+    "pixel, with Shift by ten; with Ctrl, the end of the line"
 )
+_FAR = 10  # pixels, with Shift
+_SHORTEST = 0.5  # pixels that are left of a line
+
+_Keys = Qt.KeyboardModifier
 
 
 class SectionView(PlotView):
@@ -62,6 +75,27 @@ class SectionView(PlotView):
         self._link.show_pin(None)
         self._link.show_line(None)
         super().hideEvent(event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Move place or line without a mouse."""
+        step, keys = ARROWS.get(event.key()), event.modifiers()
+        if step is None or self._shown is None or keys & _Keys.AltModifier:
+            super().keyPressEvent(event)
+            return
+        screen = self._shown.scene.screen
+        pixels = tuple((_FAR if keys & _Keys.ShiftModifier else 1) * k for k in step)
+        if self._along != "line":
+            (self._place,) = _moved(screen, pixels, self._place)
+        else:
+            assert self._line is not None  # since the picture began
+            start, end = self._line
+            if keys & _Keys.ControlModifier:
+                (end,) = _moved(screen, pixels, end)
+            else:
+                start, end = _moved(screen, pixels, start, end)
+            if math.dist(screen.to_pixels(*start), screen.to_pixels(*end)) >= _SHORTEST:
+                self._line = start, end
+        self._turn()
 
     @property
     def _along(self) -> str:
@@ -119,3 +153,11 @@ class SectionView(PlotView):
             return cut_between(scene, *self._line)
         self._button.setToolTip(_TIP)
         return cut_through(scene, self._along, self._place)
+
+
+def _moved(screen: "Screen", pixels: "Sequence[int]", *places: Place) -> list[Place]:
+    """Places so many pixels to the right and up, together, none beyond the screen."""
+    at, edge = np.array(places), np.array(screen.half_width)
+    by = 2 * edge / screen.pixels * pixels
+    by = by.clip(-edge - at.min(axis=0), edge - at.max(axis=0))
+    return [(x, y) for x, y in (at + by).clip(-edge, edge).tolist()]
