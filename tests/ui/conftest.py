@@ -15,6 +15,7 @@ from tests.ui.latency import LatencyProbe
 from tests.ui.leftovers import left_behind, living
 from ui.document import Document
 from ui.main_window import MainWindow
+from ui.panels.forms import Forms
 from workbench.design.snapshot import History, Snapshot
 from workbench.files.session import Session
 from workbench.optics.ledger import Ledger
@@ -165,6 +166,34 @@ def open_window(session, settings, qtbot):
 @pytest.fixture
 def window(open_window):
     return open_window()
+
+
+@pytest.fixture
+def document(qapp, session):
+    document = Document(session, "small")
+    yield document
+    document.deleteLater()
+
+
+@pytest.fixture
+def open_forms(qtbot):
+    """Opens the forms of a document, active."""
+
+    def make(document):
+        forms = Forms(document)
+        qtbot.addWidget(forms)
+        forms.resize(330, 900)
+        with qtbot.waitActive(forms):
+            forms.show()
+            forms.activateWindow()
+        return forms
+
+    return make
+
+
+@pytest.fixture
+def forms(open_forms, document):
+    return open_forms(document)
 
 
 @pytest.fixture

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QObject, Qt
 
+from tests.ui.hands import enter
 from ui.carried_lens import CarriedLens
 from ui.document import Document
 from ui.message_bar import MessageBar
@@ -33,19 +34,9 @@ def desk(qtbot, session, history, rng):
     owner.deleteLater()
 
 
-def type_in(desk, qtbot, path, text):
-    """Type into the field at a path, as a person does."""
-    rows = (row for panel in desk.forms.panels for row in panel.rows)
-    editor = next(row.editors[path] for row in rows if path in getattr(row, "editors", {}))
-    editor.setFocus()
-    editor.selectAll()
-    qtbot.keyClicks(editor, text)
-    qtbot.keyClick(editor, Qt.Key.Key_Return)
-
-
 def test_a_finer_net_that_holds_the_lens_keeps_its_result(desk, qtbot):
     before = desk.document.session
-    type_in(desk, qtbot, "lens.control_points[0]", "21")  # 9 spans of degree 3 become 18
+    enter(qtbot, desk.forms, "lens.control_points[0]", "21")  # 9 spans of degree 3 become 18
     after = desk.document.session
     assert after.result.control_points.shape == (21, 10)
     assert after.result.irradiance is before.result.irradiance
@@ -58,7 +49,7 @@ def test_a_finer_net_that_holds_the_lens_keeps_its_result(desk, qtbot):
 
 def test_a_net_that_cannot_hold_the_lens_asks(desk, qtbot):
     before = desk.document.session
-    type_in(desk, qtbot, "lens.control_points[0]", "20")
+    enter(qtbot, desk.forms, "lens.control_points[0]", "20")
     after = desk.document.session
     assert after.result is None and after.start.shape == (20, 10)
     off = deviation(
@@ -80,8 +71,8 @@ def test_a_net_that_cannot_hold_the_lens_asks(desk, qtbot):
 
 def test_both_numbers_of_a_net_are_one_change_of_mind(desk, qtbot):
     before = desk.document.session
-    type_in(desk, qtbot, "lens.control_points[0]", "20")
-    type_in(desk, qtbot, "lens.control_points[1]", "19")
+    enter(qtbot, desk.forms, "lens.control_points[0]", "20")
+    enter(qtbot, desk.forms, "lens.control_points[1]", "19")
     # Offered and measured from the lens that was designed, 9 × 7 spans.
     assert desk.messages._button.text() == "Take 21 × 17, exact"
     qtbot.mouseClick(desk.messages._button, Qt.MouseButton.LeftButton)
@@ -96,17 +87,17 @@ def test_both_numbers_of_a_net_are_one_change_of_mind(desk, qtbot):
 
 
 def test_a_coarser_net_has_no_exact_one_to_offer(desk, qtbot):
-    type_in(desk, qtbot, "lens.control_points[0]", "6")
+    enter(qtbot, desk.forms, "lens.control_points[0]", "6")
     assert "off by up to" in desk.messages.text
     assert desk.messages._button.isHidden()
-    type_in(desk, qtbot, "lens.control_points[0]", "12")
+    enter(qtbot, desk.forms, "lens.control_points[0]", "12")
     assert desk.document.session.result is not None
     assert desk.messages.text == ""
 
 
 def test_another_task_is_told_once(desk, qtbot):
     for z in ("6", "7", "8"):
-        type_in(desk, qtbot, "screen.z", z)
+        enter(qtbot, desk.forms, "screen.z", z)
         desk.document.undo_stack.setClean()  # steps of their own
     assert len(desk.log) == 1 and "is a start for this one" in desk.log[0]
     assert desk.document.session.start is not None
@@ -114,13 +105,13 @@ def test_another_task_is_told_once(desk, qtbot):
 
 
 def test_a_lens_that_does_not_fit_is_told(desk, qtbot):
-    type_in(desk, qtbot, "lens.half_width[0]", "1.5")
+    enter(qtbot, desk.forms, "lens.half_width[0]", "1.5")
     assert "does not fit" in desk.log[0]
     assert desk.document.session.control_points is None
 
 
 def test_run_settings_are_no_matter_for_the_lens(desk, qtbot):
-    type_in(desk, qtbot, "run.iterations", "77")
+    enter(qtbot, desk.forms, "run.iterations", "77")
     assert desk.log == [] and desk.messages.text == ""
     assert desk.document.session.result is not None
 
@@ -128,8 +119,8 @@ def test_run_settings_are_no_matter_for_the_lens(desk, qtbot):
 def test_another_task_is_told_once_of_all_edits_of_a_step(desk, qtbot):
     z = desk.document.session.scene.screen.z
     for beyond in (1, 2, 3):
-        type_in(desk, qtbot, "screen.z", f"{z + beyond}")
+        enter(qtbot, desk.forms, "screen.z", f"{z + beyond}")
     assert desk.document.undo_stack.count() == 1
     assert len(desk.log) == 1 and "another task" in desk.log[0]
-    type_in(desk, qtbot, "screen.half_width[0]", "7")
+    enter(qtbot, desk.forms, "screen.half_width[0]", "7")
     assert desk.document.undo_stack.count() == 2

@@ -4,6 +4,7 @@ import pytest
 
 from tests.files.mutations import mutated
 from tests.files.test_golden import GOLDEN
+from tests.ui.hands import move_screen
 from ui.document import Document
 from workbench.errors import Refused
 from workbench.files.session import read_session
@@ -16,9 +17,7 @@ WHOLE = [file.read_bytes() for file in sorted(GOLDEN.iterdir())]
 def document(qapp, tmp_path):
     document = Document(read_session(GOLDEN / "compared.freeform"), "open")
     document.save(tmp_path / "open.freeform")
-    scene = document.session.scene
-    screen = scene.screen.model_copy(update={"z": 7.0})
-    document.edit(scene.model_copy(update={"screen": screen}), "change of screen", "")
+    move_screen(document, 7)
     yield document
     document.deleteLater()
 

@@ -2,15 +2,10 @@
 
 from PySide6.QtCore import Qt
 
+from tests.ui.hands import move_screen
 from ui.steps import Steps
 
 STEPS = 1000
-
-
-def edit(window, z):
-    scene = window.document.session.scene
-    screen = scene.screen.model_copy(update={"z": float(z)})
-    window.document.edit(scene.model_copy(update={"screen": screen}), f"screen at {z}", "")
 
 
 def test_a_thousand_steps_are_listed_and_gone_through_by_keyboard(window, qtbot, monkeypatch):
@@ -18,7 +13,7 @@ def test_a_thousand_steps_are_listed_and_gone_through_by_keyboard(window, qtbot,
     window.document.blockSignals(True)
     monkeypatch.setattr(Steps, "_forget_oldest", lambda self: None)
     for number in range(STEPS):
-        edit(window, 6 + number)
+        move_screen(window.document, 6 + number, f"screen at {6 + number}")
     window.document.blockSignals(False)
     window.commands["go_history"].trigger()
     history, document = window.workspace.history, window.document
@@ -37,7 +32,7 @@ def test_a_thousand_steps_are_listed_and_gone_through_by_keyboard(window, qtbot,
 
 def test_undo_moves_the_mark(window):
     for z in (6, 7):
-        edit(window, z)
+        move_screen(window.document, z, f"screen at {z}")
     history = window.workspace.history
     assert history.currentIndex().data() == "screen at 7"
     window.commands["undo"].trigger()

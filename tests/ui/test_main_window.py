@@ -8,6 +8,7 @@ from PySide6.QtGui import QDropEvent
 from PySide6.QtWidgets import QApplication, QMessageBox, QTabBar
 
 from resources import EXAMPLES
+from tests.ui.hands import editor
 from ui.commands.table import COMMANDS
 from ui.document import Document
 from ui.main_window import MainWindow
@@ -66,13 +67,8 @@ def built(window):
     return window
 
 
-def screen_z(window):
-    rows = [row for panel in window.forms.panels for row in panel.rows]
-    return next(row for row in rows if row.path == "screen.z").editors["screen.z"]
-
-
 def edit(window, z):
-    screen_z(window).setText(str(z))
+    editor(window.forms, "screen.z").setText(str(z))
     window.forms.commit()
 
 
@@ -115,7 +111,7 @@ def test_undo_and_redo_by_keyboard(window, qtbot):
 
 
 def test_undo_in_a_field_takes_typing_back_first_then_the_edit(window, qtbot):
-    field = screen_z(window)
+    field = editor(window.forms, "screen.z")
     field.setFocus()
     field.selectAll()
     qtbot.keyClicks(field, "7")
@@ -136,7 +132,7 @@ def test_shortcuts_are_unique():
 def test_text_still_being_typed_is_saved(window, tmp_path, monkeypatch):
     path = tmp_path / "mine.freeform"
     monkeypatch.setattr(window.files, "ask_for_name", lambda: path)
-    screen_z(window).setText("8")
+    editor(window.forms, "screen.z").setText("8")
     window.commands["save"].trigger()
     assert read_session(path).scene.screen.z == 8
 

@@ -4,18 +4,13 @@ import dataclasses
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QSettings, Qt
+from PySide6.QtCore import Qt
 
 from ui.manufacture.pane import ManufacturePane
 from ui.run.frame import make_frame
 from workbench.analysis.manufacture import manufacture
 from workbench.geometry.surface import ControlNet
 from workbench.pictures.manufacture import MAPS
-
-
-@pytest.fixture
-def settings(tmp_path):
-    return QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat)
 
 
 @pytest.fixture

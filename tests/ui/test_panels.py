@@ -7,15 +7,14 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QApplication, QFileDialog
 
-from ui.document import Document
-from ui.panels.forms import Forms
+from tests.ui.hands import choose, editor, enter, row, rows
 from workbench.files.session import Session
 from workbench.scene import Scene
 from workbench.targets import load_target
 
 
 @pytest.fixture
-def document(qapp):
+def session():
     scene = Scene.from_data(
         {
             "unit": "cm",
@@ -25,46 +24,11 @@ def document(qapp):
             "target": {"builtin": "tophat", "blur": 1.0},
         }
     )
-    document = Document(Session(scene, load_target(scene, Path())), "small")
-    yield document
-    document.deleteLater()
-
-
-@pytest.fixture
-def forms(document, qtbot):
-    forms = Forms(document)
-    qtbot.addWidget(forms)
-    forms.resize(330, 900)
-    with qtbot.waitActive(forms):
-        forms.show()
-        forms.activateWindow()
-    return forms
-
-
-def row(forms, path, visible=True):
-    rows = [row for panel in forms.panels for row in panel.rows if row.path == path]
-    return next(row for row in rows if row.isVisible() or not visible)
-
-
-def editor(forms, path):
-    return row(forms, path.partition("[")[0]).editors[path]
-
-
-def enter(qtbot, widget, text, key=Qt.Key.Key_Return):
-    widget.setFocus()
-    widget.selectAll()
-    qtbot.keyClicks(widget, text)
-    qtbot.keyClick(widget, key)
-
-
-def choose(forms, path, value):
-    chooser = row(forms, path).chooser
-    chooser.setCurrentIndex(chooser.findData(value))
-    chooser.activated.emit(chooser.currentIndex())
+    return Session(scene, load_target(scene, Path()))
 
 
 def test_a_number_is_entered_with_return(forms, document, qtbot):
-    enter(qtbot, editor(forms, "screen.z"), "7.25")
+    enter(qtbot, forms, "screen.z", "7.25")
     assert document.session.scene.screen.z == 7.25
     assert document.undo_stack.undoText() == "change of screen at z"
 
@@ -80,9 +44,9 @@ def test_a_number_is_entered_by_leaving_the_field(forms, document, qtbot):
 
 
 def test_numbers_are_shown_with_all_the_digits_they_have(forms, document, qtbot):
-    enter(qtbot, editor(forms, "lens.half_width[0]"), "0.123456789")
-    enter(qtbot, editor(forms, "lens.half_width[1]"), "1e-3")
-    enter(qtbot, editor(forms, "lens.half_width[1]"), "2")
+    enter(qtbot, forms, "lens.half_width[0]", "0.123456789")
+    enter(qtbot, forms, "lens.half_width[1]", "1e-3")
+    enter(qtbot, forms, "lens.half_width[1]", "2")
     assert editor(forms, "lens.half_width[0]").text() == "0.123456789"
     assert document.session.scene.lens.half_width == (0.123456789, 2.0)
 
@@ -104,7 +68,7 @@ def test_numbers_are_shown_with_all_the_digits_they_have(forms, document, qtbot)
 )
 def test_a_refusal_stands_beside_its_field(forms, document, qtbot, path, text, reason):
     session = document.session
-    enter(qtbot, editor(forms, path), text) if text else _empty(qtbot, editor(forms, path))
+    enter(qtbot, forms, path, text)
     assert document.session is session
     assert editor(forms, path).text() == text  # as typed, until it is corrected
     field = row(forms, path.partition("[")[0])
@@ -113,55 +77,48 @@ def test_a_refusal_stands_beside_its_field(forms, document, qtbot, path, text, r
     assert forms.refused
 
 
-def _empty(qtbot, widget):
-    widget.setFocus()
-    widget.selectAll()
-    qtbot.keyClick(widget, Qt.Key.Key_Delete)
-    qtbot.keyClick(widget, Qt.Key.Key_Return)
-
-
 def test_a_correction_clears_the_refusal(forms, document, qtbot):
-    enter(qtbot, editor(forms, "screen.z"), "far")
-    enter(qtbot, editor(forms, "screen.z"), "6")
+    enter(qtbot, forms, "screen.z", "far")
+    enter(qtbot, forms, "screen.z", "6")
     assert document.session.scene.screen.z == 6
     assert row(forms, "screen.z").refusal == ""
     assert not forms.refused
 
 
 def test_escape_takes_refused_text_back(forms, document, qtbot):
-    enter(qtbot, editor(forms, "screen.z"), "far")
+    enter(qtbot, forms, "screen.z", "far")
     qtbot.keyClick(editor(forms, "screen.z"), Qt.Key.Key_Escape)
     assert editor(forms, "screen.z").text() == "5"
     assert not forms.refused
 
 
 def test_the_whole_refusal_can_be_read(forms, qtbot):
-    enter(qtbot, editor(forms, "screen.z"), "0.1")
+    enter(qtbot, forms, "screen.z", "0.1")
     label = row(forms, "screen.z")._refusal
     qtbot.waitUntil(lambda: label.height() >= label.heightForWidth(label.width()) > 0)
 
 
 def test_two_values_that_only_fit_together_are_taken_together(forms, document, qtbot):
-    enter(qtbot, editor(forms, "lens.degree[0]"), "7")
+    enter(qtbot, forms, "lens.degree[0]", "7")
     assert "6 is too few for degree 7" in row(forms, "lens.control_points").refusal
     assert "6 is too few for degree 7" in row(forms, "lens.degree").refusal
-    enter(qtbot, editor(forms, "lens.control_points[0]"), "9")
+    enter(qtbot, forms, "lens.control_points[0]", "9")
     lens = document.session.scene.lens
     assert (lens.degree, lens.control_points) == ((7, 3), (9, 6))
     assert not forms.refused
 
 
 def test_a_good_edit_does_not_wait_for_a_bad_one(forms, document, qtbot):
-    enter(qtbot, editor(forms, "screen.z"), "far")
-    enter(qtbot, editor(forms, "run.seed"), "4")
+    enter(qtbot, forms, "screen.z", "far")
+    enter(qtbot, forms, "run.seed", "4")
     assert document.session.scene.run.seed == 4
     assert editor(forms, "screen.z").text() == "far"
     assert "'far'" in row(forms, "screen.z").refusal
 
 
 def test_undo_shows_the_earlier_values_and_drops_what_was_refused(forms, document, qtbot):
-    enter(qtbot, editor(forms, "screen.z"), "7")
-    enter(qtbot, editor(forms, "run.seed"), "x")
+    enter(qtbot, forms, "screen.z", "7")
+    enter(qtbot, forms, "run.seed", "x")
     document.undo_stack.undo()
     assert editor(forms, "screen.z").text() == "5"
     assert editor(forms, "run.seed").text() == "0"
@@ -209,17 +166,17 @@ def test_a_sphere_brings_its_fields(forms, document, qtbot):
     assert document.session.scene.lens.base.shape == "sphere"
     choose(forms, "lens.base.form", "convex")
     assert document.session.scene.lens.base.form == "convex"
-    enter(qtbot, editor(forms, "lens.base.radius"), "0.5")
+    enter(qtbot, forms, "lens.base.radius", "0.5")
     assert "does not span the lens" in row(forms, "lens.base.radius").refusal
     choose(forms, "lens.base.shape", "flat")  # the field is gone, and what it held
     assert not forms.refused
 
 
 def test_the_method_keeps_what_both_have(forms, document, qtbot):
-    enter(qtbot, editor(forms, "run.iterations"), "17")
+    enter(qtbot, forms, "run.iterations", "17")
     choose(forms, "run.method", "paper")
     choose(forms, "run.start", "random")
-    enter(qtbot, editor(forms, "run.learning_rate"), "2e-3")
+    enter(qtbot, forms, "run.learning_rate", "2e-3")
     run = document.session.scene.run
     assert (run.method, run.iterations, run.start) == ("paper", 17, "random")
     assert run.learning_rate == 2e-3
@@ -267,7 +224,7 @@ def test_an_image_that_cannot_be_read_is_refused_beside_the_wish(forms, document
 def test_a_refusal_unfolds_its_panel(forms, qtbot):
     panel = next(panel for panel in forms.panels if row(forms, "screen.z") in panel.rows)
     panel.unfold(False)
-    enter(qtbot, editor(forms, "lens.height_range[1]"), "9")
+    enter(qtbot, forms, "lens.height_range[1]", "9")
     assert "may touch the lens" in row(forms, "screen.z").refusal
     assert "Screen at z: 5 may touch" in row(forms, "lens.height_range").refusal
 
@@ -308,8 +265,8 @@ def test_another_source_stands_before_the_lens(forms, document):
 
 
 def test_a_source_goes_with_the_size_and_place_of_its_lens(forms, document, qtbot):
-    enter(qtbot, editor(forms, "lens.half_width[1]"), "0.25")
-    enter(qtbot, editor(forms, "lens.entrance_z"), "-2")
+    enter(qtbot, forms, "lens.half_width[1]", "0.25")
+    enter(qtbot, forms, "lens.entrance_z", "-2")
     choose(forms, "source.kind", "grid")
     source = document.session.scene.source
     assert (source.center, source.half_width) == ((0, 0, -7), (0.5, 0.125))
@@ -320,8 +277,8 @@ def test_each_source_has_its_fields_once(forms, document, kind):
     choose(forms, "source.kind", kind)
     choose(forms, "run.method", "paper")
     data = document.session.scene.to_data()["source"]
-    shown = [row for panel in forms.panels for row in panel.rows if row.isVisible()]
-    names = [row.path.split(".")[1] for row in shown if row.path.startswith("source.")]
+    shown = [each for each in rows(forms) if each.isVisible()]
+    names = [each.path.split(".")[1] for each in shown if each.path.startswith("source.")]
     assert sorted(names) == sorted(data)
 
 
@@ -329,9 +286,9 @@ def test_a_mesh_brings_its_subdivisions_and_stays_with_another_source(forms, doc
     choose(forms, "source.kind", "point")
     assert not row(forms, "source.intersection.subdivisions", visible=False).isVisible()
     choose(forms, "source.intersection.method", "mesh")
-    enter(qtbot, editor(forms, "source.intersection.subdivisions[0]"), "65")
+    enter(qtbot, forms, "source.intersection.subdivisions[0]", "65")
     assert "at most 64" in row(forms, "source.intersection.subdivisions").refusal
-    enter(qtbot, editor(forms, "source.intersection.subdivisions[0]"), "8")
+    enter(qtbot, forms, "source.intersection.subdivisions[0]", "8")
     choose(forms, "source.kind", "grid")
     intersection = document.session.scene.source.intersection
     assert (intersection.method, intersection.subdivisions) == ("mesh", (8, 4))
@@ -348,7 +305,7 @@ def test_fresh_rays_are_for_the_papers_method(forms, document, qtbot):
 
 def test_all_rays_of_a_grid_are_added_up(forms, document, qtbot):
     choose(forms, "source.kind", "grid")
-    enter(qtbot, editor(forms, "source.points[1]"), "4")
+    enter(qtbot, forms, "source.points[1]", "4")
     assert row(forms, "source.rays")._unit.text() == "= 100\N{THIN SPACE}000 in all"
 
 
@@ -369,6 +326,6 @@ def test_a_refusal_of_a_source_stands_beside_its_field(
 ):
     choose(forms, "source.kind", kind)
     session = document.session
-    enter(qtbot, editor(forms, path), text)
+    enter(qtbot, forms, path, text)
     assert document.session is session
     assert reason in row(forms, path.partition("[")[0]).refusal

@@ -5,8 +5,8 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import Qt
 
+from tests.ui.hands import choose, editor, enter, row
 from ui.document import Document
-from ui.panels.forms import Forms
 from workbench.files.session import Session
 from workbench.targets import load_target
 
@@ -14,58 +14,28 @@ PAPER_ONLY = ["run.parametrisation", "run.parameters", "run.start", "run.learnin
 
 
 @pytest.fixture
-def document(qapp, make_scene):
+def session(make_scene):
     scene = make_scene({"lens.control_points": [64, 64], "run": {"method": "paper"}})
-    document = Document(Session(scene, load_target(scene, Path())), "small")
-    yield document
-    document.deleteLater()
+    return Session(scene, load_target(scene, Path()))
 
 
-@pytest.fixture
-def rows(document, qtbot):
-    forms = Forms(document)
-    qtbot.addWidget(forms)
-    forms.resize(330, 900)
-    with qtbot.waitActive(forms):
-        forms.show()
-        forms.activateWindow()
-    yield {row.path: row for panel in forms.panels for row in panel.rows}  # while forms lives
+def rate(forms):
+    return editor(forms, "run.learning_rate")
 
 
-def choose(rows, path, value):
-    chooser = rows[path].chooser
-    chooser.setCurrentIndex(chooser.findData(value))
-    chooser.activated.emit(chooser.currentIndex())
+def test_the_papers_settings_are_there_with_its_method_alone(forms, document):
+    assert all(row(forms, path).isVisible() for path in PAPER_ONLY)
+    choose(forms, "run.method", "auto")
+    assert not any(row(forms, path, visible=False).isVisible() for path in PAPER_ONLY)
+    choose(forms, "run.method", "paper")
+    assert all(row(forms, path).isVisible() for path in PAPER_ONLY)
 
 
-def enter(qtbot, rows, path, text):
-    widget = rows[path.partition("[")[0]].editors[path]
-    widget.setFocus()
-    widget.selectAll()
-    qtbot.keyClick(widget, Qt.Key.Key_Delete)
-    qtbot.keyClicks(widget, text)
-    qtbot.keyClick(widget, Qt.Key.Key_Return)
-
-
-def rate(rows):
-    return rows["run.learning_rate"].editors["run.learning_rate"]
-
-
-def test_the_papers_settings_are_there_with_its_method_alone(rows, document):
-    assert all(rows[path].isVisible() for path in PAPER_ONLY)
-    choose(rows, "run.method", "auto")
-    assert not any(rows[path].isVisible() for path in PAPER_ONLY)
-    choose(rows, "run.method", "paper")
-    assert all(rows[path].isVisible() for path in PAPER_ONLY)
-
-
-def test_another_method_keeps_the_stages(qapp, qtbot, make_scene):
+def test_another_method_keeps_the_stages(qapp, open_forms, make_scene):
     scene = make_scene({"run": {"stages": [{"iterations": 2, "filter": {"size": [5, 5]}}]}})
-    document = Document(Session(scene, load_target(scene, Path())), "staged")
-    forms = Forms(document)
-    qtbot.addWidget(forms)
-    rows = {row.path: row for panel in forms.panels for row in panel.rows}
-    choose(rows, "run.method", "paper")
+    document = Document(Session(scene, load_target(scene, Path())), "staged", qapp)
+    forms = open_forms(document)
+    choose(forms, "run.method", "paper")
     assert document.session.scene.run.method == "paper"
     assert document.session.scene.run.stages == scene.run.stages
     document.deleteLater()
@@ -79,61 +49,61 @@ def test_another_method_keeps_the_stages(qapp, qtbot, make_scene):
         ("dense", "33,570,816 (537 MB)"),
     ],
 )
-def test_a_choice_shows_its_parameters_and_their_memory(rows, document, kind, size):
-    choose(rows, "run.parametrisation", kind)
+def test_a_choice_shows_its_parameters_and_their_memory(forms, document, kind, size):
+    choose(forms, "run.parametrisation", kind)
     assert document.session.scene.run.parametrisation == kind
-    assert rows["run.parameters"].text == size
+    assert row(forms, "run.parameters").text == size
 
 
-def test_the_size_follows_the_control_net(rows, qtbot):
-    choose(rows, "run.parametrisation", "dense")
-    enter(qtbot, rows, "lens.control_points[0]", "1024")
-    enter(qtbot, rows, "lens.control_points[1]", "1024")
-    assert rows["run.parameters"].text == "2,199,027,449,856 (35.2 TB)"
+def test_the_size_follows_the_control_net(forms, qtbot):
+    choose(forms, "run.parametrisation", "dense")
+    enter(qtbot, forms, "lens.control_points[0]", "1024")
+    enter(qtbot, forms, "lens.control_points[1]", "1024")
+    assert row(forms, "run.parameters").text == "2,199,027,449,856 (35.2 TB)"
 
 
 @pytest.mark.parametrize("start", ["uniform", "random", "zeros"])
-def test_a_start_is_chosen(rows, document, start):
-    choose(rows, "run.start", start)
+def test_a_start_is_chosen(forms, document, start):
+    choose(forms, "run.start", start)
     assert document.session.scene.run.start == start
 
 
-def test_a_learning_rate_may_be_left_empty(rows, document, qtbot):
-    assert (rate(rows).text(), rate(rows).placeholderText()) == ("", "0.003")
-    choose(rows, "run.parametrisation", "dense")
-    assert (rate(rows).text(), rate(rows).placeholderText()) == ("", "0.0001")
-    enter(qtbot, rows, "run.learning_rate", "2e-3")
+def test_a_learning_rate_may_be_left_empty(forms, document, qtbot):
+    assert (rate(forms).text(), rate(forms).placeholderText()) == ("", "0.003")
+    choose(forms, "run.parametrisation", "dense")
+    assert (rate(forms).text(), rate(forms).placeholderText()) == ("", "0.0001")
+    enter(qtbot, forms, "run.learning_rate", "2e-3")
     assert document.session.scene.run.learning_rate == 2e-3
-    assert rate(rows).text() == "0.002"
-    enter(qtbot, rows, "run.learning_rate", "")
+    assert rate(forms).text() == "0.002"
+    enter(qtbot, forms, "run.learning_rate", "")
     assert document.session.scene.run.learning_rate is None
-    assert rate(rows).text() == ""
+    assert rate(forms).text() == ""
 
 
 @pytest.mark.parametrize("method", ["auto", "paper"])
 @pytest.mark.parametrize(
     ("path", "unit"), [("run.smoothness", ""), ("run.min_radius", "cm")], ids=["weight", "radius"]
 )
-def test_bends_are_free_unless_asked(rows, document, qtbot, path, unit, method):
-    choose(rows, "run.method", method)
-    editor, field = rows[path].editors[path], path.removeprefix("run.")
-    assert (editor.text(), editor.placeholderText()) == ("", "none")
-    assert rows[path]._unit.text() == unit
-    enter(qtbot, rows, path, "0.05")
+def test_bends_are_free_unless_asked(forms, document, qtbot, path, unit, method):
+    choose(forms, "run.method", method)
+    typed, field = editor(forms, path), path.removeprefix("run.")
+    assert (typed.text(), typed.placeholderText()) == ("", "none")
+    assert row(forms, path)._unit.text() == unit
+    enter(qtbot, forms, path, "0.05")
     assert getattr(document.session.scene.run, field) == 0.05
-    enter(qtbot, rows, path, "-1")
-    assert "must be greater than 0" in rows[path].refusal
-    enter(qtbot, rows, path, "")
+    enter(qtbot, forms, path, "-1")
+    assert "must be greater than 0" in row(forms, path).refusal
+    enter(qtbot, forms, path, "")
     assert getattr(document.session.scene.run, field) is None
-    assert (editor.text(), editor.placeholderText()) == ("", "none")
+    assert (typed.text(), typed.placeholderText()) == ("", "none")
 
 
 @pytest.mark.parametrize(
     ("text", "reason"), [("0", "must be greater than 0"), ("fast", "'fast' is not a number")]
 )
-def test_an_impossible_rate_is_refused_beside_it(rows, document, qtbot, text, reason):
-    enter(qtbot, rows, "run.learning_rate", text)
-    assert reason in rows["run.learning_rate"].refusal
+def test_an_impossible_rate_is_refused_beside_it(forms, document, qtbot, text, reason):
+    enter(qtbot, forms, "run.learning_rate", text)
+    assert reason in row(forms, "run.learning_rate").refusal
     assert document.session.scene.run.learning_rate is None
-    qtbot.keyClick(rate(rows), Qt.Key.Key_Escape)
-    assert (rate(rows).text(), rows["run.learning_rate"].refusal) == ("", "")
+    qtbot.keyClick(rate(forms), Qt.Key.Key_Escape)
+    assert (rate(forms).text(), row(forms, "run.learning_rate").refusal) == ("", "")

@@ -6,157 +6,124 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QListWidget, QToolButton
 
+from tests.ui.hands import choose, enter, row, rows
 from ui.document import Document
-from ui.panels.forms import Forms
-from ui.panels.stages import StagesPanel
 from workbench.files.session import Session
 from workbench.scene import Stage
 from workbench.targets import load_target
 
 
 @pytest.fixture
-def begin(qapp, make_scene, qtbot):
-    """Opens the forms of a scene with some run settings; the stages panel in them."""
-    opened = []
+def begin(make_scene, open_forms):
+    """Opens the forms of a scene with some run settings."""
 
     def opened_with(run=None):
         scene = make_scene({"run": run or {"iterations": 100}})
         document = Document(Session(scene, load_target(scene, Path())), "staged")
-        forms = Forms(document)
-        opened.append((document, forms))
-        qtbot.addWidget(forms)
-        forms.resize(330, 1400)
-        with qtbot.waitActive(forms):
-            forms.show()
-            forms.activateWindow()
-        panel = next(each for each in forms.panels if isinstance(each, StagesPanel))
-        return document, panel
+        forms = open_forms(document)
+        document.setParent(forms)
+        return document, forms
 
-    yield opened_with
-    for document, _ in opened:
-        document.deleteLater()
+    return opened_with
 
 
 def stages(document):
     return document.session.scene.run.stages
 
 
-def click(qtbot, panel, text):
-    button = next(b for b in panel.findChildren(QToolButton) if b.text() == text)
+def click(qtbot, forms, text):
+    button = next(b for b in forms.findChildren(QToolButton) if b.text() == text)
     qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
 
 
-def listed(panel):
-    found = panel.findChild(QListWidget)
-    return [found.item(row).text() for row in range(found.count())]
-
-
-def row(panel, path):
-    rows = [each for each in panel.rows if each.path == path]
-    return next((each for each in rows if each.isVisible()), rows[0])
-
-
-def choose(panel, path, value):
-    chooser = row(panel, path).chooser
-    chooser.setCurrentIndex(chooser.findData(value))
-    chooser.activated.emit(chooser.currentIndex())
-
-
-def enter(qtbot, panel, path, text, key=Qt.Key.Key_Return):
-    owner = path[: -len("[0]")] if path.endswith("]") else path
-    editor = row(panel, owner).editors[path]
-    editor.setFocus()
-    editor.selectAll()
-    qtbot.keyClick(editor, Qt.Key.Key_Delete)
-    qtbot.keyClicks(editor, text)
-    if key:
-        qtbot.keyClick(editor, key)
-    return editor
+def listed(forms):
+    found = forms.findChild(QListWidget)
+    return [found.item(at).text() for at in range(found.count())]
 
 
 TWO = {"iterations": 100, "stages": [{"iterations": 10}, {"iterations": 20}]}
 
 
 def test_stages_are_added_and_each_is_a_step_of_its_own(begin, qtbot):
-    document, panel = begin()
-    assert listed(panel) == []
-    click(qtbot, panel, "Add")
-    click(qtbot, panel, "Add")
+    document, forms = begin()
+    assert listed(forms) == []
+    click(qtbot, forms, "Add")
+    click(qtbot, forms, "Add")
     assert [stage.iterations for stage in stages(document)] == [50, 25]
-    assert listed(panel) == ["1.  50 iterations", "2.  25 iterations"]
-    assert panel.findChild(QListWidget).currentRow() == 1
+    assert listed(forms) == ["1.  50 iterations", "2.  25 iterations"]
+    assert forms.findChild(QListWidget).currentRow() == 1
     document.undo_stack.undo()
-    assert listed(panel) == ["1.  50 iterations"]
+    assert listed(forms) == ["1.  50 iterations"]
     document.undo_stack.undo()
     assert stages(document) == ()
-    assert [each.path for each in panel.rows] == ["run.stages"]
+    assert [each.path for each in rows(forms) if "stages" in each.path] == ["run.stages"]
     document.undo_stack.redo()
-    assert listed(panel) == ["1.  50 iterations"]
+    assert listed(forms) == ["1.  50 iterations"]
 
 
 def test_stages_are_moved_and_stay_chosen(begin, qtbot):
-    document, panel = begin(TWO)
-    click(qtbot, panel, "Down")
+    document, forms = begin(TWO)
+    click(qtbot, forms, "Down")
     assert [stage.iterations for stage in stages(document)] == [20, 10]
-    assert panel.findChild(QListWidget).currentRow() == 1
-    assert row(panel, "run.stages[1].iterations").isVisible()
-    click(qtbot, panel, "Down")  # disabled
-    click(qtbot, panel, "Up")
+    assert forms.findChild(QListWidget).currentRow() == 1
+    assert row(forms, "run.stages[1].iterations").isVisible()
+    click(qtbot, forms, "Down")  # disabled
+    click(qtbot, forms, "Up")
     assert [stage.iterations for stage in stages(document)] == [10, 20]
     assert document.undo_stack.count() == 2
 
 
 def test_the_chosen_stage_is_removed(begin, qtbot):
-    document, panel = begin(TWO)
-    click(qtbot, panel, "Remove")
+    document, forms = begin(TWO)
+    click(qtbot, forms, "Remove")
     assert [stage.iterations for stage in stages(document)] == [20]
-    click(qtbot, panel, "Remove")
+    click(qtbot, forms, "Remove")
     assert stages(document) == ()
-    click(qtbot, panel, "Remove")
+    click(qtbot, forms, "Remove")
     assert document.undo_stack.count() == 2
 
 
 def test_every_setting_of_a_stage_can_be_edited_and_left_out_again(begin, qtbot):
-    document, panel = begin(TWO)
+    document, forms = begin(TWO)
     at = "run.stages[0]"
-    enter(qtbot, panel, f"{at}.iterations", "12")
-    choose(panel, f"{at}.method", "paper")
-    enter(qtbot, panel, f"{at}.learning_rate", "0.01")
-    enter(qtbot, panel, f"{at}.control_points[0]", "6")
-    enter(qtbot, panel, f"{at}.control_points[1]", "7")
-    choose(panel, f"{at}.source.kind", "point")
-    enter(qtbot, panel, f"{at}.source.rays", "5000")
-    choose(panel, f"{at}.filter.kind", "gaussian")
-    enter(qtbot, panel, f"{at}.filter.size[0]", "5")
+    enter(qtbot, forms, f"{at}.iterations", "12")
+    choose(forms, f"{at}.method", "paper")
+    enter(qtbot, forms, f"{at}.learning_rate", "0.01")
+    enter(qtbot, forms, f"{at}.control_points[0]", "6")
+    enter(qtbot, forms, f"{at}.control_points[1]", "7")
+    choose(forms, f"{at}.source.kind", "point")
+    enter(qtbot, forms, f"{at}.source.rays", "5000")
+    choose(forms, f"{at}.filter.kind", "gaussian")
+    enter(qtbot, forms, f"{at}.filter.size[0]", "5")
     stage = stages(document)[0]
     assert (stage.iterations, stage.method, stage.learning_rate) == (12, "paper", 0.01)
     assert stage.control_points == (6, 7)
     assert (stage.source.kind, stage.source.rays) == ("point", 5000)
     assert stage.source.position == (0, 0, -5)
     assert stage.filter.size == (5, 3)
-    assert listed(panel)[0] == (
+    assert listed(forms)[0] == (
         "1.  12 iterations, as in the paper, net of 6 × 7, point source, gaussian filter"
     )
-    choose(panel, f"{at}.source.kind", "")
-    choose(panel, f"{at}.filter.kind", "")
-    choose(panel, f"{at}.method", "")
-    enter(qtbot, panel, f"{at}.control_points[0]", "")
+    choose(forms, f"{at}.source.kind", "")
+    choose(forms, f"{at}.filter.kind", "")
+    choose(forms, f"{at}.method", "")
+    enter(qtbot, forms, f"{at}.control_points[0]", "")
     assert stages(document)[0] == Stage(iterations=12)
     for path in ("learning_rate", "source.rays", "filter.size"):
-        assert not row(panel, f"{at}.{path}").isVisible()
+        assert not row(forms, f"{at}.{path}", visible=False).isVisible()
 
 
 def test_what_is_left_empty_shows_what_counts(begin):
-    _, panel = begin({"iterations": 9, "method": "paper", "stages": [{"iterations": 3}]})
-    net = row(panel, "run.stages[0].control_points").editors.values()
+    _, forms = begin({"iterations": 9, "method": "paper", "stages": [{"iterations": 3}]})
+    net = row(forms, "run.stages[0].control_points").editors.values()
     assert [(e.text(), e.placeholderText()) for e in net] == [("", "12"), ("", "10")]
-    (rate,) = row(panel, "run.stages[0].learning_rate").editors.values()
+    (rate,) = row(forms, "run.stages[0].learning_rate").editors.values()
     assert (rate.text(), rate.placeholderText()) == ("", "0.003")
 
 
 def test_one_number_of_an_empty_net_counts_for_both(begin, qtbot):
-    document, panel = begin(TWO)
-    enter(qtbot, panel, "run.stages[0].control_points[1]", "8")
+    document, forms = begin(TWO)
+    enter(qtbot, forms, "run.stages[0].control_points[1]", "8")
     assert stages(document)[0].control_points == (8, 8)
 
 
@@ -170,60 +137,57 @@ def test_one_number_of_an_empty_net_counts_for_both(begin, qtbot):
     ],
 )
 def test_a_refusal_stands_beside_its_field(begin, qtbot, path, text, beside, reason):
-    document, panel = begin(TWO)
+    document, forms = begin(TWO)
     session = document.session
-    editor = enter(qtbot, panel, f"run.stages[0].{path}", text)
+    editor = enter(qtbot, forms, f"run.stages[0].{path}", text)
     assert document.session is session
     assert editor.text() == text
-    assert reason in row(panel, f"run.stages{beside}").refusal
+    assert reason in row(forms, f"run.stages{beside}").refusal
     qtbot.keyClick(editor, Qt.Key.Key_Escape)
-    assert not any(each.refusal for each in panel.rows)
+    assert not any(each.refusal for each in rows(forms))
 
 
 def test_a_stage_for_which_nothing_is_left_is_refused(begin, qtbot):
-    document, panel = begin({"iterations": 1})
-    click(qtbot, panel, "Add")
+    document, forms = begin({"iterations": 1})
+    click(qtbot, forms, "Add")
     assert stages(document) == ()
-    assert "they leave none of the 1 iterations" in panel.rows[0].refusal
+    assert "they leave none of the 1 iterations" in row(forms, "run.stages").refusal
 
 
 def test_an_impossible_source_is_refused_beside_it(begin, qtbot):
-    document, panel = begin(TWO)
-    choose(panel, "run.stages[0].source.kind", "point")
-    enter(qtbot, panel, "run.stages[0].source.position[2]", "1")
-    assert "not before the entrance face" in row(panel, "run.stages[0].source.position").refusal
+    document, forms = begin(TWO)
+    choose(forms, "run.stages[0].source.kind", "point")
+    enter(qtbot, forms, "run.stages[0].source.position[2]", "1")
+    assert "not before the entrance face" in row(forms, "run.stages[0].source.position").refusal
     assert stages(document)[0].source.position[2] == -5
 
 
 def test_text_that_is_not_entered_stays_with_its_stage(begin, qtbot):
-    document, panel = begin(TWO)
-    enter(qtbot, panel, "run.stages[0].iterations", "11", key=None)
-    click(qtbot, panel, "Down")
+    document, forms = begin(TWO)
+    enter(qtbot, forms, "run.stages[0].iterations", "11", key=None)
+    click(qtbot, forms, "Down")
     assert [stage.iterations for stage in stages(document)] == [20, 11]
-    enter(qtbot, panel, "run.stages[1].iterations", "12", key=None)
+    enter(qtbot, forms, "run.stages[1].iterations", "12", key=None)
     document.undo_stack.undo()
     document.undo_stack.undo()
     assert [stage.iterations for stage in stages(document)] == [10, 20]
 
 
 def test_choosing_another_stage_shows_its_settings(begin, qtbot):
-    _, panel = begin(TWO)
-    enter(qtbot, panel, "run.stages[0].iterations", "none")
-    panel.findChild(QListWidget).setCurrentRow(1)
-    (editor,) = row(panel, "run.stages[1].iterations").editors.values()
+    _, forms = begin(TWO)
+    enter(qtbot, forms, "run.stages[0].iterations", "none")
+    forms.findChild(QListWidget).setCurrentRow(1)
+    (editor,) = row(forms, "run.stages[1].iterations").editors.values()
     assert editor.text() == "20"
-    panel.findChild(QListWidget).setCurrentRow(0)
-    (editor,) = row(panel, "run.stages[0].iterations").editors.values()
-    assert (editor.text(), row(panel, "run.stages[0].iterations").refusal) == ("10", "")
+    forms.findChild(QListWidget).setCurrentRow(0)
+    (editor,) = row(forms, "run.stages[0].iterations").editors.values()
+    assert (editor.text(), row(forms, "run.stages[0].iterations").refusal) == ("10", "")
 
 
 def test_the_automatic_method_drops_learning_rates_that_follow_it(begin, qtbot):
     kept = {"iterations": 2, "method": "paper", "learning_rate": 0.2}
     run = {"method": "paper", "stages": [{"iterations": 1, "learning_rate": 0.1}, kept]}
-    document, panel = begin(run)
-    forms = panel.window()
-    method = next(r for p in forms.panels for r in p.rows if r.path == "run.method")
-    method.chooser.setCurrentIndex(method.chooser.findData("auto"))
-    method.chooser.activated.emit(method.chooser.currentIndex())
+    document, forms = begin(run)
+    choose(forms, "run.method", "auto")
     assert document.session.scene.run.method == "auto"
     assert [stage.learning_rate for stage in stages(document)] == [None, 0.2]

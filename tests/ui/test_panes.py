@@ -5,6 +5,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QAccessible
 from PySide6.QtWidgets import QAbstractButton, QApplication, QComboBox, QLineEdit
 
+from tests.ui.hands import editor
 from ui.commands.table import COMMANDS, PANES
 
 
@@ -44,8 +45,7 @@ def test_keys_go_round_all_panes_that_can_be_seen(window, qtbot):
 
 
 def test_a_pane_gives_the_focus_back_to_the_field_that_had_it(window, qtbot):
-    rows = [row for panel in window.forms.panels for row in panel.rows]
-    field = next(row for row in rows if row.path == "screen.z").editors["screen.z"]
+    field = editor(window.forms, "screen.z")
     field.setFocus()
     window.commands["go_log"].trigger()
     assert not field.hasFocus()

@@ -4,6 +4,7 @@ import json
 
 import pytest
 
+from tests.ui.hands import editor, move_screen
 from workbench.files.session import read_session
 
 pytestmark = pytest.mark.usefixtures("kernels")
@@ -144,20 +145,14 @@ def test_size_and_docks_outlive_the_window_and_can_be_reset(open_window, setting
     assert shown(second) == usual
 
 
-def edit(window, z):
-    scene = window.document.session.scene
-    screen = scene.screen.model_copy(update={"z": float(z)})
-    window.document.edit(scene.model_copy(update={"screen": screen}), "edit", "")
-
-
 def test_revert_goes_back_to_the_file_and_can_be_undone(open_window, tmp_path):
     window = open_window()
     document, revert = window.document, window.commands["revert"]
-    edit(window, 7)
+    move_screen(window.document, 7)
     assert not revert.isEnabled()  # there is no file yet
     save(window, tmp_path / "mine.freeform")
     assert not revert.isEnabled()
-    edit(window, 8)
+    move_screen(window.document, 8)
     assert revert.isEnabled()
     revert.trigger()
     assert document.session.scene.screen.z == 7
@@ -170,7 +165,7 @@ def test_revert_to_a_file_that_is_gone_changes_nothing(open_window, tmp_path):
     path = tmp_path / "mine.freeform"
     window = open_window()
     save(window, path)
-    edit(window, 8)
+    move_screen(window.document, 8)
     path.unlink()
     window.commands["revert"].trigger()
     assert window.document.session.scene.screen.z == 8 and window.document.dirty
@@ -179,8 +174,6 @@ def test_revert_to_a_file_that_is_gone_changes_nothing(open_window, tmp_path):
 
 def test_a_refused_field_is_told_in_the_log(open_window):
     window = open_window()
-    rows = [row for panel in window.forms.panels for row in panel.rows]
-    field = next(row for row in rows if row.path == "screen.z").editors["screen.z"]
-    field.setText("-3")
+    editor(window.forms, "screen.z").setText("-3")
     window.forms.commit()
     assert "Refused: screen.z" in window.log.toPlainText()

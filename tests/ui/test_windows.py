@@ -1,9 +1,10 @@
 """Several windows: each with a design, a run and a recovery file of its own."""
 
 import pytest
-from PySide6.QtCore import QSettings, Qt
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QMessageBox
 
+from tests.ui.hands import move_screen
 from ui.files import left_behind
 from ui.windows import Windows
 from workbench.files.session import read_session
@@ -22,8 +23,7 @@ def folder(tmp_path):
 
 
 @pytest.fixture
-def windows(qapp, tmp_path, folder):
-    settings = QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat)
+def windows(qapp, settings, folder):
     windows = Windows(settings, folder)
     stays = qapp.quitOnLastWindowClosed()
     qapp.setQuitOnLastWindowClosed(False)
@@ -60,12 +60,6 @@ def asked(monkeypatch):
     assert not answers, "a question that was expected was not asked"
 
 
-def edit(window, z):
-    scene = window.document.session.scene
-    screen = scene.screen.model_copy(update={"z": float(z)})
-    window.document.edit(scene.model_copy(update={"screen": screen}), "edit", "")
-
-
 def open_windows(windows):
     return list(windows._recoveries)
 
@@ -78,7 +72,7 @@ def test_a_key_opens_another_window_with_a_document_of_its_own(windows, qtbot):
     assert len(open_windows(windows)) == 2
     second = open_windows(windows)[1]
     assert second.isVisible() and second.pos() != first.pos()
-    edit(second, 7)
+    move_screen(second.document, 7)
     assert second.isWindowModified() and not first.isWindowModified()
     assert first.document.session.scene.screen.z != 7
 
@@ -96,7 +90,7 @@ def test_quit_asks_for_each(windows, two, asked):
     first, second = two
     questions, answers = asked
     for window in two:
-        edit(window, 7)
+        move_screen(window.document, 7)
     answers += [DISCARD, CANCEL]
     second.commands["quit"].trigger()
     assert [window for window, _ in questions] == [first, second]
@@ -145,7 +139,7 @@ def test_a_file_that_is_open_is_shown_where_it_is(windows, two, asked, tmp_path,
     _, answers = asked
     path = tmp_path / "mine.freeform"
     first.document.save(path)
-    edit(first, 7)
+    move_screen(first.document, 7)
     with qtbot.waitActive(first):
         assert not second.files.open(path.parent / "." / path.name)
     assert second.document.path is None and first.document.dirty
@@ -167,7 +161,7 @@ def test_a_file_that_another_window_has_is_not_written_over(windows, two, tmp_pa
 def test_a_signal_leaves_the_work_of_every_window(windows, two, folder):
     for z, window in zip((7, 8), two, strict=True):
         windows._recoveries[window].start()
-        edit(window, z)
+        move_screen(window.document, z)
     windows.leave()
     assert not any(window.isVisible() for window in two)
     works = left_behind.find(folder)
@@ -183,7 +177,7 @@ def test_each_work_left_behind_comes_back_in_a_window_of_its_own(
 ):
     for z, window in zip((7, 8), two, strict=True):
         windows._recoveries[window].start()
-        edit(window, z)
+        move_screen(window.document, z)
     windows.leave()
     again = Windows(windows._settings, folder)
     monkeypatch.setattr(left_behind, "ask", lambda work, window: left_behind.Choice.RECOVER)

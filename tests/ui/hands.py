@@ -1,0 +1,47 @@
+"""What hands do at the forms of a design."""
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QWidget
+
+
+def rows(forms):
+    """All rows of all panels."""
+    return [row for panel in forms.panels for row in panel.rows]
+
+
+def row(forms, path, visible=True):
+    """The row at a path; it can be seen, unless that does not matter."""
+    first = max((each for each in rows(forms) if each.path == path), key=QWidget.isVisible)
+    assert first.isVisible() or not visible, f"{path} is hidden"
+    return first
+
+
+def editor(forms, path):
+    """The field at a path, of its row: ``lens.degree[0]``."""
+    return row(forms, path[: -len("[0]")] if path.endswith("]") else path).editors[path]
+
+
+def enter(qtbot, forms, path, text, key=Qt.Key.Key_Return):
+    """Type into the field at a path instead of what it holds; gives the field."""
+    field = editor(forms, path)
+    field.setFocus()
+    field.selectAll()
+    qtbot.keyClick(field, Qt.Key.Key_Delete)
+    qtbot.keyClicks(field, text)
+    if key is not None:
+        qtbot.keyClick(field, key)
+    return field
+
+
+def choose(forms, path, value):
+    """Choose from the list at a path."""
+    chooser = row(forms, path).chooser
+    chooser.setCurrentIndex(chooser.findData(value))
+    chooser.activated.emit(chooser.currentIndex())
+
+
+def move_screen(document, z, text="change of screen at z", key=""):
+    """One step of the design, of this text and key."""
+    scene = document.session.scene
+    screen = scene.screen.model_copy(update={"z": float(z)})
+    document.edit(scene.model_copy(update={"screen": screen}), text, key)
