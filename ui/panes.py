@@ -75,6 +75,7 @@ class Panes(QObject):
                 each.setProperty("active", active)
                 each.style().unpolish(each)
                 each.style().polish(each)
+                each.update()  # which polishing does not see to
         self._marked = dock
 
 
