@@ -115,6 +115,7 @@ class CheckFigures(QWidget):
         self._copy.setEnabled(False)
         row = QHBoxLayout()
         row.setContentsMargins(6, 4, 6, 4)
+        row.setSpacing(6)
         row.addWidget(self._rays)
         row.addStretch(1)
         row.addWidget(ask)

@@ -91,6 +91,7 @@ class RunTable(QWidget):
         self._editable = True
         buttons = QHBoxLayout()
         buttons.setContentsMargins(6, 4, 6, 4)
+        buttons.setSpacing(6)
         buttons.addWidget(self._restore)
         buttons.addWidget(self._delete)
         buttons.addStretch(1)
