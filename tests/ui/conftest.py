@@ -16,6 +16,7 @@ from tests.ui.leftovers import left_behind, living
 from ui.document import Document
 from ui.main_window import MainWindow
 from ui.panels.forms import Forms
+from ui.run.frame import make_frame
 from workbench.design.snapshot import History, Snapshot
 from workbench.files.session import Session
 from workbench.optics.ledger import Ledger
@@ -59,10 +60,20 @@ def display(qapp):
 
 
 @pytest.fixture
-def session(make_scene):
+def make_session(make_scene):
+    """Makes designs of the small scene with some fields changed."""
+
+    def make(changes=None):
+        scene = make_scene(changes)
+        return Session(scene, load_target(scene, Path.cwd()))
+
+    return make
+
+
+@pytest.fixture
+def session(make_session):
     """A small design without a result."""
-    scene = make_scene()
-    return Session(scene, load_target(scene, Path.cwd()))
+    return make_session()
 
 
 @pytest.fixture
@@ -106,6 +117,17 @@ def designed(session, history):
 
 
 @pytest.fixture
+def frames(session, snapshots, history):
+    """Makes frames of an iteration, with something of its snapshot changed."""
+
+    def make(iteration, session=session, **changes):
+        snapshot = dataclasses.replace(snapshots(iteration), **changes)
+        return make_frame(session, snapshot, history(iteration))
+
+    return make
+
+
+@pytest.fixture
 def as_run(snapshots):
     """A generator function that stands in for the engine's, of so many iterations."""
 
@@ -140,6 +162,20 @@ def as_seen_run(snapshots):
         return run
 
     return make
+
+
+@pytest.fixture
+def show(qtbot):
+    """Shows a widget of some size; it goes with the test."""
+
+    def show(widget, width, height):
+        qtbot.addWidget(widget)
+        widget.resize(width, height)
+        with qtbot.waitExposed(widget):
+            widget.show()
+        return widget
+
+    return show
 
 
 @pytest.fixture

@@ -21,9 +21,8 @@ def editor(forms, path):
     return row(forms, path[: -len("[0]")] if path.endswith("]") else path).editors[path]
 
 
-def enter(qtbot, forms, path, text, key=Qt.Key.Key_Return):
-    """Type into the field at a path instead of what it holds; gives the field."""
-    field = editor(forms, path)
+def fill(qtbot, field, text, key=Qt.Key.Key_Return):
+    """Type into a field instead of what it holds; gives the field."""
     field.setFocus()
     field.selectAll()
     qtbot.keyClick(field, Qt.Key.Key_Delete)
@@ -31,6 +30,11 @@ def enter(qtbot, forms, path, text, key=Qt.Key.Key_Return):
     if key is not None:
         qtbot.keyClick(field, key)
     return field
+
+
+def enter(qtbot, forms, path, text, key=Qt.Key.Key_Return):
+    """Fill in the field at a path."""
+    return fill(qtbot, editor(forms, path), text, key)
 
 
 def choose(forms, path, value):

@@ -1,7 +1,6 @@
 """The derivative dock's view: when it computes, of which lens, what it tells."""
 
 import dataclasses
-from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
@@ -11,8 +10,6 @@ from PySide6.QtCore import QThread
 import workbench.analysis.derivatives
 from ui.views.derivative_view import DerivativeView
 from workbench.analysis.derivatives import DerivativeMap, irradiance_derivative
-from workbench.files.session import Session
-from workbench.targets import load_target
 
 
 @pytest.fixture
@@ -44,16 +41,13 @@ def asked(monkeypatch):
 @pytest.fixture
 def view(qtbot):
     view = DerivativeView()
-    view.resize(380, 380)
     qtbot.addWidget(view)
     return view
 
 
 @pytest.fixture
-def seen(view, qtbot):
-    with qtbot.waitExposed(view):
-        view.show()
-    return view
+def seen(view, show):
+    return show(view, 380, 380)
 
 
 def test_shows_the_map_of_the_middle_point_and_its_sum(seen, frame, session, qtbot):
@@ -70,13 +64,12 @@ def test_shows_the_map_of_the_middle_point_and_its_sum(seen, frame, session, qtb
     assert seen._place.text() == "x = 0.111, y = 0.143 cm"
 
 
-def test_nothing_is_computed_while_hidden(view, frame, asked, qtbot):
+def test_nothing_is_computed_while_hidden(view, frame, asked, show, qtbot):
     view.show_frame(frame(1))
     view.show_frame(frame(2))
     qtbot.wait(400)
     assert not asked
-    with qtbot.waitExposed(view):
-        view.show()
+    show(view, 380, 380)
     qtbot.waitUntil(lambda: len(asked) == 1)
     assert asked[0][1][0, 0] == 0.48
     view.hide()
@@ -108,22 +101,19 @@ def test_another_point_is_another_map(seen, frame, asked, qtbot):
     assert asked[1][2] == (2, 7)
 
 
-def test_only_points_of_the_net_can_be_chosen(seen, frame, asked, make_scene, qtbot):
+def test_only_points_of_the_net_can_be_chosen(seen, frame, asked, make_session, qtbot):
     seen.show_frame(frame(1))
     seen._boxes[0].setValue(99)
     assert seen.index == (11, 5)
-    scene = make_scene({"lens.control_points": [7, 10]})
-    other = Session(scene, load_target(scene, Path.cwd()))
-    seen.show_frame(frame(1, of=other))
+    seen.show_frame(frame(1, of=make_session({"lens.control_points": [7, 10]})))
     assert seen.index == (3, 5)
     qtbot.waitUntil(lambda: bool(asked) and asked[-1][2] == (3, 5))
 
 
-def test_a_refusal_is_told_and_the_old_map_goes(seen, frame, make_scene, qtbot):
+def test_a_refusal_is_told_and_the_old_map_goes(seen, frame, make_session, qtbot):
     seen.show_frame(frame(1))
     qtbot.waitUntil(lambda: seen._map is not None, timeout=20_000)
-    scene = make_scene({"filter": {"kind": "box"}})
-    seen.show_frame(frame(1, of=Session(scene, load_target(scene, Path.cwd()))))
+    seen.show_frame(frame(1, of=make_session({"filter": {"kind": "box"}})))
     qtbot.waitUntil(lambda: "filter.kind: 'box' counts rays" in seen._sum.text())
     qtbot.waitUntil(lambda: seen._image.artists[0].get_array().count() == 0)
     assert seen._place.text() == ""

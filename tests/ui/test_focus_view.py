@@ -1,12 +1,10 @@
 """Light before and behind the screen: traced for eyes, the latest distance first."""
 
-import dataclasses
 import time
 
 import numpy as np
 import pytest
 
-from ui.run.frame import make_frame
 from ui.views import focus_view
 from ui.views.focus_view import FocusView
 from workbench.analysis.validation import validate, validating
@@ -27,20 +25,19 @@ def fewer_rays(monkeypatch):
 
 
 @pytest.fixture
-def frames(session, snapshots, history):
+def wavy(session, frames):
     """Makes frames of wavy lenses, whose light is another at each distance."""
 
     def make(iteration, session=session):
         waves = 0.5 + 0.01 * iteration * np.sin(np.arange(120.0)).reshape(12, 10)
-        snapshot = dataclasses.replace(snapshots(iteration), control_points=waves)
-        return make_frame(session, snapshot, history(iteration))
+        return frames(iteration, session, control_points=waves)
 
     return make
 
 
 @pytest.fixture
-def frame(frames):
-    return frames(1)
+def frame(wavy):
+    return wavy(1)
 
 
 @pytest.fixture
@@ -58,13 +55,10 @@ def traces(monkeypatch):
 
 
 @pytest.fixture
-def view(frame, traces, qtbot):
+def view(frame, traces, show, qtbot):
     view = FocusView()
-    qtbot.addWidget(view)
-    view.resize(420, 420)
     view.show_frame(frame)
-    with qtbot.waitExposed(view):
-        view.show()
+    show(view, 420, 420)
     qtbot.waitUntil(lambda: view._light is not None, timeout=30_000)
     yield view
 
@@ -128,25 +122,23 @@ def test_nothing_is_traced_for_nobody(view, frame, traces, qtbot):
     assert traces[-1] == (view.z, MANY)
 
 
-def test_it_follows_the_lens_when_it_rests(view, frame, frames, traces, qtbot):
+def test_it_follows_the_lens_when_it_rests(view, frame, wavy, traces, qtbot):
     traced(view, frame, qtbot)
     traces.clear()
     for iteration in (2, 3, 4):
-        view.show_frame(frames(iteration))
+        view.show_frame(wavy(iteration))
     assert traces == []
     assert "when the lens rests" in view._place.text()
-    traced(view, frames(4), qtbot)
+    traced(view, wavy(4), qtbot)
     assert [rays for _, rays in traces] == [FEW, MANY]
 
 
-def test_of_another_design_nothing_is_shown_before_it_is_traced(
-    view, session, frames, frame, qtbot
-):
+def test_of_another_design_nothing_is_shown_before_it_is_traced(view, session, wavy, frame, qtbot):
     traced(view, frame, qtbot)
     scene = session.scene
     screen = scene.screen.model_copy(update={"pixels": (16, 16)})
     other = Session(scene.model_copy(update={"screen": screen}), session.target[::2, ::2])
-    moved = frames(1, other)
+    moved = wavy(1, other)
     view.show_frame(moved)
     assert view._light is None
     qtbot.waitUntil(lambda: view.empty)

@@ -6,47 +6,38 @@ import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 
+from tests.ui.hands import fill
 from ui.manufacture.pane import ManufacturePane
-from ui.run.frame import make_frame
 from workbench.analysis.manufacture import manufacture
 from workbench.geometry.surface import ControlNet
 from workbench.pictures.manufacture import MAPS
 
 
 @pytest.fixture
-def bowl(session, snapshots, history):
+def bowl(session, frames):
     """A frame whose face is a bowl of this depth at the middle of its sides."""
 
     def make(depth, session=session):
         x, y = ControlNet.of(session.scene.lens).positions
-        heights = 0.5 + depth * (x[:, None] ** 2 + y**2)
-        snapshot = dataclasses.replace(snapshots(1), control_points=heights)
-        return make_frame(session, snapshot, history(1))
+        return frames(1, session, control_points=0.5 + depth * (x[:, None] ** 2 + y**2))
 
     return make
 
 
 @pytest.fixture
-def pane(settings, session, bowl, qtbot):
+def pane(settings, session, bowl, show, qtbot):
     pane = ManufacturePane(settings)
     qtbot.addWidget(pane, before_close_func=lambda pane: pane.close_thread())
-    pane.resize(760, 420)
     pane.show_design(session)
     pane.show_frame(bowl(0.2))
-    with qtbot.waitExposed(pane):
-        pane.show()
+    show(pane, 760, 420)
     qtbot.waitUntil(lambda: pane._found is not None and not pane.map.empty, timeout=10_000)
     return pane
 
 
 def enter(pane, qtbot, name, text):
     """Type a limit."""
-    editor = pane._fields.rows[name].editors[name]
-    editor.setFocus()
-    editor.clear()
-    qtbot.keyClicks(editor, text)
-    qtbot.keyClick(editor, Qt.Key.Key_Return)
-    return editor
+    return fill(qtbot, pane._fields.rows[name].editors[name], text)
 
 
 def states(pane):

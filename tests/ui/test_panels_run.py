@@ -1,22 +1,17 @@
 """The run panel: what is optimised, what that costs, and a learning rate that may be left out."""
 
-from pathlib import Path
-
 import pytest
 from PySide6.QtCore import Qt
 
 from tests.ui.hands import choose, editor, enter, row
 from ui.document import Document
-from workbench.files.session import Session
-from workbench.targets import load_target
 
 PAPER_ONLY = ["run.parametrisation", "run.parameters", "run.start", "run.learning_rate"]
 
 
 @pytest.fixture
-def session(make_scene):
-    scene = make_scene({"lens.control_points": [64, 64], "run": {"method": "paper"}})
-    return Session(scene, load_target(scene, Path()))
+def session(make_session):
+    return make_session({"lens.control_points": [64, 64], "run": {"method": "paper"}})
 
 
 def rate(forms):
@@ -31,14 +26,14 @@ def test_the_papers_settings_are_there_with_its_method_alone(forms, document):
     assert all(row(forms, path).isVisible() for path in PAPER_ONLY)
 
 
-def test_another_method_keeps_the_stages(qapp, open_forms, make_scene):
-    scene = make_scene({"run": {"stages": [{"iterations": 2, "filter": {"size": [5, 5]}}]}})
-    document = Document(Session(scene, load_target(scene, Path())), "staged", qapp)
+def test_another_method_keeps_the_stages(make_session, open_forms):
+    session = make_session({"run": {"stages": [{"iterations": 2, "filter": {"size": [5, 5]}}]}})
+    document = Document(session, "staged")
     forms = open_forms(document)
+    document.setParent(forms)
     choose(forms, "run.method", "paper")
     assert document.session.scene.run.method == "paper"
-    assert document.session.scene.run.stages == scene.run.stages
-    document.deleteLater()
+    assert document.session.scene.run.stages == session.scene.run.stages
 
 
 @pytest.mark.parametrize(

@@ -1,25 +1,21 @@
 """The stages in the form: listed, added, moved, edited, refused, undone."""
 
-from pathlib import Path
-
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QListWidget, QToolButton
 
 from tests.ui.hands import choose, enter, row, rows
 from ui.document import Document
-from workbench.files.session import Session
 from workbench.scene import Stage
-from workbench.targets import load_target
 
 
 @pytest.fixture
-def begin(make_scene, open_forms):
+def begin(make_session, open_forms):
     """Opens the forms of a scene with some run settings."""
 
     def opened_with(run=None):
-        scene = make_scene({"run": run or {"iterations": 100}})
-        document = Document(Session(scene, load_target(scene, Path())), "staged")
+        session = make_session({"run": run or {"iterations": 100}})
+        document = Document(session, "staged")
         forms = open_forms(document)
         document.setParent(forms)
         return document, forms

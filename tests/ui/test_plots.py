@@ -1,7 +1,6 @@
 """Plots are copied and saved, whichever was clicked or reached last."""
 
 import csv
-import dataclasses
 from xml.etree import ElementTree
 
 import numpy as np
@@ -13,31 +12,25 @@ from PySide6.QtWidgets import QHBoxLayout, QWidget
 from ui.document import Document
 from ui.message_bar import MessageBar
 from ui.plots import Plots
-from ui.run.frame import make_frame
 from ui.views.irradiance_view import IrradianceView
 from ui.views.loss_view import LossView
 from ui.views.surface_view import SurfaceView
 
 
 @pytest.fixture
-def frame(session, snapshots, history):
-    n_x, n_y = session.scene.screen.pixels
-    image = np.arange(n_x * n_y, dtype=float).reshape(n_y, n_x) / 1000
-    return make_frame(session, dataclasses.replace(snapshots(3), irradiance=image), history(3))
+def frame(frames):
+    return frames(3, irradiance=np.arange(1024.0).reshape(32, 32) / 1000)
 
 
 @pytest.fixture
-def views(frame, qtbot):
+def views(frame, show, qtbot):
     window = QWidget()
     views = {"irradiance": IrradianceView(), "loss": LossView(), "surface": SurfaceView()}
     row = QHBoxLayout(window)
     for view in views.values():
         row.addWidget(view)
         view.show_frame(frame)
-    qtbot.addWidget(window)
-    window.resize(1000, 300)
-    with qtbot.waitExposed(window):
-        window.show()
+    show(window, 1000, 300)
     window.activateWindow()
     qtbot.waitUntil(lambda: not any(view.empty for view in views.values()))
     yield views  # the window lives as long

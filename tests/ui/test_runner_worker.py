@@ -7,7 +7,6 @@ import pytest
 
 from ui.run import worker as worker_module
 from ui.run.worker import Job, Worker
-from workbench.design.snapshot import History
 from workbench.errors import Refused, RunFailed
 
 
@@ -25,14 +24,6 @@ def work():
         return result, sentence
 
     return do
-
-
-@pytest.fixture
-def designed(session, snapshots):
-    history = History()
-    for iteration in range(4):
-        history.add(snapshots(iteration))
-    return dataclasses.replace(session, result=history.result())
 
 
 def test_makes_only_frames_that_somebody_asks_for(session, as_run, work, monkeypatch):

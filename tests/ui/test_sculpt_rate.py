@@ -4,16 +4,12 @@
 """
 
 import time
-from pathlib import Path
 
 import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPointF, Qt, QTimer
 from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QApplication
-
-from workbench.files.session import Session
-from workbench.targets import load_target
 
 pytestmark = [pytest.mark.slow, pytest.mark.usefixtures("kernels")]
 
@@ -22,8 +18,8 @@ _MOVE_MS = 16  # between movements of the mouse
 
 
 @pytest.fixture
-def window(display, open_window, make_scene):
-    scene = make_scene(
+def window(display, open_window, make_session):
+    session = make_session(
         {
             "lens.control_points": [64, 64],
             "source.rays": [256, 256],
@@ -31,7 +27,7 @@ def window(display, open_window, make_scene):
             "target": {"builtin": "flame"},
         }
     )
-    window = open_window(Session(scene, load_target(scene, Path.cwd())), "flame")
+    window = open_window(session, "flame")
     window.resize(1280, 800)
     window.build()
     return window

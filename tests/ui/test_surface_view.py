@@ -1,39 +1,30 @@
 """The map of the exit face."""
 
-import dataclasses
-
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint
 
-from ui.run.frame import make_frame
 from ui.views.surface_view import SurfaceView
 from workbench.geometry.surface import ControlNet
 from workbench.pictures.surface import ASPECTS
 
 
 @pytest.fixture
-def tilted(session, snapshots, history):
+def tilted(session, frames):
     """A frame whose face rises by so much per length along x."""
 
     def make(slope):
         x, y = ControlNet.of(session.scene.lens).positions
-        heights = 0.5 + slope * x[:, None] + 0 * y
-        return make_frame(
-            session, dataclasses.replace(snapshots(1), control_points=heights), history(1)
-        )
+        return frames(1, control_points=0.5 + slope * x[:, None] + 0 * y)
 
     return make
 
 
 @pytest.fixture
-def view(tilted, qtbot):
+def view(tilted, show, qtbot):
     view = SurfaceView()
-    qtbot.addWidget(view)
-    view.resize(500, 400)
     view.show_frame(tilted(0.1))
-    with qtbot.waitExposed(view):
-        view.show()
+    show(view, 500, 400)
     qtbot.waitUntil(lambda: not view.empty)
     return view
 

@@ -9,10 +9,10 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QWidget
 
+from tests.ui.hands import fill
 from ui.document import Document
 from ui.message_bar import MessageBar
 from ui.plots import Plots
-from ui.run.frame import make_frame
 from ui.tolerances import pane as pane_module
 from ui.tolerances.pane import TolerancePane
 from workbench.analysis.tolerances import Distribution, perturbed
@@ -24,31 +24,24 @@ pytestmark = pytest.mark.usefixtures("kernels")
 
 
 @pytest.fixture
-def frame(session, snapshots, history):
-    return make_frame(session, snapshots(1), history(1))
+def frame(frames):
+    return frames(1)
 
 
 @pytest.fixture
-def pane(session, frame, monkeypatch, qtbot):
+def pane(session, frame, show, monkeypatch, qtbot):
     monkeypatch.setattr(pane_module, "_RAYS", RAYS)
     pane = TolerancePane()
     qtbot.addWidget(pane, before_close_func=lambda pane: pane.close_thread())
-    pane.resize(760, 420)
     pane.show_design(session)
     pane.show_frame(frame)
-    with qtbot.waitExposed(pane):
-        pane.show()
-    return pane
+    return show(pane, 760, 420)
 
 
 def enter(pane, qtbot, path, text):
     """Type into a field."""
     row = pane.form._row(path)
-    editor = row.editors[path]
-    editor.setFocus()
-    editor.clear()
-    qtbot.keyClicks(editor, text)
-    qtbot.keyClick(editor, Qt.Key.Key_Return)
+    fill(qtbot, row.editors[path], text)
     return row
 
 
@@ -115,9 +108,9 @@ def test_whoever_cancels_keeps_the_lenses_so_far(pane, qtbot):
     assert 2 < traced < 50000 and pane.told.text().startswith(f"{traced} of 50000 lenses: ")
 
 
-def test_the_figures_say_when_the_lens_is_another(pane, session, frame, snapshots, history, qtbot):
+def test_the_figures_say_when_the_lens_is_another(pane, session, frame, frames, qtbot):
     sample(pane, qtbot)
-    pane.show_frame(make_frame(session, snapshots(5), history(5)))
+    pane.show_frame(frames(5))
     assert pane.told.text().endswith("these are of the one before.")
     pane.show_frame(frame)
     assert "changed" not in pane.told.text()
