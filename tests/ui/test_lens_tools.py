@@ -2,20 +2,18 @@
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QEvent, QPoint, QPointF, QSettings, Qt
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QFocusEvent, QGuiApplication, QImage, QKeyEvent, QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QApplication, QMainWindow
 
+from tests.ui.hands import move_screen
 from ui.document import Document
 from ui.lens.tools import LensTools
-from ui.main_window import MainWindow
 from ui.run.control import RunControl
 from ui.scene_pictures import ScenePictures
 from ui.views.scene_view import SceneView
 from workbench.design.evaluation import undesigned
-from workbench.files.session import Session
 from workbench.scene import Scene
-from workbench.targets import load_target
 
 pytestmark = pytest.mark.usefixtures("kernels")
 
@@ -61,10 +59,9 @@ class Bench:
 
 
 @pytest.fixture
-def at_bench(display, make_scene, tmp_path, qtbot):
+def at_bench(display, make_session, qtbot):
     def at_bench(changes=None):
-        scene = make_scene(changes)
-        bench = Bench(Session(scene, load_target(scene, tmp_path)))
+        bench = Bench(make_session(changes))
         qtbot.addWidget(bench.window, before_close_func=lambda _: bench.close())
         with qtbot.waitExposed(bench.window):
             bench.window.show()
@@ -255,9 +252,7 @@ def test_a_change_of_the_design_ends_the_drag(sculpting, drag, qtbot):
     bench, view, document = sculpting, sculpting.view, sculpting.document
     held = drag(view, control_point(bench, (6, 5)))
     held.move(upwards(view, 0.1))
-    scene = document.session.scene
-    screen = scene.screen.model_copy(update={"z": 6.0})
-    document.edit(scene.model_copy(update={"screen": screen}), "distance", "z")
+    move_screen(document, 6)
     held.move(upwards(view, 0.1))
     held.release()
     qtbot.waitUntil(lambda: view.frame.session is document.session, timeout=20_000)
@@ -413,6 +408,28 @@ def test_a_corner_widens_the_grid_unless_exploded(at_bench, drag, qtbot):
     assert "to scale" in bench.said[-1]
 
 
+def test_keys_that_no_tool_takes_lead_the_camera(bench, qtbot):
+    view, camera = bench.view, bench.view._plotter.camera
+    fitted, scale = camera.position, camera.parallel_scale
+    qtbot.keyClick(view._plotter, Qt.Key.Key_Right)
+    turned = camera.position
+    assert turned[2] > fitted[2]  # nearer to the screen's side
+    qtbot.keyClick(view._plotter, Qt.Key.Key_Left)
+    assert camera.position == pytest.approx(fitted)
+    middle = camera.focal_point
+    qtbot.keyClick(view._plotter, Qt.Key.Key_Up, Qt.KeyboardModifier.ShiftModifier)
+    assert camera.focal_point[1] > middle[1]
+    bench.commands["sculpt"]()
+    middle = camera.focal_point
+    qtbot.keyClick(view._plotter, Qt.Key.Key_Up)
+    assert view._brush and camera.focal_point == middle
+    qtbot.keyClick(view._plotter, Qt.Key.Key_Plus)
+    assert camera.parallel_scale == pytest.approx(scale / 1.25)
+    assert not view._picture.fitted
+    qtbot.keyClick(view._plotter, Qt.Key.Key_Home)
+    assert camera.position == pytest.approx(fitted) and view._picture.fitted
+
+
 def test_arrows_move_the_brush_from_where_it_was(sculpting, qtbot):
     view = sculpting.view
     qtbot.keyClick(view._plotter, Qt.Key.Key_Right)
@@ -560,15 +577,9 @@ def test_projection_and_colours_of_rays_outlive_another_design(bench, qtbot):
     assert view._plotter.camera.parallel_projection and not view._picture._by_weight
 
 
-def test_in_the_window(display, make_scene, tmp_path, drag, qtbot, monkeypatch):
+def test_in_the_window(display, make_session, open_window, tmp_path, drag, qtbot, monkeypatch):
     """Commands, all views and the run, from a drag to what goes on from it."""
-    scene = make_scene({"run.iterations": 3})
-    session = Session(scene, load_target(scene, tmp_path))
-    settings = QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat)
-    window = MainWindow(Document(session, "by hand"), settings)
-    qtbot.addWidget(window, before_close_func=lambda window: window.discard_and_close())
-    with qtbot.waitExposed(window):
-        window.show()
+    window = open_window(make_session({"run.iterations": 3}))
     window.build()
     view, commands, document = window.bench.views.scene, window.commands, window.document
     qtbot.waitUntil(lambda: view.frame is not None and view.lens is not None, timeout=60_000)

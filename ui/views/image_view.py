@@ -12,8 +12,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QWidget
 
-from ui.views.arrows import ARROWS
 from ui.views.image_link import ImageLink, Part, Place
+from ui.views.keys import ARROWS, COMMANDS, ZOOMS
 from ui.views.plot_view import PlotView
 from workbench.pictures.maps import pixel_at
 
@@ -31,10 +31,6 @@ _ZOOM = 1.25  # for each step of the wheel
 _NEAREST = 200.0  # times; a pixel is large enough then
 _DRAG = 4.0  # pixels that a click may shake
 _STEP = 0.1  # of what is seen, for an arrow
-
-_Key = Qt.Key
-_COMMANDS = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.AltModifier
-_ZOOMS: dict[int, int] = {_Key.Key_Plus: 1, _Key.Key_Equal: 1, _Key.Key_Minus: -1}
 
 
 class ImageView(PlotView):
@@ -79,18 +75,18 @@ class ImageView(PlotView):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Zoom and move without a mouse."""
-        if self._shown is None or event.modifiers() & _COMMANDS:
+        if self._shown is None or event.modifiers() & COMMANDS:
             super().keyPressEvent(event)
             return
         key = event.key()
         left, right, bottom, top = self._part()
-        if key in _ZOOMS:
-            self._zoom(((left + right) / 2, (bottom + top) / 2), _ZOOMS[key])
+        if key in ZOOMS:
+            self._zoom(((left + right) / 2, (bottom + top) / 2), ZOOMS[key])
         elif key in ARROWS:
             right_by, up_by = ARROWS[key]
             dx, dy = _STEP * right_by * (right - left), _STEP * up_by * (top - bottom)
             self._show_part((left + dx, right + dx, bottom + dy, top + dy))
-        elif key == _Key.Key_Home:
+        elif key == Qt.Key.Key_Home:
             self._link.show_part(None)
         else:
             super().keyPressEvent(event)

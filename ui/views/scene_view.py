@@ -21,12 +21,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
-from PySide6.QtGui import QCloseEvent, QResizeEvent
+from PySide6.QtGui import QCloseEvent, QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import QGridLayout, QLabel, QSizePolicy, QWidget
 
 from ui.native import make_native
 from ui.run.frame import RAYS
 from ui.views.tools.hand import Hand
+from ui.views.tools.steer import steer
 from ui.views.tools.tool import Pointer, Tool
 from ui.views.view import View, look_alike
 from workbench.pictures.images import LIGHT
@@ -45,7 +46,7 @@ Mask = npt.NDArray[np.bool_]
 
 
 class SceneView(View):
-    """Three-dimensional view that can be turned, moved and zoomed with the mouse.
+    """Three-dimensional view that can be turned, moved and zoomed with mouse and keyboard.
 
     Attributes
     ----------
@@ -272,6 +273,13 @@ class SceneView(View):
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Give tools what is for them."""
         return self._hand.eventFilter(watched, event) or super().eventFilter(watched, event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Look from elsewhere, by a key that no tool has taken."""
+        if self._picture is not None and steer(self._picture.camera, event):
+            self._plotter.update()
+        else:
+            super().keyPressEvent(event)
 
     def _pick(self, at: Pointer) -> None:
         index = None if self._net is None else self._net.pick(at.x, at.y)

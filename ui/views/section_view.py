@@ -12,8 +12,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QHideEvent, QKeyEvent, QShowEvent
 from PySide6.QtWidgets import QWidget
 
-from ui.views.arrows import ARROWS
 from ui.views.image_link import ImageLink, Line, Place
+from ui.views.keys import ARROWS
 from ui.views.menu_button import MenuButton, choose, chosen_of
 from ui.views.plot_view import PlotView
 from workbench.pictures.section import Cut, SectionCurves, cut_between, cut_through

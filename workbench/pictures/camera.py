@@ -26,6 +26,7 @@ _UP = (0.0, 1.0, 0.0)
 _PLACES = ("position", "focal_point", "up")
 _FARTHEST = 3.0  # times the larger of screen's distance and width: a source in view
 _MARGIN = 1.12
+_STEEPEST = 85.0  # degrees above or below, when the camera is turned
 
 
 class FittedCamera:
@@ -91,6 +92,40 @@ class FittedCamera:
         self._stand(-np.array(camera.direction))
         if untouched:
             self._left = self._state()
+
+    def turn(self, right: float, up: float) -> None:
+        """Go around the focal point, degrees to the right and up.
+
+        What is up stays up: the camera never comes to look straight down on it.
+        """
+        camera = self._plotter.camera
+        camera.Azimuth(right)
+        above = math.degrees(math.asin(np.clip(-np.dot(camera.direction, camera.up), -1, 1)))
+        camera.Elevation(min(max(above + up, -_STEEPEST), _STEEPEST) - above)
+        self._plotter.renderer.ResetCameraClippingRange()
+
+    def move(self, right: float, up: float) -> None:
+        """Go beside what is seen, in parts of its height; the direction stays."""
+        camera = self._plotter.camera
+        direction = np.array(camera.direction)
+        across = np.cross(direction, camera.up)
+        across /= np.linalg.norm(across)
+        height = 2 * camera.parallel_scale
+        if self._perspective:
+            height = 2 * camera.distance * _half_height(camera)
+        by = height * (right * across + up * np.cross(across, direction))
+        camera.focal_point = np.array(camera.focal_point) + by
+        camera.position = np.array(camera.position) + by
+        self._plotter.renderer.ResetCameraClippingRange()
+
+    def zoom(self, factor: float) -> None:
+        """See everything so many times as large."""
+        camera = self._plotter.camera
+        if self._perspective:
+            camera.Dolly(factor)
+        else:
+            camera.parallel_scale /= factor
+        self._plotter.renderer.ResetCameraClippingRange()
 
     def _stand(self, toward: Array, nearer: float = 0.0) -> None:
         """Stand in a direction from the focal point, as far as the projection wants it."""

@@ -7,7 +7,7 @@ import numpy as np
 import numpy.typing as npt
 from PySide6.QtCore import QObject
 
-from ui.views.arrows import ARROWS
+from ui.views.keys import ARROWS
 from ui.views.tools.tool import Pointer
 from workbench.design.brush import bump, resized
 from workbench.geometry.surface import ControlNet

@@ -6,7 +6,7 @@
 3. A key that the tool takes does its work again and again while it is held, as one drag, which the
    mouse does not disturb. Another key or button ends it, and so does the focus that goes elsewhere:
    the release would be told there.
-4. Keys that no tool takes are for the window.
+4. Keys that no tool takes are for the view, which turns the camera, and for the window.
 5. Other buttons, and the wheel without Ctrl, are the camera's with any tool.
 """
 
@@ -14,10 +14,10 @@ from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QApplication, QWidget
 
+from ui.views.keys import COMMANDS
 from ui.views.tools.tool import Pointer, Tool
 
 _LEFT = Qt.MouseButton.LeftButton
-_COMMANDS = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.AltModifier
 _NOTCH = 120  # Qt's measure of the wheel's smallest turn
 
 # VTK and pyvista do things at a key that the window knows nothing of: wireframe, picking, the end.
@@ -104,7 +104,7 @@ class Hand(QObject):
             if key == self._held and not again:
                 self._let_go()
             return key in tool.keys
-        if key not in tool.keys or keys & _COMMANDS or self._held is _LEFT:
+        if key not in tool.keys or keys & COMMANDS or self._held is _LEFT:
             return False
         if not again:
             self._let_go()  # of another key
@@ -154,5 +154,5 @@ def _pointer(plotter: QWidget, event: QMouseEvent) -> Pointer:
         x=place.x() * scale,
         y=(plotter.height() - 1 - place.y()) * scale,
         fine=bool(keys & Qt.KeyboardModifier.ShiftModifier),
-        along=bool(keys & _COMMANDS),
+        along=bool(keys & COMMANDS),
     )

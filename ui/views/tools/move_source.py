@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 from PySide6.QtCore import QObject, Qt, Signal
 
-from ui.views.arrows import ARROWS
+from ui.views.keys import ARROWS
 from ui.views.tools.tool import Pointer
 from workbench.pictures.source_handles import Handle, moved
 from workbench.scene import CollimatedSource, PointSource, Source
