@@ -9,7 +9,6 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QApplication, QHBoxLayout, QWidget
 
-from ui.run.frame import make_frame
 from ui.views.error_view import ErrorView
 from ui.views.image_link import ImageLink
 from ui.views.irradiance_view import IrradianceView
@@ -19,15 +18,12 @@ from workbench.pictures.images import signed_error, target_irradiance
 
 
 @pytest.fixture
-def frame(session, snapshots, history):
-    n_x, n_y = session.scene.screen.pixels
-    image = np.arange(n_x * n_y, dtype=float).reshape(n_y, n_x) / 1000
-    snapshot = dataclasses.replace(snapshots(1), irradiance=image)
-    return make_frame(session, snapshot, history(1))
+def frame(frames):
+    return frames(1, irradiance=np.arange(1024.0).reshape(32, 32) / 1000)
 
 
 @pytest.fixture
-def views(frame, qtbot):
+def views(frame, show, qtbot):
     """Irradiance, target and error beside each other, drawn."""
     link, window = ImageLink(), QWidget()
     views = [IrradianceView(link), TargetView(link), ErrorView(link)]
@@ -35,12 +31,19 @@ def views(frame, qtbot):
     for view in views:
         row.addWidget(view)
         view.show_frame(frame)
-    qtbot.addWidget(window)
-    window.resize(1200, 380)
-    with qtbot.waitExposed(window):
-        window.show()
+    show(window, 1200, 380)
     qtbot.waitUntil(lambda: all(view._values is not None for view in views))
     yield views
+
+
+@pytest.fixture
+def section(views, frame, show, qtbot):
+    """A cross-section of the same light, drawn."""
+    section = SectionView(views[0]._link)
+    section.show_frame(frame)
+    show(section, 400, 260)
+    qtbot.waitUntil(lambda: section._shown is not None)
+    return section
 
 
 def place(view, x, y):
@@ -130,23 +133,17 @@ def test_light_has_a_logarithmic_scale(views, qtbot):
     assert light.norm.vmin == 0 and light.norm(light.norm.vmax / 2) == 0.5
 
 
-def test_the_target_is_drawn_once_for_a_run(views, frame, session, snapshots, history):
-    later = make_frame(session, snapshots(2), history(2))
+def test_the_target_is_drawn_once_for_a_run(views, frames):
     target = views[1]
-    target.show_frame(later)
+    target.show_frame(frames(2))
     assert not target._dated
 
 
-def test_a_cross_section_goes_through_the_place_that_is_clicked(views, frame, session, qtbot):
-    section = SectionView(views[0]._link)
-    section.resize(400, 260)
-    qtbot.addWidget(section)
-    section.show_frame(frame)
-    with qtbot.waitExposed(section):
-        section.show()
+def test_a_cross_section_goes_through_the_place_that_is_clicked(
+    views, section, frame, session, qtbot
+):
     image = frame.snapshot.irradiance
     light = lambda: section._curves.artists[1].get_ydata()  # noqa: E731
-    qtbot.waitUntil(lambda: section._shown is not None)
     np.testing.assert_array_equal(light(), image[16])
     qtbot.mouseClick(
         views[2]._canvas, Qt.MouseButton.LeftButton, pos=place(views[2], 0.40625, -0.65625)
@@ -165,15 +162,8 @@ def test_a_cross_section_goes_through_the_place_that_is_clicked(views, frame, se
 
 
 @pytest.mark.parametrize("with_tool", [False, True])
-def test_a_cross_section_follows_a_line_that_is_drawn(views, frame, qtbot, with_tool):
+def test_a_cross_section_follows_a_line_that_is_drawn(views, section, qtbot, with_tool):
     link, modifier = views[0]._link, Qt.KeyboardModifier.ShiftModifier
-    section = SectionView(link)
-    section.resize(400, 260)
-    qtbot.addWidget(section)
-    section.show_frame(frame)
-    with qtbot.waitExposed(section):
-        section.show()
-    qtbot.waitUntil(lambda: section._shown is not None)
     if with_tool:
         qtbot.mouseClick(views[0]._line_tool, Qt.MouseButton.LeftButton)
         qtbot.waitUntil(lambda: views[2]._line_tool.isChecked())
@@ -197,15 +187,8 @@ def test_a_cross_section_follows_a_line_that_is_drawn(views, frame, qtbot, with_
     assert link.pin is None
 
 
-def test_arrows_move_place_and_line(views, frame, qtbot):
+def test_arrows_move_place_and_line(views, section, frame, qtbot):
     link, shift = views[0]._link, Qt.KeyboardModifier.ShiftModifier
-    section = SectionView(link)
-    section.resize(400, 260)
-    qtbot.addWidget(section)
-    section.show_frame(frame)
-    with qtbot.waitExposed(section):
-        section.show()
-    qtbot.waitUntil(lambda: section._shown is not None)
     canvas, pixel, image = section.focusProxy(), 2 / 32, frame.snapshot.irradiance
     light = lambda: section._curves.artists[1].get_ydata()  # noqa: E731
     qtbot.keyClick(canvas, Qt.Key.Key_Down)
@@ -232,14 +215,8 @@ def test_arrows_move_place_and_line(views, frame, qtbot):
     assert section._curves._axes.get_xlim()[1] == pytest.approx(math.hypot(31, 22) * pixel)
 
 
-def test_a_line_keeps_a_length(views, frame, qtbot):
+def test_a_line_keeps_a_length(views, section, qtbot):
     link, ctrl = views[0]._link, Qt.KeyboardModifier.ControlModifier
-    section = SectionView(link)
-    qtbot.addWidget(section)
-    section.show_frame(frame)
-    with qtbot.waitExposed(section):
-        section.show()
-    qtbot.waitUntil(lambda: section._shown is not None)
     link.drawn.emit(((0.0, 0.0), (2 / 32, 0.0)))
     qtbot.keyClick(section.focusProxy(), Qt.Key.Key_Left, ctrl)
     assert link.line == ((0.0, 0.0), (2 / 32, 0.0))
@@ -278,12 +255,11 @@ def test_light_has_one_choice_of_colours(views, qtbot):
     assert error.get_cmap().name == "RdBu_r"
 
 
-def test_another_screen_is_seen_whole(views, make_scene, session, snapshots, history, qtbot):
+def test_another_screen_is_seen_whole(views, make_scene, session, frames, qtbot):
     views[0]._link.show_part((0, 0.5, 0, 0.5))
     qtbot.waitUntil(lambda: limits(views[0]) == (0, 0.5, 0, 0.5))
     wide = make_scene({"screen.half_width": [3.0, 1.0], "screen.pixels": [24, 8]})
     other = dataclasses.replace(session, scene=wide, target=np.ones((8, 24)))
-    snapshot = dataclasses.replace(snapshots(1), irradiance=np.ones((8, 24)))
     for view in views:
-        view.show_frame(make_frame(other, snapshot, history(1)))
+        view.show_frame(frames(1, other, irradiance=np.ones((8, 24))))
     qtbot.waitUntil(lambda: all(limits(view) == (-3, 3, -1, 1) for view in views))

@@ -7,7 +7,6 @@ import pytest
 from PySide6.QtGui import QColor, QPalette
 from PySide6.QtWidgets import QMainWindow, QTabWidget
 
-from ui.run.frame import make_frame
 from ui.views import light_view
 from ui.views.error_view import ErrorView
 from ui.views.irradiance_view import IrradianceView
@@ -22,18 +21,17 @@ PLOTS = [IrradianceView, ErrorView, LossView]
 
 
 @pytest.fixture
-def frame(session, snapshots, history):
+def frame(session, frames):
     """A frame of some iteration with an uneven image of its own."""
 
     def make(iteration, of=session):
         n_x, n_y = of.scene.screen.pixels
-        image = np.linspace(0, 0.1 * (1 + iteration), n_x * n_y).reshape(n_y, n_x)
-        snapshot = dataclasses.replace(
-            snapshots(iteration),
-            irradiance=image,
+        return frames(
+            iteration,
+            of,
+            irradiance=np.linspace(0, 0.1 * (1 + iteration), n_x * n_y).reshape(n_y, n_x),
             control_points=np.full(of.scene.lens.control_points, 0.5),
         )
-        return make_frame(of, snapshot, history(iteration))
 
     return make
 
@@ -67,13 +65,10 @@ def grabbed(widget):
 
 
 @pytest.mark.parametrize("kind", PLOTS)
-def test_plot_draws_the_latest_frame(kind, session, frame, draws, qtbot):
+def test_plot_draws_the_latest_frame(kind, session, frame, draws, show, qtbot):
     view = kind()
-    qtbot.addWidget(view)
-    view.resize(380, 260)
     view.show_design(session)
-    with qtbot.waitExposed(view):
-        view.show()
+    show(view, 380, 260)
     qtbot.waitUntil(lambda: draws.get(kind) == 1)
     empty = grabbed(view)
     for iteration in (1, 2, 3):
@@ -85,13 +80,9 @@ def test_plot_draws_the_latest_frame(kind, session, frame, draws, qtbot):
 
 
 @pytest.mark.parametrize("kind", PLOTS)
-def test_blitted_picture_is_the_drawn_picture(kind, session, frame, draws, qtbot):
+def test_blitted_picture_is_the_drawn_picture(kind, session, frame, draws, show, qtbot):
     """Blitting leaves the same pixels as drawing everything anew."""
-    view = kind()
-    qtbot.addWidget(view)
-    view.resize(380, 260)
-    with qtbot.waitExposed(view):
-        view.show()
+    view = show(kind(), 380, 260)
     for count, iteration in enumerate((3, 5), start=1):
         view.show_frame(frame(iteration))
         qtbot.waitUntil(lambda count=count: draws.get(kind) == count)
@@ -119,13 +110,10 @@ def test_hidden_plot_draws_nothing_and_catches_up(kind, session, frame, draws, q
 
 
 @pytest.mark.parametrize("kind", PLOTS)
-def test_plot_follows_the_palette(kind, session, frame, draws, qtbot):
+def test_plot_follows_the_palette(kind, session, frame, draws, show, qtbot):
     view = kind()
-    qtbot.addWidget(view)
-    view.resize(380, 260)
     view.show_frame(frame(1))
-    with qtbot.waitExposed(view):
-        view.show()
+    show(view, 380, 260)
     qtbot.waitUntil(lambda: draws.get(kind) == 1)
     light = grabbed(view)[2, 2].mean()
     view.setPalette(dark_palette())
@@ -137,13 +125,10 @@ def test_plot_follows_the_palette(kind, session, frame, draws, qtbot):
 
 @pytest.mark.parametrize("kind", PLOTS)
 @pytest.mark.parametrize("size", [(380, 260), (260, 180), (900, 500)])
-def test_labels_lie_inside_at_any_size(kind, size, session, frame, draws, qtbot):
+def test_labels_lie_inside_at_any_size(kind, size, session, frame, draws, show, qtbot):
     view = kind()
-    qtbot.addWidget(view)
-    view.resize(380, 260)
     view.show_frame(frame(4))
-    with qtbot.waitExposed(view):
-        view.show()
+    show(view, 380, 260)
     view.resize(*size)
     qtbot.waitUntil(lambda: draws.get(kind, 0) > 0)
     qtbot.wait(50)
@@ -154,12 +139,10 @@ def test_labels_lie_inside_at_any_size(kind, size, session, frame, draws, qtbot)
     assert tight.x1 < width and tight.y1 < height
 
 
-def test_another_scene_gets_another_picture(session, frame, make_scene, draws, qtbot):
+def test_another_scene_gets_another_picture(session, frame, make_scene, draws, show, qtbot):
     view = IrradianceView()
-    qtbot.addWidget(view)
     view.show_frame(frame(1))
-    with qtbot.waitExposed(view):
-        view.show()
+    show(view, 380, 260)
     qtbot.waitUntil(lambda: draws.get(IrradianceView) == 1)
     wide = make_scene({"screen.half_width": [3.0, 1.0], "screen.pixels": [24, 8]})
     other = dataclasses.replace(session, scene=wide, target=np.ones((8, 24)))
@@ -230,6 +213,15 @@ def scene_view(display, qtbot):
     yield view  # the window lives as long
 
 
+@pytest.fixture
+def drawn_scene(scene_view, frame, draws, qtbot):
+    """The 3D scene of a frame, drawn once."""
+    scene_view.show_frame(frame(1))
+    scene_view.window().show()
+    qtbot.waitUntil(lambda: draws.get(SceneView) == 1)
+    return scene_view
+
+
 def test_scene_is_made_when_first_seen(scene_view, session, frame, draws, qtbot):
     scene_view.show_design(session)
     scene_view.show_frame(frame(1))
@@ -241,90 +233,69 @@ def test_scene_is_made_when_first_seen(scene_view, session, frame, draws, qtbot)
     assert len(np.unique(grabbed(scene_view).reshape(-1, 3), axis=0)) > 100
 
 
-def test_scene_is_updated_in_place(scene_view, session, frame, draws, qtbot):
-    scene_view.show_frame(frame(1))
-    scene_view.window().show()
-    qtbot.waitUntil(lambda: draws.get(SceneView) == 1)
-    plotter = scene_view._plotter
+def test_scene_is_updated_in_place(drawn_scene, session, frame, draws, qtbot):
+    plotter = drawn_scene._plotter
     plotter.camera.azimuth = 15
     camera, actors = plotter.camera_position, list(plotter.actors)
-    before = grabbed(scene_view)
-    scene_view.show_frame(frame(9))
+    before = grabbed(drawn_scene)
+    drawn_scene.show_frame(frame(9))
     qtbot.waitUntil(lambda: draws[SceneView] == 2)
     assert plotter.camera_position == camera
     assert list(plotter.actors) == actors
-    assert (grabbed(scene_view) != before).any()
-    scene_view.fit()
+    assert (grabbed(drawn_scene) != before).any()
+    drawn_scene.fit()
     assert plotter.camera_position != camera
 
 
 def test_camera_moves_only_with_the_lens_and_screen(
-    scene_view, session, frame, make_scene, draws, qtbot
+    drawn_scene, session, frame, make_scene, draws, qtbot
 ):
-    scene_view.show_frame(frame(1))
-    scene_view.window().show()
-    qtbot.waitUntil(lambda: draws.get(SceneView) == 1)
-    plotter = scene_view._plotter
+    plotter = drawn_scene._plotter
     plotter.camera.azimuth = 15
     camera = plotter.camera_position
     denser = dataclasses.replace(session, scene=make_scene({"lens.control_points": [20, 20]}))
-    scene_view.show_frame(frame(0, of=denser))
+    drawn_scene.show_frame(frame(0, of=denser))
     qtbot.waitUntil(lambda: draws[SceneView] == 2)
     assert plotter.camera_position == camera
     farther = dataclasses.replace(session, scene=make_scene({"screen.z": 9.0}))
-    scene_view.show_frame(frame(0, of=farther))
+    drawn_scene.show_frame(frame(0, of=farther))
     qtbot.waitUntil(lambda: draws[SceneView] == 3)
     assert plotter.camera_position != camera
 
 
-def test_untouched_scene_stays_fitted_on_resize(scene_view, frame, draws, qtbot):
-    scene_view.show_frame(frame(1))
-    scene_view.window().show()
-    qtbot.waitUntil(lambda: draws.get(SceneView) == 1)
-    scale = scene_view._plotter.camera.parallel_scale
-    scene_view.window().resize(300, 500)
-    qtbot.waitUntil(lambda: scene_view._plotter.camera.parallel_scale > scale)
+def test_untouched_scene_stays_fitted_on_resize(drawn_scene, qtbot):
+    scale = drawn_scene._plotter.camera.parallel_scale
+    drawn_scene.window().resize(300, 500)
+    qtbot.waitUntil(lambda: drawn_scene._plotter.camera.parallel_scale > scale)
 
 
-def test_hidden_scene_draws_nothing_and_catches_up(scene_view, frame, draws, qtbot):
-    scene_view.show_frame(frame(1))
-    scene_view.window().show()
-    qtbot.waitUntil(lambda: draws.get(SceneView) == 1)
-    scene_view.hide()
-    scene_view.show_frame(frame(2))
+def test_hidden_scene_draws_nothing_and_catches_up(drawn_scene, frame, draws, qtbot):
+    drawn_scene.hide()
+    drawn_scene.show_frame(frame(2))
     qtbot.wait(100)
     assert draws[SceneView] == 1
-    scene_view.show()
+    drawn_scene.show()
     qtbot.waitUntil(lambda: draws[SceneView] == 2)
 
 
-def test_scene_follows_the_palette(scene_view, frame, draws, qtbot):
-    scene_view.show_frame(frame(1))
-    scene_view.window().show()
-    qtbot.waitUntil(lambda: draws.get(SceneView) == 1)
-    light = grabbed(scene_view)[5, 5].mean()
-    scene_view.setPalette(dark_palette())
+def test_scene_follows_the_palette(drawn_scene, draws, qtbot):
+    light = grabbed(drawn_scene)[5, 5].mean()
+    drawn_scene.setPalette(dark_palette())
     qtbot.waitUntil(lambda: draws[SceneView] == 2)
-    assert grabbed(scene_view)[5, 5].mean() < light / 2
+    assert grabbed(drawn_scene)[5, 5].mean() < light / 2
 
 
-def test_closed_scene_stays_closed(scene_view, frame, draws, qtbot):
-    scene_view.show_frame(frame(1))
-    scene_view.window().show()
-    qtbot.waitUntil(lambda: draws.get(SceneView) == 1)
-    scene_view.close_plotter()
-    scene_view.close_plotter()
-    scene_view.show_frame(frame(2))
-    scene_view.fit()
+def test_closed_scene_stays_closed(drawn_scene, frame, qtbot):
+    drawn_scene.close_plotter()
+    drawn_scene.close_plotter()
+    drawn_scene.show_frame(frame(2))
+    drawn_scene.fit()
     qtbot.wait(50)
-    assert scene_view._plotter is None
+    assert drawn_scene._plotter is None
 
 
-def test_the_light_account_adds_up(frame, qtbot):
-    view = LightView()
-    qtbot.addWidget(view)
-    with qtbot.waitExposed(view):
-        view.show()
+def test_the_light_account_adds_up(frame, show, qtbot):
+    view = show(LightView(), 380, 260)
     ledger = Ledger(2.0, 1.0, 0.5, 0.1, 0.06, 0.0, 0.3, 0.04)
     one = frame(1)
     view.show_frame(
@@ -360,13 +331,10 @@ def test_a_hidden_light_account_does_nothing(frame, draws, qtbot):
 
 
 @pytest.mark.parametrize("kind", PLOTS)
-def test_a_design_without_a_frame_is_not_shown_as_the_one_before(kind, session, frame, qtbot):
+def test_a_design_without_a_frame_is_not_shown_as_the_one_before(kind, session, frame, show, qtbot):
     view = kind()
-    qtbot.addWidget(view)
-    view.resize(380, 260)
     view.show_design(session)
-    with qtbot.waitExposed(view):
-        view.show()
+    show(view, 380, 260)
     qtbot.waitUntil(lambda: view._shown is session)
     assert view.empty and view._hint.text()
     empty = grabbed(view._canvas)
@@ -384,28 +352,20 @@ def test_a_design_without_a_frame_is_not_shown_as_the_one_before(kind, session, 
 @pytest.mark.parametrize("largest", [1e-6, 0.02, 12345.0])
 @pytest.mark.parametrize("size", [(250, 200), (500, 700)])
 def test_labels_of_a_bar_lie_inside_whatever_its_numbers(
-    kind, largest, size, make_scene, frame, snapshots, history, qtbot
+    kind, largest, size, make_scene, frames, show, qtbot
 ):
     scene = make_scene({"screen.half_width": [1 / largest**0.5] * 2, "screen.z": 100.0})
-    target = np.eye(32) + 0.5
-    wide = Session(scene, target)
-    uneven = dataclasses.replace(snapshots(1), irradiance=largest * np.eye(32))
+    wide = Session(scene, np.eye(32) + 0.5)
     view = kind()
-    qtbot.addWidget(view)
-    view.resize(*size)
-    view.show_frame(make_frame(wide, uneven, history(1)))
-    with qtbot.waitExposed(view):
-        view.show()
+    view.show_frame(frames(1, wide, irradiance=largest * np.eye(32)))
+    show(view, *size)
     qtbot.waitUntil(lambda: not view.empty)
     figure = view._canvas.figure
     assert figure.get_tightbbox().x1 < figure.get_size_inches()[0]
 
 
-def test_a_light_account_of_nothing_is_empty(session, frame, qtbot):
-    view = LightView()
-    qtbot.addWidget(view)
-    with qtbot.waitExposed(view):
-        view.show()
+def test_a_light_account_of_nothing_is_empty(session, frame, show, qtbot):
+    view = show(LightView(), 380, 260)
     view.show_frame(frame(1))
     qtbot.waitUntil(lambda: view.texts()["On the screen"] != "")
     view.show_nothing(session)
@@ -433,12 +393,8 @@ def lines_of(view):
     return picture._rays.n_lines if picture._light.visibility else 0
 
 
-def test_the_number_of_rays_is_adjustable_without_another_frame(display, frame, draws, qtbot):
-    view = SceneView()
-    qtbot.addWidget(view)
-    view.resize(300, 200)
-    with qtbot.waitExposed(view):
-        view.show()
+def test_the_number_of_rays_is_adjustable_without_another_frame(display, frame, draws, show, qtbot):
+    view = show(SceneView(), 300, 200)
     view.show_frame(frame(1))
     qtbot.waitUntil(lambda: draws.get(SceneView) == 1, timeout=20_000)
     assert lines_of(view) == 225
@@ -452,16 +408,14 @@ def test_the_number_of_rays_is_adjustable_without_another_frame(display, frame, 
     view.close_plotter()
 
 
-def test_exploded_distances_bring_the_screen_nearer_and_back(display, session, frame, draws, qtbot):
+def test_exploded_distances_bring_the_screen_nearer_and_back(
+    display, session, frame, draws, show, qtbot
+):
     scene = session.scene
     far = scene.model_copy(
         update={"screen": scene.screen.model_copy(update={"z": 90.0, "half_width": (40.0, 40.0)})}
     )
-    view = SceneView()
-    qtbot.addWidget(view)
-    view.resize(300, 200)
-    with qtbot.waitExposed(view):
-        view.show()
+    view = show(SceneView(), 300, 200)
     view.show_frame(frame(1, dataclasses.replace(session, scene=far)))
     qtbot.waitUntil(lambda: draws.get(SceneView) == 1, timeout=20_000)
     camera = view._plotter.camera
