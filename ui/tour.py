@@ -40,8 +40,8 @@ STOPS = (
     Stop(
         "scene",
         "Watch the light",
-        "Lens, rays and screen. Drag to turn, Shift-drag to move, scroll to zoom; Ctrl+0 shows all "
-        "again. Ctrl+D draws a far screen nearer.",
+        "Lens, rays and screen. Drag to turn, Shift-drag to move, scroll to zoom, or use arrow "
+        "keys, + and −; Ctrl+0 shows all again. Ctrl+D draws a far screen nearer.",
     ),
     Stop(
         "irradiance",

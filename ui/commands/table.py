@@ -181,7 +181,11 @@ COMMANDS = {
         for name, times in PICTURES.items()
     },
     "turn": Command(
-        "&Turn", "The mouse turns the 3D scene; click to pick", "Alt+T", "turn", checked=True
+        "&Turn",
+        "Mouse and arrow keys turn the 3D scene; click to pick",
+        "Alt+T",
+        "turn",
+        checked=True,
     ),
     "sculpt": Command(
         "&Sculpt", "Drag control points of the lens along z", "Alt+S", "sculpt", checked=False
