@@ -1,7 +1,9 @@
 """Starts the window: checks first, shows it soon, and loads what is slow behind it."""
 
 import argparse
+import ctypes
 import os
+import platform
 import signal
 import socket
 import sys
@@ -20,6 +22,7 @@ if TYPE_CHECKING:
     from ui.windows import Windows
 
 _PROGRAM = "freeform-workbench"
+_M_ARENA_MAX = -8  # of glibc's malloc.h
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -82,6 +85,9 @@ def _prepare_environment() -> None:
     if sys.platform.startswith("linux"):
         # The 3D view draws into an X window, also where the desktop speaks Wayland.
         os.environ.setdefault("QT_QPA_PLATFORM", "xcb")
+    if platform.libc_ver()[0] == "glibc":
+        # Threads come and go here, and each arena that one had keeps what was freed in it.
+        ctypes.CDLL(None).mallopt(_M_ARENA_MAX, 2)
 
 
 def _application() -> "QApplication":

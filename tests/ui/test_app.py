@@ -1,6 +1,7 @@
 """The program as a process of its own: exit status, one line on standard error, signals."""
 
 import os
+import platform
 import signal
 import subprocess
 import sys
@@ -94,3 +95,34 @@ def test_a_signal_closes_the_window_in_the_midst_of_loading_with_status_0(number
     _, told = process.communicate(timeout=120)
     assert process.returncode == 0, told
     assert "Traceback" not in told
+
+
+_ARENAS = """
+import ctypes, os, threading
+from ui.app import _prepare_environment
+_prepare_environment()
+libc = ctypes.CDLL(None)
+libc.malloc.restype = libc.tmpfile.restype = ctypes.c_void_p
+gate = threading.Barrier(9)
+def use():
+    libc.malloc(ctypes.c_size_t(1000))
+    gate.wait(20)
+threads = [threading.Thread(target=use) for _ in range(8)]
+for thread in threads:
+    thread.start()
+gate.wait(20)
+for thread in threads:
+    thread.join()
+libc.malloc_info(0, ctypes.c_void_p(file := libc.tmpfile()))
+libc.rewind(ctypes.c_void_p(file))
+told = ctypes.create_string_buffer(1 << 20)
+length = libc.fread(told, 1, len(told), ctypes.c_void_p(file))
+print(told.raw[:length].count(b"<heap nr="))
+"""
+
+
+@pytest.mark.skipif(platform.libc_ver()[0] != "glibc", reason="arenas are glibc's")
+def test_threads_share_what_memory_was_freed():
+    told = subprocess.run([sys.executable, "-c", _ARENAS], capture_output=True, text=True)
+    assert told.stderr == ""
+    assert 1 <= int(told.stdout) <= 2
