@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 import torch
 
+from tests.optics.gradients import check_both_modes
 from workbench.geometry.surface import ControlNet
 from workbench.optics.collimated import CollimatedRays
 from workbench.optics.paths import ray_paths
@@ -141,13 +142,7 @@ def test_gradient_is_that_of_central_differences(make_scene, rng):
 def test_forward_mode_agrees_with_reverse_mode(make_scene, rng):
     scene = make_scene()
     plan = Plan(scene, dtype=torch.float64)
-    heights = wavy(scene, rng)
-    tangent = torch.as_tensor(rng.normal(size=heights.shape))
-    cotangent = torch.as_tensor(rng.normal(size=(32, 32)))
-    _, forward = torch.func.jvp(lambda h: plan.flux(h), (heights,), (tangent,))
-    variable = heights.requires_grad_()
-    (reverse,) = torch.autograd.grad((plan.trace(variable).flux * cotangent).sum(), variable)
-    assert (forward * cotangent).sum().item() == pytest.approx((reverse * tangent).sum().item())
+    check_both_modes(plan, wavy(scene, rng), rng)
 
 
 def test_a_mirrored_lens_gives_a_mirrored_image(make_scene, rng):

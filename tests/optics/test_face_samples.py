@@ -3,9 +3,19 @@
 import numpy as np
 import pytest
 import torch
-from scipy.interpolate import make_interp_spline
-from scipy.optimize import brentq
 
+from tests.optics.gradients import check_against_differences, check_both_modes
+from tests.optics.points import (
+    DTYPES,
+    GRID,
+    OVAL,
+    OVAL_DISTANCE,
+    POINT,
+    THIN_PLATE,
+    behind_thin_plate,
+    oval,
+    smooth,
+)
 from workbench.geometry.surface import ControlNet
 from workbench.optics.collimated import CollimatedRays
 from workbench.optics.face_samples import FaceSamples
@@ -13,29 +23,10 @@ from workbench.optics.irradiance import reconstruct
 from workbench.optics.plan import Plan
 from workbench.optics.point import PointRays
 
-POINT = {"kind": "point", "position": [0.3, -0.2, -5.0], "rays": 4096}
-GRID = {"kind": "grid", "center": [0, 0.1, -5], "half_width": [1, 1], "points": [5, 4], "rays": 200}
 BESIDE = POINT | {"position": [2.0, -1.3, -1.0]}
 NEAR = POINT | {"position": [0.2, 0.0, -0.01]}
 ALL = {"point": POINT, "grid": GRID, "beside": BESIDE, "near": NEAR}
 SOURCES = pytest.mark.parametrize("source", ALL.values(), ids=ALL.keys())
-DTYPES = [torch.float32, torch.float64]
-
-
-def smooth(scene, bend=0.05):
-    """A lens of soft waves."""
-    net = ControlNet.of(scene.lens)
-    x, y = (torch.as_tensor(c) for c in net.positions)
-    return 0.5 + bend * torch.sin(3 * x[:, None] + 1) * torch.cos(2 * y[None, :])
-
-
-def interpolating(net, height):
-    """Control heights of the spline that interpolates a height function."""
-    (x, y), (p, q) = net.positions, net.degree
-    knots = [(2 * k - 1) * r for k, r in zip(net.knots, net.half_width, strict=True)]
-    values = height(x[:, None], y[None, :])
-    values = make_interp_spline(x, values, p, t=knots[0], axis=0).c
-    return torch.as_tensor(make_interp_spline(y, values.T, q, t=knots[1], axis=0).c.T.copy())
 
 
 def image_of(rays, heights, scene):
@@ -49,33 +40,9 @@ def distance(image, other):
 
 @pytest.mark.parametrize("dtype", DTYPES)
 def test_an_oval_of_equal_paths_brings_all_light_to_one_point(make_scene, dtype):
-    d, n, vertex, focus = 3.0, 1.5, 0.6, 5.0
-    scene = make_scene(
-        {
-            "source": POINT | {"position": [0, 0, -d]},
-            "lens.control_points": [60, 50],
-            "lens.degree": [5, 5],
-        }
-    )
-    axial = d + n * vertex + focus - vertex
-    radii, heights = [], []
-    for rho in np.linspace(0, 1.7, 400):
-        outer = np.arctan2(rho, d)
-        inner = np.arcsin(np.sin(outer) / n)
-
-        def excess(s, rho=rho, outer=outer, inner=inner):
-            r, z = rho + s * np.sin(inner), s * np.cos(inner)
-            return d / np.cos(outer) + n * s + np.hypot(r, focus - z) - axial
-
-        s = brentq(excess, -2, 3, xtol=1e-15, rtol=1e-15)
-        radii.append(rho + s * np.sin(inner))
-        heights.append(s * np.cos(inner))
-    even = np.array(radii[:0:-1] + radii), np.array(heights[:0:-1] + heights)
-    even[0][: len(radii) - 1] *= -1
-    oval = make_interp_spline(*even, k=7)
+    scene = make_scene({"source": POINT | {"position": [0, 0, -OVAL_DISTANCE]}, **OVAL})
     net = ControlNet.of(scene.lens)
-    control = interpolating(net, lambda x, y: oval(np.hypot(x, y)))
-    hits = FaceSamples(scene, net, (40, 50), dtype).trace(control)
+    hits = FaceSamples(scene, net, (40, 50), dtype).trace(oval(net))
     arrives = (hits.weight > 0).numpy()
     assert arrives.mean() > 0.8  # steep corners reflect it
     accuracy = 1e-6 if dtype == torch.float64 else 3e-5
@@ -87,28 +54,12 @@ def test_an_oval_of_equal_paths_brings_all_light_to_one_point(make_scene, dtype)
 def test_irradiance_behind_a_thin_plate_falls_with_a_power_of_the_cosine(
     make_scene, emission, power
 ):
-    scene = make_scene(
-        {
-            "lens.base": {"shape": "flat", "height": 1e-6},
-            "lens.height_range": [-1e-6, 1e-6],
-            "lens.min_thickness": 0,
-            "screen.z": 1.0,
-            "source": POINT | {"position": [0, 0, -1.0], "emission": emission},
-            "filter": {"kind": "box"},
-            "screen.pixels": [10, 10],
-        }
-    )
+    source = POINT | {"position": [0, 0, -1.0], "emission": emission}
+    scene = make_scene({"source": source, **THIN_PLATE})
     heights = torch.full(scene.lens.control_points, 1e-6, dtype=torch.float64)
     # 50 rows and columns of samples light a pixel; its edges cut one off, or do not.
     traced = Plan(scene, samples=(1001, 1003), dtype=torch.float64).trace(heights)
-    edge = np.linspace(-1, 1, 10 * 40 + 1)
-    centre = (edge[1:] + edge[:-1]) / 2
-    cos = 2 / np.sqrt(4 + centre[:, None] ** 2 + centre[None, :] ** 2)
-    share = 0.96 * (1 - (1 - cos) ** 5)
-    profile = (cos**power * share**2).reshape(10, 40, 10, 40).mean(axis=(1, 3))
-    rim = 1 / np.sqrt(3)
-    whole = 2 * np.pi * (1 - rim) if emission == "uniform" else np.pi * (1 - rim**2)
-    expected = profile * scene.screen.pixel_area / (whole * 4)
+    expected = behind_thin_plate(scene, emission, power)
     assert traced.flux.numpy() == pytest.approx(expected, rel=0.045)
     assert traced.flux.sum().item() == pytest.approx(expected.sum(), rel=2e-3)
 
@@ -224,29 +175,16 @@ def test_gradient_is_that_of_central_differences(make_scene, rng, position, degr
         flux = plan.trace(h).flux
         return (flux / flux.sum() - wanted / wanted.sum()).norm() / 7
 
-    (gradient,) = torch.autograd.grad(loss(heights), heights)
     x, y = (torch.as_tensor(c) for c in ControlNet.of(scene.lens).positions)
-    for direction in (x[:, None] + 0 * y, (1 - x[:, None] ** 2) * torch.sin(4 * y[None, :])):
-        with torch.no_grad():
-            central = []
-            for step in (2e-5, 1e-5):
-                ahead, behind = loss(heights + step * direction), loss(heights - step * direction)
-                central.append((ahead - behind).item() / (2 * step))
-        extrapolated = (4 * central[1] - central[0]) / 3
-        assert (gradient * direction).sum().item() == pytest.approx(extrapolated, rel=1e-6)
+    directions = x[:, None] + 0 * y, (1 - x[:, None] ** 2) * torch.sin(4 * y[None, :])
+    check_against_differences(loss, heights, directions)
 
 
 @SOURCES
 def test_forward_mode_agrees_with_reverse_mode(make_scene, rng, source):
     scene = make_scene({"source": source})
     plan = Plan(scene, samples=(40, 40), dtype=torch.float64)
-    heights = smooth(scene)
-    tangent = torch.as_tensor(rng.normal(size=heights.shape))
-    cotangent = torch.as_tensor(rng.normal(size=(32, 32)))
-    _, forward = torch.func.jvp(plan.flux, (heights,), (tangent,))
-    variable = heights.requires_grad_()
-    (reverse,) = torch.autograd.grad((plan.trace(variable).flux * cotangent).sum(), variable)
-    assert (forward * cotangent).sum().item() == pytest.approx((reverse * tangent).sum().item())
+    check_both_modes(plan, smooth(scene), rng)
 
 
 class TestFolds:

@@ -3,29 +3,28 @@
 import numpy as np
 import pytest
 import torch
-from scipy.interpolate import make_interp_spline
-from scipy.optimize import brentq
 
+from tests.optics.gradients import check_against_differences, check_both_modes
+from tests.optics.points import (
+    DTYPES,
+    GRID,
+    INDEX,
+    OVAL,
+    OVAL_DISTANCE,
+    POINT,
+    THIN_PLATE,
+    behind_thin_plate,
+    interpolating,
+    oval,
+    smooth,
+)
 from workbench.geometry.surface import ControlNet
 from workbench.optics.emission import InLens, Rays, enter
 from workbench.optics.plan import Plan
 from workbench.optics.point import PointRays
 
-INDEX = 1.5
 HEAD_ON = 0.04
-POINT = {"kind": "point", "position": [0.3, -0.2, -5.0], "rays": 4096}
-GRID = {"kind": "grid", "center": [0, 0.1, -5], "half_width": [1, 1], "points": [5, 4], "rays": 200}
 SOURCES = pytest.mark.parametrize("source", [POINT, GRID], ids=["point", "grid"])
-DTYPES = [torch.float32, torch.float64]
-
-
-def interpolating(net, height):
-    """Control heights of the spline that interpolates a height function."""
-    (x, y), (p, q) = net.positions, net.degree
-    knots = [(2 * k - 1) * r for k, r in zip(net.knots, net.half_width, strict=True)]
-    values = height(x[:, None], y[None, :])
-    values = make_interp_spline(x, values, p, t=knots[0], axis=0).c
-    return torch.as_tensor(make_interp_spline(y, values.T, q, t=knots[1], axis=0).c.T.copy())
 
 
 def towards(scene, origin, count=40):
@@ -39,63 +38,22 @@ def towards(scene, origin, count=40):
     return x, y, enter(rays, lens)
 
 
-def smooth(scene, bend=0.05):
-    """A lens of soft waves, which keeps rays away from the rim of its side."""
-    net = ControlNet.of(scene.lens)
-    x, y = (torch.as_tensor(c) for c in net.positions)
-    return 0.5 + bend * torch.sin(3 * x[:, None] + 1) * torch.cos(2 * y[None, :])
-
-
 def parts(ledger):
     emitted, *where = ledger.to_data().values()
     return emitted, where
 
 
-class TestCartesianOval:
-    """A face of equal optical paths brings all light of a point to one point."""
-
-    DISTANCE, VERTEX, FOCUS = 3.0, 0.6, 5.0
-
-    def profile(self, count=400):
-        """Radius and height of the oval, by its rays: n h_in + air before and behind is constant.
-
-        A ray from (0, −d) that crosses the entrance face at radius ρ is refracted there; how far
-        it goes in the glass is what makes its optical path to the focus that along the axis.
-        """
-        d, n, focus = self.DISTANCE, INDEX, self.FOCUS
-        axial = d + n * self.VERTEX + focus - self.VERTEX
-        radii, heights = [], []
-        for rho in np.linspace(0, 1.7, count):
-            outer = np.arctan2(rho, d)
-            inner = np.arcsin(np.sin(outer) / n)
-
-            def excess(s, rho=rho, outer=outer, inner=inner):
-                r, z = rho + s * np.sin(inner), s * np.cos(inner)
-                return d / np.cos(outer) + n * s + np.hypot(r, focus - z) - axial
-
-            s = brentq(excess, -2, 3, xtol=1e-15, rtol=1e-15)
-            radii.append(rho + s * np.sin(inner))
-            heights.append(s * np.cos(inner))
-        return np.array(radii), np.array(heights)
-
-    @pytest.mark.parametrize("dtype", DTYPES)
-    def test_all_light_in_one_point(self, make_scene, dtype):
-        scene = make_scene(
-            {"source": POINT, "lens.control_points": [60, 50], "lens.degree": [5, 5]}
-        )
-        radii, heights = self.profile()
-        # Even in the radius, so that it is smooth in x and y.
-        even = np.concatenate([-radii[:0:-1], radii]), np.concatenate([heights[:0:-1], heights])
-        oval = make_interp_spline(*even, k=7)
-        net = ControlNet.of(scene.lens)
-        control = interpolating(net, lambda x, y: oval(np.hypot(x, y)))
-        _, _, rays = towards(scene, np.array([0, 0, -self.DISTANCE]))
-        hits = PointRays(scene, net, rays, dtype=dtype).trace(control)
-        arrives = (hits.weight > 0).numpy()
-        assert arrives.mean() > 0.9
-        accuracy = 1e-6 if dtype == torch.float64 else 3e-5
-        assert hits.x[arrives].abs().max() < accuracy
-        assert hits.y[arrives].abs().max() < accuracy
+@pytest.mark.parametrize("dtype", DTYPES)
+def test_an_oval_of_equal_paths_brings_all_light_to_one_point(make_scene, dtype):
+    scene = make_scene({"source": POINT, **OVAL})
+    net = ControlNet.of(scene.lens)
+    _, _, rays = towards(scene, np.array([0, 0, -OVAL_DISTANCE]))
+    hits = PointRays(scene, net, rays, dtype=dtype).trace(oval(net))
+    arrives = (hits.weight > 0).numpy()
+    assert arrives.mean() > 0.9
+    accuracy = 1e-6 if dtype == torch.float64 else 3e-5
+    assert hits.x[arrives].abs().max() < accuracy
+    assert hits.y[arrives].abs().max() < accuracy
 
 
 class TestFlatPlate:
@@ -117,34 +75,11 @@ class TestFlatPlate:
     @pytest.mark.parametrize(("emission", "power"), [("uniform", 3), ("lambertian", 4)])
     def test_irradiance_falls_with_a_power_of_the_cosine(self, make_scene, emission, power):
         """A thin plate leaves the inverse square and the cosines: cos³, Lambertian cos⁴."""
-        scene = make_scene(
-            {
-                "lens.base": {"shape": "flat", "height": 1e-6},
-                "lens.height_range": [-1e-6, 1e-6],
-                "lens.min_thickness": 0,
-                "screen.z": 1.0,
-                "source": {
-                    "kind": "point",
-                    "position": [0, 0, -1.0],
-                    "rays": 1 << 20,
-                    "emission": emission,
-                },
-                "filter": {"kind": "box"},
-                "screen.pixels": [10, 10],
-            }
-        )
+        source = {"kind": "point", "position": [0, 0, -1.0], "rays": 1 << 20}
+        scene = make_scene({"source": source | {"emission": emission}, **THIN_PLATE})
         heights = torch.full(scene.lens.control_points, 1e-6, dtype=torch.float64)
         traced = Plan(scene, dtype=torch.float64).trace(heights)
-        edge = np.linspace(-1, 1, 10 * 40 + 1)
-        centre = (edge[1:] + edge[:-1]) / 2
-        cos = 2 / np.sqrt(4 + centre[:, None] ** 2 + centre[None, :] ** 2)
-        share = 0.96 * (1 - (1 - cos) ** 5)
-        fine = cos**power * share**2
-        profile = fine.reshape(10, 40, 10, 40).mean(axis=(1, 3))
-        # Intensity on the axis: 1 over the solid angle of the cap, or over that of its projection.
-        rim = 1 / np.sqrt(3)
-        whole = 2 * np.pi * (1 - rim) if emission == "uniform" else np.pi * (1 - rim**2)
-        expected = profile * scene.screen.pixel_area / (whole * 4)
+        expected = behind_thin_plate(scene, emission, power)
         assert traced.flux.numpy() == pytest.approx(expected, rel=0.02)
         assert traced.flux.sum().item() == pytest.approx(expected.sum(), rel=1e-3)
 
@@ -223,31 +158,18 @@ def test_gradient_is_that_of_central_differences(make_scene, rng, source, degree
         flux = plan.trace(h).flux
         return (flux / flux.sum() - wanted / wanted.sum()).norm() / 8
 
-    (gradient,) = torch.autograd.grad(loss(heights), heights)
     x, y = (torch.as_tensor(c) for c in ControlNet.of(scene.lens).positions)
     # A tilt, a focus and a bump, all of them away from the rim, where rays change their side.
     window = (1 - x[:, None] ** 2) * (1 - y[None, :] ** 2)
-    for direction in (window * x[:, None], window**2, window * torch.sin(4 * y[None, :])):
-        with torch.no_grad():
-            central = []
-            for step in (2e-5, 1e-5):
-                ahead, behind = loss(heights + step * direction), loss(heights - step * direction)
-                central.append((ahead - behind).item() / (2 * step))
-        extrapolated = (4 * central[1] - central[0]) / 3
-        assert (gradient * direction).sum().item() == pytest.approx(extrapolated, rel=1e-6)
+    directions = window * x[:, None], window**2, window * torch.sin(4 * y[None, :])
+    check_against_differences(loss, heights, directions)
 
 
 @SOURCES
 def test_forward_mode_agrees_with_reverse_mode(make_scene, rng, source):
     scene = make_scene({"source": source})
     plan = Plan(scene, dtype=torch.float64)
-    heights = smooth(scene)
-    tangent = torch.as_tensor(rng.normal(size=heights.shape))
-    cotangent = torch.as_tensor(rng.normal(size=(32, 32)))
-    _, forward = torch.func.jvp(plan.flux, (heights,), (tangent,))
-    variable = heights.requires_grad_()
-    (reverse,) = torch.autograd.grad((plan.trace(variable).flux * cotangent).sum(), variable)
-    assert (forward * cotangent).sum().item() == pytest.approx((reverse * tangent).sum().item())
+    check_both_modes(plan, smooth(scene), rng)
 
 
 @pytest.mark.parametrize("dtype", DTYPES)
