@@ -3,7 +3,7 @@
 import base64
 import binascii
 
-from PySide6.QtCore import QByteArray, QSettings, QSize
+from PySide6.QtCore import QByteArray, QSettings, QSize, QTimer
 from PySide6.QtWidgets import QMainWindow
 
 from ui.workspace import Workspace
@@ -42,7 +42,8 @@ class Layout:
         self._window.restoreState(self._first)
         room = self._window.screen().availableSize()
         self._window.resize(self._window.size().boundedTo(room))
-        self._workspace.arrange()
+        # Docks that were hidden just now have a share of the room until all are laid out.
+        QTimer.singleShot(0, self._window, self._workspace.arrange)
 
     def keep(self) -> None:
         """Remember size, place and docks for the next window."""

@@ -91,6 +91,10 @@ def _colour(application: QApplication) -> None:
             background: palette(midlight); border-left: 4px solid palette(highlight);
             padding-left: 3px;
         }}
+        QMainWindow > QTabBar {{
+            qproperty-elideMode: ElideNone; qproperty-usesScrollButtons: true;
+        }}
+        MenuButton::menu-indicator {{ image: none; }}
         QTreeWidget#commands::item {{ padding: 3px; }}
         QLabel#hint {{ background: {_NOTE[scheme]}; padding: 6px; }}
         QFrame#warning {{ background: {_WARNING[scheme]}; }}

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from PySide6.QtCore import Qt, QTimer
+from PySide6.QtCore import QModelIndex, QPersistentModelIndex, Qt, QTimer
 from PySide6.QtGui import QUndoStack
 from PySide6.QtWidgets import (
     QDockWidget,
@@ -10,6 +10,8 @@ from PySide6.QtWidgets import (
     QLabel,
     QMainWindow,
     QStackedWidget,
+    QStyledItemDelegate,
+    QStyleOptionViewItem,
     QUndoView,
     QWidget,
 )
@@ -101,6 +103,7 @@ class Workspace:
         self.docks["design"].setWidget(forms)
         self.history = QUndoView(steps)
         self.history.setEmptyLabel("As opened")
+        self.history.setItemDelegate(_Capitalised(self.history))
         self.history.setToolTip("A click goes back or forth to that step")
         self.docks["history"].setWidget(self.history)
         self.docks["log"].setWidget(log)
@@ -163,8 +166,10 @@ class Workspace:
     def _share(self) -> None:
         """Give both images of light as much room, where the target has hardly any."""
         images = [self.docks["irradiance"], self.docks["target"]]
-        if images[1].width() < images[0].width() / 2:
-            self._window.resizeDocks(images, [1, 1], Qt.Orientation.Horizontal)
+        widths = [image.width() for image in images]
+        if widths[1] < widths[0] / 2:
+            half = sum(widths) // 2  # less would make both as narrow as they can be
+            self._window.resizeDocks(images, [half, half], Qt.Orientation.Horizontal)
 
     def _dock(self, name: str, title: str, area: Qt.DockWidgetArea) -> QDockWidget:
         dock = QDockWidget(title, self._window)
@@ -173,3 +178,14 @@ class Workspace:
         # Qt shows a tab of the menu's choice behind the other.
         dock.toggleViewAction().triggered.connect(lambda shown: dock.raise_() if shown else None)
         return dock
+
+
+class _Capitalised(QStyledItemDelegate):
+    """Begins each line with a capital; the undo menu has the same texts amid a sentence."""
+
+    def initStyleOption(
+        self, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex
+    ) -> None:
+        super().initStyleOption(option, index)
+        text = option.text
+        option.text = text[:1].upper() + text[1:]

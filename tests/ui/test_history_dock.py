@@ -1,6 +1,7 @@
 """The list of steps: by mouse and keyboard, also when there are a thousand."""
 
 from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QStyleOptionViewItem
 
 from tests.ui.hands import move_screen
 from ui.steps import Steps
@@ -37,3 +38,10 @@ def test_undo_moves_the_mark(window):
     assert history.currentIndex().data() == "screen at 7"
     window.commands["undo"].trigger()
     assert history.currentIndex().data() == "screen at 6"
+
+
+def test_steps_begin_with_a_capital(window):
+    move_screen(window.document, 6, "screen at 6")
+    history, option = window.workspace.history, QStyleOptionViewItem()
+    history.itemDelegate().initStyleOption(option, history.currentIndex())
+    assert option.text == "Screen at 6"
