@@ -8,7 +8,7 @@ _LINES = 2000  # of which the oldest give way
 
 
 class LogView(QPlainTextEdit):
-    """Text to read and to copy, not to edit; it stays where one has scrolled to."""
+    """Text to read and to copy, not to edit; its end, or where one has scrolled to."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -18,7 +18,14 @@ class LogView(QPlainTextEdit):
         self.setFrameShape(QPlainTextEdit.Shape.NoFrame)
         self.setPlaceholderText("What runs, checks and exports tell is written here.")
         self.setAccessibleName("Log")
+        self._at_end = True
+        bar = self.verticalScrollBar()
+        bar.rangeChanged.connect(lambda _, end: bar.setValue(end) if self._at_end else None)
+        bar.valueChanged.connect(self._note_place)
 
     def add(self, sentence: str) -> None:
         """Write a line below the others."""
         self.appendPlainText(f"{datetime.now():%H:%M:%S}  {' '.join(sentence.split())}")
+
+    def _note_place(self, value: int) -> None:
+        self._at_end = value == self.verticalScrollBar().maximum()

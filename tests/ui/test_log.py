@@ -38,6 +38,23 @@ def test_the_oldest_lines_give_way(qtbot):
     assert sentences(log) == [str(number) for number in range(500, 2500)]
 
 
+def test_its_end_is_shown_until_one_scrolls_up(qtbot, show):
+    log = LogView()
+    qtbot.addWidget(log)
+    for number in range(200):
+        log.add(f"{number}: a sentence that takes more than one line where there is little room")
+    show(log, 300, 120)
+    bar = log.verticalScrollBar()
+    qtbot.waitUntil(lambda: bar.value() == bar.maximum() > 0)
+    log.resize(200, 90)
+    qtbot.waitUntil(lambda: bar.value() == bar.maximum())
+    bar.setValue(3)
+    log.add("another")
+    log.resize(300, 120)
+    qtbot.wait(50)
+    assert bar.value() == 3
+
+
 def test_behind_another_tab_nothing_is_drawn(qtbot, monkeypatch):
     drawn = []
     paint = LogView.paintEvent

@@ -75,6 +75,7 @@ class ToleranceForm(QWidget):
         self.save.setToolTip("Save the plot (PNG, SVG), or the figures of each lens (CSV, JSON)")
         self.save.clicked.connect(self.save_asked)
         buttons = QHBoxLayout()
+        buttons.setSpacing(6)
         buttons.addWidget(self.begin)
         buttons.addWidget(self.save)
         buttons.addStretch(1)

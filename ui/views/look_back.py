@@ -33,6 +33,7 @@ class LookBack(QWidget):
         self._slider.setAccessibleName("Moment of the run")
         self._slider.setToolTip("Look back at the lens and its light at any moment of the run")
         self._slider.valueChanged.connect(self._look)
+        self._slider.setMinimumWidth(8 * self._slider.sizeHint().height())  # with room to move
         self._text = QLabel()
         self._text.setMinimumWidth(self._text.fontMetrics().horizontalAdvance("iteration 00000"))
         self._button = QPushButton("Go on from here")

@@ -25,7 +25,8 @@ class MenuButton(QToolButton):
 
     def __init__(self, text: str, tip: str) -> None:
         super().__init__()
-        self.setText(text)
+        self.setText(f"{text} ▾")  # the style's own arrow lies below the line
+        self.setAccessibleName(text)
         self.setToolTip(tip)
         self.setAutoRaise(True)
         self.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)

@@ -43,6 +43,7 @@ class PlotView(View):
         self.setFocusProxy(self._canvas)
         self._box.addWidget(self._canvas, 1)
         self._hint = QLabel(wordWrap=True, alignment=Qt.AlignmentFlag.AlignCenter)
+        self._hint.setMargin(self.fontMetrics().height())
         self._hint.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self._untraced = False
         self._over = QGridLayout(self._canvas)
