@@ -65,4 +65,8 @@ def test_a_plane_can_be_drawn(make_scene):
     maps = surface_maps(make_scene().lens, np.full((12, 10), 0.5), (9, 9))
     png = io.BytesIO()
     write_manufacture(png, maps, Limits(max_slope=1.0), "mm")
+    noisy = maps._replace(slope=maps.slope + 1e-12)  # rounding is no slope
+    for name, axes in drawn(noisy, Limits()).items():
+        if name != "Thickness":
+            assert axes.get_images()[0].get_clim() == (0.0, 1.0)
     assert png.getvalue().startswith(b"\x89PNG")

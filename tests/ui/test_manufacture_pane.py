@@ -64,6 +64,23 @@ def test_the_figures_are_those_of_the_engine(pane, bowl, session):
     assert "At x = " in pane._figures.found["steepest"].toolTip()
 
 
+def test_rounding_is_neither_slope_nor_sag(pane, session, frames, qtbot):
+    rng = np.random.default_rng(1)
+    heights = 0.5 + 1e-15 * rng.standard_normal(session.scene.lens.control_points)
+    pane.show_frame(frames(1, session, control_points=heights))
+    shown = pane._figures.found
+    qtbot.waitUntil(lambda: shown["thickest"].text() == "0.5 cm", timeout=10_000)
+    assert (shown["steepest"].text(), shown["sag_range"].text()) == ("0°", "0 cm")
+
+
+def test_before_the_first_map_it_says_that_one_comes(settings, session, show, qtbot):
+    pane = ManufacturePane(settings)
+    qtbot.addWidget(pane, before_close_func=lambda pane: pane.close_thread())
+    pane.show_design(session)
+    show(pane, 760, 420)
+    qtbot.waitUntil(lambda: pane.map._hint.text() == pane.map._WAITING)
+
+
 def test_limits_are_judged_by_word_and_shown_on_the_map(pane, qtbot):
     own = pane._fields.limits.min_thickness
     assert own > 0 and states(pane)["thinnest"] == "✓ met"  # the design's own, unless told

@@ -37,6 +37,7 @@ _LINES = {
     "tightest_concave": _Line("concave radius", True, "min_radius"),
     "tightest_convex": _Line("convex radius", True, ""),  # the same as that above
 }
+_ROUNDING = 1e-9  # what a flat face may have of slope, and of sag in its thicknesses
 _NAME, _FOUND, _SIGN, _LIMIT, _STATE = range(5)
 
 
@@ -93,7 +94,8 @@ class Figures(QWidget):
             label = self.found[key]
             label.setText(self._told(key, extreme.value))
             label.setToolTip(f"<p>{self._where(key, extreme)}</p>")
-        self.found["sag_range"].setText(f"{found.sag_range:.4g} {unit}")
+        flat = found.sag_range < _ROUNDING * found.thickest.value
+        self.found["sag_range"].setText(f"{0 if flat else found.sag_range:.4g} {unit}")
         self.found["draft"].setText(f"{found.draft:.4g}°")
         self.say("")
         self._judge(self._fields.limits)
@@ -140,7 +142,9 @@ class Figures(QWidget):
     def _told(self, key: str, value: float) -> str:
         if math.isinf(value):
             return "none"
-        return f"{value:.4g}{'°' if key == 'steepest' else f' {self._unit}'}"
+        if key == "steepest":
+            return f"{0 if value < _ROUNDING else value:.4g}°"
+        return f"{value:.4g} {self._unit}"
 
     def _where(self, key: str, extreme: Extreme) -> str:
         if math.isinf(extreme.value):

@@ -70,6 +70,7 @@ class ManufacturePane(Beside):
     def show_design(self, session: "Session") -> None:
         """Take unit and own limits of a design."""
         self._fields.show_scene(session.scene)
+        self.map.show_design(session)
 
     def show_frame(self, frame: "Frame") -> None:
         """Take note of another lens."""

@@ -17,6 +17,7 @@ Array = npt.NDArray[np.float64]
 _FONT = 9
 _DPI = 150
 _APART = {"wspace": 0.12, "hspace": 0.06}
+_ROUNDING = 1e-9  # what a flat face may have of slope, and of curvature times its size
 _BEYOND = "#ff4d3d"  # viridis has no red
 
 
@@ -114,8 +115,10 @@ def draw_map(axes: "Axes", name: str, maps: FaceMaps, limits: ShopLimits, unit: 
     image.set_data(values)
     # Sharp bends are few and far above the others.
     image.set_norm(PowerNorm(0.5 if "Curvature" in name else 1.0))
-    image.set_clim(float(values.min()), float(values.max()) or 1.0)
-    colour_bar(axes, image, of, "neither")
+    size = 1.0 if name == "Slope" else max(half_width)
+    even = name != "Thickness" and size * values.max() < _ROUNDING
+    image.set_clim(*((0.0, 1.0) if even else (float(values.min()), float(values.max()))))
+    colour_bar(axes, image, "degrees" if of == "°" else of, "neither")
     if below is not None and (values < below).any():
         _hatch(axes, maps, values, [float(values.min()) - 1, below])
     if above is not None and (values > above).any():
