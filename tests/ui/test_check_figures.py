@@ -55,9 +55,9 @@ def test_all_figures_are_told_and_each_is_explained(figures, designed, found):
     figures.show_check(Suspect(designed, designed.result.control_points), found, 0.0321)
     assert rows(figures) == dict((*check_rows(found, 0.0321), *ledger_rows(found.ledger)))
     told = rows(figures)
-    assert told["relative L2 error"] == f"{found.relative_l2:.3%}"
-    assert told["off the optimiser's image"] == "3.210%"
-    assert told["on the screen"] == told["efficiency"] == f"{found.efficiency:.3%}"
+    assert told["relative L2 error"] == f"{100 * found.relative_l2:.3f} %"
+    assert told["off the optimiser's image"] == "3.210 %"
+    assert told["on the screen"] == told["efficiency"] == f"{100 * found.efficiency:.3f} %"
     table = figures._table
     tips = [table.item(row, 0).toolTip() for row in range(table.rowCount())]
     assert len(set(tips)) == table.rowCount() == 20

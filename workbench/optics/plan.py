@@ -145,7 +145,8 @@ class Plan:
         if isinstance(tracer, Reference):
             notes = [f"reference in torch on {self._device.type}, {precision}"]
         else:
-            notes = [f"fused kernels, {torch.get_num_threads()} threads, {precision}"]
+            threads = torch.get_num_threads()
+            notes = [f"fused kernels, {threads} thread{'s' * (threads > 1)}, {precision}"]
         if isinstance(self._scene.source, CollimatedSource):
             notes.append("collimated light: entrance refraction and intersection left out")
         elif self._samples is not None:

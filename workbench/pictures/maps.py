@@ -76,6 +76,7 @@ def colour_bar(axes: "Axes", image: Any, unit: str, extend: str) -> None:
     bar = axes.figure.colorbar(image, cax=beside, extend=extend)
     bar.set_label(unit, fontsize=_FONT)
     bar.ax.tick_params(labelsize=_FONT)
+    bar.ax.yaxis.get_offset_text().set_fontsize(_FONT)
     bar.outline.set_linewidth(0.6)
 
 

@@ -31,6 +31,6 @@ def _paint_axes(axes: Axes, ink: str, paper: str) -> None:
         spine.set_edgecolor(ink)
     legend = axes.get_legend()
     if legend is not None and legend.get_frame_on():  # one without a frame has curves' colours
-        legend.get_frame().set(facecolor=paper, edgecolor=ink)
+        legend.get_frame().set(facecolor=paper, edgecolor=paper)
         for text in legend.get_texts():
             text.set_color(ink)

@@ -39,7 +39,7 @@ def draw_errors(axes: "Axes", nominal: float, errors: Sequence[float]) -> None:
     axes.set_ylabel("lenses up to there (%)", fontsize=_FONT)
     axes.tick_params(labelsize=_FONT)
     axes.grid(visible=True, linewidth=0.6, alpha=0.35)
-    axes.legend(loc="best", fontsize=_FONT)
+    axes.legend(loc="lower right", fontsize=_FONT)  # below the curve
 
 
 def write_errors(path: Path | BinaryIO, nominal: float, errors: Sequence[float]) -> None:

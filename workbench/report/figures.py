@@ -27,9 +27,9 @@ def check_rows(found: Validation, difference: float) -> tuple[Row, ...]:
     """What the independent check says; ``difference`` is that to the optimiser's own image."""
     quality = found.quality
     return (
-        Row("relative L2 error", f"{found.relative_l2:.3%}"),
+        Row("relative L2 error", percent(found.relative_l2)),
         Row("95 % of other rays", _interval(found.relative_l2_interval)),
-        Row("without ray noise", f"{found.relative_l2_corrected:.3%}"),
+        Row("without ray noise", percent(found.relative_l2_corrected)),
         Row("95 % confidence", _interval(found.relative_l2_corrected_interval)),
         Row("loss of the paper", f"{found.loss:.4g}"),
         Row("PSNR", _or_dash(quality.psnr, ".2f", " dB")),
@@ -37,8 +37,8 @@ def check_rows(found: Validation, difference: float) -> tuple[Row, ...]:
         Row("correlation", _or_dash(quality.correlation, ".5f")),
         Row("uniformity", f"{quality.uniformity:.5f}"),
         Row("contrast", _or_dash(quality.contrast, ".5f")),
-        Row("efficiency", f"{found.efficiency:.3%}"),
-        Row("off the optimiser's image", f"{difference:.3%}"),
+        Row("efficiency", percent(found.efficiency)),
+        Row("off the optimiser's image", percent(difference)),
         Row("rays", f"{found.rays:,}".replace(",", " ")),
     )
 
@@ -46,7 +46,7 @@ def check_rows(found: Validation, difference: float) -> tuple[Row, ...]:
 def ledger_rows(ledger: Ledger) -> tuple[Row, ...]:
     """Where the light went, in parts of what was emitted."""
     data = ledger.to_data()
-    return tuple(Row(name, f"{data[part] / ledger.emitted:.3%}") for part, name in _LEDGER.items())
+    return tuple(Row(name, percent(data[part] / ledger.emitted)) for part, name in _LEDGER.items())
 
 
 def manufacture_rows(found: Manufacture, limits: Limits, unit: str) -> tuple[Row, ...]:
@@ -82,11 +82,16 @@ def tolerance_rows(
     return (
         *(Row(name, text) for name, (size, text) in off.items() if size),
         Row("lenses", str(samples)),
-        Row("error as designed", f"{spread.nominal:.3%}"),
-        Row("mean", f"{spread.mean:.3%}"),
-        *(Row(f"{part} % of lenses", f"{e:.3%}") for part, e in spread.percentiles.items()),
-        Row("worst", f"{spread.worst:.3%}"),
+        Row("error as designed", percent(spread.nominal)),
+        Row("mean", percent(spread.mean)),
+        *(Row(f"{part} % of lenses", percent(e)) for part, e in spread.percentiles.items()),
+        Row("worst", percent(spread.worst)),
     )
+
+
+def percent(part: float, digits: int = 3) -> str:
+    """A part of one, with a space before the sign, as in the names of figures."""
+    return f"{100 * part:.{digits}f} %"
 
 
 def _extreme(found: Extreme, unit: str, sense: str) -> str:
@@ -99,7 +104,7 @@ def _extreme(found: Extreme, unit: str, sense: str) -> str:
 
 
 def _interval(ends: tuple[float, float]) -> str:
-    return f"{ends[0]:.3%} to {ends[1]:.3%}"
+    return f"{percent(ends[0])} to {percent(ends[1])}"
 
 
 def _or_dash(value: float | None, form: str, tail: str = "") -> str:

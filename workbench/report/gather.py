@@ -17,7 +17,13 @@ from workbench.errors import Refused
 from workbench.geometry.surface import even_counts
 from workbench.pictures import report as pictures
 from workbench.report.content import Picture, Report, Row, Section
-from workbench.report.figures import check_rows, ledger_rows, manufacture_rows, tolerance_rows
+from workbench.report.figures import (
+    check_rows,
+    ledger_rows,
+    manufacture_rows,
+    percent,
+    tolerance_rows,
+)
 from workbench.report.scene_rows import scene_rows
 from workbench.scene import Scene
 
@@ -155,9 +161,9 @@ def _tolerances(session: Session, within: Tolerances, samples: int, rays: int) -
 
 def _kept(run: KeptRun) -> Row:
     result, checked = run.result, run.verified
-    error = f", error {checked.relative_l2_corrected:.2%}" if checked else ""
+    error = f", error {percent(checked.relative_l2_corrected, 2)}" if checked else ""
     return Row(
         run.name,
         f"loss {result.loss:.4g} after {result.iterations} iterations in {result.seconds:.1f} s, "
-        f"{result.ledger.efficiency:.1%} on the screen{error}",
+        f"{percent(result.ledger.efficiency, 1)} on the screen{error}",
     )
