@@ -30,9 +30,9 @@ if TYPE_CHECKING:
 
 _DIRECTIONS = ("x", "y", "line")
 _TIP = (
-    "Where the screen is cut: along x or y through the place that is clicked in an image, or "
-    "along a line that is drawn across one with Shift and drag. Arrow keys move place or line by a "
-    "pixel, with Shift by ten; with Ctrl, the end of the line"
+    "Where the screen is cut: along x or y through the place that is clicked in an image,\n"
+    "or along a line that is drawn across one with Shift and drag.\n"
+    "Arrow keys move place or line by a pixel, with Shift by ten; with Ctrl, the end of the line"
 )
 _FAR = 10  # pixels, with Shift
 _SHORTEST = 0.5  # pixels that are left of a line
@@ -149,7 +149,7 @@ class SectionView(PlotView):
         if self._along == "line":
             assert self._line is not None  # since the picture began
             start, end = (f"({x:.3g}, {y:.3g})" for x, y in self._line)
-            self._button.setToolTip(f"From {start} to {end} {scene.unit}. {_TIP}")
+            self._button.setToolTip(f"From {start} to {end} {scene.unit}.\n{_TIP}")
             return cut_between(scene, *self._line)
         self._button.setToolTip(_TIP)
         return cut_through(scene, self._along, self._place)
