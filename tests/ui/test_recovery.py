@@ -76,6 +76,14 @@ def test_only_what_is_not_saved_is_kept(document, keeping, tmp_path):
     assert [file.suffix for file in recovery.folder.iterdir()] == [".lock"]
 
 
+def test_how_it_is_looked_at_is_kept_as_of_then(document, keeping):
+    recovery = keeping()
+    recovery.look = lambda: {"on": ["target_log"]}
+    edit(document, 7)
+    recovery.keep_now()
+    assert read_session(recovery._file).view == {"on": ["target_log"]}
+
+
 def test_it_is_kept_every_minute(document, keeping, qtbot):
     recovery = keeping()
     assert recovery._timer.isActive() and recovery._timer.interval() == 60_000
@@ -321,7 +329,8 @@ def test_after_a_kill_the_work_is_found(tmp_path):
     (folder,) = tmp_path.rglob("recovery")
     (work,) = left_behind.find(folder)
     assert (work.name, work.path) == ("tophat", None)
-    assert read_session(work.file).scene.screen.z == 7.5
+    session = read_session(work.file)
+    assert session.scene.screen.z == 7.5 and session.view["layout"]
     work.remove()
 
 

@@ -8,10 +8,11 @@
 
 import json
 import threading
+from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 from uuid import uuid4
 
 from PySide6.QtCore import QObject, QTimer, Signal
@@ -40,6 +41,11 @@ class Recovery(QObject):
         Where; made if it is not there.
     every_ms : int
         How often, in milliseconds.
+
+    Attributes
+    ----------
+    look : callable
+        How the design is looked at, which is kept with it.
     """
 
     failed = Signal(str)  # why nothing can be kept, once
@@ -52,6 +58,7 @@ class Recovery(QObject):
         every_ms: int = _EVERY_MS,
     ) -> None:
         super().__init__(parent)
+        self.look: Callable[[], dict[str, Any] | None] = lambda: None
         self._document = document
         self._file = folder / f"{uuid4().hex}{ENDING}"
         self._lock = lock_of(self._file)
@@ -100,8 +107,9 @@ class Recovery(QObject):
             self._remove()
         elif session is not self._kept:
             self._kept = session
-            work = self._document.verified.complete(session), self._about(ended=False)
-            self._writer = threading.Thread(target=self._write, args=work, name="recovery")
+            work = replace(self._document.verified.complete(session), view=self.look())
+            about = self._about(ended=False)
+            self._writer = threading.Thread(target=self._write, args=(work, about), name="recovery")
             self._writer.start()
 
     def close(self, leave: bool = False) -> None:
@@ -134,10 +142,8 @@ class Recovery(QObject):
 
     def _unsaved(self) -> Session | None:
         if self._frame is not None:
-            now = self._document.session
-            return replace(
-                self._frame.session, result=self._frame.result(), runs=now.runs, view=now.view
-            )
+            runs = self._document.session.runs
+            return replace(self._frame.session, result=self._frame.result(), runs=runs)
         return self._document.session if self._document.dirty else None
 
     def _about(self, ended: bool) -> dict[str, object]:
