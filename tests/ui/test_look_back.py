@@ -84,6 +84,16 @@ def test_the_slider_shows_an_earlier_lens(designed, qtbot):
     assert designed.document.session.result.iterations == 12
 
 
+def test_where_there_is_little_room_the_text_gives_way(designed, qtbot):
+    look_back = designed.bench.views.look_back
+    least = look_back.minimumSizeHint().width()
+    for width, told in ((2 * least, True), (least, False), (2 * least, True)):
+        look_back.resize(width, look_back.height())
+        assert look_back._text.isVisible() is told
+        assert look_back.minimumSizeHint().width() == least
+        assert look_back._slider.width() >= 4 * look_back._slider.height() > 0
+
+
 def test_the_design_goes_on_from_an_earlier_lens(designed, qtbot):
     look_back, first = designed.bench.views.look_back, designed.bench.control.moments.frames[0]
     look_back._slider.setValue(0)

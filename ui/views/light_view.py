@@ -51,9 +51,9 @@ class LightView(View):
         super().__init__(parent)
         table = QWidget()
         self._grid = QGridLayout(table)
-        self._grid.setContentsMargins(10, 6, 10, 6)
+        self._grid.setContentsMargins(8, 6, 8, 6)
         self._grid.setVerticalSpacing(2)
-        self._grid.setHorizontalSpacing(10)
+        self._grid.setHorizontalSpacing(8)
         self._grid.setColumnStretch(1, 1)
         self._rows = {name: _Line(self._grid, *text) for name, text in _PARTS.items()}
         rule = QFrame(frameShape=QFrame.Shape.HLine, frameShadow=QFrame.Shadow.Plain)
@@ -114,7 +114,7 @@ class _Bar(QWidget):
 
     def __init__(self) -> None:
         super().__init__()
-        self.setMinimumWidth(30)
+        self.setMinimumWidth(20)
         self._share = 0.0
 
     def show_share(self, share: float) -> None:

@@ -3,7 +3,8 @@
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QSignalBlocker, Qt, Signal
+from PySide6.QtCore import QSignalBlocker, QSize, Qt, Signal
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSlider, QWidget
 
 from ui.run.moments import moment
@@ -33,7 +34,7 @@ class LookBack(QWidget):
         self._slider.setAccessibleName("Moment of the run")
         self._slider.setToolTip("Look back at the lens and its light at any moment of the run")
         self._slider.valueChanged.connect(self._look)
-        self._slider.setMinimumWidth(8 * self._slider.sizeHint().height())  # with room to move
+        self._slider.setMinimumWidth(4 * self._slider.sizeHint().height())  # with room to move
         self._text = QLabel()
         self._text.setMinimumWidth(self._text.fontMetrics().horizontalAdvance("iteration 00000"))
         self._button = QPushButton("Go on from here")
@@ -42,7 +43,7 @@ class LookBack(QWidget):
             "Undo brings the later one back"
         )
         self._button.clicked.connect(lambda: self.went_on.emit(self._frame))
-        row = QHBoxLayout(self)
+        self._row = row = QHBoxLayout(self)
         row.setContentsMargins(8, 0, 8, 4)
         row.addWidget(self._slider, 1)
         row.addWidget(self._text)
@@ -62,6 +63,22 @@ class LookBack(QWidget):
         """Whether one may look back now, and go on from what is seen."""
         self._slider.setEnabled(look)
         self._button.setEnabled(go_on)
+
+    def minimumSizeHint(self) -> QSize:
+        """Without the text, which gives way; the status bar tells the same."""
+        whole = super().minimumSizeHint()
+        return whole if self._text.isHidden() else whole - QSize(self._text_width, 0)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Show the text where there is room."""
+        super().resizeEvent(event)
+        least = self.minimumSizeHint().width()
+        self._text.setVisible(self.width() >= least + self._text_width)
+
+    @property
+    def _text_width(self) -> int:
+        text = max(self._text.minimumWidth(), self._text.minimumSizeHint().width())
+        return text + self._row.spacing()
 
     @property
     def _frame(self) -> "Frame":
