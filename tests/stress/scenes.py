@@ -6,6 +6,7 @@ import numpy as np
 import torch
 from hypothesis import strategies as st
 
+from tests.scenes import changed
 from workbench.design.heights import HeightRange
 from workbench.geometry.surface import ControlNet
 from workbench.scene import Scene
@@ -197,27 +198,5 @@ def cases(draw: st.DrawFn, most_points: int = 256) -> Case:
 
 def plain(changes: dict[str, Any], **others: Any) -> Case:
     """A common scene with some fields changed, ``{"screen.z": 7}``."""
-    data: dict[str, Any] = {
-        "lens": {
-            "half_width": [1.0, 1.0],
-            "entrance_z": 0.0,
-            "refractive_index": 1.5,
-            "degree": [3, 3],
-            "control_points": [12, 10],
-            "base": {"shape": "flat", "height": 0.5},
-            "height_range": [-0.3, 0.3],
-            "min_thickness": 0.05,
-        },
-        "source": {"kind": "collimated", "rays": [30, 31]},
-        "screen": {"z": 5.0, "half_width": [1.0, 1.0], "pixels": [16, 17]},
-        "filter": {"kind": "gaussian", "size": [3, 3], "alpha": 1.0},
-        "target": {"builtin": "tophat"},
-        "run": {"seed": 0},
-    }
-    for path, value in changes.items():
-        *parents, last = path.split(".")
-        part = data
-        for parent in parents:
-            part = part[parent]
-        part[last] = value
-    return Case(data, **others)
+    few = {"source.rays": [30, 31], "screen.pixels": [16, 17], "run": {"seed": 0}}
+    return Case(changed(few | changes), **others)
