@@ -7,7 +7,7 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QApplication, QFileDialog
 
-from tests.ui.hands import choose, editor, enter, row, rows
+from tests.ui.hands import choose, editor, enter, fill, row, rows
 from workbench.files.session import Session
 from workbench.scene import Scene
 from workbench.targets import load_target
@@ -170,6 +170,21 @@ def test_a_sphere_brings_its_fields(forms, document, qtbot):
     assert "does not span the lens" in row(forms, "lens.base.radius").refusal
     choose(forms, "lens.base.shape", "flat")  # the field is gone, and what it held
     assert not forms.refused
+
+
+@pytest.mark.parametrize("elsewhere", [False, True])
+def test_text_typed_into_a_field_that_goes_is_dropped(forms, document, qtbot, elsewhere):
+    collimated, told = document.session, []
+    forms.told.connect(told.append)
+    choose(forms, "source.kind", "grid")
+    half = editor(forms, "source.half_width[1]")
+    if elsewhere:
+        half.setText("0.3")  # as a program types
+    else:
+        fill(qtbot, half, "0.3", key=None)
+    document.change(collimated, "back to collimated light")
+    forms.commit()
+    assert document.session is collimated and told == []
 
 
 def test_the_method_keeps_what_both_have(forms, document, qtbot):

@@ -91,6 +91,13 @@ class Row(QWidget):
 
     def commit(self) -> None:
         """Tell of text that is typed but not yet entered."""
+        for editor in self.findChildren(TextEditor):
+            editor.commit()
+
+    def forget(self) -> None:
+        """Drop what is typed: a scene without this field is shown."""
+        for editor in self.findChildren(TextEditor):
+            editor.show_value("")
 
     def concerns(self, path: str) -> bool:
         """Whether a refusal of ``path`` belongs to this row."""
@@ -164,11 +171,6 @@ class NumberRow(Row):
             if path not in pending:
                 editor.show_value(format(value_at(data, path), ".12g"))
 
-    def commit(self) -> None:
-        """Tell of text that is typed but not yet entered."""
-        for editor in self.editors.values():
-            editor.commit()
-
     def _commit(self, path: str, text: str) -> None:
         self._tell(path, {path: self.editors[path].value(text)})
 
@@ -203,10 +205,6 @@ class TextRow(Row):
         if self.path not in pending:
             self.editor.show_value(value_at(data, self.path))
             self.editor.end(False)
-
-    def commit(self) -> None:
-        """Tell of text that is typed but not yet entered."""
-        self.editor.commit()
 
 
 class ChoiceRow(Row):

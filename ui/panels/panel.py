@@ -70,9 +70,11 @@ class Panel(QWidget):
         data = session.scene.to_data()
         for row in self.rows:
             present = row.present(data)
-            self._form.setRowVisible(row, present)
             if present:
                 row.show_scene(data, pending)
+            else:
+                row.forget()  # before it is hidden, which enters what is typed
+            self._form.setRowVisible(row, present)
 
     def unfold(self, unfolded: bool) -> None:
         """Show or fold away the rows."""
