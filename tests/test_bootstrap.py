@@ -59,7 +59,7 @@ def setting_up(extra=""):
     return [
         f"{sys.executable} -m venv .venv",
         f".venv/bin/python -m pip install --quiet --editable .{extra}",
-        ".venv/bin/python -m workbench.design.kernels",
+        ".venv/bin/python -m workbench.analysis.kernels",
     ]
 
 

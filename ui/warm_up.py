@@ -33,7 +33,7 @@ class WarmUp(QObject):
         try:
             for module in _SLOW:
                 importlib.import_module(module)
-            from workbench.design.kernels import compile_all
+            from workbench.analysis.kernels import compile_all
             from workbench.optics.kernels.ready import announce
 
             announce()

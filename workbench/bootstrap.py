@@ -132,7 +132,7 @@ def _install(extra: str = "") -> None:
     if _run([SCRIPTS / "python", "-m", "pip", "install", "--quiet", "--editable", project]) != 0:
         raise SetUpFailed("Installing the Python packages failed; pip's reason is above.")
     print("Compiling the tracing kernels (seconds, once)", flush=True)
-    if _run([SCRIPTS / "python", "-m", "workbench.design.kernels"]) != 0:
+    if _run([SCRIPTS / "python", "-m", "workbench.analysis.kernels"]) != 0:
         raise SetUpFailed("Compiling the tracing kernels failed; the reason is above.")
     STAMP.write_text("\n".join({_key(""), _key(extra)}) + "\n")
 

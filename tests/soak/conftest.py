@@ -8,7 +8,7 @@ def kernels():
     """Kernels compiled beforehand: the program does not do so while it is watched."""
     import torch
 
-    from workbench.design.kernels import compile_all
+    from workbench.analysis.kernels import compile_all
     from workbench.optics.kernels.ready import is_ready
 
     compile_all()

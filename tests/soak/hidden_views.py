@@ -28,7 +28,7 @@ from ui.main_window import MainWindow
 from ui.views.view import View
 from workbench.analysis.benchmark.machine import Machine
 from workbench.analysis.benchmark.table import Column, Table
-from workbench.design.kernels import compile_all
+from workbench.analysis.kernels import compile_all
 from workbench.files.session import Session, open_design
 
 _SETTLING = 1.0  # seconds after a change of what is shown

@@ -21,7 +21,3 @@ def compile_all(goes_on: Callable[[], bool] = lambda: True) -> None:
         mass = np.full((2, 2), 0.25)
         push(mass, *mapped(c_transform(np.zeros((2, 2)), 1.0, 1.0), 1.0, 1.0))
     ready.compile_all(goes_on)
-
-
-if __name__ == "__main__":
-    compile_all()

@@ -1,0 +1,39 @@
+"""All that numba compiles for a design and for its check, got ready before it is needed."""
+
+from collections.abc import Callable
+
+import numpy as np
+
+from workbench.analysis.validation import validate
+from workbench.design import kernels
+from workbench.scene import Scene
+
+_TINY = {
+    "lens": {"half_width": [1, 1], "refractive_index": 1.5, "control_points": [4, 4]},
+    "screen": {"z": 5, "half_width": [1, 1], "pixels": [1, 1]},
+    "target": {"builtin": "tophat"},
+}
+# Between them they need every loop of the independent trace.
+_SOURCES = (
+    {"kind": "collimated", "rays": [1, 1]},
+    {"kind": "point", "position": [0, 0, -5], "rays": 1},
+)
+
+
+def compile_all(goes_on: Callable[[], bool] = lambda: True) -> None:
+    """Compile all kernels, or take them from disk.
+
+    Parameters
+    ----------
+    goes_on : callable
+        Asked before each part; the rest is left out once it says no.
+    """
+    kernels.compile_all(goes_on)
+    for source in _SOURCES:
+        if goes_on():
+            scene = Scene.from_data({**_TINY, "source": source})
+            validate(scene, np.ones((1, 1)), np.full((4, 4), 0.1), rays=1)
+
+
+if __name__ == "__main__":
+    compile_all()
