@@ -59,3 +59,10 @@ def test_nothing_is_computed_for_nobody(view, tilted, monkeypatch, qtbot):
     monkeypatch.setattr(view._image, "update", lambda heights: pytest.fail("computed"))
     view.show_frame(tilted(0.2))
     qtbot.wait(50)
+
+
+def test_where_labels_would_lie_over_each_other_it_says_so_instead(view, qtbot):
+    for height, empty in ((100, True), (400, False)):
+        view.resize(300, height)
+        qtbot.waitUntil(lambda empty=empty: view.empty is empty)
+        assert view._hint.text() == (view._NO_ROOM if empty else "")

@@ -30,6 +30,7 @@ from workbench.pictures.style import paint
 _LEFT_OF_IMAGE, _LEFT_OF_CURVE, _BOTTOM, _RIGHT, _TOP = 68, 84, 40, 18, 12
 _SPAN = 1.105  # of axes with a colour bar, in widths of the axes
 _BAR_LABELS = 62.0  # to begin with
+_LEAST = 30  # of axes; on smaller ones labels lie over each other
 _EDGE, _SLACK = 4.0, 20.0  # between the widest label and the end, at least and at most
 _TRIES = 3  # with more room, other numbers may stand beside the bar
 _FILE_DPI = 200
@@ -57,6 +58,13 @@ class Canvas(FigureCanvasQTAgg):
         self._artists: Sequence[Artist] = ()
         self._background: Any = None
         self.recolour()  # no white sheet before the first picture
+
+    @property
+    def roomy(self) -> bool:
+        """Whether there is room for axes beside their labels."""
+        left = _LEFT_OF_IMAGE if self._bar else _LEFT_OF_CURVE
+        across = self.width() - left - (self._bar_labels if self._bar else _RIGHT)
+        return bool(min(across, self.height() - _BOTTOM - _TOP) >= _LEAST)
 
     def begin(self) -> Axes:
         """Throw the old picture away; the axes of the next."""

@@ -33,6 +33,7 @@ class PlotView(View):
 
     _HAS_BAR = True
     _WAITING = "The first picture of this design comes in a moment."
+    _NO_ROOM = "There is too little room here for a picture."
     _NOTHING = "There is no picture of this design: its light cannot be traced."
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -51,6 +52,7 @@ class PlotView(View):
         self._over.addWidget(self._hint, 0, 0)
         self._shown: Session | None = None
         self._anew = True
+        self._roomy = True
 
     @property
     def empty(self) -> bool:
@@ -85,9 +87,12 @@ class PlotView(View):
         super().show_nothing(session)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Tell when the canvas gets the focus."""
+        """Tell when the canvas gets the focus, and note when it gets room or loses it."""
         if event.type() == QEvent.Type.FocusIn:
             self.touched.emit()
+        if event.type() == QEvent.Type.Resize and self._canvas.roomy is not self._roomy:
+            self._roomy = self._canvas.roomy
+            self._ask()
         return super().eventFilter(watched, event)
 
     def _draw(self, session: "Session", frame: "Frame | None") -> None:
@@ -96,7 +101,7 @@ class PlotView(View):
             self._canvas.animate(self._begin(self._canvas.begin(), session))
             self._anew = False
         self._shown = session
-        everything = self._explain(self._why_empty(frame)) | self._adapt()
+        everything = self._explain(self._why_empty(frame) or self._why_small()) | self._adapt()
         if frame is not None:
             everything |= self._change(frame)
         self._canvas.show_changes(everything)
@@ -129,6 +134,9 @@ class PlotView(View):
         if frame is not None:
             return ""
         return self._NOTHING if self._untraced else self._WAITING
+
+    def _why_small(self) -> str:
+        return "" if self._roomy else self._NO_ROOM
 
     def _begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
         """Put an empty picture of a design on the axes; the artists that will change."""
