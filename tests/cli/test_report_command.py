@@ -133,8 +133,8 @@ class TestHtml:
         for name, key in (
             ("on the screen", "on_screen"),
             ("beside the screen", "off_screen"),
-            ("reflected at the entrance", "fresnel_entrance"),
-            ("reflected at the exit", "fresnel_exit"),
+            ("reflected on entry", "fresnel_entrance"),
+            ("reflected on exit", "fresnel_exit"),
             ("totally reflected", "total_reflection"),
         ):
             assert number(found[name]) == pytest.approx(light[key], abs=1e-5), name

@@ -47,17 +47,22 @@ def figures(settings, qtbot):
     return figures
 
 
+def named(rows):
+    """As the table says it: each name begins with a capital."""
+    return {name[:1].upper() + name[1:]: value for name, value in rows}
+
+
 def rows(figures):
     return dict(line.split("\t") for line in figures.text.splitlines())
 
 
 def test_all_figures_are_told_and_each_is_explained(figures, designed, found):
     figures.show_check(Suspect(designed, designed.result.control_points), found, 0.0321)
-    assert rows(figures) == dict((*check_rows(found, 0.0321), *ledger_rows(found.ledger)))
+    assert rows(figures) == named((*check_rows(found, 0.0321), *ledger_rows(found.ledger)))
     told = rows(figures)
-    assert told["relative L2 error"] == f"{100 * found.relative_l2:.3f} %"
-    assert told["off the optimiser's image"] == "3.210 %"
-    assert told["on the screen"] == told["efficiency"] == f"{100 * found.efficiency:.3f} %"
+    assert told["Relative L2 error"] == f"{100 * found.relative_l2:.3f} %"
+    assert told["Off the optimiser's image"] == "3.210 %"
+    assert told["On the screen"] == told["Efficiency"] == f"{100 * found.efficiency:.3f} %"
     table = figures._table
     tips = [table.item(row, 0).toolTip() for row in range(table.rowCount())]
     assert len(set(tips)) == table.rowCount() == 20
@@ -89,7 +94,7 @@ def test_figures_of_the_lens_before_are_told_from_those_of_this(figures, designe
     figures.follow("")
     assert "of the lens before" in figures._hint.text() and not figures._hint.isHidden()
     assert not figures._table.isEnabled()
-    assert rows(figures)["rays"] == f"{found.rays:,}".replace(",", " ")
+    assert rows(figures)["Rays"] == f"{found.rays:,}".replace(",", " ")
 
 
 def test_the_choice_of_rays_is_kept(figures, settings, qtbot):
@@ -132,7 +137,7 @@ def test_a_check_brings_the_dock_with_its_figures(window, found, qtbot):
     qtbot.waitUntil(lambda: figures.text != "", timeout=60_000)
     qtbot.waitUntil(lambda: not figures._table.visibleRegion().isEmpty())
     own = window.bench.check._shown.snapshot.irradiance
-    told = dict(check_rows(found, relative_l2(found.irradiance, own)))
+    told = named(check_rows(found, relative_l2(found.irradiance, own)))
     assert told.items() <= rows(figures).items()
     assert figures._hint.isHidden()
     scene = window.document.session.scene

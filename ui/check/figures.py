@@ -49,11 +49,11 @@ _TIPS = {
     "rays": "Rays of the image; a quarter as many more are traced for the error without scatter.",
     "on the screen": "Light that makes the image.",
     "beside the screen": "Light that passes the lens and the screen by.",
-    "past the lens": "Light of the source that passes the entrance face by.",
-    "through the lens's side": "Light that meets a side wall before the exit face.",
+    "missed the lens": "Light of the source that passes the entrance face by.",
+    "out of the side": "Light that meets a side wall before the exit face.",
     "totally reflected": "Light that meets the exit face too steeply to leave the lens there.",
-    "reflected at the entrance": "The part that the entrance face reflects of what it refracts.",
-    "reflected at the exit": "The part that the exit face reflects of what it refracts.",
+    "reflected on entry": "The part that the entrance face reflects of what it refracts.",
+    "reflected on exit": "The part that the exit face reflects of what it refracts.",
 }
 
 
@@ -78,9 +78,10 @@ class CheckFigures(QWidget):
     def __init__(self, settings: QSettings, check: QAction, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._settings = settings
-        self._hint = QLabel(_NOTHING, wordWrap=True)
+        self._hint = QLabel(_NOTHING, wordWrap=True, alignment=Qt.AlignmentFlag.AlignCenter)
         self._hint.setContentsMargins(6, 4, 6, 2)
         self._table = QTableWidget(0, 2)
+        self._table.hide()  # until there is something in it
         self._table.setAccessibleName("Figures of the check")
         self._table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self._table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
@@ -144,6 +145,7 @@ class CheckFigures(QWidget):
 
         self._fill((*check_rows(found, difference), *ledger_rows(found.ledger)))
         self._table.setEnabled(True)
+        self._table.show()
         self._copy.setEnabled(True)
         self._hint.hide()
 
@@ -173,7 +175,7 @@ class CheckFigures(QWidget):
     def _fill(self, rows: "tuple[Row, ...]") -> None:
         self._table.setRowCount(len(rows))
         for number, row in enumerate(rows):
-            for column, text in enumerate(row):
+            for column, text in enumerate((row.name[:1].upper() + row.name[1:], row.value)):
                 item = QTableWidgetItem(text)
                 item.setToolTip(f"<p>{_TIPS[row.name]}</p>")
                 self._table.setItem(number, column, item)

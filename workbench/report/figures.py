@@ -13,11 +13,11 @@ from workbench.scene import Scene
 _LEDGER = {
     "on_screen": "on the screen",
     "off_screen": "beside the screen",
-    "missed_lens": "past the lens",
-    "left_side": "through the lens's side",
+    "missed_lens": "missed the lens",
+    "left_side": "out of the side",
     "total_reflection": "totally reflected",
-    "fresnel_entrance": "reflected at the entrance",
-    "fresnel_exit": "reflected at the exit",
+    "fresnel_entrance": "reflected on entry",
+    "fresnel_exit": "reflected on exit",
 }
 
 _STATES = {"met": "met", "broken": "not met", "open": "met where it was looked at"}
