@@ -5,16 +5,13 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QSettings, Qt
+from PySide6.QtCore import Qt
 
+from tests.ui.hands import move_screen
 from ui.check.checking import verified_error
-from ui.document import Document
-from ui.main_window import MainWindow
 from workbench.analysis.metrics import Quality
 from workbench.analysis.validation import Validation, validating
-from workbench.design.snapshot import History
 from workbench.errors import RunFailed
-from workbench.files.session import Session
 from workbench.optics.ledger import Ledger
 
 pytestmark = pytest.mark.usefixtures("kernels")
@@ -33,15 +30,8 @@ def few_rays(monkeypatch):
 
 
 @pytest.fixture
-def window(display, session, snapshots, tmp_path, qtbot):
-    history = History()
-    history.add(snapshots(3))
-    designed = Session(session.scene, session.target, history.result())
-    settings = QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat)
-    window = MainWindow(Document(designed, "flat"), settings)
-    qtbot.addWidget(window, before_close_func=lambda window: window.discard_and_close())
-    with qtbot.waitExposed(window):
-        window.show()
+def window(display, open_window, designed, qtbot):
+    window = open_window(designed)
     window.build()
     qtbot.waitUntil(lambda: window.bench.check._shown is not None, timeout=60_000)
     return window
@@ -92,8 +82,7 @@ def test_they_are_forgotten_with_the_lens(window, few_rays, qtbot):
     window.document.edit(scene.model_copy(update={"run": run}), "run", "")
     qtbot.waitUntil(lambda: window.bench.check._shown.session.scene.run.iterations == 17)
     assert figures(window).startswith("checked")  # it is the same lens
-    screen = scene.screen.model_copy(update={"z": 7.0})
-    window.document.edit(scene.model_copy(update={"screen": screen}), "screen", "")
+    move_screen(window.document, 7)
     qtbot.waitUntil(lambda: not figures(window), timeout=60_000)
     assert not window.status._check.isVisible()
     assert stack.count() == 2
@@ -102,9 +91,7 @@ def test_they_are_forgotten_with_the_lens(window, few_rays, qtbot):
 def test_a_check_of_a_lens_that_changes_meanwhile_says_nothing(window, gate, qtbot):
     window.commands["check"].trigger()
     qtbot.waitUntil(lambda: len(gate.begun) == 1)
-    scene = window.document.session.scene
-    screen = scene.screen.model_copy(update={"z": 7.0})
-    window.document.edit(scene.model_copy(update={"screen": screen}), "screen", "")
+    move_screen(window.document, 7)
     qtbot.waitUntil(lambda: not figures(window), timeout=60_000)
     window.commands["check"].trigger()
     assert figures(window) == "checking…"

@@ -8,26 +8,19 @@ import time
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QSettings, Qt, QTimer
+from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QApplication, QMessageBox, QPushButton
 
+from tests.ui.hands import move_screen
 from ui.document import Document
 from ui.files import left_behind
 from ui.files.left_behind import Choice
 from ui.files.recovery import Recovery
-from ui.main_window import MainWindow
 from workbench.errors import Refused
 from workbench.files.atomic import replacing
 from workbench.files.session import read_session, write_session
 
 pytestmark = pytest.mark.usefixtures("kernels")
-
-
-@pytest.fixture
-def document(qapp, session):
-    document = Document(session, "small")
-    yield document
-    document.deleteLater()
 
 
 @pytest.fixture
@@ -45,12 +38,6 @@ def keeping(document, tmp_path):
         recovery.close()
 
 
-def edit(document, z):
-    scene = document.session.scene
-    screen = scene.screen.model_copy(update={"z": float(z)})
-    document.edit(scene.model_copy(update={"screen": screen}), "edit", "")
-
-
 def kept(recovery):
     return sorted(file.name for file in recovery.folder.glob("*.freeform"))
 
@@ -65,10 +52,10 @@ def crash(recovery):
 def test_only_what_is_not_saved_is_kept(document, keeping, tmp_path):
     recovery = keeping()
     assert not recovery.keep_now() and not kept(recovery)
-    edit(document, 7)
+    move_screen(document, 7)
     assert recovery.keep_now()
     assert read_session(recovery._file).scene.screen.z == 7
-    edit(document, 8)
+    move_screen(document, 8)
     recovery.keep_now()
     assert read_session(recovery._file).scene.screen.z == 8
     document.save(tmp_path / "mine.freeform")
@@ -79,7 +66,7 @@ def test_only_what_is_not_saved_is_kept(document, keeping, tmp_path):
 def test_how_it_is_looked_at_is_kept_as_of_then(document, keeping):
     recovery = keeping()
     recovery.look = lambda: {"on": ["target_log"]}
-    edit(document, 7)
+    move_screen(document, 7)
     recovery.keep_now()
     assert read_session(recovery._file).view == {"on": ["target_log"]}
 
@@ -87,14 +74,14 @@ def test_how_it_is_looked_at_is_kept_as_of_then(document, keeping):
 def test_it_is_kept_every_minute(document, keeping, qtbot):
     recovery = keeping()
     assert recovery._timer.isActive() and recovery._timer.interval() == 60_000
-    edit(document, 7)
+    move_screen(document, 7)
     recovery._timer.timeout.emit()
     qtbot.waitUntil(lambda: bool(kept(recovery)))
 
 
 def test_what_is_kept_is_not_written_again(document, keeping):
     recovery = keeping()
-    edit(document, 7)
+    move_screen(document, 7)
     recovery.keep_now()
     recovery._file.unlink()
     recovery.keep_now()
@@ -103,7 +90,7 @@ def test_what_is_kept_is_not_written_again(document, keeping):
 
 def test_closing_leaves_nothing(document, keeping):
     recovery = keeping()
-    edit(document, 7)
+    move_screen(document, 7)
     recovery.keep_now()
     recovery.close()
     assert list(recovery.folder.iterdir()) == []
@@ -111,7 +98,7 @@ def test_closing_leaves_nothing(document, keeping):
 
 def test_a_signal_leaves_it_for_the_next_start(document, keeping):
     recovery = keeping()
-    edit(document, 7)
+    move_screen(document, 7)
     recovery.close(leave=True)
     recovery.close()
     (work,) = left_behind.find(recovery.folder)
@@ -135,7 +122,7 @@ def test_what_a_kill_broke_off_goes_with_the_work(document, tmp_path):
 
 def test_work_of_an_open_window_is_not_offered(document, keeping):
     recovery = keeping()
-    edit(document, 7)
+    move_screen(document, 7)
     recovery.keep_now()
     assert left_behind.find(recovery.folder) == []
     crash(recovery)
@@ -151,7 +138,7 @@ def test_name_and_file_come_back_unsaved(document, keeping, tmp_path):
     path = tmp_path / "mine.freeform"
     document.save(path)
     recovery = keeping()
-    edit(document, 7)
+    move_screen(document, 7)
     recovery.keep_now()
     crash(recovery)
     (work,) = left_behind.find(recovery.folder)
@@ -173,23 +160,13 @@ def test_a_full_disk_is_told_once(document, keeping, monkeypatch, qtbot):
     recovery, told = keeping(), []
     recovery.failed.connect(told.append)
     for z in (7, 8):
-        edit(document, z)
+        move_screen(document, z)
         assert not recovery.keep_now()
     qtbot.waitUntil(lambda: bool(told))
     assert len(told) == 1 and "No space left" in told[0]
 
 
-@pytest.fixture
-def window(display, session, tmp_path, qtbot):
-    settings = QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat)
-    window = MainWindow(Document(session, "small"), settings)
-    qtbot.addWidget(window, before_close_func=lambda window: window.discard_and_close())
-    with qtbot.waitExposed(window):
-        window.show()
-    return window
-
-
-def test_the_lens_of_a_run_is_kept_before_it_ends(window, tmp_path, qtbot):
+def test_the_lens_of_a_run_is_kept_before_it_ends(display, window, tmp_path, qtbot):
     window.build()
     scene = window.document.session.scene
     run = scene.run.model_copy(update={"iterations": 100_000})
@@ -221,7 +198,7 @@ def test_the_lens_of_a_run_is_kept_before_it_ends(window, tmp_path, qtbot):
 )
 def test_the_question_has_three_answers(window, document, keeping, qtbot, button, choice):
     recovery = keeping()
-    edit(document, 7)
+    move_screen(document, 7)
     recovery.keep_now()
     crash(recovery)
     (work,) = left_behind.find(recovery.folder)
@@ -241,7 +218,7 @@ def test_the_question_has_three_answers(window, document, keeping, qtbot, button
 
 def test_work_kept_when_the_system_ended_the_program_is_no_alarm(window, document, keeping, qtbot):
     recovery = keeping()
-    edit(document, 7)
+    move_screen(document, 7)
     recovery.close(leave=True)
     (work,) = left_behind.find(recovery.folder)
     boxes = []
@@ -263,7 +240,7 @@ def test_each_is_asked_about(document, keeping, monkeypatch):
     works = []
     for z in (7, 8, 9, 10):
         recovery = keeping()
-        edit(document, z)
+        move_screen(document, z)
         recovery.keep_now()
         os.utime(recovery._file, (z, z))
         crash(recovery)

@@ -1,15 +1,15 @@
 """Runs kept side by side: named, compared on the loss plot, gone back to, deleted; and checked."""
 
+import time
 from dataclasses import replace
 from types import SimpleNamespace
 
 import pytest
-from PySide6.QtCore import QSettings, Qt
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLineEdit
 
+from tests.ui.hands import move_screen
 from ui.check.checking import Suspect
-from ui.document import Document
-from ui.main_window import MainWindow
 from workbench.scene import Stage
 
 pytestmark = pytest.mark.usefixtures("kernels")
@@ -43,12 +43,7 @@ def checks(monkeypatch):
 
 
 @pytest.fixture
-def window(display, session, as_seen_run, checks, tmp_path, qtbot):
-    settings = QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat)
-    window = MainWindow(Document(session, "small"), settings)
-    qtbot.addWidget(window, before_close_func=lambda window: window.discard_and_close())
-    with qtbot.waitExposed(window):
-        window.show()
+def window(display, window, checks, as_seen_run):
     window.build()
     window.bench.control.runner._generate = as_seen_run(window.bench.control.runner, 6)
     window.workspace.docks["runs"].show()
@@ -69,9 +64,7 @@ def run(window, qtbot):
 @pytest.fixture
 def two_runs(window, run):
     run()
-    scene = window.document.session.scene
-    screen = scene.screen.model_copy(update={"z": 7.0})
-    window.document.edit(scene.model_copy(update={"screen": screen}), "screen", "")
+    move_screen(window.document, 7)
     run()
     return window
 
@@ -251,6 +244,9 @@ def test_a_stage_is_checked_at_its_end(window, snapshots, as_seen_run, checks, m
     monkeypatch.setattr("ui.check.run_check.QThread.idealThreadCount", lambda: 2)
 
     def staged(iteration, iterations):
+        give_up = time.monotonic() + 30
+        while iteration == 7 and not checks.asked and time.monotonic() < give_up:
+            time.sleep(0.002)  # or the run ends before the thread of the check has begun
         return replace(snapshots(iteration, iterations), stage=iteration // 4, stages=2)
 
     scene = window.document.session.scene
