@@ -437,6 +437,7 @@ def test_arrows_move_the_brush_from_where_it_was(sculpting, qtbot):
     for _ in range(6):
         qtbot.keyClick(view._plotter, Qt.Key.Key_Up)
     assert view._brush[0] == (7, 9)
+    qtbot.waitUntil(lambda: view._hand._held is None)
     qtbot.mouseMove(view._plotter, control_point(sculpting, (3, 4)))
     qtbot.waitUntil(lambda: view._brush[0] == (3, 4))
     QApplication.sendEvent(view._plotter, QEvent(QEvent.Type.Leave))
@@ -463,19 +464,21 @@ def test_a_brush_beyond_another_net_is_not_drawn(sculpting, qtbot):
     assert view._brush[0] == (7, 3)
 
 
-def hold_key(view, key, times, keys=Qt.KeyboardModifier.NoModifier):
-    """A key that is pressed and repeats itself, as long as it is not released."""
+def hold_key(view, key, times, as_repeats=True):
+    """A key that is pressed and repeats itself, and is not released yet."""
     for time in range(times):
         for kind in (QEvent.Type.KeyRelease, QEvent.Type.KeyPress)[time == 0 :]:
-            event = QKeyEvent(kind, key, keys, "", autorep=time > 0)
+            again = as_repeats and time > 0
+            event = QKeyEvent(kind, key, Qt.KeyboardModifier.NoModifier, "", again)
             QApplication.sendEvent(view._plotter, event)
 
 
-def test_a_held_key_is_one_step(sculpting, qtbot):
+@pytest.mark.parametrize("as_repeats", [True, False], ids=["told as repeats", "as on X11"])
+def test_a_held_key_is_one_step(sculpting, qtbot, as_repeats):
     bench, view, document = sculpting, sculpting.view, sculpting.document
     bench.commands["brush_smaller"]()
     bench.commands["brush_smaller"]()
-    hold_key(view, Qt.Key.Key_PageUp, 10)
+    hold_key(view, Qt.Key.Key_PageUp, 10, as_repeats)
     qtbot.waitUntil(lambda: view.frame.snapshot.control_points[6, 5] > 0.5, timeout=20_000)
     qtbot.waitUntil(lambda: "Moved by +0.06 cm" in view._hint.text())
     assert document.session.result is None
@@ -508,6 +511,7 @@ def test_esc_takes_a_held_key_back_and_lost_focus_lets_it_go(sculpting, qtbot):
     )
     QApplication.sendEvent(view._plotter, again)  # it is held still
     qtbot.keyRelease(view._plotter, Qt.Key.Key_PageDown)
+    qtbot.waitUntil(lambda: view._hand._held is None)
     assert document.undo_stack.count() == 0 and not bench.put_away
     hold_key(view, Qt.Key.Key_PageDown, 3)
     QApplication.sendEvent(view._plotter, QFocusEvent(QEvent.Type.FocusOut))
@@ -533,11 +537,13 @@ def test_space_locks_and_unlocks_what_is_in_the_brush(bench, qtbot):
     qtbot.keyClick(view._plotter, Qt.Key.Key_Escape)
     assert view.locked is None and not bench.put_away
     qtbot.keyClick(view._plotter, Qt.Key.Key_Space)
+    qtbot.waitUntil(lambda: document.undo_stack.count() == 1)
     locked = document.session.locked
     assert locked[5:8, 4:7].all() and locked.sum() == 9
     assert document.undo_stack.undoText() == "lock points"
     qtbot.keyClick(view._plotter, Qt.Key.Key_Right)
     qtbot.keyClick(view._plotter, Qt.Key.Key_Return)
+    qtbot.waitUntil(lambda: document.undo_stack.count() == 2)
     locked = document.session.locked
     assert locked[5, 4:7].all() and locked.sum() == 3
     assert document.undo_stack.undoText() == "unlock points"

@@ -5,12 +5,13 @@
 2. Without a tool a press and a release at one place are a click, which picks.
 3. A key that the tool takes does its work again and again while it is held, as one drag, which the
    mouse does not disturb. Another key or button ends it, and so does the focus that goes elsewhere:
-   the release would be told there.
+   the release would be told there. X11 may tell of a key that repeats itself as if it were released
+   and pressed at once, so a release counts only if no press comes right behind it.
 4. Keys that no tool takes are for the view, which turns the camera, and for the window.
 5. Other buttons, and the wheel without Ctrl, are the camera's with any tool.
 """
 
-from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
+from PySide6.QtCore import QEvent, QObject, QPointF, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QApplication, QWidget
 
@@ -18,6 +19,7 @@ from ui.views.keys import COMMANDS
 from ui.views.tools.tool import Pointer, Tool
 
 _LEFT = Qt.MouseButton.LeftButton
+_BEHIND = 100  # milliseconds; a server under load takes as long, fingers seldom are as fast
 _NOTCH = 120  # Qt's measure of the wheel's smallest turn
 
 # VTK and pyvista do things at a key that the window knows nothing of: wireframe, picking, the end.
@@ -41,26 +43,34 @@ class Hand(QObject):
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
         self._tool: Tool | None = None
-        self._held: Qt.MouseButton | int | None = None  # the button or key that the tool works by
+        self._held: Qt.MouseButton | int | None = None  # a button or key that the tool has taken
+        self._works = False  # the tool, by what is held
+        self._lifted = False  # what is held, unless a press comes right behind
+        self._behind = QTimer(self, singleShot=True, interval=_BEHIND)
+        # Queued: a press that waits because the window was busy is told before.
+        self._behind.timeout.connect(self._find_released, Qt.ConnectionType.QueuedConnection)
         self._pressed_at: QPointF | None = None
 
     def take(self, tool: Tool | None) -> None:
         """Take another tool; what the one before has under way is taken back."""
+        self._find_released()
         if self._tool is not None:
             self.drop()
             self._tool.hover(None)
-        self._tool = tool
+        self._tool, self._held, self._lifted = tool, None, False
 
     def drop(self) -> None:
         """Take back what is under way; until the next press, movements and held keys do nothing."""
-        if self._tool is not None and self._held is not None:
-            self._held = None
+        if self._tool is not None and self._works:
+            self._works = False
             self._tool.cancel()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Whether the event is kept from the plotter."""
         assert isinstance(watched, QWidget)
         tool = self._tool
+        if isinstance(event, QKeyEvent) and event.key() != self._held:
+            self._find_released()
         if isinstance(event, QKeyEvent) and event.key() == Qt.Key.Key_Escape:
             if event.type() == QEvent.Type.KeyPress:
                 event.setAccepted(self._escape())  # or it is the window's
@@ -84,11 +94,13 @@ class Hand(QObject):
         kind, at = event.type(), _pointer(plotter, event)
         if kind == QEvent.Type.MouseButtonPress and event.button() is _LEFT:
             self._let_go()  # of a key
-            self._held = _LEFT if tool.press(at) else None
-            return self._held is _LEFT
+            self._works = tool.press(at)
+            self._held = _LEFT if self._works else None
+            return self._works
         if kind == QEvent.Type.MouseMove:
             if self._held is _LEFT:
-                tool.drag(at)
+                if self._works:
+                    tool.drag(at)
                 return True
             if self._held is None and not event.buttons():
                 tool.hover(at)
@@ -102,22 +114,30 @@ class Hand(QObject):
         key, again, keys = event.key(), event.isAutoRepeat(), event.modifiers()
         if event.type() == QEvent.Type.KeyRelease:
             if key == self._held and not again:
-                self._let_go()
+                self._lifted = True
+                self._behind.start()
             return key in tool.keys
         if key not in tool.keys or keys & COMMANDS or self._held is _LEFT:
             return False
-        if not again:
+        if not again and not self._lifted:
             self._let_go()  # of another key
             tool.press_key(key)
-            self._held = key
-        if key == self._held:
+            self._held, self._works = key, True
+        self._lifted = False
+        if key == self._held and self._works:
             tool.repeat_key(key, fine=bool(keys & Qt.KeyboardModifier.ShiftModifier))
         return True
 
+    def _find_released(self) -> None:
+        """Let go of a key whose release was one."""
+        if self._lifted:
+            self._let_go()
+
     def _let_go(self) -> None:
         """Leave what is under way as it is."""
-        if self._tool is not None and self._held is not None:
-            self._held = None
+        self._held, self._lifted = None, False
+        if self._tool is not None and self._works:
+            self._works = False
             self._tool.release()
 
     def _click(self, plotter: QWidget, event: QMouseEvent) -> bool:
@@ -139,7 +159,7 @@ class Hand(QObject):
 
     def _escape(self) -> bool:
         """Whether there was anything to leave."""
-        if self._held is not None:
+        if self._works:
             self.drop()
             return True
         if self._tool is not None:
