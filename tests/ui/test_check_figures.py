@@ -1,34 +1,19 @@
 """All figures of a check in a dock: told, explained, copied; and the choice of rays."""
 
 import pytest
-from PySide6.QtCore import QSettings, Qt
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction, QGuiApplication
 
+from tests.ui.hands import move_screen
 from ui.check.checking import Suspect
 from ui.check.figures import CheckFigures
-from ui.document import Document
-from ui.main_window import MainWindow
 from workbench.analysis.metrics import relative_l2
 from workbench.analysis.validation import validate, validating
-from workbench.design.snapshot import History
-from workbench.files.session import Session
 from workbench.report.figures import check_rows, ledger_rows
 
 pytestmark = pytest.mark.usefixtures("kernels")
 
 RAYS = 20_000
-
-
-@pytest.fixture
-def settings(tmp_path):
-    return QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat)
-
-
-@pytest.fixture
-def designed(session, snapshots):
-    history = History()
-    history.add(snapshots(3))
-    return Session(session.scene, session.target, history.result())
 
 
 @pytest.fixture
@@ -112,7 +97,7 @@ def test_the_choice_of_rays_is_kept(figures, settings, qtbot):
 
 
 @pytest.fixture
-def window(display, designed, found, settings, monkeypatch, qtbot):
+def window(display, open_window, designed, found, monkeypatch, qtbot):
     asked = []
 
     def few(scene, target, heights, rays, threads):
@@ -120,11 +105,8 @@ def window(display, designed, found, settings, monkeypatch, qtbot):
         return validating(scene, target, heights, RAYS)
 
     monkeypatch.setattr("workbench.analysis.validation.validating", few)
-    window = MainWindow(Document(designed, "flat"), settings)
+    window = open_window(designed)
     window.asked = asked
-    qtbot.addWidget(window, before_close_func=lambda window: window.discard_and_close())
-    with qtbot.waitExposed(window):
-        window.show()
     window.build()
     qtbot.waitUntil(lambda: window.bench.check._shown is not None, timeout=60_000)
     return window
@@ -140,9 +122,7 @@ def test_a_check_brings_the_dock_with_its_figures(window, found, qtbot):
     told = named(check_rows(found, relative_l2(found.irradiance, own)))
     assert told.items() <= rows(figures).items()
     assert figures._hint.isHidden()
-    scene = window.document.session.scene
-    screen = scene.screen.model_copy(update={"z": 7.0})
-    window.document.edit(scene.model_copy(update={"screen": screen}), "screen", "")
+    move_screen(window.document, 7)
     qtbot.waitUntil(lambda: not figures._table.isEnabled(), timeout=60_000)
     assert told.items() <= rows(figures).items()
 
