@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-import pyvista
 
 from workbench.pictures.lens import LensPicture
 from workbench.pictures.sight import Sight
@@ -16,13 +15,6 @@ GRID = {
     "points": [5, 5],
     "rays": 10,
 }
-
-
-@pytest.fixture
-def plotter():
-    made = pyvista.Plotter(off_screen=True, window_size=[640, 400])
-    yield made
-    made.close()
 
 
 @pytest.fixture
@@ -63,6 +55,8 @@ def test_moving_rounds_to_what_a_person_would_type(make_scene):
     point = make_scene({"source": POINT}).source
     by = np.array([0.01234567, -0.1, 0.00001])
     assert moved(point, "middle", by, 3).position == (0.112, 0.1, -3.0)
+    back = moved(point, "middle", -np.array(point.position) - 1e-9, 3).position
+    assert str(back) == "(0.0, 0.0, 0.0)"  # not -0
     grid = make_scene({"source": GRID}).source
     assert moved(grid, "middle", by, 3).center == (0.112, -0.1, -3.0)
 

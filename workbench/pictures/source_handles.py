@@ -93,7 +93,7 @@ def moved(source: Source, handle: Handle, by: Array, digits: int) -> Source:
 
 
 def _rounded(lengths: Array, digits: int) -> tuple[float, ...]:
-    return tuple(np.round(lengths, digits).tolist())
+    return tuple((np.round(lengths, digits) + 0.0).tolist())  # without -0
 
 
 def _handles(source: Source) -> Array:
