@@ -2,19 +2,11 @@
 
 import numpy as np
 import pytest
-import pyvista
 
 from workbench.pictures.camera import FittedCamera
 from workbench.pictures.sight import Sight
 
-HEIGHT = 400
-
-
-@pytest.fixture
-def plotter():
-    made = pyvista.Plotter(off_screen=True, window_size=[640, HEIGHT])
-    yield made
-    made.close()
+HEIGHT = 400  # of the plotter
 
 
 @pytest.fixture(params=[False, True], ids=["parallel", "perspective"])

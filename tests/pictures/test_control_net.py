@@ -2,17 +2,9 @@
 
 import numpy as np
 import pytest
-import pyvista
 
 from workbench.pictures.control_net import ControlNetPicture
 from workbench.pictures.lens import LensPicture
-
-
-@pytest.fixture
-def plotter():
-    made = pyvista.Plotter(off_screen=True, window_size=[640, 400])
-    yield made
-    made.close()
 
 
 @pytest.fixture

@@ -2,19 +2,11 @@
 
 import numpy as np
 import pytest
-import pyvista
 
 from workbench.geometry.surface import sample_surface
 from workbench.optics.paths import ray_paths
 from workbench.pictures.images import target_irradiance
 from workbench.pictures.lens import LensPicture
-
-
-@pytest.fixture
-def plotter():
-    made = pyvista.Plotter(off_screen=True, window_size=[640, 400])
-    yield made
-    made.close()
 
 
 @pytest.fixture

@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-import pyvista
 
 from workbench.pictures.sight import Sight
 
@@ -11,16 +10,14 @@ IN_PLANE = np.eye(3)[:2]
 
 
 @pytest.fixture(params=["parallel", "perspective"])
-def plotter(request):
-    made = pyvista.Plotter(off_screen=True, window_size=[640, 400])
-    made.camera.position, made.camera.focal_point = (4.0, -5.0, 3.0), (0.2, 0.1, 0.5)
-    made.camera.up = (0.0, 0.0, 1.0)
-    made.camera.parallel_projection = request.param == "parallel"
-    made.camera.parallel_scale = 2.0
-    made.camera.clipping_range = (0.1, 20.0)
-    made.render()
-    yield made
-    made.close()
+def plotter(request, plotter):
+    plotter.camera.position, plotter.camera.focal_point = (4.0, -5.0, 3.0), (0.2, 0.1, 0.5)
+    plotter.camera.up = (0.0, 0.0, 1.0)
+    plotter.camera.parallel_projection = request.param == "parallel"
+    plotter.camera.parallel_scale = 2.0
+    plotter.camera.clipping_range = (0.1, 20.0)
+    plotter.render()
+    return plotter
 
 
 def test_points_are_where_vtk_draws_them(plotter, rng):

@@ -60,6 +60,16 @@ def display(qapp):
 
 
 @pytest.fixture
+def application(qapp):
+    """The application, which looks as before after the test."""
+    sheet, palette, style = qapp.styleSheet(), qapp.palette(), qapp.style().name()
+    yield qapp
+    qapp.setStyleSheet(sheet)
+    qapp.setPalette(palette)
+    qapp.setStyle(style)
+
+
+@pytest.fixture
 def make_session(make_scene):
     """Makes designs of the small scene with some fields changed."""
 
@@ -178,9 +188,16 @@ def show(qtbot):
     return show
 
 
+def activate(widget, qtbot):
+    with qtbot.waitActive(widget):
+        widget.show()
+        widget.activateWindow()
+    return widget
+
+
 @pytest.fixture
 def settings(tmp_path):
-    """What windows keep, of nobody as yet."""
+    """What windows remember: nothing as yet."""
     return QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat)
 
 
@@ -191,10 +208,7 @@ def open_window(session, settings, qtbot):
     def make(session=session, name="small"):
         window = MainWindow(Document(session, name), settings)
         qtbot.addWidget(window, before_close_func=MainWindow.discard_and_close)
-        with qtbot.waitActive(window):
-            window.show()
-            window.activateWindow()
-        return window
+        return activate(window, qtbot)
 
     return make
 
@@ -219,10 +233,7 @@ def open_forms(qtbot):
         forms = Forms(document)
         qtbot.addWidget(forms)
         forms.resize(330, 900)
-        with qtbot.waitActive(forms):
-            forms.show()
-            forms.activateWindow()
-        return forms
+        return activate(forms, qtbot)
 
     return make
 

@@ -11,14 +11,6 @@ SIZE = QSize(1280, 800)
 
 
 @pytest.fixture
-def application(qapp):
-    sheet, style = qapp.styleSheet(), qapp.style().name()
-    yield qapp
-    qapp.setStyleSheet(sheet)
-    qapp.setStyle(style)
-
-
-@pytest.fixture
 def large(window, qtbot):
     window.resize(SIZE)
     qtbot.waitUntil(lambda: window.size() == SIZE)

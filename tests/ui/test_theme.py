@@ -9,15 +9,6 @@ from PySide6.QtGui import QColor, QPalette
 from ui import theme
 
 
-@pytest.fixture
-def application(qapp):
-    sheet, palette, style = qapp.styleSheet(), qapp.palette(), qapp.style().name()
-    yield qapp
-    qapp.setStyleSheet(sheet)
-    qapp.setPalette(palette)
-    qapp.setStyle(style)
-
-
 def dark_palette():
     return QPalette(QColor("#222"), QColor("#222"))
 

@@ -9,6 +9,7 @@ import torch
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from tests.optics.kernels.twins import lens, with_gradient
 from workbench.geometry.surface import ControlNet
 from workbench.optics.collimated import CollimatedRays
 from workbench.optics.kernels.collimated import FusedCollimatedRays
@@ -25,22 +26,6 @@ def twins(scene, dtype, mirrored=(False, False)):
         Reference(CollimatedRays(scene, net, dtype)),
         FusedCollimatedRays(scene, net, scene.source.rays, mirrored, dtype),
     )
-
-
-def lens(scene, seed, amplitude):
-    """Heights that are wild from an amplitude of 0.3 on: total reflection, light anywhere."""
-    noise = np.random.default_rng(seed).normal(size=scene.lens.control_points)
-    return torch.tensor(scene.lens.base.height + amplitude * noise)
-
-
-def with_gradient(tracer, heights, scene, cotangent):
-    leaf = heights.clone().requires_grad_()
-    light = tracer.image(leaf, scene.screen, scene.filter)
-    if not light.flux.requires_grad:
-        return light, torch.zeros_like(heights)
-    weighed = (light.flux * cotangent.to(light.flux.dtype)).sum()
-    (gradient,) = torch.autograd.grad(weighed, leaf, allow_unused=True)
-    return light, torch.zeros_like(heights) if gradient is None else gradient
 
 
 def share_in_band(scene, heights):

@@ -6,6 +6,7 @@ import torch
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from tests.optics.kernels.twins import lens, with_gradient
 from workbench.geometry.surface import ControlNet
 from workbench.optics.face_samples import FaceSamples
 from workbench.optics.kernels.face import FusedFaceSamples
@@ -19,20 +20,6 @@ def twins(scene, samples, dtype):
         Reference(FaceSamples(scene, net, samples, dtype)),
         FusedFaceSamples(scene, net, samples, dtype=dtype),
     )
-
-
-def lens(scene, seed, amplitude):
-    """Heights that are wild from an amplitude of 0.3 on: folds, and total reflection."""
-    noise = np.random.default_rng(seed).normal(size=scene.lens.control_points)
-    return torch.tensor(scene.lens.base.height + amplitude * noise)
-
-
-def with_gradient(tracer, heights, scene, cotangent):
-    leaf = heights.clone().requires_grad_()
-    light = tracer.image(leaf, scene.screen, scene.filter)
-    weighed = (light.flux * cotangent.to(light.flux.dtype)).sum()
-    (gradient,) = torch.autograd.grad(weighed, leaf)
-    return light, gradient
 
 
 @st.composite
