@@ -1,7 +1,7 @@
-"""What hands do at the forms of a design."""
+"""What hands do at the forms and dialogs of a window."""
 
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QWidget
+from PySide6.QtCore import Qt, QTimer
+from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
 
 
 def rows(forms):
@@ -49,3 +49,22 @@ def move_screen(document, z, text="change of screen at z", key=""):
     scene = document.session.scene
     screen = scene.screen.model_copy(update={"z": float(z)})
     document.edit(scene.model_copy(update={"screen": screen}), text, key)
+
+
+def accept_as(pattern):
+    """Accept the dialog for a file that is about to open, in the format of this pattern.
+
+    Gives a list that holds all formats afterwards.
+    """
+    formats = []
+
+    def accept():
+        dialog = next(w for w in QApplication.topLevelWidgets() if isinstance(w, QFileDialog))
+        formats.extend(dialog.nameFilters())
+        chosen = next(each for each in formats if pattern in each)
+        dialog.selectNameFilter(chosen)
+        dialog.filterSelected.emit(chosen)
+        dialog.accept()
+
+    QTimer.singleShot(300, accept)
+    return formats

@@ -6,8 +6,8 @@ from types import SimpleNamespace
 
 import pytest
 from PySide6.QtCore import QTimer
-from PySide6.QtWidgets import QApplication, QFileDialog
 
+from tests.ui.hands import accept_as
 from workbench.files.export.formats import FORMATS
 
 
@@ -85,16 +85,6 @@ def test_without_a_lens_there_is_nothing_to_export(window):
 
 def test_the_dialog_offers_every_format_and_adds_its_ending(window, tmp_path, qtbot):
     window.document.save(tmp_path / "mine.freeform")
-    seen = []
-
-    def accept():
-        dialog = next(w for w in QApplication.topLevelWidgets() if isinstance(w, QFileDialog))
-        seen.append(dialog.nameFilters())
-        chosen = next(each for each in dialog.nameFilters() if "*.height.npy" in each)
-        dialog.selectNameFilter(chosen)
-        dialog.filterSelected.emit(chosen)
-        dialog.accept()
-
-    QTimer.singleShot(300, accept)
+    formats = accept_as("*.height.npy")
     assert window.exporter.ask_for_name() == tmp_path / "mine.height.npy"
-    assert len(seen[0]) == len(FORMATS)
+    assert len(formats) == len(FORMATS)

@@ -4,9 +4,8 @@ import subprocess
 import sys
 
 import pytest
-from PySide6.QtCore import QTimer
-from PySide6.QtWidgets import QApplication, QFileDialog
 
+from tests.ui.hands import accept_as
 from ui.files import reporter
 
 
@@ -117,13 +116,5 @@ def test_without_a_lens_there_is_nothing_to_report(window):
 
 def test_the_dialog_adds_the_ending(window, tmp_path):
     window.document.save(tmp_path / "mine.freeform")
-
-    def accept():
-        dialog = next(w for w in QApplication.topLevelWidgets() if isinstance(w, QFileDialog))
-        pdf = next(each for each in dialog.nameFilters() if "*.pdf" in each)
-        dialog.selectNameFilter(pdf)
-        dialog.filterSelected.emit(pdf)
-        dialog.accept()
-
-    QTimer.singleShot(300, accept)
+    accept_as("*.pdf")
     assert window.reporter.ask_for_name() == tmp_path / "mine.pdf"
