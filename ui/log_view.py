@@ -2,6 +2,7 @@
 
 from datetime import datetime
 
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QPlainTextEdit, QWidget
 
 _LINES = 2000  # of which the oldest give way
@@ -22,6 +23,15 @@ class LogView(QPlainTextEdit):
         bar = self.verticalScrollBar()
         bar.rangeChanged.connect(lambda _, end: bar.setValue(end) if self._at_end else None)
         bar.valueChanged.connect(self._note_place)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Stay at the end, which lies elsewhere with lines of another width."""
+        at_end = self._at_end
+        super().resizeEvent(event)
+        if at_end:
+            bar = self.verticalScrollBar()
+            bar.setValue(bar.maximum())
+            self._at_end = True
 
     def add(self, sentence: str) -> None:
         """Write a line below the others."""

@@ -46,13 +46,15 @@ def test_its_end_is_shown_until_one_scrolls_up(qtbot, show):
     show(log, 300, 120)
     bar = log.verticalScrollBar()
     qtbot.waitUntil(lambda: bar.value() == bar.maximum() > 0)
-    log.resize(200, 90)
-    qtbot.waitUntil(lambda: bar.value() == bar.maximum())
+    for width, height in ((200, 90), (900, 700), (120, 60), (1500, 300), (120, 60)):
+        log.resize(width, height)
+        log.add("one more, also with more words than fit into a short line")
+        qtbot.waitUntil(lambda: bar.value() == bar.maximum())
     bar.setValue(3)
     log.add("another")
     log.resize(300, 120)
     qtbot.wait(50)
-    assert bar.value() == 3
+    assert bar.value() < bar.maximum() / 2
 
 
 def test_behind_another_tab_nothing_is_drawn(qtbot, monkeypatch):
