@@ -161,6 +161,12 @@ def test_a_material_brings_its_wavelength_and_an_own_index_takes_it_away(forms, 
     assert not row(forms, "lens.wavelength_um", visible=False).isVisible()
 
 
+def test_an_impossible_index_is_marked_where_it_was_typed(forms, qtbot):
+    material, index = (each for each in rows(forms) if each.path == "lens.refractive_index")
+    fill(qtbot, index.editors[index.path], "-1")
+    assert "greater than 1" in index.refusal and not material.refusal
+
+
 def test_a_sphere_brings_its_fields(forms, document, qtbot):
     choose(forms, "lens.base.shape", "sphere")
     assert document.session.scene.lens.base.shape == "sphere"

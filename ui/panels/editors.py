@@ -87,15 +87,13 @@ class Chooser(QComboBox):
         event.ignore()
 
 
-class Refusal(QLabel):
+class Wrapped(QLabel):
     """Wrapped text that is never cut off: forms ask for its height before they know its width."""
 
     def __init__(self) -> None:
         super().__init__()
-        self.setObjectName("refusal")
         self.setWordWrap(True)
         self.setTextFormat(Qt.TextFormat.PlainText)
-        self.hide()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Keep the height that fits the width."""
@@ -103,10 +101,23 @@ class Refusal(QLabel):
         self._insist()
 
     def say(self, text: str) -> None:
-        """Show a text; nothing is shown for an empty one."""
+        """Show a text."""
         self.setText(text)
-        self.setVisible(bool(text))
         self._insist()
 
     def _insist(self) -> None:
         self.setMinimumHeight(max(0, self.heightForWidth(self.width())))
+
+
+class Refusal(Wrapped):
+    """Why something is not possible; hidden where everything is."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("refusal")
+        self.hide()
+
+    def say(self, text: str) -> None:
+        """Show a reason; nothing is shown for an empty one."""
+        super().say(text)
+        self.setVisible(bool(text))

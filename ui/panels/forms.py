@@ -201,4 +201,5 @@ class ScenePanel(Panel):
 
 
 def _row_of(path: str, rows: list[Row]) -> Row | None:
-    return next((row for row in rows if row.concerns(path)), None)
+    """The row of a path; of two, the one that comes after its choice and has the value."""
+    return next((row for row in reversed(rows) if row.concerns(path)), None)

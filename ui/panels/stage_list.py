@@ -3,8 +3,9 @@
 from typing import Any
 
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QListWidget, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QListWidget, QToolButton, QVBoxLayout, QWidget
 
+from ui.panels.editors import Wrapped
 from ui.panels.edits import Edit
 from ui.panels.fields import Row
 from ui.panels.run import METHODS
@@ -35,8 +36,7 @@ class StageListRow(Row):
         self._list.setTextElideMode(Qt.TextElideMode.ElideRight)
         self._list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._list.currentRowChanged.connect(lambda _: self.chosen.emit())
-        self._rest = QLabel()
-        self._rest.setWordWrap(True)
+        self._rest = Wrapped()
         self._add_button = _button("Add", "Add a stage behind the others")
         self._remove_button = _button("Remove", "Remove the chosen stage")
         self._up_button = _button("Up", "Run the chosen stage sooner")
@@ -87,12 +87,12 @@ class StageListRow(Row):
                     self._list.item(number - 1).setToolTip(_summary(stage))
                 self._list.setCurrentRow(chosen)
         if stages:
-            self._rest.setText(f"Then the scene as it stands, {_iterations(self._left)}.")
+            self._rest.say(f"Then the scene as it stands, {_iterations(self._left)}.")
             rows = min(len(stages), _MOST_SEEN)
             frame = 2 * self._list.frameWidth()
             self._list.setFixedHeight(rows * self._list.sizeHintForRow(0) + frame)
         else:
-            self._rest.setText("None: the scene is run as it stands.")
+            self._rest.say("None: the scene is run as it stands.")
         self._list.setVisible(bool(stages))
         self._enable()
 
