@@ -117,7 +117,7 @@ class LossPicture:
         look = {"color": _THIS_RUN, "linewidth": 1.5, "zorder": 3}
         (self._line,) = axes.plot([], [], **look, label="this run")  # type: ignore[arg-type]
         (self._points,) = axes.plot(
-            [], [], "o", color=_CHECKED, markersize=5, zorder=4, label="verified"
+            [], [], "o", color=_CHECKED, markersize=5, zorder=4, clip_on=False, label="verified"
         )
         self._value = axes.text(
             0.97, 0.94, "", transform=axes.transAxes, ha="right", va="top", fontsize=_FONT + 1
