@@ -65,6 +65,7 @@ class RunTable(QWidget):
         self._marked: set[int] = set()  # ids of results, which outlive other names
         self._hint = QLabel(_NOTHING, alignment=Qt.AlignmentFlag.AlignCenter)
         self._hint.setWordWrap(True)
+        self._hint.setMargin(self.fontMetrics().height())
         self.table = QTableWidget(0, len(_COLUMNS))
         self.table.setAccessibleName("Kept runs")
         self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
