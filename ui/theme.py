@@ -15,6 +15,8 @@ _INK = "#666"  # the one colour of all icons but the program's own
 # Beside the palette's greys; readable (7:1) on both grounds, and told by an icon as well.
 _REFUSED = {"light": "#a40020", "dark": "#ff9a8d"}
 _WARNING = {"light": "#fff0c8", "dark": "#4d3f10"}
+# Fusion's buttons that are on look like the others in the dark.
+_ON = {"light": "#b5d3ee", "dark": "#2a6296"}
 _NOTE = {"light": "#dcebfa", "dark": "#1d3a56"}
 
 
@@ -81,6 +83,7 @@ def _colour(application: QApplication) -> None:
         }}
         QToolButton#heading {{
             font-weight: 600; border: none; border-bottom: 1px solid palette(mid); padding: 4px;
+            background: none;
         }}
         QToolButton#heading:hover, QToolButton#heading:focus {{ background: palette(midlight); }}
         QDockWidget {{
@@ -95,6 +98,7 @@ def _colour(application: QApplication) -> None:
             qproperty-elideMode: ElideNone; qproperty-usesScrollButtons: true;
         }}
         MenuButton::menu-indicator {{ image: none; }}
+        QToolButton:checked, QPushButton:checked {{ background-color: {_ON[scheme]}; }}
         QTreeWidget#commands::item {{ padding: 3px; }}
         QLabel#hint {{ background: {_NOTE[scheme]}; padding: 6px; }}
         QFrame#warning {{ background: {_WARNING[scheme]}; }}

@@ -5,6 +5,7 @@ import re
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QPalette
+from PySide6.QtWidgets import QPushButton
 
 from ui import theme
 
@@ -43,6 +44,26 @@ def test_what_is_coloured_can_be_read(scheme, ground, text):
     assert contrast(theme._REFUSED[scheme], ground) >= 4.5
     for ground_of_message in (theme._WARNING, theme._NOTE):
         assert contrast(text, ground_of_message[scheme]) >= 7
+
+
+@pytest.mark.parametrize(("scheme", "ink"), [("light", "#000"), ("dark", "#fff")])
+def test_what_is_on_can_be_read_and_told_from_what_is_off(application, scheme, ink, qtbot):
+    theme.apply(application)
+    if scheme == "dark":
+        application.styleHints().colorSchemeChanged.emit(Qt.ColorScheme.Dark)
+        application.setPalette(dark_palette())
+        qtbot.waitUntil(lambda: theme._ON["dark"] in application.styleSheet())
+    assert contrast(ink, theme._ON[scheme]) >= 4.5
+    button = QPushButton(checkable=True)
+    qtbot.addWidget(button)
+    button.resize(80, 30)
+    off, on = (_middle(button, checked) for checked in (False, True))
+    assert on.blue() - on.red() > 30 > off.blue() - off.red()
+
+
+def _middle(button, checked):
+    button.setChecked(checked)
+    return button.grab().toImage().pixelColor(40, 15)
 
 
 @pytest.mark.parametrize("name", ["dock-close", "dock-float"])
