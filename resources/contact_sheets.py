@@ -1,72 +1,76 @@
 """Photographs every dock and dialog: ``python -m resources.contact_sheets FOLDER``.
 
-One sheet for each of three sizes of the window, light and dark, to be looked at after changes of
-the window. Needs a screen of 2560 × 1440 pixels, real or virtual.
+Sheets for each of three sizes of the window, light and dark, to be looked at after changes of the
+window: as it begins, with a lens that was designed and checked, and what pops up over it. Needs a
+screen of 2560 × 1440 pixels, real or virtual.
 """
 
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
-from PySide6.QtCore import QSize, Qt
+from PySide6.QtCore import QEventLoop, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPixmap
+from PySide6.QtWidgets import QApplication
 
-from resources.make_screenshot import begin, design, dialog_of, open_window, settle
-from ui.commands.table import PANES
+from resources import contact_parts as parts
+from resources.make_screenshot import begin, design, open_window, settle
 from ui.main_window import MainWindow
-from ui.tour import STOPS, Bubble
 
 _SIZES = (QSize(1280, 800), QSize(1600, 1000), QSize(2560, 1440))
 _SCHEMES = {"light": Qt.ColorScheme.Light, "dark": Qt.ColorScheme.Dark}
-_DIALOGS = ("gallery", "palette", "shortcuts")
 _GAP = 12
 _ITERATIONS = 10  # enough for curves
+_SAMPLING = 20_000  # milliseconds: enough lenses for a distribution
+
+Part = Callable[[MainWindow], Iterator[QPixmap]]
 
 
 def make(folder: Path) -> None:
-    """Write ``SCHEME-WIDTH.png`` for each."""
+    """Write ``SCHEME-WIDTH-PART.png`` for each."""
     application = begin()
     window = open_window("flame", _SIZES[0])
-    scene = window.document.session.scene
-    run = scene.run.model_copy(update={"iterations": _ITERATIONS})
-    window.document.edit(scene.model_copy(update={"run": run}), "iterations", "")
-    design(window)
-    for name, scheme in _SCHEMES.items():
-        application.styleHints().setColorScheme(scheme)
-        for size in _SIZES:
-            window.commands["reset_layout"].trigger()
-            window.resize(size)
-            settle()
-            pictures = [window.grab(), *_panes(window), *_dialogs(window), *_tour(window)]
-            _sheet(pictures, size.width()).save(str(folder / f"{name}-{size.width()}.png"))
+    settle()
+    _photograph(application, window, folder, {"begun": parts.docks})
+    _work(window)
+    over = {"curve": parts.curve, "tools": parts.tools, "menus": parts.menus}
+    asked = {"dialogs": parts.dialogs, "tour": parts.tour}
+    _photograph(application, window, folder, {"docks": parts.docks, **over, **asked})
+    _photograph(application, window, folder, {"forms": parts.forms})
     window.discard_and_close()
 
 
-def _panes(window: MainWindow) -> Iterator[QPixmap]:
-    for name in PANES:
-        window.commands[f"go_{name}"].trigger()
-        settle(1000)
-        if name != "scene":
-            yield window.workspace.docks[name].grab()
-    window.messages.warn("A message with something to do.", ("Do it", window.messages.clear))
-    settle()
-    yield window.grab()  # with all of them
-    window.messages.clear()
-    window.commands["reset_layout"].trigger()
+def _work(window: MainWindow) -> None:
+    """Two runs, a check, a sample of tolerances, and a line across the image."""
+    bench, scene = window.bench, window.document.session.scene
+    assert bench is not None
+    run = scene.run.model_copy(update={"iterations": _ITERATIONS})
+    window.document.edit(scene.model_copy(update={"run": run}), "iterations", "")
+    for _ in range(2):
+        design(window)
+    checked = QEventLoop()
+    bench.check.checked.connect(checked.quit)
+    window.commands["check"].trigger()
+    checked.exec()
+    start = bench.production.tolerances.form.begin
+    start.click()
+    settle(_SAMPLING)
+    start.click()
 
 
-def _dialogs(window: MainWindow) -> Iterator[QPixmap]:
-    for command in _DIALOGS:
-        yield dialog_of(window, command)
-
-
-def _tour(window: MainWindow) -> Iterator[QPixmap]:
-    window.commands["tour"].trigger()
-    bubble = window.findChild(Bubble)
-    for _ in STOPS:
-        settle(300)
-        yield bubble.grab()
-        bubble.on.click()
+def _photograph(
+    application: QApplication, window: MainWindow, folder: Path, wanted: dict[str, Part]
+) -> None:
+    for name, scheme in _SCHEMES.items():
+        application.styleHints().setColorScheme(scheme)
+        for size in _SIZES:
+            window.resize(size)
+            settle(500)
+            window.commands["reset_layout"].trigger()
+            settle()
+            for part, pictures in wanted.items():
+                sheet = _sheet(list(pictures(window)), size.width())
+                sheet.save(str(folder / f"{name}-{size.width()}-{part}.png"))
 
 
 def _sheet(pictures: list[QPixmap], width: int) -> QPixmap:
