@@ -53,10 +53,12 @@ def seen(view, show):
 def test_shows_the_map_of_the_middle_point_and_its_sum(seen, frame, session, qtbot):
     seen.show_frame(frame(1))
     assert seen.index == (6, 5)
+    qtbot.waitUntil(lambda: "no map" in seen._hint.text())
+    assert seen.empty
     qtbot.waitUntil(lambda: "changes by" in seen._sum.text(), timeout=20_000)
     scene = session.scene
     wished = irradiance_derivative(scene, np.full((12, 10), 0.49), (6, 5))
-    qtbot.waitUntil(lambda: seen._image.artists[0].get_array().count() > 0)
+    qtbot.waitUntil(lambda: not seen.empty)
     shown = seen._image.artists[0].get_array()
     np.testing.assert_allclose(shown.filled(0), wished.map, atol=1e-12)
     np.testing.assert_array_equal(shown.mask, wished.map == 0)

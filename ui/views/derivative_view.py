@@ -151,6 +151,11 @@ class DerivativeView(PlotView, WhileSeen):
         self._sum.setText(sentence)
         self._ask()
 
+    def _why_empty(self, frame: "Frame | None") -> str:
+        if frame is not None and self._map is None:
+            return "There is no map of this point yet."
+        return super()._why_empty(frame)
+
     def _begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
         self._image = DerivativeImage(axes, session.scene)
         return self._image.artists
