@@ -128,7 +128,7 @@ class TestHtml:
             assert number(found[name]) == pytest.approx(check[key], rel=1e-3, abs=1e-5), name
         low, high = check["relative_l2_interval"]
         assert found["95 % of other rays"] == f"{100 * low:.3f} % to {100 * high:.3f} %"
-        assert found["rays"].replace(" ", "") == str(check["rays"])
+        assert found["rays"].replace(",", "") == str(check["rays"])
         light = check["ledger"]
         for name, key in (
             ("on the screen", "on_screen"),

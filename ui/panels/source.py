@@ -163,7 +163,7 @@ class _RaysEachRow(NumberRow):
         super().show_scene(data, pending)
         source = value_at(data, self._source)
         in_all = math.prod(source["points"]) * source["rays"]
-        self.set_unit(f"= {in_all:,} in all".replace(",", "\N{THIN SPACE}"))
+        self.set_unit(f"= {in_all:,} in all")
 
 
 def _begun(kind: str, task: Scene) -> dict[str, object]:

@@ -39,7 +39,7 @@ def check_rows(found: Validation, difference: float) -> tuple[Row, ...]:
         Row("contrast", _or_dash(quality.contrast, ".5f")),
         Row("efficiency", percent(found.efficiency)),
         Row("off the optimiser's image", percent(difference)),
-        Row("rays", f"{found.rays:,}".replace(",", " ")),
+        Row("rays", f"{found.rays:,}"),
     )
 
 
