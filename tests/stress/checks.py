@@ -99,7 +99,9 @@ def as_near_as_rounding(case: Case, make: Make, one: Seen, other: Seen, dtype: t
     apart = _distances(one, other, rounding)
     if (apart <= CLOSE[dtype]).all():
         return
-    near = [_distances(one, seen, rounding) for seen in _neighbours(case, make, dtype)]
+    # All that neighbours differ by counts, be it below the noise: of several rays on edges each has
+    # some moved, and a mirror moves all.
+    near = [_distances(one, seen, 0) for seen in _neighbours(case, make, dtype)]
     allowed = CLOSE[dtype] + 8 * np.max(near, axis=0)
     assert (apart <= allowed).all(), f"apart by {apart}, rounding does {allowed}"
 
