@@ -120,7 +120,6 @@ class LossPicture:
             [], [], "o", color=_CHECKED, markersize=5, zorder=4, clip_on=False, label="verified"
         )
         self._points.set_in_layout(False)  # where there are none, they lie at 0, 0
-        self._points.set_in_layout(False)  # not clipped, it would count even while it is empty
         self._value = axes.text(
             0.97, 0.94, "", transform=axes.transAxes, ha="right", va="top", fontsize=_FONT + 1
         )
