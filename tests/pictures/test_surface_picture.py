@@ -57,3 +57,23 @@ def test_the_scale_stays_for_faces_alike(scene, axes):
     image = SurfaceImage(axes, scene, NAMED["slope"])
     changes = [image.update(tilted(scene, 0.1 * k, 0.0)) for k in (1.0, 1.1, 0.9, 9.0)]
     assert changes == [True, False, False, True]
+
+
+def test_rounding_of_a_flat_face_does_not_make_the_scale(make_scene):
+    lens = make_scene().lens
+    image = SurfaceImage(Figure().subplots(), make_scene(), ASPECTS[0])
+    image.update(lens.base.height + 1e-13 * np.ones(lens.control_points))
+    assert image.artists[0].get_clim() == (-1.0, 1.0)
+    image.update(lens.base.height + 0.9e-5 * np.ones(lens.control_points))
+    assert image.artists[0].get_clim() == pytest.approx((-1e-5, 1e-5))
+
+
+def test_small_numbers_beside_the_bar_are_written_out(make_scene):
+    axes = Figure().subplots()
+    image = SurfaceImage(axes, make_scene(), ASPECTS[0])
+    lens = make_scene().lens
+    image.update(lens.base.height + 1e-6 * np.ones(lens.control_points))
+    axes.figure.draw_without_rendering()
+    bar = axes.child_axes[0].yaxis
+    assert bar.get_offset_text().get_text() == ""
+    assert "0.0000010" in {label.get_text() for label in bar.get_ticklabels()}

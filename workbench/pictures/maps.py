@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 from matplotlib.colors import Colormap
-from matplotlib.ticker import MaxNLocator
+from matplotlib.ticker import MaxNLocator, ScalarFormatter
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -76,7 +76,9 @@ def colour_bar(axes: "Axes", image: Any, unit: str, extend: str) -> None:
     bar = axes.figure.colorbar(image, cax=beside, extend=extend)
     bar.set_label(unit, fontsize=_FONT)
     bar.ax.tick_params(labelsize=_FONT)
-    bar.ax.yaxis.get_offset_text().set_fontsize(_FONT)
+    if isinstance(bar.formatter, ScalarFormatter):  # a power of ten above would be cut off
+        bar.formatter.set_useOffset(False)
+        bar.formatter.set_scientific(False)
     bar.outline.set_linewidth(0.6)
 
 
@@ -107,7 +109,9 @@ def settled_scale(values: Array, scale: float, least: float = 0.0) -> float:
     least : float
         Magnitude below which there is nothing but rounding.
     """
-    largest = max(float(np.quantile(np.abs(values), _ENOUGH)), least)
+    largest = float(np.quantile(np.abs(values), _ENOUGH))
+    if largest < least:
+        return round_scale(0.0)
     return scale if scale / 3 <= largest <= scale else round_scale(largest)
 
 
