@@ -61,7 +61,7 @@ def source_rows(
         ),
         NumberRow(
             f"{path}.center",
-            "Center",
+            "Centre",
             "The middle of the grid: x, y and z. All points have the same z, before the "
             "entrance face.",
             LENGTH,
