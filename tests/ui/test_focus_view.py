@@ -1,5 +1,6 @@
 """Light before and behind the screen: traced for eyes, the latest distance first."""
 
+import threading
 import time
 
 import numpy as np
@@ -133,8 +134,17 @@ def test_it_follows_the_lens_when_it_rests(view, frame, wavy, traces, qtbot):
     assert [rays for _, rays in traces] == [FEW, MANY]
 
 
-def test_of_another_design_nothing_is_shown_before_it_is_traced(view, session, wavy, frame, qtbot):
+def test_of_another_design_nothing_is_shown_before_it_is_traced(
+    view, session, wavy, frame, monkeypatch, qtbot
+):
     traced(view, frame, qtbot)
+    gate = threading.Event()
+
+    def later(*where, **how):
+        assert gate.wait(30)
+        return (yield from validating(*where, **how))
+
+    monkeypatch.setattr("workbench.analysis.validation.validating", later)
     scene = session.scene
     screen = scene.screen.model_copy(update={"pixels": (16, 16)})
     other = Session(scene.model_copy(update={"screen": screen}), session.target[::2, ::2])
@@ -142,6 +152,7 @@ def test_of_another_design_nothing_is_shown_before_it_is_traced(view, session, w
     view.show_frame(moved)
     assert view._light is None
     qtbot.waitUntil(lambda: view.empty)
+    gate.set()
     traced(view, moved, qtbot)
     assert view._values.shape == (16, 16) and not view.empty
     view.show_nothing(other)

@@ -105,19 +105,24 @@ class RunStatus:
 
 
 def _figure(bar: QStatusBar, tip: str, longest: str) -> QLabel:
-    label = QLabel()
-    label.setToolTip(tip)
+    label = _label(bar, tip)
     label.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-    label.setMinimumWidth(label.fontMetrics().horizontalAdvance(longest))
-    bar.addPermanentWidget(label)
+    width = label.fontMetrics().horizontalAdvance(longest)
+    label.setMinimumWidth(width + label.contentsMargins().left())
     return label
 
 
 def _passing(bar: QStatusBar, tip: str) -> QLabel:
     """A figure that is there only sometimes."""
-    label = QLabel()
-    label.setToolTip(f"<p>{tip}</p>")
+    label = _label(bar, f"<p>{tip}</p>")
     label.hide()
+    return label
+
+
+def _label(bar: QStatusBar, tip: str) -> QLabel:
+    label = QLabel()
+    label.setToolTip(tip)
+    label.setContentsMargins(label.fontMetrics().averageCharWidth(), 0, 0, 0)
     bar.addPermanentWidget(label)
     return label
 
