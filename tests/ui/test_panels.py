@@ -193,6 +193,18 @@ def test_text_typed_into_a_field_that_goes_is_dropped(forms, document, qtbot, el
     assert document.session is collimated and told == []
 
 
+def test_a_refused_edit_goes_with_the_kind_of_its_field(forms, document, qtbot):
+    enter(qtbot, forms, "source.rays[1]", "-3")
+    enter(qtbot, forms, "run.iterations", "-1")
+    choose(forms, "source.kind", "point")  # whose rays are one number
+    assert document.session.scene.source.kind == "point"
+    assert row(forms, "run.iterations").refusal and not row(forms, "source.rays").refusal
+    enter(qtbot, forms, "screen.z", "7")
+    assert document.session.scene.screen.z == 7
+    enter(qtbot, forms, "run.iterations", "20")
+    assert document.session.scene.run.iterations == 20 and not forms.refused
+
+
 def test_the_method_keeps_what_both_have(forms, document, qtbot):
     enter(qtbot, forms, "run.iterations", "17")
     choose(forms, "run.method", "paper")

@@ -45,6 +45,15 @@ def value_at(data: dict[str, Any], path: str) -> Any:
     return value
 
 
+def has_place(data: dict[str, Any], edit: Edit) -> bool:
+    """Whether a scene, as plain data, has what the edit would change a part of."""
+    for path in edit.changes:
+        place, last = _place(data, path)
+        if not (last < len(place) if isinstance(last, int) else isinstance(place, dict)):
+            return False
+    return True
+
+
 def edited_scene(scene: Scene, edits: Iterable[Edit]) -> Scene:
     """The scene after some edits.
 
@@ -56,7 +65,13 @@ def edited_scene(scene: Scene, edits: Iterable[Edit]) -> Scene:
     data = scene.to_data()
     for edit in edits:
         for path, value in edit.changes.items():
-            *parents, last = _STEP.findall(path)
-            place: Any = value_at(data, ".".join(parents)) if parents else data
-            place[int(last) if isinstance(place, list) else last] = value
+            place, last = _place(data, path)
+            place[last] = value
     return Scene.from_data(data)
+
+
+def _place(data: dict[str, Any], path: str) -> tuple[Any, int | str]:
+    """What holds the value at a path, and the value's index or name there."""
+    *parents, last = _STEP.findall(path)
+    place: Any = value_at(data, ".".join(parents)) if parents else data
+    return place, int(last) if isinstance(place, list) else last

@@ -8,7 +8,7 @@ from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QVBoxLayout, QWidget
 
 from ui.document import Document
-from ui.panels.edits import Edit, edited_scene
+from ui.panels.edits import Edit, edited_scene, has_place
 from ui.panels.fields import ChoiceRow, Row
 from ui.panels.lens import LensPanel
 from ui.panels.light import FilterPanel, ScreenPanel
@@ -150,7 +150,7 @@ class Forms(QScrollArea):
         self._pending = {
             path: waiting
             for path, waiting in self._pending.items()
-            if any(row.concerns(path) for row in present)
+            if has_place(data, waiting.edit) and any(row.concerns(path) for row in present)
         }
         for panel in self.panels:
             panel.show_session(session, set(self._pending))
