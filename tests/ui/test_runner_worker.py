@@ -15,8 +15,8 @@ def work():
     """Does a job and returns its result and the sentence of its failure."""
 
     def do(job, generate):
-        ends = []
-        worker = Worker(generate)
+        ends, job = [], dataclasses.replace(job, generate=generate)
+        worker = Worker()
         worker.ended.connect(lambda *end: ends.append(end))
         worker.work(job)
         ((ended, result, sentence),) = ends

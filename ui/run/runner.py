@@ -82,13 +82,13 @@ class Runner(QObject):
         """
         if self._state != "idle":
             raise RuntimeError(f"cannot start a run while one is {self._state}")
-        self._give(Job(session, continue_run=continue_run))
+        self._give(Job(session, continue_run=continue_run, generate=self._generate))
         self._set_state("running")
 
     def preview(self, session: "Session") -> None:
         """Show the lens as it stands: with its stored figures, or those of a first trace."""
         if self._state == "idle":
-            self._give(Job(session, preview=True))
+            self._give(Job(session, preview=True, generate=self._generate))
 
     def show(self, frame: "Frame") -> None:
         """Show a frame that was made elsewhere, in place of a preview."""
@@ -139,7 +139,7 @@ class Runner(QObject):
 
     def _start_thread(self) -> None:
         self._thread = QThread()
-        self._worker = Worker(self._generate)
+        self._worker = Worker()
         self._worker.moveToThread(self._thread)
         self._worker.ended.connect(self._end)
         self._job_given.connect(self._worker.work)

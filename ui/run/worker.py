@@ -81,30 +81,23 @@ class Job:
         Show the lens as it stands and stop there.
     continue_run : bool
         Go on from the session's lens: its result, or the one that it starts from.
+    generate : callable, optional
+        Makes the snapshots of a run; `workbench.design.run.run` by default.
     """
 
     session: "Session"
     preview: bool = False
     continue_run: bool = False
+    generate: Generate | None = None
     gate: Gate = field(default_factory=Gate)
     mailbox: Mailbox[Frame] = field(default_factory=Mailbox)
 
 
 class Worker(QObject):
-    """Does jobs one after the other in the thread that it was moved to.
-
-    Parameters
-    ----------
-    generate : Callable, optional
-        Makes the snapshots of a run; `workbench.design.run.run` by default.
-    """
+    """Does jobs one after the other in the thread that it was moved to."""
 
     # The job; its result or None; a sentence that says what went wrong, or nothing.
     ended = Signal(object, object, str)
-
-    def __init__(self, generate: Generate | None) -> None:
-        super().__init__()
-        self._generate = generate
 
     @Slot(object)
     def work(self, job: Job) -> None:
@@ -160,7 +153,7 @@ class Worker(QObject):
         session, locked = job.session, job.session.locked
         locks = locked is not None and locked.any()
         start = session.control_points if job.continue_run or job.preview or locks else None
-        generate = self._generate or _engine()
+        generate = job.generate or _engine()
         yield from generate(session.scene, session.target, start, locked)
 
 
