@@ -1,4 +1,4 @@
-"""All that numba compiles for a design, got ready before it is needed: seconds, once."""
+"""All that numba compiles for a design, got ready before it is needed."""
 
 from collections.abc import Callable
 
