@@ -50,6 +50,7 @@ def fake_run(monkeypatch, rng):
                     seconds=float(i),
                     best=True,
                 )
+            return "all iterations are done"
 
         monkeypatch.setattr("workbench.design.run.run", run)
 

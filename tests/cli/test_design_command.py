@@ -29,8 +29,16 @@ class TestDone:
         status, printed, progress = freeform("design", scene_file, "-o", out, "--json")
         assert status == 0
         figures = json.loads(printed.splitlines()[-1])
-        assert sorted(figures) == ["efficiency", "iterations", "ledger", "loss", "seconds"]
+        assert sorted(figures) == [
+            "efficiency",
+            "ended",
+            "iterations",
+            "ledger",
+            "loss",
+            "seconds",
+        ]
         result = read_session(out).result
+        assert figures["ended"] == result.ended == "all iterations are done"
         assert figures["loss"] == result.loss
         assert figures["iterations"] == result.iterations == 10
         assert figures["seconds"] == result.seconds
@@ -48,6 +56,7 @@ class TestDone:
         assert status == 0
         assert printed.count("\n") == 1
         assert "after 10 iterations" in printed
+        assert printed.endswith("on the screen; all iterations are done\n")
 
     def test_locked_control_points_of_a_session_stay(self, freeform, scene_file, out):
         assert freeform("design", scene_file, "-o", out)[0] == 0

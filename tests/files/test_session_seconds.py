@@ -1,4 +1,4 @@
-"""Sessions keep when each iteration ended, which earlier ones did not."""
+"""Sessions keep when each iteration and why the run ended, which earlier ones did not."""
 
 import zipfile
 from dataclasses import replace
@@ -24,9 +24,10 @@ def session(make_scene, rng):
         seconds=2.0,
         ledger=Ledger(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
         seconds_at=np.array([1.0, 1.25, 2.0]),
+        ended="stopped",
     )
     target = rng.random((6, 7))
-    earlier = replace(result, seconds_at=None)
+    earlier = replace(result, seconds_at=None, ended="")
     runs = (KeptRun("now", scene, target, result), KeptRun("earlier", scene, target, earlier))
     return Session(scene, target, result, runs=runs)
 
@@ -37,8 +38,17 @@ def test_seconds_come_back(session, tmp_path):
     now, earlier = (run.result for run in found.runs)
     for result in (found.result, now):
         assert result.times().tolist() == [1.0, 1.25, 2.0]
+        assert result.ended == "stopped"
+    assert earlier.ended == ""
     assert earlier.seconds_at is None
     assert earlier.times().tolist() == pytest.approx([2 / 3, 4 / 3, 2])
+
+
+def test_a_long_reason_is_cut_short(session, tmp_path):
+    path = tmp_path / "lens.freeform"
+    ended = "failed: " + 2000 * "x"
+    write_session(replace(session, result=replace(session.result, ended=ended)), path)
+    assert read_session(path).result.ended == ended[:1000]
 
 
 def test_seconds_of_another_number_of_iterations_are_refused(session, tmp_path):

@@ -157,6 +157,7 @@ def as_run(snapshots):
             for iteration in range(iterations + 1):
                 time.sleep(pause)
                 yield snapshots(iteration, iterations)
+            return "all iterations are done"
 
         return run
 
@@ -179,6 +180,7 @@ def as_seen_run(snapshots):
                 while not any(each is snapshot for each in seen):
                     assert time.monotonic() < give_up, "nobody looks"
                     time.sleep(0.002)
+            return "all iterations are done"
 
         return run
 

@@ -7,7 +7,7 @@
 3. A paused run waits at the gate's condition, which stopping wakes; it never polls.
 """
 
-from collections.abc import Callable, Generator, Iterator
+from collections.abc import Callable, Generator
 from dataclasses import dataclass, field
 from threading import Condition
 from typing import TYPE_CHECKING
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from workbench.files.session import Session
     from workbench.scene import Run, Scene
 
-Generate = Callable[["Scene", Array, Array | None, Mask | None], Iterator[Snapshot]]
+Generate = Callable[["Scene", Array, Array | None, Mask | None], Generator[Snapshot, None, str]]
 
 
 class Gate:
@@ -118,10 +118,9 @@ class Worker(QObject):
 
     def _run(self, job: Job, history: History) -> None:
         gate, unseen = job.gate, None
-        snapshots = self._snapshots(job)
+        snapshots = history.follow(self._snapshots(job))
         try:
             for snapshot in snapshots:
-                history.add(snapshot)
                 unseen = snapshot
                 if gate.held or job.mailbox.empty:
                     job.mailbox.put(make_frame(job.session, snapshot, history))
@@ -147,14 +146,14 @@ class Worker(QObject):
                 snapshots.close()
         job.mailbox.put(make_frame(job.session, snapshot, History(result)))
 
-    def _snapshots(self, job: Job) -> Generator[Snapshot, None, None]:
+    def _snapshots(self, job: Job) -> Generator[Snapshot, None, str]:
         # A preview of a lens without figures of this task is the first one of a run from there, and
         # locked control points are those of the lens that is there, however the run begins.
         session, locked = job.session, job.session.locked
         locks = locked is not None and locked.any()
         start = session.control_points if job.continue_run or job.preview or locks else None
         generate = job.generate or _engine()
-        yield from generate(session.scene, session.target, start, locked)
+        return (yield from generate(session.scene, session.target, start, locked))
 
 
 def _engine() -> Generate:

@@ -55,9 +55,9 @@ def design(path: Path, output: Path, iterations: int | None, seconds: float, as_
 
         start = session.control_points
         try:
-            with closing(Progress(seconds)) as progress:
-                for snapshot in run(scene, session.target, start, session.locked):
-                    history.add(snapshot)
+            snapshots = history.follow(run(scene, session.target, start, session.locked))
+            with closing(Progress(seconds)) as progress, closing(snapshots):
+                for snapshot in snapshots:
                     progress.show(snapshot)
                     if interruption.asked or snapshot.seconds >= seconds:
                         break
@@ -84,5 +84,6 @@ def _print(result: Result, as_json: bool) -> None:
     else:
         print(
             f"loss {figures.loss:.4g} after {figures.iterations} iterations in "
-            f"{figures.seconds:.1f} s; {figures.efficiency:.1%} of the light on the screen"
+            f"{figures.seconds:.1f} s; {figures.efficiency:.1%} of the light on the screen; "
+            f"{result.ended}"
         )

@@ -11,7 +11,7 @@
 - What is its own mirror image is traced in one half or quarter alone.
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Generator
 from functools import partial
 from itertools import islice
 
@@ -43,12 +43,19 @@ _ROUGH = 0.15
 _REACH = 0.3
 # A phase ends when this many steps together lower the loss by less than this part.
 _PATIENCE, _PROGRESS = 30, 0.01
+_SLOW = f"converged: less than {100 * _PROGRESS:g} % better in {_PATIENCE} iterations"
+_LOWEST = "converged: no step makes the image better"
 
 
 def auto_steps(
     scene: Scene, target: Array, start: Array | None, locked: Mask | None = None
-) -> Iterator[Step]:
+) -> Generator[Step, None, str]:
     """Evaluate lens after lens through all phases; see `workbench.design.run.run`.
+
+    Returns
+    -------
+    str
+        Why it ended of its own accord.
 
     Raises
     ------
@@ -90,7 +97,11 @@ def auto_steps(
             left -= 1
             best.append(min([found.value, *best[-1:]]))
             if len(best) > _PATIENCE and best[-1] > (1 - _PROGRESS) * best[-1 - _PATIENCE]:
+                ended = _SLOW
                 break
+        else:
+            ended = _LOWEST
+    return ended
 
 
 def _joined(first: Array, before: Array, locked: Mask | None) -> Array:

@@ -1,6 +1,7 @@
 """The method of the paper: Adam on the control heights through tanh, or through a network."""
 
-from collections.abc import Iterator
+from collections.abc import Generator
+from typing import NoReturn
 
 import numpy as np
 import numpy.typing as npt
@@ -26,7 +27,7 @@ def paper_steps(
     settings: PaperRun,
     start: Array | None,
     locked: Mask | None = None,
-) -> Iterator[Step]:
+) -> Generator[Step, None, NoReturn]:
     """Evaluate lens after lens, for ever; see `workbench.design.run.run`.
 
     The inputs of the tanh are those of the undesigned lens, or of ``start``, plus how far the

@@ -6,8 +6,7 @@ so both take effect within one iteration.
 
 import math
 import time
-from collections.abc import Iterator, Sequence
-from itertools import islice
+from collections.abc import Generator, Sequence
 
 import numpy as np
 import numpy.typing as npt
@@ -23,10 +22,12 @@ from workbench.scene import PaperRun, Scene
 
 Array = npt.NDArray[np.float64]
 
+_DONE, _LOCKED = "all iterations are done", "all control points are locked"
+
 
 def run(
     scene: Scene, target: Array, start: Array | None = None, locked: Mask | None = None
-) -> Iterator[Snapshot]:
+) -> Generator[Snapshot, None, str]:
     """Design a lens.
 
     Parameters
@@ -45,6 +46,11 @@ def run(
     ------
     Snapshot
         First the lens before any step, then one after each iteration.
+
+    Returns
+    -------
+    str
+        Why there are no more, as `History.follow` keeps it.
 
     Raises
     ------
@@ -67,16 +73,17 @@ def run(
         net = ControlNet.of(part.lens)
         # The first lens of a later stage counts as an iteration: its loss is one of another task.
         most = 1 if done else part.run.iterations + (stage == first)
-        steps = islice(_steps(part, target, start, locked), most)
+        steps = _steps(part, target, start, locked)
         lowest = math.inf
-        while True:
+        for _ in range(most):
             resumed = time.perf_counter()
             try:
-                step = next(steps, None)
+                step = next(steps)
+            except StopIteration as end:
+                ended = end.value
+                break
             except RunFailed as error:
                 raise RunFailed(f"stopped at iteration {iteration}: {error}") from None
-            if step is None:
-                break
             heights = step.heights.cpu().double().numpy()
             merit = step.loss if step.merit is None else step.merit
             best = merit < lowest
@@ -99,8 +106,11 @@ def run(
                 notes=step.notes,
             )
             iteration += 1
+        else:
+            ended = _LOCKED if done else _DONE
         if stage + 1 < len(parts):
             start = net.carry(best_heights, ControlNet.of(parts[stage + 1].lens))
+    return ended
 
 
 def _check_nets(parts: Sequence[Scene], finished: ControlNet) -> None:
@@ -114,7 +124,9 @@ def _check_nets(parts: Sequence[Scene], finished: ControlNet) -> None:
             )
 
 
-def _steps(scene: Scene, target: Array, start: Array | None, locked: Mask | None) -> Iterator[Step]:
+def _steps(
+    scene: Scene, target: Array, start: Array | None, locked: Mask | None
+) -> Generator[Step, None, str]:
     if isinstance(scene.run, PaperRun):
         return paper_steps(scene, target, scene.run, start, locked)
     return auto_steps(scene, target, start, locked)

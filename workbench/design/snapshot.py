@@ -1,5 +1,6 @@
 """What a run tells the world: immutable snapshots, and the result they add up to."""
 
+from collections.abc import Generator
 from dataclasses import dataclass
 
 import numpy as np
@@ -78,6 +79,8 @@ class Result:
         the end, since stages may be put before a run that is done.
     seconds_at : ndarray, shape (iterations,), optional
         Run time at the end of each iteration; None where it was not kept.
+    ended : str
+        Why the run ended, as `History.follow` says it; empty where it was not kept.
     """
 
     control_points: Array
@@ -89,6 +92,7 @@ class Result:
     stage_starts: tuple[int, ...] = ()
     stages_left: int = 0
     seconds_at: Array | None = None
+    ended: str = ""
 
     @property
     def iterations(self) -> int:
@@ -119,6 +123,29 @@ class History:
         self._best: Snapshot | None = None
         self._last: Snapshot | None = None
         self._stage_starts: list[int] = []
+        self._ended = ""
+
+    def follow(self, run: Generator[Snapshot, None, str]) -> Generator[Snapshot, None, None]:
+        """Take in the snapshots of a run as they pass, and at last why there are no more.
+
+        That is what the run returns, "stopped" if this generator is closed before, or
+        "failed: …" with the exception, which goes on to the caller.
+        """
+        try:
+            while True:
+                snapshot = next(run)
+                self.add(snapshot)
+                yield snapshot
+        except StopIteration as end:
+            self._ended = end.value
+        except GeneratorExit:
+            self._ended = "stopped"
+            raise
+        except Exception as error:
+            self._ended = f"failed: {error}"
+            raise
+        finally:
+            run.close()
 
     def add(self, snapshot: Snapshot) -> None:
         """Take in the next snapshot."""
@@ -169,6 +196,7 @@ class History:
             stage_starts=self.stage_starts(),
             stages_left=self._best.stages - 1 - self._best.stage,
             seconds_at=self.times(),
+            ended=self._ended,
         )
 
 

@@ -81,4 +81,5 @@ def read_result(entries: Entries, folder: str, scene: Scene, figures: Figures) -
         stage_starts=starts,
         stages_left=figures.stages_left or 0,
         seconds_at=entries.array(seconds, count) if seconds in entries else None,
+        ended=figures.ended or "",
     )

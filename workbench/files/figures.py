@@ -11,6 +11,9 @@ from workbench.scene import NonNegative, Part, Positive
 
 Count = Annotated[int, Field(ge=0)]
 
+LONGEST_REASON = 1000
+"""Characters that are kept of why a run ended."""
+
 
 class LedgerFigures(Part):
     """`Ledger` as JSON; parts may be negative by a rounding error."""
@@ -46,6 +49,7 @@ class Figures(Part):
     ledger: LedgerFigures
     stage_starts: tuple[int, ...] | None = None  # of a run in stages
     stages_left: Count | None = None  # of one that ended before the last
+    ended: Annotated[str, Field(max_length=LONGEST_REASON)] | None = None  # why it did
 
     @classmethod
     def of(cls, result: Result) -> Self:
@@ -58,6 +62,7 @@ class Figures(Part):
             ledger=LedgerFigures(**result.ledger.to_data()),
             stage_starts=result.stage_starts or None,
             stages_left=result.stages_left or None,
+            ended=result.ended[:LONGEST_REASON] or None,
         )
 
     def to_ledger(self) -> Ledger:

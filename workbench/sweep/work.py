@@ -72,8 +72,8 @@ def _design(task: Task, threads: int | None) -> Done:
         torch.set_num_threads(threads)
     compile_all()  # which is no part of any run's time
     history = History()
-    for snapshot in run(task.scene, task.target):
-        history.add(snapshot)
+    for _ in history.follow(run(task.scene, task.target)):
+        pass
     result = history.result()
     assert result is not None  # a run begins with a snapshot
     check = validate(
