@@ -80,7 +80,7 @@ def run(
             try:
                 step = next(steps)
             except StopIteration as end:
-                ended = end.value
+                ended: str = end.value
                 break
             except RunFailed as error:
                 raise RunFailed(f"stopped at iteration {iteration}: {error}") from None
