@@ -1,6 +1,7 @@
 """The open design: a session, the file it lives in, and every change that was made to it."""
 
 from dataclasses import replace
+from enum import Enum, auto
 from pathlib import Path
 from typing import Any
 
@@ -10,6 +11,7 @@ import resources
 from ui.run.verified import VerifiedErrors
 from ui.steps import Steps
 from workbench.design.snapshot import Result
+from workbench.files.fingerprint import fingerprint
 from workbench.files.scene import with_absolute_image
 from workbench.files.session import (
     Session,
@@ -22,6 +24,24 @@ from workbench.scene import Scene
 from workbench.targets import load_target
 
 ENDING = ".freeform"
+
+
+class OnDisk(Enum):
+    """What has become of a design's file since the design was last read from it or written to it.
+
+    Attributes
+    ----------
+    KNOWN
+        It holds what it held then.
+    CHANGED
+        Another program has written to it.
+    GONE
+        It is no longer there.
+    """
+
+    KNOWN = auto()
+    CHANGED = auto()
+    GONE = auto()
 
 
 class Document(QObject):
@@ -60,6 +80,7 @@ class Document(QObject):
         super().__init__(parent)
         self._session = session
         self._path: Path | None = None
+        self._fingerprint: str | None = None
         self._suggestion = Path(name)
         self.verified = VerifiedErrors()
         self.undo_stack = Steps(self._show, self)
@@ -74,6 +95,11 @@ class Document(QObject):
     def path(self) -> Path | None:
         """The session file that saving writes; None for a design without one."""
         return self._path
+
+    @property
+    def fingerprint(self) -> str | None:
+        """Of the file as it was last read or written; None where there was none."""
+        return self._fingerprint
 
     @property
     def name(self) -> str:
@@ -147,12 +173,44 @@ class Document(QObject):
         path = path.absolute()
         shipped = path.is_relative_to(resources.path())  # no place to save to
         suggestion = Path(path.name) if shipped else path
-        self._begin(open_design(path), path if is_session(path) else None, suggestion)
+        found = fingerprint(path)  # beforehand: what is written while it is read is a change
+        session = open_design(path)
+        if is_session(path):
+            self._begin(session, suggestion, path, found)
+        else:
+            self._begin(session, suggestion)
 
-    def recover(self, session: Session, path: Path | None, name: str) -> None:
-        """Go on with a session that was never saved to ``path``, where it has one."""
-        self._begin(session, path, Path(name))
+    def recover(self, session: Session, name: str, path: Path | None, known: str | None) -> None:
+        """Go on with a session that was never saved.
+
+        Parameters
+        ----------
+        session : Session
+            What was kept of it.
+        name : str
+            What the title called it.
+        path : Path, optional
+            The file that saving wrote.
+        known : str, optional
+            Fingerprint of that file when the work was kept.
+        """
+        self._begin(session, Path(name), path, known)
         self.undo_stack.resetClean()
+
+    def on_disk(self, path: Path) -> OnDisk:
+        """What saving to a file would replace; `OnDisk.KNOWN` for any but the design's own.
+
+        Raises
+        ------
+        Refused
+            If something is there that cannot be read.
+        """
+        if self._path is None or path.resolve() != self._path.resolve():
+            return OnDisk.KNOWN
+        found = fingerprint(path)
+        if found == self._fingerprint:
+            return OnDisk.KNOWN
+        return OnDisk.GONE if found is None else OnDisk.CHANGED
 
     def revert(self) -> None:
         """Go back to what the file holds, as one step that can be undone.
@@ -163,7 +221,9 @@ class Document(QObject):
             If it cannot be read; nothing has changed then.
         """
         if self._path is not None:
+            found = fingerprint(self._path)
             self.change(read_session(self._path), "revert to the file")
+            self._fingerprint = found
             self.undo_stack.setClean()
 
     def save(self, path: Path, view: dict[str, Any] | None = None) -> None:
@@ -181,7 +241,8 @@ class Document(QObject):
         Refused
             If it cannot be written; what was at ``path`` before is still there.
         """
-        write_session(replace(self.verified.complete(self._session), view=view), path)
+        session = replace(self.verified.complete(self._session), view=view)
+        self._fingerprint = write_session(session, path)
         self._path = path
         self.undo_stack.setClean()
         self.path_changed.emit()
@@ -189,9 +250,16 @@ class Document(QObject):
     def _tell_dirty(self, clean: bool) -> None:
         self.dirty_changed.emit(not clean)
 
-    def _begin(self, session: Session, path: Path | None, suggestion: Path) -> None:
-        self._path, self._suggestion = path, suggestion
+    def _begin(
+        self,
+        session: Session,
+        suggestion: Path,
+        path: Path | None = None,
+        known: str | None = None,
+    ) -> None:
+        self._path, self._fingerprint, self._suggestion = path, known, suggestion
         self.undo_stack.clear()
+        self.undo_stack.setClean()  # an empty stack is left as it was, a recovered one too
         self._show(session)
         self.path_changed.emit()
 

@@ -40,6 +40,7 @@ _STATES = {
     "paused": "Paused",
     "stopping": "Stopping…",
 }
+_READ_MS = 6000  # a sentence in the status bar
 
 
 class MainWindow(QMainWindow):
@@ -261,6 +262,7 @@ class MainWindow(QMainWindow):
         self.files.opened.connect(lambda: self._view_state.restore(self.document.session.view))
         self.document.undo_stack.indexChanged.connect(self._show_state)
         self.files.recent_changed.connect(self._show_recent)
+        self.files.saved.connect(self._tell_saved)
 
     def _show_gallery(self) -> None:
         gallery = Gallery(EXAMPLES, self)
@@ -277,6 +279,10 @@ class MainWindow(QMainWindow):
         self.forms.commit()
         if save() and self.forms.refused:
             self.messages.note("Saved with the last valid value of each marked field.")
+
+    def _tell_saved(self, sentence: str) -> None:
+        self.log.add(sentence)
+        self.statusBar().showMessage(sentence, _READ_MS)
 
     def _take_along(self, take: Callable[[], None]) -> None:
         self.forms.commit()

@@ -85,7 +85,7 @@ class Windows(QObject):
 
         def recover(work: LeftBehind) -> bool:
             place = free.pop() if free else self.open_beside()
-            opened = place.files.recover(work.file, work.path, work.name)
+            opened = place.files.recover(work)
             return opened and self._recoveries[place].keep_now()
 
         first.start()

@@ -12,7 +12,7 @@ from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QApplication, QMessageBox, QPushButton
 
 from tests.ui.hands import move_screen
-from ui.document import Document
+from ui.document import Document, OnDisk
 from ui.files import left_behind
 from ui.files.left_behind import Choice
 from ui.files.recovery import Recovery
@@ -103,7 +103,7 @@ def test_a_signal_leaves_it_for_the_next_start(document, keeping):
     recovery.close()
     (work,) = left_behind.find(recovery.folder)
     assert read_session(work.file).scene.screen.z == 7
-    assert work.ended
+    assert work.about.ended
     work.put_back()
 
 
@@ -142,13 +142,50 @@ def test_name_and_file_come_back_unsaved(document, keeping, tmp_path):
     recovery.keep_now()
     crash(recovery)
     (work,) = left_behind.find(recovery.folder)
-    assert (work.name, work.path, work.ended) == ("mine", path, False)
+    about = work.about
+    assert (about.name, about.path, about.ended) == ("mine", path, False)
     other = Document(document.session, "other", document)
-    other.recover(read_session(work.file), work.path, work.name)
+    other.recover(read_session(work.file), about.name, about.path, about.fingerprint)
     assert (other.name, other.path, other.dirty) == ("mine", path, True)
     assert other.session.scene.screen.z == 7
+    assert other.on_disk(path) is OnDisk.KNOWN
     other.save(path)
     assert not other.dirty
+    work.remove()
+
+
+def test_a_file_changed_after_a_crash_is_asked_about(document, keeping, tmp_path):
+    path = tmp_path / "mine.freeform"
+    document.save(path)
+    recovery = keeping()
+    move_screen(document, 7)
+    recovery.keep_now()
+    crash(recovery)
+    write_session(document.session, path)
+    (work,) = left_behind.find(recovery.folder)
+    about = work.about
+    document.recover(read_session(work.file), about.name, about.path, about.fingerprint)
+    assert document.on_disk(path) is OnDisk.CHANGED
+    work.remove()
+
+
+def test_a_file_opened_after_a_recovery_is_not_modified(document, tmp_path):
+    path = tmp_path / "mine.freeform"
+    document.save(path)
+    document.recover(document.session, "lost", None, None)
+    assert document.dirty
+    document.open(path)
+    assert not document.dirty
+
+
+def test_damaged_words_about_work_leave_it_to_be_found(document, keeping):
+    recovery = keeping()
+    move_screen(document, 7)
+    recovery.keep_now()
+    crash(recovery)
+    left_behind.about_of(recovery._file).write_text('{"path": 3}')
+    (work,) = left_behind.find(recovery.folder)
+    assert work.about == left_behind.About("recovered")
     work.remove()
 
 
@@ -305,7 +342,7 @@ def test_after_a_kill_the_work_is_found(tmp_path):
     assert first_line(BEGIN, signal.SIGKILL, tmp_path) == "True\n"
     (folder,) = tmp_path.rglob("recovery")
     (work,) = left_behind.find(folder)
-    assert (work.name, work.path) == ("tophat", None)
+    assert (work.about.name, work.about.path) == ("tophat", None)
     session = read_session(work.file)
     assert session.scene.screen.z == 7.5 and session.view["layout"]
     work.remove()

@@ -5,11 +5,13 @@ from enum import Enum
 from pathlib import Path
 from typing import Any
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QLocale, QObject, Signal
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
 from resources import Example
-from ui.document import ENDING, Document
+from ui.document import ENDING, Document, OnDisk
+from ui.files import changed
+from ui.files.left_behind import LeftBehind
 from ui.files.recent import RecentFiles
 from ui.message_bar import MessageBar
 from workbench.errors import Refused
@@ -49,9 +51,14 @@ class FileActions(QObject):
         How the design is looked at, for the file.
     opened : Signal()
         Another design is open.
+    saved : Signal(str)
+        What was saved, in a sentence.
+    recent_changed : Signal()
+        The list of files used last is another.
     """
 
     opened = Signal()
+    saved = Signal(str)
     recent_changed = Signal()
 
     def __init__(
@@ -96,10 +103,15 @@ class FileActions(QObject):
         self._remember(path)
         return True
 
-    def recover(self, file: Path, path: Path | None, name: str) -> bool:
-        """Go on with unsaved work that was kept in ``file``; False if it cannot be read."""
-        document = self._document
-        if not self._attempt(lambda: document.recover(read_session(file), path, name)):
+    def recover(self, work: LeftBehind) -> bool:
+        """Go on with unsaved work; False if it cannot be read."""
+        about = work.about
+
+        def recover() -> None:
+            session = read_session(work.file)
+            self._document.recover(session, about.name, about.path, about.fingerprint)
+
+        if not self._attempt(recover):
             return False
         self.opened.emit()
         return True
@@ -160,16 +172,35 @@ class FileActions(QObject):
         if self.find_other(path) is not None:  # which would not know of it
             self._messages.warn(f"{path.name} is open in another window: choose another name.")
             return False
-        if not self._attempt(lambda: self._document.save(path, self.look())):
+        try:
+            found = self._document.on_disk(path)
+            if found is not OnDisk.KNOWN:
+                choice = changed.ask(path, found, self._window)
+                if choice is not changed.Choice.OVERWRITE:
+                    return self._save_otherwise(choice)
+            self._document.save(path, self.look())
+        except Refused as refused:
+            self._messages.warn(str(refused), ("Save as…", self.save_as))
             return False
+        self._messages.clear()
         self._remember(path)
+        size = QLocale.c().formattedDataSize(
+            path.stat().st_size, 1, QLocale.DataSizeFormat.DataSizeSIFormat
+        )
+        self.saved.emit(f"Saved {path.name}, {size}")
         return True
+
+    def _save_otherwise(self, choice: changed.Choice) -> bool:
+        """Save elsewhere or not at all; False if not saved."""
+        if choice is changed.Choice.RELOAD:
+            self.revert()
+        return choice is changed.Choice.SAVE_AS and self.save_as()
 
     def _attempt(self, action: Callable[[], None]) -> bool:
         try:
             action()
         except Refused as refused:
-            self._messages.warn(f"{refused}")
+            self._messages.warn(str(refused))
             return False
         self._messages.clear()
         return True

@@ -5,7 +5,7 @@ Each window keeps a session file, says in a small file beside it what is in it, 
 
 import json
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from datetime import datetime
 from enum import Enum, auto
 from pathlib import Path
@@ -14,7 +14,51 @@ from PySide6.QtCore import QLockFile
 from PySide6.QtWidgets import QMessageBox, QWidget
 
 from ui.document import ENDING
-from workbench.files.atomic import remove_left_behind
+from workbench.files.atomic import remove_left_behind, replacing
+
+
+@dataclass(frozen=True)
+class About:
+    """What is said of a session beside it.
+
+    Attributes
+    ----------
+    name : str
+        What the title called the design.
+    path : Path, optional
+        The file that saving wrote.
+    fingerprint : str, optional
+        Of that file when the design was last read from it or written to it.
+    ended : bool
+        Whether the program was told to end, as at the end of a login; otherwise it broke off.
+    """
+
+    name: str
+    path: Path | None = None
+    fingerprint: str | None = None
+    ended: bool = False
+
+    @classmethod
+    def read(cls, file: Path) -> "About":
+        """Read it; where it is lost or damaged, the session itself is what counts."""
+        try:
+            about = json.loads(file.read_bytes())
+            path, name, ended = about["path"], str(about["name"]), bool(about.get("ended"))
+            return cls(name, None if path is None else Path(path), about.get("fingerprint"), ended)
+        except (OSError, ValueError, KeyError, TypeError, AttributeError):
+            return cls("recovered")
+
+    def write(self, file: Path) -> None:
+        """Write it.
+
+        Raises
+        ------
+        Refused
+            If that is not possible.
+        """
+        path = None if self.path is None else str(self.path)
+        with replacing(file) as content:
+            content.write(json.dumps(asdict(self) | {"path": path}).encode())
 
 
 @dataclass(frozen=True)
@@ -25,18 +69,12 @@ class LeftBehind:
     ----------
     file : Path
         The session.
-    name : str
-        What the title called the design.
-    path : Path, optional
-        The file that saving wrote.
-    ended : bool
-        Whether the program was told to end, as at the end of a login; otherwise it broke off.
+    about : About
+        What is known of it.
     """
 
     file: Path
-    name: str
-    path: Path | None
-    ended: bool
+    about: About
     lock: QLockFile
 
     @property
@@ -68,13 +106,7 @@ def find(folder: Path) -> list[LeftBehind]:
             remove_left_behind(file)
             lock.unlock()  # which removes what is left of a window that had nothing to keep
             continue
-        try:
-            about = json.loads(about_of(file).read_bytes())
-            path, name, ended = about["path"], str(about["name"]), bool(about.get("ended"))
-            place = None if path is None else Path(path)
-        except (OSError, ValueError, KeyError, TypeError, AttributeError):
-            place, name, ended = None, "recovered", False  # the session itself is what counts
-        found.append(LeftBehind(file, name, place, ended, lock))
+        found.append(LeftBehind(file, About.read(about_of(file)), lock))
     return sorted(found, key=lambda each: each.kept_at, reverse=True)
 
 
@@ -131,14 +163,14 @@ def offer(
 
 def ask(work: LeftBehind, window: QWidget) -> Choice:
     """Put the question about one."""
-    box = QMessageBox(window)
+    box, name = QMessageBox(window), work.about.name
     box.setWindowTitle("Unsaved work")
-    if work.ended:
+    if work.about.ended:
         box.setIcon(QMessageBox.Icon.Information)
-        box.setText(f"{work.name} had unsaved changes when the workbench was told to end.")
+        box.setText(f"{name} had unsaved changes when the workbench was told to end.")
     else:
         box.setIcon(QMessageBox.Icon.Question)
-        box.setText(f"The workbench was not closed. Unsaved changes to {work.name} were kept.")
+        box.setText(f"The workbench was not closed. Unsaved changes to {name} were kept.")
     box.setInformativeText(f"Kept on {work.kept_at:%Y-%m-%d at %H:%M:%S}.")
     roles = QMessageBox.ButtonRole
     recover = box.addButton("&Recover", roles.AcceptRole)

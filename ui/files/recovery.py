@@ -6,7 +6,6 @@
 3. A run hands its result over at its end. Until then the lens of its latest frame is kept.
 """
 
-import json
 import threading
 from collections.abc import Callable
 from contextlib import suppress
@@ -18,9 +17,8 @@ from uuid import uuid4
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from ui.document import ENDING, Document
-from ui.files.left_behind import about_of, lock_of
+from ui.files.left_behind import About, about_of, lock_of
 from workbench.errors import Refused
-from workbench.files.atomic import replacing
 from workbench.files.session import Session, write_session
 
 if TYPE_CHECKING:
@@ -128,7 +126,7 @@ class Recovery(QObject):
         if leave:
             if self.keep_now():
                 with suppress(Refused):  # then the next start speaks of a crash, that is all
-                    self._describe(self._about(ended=True))
+                    self._about(ended=True).write(about_of(self._file))
         else:
             self._remove()
         self._lock.unlock()
@@ -146,23 +144,17 @@ class Recovery(QObject):
             return replace(self._frame.session, result=self._frame.result(), runs=runs)
         return self._document.session if self._document.dirty else None
 
-    def _about(self, ended: bool) -> dict[str, object]:
-        """What is said of the session beside it."""
-        path = self._document.path
-        place = None if path is None else str(path)
-        return {"path": place, "name": self._document.name, "ended": ended}
+    def _about(self, ended: bool) -> About:
+        document = self._document
+        return About(document.name, document.path, document.fingerprint, ended)
 
-    def _write(self, session: Session, about: dict[str, object]) -> None:
+    def _write(self, session: Session, about: About) -> None:
         try:
-            self._describe(about)
+            about.write(about_of(self._file))
             write_session(session, self._file)
         except Refused as refused:
             self._kept = None
             self._tell(str(refused))
-
-    def _describe(self, about: dict[str, object]) -> None:
-        with replacing(about_of(self._file)) as file:
-            file.write(json.dumps(about).encode())
 
     def _tell(self, reason: str) -> None:
         if not self._told:

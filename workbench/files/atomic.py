@@ -33,7 +33,7 @@ def replacing(path: Path) -> Iterator[BinaryIO]:
     Yields
     ------
     BinaryIO
-        A temporary file in the same folder, open for writing.
+        A temporary file in the same folder, open for writing and to be read again.
 
     Raises
     ------
@@ -114,7 +114,7 @@ def _temporary(target: Path) -> Iterator[BinaryIO]:
         path = target.with_name(f".{_mark(target)}.{secrets.token_hex(8)}.tmp")
         try:
             # Not from tempfile, whose files only their owner may read, whatever the umask says.
-            with path.open("xb") as file:
+            with path.open("x+b") as file:
                 if _locked(file, path):
                     yield file
                     return

@@ -12,6 +12,7 @@ from workbench.files.atomic import replacing
 from workbench.files.designs import entries_of, names_of, read_result, read_target
 from workbench.files.entries import Entries
 from workbench.files.figures import Figures, VerifiedFigures
+from workbench.files.fingerprint import digest
 from workbench.files.header import MOST_RUNS, Header, RunHeader, plain_view, read_header, read_part
 from workbench.files.npy import Array, Mask, write_array
 from workbench.files.reading import opened
@@ -55,8 +56,13 @@ def is_session(path: Path) -> bool:
         return file.read(2) == b"PK"
 
 
-def write_session(session: Session, path: Path) -> None:
+def write_session(session: Session, path: Path) -> str:
     """Write a session file; ``target.image`` becomes relative where it lies below its folder.
+
+    Returns
+    -------
+    str
+        Fingerprint of what was written, whatever another program has made of it since.
 
     Raises
     ------
@@ -76,12 +82,15 @@ def write_session(session: Session, path: Path) -> None:
         arrays[_START] = session.start
     for number, run in enumerate(session.runs):
         arrays |= entries_of(_folder(number), run.target, run.result)
-    with replacing(path) as file, zipfile.ZipFile(file, "w", zipfile.ZIP_STORED) as archive:
-        with archive.open(_HEADER, "w") as entry:
-            entry.write(text)
-        for name, array in arrays.items():
-            with archive.open(name, "w") as entry:
-                write_array(entry, array)
+    with replacing(path) as file:
+        with zipfile.ZipFile(file, "w", zipfile.ZIP_STORED) as archive:
+            with archive.open(_HEADER, "w") as entry:
+                entry.write(text)
+            for name, array in arrays.items():
+                with archive.open(name, "w") as entry:
+                    write_array(entry, array)
+        file.seek(0)
+        return digest(file)
 
 
 def read_session(path: Path) -> Session:

@@ -1,0 +1,61 @@
+"""The question before saving takes the place of what another program has written."""
+
+from enum import Enum, auto
+from pathlib import Path
+
+from PySide6.QtWidgets import QAbstractButton, QMessageBox, QWidget
+
+from ui.document import OnDisk
+
+
+class Choice(Enum):
+    """What to do about a file that is no longer what the design was read from or saved to."""
+
+    OVERWRITE = auto()
+    SAVE_AS = auto()
+    RELOAD = auto()
+    CANCEL = auto()
+
+
+def ask(path: Path, found: OnDisk, window: QWidget) -> Choice:
+    """Put the question.
+
+    Parameters
+    ----------
+    path : Path
+        The design's file.
+    found : OnDisk
+        What has become of it.
+    window : QWidget
+        Asks.
+    """
+    box = QMessageBox(window)
+    box.setIcon(QMessageBox.Icon.Warning)
+    roles = QMessageBox.ButtonRole
+    choices: dict[QAbstractButton, Choice] = {}
+    if found is OnDisk.CHANGED:
+        box.setWindowTitle("The file has changed")
+        box.setText(
+            f"Another program has changed {path.name} since it was last read or saved here."
+        )
+        box.setInformativeText(
+            "Overwrite loses what the file holds now. Reload shows it in place of your design; "
+            "Undo brings your design back."
+        )
+        choices[box.addButton("&Overwrite", roles.DestructiveRole)] = Choice.OVERWRITE
+        choices[box.addButton("&Reload", roles.ActionRole)] = Choice.RELOAD
+    else:
+        box.setWindowTitle("The file is gone")
+        box.setText(f"{path.name} has been deleted, moved or renamed since it was last saved here.")
+        if path.parent.is_dir():
+            choices[box.addButton("&Save there again", roles.ApplyRole)] = Choice.OVERWRITE
+        else:
+            box.setInformativeText(f"Its folder, {path.parent}, is gone, too.")
+    save_as = box.addButton("Save &as…", roles.AcceptRole)
+    choices[save_as] = Choice.SAVE_AS
+    box.setDefaultButton(save_as)
+    box.setEscapeButton(box.addButton(QMessageBox.StandardButton.Cancel))
+    box.exec()
+    choice = choices.get(box.clickedButton(), Choice.CANCEL)
+    box.deleteLater()
+    return choice
