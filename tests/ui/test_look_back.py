@@ -1,5 +1,6 @@
 """The course of a run: kept within bounds, looked back at, gone on from; and the list of steps."""
 
+import threading
 from types import SimpleNamespace
 
 import numpy as np
@@ -49,8 +50,6 @@ def test_another_course_from_an_earlier_moment_replaces_the_later_ones():
     assert kept(moments) == [0, 3, 5, 7]
     moments.add(frame(0))
     assert kept(moments) == [0]
-    moments.clear()
-    assert kept(moments) == []
 
 
 @pytest.fixture
@@ -138,3 +137,61 @@ def test_steps_are_not_jumped_in_while_a_run_goes_on(window, qtbot):
         window.commands["start"].trigger()
         assert not window.workspace.history.isEnabled()
     assert window.workspace.history.isEnabled()
+
+
+def test_undoing_a_run_takes_its_course_away_and_redoing_it_brings_it_back(designed, qtbot):
+    views, moments = designed.bench.views, designed.bench.control.moments
+    qtbot.waitUntil(lambda: views.loss._verified != ())
+    frames, verified = list(moments.frames), views.loss._verified
+    assert designed.status._verified.text()
+    designed.commands["undo"].trigger()
+    assert not views.look_back.isVisible() and views.loss._verified == ()
+    assert designed.status._verified.text() == ""
+    designed.commands["redo"].trigger()
+    assert views.look_back.isVisible() and list(moments.frames) == frames
+    assert views.loss._verified == verified and designed.status._verified.text()
+
+
+def test_a_check_that_ends_after_its_run_was_undone_comes_back_with_it(window, qtbot, monkeypatch):
+    allowed = threading.Event()
+
+    def validating(*scene, **how):
+        yield 0.5
+        allowed.wait(30)
+        return SimpleNamespace(
+            loss_corrected=0.1,
+            relative_l2_corrected=0.0125,
+            relative_l2_corrected_interval=(0.01, 0.02),
+        )
+
+    monkeypatch.setattr("workbench.analysis.validation.validating", validating)
+    bench = window.bench
+    with qtbot.waitSignal(bench.control.ended, timeout=60_000):
+        window.commands["start"].trigger()
+    window.commands["undo"].trigger()
+    allowed.set()
+    qtbot.waitUntil(lambda: not bench.runs.check._checking.busy)
+    assert bench.views.loss._verified == () and window.status._verified.text() == ""
+    window.commands["redo"].trigger()
+    (point,) = bench.views.loss._verified
+    assert (point.iteration, point.loss) == (12, 0.1)
+    assert window.status._verified.text() == "verified 1.25 % at 12"
+    assert bench.runs.table.table.item(0, 1).text() == "1.25 %"
+
+
+def test_undoing_a_second_run_shows_the_course_of_the_first(designed, qtbot):
+    moments = designed.bench.control.moments
+    with qtbot.waitSignal(designed.bench.control.ended, timeout=60_000):
+        designed.commands["continue"].trigger()
+    assert moment(moments.frames[-1]) == 24
+    designed.commands["undo"].trigger()
+    assert moment(moments.frames[-1]) == 12
+    designed.commands["redo"].trigger()
+    assert moment(moments.frames[-1]) == 24
+
+
+def test_undoing_an_edit_brings_the_course_back(designed):
+    scene = designed.document.session.scene
+    designed.document.edit(scene.model_copy(update={"unit": "mm"}), "unit", "unit")
+    designed.commands["undo"].trigger()
+    assert designed.bench.views.look_back.isVisible()

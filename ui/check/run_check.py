@@ -9,12 +9,14 @@ from ui.check.checking import Checking, Suspect, verified_error
 from ui.document import Document
 from ui.run.control import RunControl
 from ui.run.moments import moment
+from ui.views.view import look_alike
 from workbench.pictures.loss import Verified
 
 if TYPE_CHECKING:
     from ui.run.frame import Frame
     from workbench.analysis.validation import Validation
     from workbench.design.snapshot import Result
+    from workbench.files.session import Session
 
 _RAYS = 1_000_000  # enough to tell an error from the next
 _REST = 5.0  # seconds between checks, at least
@@ -40,32 +42,30 @@ class RunCheck(QObject):
     figures_changed : Signal(str)
         The latest verified error and the moment that it is of; empty for none, and while the
         design is another lens.
-    course_changed : Signal(tuple of Verified)
-        All checks of this run and of those that it continues.
     checked : Signal(Suspect, Validation)
         One of them.
     """
 
     figures_changed = Signal(str)
-    course_changed = Signal(object)
     checked = Signal(object, object)
 
     def __init__(self, document: Document, control: RunControl, parent: QObject) -> None:
         super().__init__(parent)
         self._document, self._control = document, control
-        self._course: list[Verified] = []
         self._last: Frame | None = None
         self._began = self._rested_at = 0.0
         self._cost = _GUESS
         self._text = ""
-        self._result: Result | None = None  # of the run that is checked
+        self._latest: Verified | None = None  # which the text is of
+        self._end: Suspect | None = None  # the lens of the run that ended last
+        self._result: Result | None = None  # that it is of
         self._checking = Checking(self)
         self._checking.checked.connect(self._take)
         control.runner.state_changed.connect(self._follow)
         control.runner.frame_ready.connect(self._look)
         control.ended.connect(self._finish)
         control.moments.changed.connect(self._follow_course)
-        document.session_changed.connect(self._tell)
+        document.session_changed.connect(self._follow_document)
 
     def close(self) -> None:
         """Wait for the thread; safe to call twice."""
@@ -101,32 +101,36 @@ class RunCheck(QObject):
         self._last, self._result = None, result
         self._tell()
         if result is not None and frame is not None:
-            end = Suspect(
+            self._end = Suspect(
                 self._document.session, result.control_points, result.iterations, result.seconds
             )
-            self._checking.begin(end)
+            self._checking.begin(self._end)
 
     def _take(self, suspect: Suspect, found: "Validation") -> None:
-        if self._control.busy:
+        self._latest = check = Verified(suspect.iterations, suspect.seconds, found.loss_corrected)
+        moments = self._control.moments
+        if suspect is self._end and self._result is not None:
+            self._document.verified.note(self._result, found)  # also while its run is undone
+            moments.add_later_check(check, self._result, self._document.session)
+        else:
             self._rested_at = monotonic()
             self._cost = self._rested_at - self._began
-        self._course.append(Verified(suspect.iterations, suspect.seconds, found.loss_corrected))
-        self.course_changed.emit(tuple(self._course))
+            moments.add_check(check)
         self._text = f"verified {verified_error(found)} at {suspect.iterations}"
         self._tell()
         self.checked.emit(suspect, found)
 
     def _follow_course(self) -> None:
-        """Forget what is not of this course any more: see `Moments.add`."""
-        frames = self._control.moments.frames
-        now = moment(frames[-1]) if frames else -1
-        if any(each.iteration > now for each in self._course):
-            self._course = [each for each in self._course if each.iteration <= now]
-            self.course_changed.emit(tuple(self._course))
+        """While a run goes on, say nothing of what is not of its course: see `Moments.add`."""
+        if self._control.busy and self._latest not in self._control.moments.checks:
             self._text = ""
             self._tell()
-        if not frames:
+
+    def _follow_document(self, session: "Session") -> None:
+        """Leave the check of a lens of another design; one that is undone may come back."""
+        if self._end is not None and not look_alike(self._end.session, session):
             self._checking.leave()
+        self._tell()
 
     def _tell(self) -> None:
         """A hand at the lens makes another of it; taking that back brings the figures back."""

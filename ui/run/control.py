@@ -8,7 +8,6 @@ from ui.document import Document
 from ui.run.kept import with_run
 from ui.run.moments import Moments, moment
 from ui.run.runner import Runner
-from ui.views.view import look_alike
 from workbench.design.snapshot import Result
 
 if TYPE_CHECKING:
@@ -47,7 +46,7 @@ class RunControl(QObject):
         self._preview = QTimer(self, singleShot=True, interval=_PREVIEW_MS)
         self._preview.timeout.connect(self._show_preview)
         document.session_changed.connect(self._preview.start)
-        document.session_changed.connect(self._forget)
+        document.session_changed.connect(self._follow)
         self._preview.start()
 
     @property
@@ -65,6 +64,7 @@ class RunControl(QObject):
 
     def go_on_from(self, frame: "Frame") -> None:
         """Go on from the lens as it was at some moment of the run."""
+        self.moments.branch(frame)
         self._document.set_result(frame.result(), f"return to iteration {moment(frame)}")
         self.go_on()
 
@@ -101,14 +101,14 @@ class RunControl(QObject):
         if self.busy:  # a preview is no moment of a run
             self.moments.add(frame)
 
-    def _forget(self, session: "Session") -> None:
-        """The course of a run is that of one design."""
-        frames = self.moments.frames
-        if frames and not look_alike(frames[0].session, session):
-            self.moments.clear()
+    def _follow(self, session: "Session") -> None:
+        """The course on show is that of the lens on show."""
+        if not self.busy:
+            self.moments.show(session)
 
     def _finish(self, result: Result | None) -> None:
         if result is not None:
+            self.moments.keep(result)
             session, given_way = with_run(self._document.session, result)
             self._document.change(session, "design run")
             for run in given_way:

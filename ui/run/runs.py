@@ -53,7 +53,6 @@ class Runs(QObject):
         self._drawn: list[KeptRun] = []
         self.table = table = RunTable(self._verified_error)
         self.check = RunCheck(document, control, self)
-        self.check.course_changed.connect(loss.show_verified)
         self.check.checked.connect(self.note_check)
         table.compared.connect(self._compare)
         table.renamed.connect(self._rename)

@@ -46,8 +46,9 @@ class LossView(PlotView):
 
     def show_verified(self, verified: Sequence[Verified]) -> None:
         """Show what checks said of lenses of this run."""
-        self._verified = tuple(verified)
-        self._ask()
+        if tuple(verified) != self._verified:
+            self._verified = tuple(verified)
+            self._ask()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Another size has another room for names."""

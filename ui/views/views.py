@@ -76,6 +76,7 @@ class Views(QObject):
             self.look_back.looked.connect(view.show_frame)
         moments = control.moments
         moments.changed.connect(lambda: self.look_back.show_frames(moments.frames))
+        moments.changed.connect(lambda: self.loss.show_verified(moments.checks))
 
     def plots(self) -> dict[str, PlotView]:
         """Those that are drawn on axes, by the names of their docks."""
