@@ -51,6 +51,8 @@ class CarriedLens(QObject):
         old, new = before.control_points, after.control_points
         if old is None or after.result is before.result is not None:
             return
+        if before.scene.unit != after.scene.unit:  # converted, the lens with all the rest
+            return
         net, other = ControlNet.of(before.scene.lens), ControlNet.of(after.scene.lens)
         if new is None:
             self._tell_once(

@@ -140,7 +140,7 @@ class Document(QObject):
         if scene == self._session.scene:
             return
         target = old.target
-        if _wish(scene) != _wish(old.scene):
+        if _wish(scene) != _wish(old.scene.in_unit(scene.unit)):
             target = load_target(scene, self.suggested_path.parent)
         after = old.with_scene(scene, target)
         self.change(after, text, key)

@@ -27,6 +27,7 @@ from ui.message_bar import MessageBar
 from ui.panels.forms import Forms
 from ui.panes import Panes
 from ui.run.status import RunStatus
+from ui.unit_change import UnitChange
 from ui.view_state import ViewState
 from ui.workspace import Workspace
 
@@ -86,6 +87,7 @@ class MainWindow(QMainWindow):
         self.forms = Forms(document)
         self.forms.told.connect(self.log.add)
         CarriedLens(document, self.messages, self).told.connect(self.log.add)
+        UnitChange(document, self.messages, self)
         steps = document.undo_stack
         steps.forgot.connect(
             lambda count: self.log.add(f"Oldest steps ({count}) forgotten: too much memory to undo")

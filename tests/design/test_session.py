@@ -133,3 +133,24 @@ def test_an_undesigned_lens_stays_undesigned(session):
     bare = Session(session.scene, session.target)
     other = edited(bare, lens__control_points=[20, 20])
     assert other.control_points is None
+
+
+def test_another_unit_keeps_the_lens_and_its_light(session):
+    found = session.in_unit("mm")
+    assert (found.scene.unit, found.scene.screen.z) == ("mm", 50)
+    before, after = session.result, found.result
+    np.testing.assert_allclose(after.control_points, 10 * before.control_points, rtol=1e-15)
+    pixels = [each.scene.screen.pixel_area for each in (session, found)]
+    np.testing.assert_allclose(
+        after.irradiance * pixels[1], before.irradiance * pixels[0], rtol=1e-14
+    )
+    assert (after.loss, after.ledger) == (before.loss, before.ledger)
+    assert not after.control_points.flags.writeable
+    start = replace(session, result=None, start=before.control_points).in_unit("inch").start
+    np.testing.assert_allclose(start, before.control_points / 2.54, rtol=1e-15)
+
+
+def test_the_same_numbers_in_another_unit_are_the_same_task(session):
+    data = session.scene.to_data() | {"unit": "inch"}
+    found = session.with_scene(Scene.from_data(data), session.target)
+    assert found.result is session.result

@@ -142,11 +142,32 @@ def test_the_wheel_changes_no_choice(forms, document):
     assert chooser.currentData() == "cm"
 
 
-def test_another_unit_keeps_the_numbers(forms, document):
-    choose(forms, "unit", "inch")
+def test_another_unit_converts_all_lengths(forms, document, qtbot):
+    before = document.session
+    choose(forms, "unit", "mm")
     scene = document.session.scene
-    assert (scene.unit, scene.screen.z) == ("inch", 5)
-    assert row(forms, "screen.z")._unit.text() == "inch"
+    assert (scene.unit, scene.screen.z, scene.lens.half_width) == ("mm", 50, (10, 10))
+    assert scene == before.scene.in_unit("mm")
+    assert document.session.target is before.target
+    assert row(forms, "screen.z")._unit.text() == "mm"
+    assert editor(forms, "screen.z").text() == "50"
+    assert document.undo_stack.undoText() == "change of unit"
+    document.undo_stack.undo()
+    assert document.session is before
+
+
+def test_each_change_of_the_unit_is_a_step(forms, document):
+    choose(forms, "unit", "inch")
+    choose(forms, "unit", "m")
+    assert document.undo_stack.count() == 2
+    assert document.session.scene.screen.z == pytest.approx(0.05, rel=1e-15)
+
+
+def test_a_refused_edit_waits_while_the_unit_changes(forms, document, qtbot):
+    enter(qtbot, forms, "screen.z", "0.1")
+    choose(forms, "unit", "mm")
+    assert document.session.scene.lens.half_width == (10, 10)
+    assert editor(forms, "screen.z").text() == "0.1" and forms.refused
 
 
 def test_a_material_brings_its_wavelength_and_an_own_index_takes_it_away(forms, document):

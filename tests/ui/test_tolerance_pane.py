@@ -162,3 +162,13 @@ def test_closing_in_the_midst_of_a_sample(pane, qtbot):
     pane.toggle()
     pane.close_thread()
     assert not pane._sampling.busy
+
+
+def test_another_unit_converts_what_was_asked_for(pane, session, qtbot):
+    enter(pane, qtbot, "decentre", "0.03")
+    enter(pane, qtbot, "tilt", "1.5")
+    pane.show_design(session.in_unit("mm"))
+    within = pane.form.within
+    assert (within.decentre, pane.form._row("decentre").editors["decentre"].text()) == (0.3, "0.3")
+    assert within.tilt == pytest.approx(np.radians(1.5))
+    assert within.surface == (0, 2)  # a tenth of 20 mm

@@ -5,7 +5,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
-from workbench.scene import Scene
+from workbench.scene import Scene, Unit
 
 _STEP = re.compile(r"[^.\[\]]+")
 
@@ -24,12 +24,15 @@ class Edit:
         New values by path; a kind that changes brings its neighbours along.
     alone : bool
         Whether it is a step of its own, also after another at the same path.
+    unit : str, optional
+        Unit that all lengths are converted to, before the changes.
     """
 
     path: str
     text: str
     changes: dict[str, object]
     alone: bool = False
+    unit: Unit | None = None
 
 
 def value_at(data: dict[str, Any], path: str) -> Any:
@@ -64,6 +67,8 @@ def edited_scene(scene: Scene, edits: Iterable[Edit]) -> Scene:
     """
     data = scene.to_data()
     for edit in edits:
+        if edit.unit is not None:
+            data = Scene.from_data(data).in_unit(edit.unit).to_data()
         for path, value in edit.changes.items():
             place, last = _place(data, path)
             place[last] = value

@@ -73,6 +73,11 @@ class Row(QWidget):
         for widget in (self.label, self):
             widget.setToolTip(f"<p>{tip}</p>")  # rich text, because only that wraps
 
+    @property
+    def is_length(self) -> bool:
+        """Whether its numbers are in the scene's unit."""
+        return self._unit_kind == LENGTH
+
     def present(self, data: dict[str, Any]) -> bool:
         """Whether a scene, as plain data, has this field."""
         if self._present is not None:

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QVBoxLayout, QWidget
 
 from ui.document import Document
 from ui.panels.edits import Edit, edited_scene, has_place
-from ui.panels.fields import ChoiceRow, Row
+from ui.panels.fields import Changes, ChoiceRow, Row
 from ui.panels.lens import LensPanel
 from ui.panels.light import FilterPanel, ScreenPanel
 from ui.panels.panel import Panel
@@ -18,6 +18,7 @@ from ui.panels.source import SourcePanel
 from ui.panels.stages import StagesPanel
 from ui.panels.target import TargetPanel
 from workbench.errors import Refused
+from workbench.units import METRES
 
 
 class Forms(QScrollArea):
@@ -189,15 +190,24 @@ class ScenePanel(Panel):
         super().__init__(
             "Scene",
             [
-                ChoiceRow(
+                _UnitRow(
                     "unit",
                     "Unit",
-                    "Unit of every length in the scene. Changing it keeps the numbers: "
-                    "a lens of 1 cm becomes one of 1 mm.",
-                    [(unit, unit) for unit in ("mm", "cm", "m", "inch")],
+                    "Unit of every length in the scene. Another one converts them all: a lens of "
+                    "1 cm becomes one of 10 mm.",
+                    [(unit, unit) for unit in METRES],
                 )
             ],
         )
+
+
+class _UnitRow(ChoiceRow):
+    """The unit of length; a choice converts all lengths."""
+
+    def _tell(self, path: str, changes: Changes) -> None:
+        # A step of its own: from unit to unit, rounding adds up, and the scene would be another.
+        unit = self.chooser.currentData()
+        self.edited.emit(Edit(path, "change of unit", {}, alone=True, unit=unit))
 
 
 def _row_of(path: str, rows: list[Row]) -> Row | None:

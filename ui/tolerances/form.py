@@ -10,7 +10,8 @@ from ui.panels.edits import Edit
 from ui.panels.fields import LENGTH, NumberRow
 from workbench.analysis.tolerances import Tolerances
 from workbench.errors import Refused
-from workbench.scene import Scene
+from workbench.scene import Scene, Unit
+from workbench.units import ratio, times
 
 _MOST = 100_000  # lenses
 # Of the lens, to begin with.
@@ -104,7 +105,9 @@ class ToleranceForm(QWidget):
         """Take the unit of a design, and for another size of lens lengths that suit it."""
         before, self._scene = self._scene, scene
         width = 2 * max(scene.lens.half_width)
-        if before is None or _size(before) != _size(scene):
+        if before is not None and before.unit != scene.unit:
+            before = self._convert(before, scene.unit)
+        if before is None or before.lens.half_width != scene.lens.half_width:
             self._data = {
                 "tilt": 0.1,
                 "decentre": _DECENTRE * width,
@@ -126,6 +129,19 @@ class ToleranceForm(QWidget):
         if not self._refused():
             self._judge(self._data)
         return not self._refused()
+
+    def _convert(self, scene: Scene, unit: Unit) -> Scene:
+        """Give the lengths for a scene in another unit."""
+        factor = ratio(scene.unit, unit)
+        for row in self._rows:
+            if row.is_length:
+                value = self._data[row.path]
+                self._data[row.path] = (
+                    [times(each, factor) for each in value]
+                    if isinstance(value, list)
+                    else times(value, factor)
+                )
+        return scene.in_unit(unit)
 
     def _take(self, edit: Edit) -> None:
         row = self._row(edit.path)
@@ -174,10 +190,6 @@ def _within(data: dict[str, Any]) -> Tolerances:
         distance=data["distance"],
         surface=(data["surface"][0], data["surface"][1]),
     )
-
-
-def _size(scene: Scene) -> tuple[object, ...]:
-    return scene.unit, scene.lens.half_width
 
 
 def _sound(path: str, value: float) -> bool:

@@ -7,11 +7,12 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from workbench.design.snapshot import Result
+from workbench import units
+from workbench.design.snapshot import Result, frozen
 from workbench.errors import Refused
 from workbench.geometry.approximation import project
 from workbench.geometry.surface import ControlNet
-from workbench.scene import Lens, Scene
+from workbench.scene import Lens, Scene, Unit
 
 Array = npt.NDArray[np.float64]
 Mask = npt.NDArray[np.bool_]
@@ -114,8 +115,11 @@ class Session:
         does a control net that holds the same surface. For any other task the lens is a start,
         as long as it fits into the outline, base and range of the new one; on a net that cannot
         hold its surface it is the nearest one. Locks stay as long as the control points that they
-        are about.
+        are about. A scene that is converted to another unit takes the lens along.
         """
+        unit = scene.unit
+        if unit != self.scene.unit and target is self.target and scene == self.scene.in_unit(unit):
+            return self.in_unit(unit)
         net, other = ControlNet.of(self.scene.lens), ControlNet.of(scene.lens)
         exact = other.contains(net)
         same_task = _task(scene) == _task(self.scene) and np.array_equal(target, self.target)
@@ -129,11 +133,33 @@ class Session:
         locked = self.locked if same_points else None
         return replace(self, scene=scene, target=target, result=result, start=start, locked=locked)
 
+    def in_unit(self, unit: Unit) -> "Session":
+        """The same session with all lengths in another unit: the lens stays the lens that it is.
+
+        Kept runs stay in the unit of their own scenes.
+
+        Raises
+        ------
+        Refused
+            If a length of the scene would be beyond float64, or so small that it is 0.
+        """
+        factor = float(units.ratio(self.scene.unit, unit))
+        result = self.result and replace(
+            self.result,
+            control_points=frozen(self.result.control_points * factor),
+            irradiance=frozen(self.result.irradiance / factor**2),
+        )
+        start = None if self.start is None else frozen(self.start * factor)
+        return replace(self, scene=self.scene.in_unit(unit), result=result, start=start)
+
 
 def _task(scene: Scene) -> Scene:
-    """What a result is one for: all but how it was searched for, and on which control net."""
+    """What a result is one for: all but how it was searched for, and on which control net.
+
+    A task of another size is the same one as long as its numbers are: no length has one of its own.
+    """
     lens = scene.lens.model_copy(update={"control_points": (), "degree": ()})
-    return scene.model_copy(update={"lens": lens, "run": None})
+    return scene.model_copy(update={"lens": lens, "run": None, "unit": None})
 
 
 def _room(lens: Lens) -> tuple[object, ...]:

@@ -5,7 +5,7 @@ possible: whatever cannot be built, traced or made is refused here, with the pat
 """
 
 from workbench.scene.lens import Base, FlatBase, Lens, SphereBase
-from workbench.scene.part import NonNegative, Part, Positive
+from workbench.scene.part import NonNegative, Part, Positive, dimension_of
 from workbench.scene.run import AutoRun, PaperRun, Run, RunSettings, Stage
 from workbench.scene.screen import BoxFilter, Filter, GaussianFilter, Screen
 from workbench.scene.source import (
@@ -24,7 +24,7 @@ from workbench.scene.target import (
     Target,
     TopHatTarget,
 )
-from workbench.scene.task import Scene
+from workbench.scene.task import Scene, Unit
 
 __all__ = [
     "AutoRun",
@@ -56,4 +56,6 @@ __all__ = [
     "Stage",
     "Target",
     "TopHatTarget",
+    "Unit",
+    "dimension_of",
 ]

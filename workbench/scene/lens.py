@@ -11,7 +11,7 @@ from pydantic import Field, Tag, field_validator, model_validator
 from workbench import materials
 from workbench.errors import Refused
 from workbench.refusals import told_by
-from workbench.scene.part import NonNegative, Part, Positive
+from workbench.scene.part import LENGTH, NonNegative, Part, Positive
 
 Degree = Annotated[int, Field(ge=1, le=7)]
 LARGEST_NET = 1024
@@ -23,7 +23,7 @@ class FlatBase(Part):
     """Plane f(x, y) = height."""
 
     shape: Literal["flat"] = "flat"
-    height: float
+    height: Annotated[float, LENGTH]
 
     def height_at(self, x: npt.ArrayLike, y: npt.ArrayLike) -> npt.NDArray[np.float64]:
         """Height f(x, y) of the base, scene units; x and y broadcast."""
@@ -39,8 +39,8 @@ class SphereBase(Part):
     """Spherical cap; "concave" rises towards the rim, "convex" falls."""
 
     shape: Literal["sphere"] = "sphere"
-    height: float
-    radius: Positive
+    height: Annotated[float, LENGTH]
+    radius: Annotated[Positive, LENGTH]
     form: Literal["concave", "convex"] = "concave"
 
     def height_at(self, x: npt.ArrayLike, y: npt.ArrayLike) -> npt.NDArray[np.float64]:
@@ -75,8 +75,8 @@ class Lens(Part):
     the base that a control height may take. Defaults scale with the lens.
     """
 
-    half_width: tuple[Positive, Positive]
-    entrance_z: float = 0.0
+    half_width: Annotated[tuple[Positive, Positive], LENGTH]
+    entrance_z: Annotated[float, LENGTH] = 0.0
     refractive_index: float | str
     wavelength_um: Positive | None = None
     degree: tuple[Degree, Degree] = (3, 3)
@@ -86,10 +86,10 @@ class Lens(Part):
             height=data.get("entrance_z", 0.0) + _relative(0.5)(data)
         )
     )
-    height_range: tuple[float, float] = Field(
+    height_range: Annotated[tuple[float, float], LENGTH] = Field(
         default_factory=lambda data: (_relative(-0.3)(data), _relative(0.3)(data))
     )
-    min_thickness: NonNegative = Field(default_factory=_relative(0.05))
+    min_thickness: Annotated[NonNegative, LENGTH] = Field(default_factory=_relative(0.05))
 
     @field_validator("refractive_index", mode="before")
     @classmethod

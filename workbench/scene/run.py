@@ -6,7 +6,7 @@ from pydantic import Field, Tag
 
 from workbench.refusals import told_by
 from workbench.scene.lens import NetSize
-from workbench.scene.part import Part, Positive
+from workbench.scene.part import LENGTH, Part, Positive
 from workbench.scene.screen import FilterField
 from workbench.scene.source import SourceField
 
@@ -56,7 +56,7 @@ class RunSettings(Part):
     seed: Annotated[int, Field(ge=0, lt=2**63)] = 0
     device: Literal["cpu", "cuda"] = "cpu"
     smoothness: Positive | None = None
-    min_radius: Positive | None = None
+    min_radius: Annotated[Positive | None, LENGTH] = None
 
 
 class AutoRun(RunSettings):

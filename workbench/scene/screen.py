@@ -7,7 +7,7 @@ from pydantic import Field, Tag, model_validator
 
 from workbench.errors import Refused
 from workbench.refusals import told_by
-from workbench.scene.part import Part, Positive
+from workbench.scene.part import LENGTH, Part, Positive
 
 PixelCount = Annotated[int, Field(ge=1, le=4096)]
 
@@ -15,8 +15,8 @@ PixelCount = Annotated[int, Field(ge=1, le=4096)]
 class Screen(Part):
     """Plane at ``z`` centred on the axis; ``pixels`` are (along x, along y)."""
 
-    z: float
-    half_width: tuple[Positive, Positive]
+    z: Annotated[float, LENGTH]
+    half_width: Annotated[tuple[Positive, Positive], LENGTH]
     pixels: tuple[PixelCount, PixelCount]
 
     def to_pixels(self, x: Any, y: Any) -> tuple[Any, Any]:

@@ -7,7 +7,7 @@ from pydantic import Field, Tag, model_validator
 
 from workbench.errors import Refused
 from workbench.refusals import told_by
-from workbench.scene.part import NonNegative, Part
+from workbench.scene.part import LENGTH, NonNegative, Part
 
 RayCount = Annotated[int, Field(ge=1, le=4096)]
 
@@ -42,7 +42,7 @@ IntersectionField = Annotated[
 
 Emission = Literal["uniform", "lambertian"]
 Sampling = Literal["sobol", "random"]
-Position = tuple[float, float, float]
+Position = Annotated[tuple[float, float, float], LENGTH]
 
 
 class PointSource(Part):
@@ -83,7 +83,7 @@ class GridSource(Part):
 
     kind: Literal["grid"]
     center: Position
-    half_width: tuple[NonNegative, NonNegative]
+    half_width: Annotated[tuple[NonNegative, NonNegative], LENGTH]
     points: tuple[Annotated[int, Field(ge=1, le=512)], Annotated[int, Field(ge=1, le=512)]]
     rays: Annotated[int, Field(ge=1, le=1 << 24)] = 1000
     emission: Emission = "uniform"

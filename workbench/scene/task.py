@@ -5,6 +5,7 @@ from typing import Any, Literal, Self
 
 from pydantic import ValidationError, model_validator
 
+from workbench import units
 from workbench.errors import Refused
 from workbench.refusals import refusal
 from workbench.scene.lens import Lens
@@ -13,6 +14,8 @@ from workbench.scene.run import AutoRun, RunField, RunSettings, Stage
 from workbench.scene.screen import FilterField, GaussianFilter, Screen
 from workbench.scene.source import CollimatedSource, MeshMethod, PointSource, SourceField
 from workbench.scene.target import TargetField
+
+Unit = Literal["mm", "cm", "m", "inch"]
 
 MOST_STAGES = 100
 """Most stages of a run: each is checked as a scene of its own."""
@@ -23,7 +26,7 @@ class Scene(Part):
 
     format: Literal["freeform-scene"] = "freeform-scene"
     version: Literal[1] = 1
-    unit: Literal["mm", "cm", "m", "inch"] = "mm"
+    unit: Unit = "mm"
     lens: Lens
     source: SourceField
     screen: Screen
@@ -122,6 +125,24 @@ class Scene(Part):
                 raise Refused(f"run.stages[{number}].{path}", refused.reason) from None
         last = self.run.model_copy(update={"stages": (), "iterations": left})
         return (*parts, self.model_copy(update={"run": last}))
+
+    def in_unit(self, unit: Unit) -> Self:
+        """The same scene with all its lengths in another unit.
+
+        Which fields are lengths stands with the fields, as `part.LENGTH`.
+
+        Raises
+        ------
+        Refused
+            If a length would be beyond float64, or so small that it is 0.
+        """
+        if unit == self.unit:
+            return self
+        try:
+            scene = self.scaled(units.ratio(self.unit, unit))
+        except OverflowError as error:
+            raise Refused("unit", f"a length is too large to be given in {unit}") from error
+        return self.from_data(scene.to_data() | {"unit": unit})
 
     @classmethod
     def from_json(cls, text: str | bytes) -> Self:

@@ -8,13 +8,14 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from workbench import units
 from workbench.design.snapshot import Result
 from workbench.geometry.surface import ControlNet, GridBasis
 from workbench.scene import Scene
 
 Array = npt.NDArray[np.float64]
 
-METRES = {"mm": 1e-3, "cm": 1e-2, "m": 1.0, "inch": 0.0254}
+METRES = {unit: float(metres) for unit, metres in units.METRES.items()}
 """Length of each of the scene's units."""
 
 # Default of the chord error over the larger half-width of the lens.

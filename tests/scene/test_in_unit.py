@@ -1,0 +1,107 @@
+"""A scene in another unit is the same scene: all of its lengths are converted, nothing else is."""
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from tests.scenes import changed
+from workbench.analysis.tracing import Trace
+from workbench.errors import Refused
+from workbench.scene import Scene
+
+POINT = {"kind": "point", "position": [0.25, -0.5, -4.0], "emission": "lambertian"}
+GRID = {"kind": "grid", "center": [0.0, 0.1, -3.0], "half_width": [0.3, 0.2], "points": [2, 3]}
+SPHERE = {"shape": "sphere", "height": 0.5, "radius": 8.0, "form": "convex"}
+UNITS = ("mm", "cm", "m", "inch")
+
+
+def leaves(data, path=""):
+    """All numbers and words in plain data, by their paths."""
+    if isinstance(data, dict):
+        for name, value in data.items():
+            yield from leaves(value, f"{path}.{name}" if path else name)
+    elif isinstance(data, list):
+        for number, value in enumerate(data):
+            yield from leaves(value, f"{path}[{number}]")
+    else:
+        yield path, data
+
+
+def test_every_length_is_converted_and_nothing_else():
+    stages = [{"iterations": 2, "source": GRID}]
+    run = {
+        "method": "auto",
+        "iterations": 10,
+        "min_radius": 0.5,
+        "smoothness": 0.5,
+        "stages": stages,
+    }
+    data = changed({"source": POINT, "lens.base": SPHERE, "lens.entrance_z": 0.125, "run": run})
+    before = Scene.from_data(data)
+    found = dict(leaves(before.in_unit("mm").to_data()))
+    converted = {path for path, value in leaves(before.to_data()) if found[path] != value}
+    assert converted == {
+        "unit",
+        *(f"lens.half_width[{axis}]" for axis in (0, 1)),
+        "lens.entrance_z",
+        "lens.base.height",
+        "lens.base.radius",
+        *(f"lens.height_range[{end}]" for end in (0, 1)),
+        "lens.min_thickness",
+        *(f"source.position[{axis}]" for axis in (0, 1, 2)),
+        *(f"run.stages[0].source.center[{axis}]" for axis in (1, 2)),  # the first one is 0
+        *(f"run.stages[0].source.half_width[{axis}]" for axis in (0, 1)),
+        "screen.z",
+        *(f"screen.half_width[{axis}]" for axis in (0, 1)),
+        "run.min_radius",
+    }
+    for path, value in leaves(before.to_data()):
+        if path in converted - {"unit"}:
+            assert found[path] == pytest.approx(10 * value, rel=1e-15)
+
+
+def test_decimal_numbers_stay_decimal(make_scene):
+    scene = make_scene({"unit": "mm", "screen.z": 49.9, "lens.height_range": [-0.3, 0.7]})
+    found = scene.in_unit("cm")
+    assert (found.screen.z, found.lens.height_range) == (4.99, (-0.03, 0.07))
+    assert found.in_unit("mm") == scene
+
+
+def test_the_same_unit_changes_nothing(make_scene):
+    scene = make_scene()
+    assert scene.in_unit("cm") == scene
+
+
+@pytest.mark.parametrize(("size", "unit", "said"), [(1e308, "mm", "too large"), (1e-322, "m", "0")])
+def test_what_float64_cannot_hold_is_refused(make_scene, size, unit, said):
+    lengths = {"lens.half_width": [size, size], "screen.half_width": [size, size]}
+    with pytest.raises(Refused, match=said):
+        make_scene(lengths).in_unit(unit)
+
+
+@settings(max_examples=15, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(
+    units=st.tuples(st.sampled_from(UNITS), st.sampled_from(UNITS)),
+    source=st.sampled_from([{"kind": "collimated", "rays": [64, 64]}, POINT, GRID]),
+    base=st.sampled_from([SPHERE, {"shape": "flat", "height": 0.5}]),
+    half_width=st.floats(0.5, 1.5),
+    seed=st.integers(0, 1000),
+)
+def test_the_converted_lens_sends_the_same_flux_to_each_pixel(
+    units, source, base, half_width, seed
+):
+    lens = {"lens.base": base, "lens.half_width": [1.0, half_width], "source": source}
+    scene = Scene.from_data(changed({"unit": units[0], **lens}))
+    heights = 0.5 + 0.02 * np.random.default_rng(seed).normal(size=scene.lens.control_points)
+    other = scene.in_unit(units[1])
+    one = flux(scene, heights, seed)
+    two = flux(other, heights * (other.screen.z / scene.screen.z), seed)
+    assert one.sum() > 0
+    # Rounding may put a ray on the other side of an edge between two pixels.
+    assert np.abs(one - two).sum() < 1e-3 * one.sum()
+
+
+def flux(scene, heights, seed):
+    batches = Trace(scene, heights, 20_000, seed).batches(threads=1)
+    return sum(tally.flux[0] for tally in batches)

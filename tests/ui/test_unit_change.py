@@ -1,0 +1,36 @@
+"""What becomes of a designed lens when the unit changes, and the offer to keep the numbers."""
+
+import pytest
+from PySide6.QtCore import Qt
+
+from tests.ui.hands import choose
+
+
+@pytest.fixture
+def window(open_window, designed):
+    return open_window(designed)
+
+
+def test_the_lens_is_converted_and_stays_the_result(window, designed):
+    choose(window.forms, "unit", "mm")
+    session = window.document.session
+    assert session.scene.screen.z == 50
+    assert session.result.control_points == pytest.approx(10 * designed.result.control_points)
+    assert session.result.loss == designed.result.loss
+    assert window.messages.text == "All lengths are converted: 1 cm is 10 mm now."
+    window.document.undo_stack.undo()
+    assert window.document.session is designed
+    assert window.messages.text == ""
+
+
+def test_the_numbers_are_kept_if_a_person_wants_that(window, designed, qtbot):
+    choose(window.forms, "unit", "mm")
+    qtbot.mouseClick(window.messages._button, Qt.MouseButton.LeftButton)
+    session = window.document.session
+    assert (session.scene.unit, session.scene.screen.z) == ("mm", 5)
+    assert session.result is designed.result  # the same numbers are the same task
+    assert window.messages.text == ""
+    window.document.undo_stack.undo()
+    assert window.document.session.scene.screen.z == 50
+    window.document.undo_stack.undo()
+    assert window.document.session is designed

@@ -1,0 +1,27 @@
+"""Units of length, and how one goes into another."""
+
+from fractions import Fraction
+
+METRES = {
+    "mm": Fraction(1, 1000),
+    "cm": Fraction(1, 100),
+    "m": Fraction(1),
+    "inch": Fraction(254, 10_000),
+}
+"""The units that a scene can have, in metres."""
+
+
+def ratio(unit: str, other: str) -> Fraction:
+    """How many of the other unit make one of the first, exactly."""
+    return METRES[unit] / METRES[other]
+
+
+def times(number: float, factor: Fraction) -> float:
+    """The product, with the number taken as it is written: 0.3 mm are 0.03 cm, not 0.03 + 3e-18.
+
+    Raises
+    ------
+    OverflowError
+        If the product is beyond float64.
+    """
+    return float(Fraction(repr(number)) * factor)
