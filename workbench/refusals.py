@@ -83,9 +83,7 @@ def _follow(location: tuple[int | str, ...], model: type[BaseModel]) -> tuple[st
         if tagged and len(candidates) > 1:
             candidates = tagged
             continue
-        # What is not a field here may be any text.
-        name = step if step.isidentifier() and len(step) < _LONGEST else shown(step)
-        path += f".{name}" if path else name
+        path += f".{field_name(step)}" if path else field_name(step)
         fields = sorted({name for c in candidates for name in c.model_fields})
         annotations = [
             c.model_fields[step].annotation for c in candidates if step in c.model_fields
@@ -128,6 +126,11 @@ def _sentence(details: ErrorDetails, fields: list[str]) -> str:
         return _SENTENCES[kind].format(**{**context, "input": value})
     message = details["msg"]
     return f"{value}: {message[:1].lower()}{message[1:]}"
+
+
+def field_name(name: str) -> str:
+    """A field's name as a path can hold it: what is not a field of ours may be any text."""
+    return name if name.isidentifier() and len(name) < _LONGEST else shown(name)
 
 
 def shown(value: object) -> str:

@@ -24,6 +24,14 @@ def test_a_byte_order_mark_does_no_harm(tmp_path, make_scene):
     assert read_scene(path) == make_scene()
 
 
+def test_a_field_that_is_given_twice_is_refused(tmp_path, make_scene):
+    path = tmp_path / "scene.json"
+    text = make_scene().to_json()
+    path.write_text(text.replace('"z": 5.0', '"z": 6.0, "z": 5.0'))
+    with pytest.raises(Refused, match=r"^screen\.z: is given twice"):
+        read_scene(path)
+
+
 def test_a_relative_image_starts_beside_the_scene(tmp_path, scene_data):
     path = tmp_path / "scene.json"
     path.write_text(with_image(scene_data, "images/../flame.png"))

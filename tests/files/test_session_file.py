@@ -247,6 +247,12 @@ class TestRefused:
     def test_a_missing_entry(self, forge, name):
         assert refused(forge({name: None})).startswith(f": {name}: is missing")
 
+    def test_a_field_that_is_given_twice(self, session, path, forge):
+        write_session(session, path)
+        text = entries_of(path)["session.json"].replace(b'"z":', b'"z": 6.0, "z":')
+        sentence = ": session.json: scene.screen.z: is given twice; each field can be there once"
+        assert refused(forge({"session.json": text})) == sentence
+
     def test_an_unknown_entry(self, forge):
         assert refused(forge({"../evil": b""})).startswith(": '../evil': does not belong")
 

@@ -9,6 +9,7 @@ from pydantic import Field, ValidationError
 from workbench.design.session import LONGEST_NAME
 from workbench.errors import Refused
 from workbench.files.figures import Figures, VerifiedFigures
+from workbench.files.json_text import check_fields_once
 from workbench.refusals import refusal
 from workbench.scene import Part, Scene
 
@@ -79,6 +80,7 @@ def read_header(text: bytes, where: str) -> Header:
     except ValidationError as error:
         refused = refusal(error, Header, whole="text")
         raise Refused(f"{where}: {refused.path}", refused.reason) from None
+    check_fields_once(text, f"{where}: ")
     runs = header.runs or ()
     if len(runs) > MOST_RUNS:
         raise Refused(f"{where}: runs", f"{len(runs)} are given; at most {MOST_RUNS} are kept")

@@ -5,6 +5,7 @@ from pathlib import Path
 
 from workbench.errors import Refused
 from workbench.files.atomic import replacing
+from workbench.files.json_text import check_fields_once
 from workbench.files.reading import opened
 from workbench.scene import ImageTarget, Scene
 
@@ -40,6 +41,7 @@ def read_scene(path: Path) -> Scene:
         raise Refused(str(path), "is neither a session nor a scene in UTF-8 text") from error
     try:
         scene = Scene.from_json(text)
+        check_fields_once(text)
     except Refused as refused:
         if refused.path == "scene":  # no field of it, but all
             raise Refused(str(path), refused.reason) from None
