@@ -78,7 +78,9 @@ class TestPrism:
     """An inclined plane sends all light aside by one angle."""
 
     def found(self, make_scene, degree, slope_x, slope_y):
-        scene = make_scene({"lens.degree": degree, "screen.half_width": [2.0, 2.0]})
+        scene = make_scene(
+            {"lens.degree": degree, "lens.entrance_z": -1.0, "screen.half_width": [2.0, 2.0]}
+        )
         x, y = ControlNet.of(scene.lens).positions
         heights = 0.5 + slope_x * x[:, None] + slope_y * y[None, :]
         return validate(scene, uniform(scene), heights, ALIGNED)

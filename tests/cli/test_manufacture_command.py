@@ -1,11 +1,12 @@
 import json
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from workbench.design.snapshot import Result
-from workbench.files.session import Session, write_session
+from workbench.files.session import Session, read_session, write_session
 from workbench.geometry.surface import ControlNet
 from workbench.optics.ledger import Ledger
 
@@ -34,7 +35,7 @@ def test_figures(freeform, bowl):
     assert (status, told) == (0, "")
     found = json.loads(printed)
     assert found["unit"] == "cm"
-    assert found["limits"] == []
+    assert [(v["limit"], v["state"]) for v in found["limits"]] == [(0.05, "met")]  # the scene's
     assert found["thickest"]["value"] == pytest.approx(0.7)
     assert found["tightest_convex"]["value"] is found["tightest_convex"]["bound"] is None
     assert found["draft"] == pytest.approx(90 - math.degrees(math.atan(0.4)), abs=1.0)
@@ -58,6 +59,44 @@ def test_limits(freeform, bowl, tmp_path):
     assert [v["state"] for v in json.loads(printed)["limits"]] == ["met", "broken"]
     status, _, told = freeform("manufacture", bowl, "--min-radius", 1.0, "--max-thickness", 0.8)
     assert (status, told) == (0, "")
+
+
+@pytest.fixture
+def moved(bowl):
+    """Moves the exit face of the bowl along z."""
+
+    def move(by):
+        session = read_session(bowl)
+        result = replace(session.result, control_points=session.result.control_points + by)
+        write_session(replace(session, result=result), bowl)
+        return bowl
+
+    return move
+
+
+def test_the_least_thickness_of_the_scene_is_a_limit(freeform, moved):
+    status, printed, told = freeform("manufacture", moved(-0.46))
+    assert status == 1
+    assert "thickness at least 0.05 cm: NOT MET\n" in printed
+    assert told.startswith("freeform: thickness 0.043")
+
+
+@pytest.mark.parametrize(
+    ("by", "flaw"),
+    [(-10.3, "not above the entrance face at z = 0"), (4.4, "not before the screen at z = 5")],
+)
+def test_a_lens_that_is_no_body_is_looked_at_and_nothing_more(freeform, moved, by, flaw, tmp_path):
+    lens, solid = moved(by), tmp_path / "lens.step"
+    status, printed, told = freeform("manufacture", lens)
+    assert status == 1
+    assert "thinnest" in printed
+    assert flaw in told
+    for arguments in (("validate", lens, "--rays", 1000), ("export", lens, solid)):
+        status, printed, told = freeform(*arguments)
+        assert (status, printed) == (2, "")
+        assert told.startswith("freeform: lens: its exit face is at z = ")
+        assert flaw in told
+    assert not solid.exists()
 
 
 @pytest.mark.parametrize("value", ["0", "-1", "inf", "thin"])

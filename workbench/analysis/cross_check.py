@@ -11,6 +11,7 @@ from workbench.analysis.metrics import product, relative_l2, root
 from workbench.analysis.mitsuba import MitsubaScene
 from workbench.analysis.validation import through_focus
 from workbench.errors import RunFailed
+from workbench.geometry.body import check_body
 from workbench.scene import Scene
 
 Array = npt.NDArray[np.float64]
@@ -98,10 +99,11 @@ def cross_check(
     Raises
     ------
     Refused
-        If Mitsuba is not installed, or pixels are not square.
+        If Mitsuba is not installed, pixels are not square, or the lens is no body.
     RunFailed
         If no light reaches the screen.
     """
+    check_body(scene, control_points)
     theirs = MitsubaScene(scene, control_points)
     half, area = -(-rays // 2), scene.screen.pixel_area
     light = {

@@ -18,6 +18,7 @@ from workbench.analysis.face import Face
 from workbench.analysis.face_kernels import land
 from workbench.analysis.lights import CollimatedLight, PointLight
 from workbench.analysis.pose import Pose
+from workbench.geometry.body import check_body
 from workbench.optics.ledger import Ledger
 from workbench.scene import CollimatedSource, Scene, Screen
 
@@ -102,6 +103,11 @@ class Trace:
     ----------
     rays : int
         Rays traced.
+
+    Raises
+    ------
+    Refused
+        If the lens is no body, or passes one of the screens.
     """
 
     def __init__(
@@ -116,6 +122,7 @@ class Trace:
         pose = Pose() if pose is None else pose
         self._screen, self._scale = scene.screen, _scale(scene.screen)
         self._planes = np.array([scene.screen.z] if distances is None else distances)
+        check_body(scene, control_points, min(self._planes, default=scene.screen.z))
         self._face = Face(scene.lens, control_points)
         self._to_scene = pose.to_scene(scene.lens.entrance_z)
         kind = CollimatedLight if isinstance(scene.source, CollimatedSource) else PointLight

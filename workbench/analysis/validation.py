@@ -140,7 +140,7 @@ def validate(
     Raises
     ------
     Refused
-        If the screen may touch the lens there.
+        If the screen may touch the lens there, or the lens is no body; see `check_body`.
     RunFailed
         If no light reaches the screen.
     """
@@ -256,7 +256,7 @@ def through_focus(
     Raises
     ------
     Refused
-        If a screen may touch the lens.
+        If a screen may touch the lens, or the lens is no body.
     """
     for z in distances:
         with_screen_at(scene, z)

@@ -23,7 +23,8 @@ def export(path: Path, files: Sequence[Path], chord_error: float | None) -> None
     Raises
     ------
     Refused
-        If the session cannot be read or holds no lens, or a file cannot be written.
+        If the session cannot be read or holds no lens or one that is no body, or a file cannot be
+        written.
     RunFailed
         If another program's library that is needed fails.
     """

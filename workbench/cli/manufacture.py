@@ -3,14 +3,16 @@
 import json
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from workbench.analysis.manufacture import Extreme, Manufacture, surface_maps
 from workbench.analysis.manufacture import manufacture as look_at
 from workbench.analysis.manufacture_limits import Limits, Verdict, verdicts
 from workbench.cli.designed import read_designed
-from workbench.errors import RunFailed
+from workbench.errors import Refused, RunFailed
 from workbench.files.atomic import check_writable, replacing
+from workbench.geometry.body import check_body
 from workbench.geometry.surface import even_counts
 
 # Places of a map along the longer side of the lens.
@@ -25,7 +27,7 @@ def manufacture(path: Path, limits: Limits, plot: Path | None, as_json: bool) ->
     path : Path
         Session with a lens.
     limits : Limits
-        What the shop can make.
+        What the shop can make; the task's own least thickness counts where none is given.
     plot : Path, optional
         PNG of the maps to write.
     as_json : bool
@@ -36,13 +38,15 @@ def manufacture(path: Path, limits: Limits, plot: Path | None, as_json: bool) ->
     Refused
         If the session cannot be read or holds no lens, or the plot cannot be written.
     RunFailed
-        If the lens is beyond a limit; after all is printed and drawn.
+        If the lens is beyond a limit or no body; after all is printed and drawn.
     """
     session, result = read_designed(path)
     scene = session.scene
     if plot is not None:
         check_writable(plot)
     found = look_at(scene.lens, result.control_points)
+    if limits.min_thickness is None:
+        limits = replace(limits, min_thickness=scene.lens.min_thickness)
     judged = verdicts(found, limits)
     if as_json:
         told = [v._asdict() | {"found": v.found.to_data()} for v in judged]
@@ -57,6 +61,10 @@ def manufacture(path: Path, limits: Limits, plot: Path | None, as_json: bool) ->
         with replacing(plot) as file:
             write_manufacture(file, maps, limits, scene.unit)
     broken = [_sentence(v, scene.unit) for v in judged if v.state == "broken"]
+    try:
+        check_body(scene, result.control_points)
+    except Refused as refused:
+        broken.insert(0, str(refused))
     if broken:
         raise RunFailed("; ".join(broken))
 

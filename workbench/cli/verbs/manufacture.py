@@ -26,7 +26,7 @@ def add(commands: Any) -> None:
     )
     add_session(parser)
     for name, metavar, does in (
-        ("min-thickness", "LENGTH", "the lens has to be as thick everywhere"),
+        ("min-thickness", "LENGTH", "the lens has to be as thick everywhere [the scene's]"),
         ("max-thickness", "LENGTH", "and not thicker than this"),
         ("max-slope", "DEGREES", "largest angle between exit face and entrance face"),
         ("min-radius", "LENGTH", "smallest radius of curvature, in hollows and on humps"),

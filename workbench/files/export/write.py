@@ -9,6 +9,7 @@ from workbench.files.atomic import check_writable, replacing
 from workbench.files.export.design import Design, Deviation
 from workbench.files.export.formats import format_of
 from workbench.files.session import Session
+from workbench.geometry.body import check_body
 
 
 class Written(NamedTuple):
@@ -59,11 +60,13 @@ def export(
     Raises
     ------
     Refused
-        If the session has no lens, an ending tells no format or a file cannot be written, all of
-        it before anything is written; later, if a format cannot hold what is asked.
+        If the session has no lens or one that is no body, an ending tells no format or a file
+        cannot be written, all of it before anything is written; later, if a format cannot hold
+        what is asked.
     """
     if session.result is None:
         raise Refused("session", "holds no lens yet; a design run finds one")
+    check_body(session.scene, session.result.control_points)
     design = Design(session.scene, session.result, chord_error)
     formats = [format_of(path) for path in paths]
     for path in paths:

@@ -1,0 +1,60 @@
+"""Whether a lens is a body: glass everywhere between both faces, and clear of the screen.
+
+A run never leaves anything else, but heights also come from files.
+"""
+
+import math
+
+import numpy as np
+import numpy.typing as npt
+
+from workbench.errors import Refused
+from workbench.geometry.surface import ControlNet
+from workbench.scene import Scene
+
+Array = npt.NDArray[np.float64]
+
+# Least number of places along each axis that are looked at.
+_PLACES = 512
+
+
+def check_body(scene: Scene, control_points: Array, screen_z: float | None = None) -> None:
+    """Refuse a lens whose faces touch or cross, or that meets the screen.
+
+    Parameters
+    ----------
+    scene : Scene
+        The design task.
+    control_points : ndarray, shape (n_u, n_v)
+        Control heights of the exit face, scene units.
+    screen_z : float, optional
+        Where the screen is, in place of the scene's.
+
+    Raises
+    ------
+    Refused
+        With the place and the height there.
+    """
+    entrance = scene.lens.entrance_z
+    screen = scene.screen.z if screen_z is None else screen_z
+    # The face lies in the convex hull of its control points: nearly always they alone tell.
+    if entrance < control_points.min() and control_points.max() < screen:
+        return
+    net = ControlNet.of(scene.lens)
+    u, v = (
+        np.linspace(0, 1, (n - p) * math.ceil(_PLACES / (n - p)) + 1)
+        for n, p in zip(net.shape, net.degree, strict=True)
+    )
+    height, _, _ = net.grid(u, v).evaluate(control_points)
+    for worst, broken, limit in (
+        (height.argmin(), height.min() <= entrance, f"above the entrance face at z = {entrance:g}"),
+        (height.argmax(), height.max() >= screen, f"before the screen at z = {screen:g}"),
+    ):
+        if broken:
+            i, j = np.unravel_index(worst, height.shape)
+            x, y = ((2 * t - 1) * r for t, r in zip((u[i], v[j]), net.half_width, strict=True))
+            raise Refused(
+                "lens",
+                f"its exit face is at z = {height[i, j]:.5g} {scene.unit} at x = {x:.4g}, "
+                f"y = {y:.4g}, not {limit}: that is no body of glass",
+            )
