@@ -115,6 +115,13 @@ class TestStages:
         assert len(list(run(scene, disc, lens, locked))) == 3
 
 
+def test_a_lock_that_leaves_no_body_is_refused(small, disc, locked, lens):
+    lens[1, 1] = -5.0
+    with pytest.raises(Refused, match=r"its exit face is at z = -.* no body of glass"):
+        next(run(small(), disc, lens, locked))
+    next(run(small(), disc, lens, ~locked))  # it is free to move, so the run mends it
+
+
 def test_locks_that_are_symmetric_leave_the_lens_symmetric(small, disc):
     scene = small({"run": {"iterations": 3}})
     locked = np.zeros((12, 10), bool)

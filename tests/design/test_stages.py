@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from workbench.design import parametrisation
 from workbench.design.run import run
 from workbench.design.snapshot import History
 from workbench.errors import Refused
@@ -71,6 +72,34 @@ def test_stages_that_are_not_possible_are_refused(make_scene, stages, sentence):
     with pytest.raises(Refused) as refused:
         make_scene({"run": {"iterations": 10, "stages": stages}})
     assert str(refused.value).startswith(sentence)
+
+
+@pytest.mark.parametrize(
+    ("stages", "changes", "path"),
+    [
+        ([{}, {"filter": {"kind": "box"}}], {"run.method": "paper"}, "run.stages[1].filter.kind"),
+        ([{}, {"method": "paper"}], {"filter": {"kind": "box"}}, "run.stages[1].filter.kind"),
+        (
+            [{"filter": {"kind": "gaussian"}}],
+            {"run.method": "paper", "filter": {"kind": "box"}},
+            "filter.kind",
+        ),
+        (
+            [{}, {"control_points": [90, 90]}],
+            {"run.method": "paper", "run.parametrisation": "dense"},
+            "run.stages[1].parametrisation",
+        ),
+    ],
+)
+def test_what_a_later_stage_cannot_do_is_refused_before_the_first(
+    make_scene, disc, monkeypatch, stages, changes, path
+):
+    monkeypatch.setattr(parametrisation, "available_memory", lambda _: 100_000_000)
+    monkeypatch.setattr("workbench.design.run._steps", lambda *_: pytest.fail("a stage began"))
+    scene = make_scene({"run.stages": [{"iterations": 1} | stage for stage in stages]} | changes)
+    with pytest.raises(Refused) as refused:
+        next(run(scene, disc))
+    assert refused.value.path == path
 
 
 def test_the_lens_is_handed_on(make_scene, disc):

@@ -10,13 +10,12 @@ import torch
 from workbench.design.heights import HeightRange, Mask
 from workbench.design.loss import check_finite, check_gradient, paper_loss, share
 from workbench.design.networks import build
-from workbench.design.parametrisation import check_memory, learning_rate
+from workbench.design.parametrisation import learning_rate
 from workbench.design.smoothness import Smoothness
 from workbench.design.step import Step
-from workbench.errors import Refused
 from workbench.geometry.surface import ControlNet
 from workbench.optics.plan import Plan, device_of
-from workbench.scene import BoxFilter, PaperRun, Scene
+from workbench.scene import PaperRun, Scene
 
 Array = npt.NDArray[np.float64]
 
@@ -36,18 +35,10 @@ def paper_steps(
 
     Raises
     ------
-    Refused
-        If the filter has no gradient or the parametrisation does not fit into memory.
     RunFailed
         If the loss or its gradient is not finite.
     """
-    if isinstance(scene.filter, BoxFilter):
-        raise Refused(
-            "filter.kind",
-            "'box' is constant within a pixel and gives the paper's method no gradient; 'gaussian'",
-        )
     device = device_of(scene)
-    check_memory(scene)
     plan = Plan(scene, locked=locked)
     net = ControlNet.of(scene.lens)
     free = HeightRange.of(scene.lens, net, device).keeping(locked, start)

@@ -6,17 +6,18 @@ so both take effect within one iteration.
 
 import math
 import time
-from collections.abc import Generator, Sequence
+from collections.abc import Generator
 
 import numpy as np
 import numpy.typing as npt
 
 from workbench.design.auto import auto_steps
 from workbench.design.heights import Mask
+from workbench.design.needs import check_parts
 from workbench.design.paper import paper_steps
 from workbench.design.snapshot import Snapshot, frozen
 from workbench.design.step import Step
-from workbench.errors import Refused, RunFailed
+from workbench.errors import RunFailed
 from workbench.geometry.surface import ControlNet
 from workbench.scene import PaperRun, Scene
 
@@ -55,7 +56,7 @@ def run(
     Raises
     ------
     Refused
-        If the scene cannot be run here, or a stage has a net on which nothing can be locked.
+        If the scene or one of its stages cannot be run here; before any of them is.
     RunFailed
         If the run cannot go on; the snapshots up to then stay good.
     """
@@ -65,8 +66,7 @@ def run(
     done = locked is not None and bool(locked.all())
     # Given heights stand at the end of all stages already.
     first = 0 if start is None and not done else len(parts) - 1
-    if locked is not None:
-        _check_nets(parts[first:], finished)
+    check_parts(parts, first, start, locked)
     iteration = 0
     seconds = 0.0  # time spent here, not where the snapshots go: a pause is not run time
     for stage, part in enumerate(parts[first:], first):
@@ -111,17 +111,6 @@ def run(
         if stage + 1 < len(parts):
             start = net.carry(best_heights, ControlNet.of(parts[stage + 1].lens))
     return ended
-
-
-def _check_nets(parts: Sequence[Scene], finished: ControlNet) -> None:
-    """Refuse stages on other nets than that of the finished lens, which the locks are about."""
-    for stage, part in enumerate(parts):
-        if ControlNet.of(part.lens) != finished:
-            raise Refused(
-                f"run.stages[{stage}].control_points",
-                f"{list(part.lens.control_points)} are not the control points of the finished lens "
-                "that are locked; leave the stage's net out or unlock them",
-            )
 
 
 def _steps(
