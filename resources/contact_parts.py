@@ -10,7 +10,8 @@ from PySide6.QtWidgets import QApplication, QComboBox, QDialog, QLineEdit, QPush
 
 import resources
 from resources.make_screenshot import dialog_of, settle
-from ui.commands.table import PANES, TOOLS
+from ui.commands.table import TOOLS
+from ui.docks import PANES
 from ui.files.left_behind import LeftBehind, ask
 from ui.main_window import MainWindow
 from ui.tour import STOPS, Bubble

@@ -6,6 +6,8 @@ from functools import partial
 from PySide6.QtCore import QObject, Qt
 from PySide6.QtWidgets import QApplication, QDockWidget, QMainWindow, QToolBar, QWidget
 
+from ui.docks import PANES
+
 
 class Panes(QObject):
     """The docks, what stands between them, and the toolbar.
@@ -15,7 +17,7 @@ class Panes(QObject):
     window : QMainWindow
         Holds them.
     docks : mapping of str to QDockWidget
-        By name, in the order in which the focus goes.
+        By name; the focus goes in the order of `PANES`.
     toolbar : QToolBar
         Comes last.
     """
@@ -35,15 +37,14 @@ class Panes(QObject):
 
     def slots(self) -> dict[str, Callable[[], object]]:
         """What commands do here."""
-        names = ("scene", *self._docks)
         return {
-            **{f"go_{name}": partial(self.go, name) for name in names},
+            **{f"go_{name}": partial(self.go, name) for name in PANES},
             "next_pane": partial(self._step, 1),
             "previous_pane": partial(self._step, -1),
         }
 
     def place(self, name: str) -> QWidget:
-        """The pane of a name; "scene" is what stands between the docks."""
+        """The pane of a name."""
         found = self._docks.get(name)
         return self._centre if found is None else found
 
@@ -59,7 +60,7 @@ class Panes(QObject):
         _enter(self.place(name))
 
     def _step(self, by: int) -> None:
-        panes: list[QWidget] = [*self._docks.values(), self._centre, self._toolbar]
+        panes = [*map(self.place, PANES), self._toolbar]
         seen = [pane for pane in panes if not pane.visibleRegion().isEmpty()]
         focused = QApplication.focusWidget()
         at = next((k for k, pane in enumerate(seen) if _holds(pane, focused)), -1 if by > 0 else 0)

@@ -16,27 +16,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from ui.docks import PANES
 from ui.log_view import LogView
 from ui.message_bar import MessageBar
 from ui.panels.forms import Forms
-
-_LEFT = Qt.DockWidgetArea.LeftDockWidgetArea
-_RIGHT = Qt.DockWidgetArea.RightDockWidgetArea
-_BOTTOM = Qt.DockWidgetArea.BottomDockWidgetArea
-
-# Until they are asked for.
-_HIDDEN = (
-    "history",
-    "target",
-    "derivative",
-    "surface",
-    "focus",
-    "check",
-    "manufacture",
-    "tolerances",
-    "section",
-    "log",
-)
 
 # Shares of the window for forms, images and what stands below the 3D scene.
 _FORMS_SHARE = 0.25
@@ -80,50 +63,23 @@ class Workspace:
         over.addWidget(self._stage, 0, 0)
         over.addWidget(messages, 0, 0, Qt.AlignmentFlag.AlignTop)
         window.setCentralWidget(centre)
-        window.setCorner(Qt.Corner.BottomLeftCorner, _LEFT)
-        window.setCorner(Qt.Corner.BottomRightCorner, _RIGHT)
+        window.setCorner(Qt.Corner.BottomLeftCorner, Qt.DockWidgetArea.LeftDockWidgetArea)
+        window.setCorner(Qt.Corner.BottomRightCorner, Qt.DockWidgetArea.RightDockWidgetArea)
         self.docks = {
-            "design": self._dock("design", "Design", _LEFT),
-            "history": self._dock("history", "History", _LEFT),
-            "irradiance": self._dock("irradiance", "Irradiance", _RIGHT),
-            "target": self._dock("target", "Target", _RIGHT),
-            "error": self._dock("error", "Irradiance − target", _RIGHT),
-            "derivative": self._dock("derivative", "Derivative", _RIGHT),
-            "surface": self._dock("surface", "Surface", _RIGHT),
-            "manufacture": self._dock("manufacture", "Manufacture", _RIGHT),
-            "tolerances": self._dock("tolerances", "Tolerances", _RIGHT),
-            "focus": self._dock("focus", "Through focus", _RIGHT),
-            "check": self._dock("check", "Check", _RIGHT),
-            "loss": self._dock("loss", "Loss", _BOTTOM),
-            "section": self._dock("section", "Cross-section", _BOTTOM),
-            "log": self._dock("log", "Log", _BOTTOM),
-            "light": self._dock("light", "Light account", _BOTTOM),
-            "runs": self._dock("runs", "Runs", _BOTTOM),
+            name: self._dock(name, pane.title, pane.area)
+            for name, pane in PANES.items()
+            if pane.area is not None
         }
-        self.docks["design"].setWidget(forms)
         self.history = QUndoView(steps)
         self.history.setEmptyLabel("As opened")
         self.history.setItemDelegate(_Capitalised(self.history))
         self.history.setToolTip("A click goes back or forth to that step")
-        self.docks["history"].setWidget(self.history)
-        self.docks["log"].setWidget(log)
-        for name in self.docks.keys() - {"design", "history", "log"}:
+        there: dict[str, QWidget] = {"design": forms, "history": self.history, "log": log}
+        self._waiting = self.docks.keys() - there.keys()
+        for name, dock in self.docks.items():
             curtain = QLabel("Loading…", alignment=Qt.AlignmentFlag.AlignCenter)
-            self.docks[name].setWidget(curtain)
-        window.splitDockWidget(
-            self.docks["irradiance"], self.docks["target"], Qt.Orientation.Horizontal
-        )
-        # Tabs of docks that are shown leave bars behind, which lie about until Qt deletes them.
-        for name in (*_HIDDEN, "runs"):
-            self.docks[name].hide()
-        window.tabifyDockWidget(self.docks["design"], self.docks["history"])
-        for name in ("derivative", "surface", "manufacture", "tolerances", "focus", "check"):
-            window.tabifyDockWidget(self.docks["error"], self.docks[name])
-        for name in ("section", "log"):
-            window.tabifyDockWidget(self.docks["loss"], self.docks[name])
-        window.tabifyDockWidget(self.docks["light"], self.docks["runs"])
-        self.docks["runs"].show()
-        self.docks["light"].raise_()
+            dock.setWidget(there.get(name, curtain))
+        self._stack()
         # A dock that comes between others gets no more than it cannot do without.
         shown = self.docks["target"].toggleViewAction().toggled
         shown.connect(lambda shown: QTimer.singleShot(0, window, self._share) if shown else None)
@@ -145,7 +101,23 @@ class Workspace:
         self._window.resizeDocks([docks["loss"], docks["light"]], [3, 2], Qt.Orientation.Horizontal)
 
     def raise_curtain(self, scene_view: QWidget, others: Mapping[str, QWidget]) -> None:
-        """Put the views where the placeholders stand."""
+        """Put the views where the placeholders stand.
+
+        Parameters
+        ----------
+        scene_view : QWidget
+            For the middle.
+        others : mapping of str to QWidget
+            For each dock that has but a placeholder, by name.
+
+        Raises
+        ------
+        ValueError
+            If these docks and the names are not the same.
+        """
+        if self._waiting != others.keys():
+            wrong = sorted(self._waiting ^ others.keys())
+            raise ValueError(f"no dock, or nothing for it: {wrong}")
         self._stage.addWidget(scene_view)
         self._stage.setCurrentWidget(scene_view)
         for name, view in others.items():
@@ -162,6 +134,21 @@ class Workspace:
     def show_scene_view(self, shown: bool) -> None:
         """Show the 3D scene, or nothing in its place (which costs nothing while a run goes on)."""
         self._stage.setCurrentIndex(1 if shown else 0)
+
+    def _stack(self) -> None:
+        """Put docks behind and beside each other as `PANES` says, and hide what is not shown."""
+        # Tabs of docks that are shown leave bars behind, which lie about until Qt deletes them.
+        for name, dock in self.docks.items():
+            dock.setVisible(PANES[name].shown and not PANES[name].behind)
+        for name, dock in self.docks.items():
+            if PANES[name].right_of:
+                beside = self.docks[PANES[name].right_of]
+                self._window.splitDockWidget(beside, dock, Qt.Orientation.Horizontal)
+            if PANES[name].behind:
+                front = self.docks[PANES[name].behind]
+                self._window.tabifyDockWidget(front, dock)
+                dock.setVisible(PANES[name].shown)
+                front.raise_()
 
     def _share(self) -> None:
         """Give both images of light as much room, where the target has hardly any."""

@@ -3,10 +3,11 @@
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAccessible
-from PySide6.QtWidgets import QAbstractButton, QApplication, QComboBox, QLineEdit
+from PySide6.QtWidgets import QAbstractButton, QApplication, QComboBox, QLineEdit, QWidget
 
 from tests.ui.hands import editor
-from ui.commands.table import COMMANDS, PANES
+from ui.commands.table import COMMANDS
+from ui.docks import PANES
 
 
 def holds_focus(pane):
@@ -16,7 +17,7 @@ def holds_focus(pane):
 
 def test_the_table_knows_every_pane_by_its_title(window):
     titles = {name: dock.windowTitle() for name, dock in window.workspace.docks.items()}
-    assert titles == {name: title for name, (title, _) in PANES.items() if name != "scene"}
+    assert titles == {name: pane.title for name, pane in PANES.items() if name != "scene"}
 
 
 @pytest.mark.parametrize("name", [name for name in PANES if name != "scene"])
@@ -92,3 +93,20 @@ def test_every_command_is_in_a_menu_and_with_it_in_the_palette(window):
     offered = {action for _, action in window.commands.entries()}
     missing = [name for name in COMMANDS if window.commands[name] not in offered]
     assert missing == []
+
+
+def test_each_dock_gets_something_to_hold_and_nothing_is_without_a_dock(window):
+    workspace = window.workspace
+    views = {name: QWidget() for name in PANES.keys() - {"scene", "design", "history", "log"}}
+    with pytest.raises(ValueError, match=r"\['runs'\]"):
+        workspace.raise_curtain(QWidget(), {k: v for k, v in views.items() if k != "runs"})
+    with pytest.raises(ValueError, match=r"\['ghost'\]"):
+        workspace.raise_curtain(QWidget(), {**views, "ghost": QWidget()})
+    workspace.raise_curtain(QWidget(), views)
+    assert all(workspace.docks[name].widget() is view for name, view in views.items())
+
+
+def test_at_first_each_dock_is_where_the_table_says(window):
+    for name, dock in window.workspace.docks.items():
+        assert window.dockWidgetArea(dock) is PANES[name].area
+        assert dock.isHidden() is not PANES[name].shown

@@ -6,6 +6,7 @@ from typing import Any
 from PySide6.QtGui import QKeySequence
 
 from resources import EXAMPLES
+from ui.docks import PANES
 
 
 @dataclass(frozen=True)
@@ -57,27 +58,6 @@ RAYS_BY = {"rays_by_outcome": False, "rays_by_weight": True}
 
 PICTURES = {f"save_scene_{times}": times for times in (1, 2, 4)}
 """Commands that save the 3D scene so many times as large as it is seen."""
-
-PANES = {
-    "design": ("Design", "1"),
-    "scene": ("3D scene", "2"),
-    "irradiance": ("Irradiance", "3"),
-    "error": ("Irradiance − target", "4"),
-    "target": ("Target", ""),
-    "derivative": ("Derivative", ""),
-    "surface": ("Surface", "5"),
-    "focus": ("Through focus", ""),
-    "check": ("Check", ""),
-    "manufacture": ("Manufacture", ""),
-    "tolerances": ("Tolerances", ""),
-    "loss": ("Loss", "6"),
-    "section": ("Cross-section", "7"),
-    "light": ("Light account", ""),
-    "runs": ("Runs", ""),
-    "history": ("History", "8"),
-    "log": ("Log", "9"),
-}
-"""Title, and key with Alt, of each dock and of what stands between them."""
 
 COMMANDS = {
     **{name: Command(example.title, example.look) for name, example in NEW.items()},
@@ -211,9 +191,11 @@ COMMANDS = {
     ),
     **{
         f"go_{name}": Command(
-            title, "Show this pane and take the keyboard there", f"Alt+{key}" if key else ""
+            pane.title,
+            "Show this pane and take the keyboard there",
+            f"Alt+{pane.key}" if pane.key else "",
         )
-        for name, (title, key) in PANES.items()
+        for name, pane in PANES.items()
     },
     "palette": Command("Command &palette", "Find any command by its name", "Ctrl+Shift+P"),
     "shortcuts": Command(

@@ -1,0 +1,63 @@
+"""Every pane of the window, defined once: its title, its key, and where it stands at first."""
+
+from dataclasses import dataclass
+
+from PySide6.QtCore import Qt
+
+
+@dataclass(frozen=True)
+class Pane:
+    """A dock, or what stands between the docks.
+
+    Attributes
+    ----------
+    title : str
+        In its title bar, on its tab and in menus.
+    area : Qt.DockWidgetArea, optional
+        The side of the window; None for what stands between the docks.
+    key : str
+        Takes the keyboard there, with Alt.
+    behind : str
+        Name of the dock whose place it shares, as a tab.
+    right_of : str
+        Name of the dock that it stands beside.
+    shown : bool
+        Whether it is there from the beginning, before anybody asks for it.
+    """
+
+    title: str
+    area: Qt.DockWidgetArea | None
+    key: str = ""
+    behind: str = ""
+    right_of: str = ""
+    shown: bool = True
+
+
+_LEFT = Qt.DockWidgetArea.LeftDockWidgetArea
+_RIGHT = Qt.DockWidgetArea.RightDockWidgetArea
+_BOTTOM = Qt.DockWidgetArea.BottomDockWidgetArea
+
+PANES = {
+    "design": Pane("Design", _LEFT, "1"),
+    "scene": Pane("3D scene", None, "2"),
+    "irradiance": Pane("Irradiance", _RIGHT, "3"),
+    "error": Pane("Irradiance − target", _RIGHT, "4"),
+    "target": Pane("Target", _RIGHT, right_of="irradiance", shown=False),
+    "derivative": Pane("Derivative", _RIGHT, behind="error", shown=False),
+    "surface": Pane("Surface", _RIGHT, "5", behind="error", shown=False),
+    "manufacture": Pane("Manufacture", _RIGHT, behind="error", shown=False),
+    "tolerances": Pane("Tolerances", _RIGHT, behind="error", shown=False),
+    "focus": Pane("Through focus", _RIGHT, behind="error", shown=False),
+    "check": Pane("Check", _RIGHT, behind="error", shown=False),
+    "loss": Pane("Loss", _BOTTOM, "6"),
+    "section": Pane("Cross-section", _BOTTOM, "7", behind="loss", shown=False),
+    "light": Pane("Light account", _BOTTOM),
+    "runs": Pane("Runs", _BOTTOM, behind="light"),
+    "history": Pane("History", _LEFT, "8", behind="design", shown=False),
+    "log": Pane("Log", _BOTTOM, "9", behind="loss", shown=False),
+}
+"""By name, in the order in which menus list them and the focus goes.
+
+What a dock holds is made where its libraries are loaded: see `Workspace.raise_curtain`, which
+refuses a table and widgets that do not agree.
+"""
