@@ -319,8 +319,10 @@ class MainWindow(QMainWindow):
         commands.reword(now.texts())
         commands.reword({"undo": f"&Undo {stack.undoText()}", "redo": f"&Redo {stack.redoText()}"})
         commands["pause"].setChecked(now.state == "paused")
-        self.forms.set_running(not now.editable)
+        self.forms.set_running(not now.editable, paused=now.state == "paused")
         self.workspace.history.setEnabled(now.editable)
         if self.bench is not None:
             self.bench.allow(look=now.resting, go_on=now.state == "idle")
-        self.status.show_state(_STATES[now.state])
+        ended = "" if session.result is None else session.result.ended
+        resting = now.state == "idle" and ended
+        self.status.show_state(ended[0].upper() + ended[1:] if resting else _STATES[now.state])

@@ -109,7 +109,8 @@ def test_a_run_tells_its_phases_and_its_trace_once(window, snapshots, as_seen_ru
         "Trace: reference",
         "Stage 2 of 2, iteration 2",
         "Trace: fused kernels; box filter",
-        "Run ended after iteration 3 of 3, 0:00: last loss 2.500e-01, 92.0 % on the screen",
+        "Run ended (all iterations are done) after iteration 3 of 3, 0:00: "
+        "last loss 2.500e-01, 92.0 % on the screen",
     ]
 
 
@@ -127,7 +128,7 @@ def test_pausing_and_stopping_are_told(window, as_run, qtbot):
         "Run paused",
         "Run resumed",
         "Stop asked for",
-        "Run ended",
+        "Run ended (stopped)",
     ]
 
 

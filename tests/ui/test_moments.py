@@ -94,12 +94,12 @@ def test_a_lens_that_was_shaped_by_hand_keeps_the_course(run):
     assert shown(moments) == [0, 1, 2, 3]
 
 
-def test_frames_of_another_task_are_not_shown(run, make_scene):
+def test_frames_of_another_scene_are_not_shown_and_checks_stay_those_of_the_lens(run, make_scene):
     moments = Moments()
-    session = run(moments, 3)
+    session = run(moments, 3, checks=[EARLY])
     session.scene = make_scene({"unit": "mm"})
     moments.show(session)
-    assert shown(moments) == []
+    assert shown(moments) == [] and moments.checks == (EARLY,)
 
 
 def test_memory_of_all_courses_is_bounded(run):

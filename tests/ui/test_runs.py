@@ -6,7 +6,7 @@ from types import SimpleNamespace
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QLineEdit
+from PySide6.QtWidgets import QApplication, QLineEdit, QToolTip
 
 from tests.ui.hands import move_screen
 from ui.check.checking import Suspect
@@ -78,7 +78,7 @@ def names(window):
 
 
 def texts(window, row):
-    return [table(window).item(row, column).text() for column in range(8)]
+    return [table(window).item(row, column).text() for column in range(9)]
 
 
 def test_each_run_is_kept_in_one_step_with_its_result(window, run):
@@ -89,6 +89,7 @@ def test_each_run_is_kept_in_one_step_with_its_result(window, run):
     run("continue")
     assert names(window) == ["Run 1: auto, 12 × 10", "Run 2: auto, 12 × 10"]
     figures = ["1.25 %", "1.429e-01", "92.0 %", "0:01", "12", "12 × 10", "auto"]
+    figures.append("all iterations are done")
     assert texts(window, 1)[1:] == figures
     window.commands["undo"].trigger()
     window.commands["undo"].trigger()
@@ -138,6 +139,24 @@ def test_a_run_is_given_another_name_by_keyboard(two_runs, qtbot):
     assert two_runs.document.undo_stack.undoText() == "rename run"
     two_runs.commands["undo"].trigger()
     assert names(two_runs)[0] == "Run 1: auto, 12 × 10"
+
+
+def test_a_name_that_becomes_too_long_is_cut_and_said_while_it_is_typed(two_runs, qtbot):
+    lines = table(two_runs)
+    lines.setCurrentCell(0, 0)
+    lines.setFocus()
+    qtbot.keyClick(lines, Qt.Key.Key_F2)
+    qtbot.waitUntil(lambda: bool(lines.viewport().findChildren(QLineEdit)))
+    editor = lines.viewport().findChildren(QLineEdit)[0]
+    editor.selectAll()
+    QApplication.clipboard().setText("a" * 99)
+    qtbot.keyClick(editor, Qt.Key.Key_V, Qt.KeyboardModifier.ControlModifier)
+    assert not QToolTip.isVisible()
+    qtbot.keyClicks(editor, "bc")
+    assert editor.text() == "a" * 99 + "b"
+    assert QToolTip.text() == "A name has at most 100 characters"
+    qtbot.keyClick(editor, Qt.Key.Key_Return)
+    qtbot.waitUntil(lambda: two_runs.document.session.runs[0].name == "a" * 99 + "b")
 
 
 def test_an_empty_name_is_refused(two_runs):
@@ -206,8 +225,7 @@ def test_the_lens_of_a_run_is_checked_at_its_end(window, run, checks, qtbot):
     assert texts(window, 0)[1] == "1.25 %"
     (point,) = window.bench.views.loss._verified
     assert (point.iteration, point.loss) == (6, 0.1)
-    scene = window.document.session.scene
-    window.document.edit(scene.model_copy(update={"unit": "mm"}), "unit", "unit")
+    move_screen(window.document, 7)
     assert window.status._verified.text() == "" and window.bench.views.loss._verified == ()
     assert texts(window, 0)[1] == "1.25 %"
 

@@ -43,7 +43,7 @@ class Forms(QScrollArea):
         self._document = document
         self._pending: dict[str, _Waiting] = {}
         self._editing = False
-        self._hint = QLabel("The design is running. Stop it to change the scene.")
+        self._hint = QLabel()
         self._hint.setObjectName("hint")
         self._hint.setWordWrap(True)
         self._hint.hide()
@@ -103,8 +103,10 @@ class Forms(QScrollArea):
         self._target.choose_image(path)
         self.ensureWidgetVisible(self._target)
 
-    def set_running(self, running: bool) -> None:
+    def set_running(self, running: bool, paused: bool = False) -> None:
         """A run works on the scene as it was when it began; meanwhile it stays so."""
+        state = "paused" if paused else "running"
+        self._hint.setText(f"The design is {state}. Stop it to change the scene.")
         self._page.setEnabled(not running)
         self._hint.setVisible(running)
 

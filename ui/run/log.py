@@ -75,9 +75,10 @@ class RunLog(QObject):
         if self._last is None:
             self._tell("Run ended before its first lens")
             return
-        shot = self._last
+        shot, result = self._last, self._document.session.result
+        why = f" ({result.ended})" if result is not None and result.ended else ""
         self._tell(
-            f"Run ended after iteration {shot.iteration} of {shot.iterations}, "
+            f"Run ended{why} after iteration {shot.iteration} of {shot.iterations}, "
             f"{clock(shot.seconds)}: last loss {shot.loss:.3e}, "
             f"{100 * shot.ledger.efficiency:.1f} % on the screen"
         )

@@ -108,7 +108,7 @@ class Moments(QObject):
         kept = None if session.result is None else self._of(session.result)
         frames, checks = ((), ()) if kept is None else (kept.frames, kept.checks)
         if frames and not look_alike(frames[0].session, session):
-            frames, checks = (), ()  # the lens is the same, but no frame of it fits
+            frames = ()  # the lens is the same, but its frames are of another scene
         if (*frames,) != (*self._frames,) or checks != self._checks:
             self._frames, self._checks = list(frames), checks
             self._gap = 1 if kept is None else kept.gap

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel, QProgressBar, QStatusBar
 
+from ui.elided import ElidedLabel
 from ui.run.pace import Pace
 
 if TYPE_CHECKING:
@@ -21,8 +22,8 @@ class RunStatus:
     """
 
     def __init__(self, bar: QStatusBar) -> None:
-        self._state = QLabel()
-        bar.addWidget(self._state)
+        self._state = ElidedLabel()
+        bar.addWidget(self._state, 1)
         self._progress = QProgressBar()
         self._progress.setFixedWidth(150)
         self._progress.setTextVisible(False)

@@ -1,22 +1,28 @@
 """The kept runs of a session, one in each line."""
 
 from collections.abc import Callable, Sequence
+from functools import partial
 
-from PySide6.QtCore import QSignalBlocker, Qt, Signal
+from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QSignalBlocker, Qt, Signal
 from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHBoxLayout,
     QHeaderView,
     QLabel,
+    QLineEdit,
     QPushButton,
+    QStyledItemDelegate,
+    QStyleOptionViewItem,
     QTableWidget,
     QTableWidgetItem,
+    QToolTip,
     QVBoxLayout,
     QWidget,
 )
 
 from ui.run.status import clock
+from workbench.design.session import LONGEST_NAME
 from workbench.files.session import KeptRun
 
 _NOTHING = "Each run that ends is kept here, to be compared with others and gone back to."
@@ -29,8 +35,9 @@ _COLUMNS = {
     "Iterations": "Iterations taken, those of runs that it continued included",
     "Net": "Numbers of control points along x and y",
     "Method": "How the lens was searched for",
+    "Ended": "Why the run ended",
 }
-_VERIFIED = 1
+_VERIFIED, _ENDED = 1, len(_COLUMNS) - 1
 
 
 class RunTable(QWidget):
@@ -80,6 +87,7 @@ class RunTable(QWidget):
         rows.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         header = self.table.horizontalHeader()
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        self.table.setItemDelegateForColumn(0, _NameDelegate(self.table))
         self.table.itemChanged.connect(self._take_change)
         self.table.itemSelectionChanged.connect(self._show_possible)
         delete = QAction("Delete", self.table)
@@ -170,6 +178,7 @@ class RunTable(QWidget):
             f"{result.iterations}",
             f"{n_u} × {n_v}",
             run.scene.run.method,
+            result.ended or "–",
         ]
         for column, text in enumerate(texts):
             item = QTableWidgetItem(text)
@@ -182,7 +191,10 @@ class RunTable(QWidget):
                 item.setToolTip("The lens of the design" if is_current else "")
             else:
                 item.setFlags(item.flags() & ~Qt.ItemFlag.ItemIsEditable)
-                item.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+                side = (
+                    Qt.AlignmentFlag.AlignLeft if column == _ENDED else Qt.AlignmentFlag.AlignRight
+                )
+                item.setTextAlignment(side | Qt.AlignmentFlag.AlignVCenter)
             self.table.setItem(row, column, item)
 
     def _take_change(self, item: QTableWidgetItem) -> None:
@@ -200,6 +212,25 @@ class RunTable(QWidget):
         chosen = len(self.chosen)
         self._restore.setEnabled(self._editable and chosen == 1)
         self._delete.setEnabled(self._editable and chosen > 0)
+
+
+class _NameDelegate(QStyledItemDelegate):
+    """Takes names that a session can keep, and says where one would become too long."""
+
+    def createEditor(
+        self,
+        parent: QWidget,
+        option: QStyleOptionViewItem,
+        index: QModelIndex | QPersistentModelIndex,
+    ) -> QWidget:
+        editor = QLineEdit(parent, frame=False, maxLength=LONGEST_NAME)
+        editor.inputRejected.connect(partial(_say_too_long, editor))
+        return editor
+
+
+def _say_too_long(editor: QLineEdit) -> None:
+    below = editor.mapToGlobal(editor.rect().bottomLeft())
+    QToolTip.showText(below, f"A name has at most {LONGEST_NAME} characters", editor)
 
 
 def _button(text: str, tip: str, slot: Callable[[], None]) -> QPushButton:
