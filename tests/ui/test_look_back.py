@@ -125,7 +125,7 @@ def test_the_list_of_steps_can_be_jumped_in(designed, qtbot):
     model = steps.model()
     texts = [model.index(row, 0).data() for row in range(model.rowCount())]
     assert texts == ["As opened", "design run", "change of unit"]
-    for row, unit, done in ((0, "cm", False), (1, "cm", True), (2, "mm", False)):
+    for row, unit, done in ((0, "cm", False), (1, "cm", True), (2, "mm", True)):
         place = steps.visualRect(model.index(row, 0)).center()
         qtbot.mouseClick(steps.viewport(), Qt.MouseButton.LeftButton, pos=place)
         session = designed.document.session
