@@ -1,6 +1,6 @@
 import pytest
 
-from workbench.cli.arguments import _VERBS
+from workbench.cli.arguments import VERBS
 
 
 @pytest.fixture
@@ -18,7 +18,7 @@ def help_of(capsys, monkeypatch):
     return run
 
 
-@pytest.mark.parametrize("verb", [(), *((name,) for name in _VERBS)])
+@pytest.mark.parametrize("verb", [(), *((name,) for name in VERBS)])
 def test_help_fits_on_one_screen_and_shows_what_to_type(help_of, verb):
     lines = help_of(*verb).splitlines()
     assert len(lines) <= 40
@@ -29,5 +29,5 @@ def test_help_fits_on_one_screen_and_shows_what_to_type(help_of, verb):
 
 def test_the_first_help_names_every_verb(help_of):
     told = help_of()
-    for name in _VERBS:
+    for name in VERBS:
         assert f"\n  {name} " in told

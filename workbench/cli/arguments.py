@@ -16,7 +16,7 @@ from workbench.cli.verbs import (
 )
 from workbench.cli.verbs.parser import Parser
 
-_VERBS = {
+VERBS = {
     "design": design,
     "sweep": sweep,
     "validate": validate,
@@ -50,7 +50,7 @@ def parse(arguments: Sequence[str] | None) -> argparse.Namespace:
     Refused
         If it is not understood.
     """
-    verbs = "\n".join(f"  {name:<13}{verb.DOES}" for name, verb in _VERBS.items())
+    verbs = "\n".join(f"  {name:<13}{verb.DOES}" for name, verb in VERBS.items())
     parser = Parser(
         prog="freeform",
         usage="freeform COMMAND ...",
@@ -60,6 +60,6 @@ def parse(arguments: Sequence[str] | None) -> argparse.Namespace:
     commands = parser.add_subparsers(
         prog=parser.prog, metavar="COMMAND", required=True, help=argparse.SUPPRESS
     )
-    for verb in _VERBS.values():
+    for verb in VERBS.values():
         verb.add(commands)
     return parser.parse_args(arguments)

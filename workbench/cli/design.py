@@ -9,10 +9,9 @@ from pathlib import Path
 from workbench.cli.interruption import Interruption
 from workbench.cli.progress import Progress
 from workbench.design.snapshot import History, Result
-from workbench.errors import Refused
 from workbench.files.atomic import check_writable
 from workbench.files.figures import Figures
-from workbench.files.session import is_session, open_design, write_session
+from workbench.files.session import open_design, write_session
 from workbench.scene import Scene
 
 
@@ -44,8 +43,6 @@ def design(path: Path, output: Path, iterations: int | None, seconds: float, as_
     session = open_design(path)
     scene = session.scene if iterations is None else _with_iterations(session.scene, iterations)
     check_writable(output)
-    if output.exists() and output.samefile(path) and not is_session(path):
-        raise Refused(str(output), "is the scene itself; another file is needed for the session")
     earlier = session.result
     history = History(earlier)
     with Interruption() as interruption:

@@ -4,7 +4,6 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from workbench.cli.designed import read_designed
-from workbench.errors import Refused
 from workbench.files.export.write import export as write_all
 
 
@@ -29,8 +28,5 @@ def export(path: Path, files: Sequence[Path], chord_error: float | None) -> None
         If another program's library that is needed fails.
     """
     session, _ = read_designed(path)
-    for file in files:
-        if file.exists() and file.samefile(path):
-            raise Refused(str(file), "is the session itself; another file is needed")
     for written in write_all(session, files, chord_error):
         print(written.sentence, flush=True)

@@ -4,7 +4,7 @@ from pathlib import Path
 
 from workbench.cli.designed import read_designed
 from workbench.errors import Refused
-from workbench.files.atomic import replacing
+from workbench.files.atomic import check_writable, replacing
 from workbench.pictures import PICTURES
 
 
@@ -29,6 +29,8 @@ def pictures(path: Path, folder: Path) -> None:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise Refused(str(folder), f"cannot be made: {error.strerror or error}") from error
+    for name in PICTURES:
+        check_writable(folder / name)
     for name, write in PICTURES.items():
         with replacing(folder / name) as file:
             write(session, file)

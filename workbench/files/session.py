@@ -23,7 +23,7 @@ from workbench.files.scene import (
     with_portable_image,
 )
 
-_HEADER = "session.json"
+HEADER = "session.json"
 _LOCKED = "locked.npy"
 _START = "start.npy"  # of the control points, where no result has any
 
@@ -84,7 +84,7 @@ def write_session(session: Session, path: Path) -> str:
         arrays |= entries_of(_folder(number), run.target, run.result)
     with replacing(path) as file:
         with zipfile.ZipFile(file, "w", zipfile.ZIP_STORED) as archive:
-            with archive.open(_HEADER, "w") as entry:
+            with archive.open(HEADER, "w") as entry:
                 entry.write(text)
             for name, array in arrays.items():
                 with archive.open(name, "w") as entry:
@@ -117,10 +117,10 @@ def read_session(path: Path) -> Session:
         raise Refused(str(path), "is no session: it does not begin like a zip")
     with opened(path) as file:
         entries = Entries(path, file)
-        where = entries.where(_HEADER)
-        header = read_header(entries.content(_HEADER, LARGEST_TEXT), where)
+        where = entries.where(HEADER)
+        header = read_header(entries.content(HEADER, LARGEST_TEXT), where)
         scene = with_absolute_image(read_part(header.scene, where), path)
-        names = {_HEADER} | names_of(entries, "", header.result)
+        names = {HEADER} | names_of(entries, "", header.result)
         if _LOCKED in entries:
             names.add(_LOCKED)
         starts = header.result is None and _START in entries
@@ -163,7 +163,7 @@ def _header(session: Session, path: Path) -> Header:
 
 def _read_runs(entries: Entries, runs: tuple[RunHeader, ...], path: Path) -> Iterator[KeptRun]:
     for number, run in enumerate(runs):
-        where = f"{entries.where(_HEADER)}: runs[{number}].scene"
+        where = f"{entries.where(HEADER)}: runs[{number}].scene"
         scene = with_absolute_image(read_part(run.scene, where), path)
         target = read_target(entries, _folder(number), scene)
         result = read_result(entries, _folder(number), scene, run.result)

@@ -31,7 +31,9 @@ FIGURES = (
 """Numbers in a row; but for the last two those of the independent check."""
 
 _LARGEST = 1 << 20  # bytes of the figures of a point
-_TABLE = "table"
+
+TABLES = ("table.csv", "table.json")
+"""Files of all rows; those of the points have names of their own."""
 
 
 @dataclass(frozen=True)
@@ -84,7 +86,7 @@ class Store:
             folder.mkdir(parents=True, exist_ok=True)
         except OSError as error:
             raise Refused(str(folder), f"cannot be made: {error.strerror or error}") from error
-        check_writable(folder / f"{_TABLE}.csv")
+        check_writable(folder / TABLES[0])
         self.folder = folder
 
     def find(self, point: Point, key: str) -> Row | None:
@@ -122,9 +124,9 @@ class Store:
             changes = [row.changes.get(path, "") for path in paths]
             figures = [row.figures.get(name, "") for name in FIGURES]
             writer.writerow([row.scene, *changes, *figures, row.session, row.reason])
-        with replacing(self.folder / f"{_TABLE}.csv") as file:
+        with replacing(self.folder / TABLES[0]) as file:
             file.write(text.getvalue().encode())
-        with replacing(self.folder / f"{_TABLE}.json") as file:
+        with replacing(self.folder / TABLES[1]) as file:
             file.write(json.dumps(to_data(rows), indent=1).encode())
 
 

@@ -25,10 +25,9 @@ def add(commands: Any) -> None:
     parser.add_argument(
         "names", metavar="NAME", nargs="*", help=f"what to measure; default {DEFAULT}"
     )
-    parser.add_argument(
+    parser.add_output(
         "--output",
         metavar="FOLDER",
-        type=Path,
         default=Path("benchmark"),
         help="where tables and pictures go; default %(default)s",
     )

@@ -24,17 +24,17 @@ def add(commands: Any) -> None:
         ],
         _run,
     )
-    parser.add_argument(
+    parser.add_input(
         "scene",
+        role="the scene",
         metavar="SCENE",
-        type=Path,
         help="scene file, or session; one with a lens goes on from it",
     )
-    parser.add_argument(
+    parser.add_output(
         "-o",
         dest="output",
+        may_replace=_goes_on,
         metavar="OUT.freeform",
-        type=Path,
         required=True,
         help="session to write",
     )
@@ -45,6 +45,13 @@ def add(commands: Any) -> None:
         "--seconds", metavar="S", type=positive, default=math.inf, help="stop after this time"
     )
     add_json(parser)
+
+
+def _goes_on(path: Path) -> bool:
+    """A session may take its place again, with a lens that went on from its own."""
+    from workbench.files.session import is_session
+
+    return is_session(path)
 
 
 def _run(options: argparse.Namespace) -> None:

@@ -2,7 +2,6 @@
 
 import argparse
 import textwrap
-from pathlib import Path
 from typing import Any
 
 from workbench.cli.verbs.kinds import length
@@ -27,9 +26,7 @@ def add(commands: Any) -> None:
         _run,
     )
     add_session(parser)
-    parser.add_argument(
-        "files", metavar="FILE", type=Path, nargs="+", help="file to write, such as lens.step"
-    )
+    parser.add_output("files", metavar="FILE", nargs="+", help="file to write, such as lens.step")
     parser.add_argument(
         "--chord-error",
         metavar="LENGTH",

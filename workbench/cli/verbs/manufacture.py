@@ -1,12 +1,11 @@
 """``freeform manufacture``: its arguments."""
 
 import argparse
-from pathlib import Path
 from typing import Any
 
 from workbench.cli.verbs.kinds import length
 from workbench.cli.verbs.parser import add_verb
-from workbench.cli.verbs.shared import add_json, add_session
+from workbench.cli.verbs.shared import add_json, add_plot, add_session
 
 DOES = "tell thickness, slope and radii, and judge them by limits"
 
@@ -32,9 +31,7 @@ def add(commands: Any) -> None:
         ("min-radius", "LENGTH", "smallest radius of curvature, in hollows and on humps"),
     ):
         parser.add_argument(f"--{name}", metavar=metavar, type=length, help=does)
-    parser.add_argument(
-        "--plot", metavar="FILE.png", type=Path, help="draw maps; what is beyond limits is hatched"
-    )
+    add_plot(parser, "draw maps; what is beyond limits is hatched")
     add_json(parser)
 
 

@@ -20,7 +20,13 @@ def add(commands: Any) -> None:
         _run,
     )
     add_session(parser)
-    parser.add_argument("folder", metavar="FOLDER", type=Path, help="where the pictures go")
+    parser.add_output("folder", files=_files, metavar="FOLDER", help="where the pictures go")
+
+
+def _files(folder: Path) -> list[Path]:
+    from workbench.pictures import PICTURES
+
+    return [folder / name for name in PICTURES]
 
 
 def _run(options: argparse.Namespace) -> None:

@@ -1,7 +1,6 @@
 """``freeform report``: its arguments."""
 
 import argparse
-from pathlib import Path
 from typing import Any
 
 from workbench.cli.verbs.kinds import count
@@ -27,7 +26,7 @@ def add(commands: Any) -> None:
         _run,
     )
     add_session(parser)
-    parser.add_argument("files", metavar="FILE", type=Path, nargs="+", help=".html or .pdf")
+    parser.add_output("files", metavar="FILE", nargs="+", help=".html or .pdf")
     parser.add_argument(
         "--rays",
         metavar="N",

@@ -2,16 +2,22 @@
 
 import argparse
 import math
-from pathlib import Path
 from typing import TYPE_CHECKING
+
+from workbench.cli.verbs.parser import Parser
 
 if TYPE_CHECKING:
     from workbench.analysis.tolerances import Tolerances
 
 
-def add_session(parser: argparse.ArgumentParser) -> None:
+def add_session(parser: Parser) -> None:
     """The session whose lens is meant."""
-    parser.add_argument("session", metavar="SESSION", type=Path, help="session with a lens")
+    parser.add_input("session", role="the session", metavar="SESSION", help="session with a lens")
+
+
+def add_plot(parser: Parser, does: str) -> None:
+    """A picture to draw besides."""
+    parser.add_output("--plot", metavar="FILE.png", help=does)
 
 
 def add_json(parser: argparse.ArgumentParser) -> None:

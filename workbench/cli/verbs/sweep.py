@@ -31,10 +31,10 @@ def add(commands: Any) -> None:
         ],
         _run,
     )
-    parser.add_argument(
+    parser.add_input(
         "scenes",
+        role="a scene of the sweep",
         metavar="SCENE",
-        type=Path,
         nargs="+",
         help="scene file, or session; designed anew",
     )
@@ -45,11 +45,11 @@ def add(commands: Any) -> None:
         default=[],
         help="values of a field of the scene; may be given several times",
     )
-    parser.add_argument(
+    parser.add_output(
         "-o",
         dest="output",
+        files=_files,
         metavar="FOLDER",
-        type=Path,
         default=Path("sweep"),
         help="where sessions and table go; default %(default)s",
     )
@@ -67,6 +67,12 @@ def add(commands: Any) -> None:
         help="of the check of each lens, at least; default %(default)s",
     )
     add_json(parser)
+
+
+def _files(folder: Path) -> list[Path]:
+    from workbench.sweep.store import TABLES
+
+    return [folder / name for name in TABLES]
 
 
 def _run(options: argparse.Namespace) -> None:

@@ -1,12 +1,17 @@
 """``freeform tolerances``: its arguments."""
 
 import argparse
-from pathlib import Path
 from typing import Any
 
 from workbench.cli.verbs.kinds import count
 from workbench.cli.verbs.parser import add_verb
-from workbench.cli.verbs.shared import add_json, add_session, add_tolerances, tolerances_of
+from workbench.cli.verbs.shared import (
+    add_json,
+    add_plot,
+    add_session,
+    add_tolerances,
+    tolerances_of,
+)
 
 DOES = "see what small errors of a lens do to its image"
 
@@ -32,9 +37,7 @@ def add(commands: Any) -> None:
         "--rays", metavar="N", type=count, default=1_000_000, help="for each; default %(default)s"
     )
     add_tolerances(parser)
-    parser.add_argument(
-        "--plot", metavar="FILE.png", type=Path, help="draw how the error is distributed"
-    )
+    add_plot(parser, "draw how the error is distributed")
     add_json(parser)
 
 

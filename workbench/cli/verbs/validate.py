@@ -1,12 +1,11 @@
 """``freeform validate``: its arguments."""
 
 import argparse
-from pathlib import Path
 from typing import Any
 
 from workbench.cli.verbs.kinds import count, distances
 from workbench.cli.verbs.parser import add_verb
-from workbench.cli.verbs.shared import add_json, add_session
+from workbench.cli.verbs.shared import add_json, add_plot, add_session
 from workbench.errors import Refused
 
 DOES = "check a lens by an independent trace"
@@ -40,7 +39,7 @@ def add(commands: Any) -> None:
         default=(),
         help="also the images on N screens from one distance to another",
     )
-    parser.add_argument("--plot", metavar="FILE.png", type=Path, help="draw these images")
+    add_plot(parser, "draw these images")
     parser.add_argument(
         "--with",
         dest="other",

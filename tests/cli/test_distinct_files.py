@@ -1,0 +1,166 @@
+"""No command writes over what it reads, nor one file twice: status 2, and every byte stays."""
+
+import json
+import os
+import shutil
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from workbench.cli.verbs.parser import Parser, add_verb
+from workbench.design.snapshot import Result
+from workbench.errors import Refused
+from workbench.files.scene import read_scene
+from workbench.files.session import KeptRun, Session, write_session
+from workbench.optics.ledger import Ledger
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+@pytest.fixture
+def picture(folder):
+    """A target image under the name of a picture of the lens."""
+    Image.fromarray(np.full((8, 8), 200, dtype=np.uint8)).save("lens.png")
+    return Path("lens.png")
+
+
+@pytest.fixture
+def scene(folder, scene_data, picture):
+    """A scene with that image."""
+    path = Path("scene.json")
+    path.write_text(json.dumps(scene_data | {"target": {"image": str(picture)}}))
+    return path
+
+
+@pytest.fixture
+def session(folder, make_scene):
+    """A session with a flat lens."""
+    path = Path("lens.freeform")
+    write_session(Session(make_scene(), np.ones((32, 32)), result()), path)
+    return path
+
+
+def result():
+    return Result(
+        control_points=np.full((12, 10), 0.5),
+        irradiance=np.ones((32, 32)),
+        losses=np.zeros(1),
+        loss=0.1,
+        seconds=1.0,
+        ledger=Ledger(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
+    )
+
+
+@pytest.fixture
+def refused(freeform, folder):
+    """Runs a command that is refused for a file; no file of the folder changes."""
+
+    def contents():
+        return {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()}
+
+    def run(*arguments):
+        before = contents()
+        status, printed, told = freeform(*arguments)
+        assert (status, printed) == (2, "")
+        assert told.count("\n") == 1
+        assert contents() == before
+        return told.removeprefix("freeform: ").rstrip("\n")
+
+    return run
+
+
+PLOTS = [
+    ("manufacture", "{}", "--plot"),
+    ("tolerances", "{}", "--tilt", "1", "--plot"),
+    ("validate", "{}", "--through-focus", "4:6:2", "--plot"),
+]
+
+
+@pytest.mark.parametrize("command", [*PLOTS, ("report", "{}")])
+def test_the_session_is_not_replaced(refused, session, command):
+    shutil.copy(session, "same.html")
+    arguments = [part.format("same.html") for part in command]
+    assert (
+        refused(*arguments, "same.html")
+        == "same.html: is the session itself; another file is needed"
+    )
+
+
+@pytest.mark.parametrize("command", PLOTS)
+def test_nor_by_a_link(refused, session, command):
+    os.link(session, "hard.png")
+    os.symlink(session, "soft.png")
+    arguments = [part.format(session) for part in command]
+    for link in ("hard.png", "soft.png", "../" + Path.cwd().name + "/soft.png"):
+        assert "is the session itself" in refused(*arguments, link)
+
+
+def test_pictures_do_not_replace_the_session(refused, session):
+    shutil.copy(session, "loss.png")
+    assert refused("pictures", "loss.png", ".").startswith("loss.png: is the session itself")
+
+
+def test_tables_of_a_sweep_do_not_replace_a_scene(refused, scene):
+    for name in ("table.json", "table.csv"):
+        shutil.copy(scene, name)
+        told = refused("sweep", scene, name, "-o", ".")
+        assert told == f"{name}: is a scene of the sweep itself; another file is needed"
+
+
+def test_a_design_does_not_replace_its_scene_or_image(refused, scene, picture):
+    assert "is the scene itself" in refused("design", scene, "-o", scene)
+    told = refused("design", scene, "-o", picture)
+    assert told == f"{picture}: is the target image of {scene}; another file is needed"
+
+
+def test_images_of_a_session_and_of_its_runs_are_not_replaced(
+    refused, session, scene, picture, make_scene
+):
+    with_image, target = read_scene(scene), np.ones((32, 32))
+    write_session(Session(with_image, target, result()), session)
+    assert "is the target image of" in refused("pictures", session, ".")
+    kept = KeptRun("kept", with_image, target, result())
+    write_session(Session(make_scene(), target, result(), runs=(kept,)), session)
+    assert "is the target image of" in refused("manufacture", session, "--plot", picture)
+
+
+@pytest.mark.parametrize("verb, endings", [("export", ("stl", "STL")), ("report", ("pdf", "PDF"))])
+def test_a_file_is_written_once(refused, session, verb, endings):
+    lower, upper = endings
+    os.symlink(f"a.{lower}", f"link.{lower}")
+    for other in (f"a.{lower}", f"./a.{lower}", f"A.{upper}", f"link.{lower}"):
+        told = refused(verb, session, f"a.{lower}", other)
+        assert told == f"{Path(other)}: is named twice; each file is written once"
+
+
+def test_a_session_may_take_its_place_again(freeform, scene, fake_run, folder):
+    fake_run({})
+    assert freeform("design", scene, "-o", "out.freeform")[0] == 0
+    os.symlink("out.freeform", "link.freeform")
+    assert freeform("design", "out.freeform", "-o", "link.freeform")[0] == 0
+
+
+def test_a_file_that_is_neither_input_nor_output_cannot_be_declared():
+    parser = Parser(prog="freeform")
+    with pytest.raises(TypeError, match="as inputs or outputs"):
+        parser.add_argument("--file", type=Path)
+
+
+def test_a_new_verb_is_guarded(folder):
+    def forbidden(options):
+        pytest.fail("the command began")
+
+    (folder / "a").write_text("{}")
+    commands = Parser(prog="freeform").add_subparsers()
+    parser = add_verb(commands, "new", "Does", [], forbidden)
+    parser.add_input("read", role="the file")
+    parser.add_output("--write", nargs="*")
+    options = parser.parse_args(["a", "--write", "b", "a"])
+    with pytest.raises(Refused, match="is the file itself"):
+        options.command(options)

@@ -1,0 +1,77 @@
+"""No verb writes over what it reads: files are declared as read or written, and compared here."""
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+from workbench.errors import Refused
+
+
+class Input(NamedTuple):
+    """A file that a command reads.
+
+    Attributes
+    ----------
+    path : Path
+        The file. Images that it refers to are read as well.
+    role : str
+        What refusals call it: "the session".
+    """
+
+    path: Path
+    role: str
+
+
+class Output(NamedTuple):
+    """A file that a command writes.
+
+    Attributes
+    ----------
+    path : Path
+        The file.
+    may_replace : callable
+        Whether it may take the place of an input.
+    """
+
+    path: Path
+    may_replace: Callable[[Path], bool]
+
+
+def check_distinct(inputs: Sequence[Input], outputs: Sequence[Output]) -> None:
+    """Find out beforehand whether a command would write over what it reads, or twice.
+
+    Links and names in another case count as the file that they mean.
+
+    Raises
+    ------
+    Refused
+        If it would.
+    """
+    if not outputs:
+        return
+    from workbench.files.references import is_one_file, named_twice  # late: numpy, pydantic
+
+    for path, role in inputs:
+        for output in outputs:
+            if is_one_file(output.path, path) and not output.may_replace(path):
+                raise Refused(str(output.path), f"is {role} itself; another file is needed")
+    if twice := named_twice(output.path for output in outputs):
+        raise Refused(str(twice), "is named twice; each file is written once")
+    # What is not there yet cannot be an image either, and then none has to be looked for.
+    replaced = [output.path for output in outputs if output.path.exists()]
+    for path in [path for path, _ in inputs if replaced]:
+        for image in _images(path):
+            for output_path in replaced:
+                if is_one_file(output_path, image):
+                    raise Refused(
+                        str(output_path), f"is the target image of {path}; another file is needed"
+                    )
+
+
+def _images(path: Path) -> tuple[Path, ...]:
+    from workbench.files.references import images_of
+
+    try:
+        return images_of(path)
+    except Refused:  # by the command itself, which reads the same file
+        return ()
