@@ -1,8 +1,5 @@
 import errno
 import json
-import os
-import shutil
-import signal
 from dataclasses import replace
 
 import numpy as np
@@ -11,10 +8,6 @@ import torch
 
 from workbench.errors import RunFailed
 from workbench.files.session import read_session, write_session
-
-
-def press_ctrl_c():
-    os.kill(os.getpid(), signal.SIGINT)
 
 
 def fail(error):
@@ -129,48 +122,6 @@ class TestDone:
             assert read_session(out).scene.target.image == str(tmp_path / name)
 
 
-class TestInterrupted:
-    def test_the_best_lens_so_far_is_written(self, freeform, scene_file, out, fake_run):
-        fake_run({4: press_ctrl_c})
-        before = signal.getsignal(signal.SIGINT)
-        status, printed, told = freeform("design", scene_file, "-o", out, "--json")
-        assert status == 130
-        assert signal.getsignal(signal.SIGINT) is before
-        assert json.loads(printed)["iterations"] == read_session(out).result.iterations == 4
-        last = told.splitlines()[-1]
-        assert last == f"freeform: interrupted; the best lens so far is in {out}"
-
-    def test_before_the_first_lens_one_is_waited_for(self, freeform, scene_file, out, fake_run):
-        fake_run({0: press_ctrl_c})
-        status, _, _ = freeform("design", scene_file, "-o", out)
-        assert status == 130
-        assert read_session(out).result.iterations == 0
-
-    def test_a_second_time_does_not_wait_for_the_iteration(
-        self, freeform, scene_file, out, fake_run
-    ):
-        def press_twice():
-            press_ctrl_c()
-            press_ctrl_c()
-            raise AssertionError("the iteration went on")
-
-        fake_run({4: press_twice})
-        status, _, told = freeform("design", scene_file, "-o", out)
-        assert status == 130
-        assert read_session(out).result.iterations == 3
-        assert told.splitlines()[-1] == "freeform: interrupted"
-
-    def test_ignored_where_the_shell_ignores_it(self, freeform, scene_file, out, fake_run):
-        fake_run({4: press_ctrl_c})
-        before = signal.signal(signal.SIGINT, signal.SIG_IGN)
-        try:
-            status, _, _ = freeform("design", scene_file, "-o", out)
-        finally:
-            signal.signal(signal.SIGINT, before)
-        assert status == 0
-        assert read_session(out).result.iterations == 10
-
-
 class TestFailed:
     def test_a_run_that_cannot_go_on_leaves_its_best_lens(
         self, freeform, scene_file, out, fake_run
@@ -186,36 +137,14 @@ class TestFailed:
         "error", [KeyError("a\nmistake"), MemoryError(), BrokenPipeError(errno.EPIPE, "Broken")]
     )
     def test_a_defect_is_one_line_and_loses_nothing(
-        self, freeform, scene_file, out, fake_run, error, monkeypatch
+        self, freeform, scene_file, out, fake_run, error
     ):
-        monkeypatch.setattr("workbench.cli._forget", lambda stream: None)  # it is pytest's here
         fake_run({6: fail(error)})
         status, _, told = freeform("design", scene_file, "-o", out)
         assert status == 1
         assert told.splitlines()[-2].startswith("5/10")
         assert told.splitlines()[-1].startswith("freeform: ")
         assert read_session(out).result.iterations == 5
-
-    def test_a_folder_that_goes_away_meanwhile(self, freeform, scene_file, tmp_path, fake_run):
-        folder = tmp_path / "folder"
-        folder.mkdir()
-        fake_run({6: lambda: shutil.rmtree(folder)})
-        status, printed, told = freeform("design", scene_file, "-o", folder / "lens.freeform")
-        assert status == 2
-        assert printed == ""
-        assert told.splitlines()[-1].endswith("cannot be written: its folder does not exist")
-
-    def test_a_disk_that_is_full_at_the_end(self, freeform, scene_file, out, fake_run, monkeypatch):
-        out.write_bytes(b"old")
-        full = OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
-        fake_run({})
-        monkeypatch.setattr("os.fsync", lambda handle: fail(full)())
-        status, printed, told = freeform("design", scene_file, "-o", out)
-        assert (status, printed) == (2, "")
-        reason = f"freeform: {out}: cannot be written: No space left on device"
-        assert told.splitlines()[-1] == reason
-        assert out.read_bytes() == b"old"
-        assert sorted(os.listdir(out.parent)) == ["lens.freeform", "scene.json"]
 
     @pytest.mark.skipif(torch.cuda.is_available(), reason="there is a GPU")
     def test_a_gpu_that_is_not_there(self, freeform, scene_file, scene_data, out):

@@ -1,7 +1,6 @@
 """The console script as a shell sees it."""
 
 import json
-import os
 import signal
 import subprocess
 import sys
@@ -13,17 +12,6 @@ import pytest
 from workbench.files.session import read_session
 
 FREEFORM = Path(sys.executable).with_name("freeform")
-
-
-def shell(command, **changes):
-    environment = {**os.environ, "PYTHONUNBUFFERED": ""}
-    return subprocess.run(
-        ["bash", "-c", command, "bash", FREEFORM],
-        capture_output=True,
-        text=True,
-        env=environment,
-        **changes,
-    )
 
 
 @pytest.mark.parametrize("start", [[FREEFORM], [sys.executable, "-m", "workbench"]])
@@ -75,19 +63,3 @@ def test_help_and_refusals_do_not_wait_for_torch(scene_file):
         "sys.exit(10 * len(slow) + status)"
     )
     assert subprocess.run([sys.executable, "-c", program], capture_output=True).returncode == 2
-
-
-@pytest.mark.parametrize("command", ['"$1" --help', '"$1" design --help'])
-@pytest.mark.parametrize("reader", ["> /dev/full", "| (exec 0<&-; sleep 1)"])
-def test_output_that_nobody_takes_is_one_line(command, reader):
-    done = shell(f"set -o pipefail; {command} {reader}")
-    assert done.returncode == 1
-    assert done.stderr.startswith("freeform: cannot go on: ")
-    assert done.stderr.count("\n") == 1
-
-
-def test_closed_progress_does_not_lose_the_lens(scene_file, out):
-    design = f'"$1" design "{scene_file}" -o "{out}" 2>&1 > /dev/null'
-    done = shell(f"set -o pipefail; {design} | (exec 0<&-; sleep 1)")
-    assert (done.returncode, done.stderr) == (1, "")
-    assert read_session(out).result.iterations == 0

@@ -3,6 +3,7 @@
 import argparse
 from collections.abc import Sequence
 
+from workbench import __version__
 from workbench.cli.verbs import (
     benchmark,
     design,
@@ -57,6 +58,7 @@ def parse(arguments: Sequence[str] | None) -> argparse.Namespace:
         description=f"Design lenses that throw an image of light.\n\ncommands:\n{verbs}",
         epilog=_EXAMPLES,
     )
+    parser.add_argument("--version", action="version", version=f"freeform {__version__}")
     commands = parser.add_subparsers(
         prog=parser.prog, metavar="COMMAND", required=True, help=argparse.SUPPRESS
     )

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from workbench.analysis.benchmark.names import BENCHMARKS
+from workbench.cli.interruption import Interrupted, number_of
 from workbench.errors import Refused
 from workbench.files.atomic import check_writable, replacing
 
@@ -50,35 +51,37 @@ def benchmark(names: Sequence[str], folder: Path, iterations: int | None, as_jso
     if not as_json:
         print(machine.to_markdown(), flush=True)
     found = {}
-    interrupted = False
+    stop = None
     for name in names:
-        rows, seconds, interrupted = _measure(name, iterations)
+        rows, seconds, stop = _measure(name, iterations)
         if rows:
             found[name] = _write(name, rows, seconds, folder, as_json)
-        if interrupted:
+        if stop:
             break
     if as_json:
         print(json.dumps({"machine": machine.to_data(), "benchmarks": found}))
-    if interrupted:
+    if stop:
         kept = f"what was finished is in {folder}" if found else "nothing was finished"
-        raise KeyboardInterrupt(f"interrupted; {kept}")
+        raise Interrupted(number_of(stop), f"interrupted; {kept}")
 
 
-def _measure(name: str, iterations: int | None) -> tuple[list[Any], float, bool]:
-    """Rows of a benchmark, the time it took, and whether Ctrl-C ended it."""
+def _measure(
+    name: str, iterations: int | None
+) -> tuple[list[Any], float, KeyboardInterrupt | None]:
+    """Rows of a benchmark, the time it took, and what interrupted it."""
     from workbench.analysis.benchmark.suite import SUITE
 
     rows: list[Any] = []
     begun = time.perf_counter()
     progress = _Progress(name)
-    interrupted = False
+    stop = None
     try:
         for row in SUITE[name].measure(iterations, progress.tell):
             rows.append(row)
-    except KeyboardInterrupt:
-        interrupted = True
+    except KeyboardInterrupt as error:
+        stop = error
     progress.close()
-    return rows, time.perf_counter() - begun, interrupted
+    return rows, time.perf_counter() - begun, stop
 
 
 def _write(

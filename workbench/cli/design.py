@@ -2,16 +2,18 @@
 
 import json
 import os
+import sys
 from contextlib import closing
 from dataclasses import replace
 from pathlib import Path
 
-from workbench.cli.interruption import Interruption
+from workbench.cli.interruption import Interrupted, Interruption
+from workbench.cli.keeping import Keeper
 from workbench.cli.progress import Progress
 from workbench.design.snapshot import History, Result
 from workbench.files.atomic import check_writable
 from workbench.files.figures import Figures
-from workbench.files.session import open_design, write_session
+from workbench.files.session import open_design
 from workbench.scene import Scene
 
 
@@ -34,17 +36,18 @@ def design(path: Path, output: Path, iterations: int | None, seconds: float, as_
     Raises
     ------
     Refused
-        If the scene cannot be run or the output not be written.
+        If the scene cannot be run or the output not be written; a lens is then kept elsewhere.
     RunFailed
         If the run cannot go on; the best lens before is written.
-    KeyboardInterrupt
-        After Ctrl-C; the best lens so far is written.
+    Interrupted
+        After a signal; the best lens so far is written.
     """
     session = open_design(path)
     scene = session.scene if iterations is None else _with_iterations(session.scene, iterations)
     check_writable(output)
-    earlier = session.result
-    history = History(earlier)
+    history = History(session.result)
+    keeper = Keeper(output, lambda result: replace(session, scene=scene, result=result))
+    _tell_left_behind(keeper, path)
     with Interruption() as interruption:
         # Threads of the tracer that wait must sleep: spinning, they take the cores from each other.
         os.environ.setdefault("OMP_WAIT_POLICY", "PASSIVE")
@@ -56,16 +59,28 @@ def design(path: Path, output: Path, iterations: int | None, seconds: float, as_
             with closing(Progress(seconds)) as progress, closing(snapshots):
                 for snapshot in snapshots:
                     progress.show(snapshot)
+                    keeper.keep(history)
                     if interruption.asked or snapshot.seconds >= seconds:
                         break
         finally:
+            interruption.settle()
             result = history.result()
             if result is not None:
-                write_session(replace(session, scene=scene, result=result), output)
+                keeper.finish(result)
     if result is not None:
         _print(result, as_json)
     if interruption.asked:
-        raise KeyboardInterrupt(f"interrupted; the best lens so far is in {output}")
+        raise Interrupted(interruption.asked, f"interrupted; the best lens so far is in {output}")
+
+
+def _tell_left_behind(keeper: Keeper, path: Path) -> None:
+    left = keeper.left_behind()
+    if left is not None and not left.samefile(path):
+        print(
+            f"{left} is what a run left that was cut off; given as SCENE, it is gone on from",
+            file=sys.stderr,
+            flush=True,
+        )
 
 
 def _with_iterations(scene: Scene, iterations: int) -> Scene:

@@ -6,6 +6,7 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
+from workbench.cli.interruption import Interrupted, number_of
 from workbench.errors import RunFailed
 from workbench.sweep.cluster import Cluster
 from workbench.sweep.points import points as points_of
@@ -62,22 +63,23 @@ def sweep(
     cores = os.cpu_count() or 1
     count = min(jobs or cores, len(points))
     rows: dict[int, Row] = {}
-    interrupted = False
+    stop = None
     try:
         with Cluster(dask) if dask else Processes(count, max(cores // count, 1)) as workers:
             for number, row in sweep_all(points, store, workers, rays):
                 rows[number] = row
                 _tell(points[number].name, row, len(rows), len(points))
-    except KeyboardInterrupt:
-        interrupted = True
+    except KeyboardInterrupt as error:
+        stop = error
     table = [rows[number] for number in sorted(rows)]
     store.write_table(table)
     print(json.dumps(to_data(table)) if as_json else _text(table))
     failed = sum(row.reason is not None for row in table)
-    if interrupted:
-        raise KeyboardInterrupt(
+    if stop:
+        raise Interrupted(
+            number_of(stop),
             f"interrupted; {len(rows) - failed} of {len(points)} points are finished and kept in "
-            f"{folder}, the same command goes on"
+            f"{folder}, the same command goes on",
         )
     if failed:
         raise RunFailed(f"{failed} of {len(points)} points have no lens; the table tells why")

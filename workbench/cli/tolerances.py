@@ -6,6 +6,7 @@ from pathlib import Path
 
 from workbench.analysis.tolerances import Distribution, Perturbed, Tolerances, perturbed
 from workbench.cli.designed import read_designed
+from workbench.cli.interruption import Interrupted, number_of
 from workbench.errors import Refused
 from workbench.files.atomic import check_writable, replacing
 
@@ -54,24 +55,24 @@ def tolerances(
     if plot is not None:
         check_writable(plot)
     found: list[Perturbed] = []
-    interrupted = False
+    stop = None
     try:
         for each in perturbed(
             session.scene, session.target, result.control_points, within, samples, rays
         ):
             found.append(each)
             _tell(len(found) - 1, samples)
-    except KeyboardInterrupt:
-        interrupted = True
+    except KeyboardInterrupt as error:
+        stop = error
     _tell_end()
     if len(found) > 1:
         nominal, *others = found
         _report(nominal, others, as_json)
         if plot is not None:
             _write(plot, nominal, others)
-    if interrupted:
+    if stop:
         traced = max(len(found) - 1, 0)
-        raise KeyboardInterrupt(f"interrupted; {traced} of {samples} lenses were traced")
+        raise Interrupted(number_of(stop), f"interrupted; {traced} of {samples} lenses were traced")
 
 
 def _report(nominal: Perturbed, others: list[Perturbed], as_json: bool) -> None:

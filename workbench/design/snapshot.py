@@ -138,7 +138,7 @@ class History:
                 yield snapshot
         except StopIteration as end:
             self._ended = end.value
-        except GeneratorExit:
+        except (GeneratorExit, KeyboardInterrupt):
             self._ended = "stopped"
             raise
         except Exception as error:

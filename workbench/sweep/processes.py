@@ -89,7 +89,9 @@ class Processes:
 
 def _serve(pipe: Connection, threads: int) -> None:
     """Work on what comes through a pipe until nobody is there."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the one that started this
+    for name in ("SIGINT", "SIGHUP"):  # of the terminal, for the one that started this
+        if hasattr(signal, name):
+            signal.signal(getattr(signal, name), signal.SIG_IGN)
     threading.Thread(target=_end_with_parent, daemon=True).start()
     while True:
         try:

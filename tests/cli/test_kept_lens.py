@@ -1,0 +1,298 @@
+"""A design run does not lose its lens: signals, full disks, ends of the process."""
+
+import errno
+import json
+import os
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+import pytest
+
+from workbench.cli import keeping
+from workbench.errors import Refused
+from workbench.files.session import read_session
+
+SIGNALS = [signal.SIGINT, signal.SIGTERM, signal.SIGHUP]
+
+
+def sent(*numbers):
+    """An event that sends signals to this process."""
+
+    def send():
+        for number in numbers:
+            os.kill(os.getpid(), number)
+
+    return send
+
+
+@pytest.fixture
+def often(monkeypatch):
+    """Checkpoints after every iteration."""
+    monkeypatch.setattr(keeping, "_SECONDS", 0.0)
+    monkeypatch.setattr(keeping, "_PART", float("inf"))
+
+
+@pytest.fixture
+def endless(scene_file, scene_data):
+    """A scene whose run does not end by itself."""
+    scene_data["run"] = {"method": "paper", "iterations": 1_000_000}
+    scene_file.write_text(json.dumps(scene_data))
+    return scene_file
+
+
+class TestSignals:
+    @pytest.mark.parametrize("number", SIGNALS)
+    def test_the_best_lens_so_far_is_written(self, freeform, scene_file, out, fake_run, number):
+        fake_run({4: sent(number)})
+        before = [signal.getsignal(each) for each in SIGNALS]
+        status, printed, told = freeform("design", scene_file, "-o", out)
+        assert status == 128 + number
+        assert [signal.getsignal(each) for each in SIGNALS] == before
+        assert "after 4 iterations" in printed
+        assert read_session(out).result.iterations == 4
+        last = told.splitlines()[-1]
+        assert last == f"freeform: interrupted; the best lens so far is in {out}"
+
+    @pytest.mark.parametrize("number", SIGNALS)
+    def test_before_the_first_lens_one_is_waited_for(
+        self, freeform, scene_file, out, fake_run, number
+    ):
+        fake_run({0: sent(number)})
+        assert freeform("design", scene_file, "-o", out)[0] == 128 + number
+        assert read_session(out).result.iterations == 0
+
+    def test_a_second_ctrl_c_does_not_wait_for_the_iteration(
+        self, freeform, scene_file, out, fake_run
+    ):
+        def press_twice():
+            sent(signal.SIGINT, signal.SIGINT)()
+            raise AssertionError("the iteration went on")
+
+        fake_run({4: press_twice})
+        status, _, told = freeform("design", scene_file, "-o", out)
+        assert status == 130
+        assert read_session(out).result.iterations == 3
+        assert told.splitlines()[-1] == "freeform: interrupted"
+
+    def test_a_second_hangup_waits_for_the_iteration(self, freeform, scene_file, out, fake_run):
+        fake_run({4: sent(signal.SIGHUP, signal.SIGHUP, signal.SIGTERM)})
+        assert freeform("design", scene_file, "-o", out)[0] == 128 + signal.SIGHUP
+        assert read_session(out).result.iterations == 4
+
+    def test_nothing_interrupts_the_last_write(
+        self, freeform, scene_file, out, fake_run, monkeypatch
+    ):
+        fake_run({4: sent(signal.SIGINT)})
+        write = keeping.write_session
+
+        def impatient(session, path):
+            sent(signal.SIGINT, signal.SIGINT, signal.SIGTERM)()
+            write(session, path)
+
+        monkeypatch.setattr(keeping, "write_session", impatient)
+        assert freeform("design", scene_file, "-o", out)[0] == 130
+        assert read_session(out).result.iterations == 4
+
+    @pytest.mark.parametrize("number", SIGNALS)
+    def test_ignored_where_the_surroundings_ignore_it(
+        self, freeform, scene_file, out, fake_run, number
+    ):
+        fake_run({4: sent(number)})
+        before = signal.signal(number, signal.SIG_IGN)
+        try:
+            status, _, _ = freeform("design", scene_file, "-o", out)
+        finally:
+            signal.signal(number, before)
+        assert status == 0
+        assert read_session(out).result.iterations == 10
+
+
+def full(*_):
+    raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+
+class TestRescue:
+    @pytest.fixture(autouse=True)
+    def elsewhere(self, tmp_path, monkeypatch):
+        folder = tmp_path / "elsewhere"
+        folder.mkdir()
+        monkeypatch.setattr(tempfile, "tempdir", str(folder))
+        monkeypatch.setenv("HOME", str(tmp_path / "home"))
+        return folder
+
+    def rescued(self, told):
+        """Last line before its end, and the session that it names."""
+        reason, place = told.splitlines()[-1].split("; the lens is in ")
+        return reason, Path(place)
+
+    def test_a_disk_that_is_full_at_the_end(
+        self, freeform, scene_file, out, fake_run, monkeypatch, elsewhere
+    ):
+        out.write_bytes(b"old")
+        fake_run({9: lambda: monkeypatch.setattr("os.fsync", at_first(os.fsync))})
+        status, printed, told = freeform("design", scene_file, "-o", out)
+        assert (status, printed) == (2, "")
+        reason, place = self.rescued(told)
+        assert reason == f"freeform: {out}: cannot be written: No space left on device"
+        assert elsewhere in place.parents
+        assert read_session(place).result.iterations == 10
+        assert out.read_bytes() == b"old"
+        assert sorted(os.listdir(out.parent)) == ["elsewhere", "lens.freeform", "scene.json"]
+
+    def test_a_folder_that_goes_away_meanwhile(self, freeform, scene_file, tmp_path, fake_run):
+        folder = tmp_path / "folder"
+        folder.mkdir()
+        fake_run({6: lambda: shutil.rmtree(folder)})
+        status, printed, told = freeform("design", scene_file, "-o", folder / "lens.freeform")
+        assert (status, printed) == (2, "")
+        reason, place = self.rescued(told)
+        assert reason.endswith("cannot be written: its folder does not exist")
+        assert read_session(place).result.iterations == 10
+
+    def test_where_the_temporary_folder_is_full_too_the_users_own_is_taken(
+        self, freeform, scene_file, tmp_path, fake_run, elsewhere
+    ):
+        home, folder = tmp_path / "home", tmp_path / "folder"
+        home.mkdir()
+        folder.mkdir()
+
+        def disaster():
+            elsewhere.rmdir()
+            folder.rmdir()
+
+        fake_run({6: disaster})
+        told = freeform("design", scene_file, "-o", folder / "lens.freeform")[2]
+        _, place = self.rescued(told)
+        assert home in place.parents
+        assert read_session(place).result.iterations == 10
+
+    def test_a_lens_that_cannot_be_kept_anywhere_is_told(
+        self, freeform, scene_file, out, fake_run, monkeypatch, often
+    ):
+        fake_run({9: lambda: monkeypatch.setattr("os.fsync", full)})
+        status, _, told = freeform("design", scene_file, "-o", out)
+        assert status == 2
+        left = out.with_name("lens.checkpoint.freeform")
+        last = told.splitlines()[-1]
+        assert last.endswith(f"No space left on device; an earlier lens of this run is in {left}")
+        assert told.count("no checkpoint is kept") == 1
+        assert read_session(left).result.iterations == 8
+
+
+def at_first(later):
+    """A function that fails as on a full disk when it is called for the first time."""
+    functions = iter([full])
+    return lambda *arguments: next(functions, later)(*arguments)
+
+
+@pytest.mark.usefixtures("often")
+class TestCheckpoint:
+    def test_the_best_lens_so_far_lies_beside_the_output(self, freeform, scene_file, out, fake_run):
+        left, seen = out.with_name("lens.checkpoint.freeform"), []
+        fake_run({4: lambda: seen.append(read_session(left).result)})
+        assert freeform("design", scene_file, "-o", out)[0] == 0
+        assert [result.iterations for result in seen] == [3]
+        assert seen[0].loss == 1 / 4
+        assert sorted(os.listdir(out.parent)) == ["lens.freeform", "scene.json"]
+
+    def test_none_before_it_is_due(self, freeform, scene_file, out, fake_run, monkeypatch):
+        monkeypatch.setattr(keeping, "_SECONDS", 1000.0)
+        seen = []
+        fake_run({9: lambda: seen.extend(os.listdir(out.parent))})
+        assert freeform("design", scene_file, "-o", out)[0] == 0
+        assert seen == ["scene.json"]
+
+    def test_what_an_earlier_run_has_left_stays_and_is_told(
+        self, freeform, scene_file, out, fake_run
+    ):
+        left = out.with_name("lens.checkpoint.freeform")
+        left.write_bytes(b"precious")
+        fake_run({4: lambda: read_session(out.with_name("lens.checkpoint-2.freeform"))})
+        status, _, told = freeform("design", scene_file, "-o", out)
+        assert status == 0
+        assert told.startswith(f"{left} is what a run left that was cut off; ")
+        assert left.read_bytes() == b"precious"
+        assert sorted(os.listdir(out.parent)) == [left.name, "lens.freeform", "scene.json"]
+
+    def test_a_checkpoint_is_gone_on_from(self, freeform, scene_file, out, fake_run):
+        left = out.with_name("lens.checkpoint.freeform")
+        fake_run({})
+        assert freeform("design", scene_file, "-o", left)[0] == 0
+        status, _, told = freeform("design", left, "-o", out)
+        assert status == 0
+        assert "cut off" not in told
+        assert read_session(out).result.iterations == 20
+        assert left.exists()
+
+    def test_a_run_that_is_killed_leaves_it(self, endless, out):
+        program = (
+            "import sys, workbench.cli.keeping as keeping; keeping._SECONDS = 0.0; "
+            "from workbench.cli import main; sys.exit(main(sys.argv[1:]))"
+        )
+        arguments = ["design", endless, "-o", out]
+        left = out.with_name("lens.checkpoint.freeform")
+        with subprocess.Popen(
+            [sys.executable, "-c", program, *arguments], stderr=subprocess.PIPE, text=True
+        ) as process:
+            while not left.exists() and process.poll() is None:
+                time.sleep(0.01)
+            process.kill()
+            process.communicate()
+        assert read_session(left).result.iterations >= 0
+        assert not out.exists()
+
+
+def test_sigterm_ends_the_program_with_143_and_the_best_lens(endless, out):
+    freeform = Path(sys.executable).with_name("freeform")
+    with subprocess.Popen(
+        [freeform, "design", endless, "-o", out],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    ) as process:
+        assert re.match(r"0/1000000  loss ", process.stderr.readline())
+        process.terminate()
+        told = process.communicate(timeout=60)[1]
+    assert process.returncode == 143
+    assert told.splitlines()[-1] == f"freeform: interrupted; the best lens so far is in {out}"
+    assert read_session(out).result.iterations >= 0
+
+
+@pytest.mark.parametrize("number", SIGNALS)
+def test_other_commands_end_at_once(freeform, out, monkeypatch, number):
+    def terminated(path):
+        sent(number)()
+        raise Refused(str(path), "was read on")
+
+    monkeypatch.setattr("workbench.cli.designed.read_session", terminated)
+    status, printed, told = freeform("validate", out)
+    assert (status, printed, told) == (128 + number, "", "freeform: interrupted\n")
+
+
+def test_ctrl_c_while_a_library_is_loaded_is_not_taken_for_its_absence(
+    freeform, scene_file, out, fake_run, tmp_path, monkeypatch
+):
+    (tmp_path / "mitsuba.py").write_text(
+        "import os, signal, time\n"
+        "try:\n"
+        "    os.kill(os.getpid(), signal.SIGINT)\n"
+        "    time.sleep(0.2)\n"
+        "except KeyboardInterrupt:\n"
+        "    raise ImportError('initialization failed')\n"
+        "def set_variant(name):\n"
+        "    time.sleep(60)\n"
+    )
+    monkeypatch.syspath_prepend(tmp_path)
+    monkeypatch.setitem(sys.modules, "mitsuba", None)
+    del sys.modules["mitsuba"]  # what was there comes back at the end
+    monkeypatch.setattr("workbench.system_libraries.missing", lambda libraries: ())
+    fake_run({})
+    assert freeform("design", scene_file, "-o", out)[0] == 0
+    status, printed, told = freeform("validate", out, "--with", "mitsuba")
+    assert (status, printed, told) == (130, "", "freeform: interrupted\n")

@@ -1,0 +1,90 @@
+"""Standard output and error that are closed, broken or full: work is done, one line tells."""
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from workbench.design.snapshot import Result
+from workbench.files.session import Session, read_session, write_session
+from workbench.optics.ledger import Ledger
+
+FREEFORM = Path(sys.executable).with_name("freeform")
+BROKEN = "| (exec 0<&-; sleep 1)"
+
+
+def shell(command, folder="."):
+    """Runs a command in which "$1" is the program, with buffers as outside of tests."""
+    return subprocess.run(
+        ["bash", "-c", f"set -o pipefail; {command}", "bash", FREEFORM],
+        capture_output=True,
+        text=True,
+        env={**os.environ, "PYTHONUNBUFFERED": ""},
+        cwd=folder,
+    )
+
+
+@pytest.fixture
+def lens(make_scene, tmp_path):
+    """A session with a flat lens."""
+    result = Result(
+        control_points=np.full((12, 10), 0.5),
+        irradiance=np.ones((32, 32)),
+        losses=np.zeros(1),
+        loss=0.1,
+        seconds=1.0,
+        ledger=Ledger(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
+    )
+    path = tmp_path / "lens.freeform"
+    write_session(Session(make_scene(), np.ones((32, 32)), result), path)
+    return path
+
+
+@pytest.mark.parametrize("command", ['"$1" --help', '"$1" design --help', '"$1" --version'])
+@pytest.mark.parametrize("reader", ["> /dev/full", BROKEN])
+def test_output_that_nobody_takes_is_one_line(command, reader):
+    done = shell(f"{command} {reader}")
+    assert done.returncode == 1
+    assert done.stderr.startswith("freeform: standard output cannot be written: ")
+    assert done.stderr.count("\n") == 1
+
+
+@pytest.mark.parametrize("command", ['"$1" --help', '"$1" --version'])
+def test_closed_output_is_no_failure(command):
+    done = shell(f"{command} >&-")
+    assert (done.returncode, done.stderr) == (0, "")
+
+
+@pytest.mark.parametrize("closed", [">&-", "2>&-", "<&-", "<&- >&- 2>&-"])
+def test_closed_streams_do_not_keep_files_from_being_written(lens, tmp_path, closed):
+    done = shell(f'"$1" export {lens} a.stl b.obj {closed}', tmp_path)
+    assert done.returncode == 0
+    assert done.stderr == ""
+    assert len(done.stdout.splitlines()) == (0 if " >&-" in f" {closed}" else 2)
+    expected = shell(f'"$1" export {lens} c.stl d.obj', tmp_path)
+    assert expected.returncode == 0
+    for name, other in (("a.stl", "c.stl"), ("b.obj", "d.obj")):  # nothing was printed into them
+        assert (tmp_path / name).read_bytes() == (tmp_path / other).read_bytes()
+
+
+def test_a_refusal_without_standard_error_is_not_printed_elsewhere(tmp_path):
+    done = shell('"$1" validate missing 2>&-', tmp_path)
+    assert (done.returncode, done.stdout, done.stderr) == (2, "", "")
+
+
+def test_all_files_are_exported_though_nobody_reads_what_is_told(lens, tmp_path):
+    done = shell(f'"$1" export {lens} a.stl b.obj c.ply {BROKEN}', tmp_path)
+    assert done.returncode == 1
+    assert done.stderr == "freeform: standard output cannot be written: Broken pipe\n"
+    assert all((tmp_path / name).stat().st_size > 1000 for name in ("a.stl", "b.obj", "c.ply"))
+
+
+def test_a_run_goes_on_though_nobody_reads_its_progress(scene_file, tmp_path):
+    done = shell(f'"$1" design {scene_file} -o out --json 2>&1 > figures {BROKEN}', tmp_path)
+    assert (done.returncode, done.stderr) == (0, "")
+    figures = json.loads((tmp_path / "figures").read_text())
+    assert figures["iterations"] == read_session(tmp_path / "out").result.iterations == 10

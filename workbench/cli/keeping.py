@@ -1,0 +1,112 @@
+"""Keeps the lens of a run that takes long: now and then while it goes on, and at its end.
+
+1. While the run goes on, its best lens so far lies beside the output, for whatever ends the process
+   without asking. It is removed once the output is written.
+2. What an earlier run has left there is neither replaced nor removed.
+3. A lens whose output cannot be written goes to a folder for temporary files, or to that of the
+   user.
+"""
+
+import sys
+import tempfile
+import time
+from collections.abc import Callable, Iterator
+from contextlib import suppress
+from itertools import count
+from pathlib import Path
+
+from tqdm import tqdm
+
+from workbench.design.snapshot import History, Result
+from workbench.errors import Refused
+from workbench.files.session import Session, write_session
+
+_SECONDS = 10.0  # from one checkpoint to the next
+_PART = 0.02  # of the time, at most, goes to writing them
+
+
+class Keeper:
+    """Writes the session of a run.
+
+    Parameters
+    ----------
+    output : Path
+        Where it belongs.
+    session : callable
+        The session that holds a result.
+    """
+
+    def __init__(self, output: Path, session: Callable[[Result], Session]) -> None:
+        self._output, self._session = output, session
+        self._checkpoint: Path | None = None
+        self._kept: Result | None = None
+        self._failed = False
+        self._due = time.monotonic() + _SECONDS
+
+    def left_behind(self) -> Path | None:
+        """The last checkpoint of an earlier run that was cut off, if there is one."""
+        found = None
+        for path in _checkpoints(self._output):
+            if not path.exists():
+                break
+            found = path
+        return found
+
+    def keep(self, history: History) -> None:
+        """Write a checkpoint, if it is time for one and there is a better lens than in the last."""
+        begun = time.monotonic()
+        if begun < self._due:
+            return
+        result = history.result()
+        if result is not None and not self._has(result):
+            self._write_checkpoint(result)
+        took = time.monotonic() - begun
+        self._due = begun + took + max(_SECONDS, took / _PART)
+
+    def finish(self, result: Result) -> None:
+        """Write the session, and remove the checkpoint.
+
+        Raises
+        ------
+        Refused
+            If it cannot be written where it belongs; says where the lens is instead.
+        """
+        try:
+            write_session(self._session(result), self._output)
+        except Refused as refused:
+            raise Refused(refused.path, f"{refused.reason}; {self._rescue(result)}") from refused
+        if self._checkpoint is not None:
+            with suppress(OSError):  # as little as a file too many is worth, now that all is kept
+                self._checkpoint.unlink()
+
+    def _has(self, result: Result) -> bool:
+        return self._kept is not None and self._kept.control_points is result.control_points
+
+    def _write_checkpoint(self, result: Result) -> None:
+        path = self._checkpoint or next(p for p in _checkpoints(self._output) if not p.exists())
+        try:
+            write_session(self._session(result), path)
+        except Refused as refused:
+            if not self._failed:
+                tqdm.write(f"no checkpoint is kept: {refused}", file=sys.stderr)
+            self._failed = True
+        else:
+            self._checkpoint, self._kept = path, result
+
+    def _rescue(self, result: Result) -> str:
+        """Write the session to another place, and say where."""
+        for place in (tempfile.gettempdir, Path.home):
+            with suppress(OSError, RuntimeError, Refused):  # then the next one
+                folder = Path(tempfile.mkdtemp(prefix="freeform-", dir=place()))
+                write_session(self._session(result), folder / self._output.name)
+                return f"the lens is in {folder / self._output.name}"
+        if self._checkpoint is not None:
+            return f"an earlier lens of this run is in {self._checkpoint}"
+        return "nor could the lens be kept elsewhere"
+
+
+def _checkpoints(output: Path) -> Iterator[Path]:
+    """Names of checkpoints of an output: the usual one, then those beside it."""
+    yield output.with_name(f"{output.stem}.checkpoint.freeform")
+    for number in count(2):
+        yield output.with_name(f"{output.stem}.checkpoint-{number}.freeform")
