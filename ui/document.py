@@ -11,6 +11,7 @@ import resources
 from ui.run.verified import VerifiedErrors
 from ui.steps import Steps
 from workbench.design.snapshot import Result
+from workbench.design.task import with_file, with_task
 from workbench.files.fingerprint import fingerprint
 from workbench.files.scene import with_absolute_image
 from workbench.files.session import (
@@ -21,7 +22,6 @@ from workbench.files.session import (
     write_session,
 )
 from workbench.scene import Scene
-from workbench.targets import load_target
 
 ENDING = ".freeform"
 
@@ -139,12 +139,22 @@ class Document(QObject):
         scene = with_absolute_image(scene, self.suggested_path)
         if scene == self._session.scene:
             return
-        target = old.target
-        if _wish(scene) != _wish(old.scene.in_unit(scene.unit)):
-            target = load_target(scene, self.suggested_path.parent)
-        after = old.with_scene(scene, target)
+        after = with_task(old, scene, self.suggested_path.parent)
         self.change(after, text, key)
         self.edited.emit(old, after)
+
+    def read_image_again(self) -> None:
+        """Take the target's image as its file has it now, as one step that can be undone.
+
+        Raises
+        ------
+        Refused
+            If the target cannot be drawn; nothing has changed then.
+        """
+        before = self._session
+        after = with_file(before, self.suggested_path.parent)
+        self.change(after, "new reading of the image")
+        self.edited.emit(before, after)
 
     def set_result(self, result: Result, text: str) -> None:
         """Put a run's result into the session, as one step that can be undone."""
@@ -266,8 +276,3 @@ class Document(QObject):
     def _show(self, session: Session) -> None:
         self._session = session
         self.session_changed.emit(session)
-
-
-def _wish(scene: Scene) -> tuple[object, ...]:
-    """All that the target's image depends on."""
-    return scene.target, scene.screen.half_width, scene.screen.pixels

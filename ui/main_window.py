@@ -27,6 +27,7 @@ from ui.message_bar import MessageBar
 from ui.panels.forms import Forms
 from ui.panes import Panes
 from ui.run.status import RunStatus
+from ui.target_image import TargetImage
 from ui.unit_change import UnitChange
 from ui.view_state import ViewState
 from ui.workspace import Workspace
@@ -88,6 +89,7 @@ class MainWindow(QMainWindow):
         self.forms.told.connect(self.log.add)
         CarriedLens(document, self.messages, self).told.connect(self.log.add)
         UnitChange(document, self.messages, self)
+        self._image = TargetImage(document, self.messages, self)
         steps = document.undo_stack
         steps.forgot.connect(
             lambda count: self.log.add(f"Oldest steps ({count}) forgotten: too much memory to undo")
@@ -262,6 +264,7 @@ class MainWindow(QMainWindow):
         self.document.dirty_changed.connect(self._show_state)
         self.files.look = self._view_state.to_data
         self.files.opened.connect(lambda: self._view_state.restore(self.document.session.view))
+        self.files.opened.connect(self._image.look)
         self.document.undo_stack.indexChanged.connect(self._show_state)
         self.files.recent_changed.connect(self._show_recent)
         self.files.saved.connect(self._tell_saved)

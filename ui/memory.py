@@ -4,21 +4,25 @@ from collections.abc import Iterator
 from dataclasses import fields, is_dataclass
 
 import numpy as np
-import numpy.typing as npt
 
 
-def arrays(value: object) -> Iterator[npt.NDArray[np.generic]]:
-    """All arrays in a value made of data classes and tuples, some perhaps more than once."""
+def blocks(value: object) -> Iterator[tuple[int, int]]:
+    """Identity and bytes of each array and file in a value made of data classes and tuples.
+
+    Some may come more than once.
+    """
     if isinstance(value, np.ndarray):
-        yield value
+        yield id(value), value.nbytes
+    elif isinstance(value, bytes):
+        yield id(value), len(value)
     elif isinstance(value, tuple):
         for each in value:
-            yield from arrays(each)
+            yield from blocks(each)
     elif is_dataclass(value):
         for field in fields(value):
-            yield from arrays(getattr(value, field.name))
+            yield from blocks(getattr(value, field.name))
 
 
 def distinct_bytes(*values: object) -> int:
-    """Bytes of all arrays in some values, each counted once."""
-    return sum({id(array): array.nbytes for array in arrays(values)}.values())
+    """Bytes of all arrays and files in some values, each counted once."""
+    return sum(dict(blocks(values)).values())

@@ -5,7 +5,7 @@ from collections.abc import Callable
 from PySide6.QtCore import QObject, QSignalBlocker, Signal
 from PySide6.QtGui import QUndoCommand, QUndoStack
 
-from ui.memory import arrays
+from ui.memory import blocks
 from workbench.files.session import Session
 
 Show = Callable[[Session], None]
@@ -137,6 +137,6 @@ class _Step(QUndoCommand):
 
 
 def _cost(before: Session, after: Session) -> int:
-    kept = {id(array) for array in arrays(after)}
-    left = {id(array): array.nbytes for array in arrays(before) if id(array) not in kept}
+    kept = dict(blocks(after))
+    left = {block: size for block, size in dict(blocks(before)).items() if block not in kept}
     return _SMALL + sum(left.values())

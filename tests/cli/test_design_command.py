@@ -44,6 +44,27 @@ class TestDone:
         )
         assert progress.splitlines()[-1].startswith("10/10  loss ")
 
+    def test_an_svg_can_be_the_target_and_goes_along(self, freeform, scene_file, scene_data, out):
+        drawing = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><circle r="4"/></svg>'
+        (scene_file.parent / "logo.svg").write_text(drawing)
+        data = scene_data | {"target": {"image": "logo.svg"}}
+        scene_file.write_text(json.dumps(data))
+        status, _, progress = freeform("design", scene_file, "-o", out)
+        assert status == 0 and "logo.svg" not in progress
+        session = read_session(out)
+        assert session.picture == drawing.encode()
+        assert session.target[0, 0] == pytest.approx(1) and session.target[-1, -1] == 0
+
+    def test_an_image_too_large_to_keep_is_told_of(
+        self, freeform, scene_file, scene_data, out, monkeypatch
+    ):
+        monkeypatch.setattr("workbench.design.picture.LARGEST_PICTURE", 100)
+        np.save(scene_file.parent / "large.npy", np.eye(8))
+        scene_file.write_text(json.dumps(scene_data | {"target": {"image": "large.npy"}}))
+        status, _, progress = freeform("design", scene_file, "-o", out)
+        assert status == 0 and read_session(out).picture is None
+        assert "does not keep" in progress and "large.npy" in progress
+
     def test_without_json_a_line_for_people(self, freeform, scene_file, out):
         status, printed, _ = freeform("design", scene_file, "-o", out)
         assert status == 0

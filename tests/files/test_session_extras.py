@@ -11,6 +11,7 @@ from workbench.design.session import LONGEST_NAME, KeptRun, Session, VerifiedErr
 from workbench.design.snapshot import Result
 from workbench.errors import Refused
 from workbench.files import header
+from workbench.files import session as session_file
 from workbench.files.figures import Figures
 from workbench.files.session import read_session, write_session
 from workbench.optics.ledger import Ledger
@@ -130,6 +131,39 @@ def test_images_of_kept_runs_go_along_with_the_file(session, tmp_path, path):
     moved = path.rename(tmp_path / "elsewhere" / "lens.freeform")
     (found,) = read_session(moved).runs
     assert found.scene.target.image == str(tmp_path / "elsewhere" / "images" / "flame.png")
+
+
+class TestPicture:
+    @pytest.fixture
+    def drawn(self, session, tmp_path):
+        """The session with an image for its target, whose file is gone."""
+        target = {"image": str(tmp_path / "images" / "Logo.PNG")}
+        scene = session.scene.from_data(session.scene.to_data() | {"target": target})
+        return replace(session, scene=scene, picture=b"\x89PNG, as it was")
+
+    def test_it_comes_back_and_other_programs_find_it(self, drawn, path):
+        write_session(drawn, path)
+        assert read_session(path).picture == drawn.picture
+        with zipfile.ZipFile(path) as archive:
+            assert archive.read("target_image.png") == drawn.picture
+            assert archive.getinfo("target_image.png").compress_type == zipfile.ZIP_STORED
+
+    @pytest.mark.parametrize("name", ["logo", "logo.", "x/logo.ä", "logo.a-b", "logo.longerthan8"])
+    def test_an_ending_that_is_none_is_left_out(self, drawn, path, name):
+        scene = drawn.scene.from_data(drawn.scene.to_data() | {"target": {"image": "/" + name}})
+        write_session(replace(drawn, scene=scene), path)
+        assert read_session(path).picture == drawn.picture
+        with zipfile.ZipFile(path) as archive:
+            assert archive.namelist()[-1] == "target_image"
+
+    def test_one_of_a_builtin_shape_is_refused(self, forge):
+        told = refused(forge({"target_image.png": b"x"}))
+        assert told == ": 'target_image.png': does not belong into this session"
+
+    def test_one_that_is_too_large_is_refused(self, drawn, path, monkeypatch):
+        write_session(drawn, path)
+        monkeypatch.setattr(session_file, "LARGEST_PICTURE", len(drawn.picture) - 1)
+        assert refused(path).startswith(": target_image.png: has 15 bytes; at most 14")
 
 
 def test_a_start_beside_a_result_is_refused(forge, path):

@@ -110,16 +110,17 @@ def test_another_screen_loads_the_target_for_its_pixels(document):
     assert document.session.target.shape == (10, 12)
 
 
-def test_an_image_that_is_gone_matters_only_where_it_is_needed(document, tmp_path):
+def test_an_image_that_is_gone_matters_only_where_it_is_read_again(document, tmp_path):
     image = tmp_path / "wish.png"
     Image.fromarray(np.full((4, 4), 200, np.uint8)).save(image)
     scene = small_scene(target={"image": str(image)})
     document.edit(scene, "target", "target")
     image.unlink()
-    move_screen(document, 9)
+    document.edit(changed(document.session.scene, "screen", pixels=(9, 9)), "pixels", "pixels")
     session = document.session
+    assert session.target.shape == (9, 9)
     with pytest.raises(Refused, match=r"wish\.png"):
-        document.edit(changed(session.scene, "screen", pixels=(9, 9)), "pixels", "pixels")
+        document.read_image_again()
     assert document.session is session
 
 

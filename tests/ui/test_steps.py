@@ -75,6 +75,15 @@ def test_a_step_costs_what_only_the_session_before_it_holds(walk):
     assert walk.steps.cost == pytest.approx(2 * MEGABYTE, abs=MEGABYTE / 8)
 
 
+def test_a_step_to_another_image_costs_the_picture_before(walk):
+    walk.go("image", picture=bytes(2 * MEGABYTE))
+    assert walk.steps.cost < MEGABYTE
+    walk.go("padding", view={"padding": 1})
+    assert walk.steps.cost < MEGABYTE  # both have the same picture
+    walk.go("another image", picture=bytes(10))
+    assert walk.steps.cost == pytest.approx(2 * MEGABYTE, abs=MEGABYTE / 8)
+
+
 def test_the_oldest_steps_are_forgotten_when_all_cost_too_much(walk):
     forgotten = []
     walk.steps.forgot.connect(forgotten.append)

@@ -79,6 +79,7 @@ class Forms(QScrollArea):
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self._target.image_again.connect(self._read_image_again)
         document.session_changed.connect(self._show_change)
         self._show()
 
@@ -133,6 +134,15 @@ class Forms(QScrollArea):
         finally:
             self._editing = False
         return None
+
+    def _read_image_again(self) -> None:
+        try:
+            self._document.read_image_again()
+        except Refused as refused:
+            path = "target.image"
+            self._pending[path] = _Waiting(Edit(path, "new reading of the image", {}), refused)
+            self.told.emit(f"Refused: {refused}")
+            self._show()
 
     def _revert(self, path: str) -> None:
         self._pending.pop(path, None)

@@ -4,32 +4,44 @@ from pathlib import Path
 
 import numpy as np
 import numpy.typing as npt
-from PySide6.QtCore import QPoint, QRect, Qt
+from PySide6.QtCore import QPoint, QRect, Qt, Signal
 from PySide6.QtGui import QImage, QPainter, QPaintEvent
 from PySide6.QtWidgets import QFileDialog, QWidget
 
 from ui.panels.edits import Edit
 from ui.panels.fields import Changes, CheckRow, ChoiceRow, NumberRow, TextRow
 from ui.panels.panel import Panel
+from workbench.design.picture import LARGEST_PICTURE
 from workbench.files.session import Session
 from workbench.scene import Finish
 
 IMAGE_FILES = (
-    "Images (*.png *.jpg *.jpeg *.bmp *.gif *.tif *.tiff *.webp *.pgm *.ppm *.npy);;All files (*)"
+    "Images (*.png *.jpg *.jpeg *.svg *.bmp *.gif *.tif *.tiff *.webp *.pgm *.ppm *.jp2 *.tga "
+    "*.npy);;All files (*)"
 )
 
 _WISH = "target.builtin"
 
 
 class TargetPanel(Panel):
-    """Bound to ``scene.target``."""
+    """Bound to ``scene.target``.
+
+    Attributes
+    ----------
+    image_again : Signal()
+        The image file of the target was chosen again.
+    """
+
+    image_again = Signal()
 
     def __init__(self) -> None:
         image = TextRow(
             "target.image",
             "Image",
-            "Image file; bright pixels get much light, black ones none. It is fitted into the "
-            "screen with its aspect kept.",
+            "Image file; bright pixels get much light, black ones and transparent ones none. "
+            "Where all that is drawn is black, as in many a logo on a transparent ground, the "
+            "drawing itself gets the light. It is fitted into the screen with its aspect kept. The "
+            f"design keeps images of up to {LARGEST_PICTURE >> 20} MB.",
             "Choose an image file",
         )
         image.asked.connect(self._browse)
@@ -104,7 +116,10 @@ class TargetPanel(Panel):
             self.choose_image(Path(chosen))
 
     def choose_image(self, path: Path) -> None:
-        """Ask for an image file as the target."""
+        """Ask for an image file as the target; the one that it is already is read again."""
+        if self.session.scene.image == str(path.absolute()):
+            self.image_again.emit()
+            return
         target = {"image": str(path.absolute()), **self._finish()}
         # Where the scene has no image so far, a refusal stands beside the choice of the wish.
         beside = "target.image" if "image" in self.session.scene.to_data()["target"] else _WISH

@@ -10,10 +10,11 @@ from pathlib import Path
 from workbench.cli.interruption import Interrupted, Interruption
 from workbench.cli.keeping import Keeper
 from workbench.cli.progress import Progress
+from workbench.design.picture import why_not_kept
 from workbench.design.snapshot import History, Result
 from workbench.files.atomic import check_writable
 from workbench.files.figures import Figures
-from workbench.files.session import open_design
+from workbench.files.session import is_session, open_design
 from workbench.scene import Scene
 
 
@@ -43,6 +44,8 @@ def design(path: Path, output: Path, iterations: int | None, seconds: float, as_
         After a signal; the best lens so far is written.
     """
     session = open_design(path)
+    if not is_session(path) and (said := why_not_kept(session.scene, session.picture)):
+        print(said, file=sys.stderr)
     scene = session.scene if iterations is None else _with_iterations(session.scene, iterations)
     check_writable(output)
     history = History(session.result)

@@ -93,6 +93,9 @@ class Session:
     start : ndarray, shape (n_u, n_v), optional
         Heights of a lens that was designed for another task and is a start for this one; without
         meaning where there is a result.
+    picture : bytes, optional
+        Content of the target's image file as it was drawn, at most
+        `workbench.design.picture.LARGEST_PICTURE` bytes; none for a built-in shape.
     """
 
     scene: Scene
@@ -102,6 +105,7 @@ class Session:
     runs: tuple[KeptRun, ...] = ()
     view: Mapping[str, Any] | None = None
     start: Array | None = None
+    picture: bytes | None = None
 
     @property
     def control_points(self) -> Array | None:
@@ -130,8 +134,15 @@ class Session:
         if result is not None or _room(scene.lens) != _room(self.scene.lens):
             start = None
         same_points = (other.shape, other.degree) == (net.shape, net.degree)
-        locked = self.locked if same_points else None
-        return replace(self, scene=scene, target=target, result=result, start=start, locked=locked)
+        return replace(
+            self,
+            scene=scene,
+            target=target,
+            result=result,
+            start=start,
+            locked=self.locked if same_points else None,
+            picture=self.picture if scene.image == self.scene.image else None,
+        )
 
     def in_unit(self, unit: Unit) -> "Session":
         """The same session with all lengths in another unit: the lens stays the lens that it is.

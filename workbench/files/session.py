@@ -1,12 +1,15 @@
 """Sessions: a design and its result in one zip, as plain JSON and .npy arrays."""
 
+import re
 import zipfile
 from collections.abc import Iterator
 from pathlib import Path
 
 from workbench import __version__
+from workbench.design.picture import LARGEST_PICTURE
 from workbench.design.session import KeptRun as KeptRun  # to be had from here, too
 from workbench.design.session import Session as Session
+from workbench.design.task import begin
 from workbench.errors import Refused
 from workbench.files.atomic import replacing
 from workbench.files.designs import entries_of, names_of, read_result, read_target
@@ -22,10 +25,12 @@ from workbench.files.scene import (
     with_absolute_image,
     with_portable_image,
 )
+from workbench.scene import Scene
 
 HEADER = "session.json"
 _LOCKED = "locked.npy"
 _START = "start.npy"  # of the control points, where no result has any
+_ENDING = re.compile(r"\.[a-z0-9]{1,8}")
 
 
 def open_design(path: Path) -> Session:
@@ -38,10 +43,7 @@ def open_design(path: Path) -> Session:
     """
     if is_session(path):
         return read_session(path)
-    scene = read_scene(path)
-    from workbench.targets import load_target  # late: scipy.ndimage takes long to import
-
-    return Session(scene, load_target(scene, path.parent))
+    return begin(read_scene(path), path.parent)
 
 
 def is_session(path: Path) -> bool:
@@ -89,6 +91,8 @@ def write_session(session: Session, path: Path) -> str:
             for name, array in arrays.items():
                 with archive.open(name, "w") as entry:
                     write_array(entry, array)
+            if session.picture is not None:
+                archive.writestr(_picture_entry(session.scene), session.picture)
         file.seek(0)
         return digest(file)
 
@@ -126,6 +130,9 @@ def read_session(path: Path) -> Session:
         starts = header.result is None and _START in entries
         if starts:
             names.add(_START)
+        drawn = scene.image is not None and _picture_entry(scene) in entries
+        if drawn:
+            names.add(_picture_entry(scene))
         for number, run in enumerate(header.runs or ()):
             names |= names_of(entries, _folder(number), run.result)
         entries.check_names(names)
@@ -137,6 +144,7 @@ def read_session(path: Path) -> Session:
             tuple(_read_runs(entries, header.runs or (), path)),
             header.view,
             entries.array(_START, scene.lens.control_points) if starts else None,
+            entries.content(_picture_entry(scene), LARGEST_PICTURE) if drawn else None,
         )
 
 
@@ -169,6 +177,12 @@ def _read_runs(entries: Entries, runs: tuple[RunHeader, ...], path: Path) -> Ite
         result = read_result(entries, _folder(number), scene, run.result)
         verified = None if run.verified is None else run.verified.to_error()
         yield KeptRun(run.name, scene, target, result, verified)
+
+
+def _picture_entry(scene: Scene) -> str:
+    """Name of the entry of the target's image file: any program can open it there."""
+    ending = Path(scene.image or "").suffix.lower()
+    return "target_image" + (ending if _ENDING.fullmatch(ending) else "")
 
 
 def _folder(number: int) -> str:

@@ -13,7 +13,7 @@ from workbench.scene.part import Part
 from workbench.scene.run import AutoRun, RunField, RunSettings, Stage
 from workbench.scene.screen import FilterField, GaussianFilter, Screen
 from workbench.scene.source import CollimatedSource, MeshMethod, PointSource, SourceField
-from workbench.scene.target import TargetField
+from workbench.scene.target import ImageTarget, TargetField
 
 Unit = Literal["mm", "cm", "m", "inch"]
 
@@ -92,6 +92,11 @@ class Scene(Part):
     def _stages_are_possible(self) -> Self:
         self.parts()
         return self
+
+    @property
+    def image(self) -> str | None:
+        """Image file of the target; None for a built-in shape."""
+        return self.target.image if isinstance(self.target, ImageTarget) else None
 
     def parts(self) -> tuple[Self, ...]:
         """The run as scenes without stages, one after the other; the last is what is wanted.

@@ -13,6 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from workbench import __version__
+from workbench.design.task import with_task
 from workbench.errors import Refused
 from workbench.files.scene import with_absolute_image
 from workbench.files.session import Session, open_design
@@ -60,13 +61,8 @@ class Point:
         """
         if isinstance(self.scene, Refused):
             raise self.scene
-        before, now = self.base.scene, self.scene
-        sizes = [(s.screen.pixels, s.screen.half_width) for s in (before, now)]
-        if now.target == before.target and sizes[0] == sizes[1]:
-            return Session(now, self.base.target)
-        from workbench.targets import load_target  # late: scipy.ndimage takes long to import
-
-        return Session(now, load_target(now, self.path.parent))
+        base = Session(self.base.scene, self.base.target, picture=self.base.picture)
+        return with_task(base, self.scene, self.path.parent)
 
     def file_name(self, key: str) -> str:
         """A file name without ending that no other point has."""

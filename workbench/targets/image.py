@@ -1,6 +1,8 @@
 """Reads an image file as brightness."""
 
+import math
 import warnings
+from io import SEEK_END, BytesIO
 from pathlib import Path
 from typing import BinaryIO
 
@@ -9,6 +11,7 @@ import numpy.typing as npt
 from PIL import Image, ImageOps, UnidentifiedImageError
 
 from workbench.errors import Refused
+from workbench.targets.svg import draw_svg, is_svg
 
 Array = npt.NDArray[np.float64]
 
@@ -17,24 +20,38 @@ LARGEST_SIDE = 8192
 
 # Named one by one because pillow knows formats that start other programs (EPS: Ghostscript).
 FORMATS = ("PNG", "JPEG", "TIFF", "BMP", "GIF", "WEBP", "PPM", "JPEG2000", "TGA")
-"""Image formats that are read, by pillow's names, besides .npy."""
+"""Image formats that are read, by pillow's names, besides SVG and .npy."""
+
+_LARGEST_DRAWING = 16 << 20  # bytes of SVG
+
+_HEADER_READERS = {
+    (1, 0): np.lib.format.read_array_header_1_0,
+    (2, 0): np.lib.format.read_array_header_2_0,
+}
 
 # Rec. 709 luminance weights, applied to the stored values: brightness is linear in these.
 _RED_GREEN_BLUE = np.array([0.2126, 0.7152, 0.0722])
 
+# What is no brighter counts as black: rounding of transparent edges makes as much of black.
+_BLACK = 2 / 255
 
-def read_image(path: Path) -> Array:
+
+def read_image(path: Path, side: int = 1024) -> Array:
     """Read an image file as grey values, linear in the stored pixel values.
 
     Colour becomes grey by the Rec. 709 weights of the stored values, without undoing any gamma.
-    Transparency is laid over black. A 16-bit grey image keeps its precision (16-bit colour is
-    read with 8 bits); of several frames or pages the first counts; an orientation noted in the
-    file is honoured. A file that ends in ``.npy`` holds the grey values themselves.
+    What is transparent gives no light. Where all that is drawn on a transparent ground is black,
+    as in many a logo, the drawing itself is the light: its opacity counts. A 16-bit grey image
+    keeps its precision (16-bit colour is read with 8 bits); of several frames or pages the first
+    counts; an orientation noted in the file is honoured. An SVG is drawn on a transparent ground. A
+    file that ends in ``.npy`` holds the grey values themselves.
 
     Parameters
     ----------
     path : Path
-        Image file in one of `FORMATS`, or .npy with a 2-D array of numbers.
+        Image file in one of `FORMATS`, SVG, or .npy with a 2-D array of numbers.
+    side : int
+        Pixels of the longer side of an SVG, which has none of its own.
 
     Returns
     -------
@@ -52,9 +69,26 @@ def read_image(path: Path) -> Array:
             raise _refused(path, "is a folder; an image file is needed")
         if not path.is_file():
             raise _refused(path, "is not an existing file; an image file is needed")
-        pixels = _read_npy(path) if path.suffix.lower() == ".npy" else _read_picture(path)
+        with path.open("rb") as file:
+            return decode_image(path, file, side)
     except OSError as error:
         raise _refused(path, f"cannot be read: {error.strerror or error}") from error
+
+
+def decode_image(path: Path, file: BinaryIO, side: int = 1024) -> Array:
+    """Read the content of an image file, as `read_image` does.
+
+    Parameters
+    ----------
+    path : Path
+        What refusals call it; its ending tells a .npy.
+    file : BinaryIO
+        The content, which can be sought.
+    side : int
+        As for `read_image`.
+    """
+    decode = _read_npy if path.suffix.lower() == ".npy" else _read_picture
+    pixels = decode(path, file, side)
     if not np.isfinite(pixels).all():
         raise _refused(path, "holds a value that is NaN or infinite; finite values are needed")
     if pixels.min() < 0:
@@ -75,26 +109,43 @@ def _check_size(path: Path, rows: int, columns: int) -> None:
         )
 
 
-def _read_npy(path: Path) -> Array:
+def _read_npy(path: Path, file: BinaryIO, side: int) -> Array:
     try:
-        # Mapped, not read: the shape is known before any memory is taken. Never unpickles.
-        stored = np.lib.format.open_memmap(path, mode="r")
-    except ValueError as error:
+        # The shape is known before any memory is taken. Never unpickles.
+        with warnings.catch_warnings(action="ignore"):
+            version = np.lib.format.read_magic(file)
+            shape, fortran, dtype = _HEADER_READERS[version](file)
+    except (ValueError, KeyError) as error:
         raise _refused(path, f"is not a whole .npy array of numbers: {error}") from error
-    if stored.ndim != 2:
-        raise _refused(path, f"has {stored.ndim} dimensions; 2 (rows, columns) are needed")
-    if stored.dtype.kind not in "buif":
-        raise _refused(path, f"holds values of type {stored.dtype}; real numbers are needed")
-    _check_size(path, *stored.shape)
+    if len(shape) != 2:
+        raise _refused(path, f"has {len(shape)} dimensions; 2 (rows, columns) are needed")
+    if dtype.kind not in "buif":
+        raise _refused(path, f"holds values of type {dtype}; real numbers are needed")
+    _check_size(path, *shape)
+    begin, size = file.tell(), dtype.itemsize * math.prod(shape)
+    if file.seek(0, SEEK_END) - begin < size:
+        raise _refused(path, f"is not a whole .npy array of numbers: it lacks some of {size} bytes")
+    file.seek(begin)
+    stored = np.frombuffer(file.read(size), dtype).reshape(shape, order="F" if fortran else "C")
     with np.errstate(over="ignore"):  # too large for float64 becomes infinite, refused above
         return np.array(stored, dtype=np.float64)
 
 
-def _read_picture(path: Path) -> Array:
-    # Given an open file, not its path: pillow would map an uncompressed TIFF and then garble one
-    # that is stored lying on its side.
-    with path.open("rb") as file:
+def _read_picture(path: Path, file: BinaryIO, side: int) -> Array:
+    beginning = file.read(1024)
+    file.seek(0)
+    if not is_svg(beginning):
+        # Given an open file, not its path: pillow would map an uncompressed TIFF and then garble
+        # one that is stored lying on its side.
         return _decode(path, file)
+    content = file.read(_LARGEST_DRAWING + 1)
+    if len(content) > _LARGEST_DRAWING:
+        raise _refused(path, f"is an SVG of more than {_LARGEST_DRAWING >> 20} MB")
+    try:
+        drawn = draw_svg(content, side)
+    except ValueError as error:
+        raise _refused(path, f"is an SVG that cannot be drawn: {error}") from error
+    return _decode(path, BytesIO(drawn))
 
 
 def _decode(path: Path, file: BinaryIO) -> Array:
@@ -108,7 +159,7 @@ def _decode(path: Path, file: BinaryIO) -> Array:
     except Refused:
         raise
     except UnidentifiedImageError as error:
-        known = ", ".join((*FORMATS, "NPY"))
+        known = ", ".join((*FORMATS, "SVG", "NPY"))
         raise _refused(path, f"is not an image that can be read; known: {known}") from error
     except (Image.DecompressionBombError, Image.DecompressionBombWarning) as error:
         raise _refused(
@@ -125,7 +176,10 @@ def _grey(image: Image.Image) -> Array:
         return np.asarray(image, dtype=np.float64)
     if image.has_transparency_data:
         image = image.convert("RGBA")
-        return _weighted(image.convert("RGB")) * (np.asarray(image.getchannel("A")) / 255.0)
+        opacity = np.asarray(image.getchannel("A")) / 255.0
+        light = _weighted(image.convert("RGB")) * opacity
+        is_shape = light.max() <= _BLACK and opacity.min() < opacity.max()
+        return opacity if is_shape else light
     if image.mode in ("1", "L"):
         return np.asarray(image.convert("L")) / 255.0
     return _weighted(image.convert("RGB"))

@@ -1,5 +1,6 @@
 """From the wish in the scene to light on the pixels of the screen."""
 
+from io import BytesIO
 from pathlib import Path
 
 import numpy as np
@@ -10,18 +11,22 @@ from scipy.sparse import csr_array
 from workbench.errors import Refused
 from workbench.scene import ImageTarget, Scene, Screen
 from workbench.targets.coverage import coverage
-from workbench.targets.image import read_image
+from workbench.targets.image import decode_image, read_image
 from workbench.targets.shapes import draw
 
 Array = npt.NDArray[np.float64]
 
+# Pixels of a drawn SVG for each of the screen, along its longer side; and in all, at most.
+_FINENESS, _FINEST = 4, 4096
 
-def load_target(scene: Scene, folder: Path) -> Array:
+
+def load_target(scene: Scene, folder: Path, kept: bytes | None = None) -> Array:
     """Draw the wished image on the pixels of the screen.
 
     The picture is fitted into the screen less the padding with its aspect kept, averaged over
     the screen's pixels by area, and blurred; light that the blur carries off the screen is lost.
-    Inversion turns bright to dark within the picture and leaves the border around it black.
+    Inversion turns bright to dark within the picture, what is transparent included, and leaves
+    the border around it black.
     Only ratios count: the brightest value of the picture is taken as 1.
 
     Parameters
@@ -30,6 +35,8 @@ def load_target(scene: Scene, folder: Path) -> Array:
         Its target and screen are used.
     folder : Path
         Where a relative image path starts.
+    kept : bytes, optional
+        Content of the image file, which is not read then.
 
     Returns
     -------
@@ -45,7 +52,9 @@ def load_target(scene: Scene, folder: Path) -> Array:
     inside = 1 - 2 * target.padding
     half_x, half_y = (inside * half_width for half_width in screen.half_width)
     if isinstance(target, ImageTarget):
-        picture = _bright_pixels(folder / target.image, target.invert)
+        path, side = folder / target.image, min(_FINENESS * max(screen.pixels), _FINEST)
+        read = read_image(path, side) if kept is None else decode_image(path, BytesIO(kept), side)
+        picture = _bright_pixels(path, read, target.invert)
         rows, columns = picture.shape
         scale = min(half_x / columns, half_y / rows)
         light = _resample(picture, (scale * columns, scale * rows), screen)
@@ -60,9 +69,8 @@ def load_target(scene: Scene, folder: Path) -> Array:
     return blurred
 
 
-def _bright_pixels(path: Path, invert: bool) -> Array:
+def _bright_pixels(path: Path, picture: Array, invert: bool) -> Array:
     """Pixels of an image file scaled to a maximum of 1, inverted on request."""
-    picture = read_image(path)
     if not picture.any():
         raise Refused("target.image", f"'{path}' is black all over; some light is needed")
     picture /= picture.max()

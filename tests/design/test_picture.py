@@ -1,0 +1,93 @@
+"""The picture of a target that a session keeps, and when its file is read."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from workbench.design import picture as picture_module
+from workbench.design.picture import changed_on_disk, picture_of, why_not_kept
+from workbench.design.task import begin, with_file, with_task
+from workbench.errors import Refused
+from workbench.scene import Scene
+
+LETTER = np.array([[255, 255, 0], [255, 0, 0], [255, 0, 0]], dtype=np.uint8)
+
+
+@pytest.fixture
+def image(tmp_path):
+    path = tmp_path / "letter.png"
+    Image.fromarray(LETTER).save(path)
+    return path
+
+
+@pytest.fixture
+def session(make_scene, image):
+    return begin(make_scene({"target": {"image": str(image)}}), image.parent)
+
+
+def edited(session, **target):
+    data = session.scene.to_data()
+    data["target"] |= target
+    return with_task(session, Scene.from_data(data), Path(session.scene.image).parent)
+
+
+def test_a_session_keeps_the_file_as_it_is(session, image):
+    assert session.picture == image.read_bytes()
+    assert why_not_kept(session.scene, session.picture) == ""
+
+
+def test_the_target_is_drawn_anew_without_the_file(session, image):
+    expected = edited(session, blur=1.5, padding=0.1, invert=True).target
+    image.unlink()
+    found = edited(session, blur=1.5, padding=0.1, invert=True)
+    np.testing.assert_array_equal(found.target, expected)
+    assert found.picture is session.picture
+
+
+def test_the_kept_picture_counts_until_the_file_is_read_again(session, image):
+    Image.fromarray(255 - LETTER).save(image)
+    assert changed_on_disk(session.scene, session.picture)
+    kept = edited(session, padding=0.1)
+    assert kept.picture is session.picture
+    again = with_file(kept, image.parent)
+    assert again.picture == image.read_bytes() and again.scene == kept.scene
+    assert not changed_on_disk(again.scene, again.picture)
+    assert np.abs(again.target - kept.target).max() > 0.9
+
+
+def test_a_file_that_is_gone_has_not_changed(session, image):
+    image.unlink()
+    assert not changed_on_disk(session.scene, session.picture)
+    with pytest.raises(Refused, match="is not an existing file"):
+        with_file(session, image.parent)
+
+
+def test_another_image_brings_its_own_picture(session, image):
+    other = image.with_name("other.png")
+    Image.fromarray(LETTER.T.copy()).save(other)
+    found = edited(session, image=str(other))
+    assert found.picture == other.read_bytes()
+    data = found.scene.to_data() | {"target": {"builtin": "ball"}}
+    assert with_task(found, Scene.from_data(data), image.parent).picture is None
+
+
+def test_what_is_too_large_is_read_from_its_file_each_time(make_scene, image, monkeypatch):
+    monkeypatch.setattr(picture_module, "LARGEST_PICTURE", image.stat().st_size - 1)
+    scene = make_scene({"target": {"image": str(image)}})
+    assert picture_of(scene, image.parent) is None
+    session = begin(scene, image.parent)
+    assert session.picture is None
+    assert "letter.png, which has more than" in why_not_kept(scene, session.picture)
+    assert edited(session, padding=0.1).picture is None
+    image.unlink()
+    with pytest.raises(Refused, match="is not an existing file"):
+        edited(session, padding=0.2)
+
+
+def test_a_builtin_shape_has_no_picture(make_scene, tmp_path):
+    session = begin(make_scene(), tmp_path)
+    assert session.picture is None
+    assert why_not_kept(session.scene, None) == ""
+    assert not changed_on_disk(session.scene, None)

@@ -1,0 +1,106 @@
+"""Targets drawn from SVG files."""
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from workbench.errors import Refused
+from workbench.targets import load_target
+from workbench.targets.image import read_image
+
+SVG = '<svg xmlns="http://www.w3.org/2000/svg" {}>{}</svg>'
+DISC = '<circle cx="5" cy="5" r="4" {}/>'
+
+
+@pytest.fixture
+def save(tmp_path):
+    def save(inside, outline='viewBox="0 0 10 10"', name="a.svg", begin=""):
+        path = tmp_path / name
+        path.write_text(begin + SVG.format(outline, inside), encoding="utf-8")
+        return path
+
+    return save
+
+
+@pytest.mark.parametrize("colour", ["", 'fill="white"', 'fill="#102030"'])
+def test_a_drawing_of_one_colour_is_light_on_black(save, make_scene, colour):
+    path = save(DISC.format(colour))
+    target = {"image": str(path)}
+    light = load_target(make_scene({"target": target, "screen.pixels": [40, 40]}), path.parent)
+    assert light.sum() / 40**2 == pytest.approx(np.pi * 0.4**2, rel=2e-3)
+    assert light[20, 20] == pytest.approx(1) and light[1, 1] == 0
+    inverted = {**target, "invert": True}
+    rest = load_target(make_scene({"target": inverted, "screen.pixels": [40, 40]}), path.parent)
+    np.testing.assert_allclose(light + rest, 1, atol=1e-12)
+
+
+def test_it_keeps_its_aspect_and_stands_upright(save):
+    read = read_image(save('<path d="M0 0H40V5H0Z" fill="white"/>', 'viewBox="0 0 40 10"'), 400)
+    assert read.shape == (100, 400)
+    np.testing.assert_array_equal(read[:50], 1)
+    np.testing.assert_array_equal(read[50:], 0)
+
+
+def test_colours_and_grounds_are_those_of_the_drawing(save):
+    ground = '<rect width="10" height="10" fill="white"/>'
+    read = read_image(save(ground + DISC.format('fill="#333"')), 100)
+    assert (read[0, 0], read[50, 50]) == (1, pytest.approx(0.2))
+
+
+@pytest.mark.parametrize("begin", ["\ufeff", '<?xml version="1.0"?>\n', "<!-- drawn -->\n"])
+@pytest.mark.parametrize("name", ["a.svg", "a.png"])
+def test_it_is_known_by_its_content(save, begin, name):
+    read = read_image(save(DISC.format(""), name=name, begin=begin), 64)
+    assert read.shape == (64, 64) and read[32, 32] == 1
+
+
+@pytest.mark.parametrize(
+    ("outline", "shape"),
+    [
+        ('width="30mm" height="20mm"', (600, 900)),
+        ('width="3.4" height="2.6"', (688, 900)),
+        ('viewBox="0 0 3.4 2.6"', (688, 900)),
+        ('width="100%" height="100%" viewBox="1,2 1e-3 2e-3"', (900, 450)),
+        ('width="2in" height="144pt"', (900, 900)),
+        ("", (900, 900)),  # that of the drawing itself
+    ],
+)
+def test_all_of_the_drawing_is_seen_in_its_own_aspect(save, outline, shape):
+    box = outline.partition("viewBox=")[2].strip('"').replace(",", " ").split()
+    x, y = box[:2] or ("0", "0")
+    size = 'width="7" height="7"' if not outline else 'width="100%" height="100%"'
+    read = read_image(save(f'<rect x="{x}" y="{y}" {size} fill="white"/>', outline), 900)
+    assert read.shape == shape
+    assert read.mean() > 0.998
+
+
+def test_files_that_it_links_to_are_not_drawn(save, tmp_path):
+    Image.fromarray(np.full((4, 4), 255, dtype=np.uint8)).save(tmp_path / "white.png")
+    links = "".join(
+        f'<image href="{name}" width="10" height="10"/>'
+        for name in ("white.png", tmp_path / "white.png")
+    )
+    assert not read_image(save(links + '<circle r="1" opacity="0"/>'), 32).any()
+
+
+@pytest.mark.parametrize(
+    ("inside", "outline", "said"),
+    [
+        ("", 'width="0"', "invalid size"),
+        ("<g>", "", "cannot be drawn"),
+        ("<g>" * 700 + "</g>" * 700, 'viewBox="0 0 1 1"', "nested too deeply"),
+        ("", 'viewBox="0 0 x 1"', "cannot be drawn"),
+    ],
+)
+def test_what_cannot_be_drawn_is_refused_and_ends_nothing(save, inside, outline, said):
+    path = save(inside, outline)
+    with pytest.raises(Refused) as caught:
+        read_image(path)
+    assert str(path) in caught.value.reason and said in caught.value.reason
+    assert "\n" not in caught.value.reason
+
+
+def test_an_empty_drawing_is_black_all_over(save, make_scene):
+    path = save("")
+    with pytest.raises(Refused, match="is black all over"):
+        load_target(make_scene({"target": {"image": str(path)}}), path.parent)

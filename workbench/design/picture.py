@@ -1,0 +1,55 @@
+"""The picture of a target, kept with a design so that it can be drawn anew without its file."""
+
+from pathlib import Path
+
+from workbench.scene import Scene
+
+LARGEST_PICTURE = 16 << 20
+"""Most bytes of an image file that a design keeps."""
+
+
+def picture_of(scene: Scene, folder: Path) -> bytes | None:
+    """The content of the target's image file.
+
+    Parameters
+    ----------
+    scene : Scene
+        Its target is used.
+    folder : Path
+        Where a relative image path starts.
+
+    Returns
+    -------
+    bytes or None
+        None for a built-in shape, and for a file that cannot be read or is larger than
+        `LARGEST_PICTURE`.
+    """
+    if scene.image is None:
+        return None
+    try:
+        with (folder / scene.image).open("rb") as file:
+            content = file.read(LARGEST_PICTURE + 1)
+    except OSError:  # whoever draws the target says so
+        return None
+    return content if len(content) <= LARGEST_PICTURE else None
+
+
+def why_not_kept(scene: Scene, picture: bytes | None) -> str:
+    """A sentence for people whose design cannot keep its picture; empty where it does."""
+    if picture is not None or scene.image is None:
+        return ""
+    return (
+        f"The design does not keep {scene.image}, which has more than "
+        f"{LARGEST_PICTURE >> 20} MB: the file is needed to draw the target anew."
+    )
+
+
+def changed_on_disk(scene: Scene, picture: bytes | None) -> bool:
+    """Whether the file of a kept picture holds something else now; not where it is gone."""
+    if picture is None or scene.image is None:
+        return False
+    try:
+        with open(scene.image, "rb") as file:
+            return file.read(LARGEST_PICTURE + 1) != picture
+    except OSError:
+        return False

@@ -1,0 +1,68 @@
+"""Draws the target of a session's scene, from the picture that it keeps or from the file."""
+
+from dataclasses import replace
+from pathlib import Path
+
+from workbench.design.picture import picture_of
+from workbench.design.session import Session
+from workbench.scene import Scene
+
+
+def begin(scene: Scene, folder: Path) -> Session:
+    """A session without a lens, its target drawn from the files that the scene names.
+
+    Parameters
+    ----------
+    scene : Scene
+        The task.
+    folder : Path
+        Where a relative image path starts.
+
+    Raises
+    ------
+    Refused
+        If the target cannot be drawn.
+    """
+    from workbench.targets import load_target  # late: scipy.ndimage takes long to import
+
+    picture = picture_of(scene, folder)
+    return Session(scene, load_target(scene, folder, picture), picture=picture)
+
+
+def with_task(session: Session, scene: Scene, folder: Path) -> Session:
+    """The session after an edit, as by `Session.with_scene`, its target drawn anew if need be.
+
+    The picture that the session keeps of an image counts, not its file: the design is the same on
+    every machine, and stays so when somebody paints. Another image, and one of which the session
+    keeps no picture, is read from its file.
+
+    Raises
+    ------
+    Refused
+        If the target cannot be drawn.
+    """
+    if _drawing(scene) == _drawing(session.scene.in_unit(scene.unit)):
+        return session.with_scene(scene, session.target)
+    if session.picture is None or scene.image != session.scene.image:
+        task = begin(scene, folder)
+        return replace(session.with_scene(scene, task.target), picture=task.picture)
+    from workbench.targets import load_target  # late, as above
+
+    return session.with_scene(scene, load_target(scene, folder, session.picture))
+
+
+def with_file(session: Session, folder: Path) -> Session:
+    """The session with its image read anew from the file.
+
+    Raises
+    ------
+    Refused
+        If the target cannot be drawn.
+    """
+    task = begin(session.scene, folder)
+    return replace(session.with_scene(session.scene, task.target), picture=task.picture)
+
+
+def _drawing(scene: Scene) -> tuple[object, ...]:
+    """All that the target's image depends on."""
+    return scene.target, scene.screen.half_width, scene.screen.pixels
