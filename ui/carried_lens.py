@@ -1,5 +1,7 @@
 """Tells what became of the lens when the task was edited, and how to go on."""
 
+from functools import partial
+
 from PySide6.QtCore import QObject, Signal
 
 from ui.document import Document
@@ -77,12 +79,14 @@ class CarriedLens(QObject):
         net, wished = ControlNet.of(before.scene.lens), after.scene.lens.control_points
         unit = after.scene.unit
         exact = nearest_finer(net, wished, LARGEST_NET)
+        offers: list[Offer] = []
+        if exact != net.shape:
+            take = partial(self._take, before, after, exact)
+            offers = [(f"Take {_size(exact)}, exact", take)]
         self._say(
             f"On {_size(wished)} control points the lens is off by up to {off:.2g} {unit}. "
             "Continue goes on from there, Start over from nothing, and Undo takes the change back.",
-            (f"Take {_size(exact)}, exact", lambda: self._take(before, after, exact))
-            if exact != net.shape
-            else None,
+            *offers,
         )
 
     def _take(self, before: Session, after: Session, size: tuple[int, int]) -> None:
@@ -95,9 +99,9 @@ class CarriedLens(QObject):
             self._told = before, text
             self.told.emit(text)
 
-    def _say(self, text: str, offer: Offer | None = None) -> None:
+    def _say(self, text: str, *offers: Offer) -> None:
         self._said = text
-        self._messages.note(text, offer)
+        self._messages.note(text, *offers)
 
     def _withdraw(self, session: Session) -> None:
         """What was said is about the session that it was said of."""

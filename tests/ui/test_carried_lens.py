@@ -59,8 +59,8 @@ def test_a_net_that_cannot_hold_the_lens_asks(desk, qtbot):
         after.start,
     )
     assert f"off by up to {off:.2g} cm" in desk.messages.text
-    assert desk.messages._button.text() == "Take 21 × 10, exact"
-    qtbot.mouseClick(desk.messages._button, Qt.MouseButton.LeftButton)
+    assert desk.messages.buttons[0].text() == "Take 21 × 10, exact"
+    qtbot.mouseClick(desk.messages.buttons[0], Qt.MouseButton.LeftButton)
     taken = desk.document.session
     assert taken.scene.lens.control_points == (21, 10)
     assert taken.result.loss == before.result.loss
@@ -74,8 +74,8 @@ def test_both_numbers_of_a_net_are_one_change_of_mind(desk, qtbot):
     enter(qtbot, desk.forms, "lens.control_points[0]", "20")
     enter(qtbot, desk.forms, "lens.control_points[1]", "19")
     # Offered and measured from the lens that was designed, 9 × 7 spans.
-    assert desk.messages._button.text() == "Take 21 × 17, exact"
-    qtbot.mouseClick(desk.messages._button, Qt.MouseButton.LeftButton)
+    assert desk.messages.buttons[0].text() == "Take 21 × 17, exact"
+    qtbot.mouseClick(desk.messages.buttons[0], Qt.MouseButton.LeftButton)
     taken = desk.document.session
     assert taken.result is not None
     np.testing.assert_array_equal(
@@ -89,7 +89,7 @@ def test_both_numbers_of_a_net_are_one_change_of_mind(desk, qtbot):
 def test_a_coarser_net_has_no_exact_one_to_offer(desk, qtbot):
     enter(qtbot, desk.forms, "lens.control_points[0]", "6")
     assert "off by up to" in desk.messages.text
-    assert desk.messages._button.isHidden()
+    assert desk.messages.buttons == []
     enter(qtbot, desk.forms, "lens.control_points[0]", "12")
     assert desk.document.session.result is not None
     assert desk.messages.text == ""

@@ -134,7 +134,7 @@ def test_what_cannot_be_read_is_not_written_over(window, path):
     path.mkdir()
     assert not window.files.save()
     assert "is a folder" in window.messages.text
-    assert window.messages._button.text() == "Save as…"
+    assert window.messages.buttons[0].text() == "Save as…"
 
 
 def test_closing_does_not_lose_the_changed_file_either(window, session, path, answers, monkeypatch):

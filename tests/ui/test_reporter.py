@@ -93,8 +93,8 @@ def test_it_is_cancelled_from_its_message(window, endless, tmp_path, qtbot):
     qtbot.waitUntil(lambda: len(endless) == 1, timeout=30_000)
     window.reporter.report(path)
     assert "still being written" in window.messages.text
-    assert window.messages._button.text() == "Cancel"
-    window.messages._button.click()
+    assert window.messages.buttons[0].text() == "Cancel"
+    window.messages.buttons[0].click()
     qtbot.waitUntil(lambda: window.messages.text == "No report is written.", timeout=30_000)
     assert endless[0].returncode not in (None, 0)
     assert len(endless) == 1 and not path.exists()

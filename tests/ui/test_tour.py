@@ -77,7 +77,7 @@ def test_hidden_docks_are_shown_for_their_stop_only(window, bubble, qtbot):
 def test_it_is_offered_once_and_never_forced(window, settings, qtbot):
     window.help.offer_tour(settings)
     assert "tour" in window.messages.text.lower() and window.findChild(Bubble) is None
-    qtbot.mouseClick(window.messages._button, Qt.MouseButton.LeftButton)
+    qtbot.mouseClick(window.messages.buttons[0], Qt.MouseButton.LeftButton)
     assert window.findChild(Bubble) is not None
     window.messages.clear()
     window.help.offer_tour(settings)

@@ -25,7 +25,7 @@ def test_the_lens_is_converted_and_stays_the_result(window, designed):
 
 def test_the_numbers_are_kept_if_a_person_wants_that(window, designed, qtbot):
     choose(window.forms, "unit", "mm")
-    qtbot.mouseClick(window.messages._button, Qt.MouseButton.LeftButton)
+    qtbot.mouseClick(window.messages.buttons[0], Qt.MouseButton.LeftButton)
     session = window.document.session
     assert (session.scene.unit, session.scene.screen.z) == ("mm", 5)
     assert session.result is designed.result  # the same numbers are the same task

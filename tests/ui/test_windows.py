@@ -198,7 +198,7 @@ def test_trouble_is_told_where_a_person_works_and_can_be_copied(windows, two, qt
     first, second = two
     windows.tell_trouble("Something odd.", "all about it")
     assert second.messages.text == "Something odd." and not first.messages.isVisible()
-    assert second.messages._button.text() == "Copy details"
-    qtbot.mouseClick(second.messages._button, Qt.MouseButton.LeftButton)
+    assert second.messages.buttons[0].text() == "Copy details"
+    qtbot.mouseClick(second.messages.buttons[0], Qt.MouseButton.LeftButton)
     assert QApplication.clipboard().text() == "all about it"
     assert "Something odd." in second.log.toPlainText()
