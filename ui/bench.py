@@ -13,6 +13,7 @@ from ui.colour_map import keep_colours
 from ui.commands.table import COMMANDS
 from ui.lens.tools import LensTools
 from ui.plots import Plots
+from ui.postponed import Postponed
 from ui.production import Production
 from ui.run.control import RunControl
 from ui.run.log import RunLog
@@ -56,6 +57,7 @@ class Bench(QObject):
         plots = views.plots() | production.plots()
         self.plots = Plots(plots, document, messages, window)
         self.tools = LensTools(document, self.control, views.scene, self)
+        self.postponed = Postponed(window.forms, self.control, messages, self)
         self._pictures = ScenePictures(views.scene, document, messages, window)
         RunLog(document, self.control, window.log.add)
         docked = {

@@ -236,7 +236,9 @@ class Document(QObject):
             self._fingerprint = found
             self.undo_stack.setClean()
 
-    def save(self, path: Path, view: dict[str, Any] | None = None) -> None:
+    def save(
+        self, path: Path, view: dict[str, Any] | None = None, making: Result | None = None
+    ) -> None:
         """Write the session and make ``path`` its file.
 
         Parameters
@@ -245,6 +247,9 @@ class Document(QObject):
             Session file.
         view : dict, optional
             How the design is looked at, which goes into the file and is no change of the design.
+        making : Result, optional
+            The best lens so far of a run that goes on. The file gets it; the design still has
+            changes then, because it gets its lens when the run ends.
 
         Raises
         ------
@@ -252,9 +257,14 @@ class Document(QObject):
             If it cannot be written; what was at ``path`` before is still there.
         """
         session = replace(self.verified.complete(self._session), view=view)
+        if making is not None:
+            session = replace(session, result=making)
         self._fingerprint = write_session(session, path)
         self._path = path
-        self.undo_stack.setClean()
+        if making is None:
+            self.undo_stack.setClean()
+        else:
+            self.undo_stack.resetClean()
         self.path_changed.emit()
 
     def _tell_dirty(self, clean: bool) -> None:

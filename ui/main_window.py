@@ -26,6 +26,7 @@ from ui.log_view import LogView
 from ui.message_bar import MessageBar
 from ui.panels.forms import Forms
 from ui.panes import Panes
+from ui.run.lens_on_show import LensOnShow
 from ui.run.status import RunStatus
 from ui.target_image import TargetImage
 from ui.unit_change import UnitChange
@@ -87,6 +88,7 @@ class MainWindow(QMainWindow):
         self.messages.said.connect(self.log.add)
         self.forms = Forms(document)
         self.forms.told.connect(self.log.add)
+        self.forms.file_refused.connect(self.messages.warn)
         CarriedLens(document, self.messages, self).told.connect(self.log.add)
         UnitChange(document, self.messages, self)
         self._image = TargetImage(document, self.messages, self)
@@ -97,9 +99,10 @@ class MainWindow(QMainWindow):
         self.workspace = Workspace(self, self.forms, self.messages, steps, self.log)
         self._settings = settings
         self._recent = RecentFiles(settings)
-        self.files = FileActions(document, self._recent, self.messages, self)
-        self.exporter = Exporter(document, self.messages, self)
-        self.reporter = Reporter(document, self.messages, self)
+        self._lens = LensOnShow(document, self)
+        self.files = FileActions(document, self._lens, self._recent, self.messages, self)
+        self.exporter = Exporter(document, self._lens, self.messages, self)
+        self.reporter = Reporter(document, self._lens, self.messages, self)
         self._panes = Panes(self, self.workspace.docks, self.commands.toolbar)
         self.help = Help(self, self.commands, self._panes, self.messages)
         self._layout = Layout(self, self.workspace, settings)
@@ -107,6 +110,7 @@ class MainWindow(QMainWindow):
         self.status = RunStatus(self.statusBar())
         self.bench: Bench | None = None
         self._leaving = False  # whatever would be lost
+        self._to_open: Path | None = None  # as soon as the run has ended
         self._closing = False  # as soon as the run has ended
         self.setAcceptDrops(True)
         self._add_menus()
@@ -123,6 +127,7 @@ class MainWindow(QMainWindow):
         bench.state_changed.connect(self._show_state)
         bench.state_changed.connect(self._show_recent)
         bench.control.ended.connect(self._end_run)
+        self._lens.follow(bench.control)
         self._view_state.attach(bench.views.scene)
         self._show_state()
         self.built.emit()
@@ -178,12 +183,13 @@ class MainWindow(QMainWindow):
         """A design or scene is opened; any other file becomes the target image."""
         event.acceptProposedAction()
         path = Path(event.mimeData().urls()[0].toLocalFile())
-        if self._busy:
-            self.messages.note("Stop the run first; then drop the file again.")
-        elif path.suffix.lower() in (ENDING, ".json"):
-            self.files.open(path)
-        else:
+        if path.suffix.lower() not in (ENDING, ".json"):
             self.forms.choose_image(path)
+        elif self._busy:
+            text = f"{path.name} takes the place of {self.document.name}, which is being designed."
+            self.messages.note(text, ("Stop and open", partial(self._stop_and_open, path)))
+        else:
+            self.files.open(path)
 
     def changeEvent(self, event: QEvent) -> None:
         """Light or dark: draw the icons again. Active: other windows may have opened files."""
@@ -213,10 +219,13 @@ class MainWindow(QMainWindow):
         self.forms.commit()
         if not self._busy:
             return self.files.may_leave()
-        name = self.document.name
-        answer = self.files.ask(f"{name} is still being designed. Stop, and save its best lens?")
+        question = f"{self.document.name} is still being designed. Stop, and save its best lens?"
+        if self.forms.postponed_edits:
+            question += " Changes of the task that wait for the end of the run are given up."
+        answer = self.files.ask(question)
         if answer is not Answer.SAVE:
             return answer is Answer.DISCARD
+        self.forms.drop_postponed_edits()
         if not self._busy:  # it ended while the question stood
             return self.files.save()
         self._closing = True
@@ -230,6 +239,19 @@ class MainWindow(QMainWindow):
             self._closing = False
             if not (self.files.save() and self.close()):
                 self.stayed.emit()
+            return
+        if self.bench is not None:
+            self.bench.postponed.make()
+        path, self._to_open = self._to_open, None
+        if path is not None:
+            self.files.open(path)
+
+    def _stop_and_open(self, path: Path) -> None:
+        if self.bench is not None and self._busy:
+            self._to_open = path
+            self.bench.control.runner.stop()
+        else:  # it has ended since
+            self.files.open(path)
 
     def _add_menus(self) -> None:
         for dock in self.workspace.docks.values():
@@ -282,8 +304,12 @@ class MainWindow(QMainWindow):
 
     def _save(self, save: Callable[[], bool]) -> None:
         self.forms.commit()
-        if save() and self.forms.refused:
+        if not save():
+            return
+        if self.forms.refused:
             self.messages.note("Saved with the last valid value of each marked field.")
+        elif self.forms.postponed_edits:
+            self.messages.note("Saved without the changes that wait for the end of the run.")
 
     def _tell_saved(self, sentence: str) -> None:
         self.log.add(sentence)
@@ -312,13 +338,14 @@ class MainWindow(QMainWindow):
         session = self.document.session
         now = Situation(
             state="loading" if self.bench is None else self.bench.state,
-            designed=session.result is not None,
             has_lens=session.control_points is not None,
+            lens=self._lens.text,
             can_undo=stack.canUndo(),
             can_redo=stack.canRedo(),
             can_revert=self.document.path is not None and self.document.dirty,
         )
         commands.allow(now.allows())
+        commands.explain(now.reasons())
         commands.reword(now.texts())
         commands.reword({"undo": f"&Undo {stack.undoText()}", "redo": f"&Redo {stack.redoText()}"})
         commands["pause"].setChecked(now.state == "paused")

@@ -5,9 +5,9 @@ from ui.commands.table import COMMANDS
 
 
 def situation(
-    state="idle", designed=True, has_lens=True, can_undo=True, can_redo=True, can_revert=True
+    state="idle", has_lens=True, lens="a lens", can_undo=True, can_redo=True, can_revert=True
 ):
-    return Situation(state, designed, has_lens, can_undo, can_redo, can_revert)
+    return Situation(state, has_lens, lens, can_undo, can_redo, can_revert)
 
 
 def allowed(**what):
@@ -22,13 +22,20 @@ def test_a_run_can_begin_only_when_there_is_none():
     for state in ("loading", "running", "paused", "stopping"):
         assert not {"start", "continue"} & allowed(state=state)
     assert {"start", "continue"} <= allowed()
-    assert "continue" in allowed(designed=False)
-    assert "continue" not in allowed(designed=False, has_lens=False)
+    assert "continue" not in allowed(has_lens=False)
 
 
 @pytest.mark.parametrize("state", ["running", "paused", "stopping"])
 def test_nothing_takes_the_design_away_from_a_run(state):
-    assert not {"open", "save", "gallery", "revert", "undo", "redo"} & allowed(state=state)
+    changing = {"open", "gallery", "revert", "undo", "redo", "restore_run", "lock_all"}
+    assert not changing & allowed(state=state)
+    reasons = situation(state=state).reasons()
+    assert all("Stop it first" in reasons[name] for name in changing)
+
+
+@pytest.mark.parametrize("state", ["running", "paused", "stopping"])
+def test_a_run_can_be_saved(state):
+    assert {"save", "save_as"} <= COMMANDS.keys() - situation(state=state).allows().keys()
 
 
 def test_a_run_that_ends_already_cannot_be_held():
@@ -44,9 +51,13 @@ def test_a_lens_that_changes_is_not_checked():
     ] == ["idle", "paused"]
 
 
-def test_export_needs_a_designed_lens():
-    assert "export" in allowed(state="running")
-    assert "export" not in allowed(designed=False)
+def test_export_and_report_take_any_lens_and_say_which():
+    for command in ("export", "report"):
+        assert command in allowed(state="running", has_lens=False, lens="")
+        assert command not in allowed(has_lens=False, lens="")
+        assert situation().reasons()[command] == "Takes a lens"
+        assert "best lens so far" in situation(state="running").reasons()[command]
+        assert "no lens yet" in situation(has_lens=False, lens="").reasons()[command]
 
 
 def test_only_what_differs_from_its_file_goes_back_to_it():

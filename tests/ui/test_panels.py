@@ -267,12 +267,20 @@ def test_a_dialog_that_is_cancelled_changes_nothing(forms, document, monkeypatch
     assert row(forms, "target.builtin").chooser.currentData() == "tophat"
 
 
-def test_an_image_that_cannot_be_read_is_refused_beside_the_wish(forms, document, tmp_path):
-    text = tmp_path / "notes.txt"
+def test_a_file_that_is_no_image_is_refused_and_marks_no_field(forms, document, tmp_path):
+    image, text = tmp_path / "wish.png", tmp_path / "notes.txt"
+    Image.fromarray(np.eye(8, dtype=np.uint8) * 255).save(image)
     text.write_text("no image")
-    forms.choose_image(text)
-    assert "notes.txt" in row(forms, "target.builtin").refusal
-    assert document.undo_stack.count() == 0
+    told = []
+    forms.file_refused.connect(told.append)
+    for count, first in enumerate((None, image)):
+        if first is not None:
+            forms.choose_image(first)
+        forms.choose_image(text)
+        assert "notes.txt" in told[count]
+        assert not forms.refused and not any(each.refusal for each in rows(forms))
+        assert document.undo_stack.count() == count
+    assert row(forms, "target.image").editor.text() == str(image)
 
 
 def test_a_refusal_unfolds_its_panel(forms, qtbot):
@@ -283,14 +291,49 @@ def test_a_refusal_unfolds_its_panel(forms, qtbot):
     assert "Screen at z: 5 may touch" in row(forms, "lens.height_range").refusal
 
 
-def test_the_form_is_closed_while_a_run_goes_on(forms, document, qtbot):
+def test_edits_during_a_run_wait_for_its_end(forms, document, qtbot):
+    session, told = document.session, []
+    forms.postponed.connect(told.append)
     forms.set_running(True)
-    field = editor(forms, "screen.z")
-    assert not field.isEnabled()
-    qtbot.keyClicks(field, "7")
-    assert field.text() == "5"
+    enter(qtbot, forms, "screen.z", "7")
+    choose(forms, "source.kind", "point")
+    enter(qtbot, forms, "source.position[2]", "-9")  # a field of the source to come
+    assert document.session is session
+    assert editor(forms, "screen.z").text() == "7" and forms.postponed_edits == 3
+    assert "change of screen at z" in told[0] and "source kind" in told[-1]
     forms.set_running(False)
-    assert field.isEnabled()
+    forms.make_postponed_edits()
+    scene = document.session.scene
+    assert (scene.screen.z, scene.source.position[2]) == (7, -9)
+    assert document.undo_stack.count() == 3 and forms.postponed_edits == 0
+
+
+def test_edits_during_a_run_can_be_taken_back(forms, document, qtbot):
+    forms.set_running(True)
+    enter(qtbot, forms, "screen.z", "7")
+    forms.drop_postponed_edits()
+    assert editor(forms, "screen.z").text() == "5"
+    forms.make_postponed_edits()
+    assert document.undo_stack.count() == 0
+
+
+def test_a_refused_edit_during_a_run_is_marked_at_once_and_stays(forms, document, qtbot, designed):
+    forms.set_running(True)
+    enter(qtbot, forms, "screen.z", "0.2")
+    assert "may touch the lens" in row(forms, "screen.z").refusal
+    assert forms.refused and not forms.postponed_edits
+    document.set_result(designed.result, "design run")
+    forms.set_running(False)
+    forms.make_postponed_edits()
+    assert editor(forms, "screen.z").text() == "0.2" and forms.refused
+    document.undo_stack.undo()
+    assert document.session.scene.screen.z == 5
+
+
+def test_an_edit_that_changes_nothing_does_not_wait(forms, qtbot):
+    forms.set_running(True)
+    enter(qtbot, forms, "screen.z", "5")
+    assert forms.postponed_edits == 0
 
 
 @pytest.mark.parametrize("kind", ["collimated", "point", "grid"])

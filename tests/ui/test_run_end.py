@@ -52,10 +52,10 @@ def test_a_stop_and_a_failure_are_reasons(window, snapshots, as_run, qtbot):
 def test_a_paused_run_is_nowhere_called_running(window, as_run, qtbot):
     window.bench.control.runner._generate = as_run(100_000, pause=0.01)
     window.commands["start"].trigger()
-    assert window.forms._hint.text() == "The design is running. Stop it to change the scene."
+    assert window.forms._hint.text() == "The design is running. Changes wait until it ends."
     window.commands["pause"].trigger()
     assert state(window) == "Paused"
-    assert window.forms._hint.text() == "The design is paused. Stop it to change the scene."
+    assert window.forms._hint.text() == "The design is paused. Changes wait until it ends."
     with qtbot.waitSignal(window.bench.control.ended, timeout=60_000):
         window.commands["stop"].trigger()
 

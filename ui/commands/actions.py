@@ -73,6 +73,12 @@ class Commands:
         for name, allow in allowed.items():
             self[name].setEnabled(allow and name in self._connected)
 
+    def explain(self, sentences: Mapping[str, str]) -> None:
+        """Add a sentence of now to tips, such as why a command is not available."""
+        for name, sentence in sentences.items():
+            tip = _tip(self[name], COMMANDS[name])
+            self[name].setToolTip(f"{tip}\n{sentence}" if sentence else tip)
+
     def reword(self, texts: Mapping[str, str]) -> None:
         """Call commands by other names."""
         for name, text in texts.items():
@@ -100,8 +106,7 @@ class Commands:
             action.setCheckable(True)
             action.setChecked(command.checked)
         action.setShortcut(QKeySequence(command.shortcut))
-        keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
-        action.setToolTip(f"{command.tip} ({keys})" if keys else command.tip)
+        action.setToolTip(_tip(action, command))
         action.setStatusTip(command.tip)
         self._window.addAction(action)
         return action
@@ -118,6 +123,11 @@ class Commands:
                 self._fill(menu, *entry)
             else:
                 menu.addAction(self[entry])
+
+
+def _tip(action: QAction, command: Command) -> str:
+    keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
+    return f"{command.tip} ({keys})" if keys else command.tip
 
 
 def _entries(action: QAction, before: str) -> list[tuple[str, QAction]]:

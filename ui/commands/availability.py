@@ -4,8 +4,13 @@ from dataclasses import dataclass
 
 from ui.commands.table import LOCKS, NEW
 
+_TAKES_LENS = ("export", "report")
+
 # Not while a run works on the design as it was when it began.
-_CHANGING = [*NEW, "gallery", "open", "save", "save_as"]
+_CHANGING = (*NEW, *LOCKS, "gallery", "open", "restore_run", "delete_run", "undo", "redo", "revert")
+_RUN_FIRST = (
+    "Not while a run goes on: it works on the design as it was when it began. Stop it first"
+)
 
 
 @dataclass(frozen=True)
@@ -16,10 +21,10 @@ class Situation:
     ----------
     state : str
         Of the run: "idle", "running", "paused" or "stopping"; "loading" while there cannot be one.
-    designed : bool
-        Whether there is a lens that was designed for the task.
     has_lens : bool
-        Whether there is one at all, if only to start from.
+        Whether the design has a lens, if only to start from.
+    lens : str
+        What the lens on show is; empty where there is none.
     can_undo, can_redo : bool
         Whether the undo stack has a step in that direction.
     can_revert : bool
@@ -27,8 +32,8 @@ class Situation:
     """
 
     state: str
-    designed: bool
     has_lens: bool
+    lens: str
     can_undo: bool
     can_redo: bool
     can_revert: bool
@@ -37,6 +42,11 @@ class Situation:
     def editable(self) -> bool:
         """Whether the design may be changed."""
         return self.state in ("loading", "idle")
+
+    @property
+    def under_way(self) -> bool:
+        """Whether a run goes on that nobody has stopped."""
+        return self.state in ("running", "paused")
 
     @property
     def resting(self) -> bool:
@@ -52,20 +62,28 @@ class Situation:
 
     def allows(self) -> dict[str, bool]:
         """Which of the commands are available; those that are left out always are."""
-        idle, under_way = self.state == "idle", self.state in ("running", "paused")
+        idle, under_way = self.state == "idle", self.under_way
         return {
             **dict.fromkeys(_CHANGING, self.editable),
-            **dict.fromkeys(LOCKS, self.editable),
+            **dict.fromkeys(_TAKES_LENS, self.has_lens or under_way),
             "start": idle,
             "continue": idle and self.has_lens,
             "pause": under_way,
             "stop": under_way,
             "restore_run": idle,
             "delete_run": idle,
-            "export": self.designed,
-            "report": self.designed,
             "check": self.resting,
             "revert": self.editable and self.can_revert,
             "undo": self.editable and self.can_undo,
             "redo": self.editable and self.can_redo,
+        }
+
+    def reasons(self) -> dict[str, str]:
+        """Why commands are not available that a person may look for, and what others take."""
+        no_lens = "" if self.has_lens else "There is no lens yet: Start designs one"
+        taken = "the best lens so far" if self.under_way else self.lens
+        return {
+            **dict.fromkeys(_CHANGING, "" if self.editable else _RUN_FIRST),
+            **dict.fromkeys(_TAKES_LENS, f"Takes {taken}" if taken else no_lens),
+            "continue": no_lens,
         }

@@ -14,6 +14,7 @@ from ui.files import changed
 from ui.files.left_behind import LeftBehind
 from ui.files.recent import RecentFiles
 from ui.message_bar import MessageBar
+from ui.run.lens_on_show import LensOnShow
 from workbench.errors import Refused
 from workbench.files.session import read_session
 
@@ -36,6 +37,8 @@ class FileActions(QObject):
     ----------
     document : Document
         What is opened and saved.
+    lens : LensOnShow
+        What is saved while a run goes on.
     recent : RecentFiles
         Learns of every file used.
     messages : MessageBar
@@ -62,10 +65,16 @@ class FileActions(QObject):
     recent_changed = Signal()
 
     def __init__(
-        self, document: Document, recent: RecentFiles, messages: MessageBar, window: QWidget
+        self,
+        document: Document,
+        lens: LensOnShow,
+        recent: RecentFiles,
+        messages: MessageBar,
+        window: QWidget,
     ) -> None:
         super().__init__(window)
         self._document = document
+        self._lens = lens
         self._recent = recent
         self._messages = messages
         self._window = window
@@ -172,13 +181,15 @@ class FileActions(QObject):
         if self.find_other(path) is not None:  # which would not know of it
             self._messages.warn(f"{path.name} is open in another window: choose another name.")
             return False
+        making = self._lens.in_the_making
+        words = "" if making is None else f", with {self._lens.text}"
         try:
             found = self._document.on_disk(path)
             if found is not OnDisk.KNOWN:
                 choice = changed.ask(path, found, self._window)
                 if choice is not changed.Choice.OVERWRITE:
                     return self._save_otherwise(choice)
-            self._document.save(path, self.look())
+            self._document.save(path, self.look(), making)
         except Refused as refused:
             self._messages.warn(str(refused), ("Save as…", self.save_as))
             return False
@@ -187,7 +198,7 @@ class FileActions(QObject):
         size = QLocale.c().formattedDataSize(
             path.stat().st_size, 1, QLocale.DataSizeFormat.DataSizeSIFormat
         )
-        self.saved.emit(f"Saved {path.name}, {size}")
+        self.saved.emit(f"Saved {path.name}, {size}{words}")
         return True
 
     def _save_otherwise(self, choice: changed.Choice) -> bool:

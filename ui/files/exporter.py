@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QFileDialog, QWidget
 from ui.background import Background
 from ui.document import Document
 from ui.message_bar import MessageBar
+from ui.run.lens_on_show import NO_LENS, LensOnShow
 from workbench.files.export.formats import FORMATS, Format
 
 if TYPE_CHECKING:
@@ -22,16 +23,22 @@ class Exporter(QObject):
     Parameters
     ----------
     document : Document
-        Its lens is written.
+        Gives the name of the file.
+    lens : LensOnShow
+        It is written.
     messages : MessageBar
         Shows what was written and how far it is from the design, or why nothing was.
     window : QWidget
         Parent of the dialog.
     """
 
-    def __init__(self, document: Document, messages: MessageBar, window: QWidget) -> None:
+    def __init__(
+        self, document: Document, lens: LensOnShow, messages: MessageBar, window: QWidget
+    ) -> None:
         super().__init__(window)
         self._document = document
+        self._lens = lens
+        self._what = ""  # of the file under way
         self._messages = messages
         self._window = window
         self._background = Background("export", self)
@@ -49,14 +56,18 @@ class Exporter(QObject):
         if self._background.busy:
             self._messages.note("One file is still being written; export the next after it.")
             return
-        session = self._document.session
+        session = self._lens.session
+        if session is None:
+            self._messages.note(NO_LENS)
+            return
+        self._what = self._lens.text
         self._messages.note(f"{path.name} is being written…")
         self._background.begin(lambda: _write(session, path))
 
     def ask_for_name(self) -> Path | None:
         """Ask for a file; a name without an ending gets that of the chosen format."""
         suggested = self._document.suggested_path
-        dialog = QFileDialog(self._window, "Export", str(suggested.parent))
+        dialog = QFileDialog(self._window, f"Export {self._lens.text}", str(suggested.parent))
         dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
         endings = {_filter(each): each.endings[0] for each in FORMATS}
         dialog.setNameFilters(list(endings))
@@ -74,7 +85,7 @@ class Exporter(QObject):
         self._background.close()
 
     def _tell(self, written: "Written") -> None:
-        self._messages.note(written.sentence)
+        self._messages.note(f"{written.sentence}; {self._what}")
 
 
 def _write(session: "Session", path: Path) -> "Written":

@@ -20,6 +20,7 @@ from PySide6.QtWidgets import QFileDialog, QWidget
 from ui.background import Background
 from ui.document import ENDING, Document
 from ui.message_bar import MessageBar
+from ui.run.lens_on_show import NO_LENS, LensOnShow
 from workbench.errors import RunFailed
 from workbench.files.atomic import check_writable, replacing
 from workbench.report.endings import HTML, PDF, check_ending
@@ -39,16 +40,21 @@ class Reporter(QObject):
     Parameters
     ----------
     document : Document
-        Its lens is reported.
+        Gives the names of report and file.
+    lens : LensOnShow
+        It is reported.
     messages : MessageBar
         Tells what was written, or why nothing was.
     window : QWidget
         Parent of the dialog.
     """
 
-    def __init__(self, document: Document, messages: MessageBar, window: QWidget) -> None:
+    def __init__(
+        self, document: Document, lens: LensOnShow, messages: MessageBar, window: QWidget
+    ) -> None:
         super().__init__(window)
-        self._document, self._messages, self._window = document, messages, window
+        self._document, self._lens = document, lens
+        self._messages, self._window = messages, window
         self._cancelled = Event()
         self._background = Background("report", self)
         self._background.done.connect(self._tell)
@@ -68,18 +74,23 @@ class Reporter(QObject):
                 ("Cancel", self.cancel),
             )
             return
+        found = self._lens.session
+        if found is None:
+            self._messages.note(NO_LENS)
+            return
         document, self._cancelled = self._document, Event()
-        session, cancelled = document.verified.complete(document.session), self._cancelled
+        session, cancelled = document.verified.complete(found), self._cancelled
         name = document.suggested_path.stem
         self._messages.note(
-            f"{path.name} is being written, with a check of the lens…", ("Cancel", self.cancel)
+            f"{path.name} is being written, with a check of {self._lens.text}…",
+            ("Cancel", self.cancel),
         )
         self._background.begin(lambda: _write(session, name, path, cancelled))
 
     def ask_for_name(self) -> Path | None:
         """Ask for a file; a name without an ending gets that of the chosen format."""
         suggested = self._document.suggested_path
-        dialog = QFileDialog(self._window, "Report", str(suggested.parent))
+        dialog = QFileDialog(self._window, f"Report {self._lens.text}", str(suggested.parent))
         dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
         dialog.setNameFilters(list(_FILTERS))
 

@@ -26,6 +26,9 @@ class Edit:
         Whether it is a step of its own, also after another at the same path.
     unit : str, optional
         Unit that all lengths are converted to, before the changes.
+    waits : bool
+        Whether it stays in its field when it is refused, to be corrected or to become possible by
+        another edit. A file that was chosen or dropped is in no field.
     """
 
     path: str
@@ -33,6 +36,7 @@ class Edit:
     changes: dict[str, object]
     alone: bool = False
     unit: Unit | None = None
+    waits: bool = True
 
 
 def value_at(data: dict[str, Any], path: str) -> Any:

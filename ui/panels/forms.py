@@ -1,6 +1,6 @@
 """All forms: they turn edits into scenes, and show each refusal where it was caused."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from PySide6.QtCore import Qt, Signal
@@ -18,6 +18,8 @@ from ui.panels.source import SourcePanel
 from ui.panels.stages import StagesPanel
 from ui.panels.target import TargetPanel
 from workbench.errors import Refused
+from workbench.files.session import Session
+from workbench.scene import Scene
 from workbench.units import METRES
 
 
@@ -28,21 +30,31 @@ class Forms(QScrollArea):
     ----------
     document : Document
         What is edited. It holds possible scenes only; edits that were refused wait here and are
-        tried again with the next one, because two values may only be possible together.
+        tried again with the next one, because two values may only be possible together. A run
+        works on the scene as it was when it began: edits meanwhile wait until it has ended.
 
     Attributes
     ----------
     told : Signal(str)
         Why an edit was refused, each time.
+    file_refused : Signal(str)
+        Why a chosen or dropped file is not taken.
+    postponed : Signal(str)
+        Which edits wait for the end of the run.
     """
 
     told = Signal(str)
+    file_refused = Signal(str)
+    postponed = Signal(str)
 
     def __init__(self, document: Document) -> None:
         super().__init__()
         self._document = document
         self._pending: dict[str, _Waiting] = {}
-        self._editing = False
+        self._editing = self._running = False
+        self._run_hint = ""
+        self._later: list[Edit] = []  # made during a run
+        self._next: Scene | None = None  # with these
         self._hint = QLabel()
         self._hint.setObjectName("hint")
         self._hint.setWordWrap(True)
@@ -94,6 +106,11 @@ class Forms(QScrollArea):
         """Whether an edit waits to be corrected."""
         return bool(self._pending)
 
+    @property
+    def postponed_edits(self) -> int:
+        """How many edits wait for the end of the run."""
+        return len(self._later)
+
     def commit(self) -> None:
         """Enter what is typed and not yet entered."""
         for row in self._rows():
@@ -105,11 +122,23 @@ class Forms(QScrollArea):
         self.ensureWidgetVisible(self._target)
 
     def set_running(self, running: bool, paused: bool = False) -> None:
-        """A run works on the scene as it was when it began; meanwhile it stays so."""
+        """Whether a run goes on, whose end edits wait for."""
+        self._running = running
         state = "paused" if paused else "running"
-        self._hint.setText(f"The design is {state}. Stop it to change the scene.")
-        self._page.setEnabled(not running)
-        self._hint.setVisible(running)
+        self._run_hint = f"The design is {state}. Changes wait until it ends."
+        self._show_hint()
+
+    def make_postponed_edits(self) -> None:
+        """Make the edits that have waited for the end of a run, each as a step of its own."""
+        edits = self._later
+        self.drop_postponed_edits()
+        for edit in edits:
+            self.edit(edit)
+
+    def drop_postponed_edits(self) -> None:
+        """Give up the edits that wait for the end of a run."""
+        self._later, self._next = [], None
+        self._show()
 
     def edit(self, edit: Edit) -> None:
         """Try an edit together with those that wait; keep it waiting if it is refused."""
@@ -118,16 +147,25 @@ class Forms(QScrollArea):
         if self._try([*waiting, edit]) is None:
             self._pending.clear()
         elif refused := self._try([edit]):
-            self._pending[edit.path] = _Waiting(edit, refused)
-            self.told.emit(f"Refused: {refused}")
+            self._refuse(edit, refused)
         self._show()
 
+    def _refuse(self, edit: Edit, refused: Refused) -> None:
+        if edit.waits:
+            self._pending[edit.path] = _Waiting(edit, refused)
+            self.told.emit(f"Refused: {refused}")
+        else:
+            self.file_refused.emit(f"The {edit.text} is refused: {refused}")
+
     def _try(self, edits: list[Edit]) -> Refused | None:
-        """Edit the document; the last one names the step."""
+        """Edit the document, now or after the run; the last one names the step."""
         self._editing = True
         try:
-            scene = edited_scene(self._document.session.scene, edits)
+            scene = edited_scene(self._session.scene, edits)
             last = edits[-1]
+            if self._running:
+                self._postpone(edits, scene)
+                return None
             self._document.edit(scene, last.text, "" if last.alone else last.path)
         except Refused as refused:
             return refused
@@ -136,6 +174,9 @@ class Forms(QScrollArea):
         return None
 
     def _read_image_again(self) -> None:
+        if self._running:
+            self.file_refused.emit("Stop the run first; then read the image again.")
+            return
         try:
             self._document.read_image_again()
         except Refused as refused:
@@ -144,18 +185,41 @@ class Forms(QScrollArea):
             self.told.emit(f"Refused: {refused}")
             self._show()
 
+    def _postpone(self, edits: list[Edit], scene: Scene) -> None:
+        if scene != self._session.scene:
+            self._later += edits
+            self._next = scene
+            self.postponed.emit(self._postponed)
+
+    @property
+    def _session(self) -> Session:
+        """The document's session as it will be after the edits that wait for the run."""
+        session = self._document.session
+        return session if self._next is None else replace(session, scene=self._next)
+
+    @property
+    def _postponed(self) -> str:
+        texts = dict.fromkeys(edit.text for edit in self._later)
+        return f"Waits for the end of the run: {', '.join(texts)}."
+
     def _revert(self, path: str) -> None:
         self._pending.pop(path, None)
         self._show()
 
     def _show_change(self) -> None:
-        """Another session came from elsewhere (undo, a file): what waits is not for this one."""
+        """Another session came from elsewhere (undo, a file): what waits is not for this one.
+
+        The end of a run brings a lens for the same scene.
+        """
         if not self._editing:
-            self._pending.clear()
+            if self._document.session.scene != self._shown:
+                self._pending.clear()
             self._show()
 
     def _show(self) -> None:
-        session = self._document.session
+        session = self._session
+        self._shown = self._document.session.scene
+        self._show_hint()
         data = session.scene.to_data()
         for panel in self.panels:
             panel.prepare(session)
@@ -182,6 +246,10 @@ class Forms(QScrollArea):
                 row.refuse(reasons.get(row, ""))
                 if row in reasons:
                     panel.unfold(True)
+
+    def _show_hint(self) -> None:
+        self._hint.setText(self._postponed if self._later else self._run_hint)
+        self._hint.setVisible(self._running)
 
     def _rows(self) -> list[Row]:
         return [row for panel in self.panels for row in panel.rows]

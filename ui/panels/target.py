@@ -121,9 +121,8 @@ class TargetPanel(Panel):
             self.image_again.emit()
             return
         target = {"image": str(path.absolute()), **self._finish()}
-        # Where the scene has no image so far, a refusal stands beside the choice of the wish.
-        beside = "target.image" if "image" in self.session.scene.to_data()["target"] else _WISH
-        self.edited.emit(Edit(beside, "change of target image", {"target": target}))
+        edit = Edit("target.image", "change of target image", {"target": target}, waits=False)
+        self.edited.emit(edit)
 
 
 class Thumbnail(QWidget):

@@ -55,6 +55,7 @@ class Runner(QObject):
         self._generate = generate
         self._state = "idle"
         self._job: Job | None = None
+        self._best: Result | None = None
         self._thread: QThread | None = None
         self._worker: Worker | None = None
         self._timer = QTimer(self, interval=_FRAME_MS)
@@ -64,6 +65,11 @@ class Runner(QObject):
     def state(self) -> str:
         """One of "idle", "running", "paused" and "stopping"."""
         return self._state
+
+    @property
+    def best(self) -> Result | None:
+        """The best lens so far of the run that is on; None before its first, or without a run."""
+        return self._best
 
     def start(self, session: "Session", continue_run: bool) -> None:
         """Begin a run.
@@ -133,6 +139,7 @@ class Runner(QObject):
 
     def _drop_job(self) -> None:
         self._timer.stop()
+        self._best = None
         if self._job is not None:
             self._job.gate.stop()
             self._job = None
@@ -146,7 +153,10 @@ class Runner(QObject):
         self._thread.start()
 
     def _take_frame(self) -> None:
-        frame = None if self._job is None else self._job.mailbox.take()
+        if self._job is None:
+            return
+        frame = self._job.mailbox.take()
+        self._best = self._job.best.take() or self._best
         if frame is not None:
             self.frame_ready.emit(frame)
 

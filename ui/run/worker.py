@@ -83,6 +83,10 @@ class Job:
         Go on from the session's lens: its result, or the one that it starts from.
     generate : callable, optional
         Makes the snapshots of a run; `workbench.design.run.run` by default.
+    gate : Gate
+        Holds and stops it.
+    mailbox, best : Mailbox
+        For the latest frame, and for the best lens of the run up to it.
     """
 
     session: "Session"
@@ -91,6 +95,7 @@ class Job:
     generate: Generate | None = None
     gate: Gate = field(default_factory=Gate)
     mailbox: Mailbox[Frame] = field(default_factory=Mailbox)
+    best: Mailbox[Result] = field(default_factory=Mailbox)
 
 
 class Worker(QObject):
@@ -123,14 +128,14 @@ class Worker(QObject):
             for snapshot in snapshots:
                 unseen = snapshot
                 if gate.held or job.mailbox.empty:
-                    job.mailbox.put(make_frame(job.session, snapshot, history))
+                    _post(job, snapshot, history)
                     unseen = None
                 if not gate.passes():
                     break
         finally:
             snapshots.close()
             if unseen is not None:
-                job.mailbox.put(make_frame(job.session, unseen, history))
+                _post(job, unseen, history)
 
     def _show(self, job: Job) -> None:
         result = job.session.result
@@ -154,6 +159,14 @@ class Worker(QObject):
         start = session.control_points if job.continue_run or job.preview or locks else None
         generate = job.generate or _engine()
         return (yield from generate(session.scene, session.target, start, locked))
+
+
+def _post(job: Job, snapshot: Snapshot, history: History) -> None:
+    """Leave a frame of a run, after the best lens up to it: whoever sees the one has the other."""
+    best = history.result()
+    if best is not None:
+        job.best.put(best)
+    job.mailbox.put(make_frame(job.session, snapshot, history))
 
 
 def _engine() -> Generate:

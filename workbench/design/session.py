@@ -126,7 +126,7 @@ class Session:
             return self.in_unit(unit)
         net, other = ControlNet.of(self.scene.lens), ControlNet.of(scene.lens)
         exact = other.contains(net)
-        same_task = _task(scene) == _task(self.scene) and np.array_equal(target, self.target)
+        same_task = task_of(scene) == task_of(self.scene) and np.array_equal(target, self.target)
         result, start = self.result if exact and same_task else None, self.control_points
         if start is not None and other != net:
             start = net.refine(start, other) if exact else project(net, start, other)
@@ -164,7 +164,7 @@ class Session:
         return replace(self, scene=self.scene.in_unit(unit), result=result, start=start)
 
 
-def _task(scene: Scene) -> Scene:
+def task_of(scene: Scene) -> Scene:
     """What a result is one for: all but how it was searched for, and on which control net.
 
     A task of another size is the same one as long as its numbers are: no length has one of its own.

@@ -12,6 +12,7 @@ from workbench.analysis.manufacture_limits import Limits
 from workbench.analysis.metrics import relative_l2
 from workbench.analysis.tolerances import Distribution, Tolerances, perturbed
 from workbench.analysis.validation import validate
+from workbench.design.origin import origin
 from workbench.design.session import KeptRun, Session
 from workbench.errors import Refused
 from workbench.geometry.surface import even_counts
@@ -73,6 +74,7 @@ def gather(
     sections = [
         Section(
             "Lens and light",
+            (Row("lens", origin(session)),),
             pictures=(
                 Picture(
                     "Lens, rays and screen",

@@ -1,0 +1,180 @@
+"""What is saved, exported and reported while a run goes on, and after an edit of the task."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
+from PySide6.QtGui import QDropEvent
+from PySide6.QtWidgets import QMessageBox
+
+from tests.ui.hands import editor, enter, move_screen, row
+from workbench.files.session import KeptRun, read_session
+
+pytestmark = pytest.mark.usefixtures("kernels", "display")
+
+
+@pytest.fixture
+def built(window):
+    window.build()
+    return window
+
+
+@pytest.fixture
+def running(built, qtbot):
+    """A window with a long run that has a best lens already."""
+    scene = built.document.session.scene
+    run = scene.run.model_copy(update={"iterations": 100_000})
+    built.document.edit(scene.model_copy(update={"run": run}), "run", "")
+    built.start()
+    runner = built.bench.control.runner
+    qtbot.waitUntil(lambda: runner.best is not None and runner.best.iterations > 2, timeout=60_000)
+    return built
+
+
+@pytest.fixture
+def carried(open_window, designed, qtbot):
+    """A window whose task was edited after its lens was designed."""
+    run = KeptRun("Run 1: flat", designed.scene, designed.target, designed.result)
+    window = open_window(dataclasses.replace(designed, runs=(run,)))
+    window.build()
+    move_screen(window.document, 7)
+    assert window.document.session.result is None
+    qtbot.waitUntil(lambda: window._lens.session is not None, timeout=60_000)
+    return window
+
+
+def stop(window, qtbot):
+    window.bench.control.runner.stop()
+    qtbot.waitUntil(lambda: not window.bench.control.busy, timeout=60_000)
+
+
+def test_a_run_can_be_saved_with_its_best_lens_so_far(running, qtbot, tmp_path, monkeypatch):
+    path = tmp_path / "mine.freeform"
+    monkeypatch.setattr(running.files, "ask_for_name", lambda: path)
+    assert running.commands["save"].isEnabled()
+    running.commands["save"].trigger()
+    saved = read_session(path)
+    assert saved.result.iterations > 2
+    assert running.bench.control.busy and running.document.dirty
+    assert "with the best lens so far" in running.statusBar().currentMessage()
+    stop(running, qtbot)
+    running.document.undo_stack.undo()  # the run
+    assert running.document.dirty  # the file holds a lens
+    assert running.document.session.result is None
+
+
+def test_the_best_lens_so_far_has_the_least_loss(running):
+    best = running.bench.control.runner.best
+    assert best.loss <= best.losses.min()
+
+
+def test_a_run_can_be_exported(running, qtbot, tmp_path):
+    assert running.commands["export"].isEnabled() and running.commands["report"].isEnabled()
+    running.exporter.export(tmp_path / "lens.stl")
+    qtbot.waitUntil(lambda: not running.exporter._background.busy, timeout=60_000)
+    assert (tmp_path / "lens.stl").stat().st_size > 0
+    assert "the best lens so far, after" in running.messages.text
+
+
+def test_a_lens_of_another_task_is_exported_as_it_is_shown(carried, designed, qtbot, tmp_path):
+    assert carried.commands["export"].isEnabled() and carried.commands["report"].isEnabled()
+    told = "designed for another task (Run 1: flat): screen.z 5.0, now 7.0"
+    assert told in carried.commands["export"].toolTip()
+    shown = carried._lens.session
+    np.testing.assert_array_equal(shown.result.control_points, designed.result.control_points)
+    assert shown.scene.screen.z == 7
+    carried.exporter.export(tmp_path / "lens.irradiance.npy")
+    qtbot.waitUntil(lambda: not carried.exporter._background.busy, timeout=60_000)
+    assert told in carried.messages.text
+    np.testing.assert_array_equal(
+        np.load(tmp_path / "lens.irradiance.npy"), shown.result.irradiance
+    )
+
+
+def test_a_lens_whose_light_is_still_traced_is_not_exported(open_window, designed, tmp_path):
+    window = open_window(designed)
+    move_screen(window.document, 7)  # nothing traces it before the views are there
+    window.exporter.export(tmp_path / "lens.stl")
+    assert "still being traced" in window.messages.text
+    assert not (tmp_path / "lens.stl").exists()
+
+
+@pytest.mark.slow
+def test_a_report_says_which_task_its_lens_was_designed_for(carried, qtbot, tmp_path):
+    path = tmp_path / "lens.html"
+    carried.reporter.report(path)
+    qtbot.waitUntil(lambda: not carried.reporter._background.busy, timeout=120_000)
+    assert carried.messages.text == f"{path} is written."
+    assert "designed for another task (Run 1: flat)" in path.read_text()
+
+
+def test_an_edit_waits_for_the_run_or_stops_it(running, qtbot):
+    enter(qtbot, running.forms, "screen.z", "7")
+    assert running.document.session.scene.screen.z == 5 and running.bench.control.busy
+    assert "Waits for the end of the run: change of screen at z." in running.messages.text
+    stop_and_apply, _ = running.messages.buttons
+    assert stop_and_apply.text() == "Stop and apply"
+    with qtbot.waitSignal(running.bench.control.ended, timeout=60_000):
+        stop_and_apply.click()
+    assert running.document.session.scene.screen.z == 7
+    assert not running.messages.isVisible()
+    running.document.undo_stack.undo()
+    assert running.document.session.scene.screen.z == 5
+    assert running.document.session.result is not None  # of the run, for the task that it had
+
+
+def test_an_edit_that_waits_can_be_taken_back(running, qtbot):
+    enter(qtbot, running.forms, "screen.z", "7")
+    _, take_back = running.messages.buttons
+    take_back.click()
+    assert editor(running.forms, "screen.z").text() == "5" and not running.messages.isVisible()
+    stop(running, qtbot)
+    assert running.document.session.scene.screen.z == 5
+
+
+def test_closing_says_that_waiting_edits_are_given_up(running, qtbot, monkeypatch, tmp_path):
+    path, asked = tmp_path / "mine.freeform", []
+
+    def question(window, title, text, *_):
+        asked.append(text)
+        return QMessageBox.StandardButton.Save
+
+    monkeypatch.setattr(QMessageBox, "question", question)
+    monkeypatch.setattr(running.files, "ask_for_name", lambda: path)
+    enter(qtbot, running.forms, "screen.z", "7")
+    running.close()
+    qtbot.waitUntil(lambda: not running.isVisible(), timeout=60_000)
+    assert len(asked) == 1 and "given up" in asked[0]
+    saved = read_session(path)
+    assert saved.scene.screen.z == 5 and saved.result is not None
+
+
+def drop(window, path):
+    data = QMimeData()
+    data.setUrls([QUrl.fromLocalFile(str(path))])
+    at, copy = QPointF(9, 9), Qt.DropAction.CopyAction
+    keys, button = Qt.KeyboardModifier.NoModifier, Qt.MouseButton.LeftButton
+    window.dropEvent(QDropEvent(at, copy, data, button, keys))
+
+
+def test_a_design_dropped_during_a_run_is_opened_after_it(
+    running, session, qtbot, monkeypatch, tmp_path
+):
+    path = tmp_path / "other.json"
+    path.write_text(session.scene.model_copy(update={"unit": "inch"}).to_json())
+    drop(running, path)
+    assert running.bench.control.busy and running.document.session.scene.unit != "inch"
+    monkeypatch.setattr(QMessageBox, "question", lambda *_: QMessageBox.StandardButton.Discard)
+    (stop_and_open,) = running.messages.buttons
+    stop_and_open.click()
+    qtbot.waitUntil(lambda: running.document.session.scene.unit == "inch", timeout=60_000)
+
+
+def test_a_dropped_file_that_is_no_image_is_said_and_marks_nothing(window, tmp_path):
+    text = tmp_path / "notes.txt"
+    text.write_text("no image")
+    drop(window, text)
+    assert "notes.txt" in window.messages.text and window.messages.objectName() == "warning"
+    assert not window.isWindowModified()
+    assert not row(window.forms, "target.builtin").refusal

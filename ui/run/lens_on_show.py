@@ -1,0 +1,72 @@
+"""The lens that a person sees: what is exported and reported, and saved while a run goes on."""
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject
+
+from ui.document import Document
+from workbench.design.origin import origin
+
+if TYPE_CHECKING:
+    from ui.run.control import RunControl
+    from ui.run.frame import Frame
+    from workbench.design.snapshot import Result
+    from workbench.files.session import Session
+
+NO_LENS = "There is no lens yet, or its light is still being traced; try again in a moment."
+
+
+class LensOnShow(QObject):
+    """Knows the document's lens, also while it was designed for another task or is being designed.
+
+    Parameters
+    ----------
+    document : Document
+        Whose lens.
+    """
+
+    def __init__(self, document: Document, parent: QObject) -> None:
+        super().__init__(parent)
+        self._document = document
+        self._control: RunControl | None = None
+        self._preview: Frame | None = None
+
+    def follow(self, control: "RunControl") -> None:
+        """See the runs and previews of the document."""
+        self._control = control
+        control.runner.frame_ready.connect(self._take)
+
+    @property
+    def in_the_making(self) -> "Result | None":
+        """The best lens so far of a run that goes on."""
+        return None if self._control is None else self._control.runner.best
+
+    @property
+    def session(self) -> "Session | None":
+        """The design with the lens on show as its result; None where there is no lens yet.
+
+        A lens that was designed for another task has the light of this one, as it is shown.
+        """
+        session = self._document.session
+        making = self.in_the_making
+        if making is not None:
+            return replace(session, result=making)
+        if session.result is not None:
+            return session
+        heights, frame = session.control_points, self._preview
+        if heights is None or frame is None or frame.session is not session:
+            return None
+        return replace(session, result=replace(frame.result(), control_points=heights))
+
+    @property
+    def text(self) -> str:
+        """What it is, and the task that it was designed for; empty where there is no lens yet."""
+        making = self.in_the_making
+        if making is not None:
+            return f"the best lens so far, after {making.iterations} iterations"
+        session = self._document.session
+        return "" if session.control_points is None else f"the lens on show, {origin(session)}"
+
+    def _take(self, frame: "Frame") -> None:
+        self._preview = frame

@@ -1,0 +1,69 @@
+"""Which task a lens was designed for."""
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from workbench.design.session import KeptRun, Session, task_of
+
+_MOST = 3  # differences between two tasks that are named
+
+
+def origin(session: Session) -> str:
+    """What the lens of a session was designed for, to be read after "the lens, ".
+
+    The lens is looked for among the kept runs. Run settings are no part of a task: they say how to
+    search, not what for.
+
+    Parameters
+    ----------
+    session : Session
+        Whose lens.
+
+    Returns
+    -------
+    str
+        For another task, with the name of the run and what differs.
+    """
+    heights = session.control_points
+    if heights is None:
+        return "not designed yet"
+    found = [run for run in session.runs if np.array_equal(run.result.control_points, heights)]
+    if any(_is_of(session, run) for run in found):
+        return "designed for this task"
+    if found:
+        named = _differences(found[-1], session)
+        more = ", …" if len(named) > _MOST else ""
+        return f"designed for another task ({found[-1].name}): {', '.join(named[:_MOST])}{more}"
+    if session.result is not None and session.result.iterations:
+        return "designed for this task"
+    return "not designed for this task"
+
+
+def _is_of(session: Session, run: KeptRun) -> bool:
+    same_target = np.array_equal(run.target, session.target)
+    return same_target and task_of(run.scene) == task_of(session.scene)
+
+
+def _differences(run: KeptRun, session: Session) -> list[str]:
+    """Fields of the run's task whose values are others now."""
+    then, now = (
+        {path: value for path, value in _fields(each.scene.to_data(), "") if path[:4] != "run."}
+        for each in (run, session)
+    )
+    told = [
+        f"{path} {then.get(path, 'absent')}, now {now.get(path, 'absent')}"
+        for path in (*then, *(now.keys() - then.keys()))
+        if then.get(path) != now.get(path)
+    ]
+    return told or ["another target image"]
+
+
+def _fields(part: Any, path: str) -> Iterator[tuple[str, Any]]:
+    """Paths and values of plain data, as deep as there are names."""
+    if isinstance(part, dict):
+        for name, value in part.items():
+            yield from _fields(value, f"{path}.{name}" if path else name)
+    else:
+        yield path, part
