@@ -1,9 +1,13 @@
 import json
 import math
+import os
+import re
+import signal
 import sys
 
 import pytest
 
+from workbench.analysis.ray_limit import MOST_RAYS
 from workbench.design.run import run
 from workbench.design.snapshot import History
 from workbench.files.session import Session, write_session
@@ -65,6 +69,37 @@ class TestValidate:
         status, _, told = freeform("validate", lens, "--screen-z", 0.6)
         assert status == 2
         assert told.startswith("freeform: screen.z: 0.6 may touch the lens")
+
+    def test_ctrl_c_ends_a_check_that_would_take_an_hour(self, freeform, lens, monkeypatch):
+        def press(progress, part):
+            os.kill(os.getpid(), signal.SIGINT)
+
+        monkeypatch.setattr("workbench.cli.progress.PartProgress.show", press)
+        status, printed, told = freeform("validate", lens, "--rays", MOST_RAYS)
+        assert (status, printed, told) == (130, "", "freeform: interrupted\n")
+
+    @pytest.mark.parametrize("verb", ["validate", "report", "tolerances", "sweep"])
+    def test_too_many_rays_are_refused_before_anything_is_read(self, freeform, verb):
+        option = "--validate-rays" if verb == "sweep" else "--rays"
+        status, printed, told = freeform(verb, "missing", option, MOST_RAYS + 1)
+        assert (status, printed) == (2, "")
+        assert f"argument {option}: '10000000001' are too many; at most 10000000000" in told
+        assert told.count("\n") == 1
+
+    def test_a_bar_shows_how_far_a_long_check_is(self, freeform, lens, monkeypatch):
+        monkeypatch.setattr("sys.stderr.isatty", lambda: True)
+        monkeypatch.setattr("workbench.cli.progress._DELAY", 0)
+        monkeypatch.setenv("COLUMNS", "80")
+        status, _, told = freeform("validate", lens, "--rays", 10_000, "--through-focus", "4:6:2")
+        assert status == 0
+        assert "\rthrough focus  " in told
+        assert re.search(r"\rcheck  .*\d+ %  .* left", told)
+
+    def test_lines_elsewhere_than_on_a_terminal(self, freeform, lens, monkeypatch):
+        monkeypatch.setattr("workbench.cli.progress._SECONDS", -1.0)
+        status, _, told = freeform("validate", lens, "--rays", 10_000)
+        assert status == 0
+        assert told.splitlines()[-1] == "check  100 %"
 
     def test_for_people(self, freeform, lens):
         status, printed, _ = freeform("validate", lens, "--rays", 10_000)

@@ -9,6 +9,7 @@ import numpy.typing as npt
 
 from workbench.analysis.metrics import product, relative_l2, root
 from workbench.analysis.mitsuba import MitsubaScene
+from workbench.analysis.tracing import Watch, part_of, unwatched
 from workbench.analysis.validation import through_focus
 from workbench.errors import RunFailed
 from workbench.geometry.body import check_body
@@ -80,7 +81,12 @@ class CrossCheck:
 
 
 def cross_check(
-    scene: Scene, target: Array, control_points: Array, rays: int = 4_000_000, seed: int = 1
+    scene: Scene,
+    target: Array,
+    control_points: Array,
+    rays: int = 4_000_000,
+    seed: int = 1,
+    watch: Watch = unwatched,
 ) -> CrossCheck:
     """Trace a lens by our independent tracer and by Mitsuba, and compare.
 
@@ -95,6 +101,8 @@ def cross_check(
         Rays for each of the two, at least.
     seed : int
         The same seed gives the same rays.
+    watch : callable
+        Is told the part that is done.
 
     Raises
     ------
@@ -107,9 +115,17 @@ def cross_check(
     theirs = MitsubaScene(scene, control_points)
     half, area = -(-rays // 2), scene.screen.pixel_area
     light = {
-        "mitsuba": [theirs.flux(half, seed + k) for k in (0, 1)],
+        "mitsuba": [theirs.flux(half, seed + k, part_of(watch, k, 1, 4)) for k in (0, 1)],
         "ours": [
-            through_focus(scene, control_points, [scene.screen.z], half, seed + k)[0] * area
+            through_focus(
+                scene,
+                control_points,
+                [scene.screen.z],
+                half,
+                seed + k,
+                watch=part_of(watch, 2 + k, 1, 4),
+            )[0]
+            * area
             for k in (0, 1)
         ],
     }

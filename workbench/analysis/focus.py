@@ -8,6 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from workbench.analysis.metrics import relative_l2
+from workbench.analysis.tracing import Watch, part_of, unwatched
 from workbench.analysis.validation import through_focus
 from workbench.scene import Scene
 
@@ -71,6 +72,7 @@ def focus_series(
     control_points: Array,
     distances: Sequence[float],
     rays: int = 1_000_000,
+    watch: Watch = unwatched,
 ) -> Iterator[Focus]:
     """Images at several distances, by the same rays.
 
@@ -80,6 +82,8 @@ def focus_series(
         As for `workbench.analysis.validation.validate`.
     distances : sequence of float
         z of each screen; as large as the scene's.
+    watch : callable
+        Is told the part that is done.
 
     Yields
     ------
@@ -94,7 +98,8 @@ def focus_series(
     at_once = max(_LARGEST_IMAGES // (8 * math.prod(scene.screen.pixels)), 1)
     for first in range(0, len(distances), at_once):
         some = distances[first : first + at_once]
-        images = through_focus(scene, control_points, some, rays)
+        part = part_of(watch, first, len(some), len(distances))
+        images = through_focus(scene, control_points, some, rays, watch=part)
         for z, image in zip(some, images, strict=True):
             flux = float(image.sum()) * scene.screen.pixel_area
             yield Focus(z, relative_l2(image, target), flux, _small(image))

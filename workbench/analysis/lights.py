@@ -28,6 +28,8 @@ class Entered(NamedTuple):
         Unit vectors in the lens.
     flux : ndarray, shape (m,)
         Flux of each, in any unit.
+    rays : int
+        Rays that were emitted; those that got lost are among them.
     emitted, missed_lens, reflected : float
         Flux in the same unit: all of these rays and of those that got lost; of those that passed
         the entrance face by; of what it reflected.
@@ -36,6 +38,7 @@ class Entered(NamedTuple):
     places: Array
     direction: Array
     flux: Array
+    rays: int
     emitted: float
     missed_lens: float
     reflected: float
@@ -72,6 +75,7 @@ class CollimatedLight:
                 (np.stack([a, b], axis=-1) * 2 - 1) * self._half_width,
                 np.broadcast_to(self._direction, (len(a), 3)),
                 np.full(len(a), 1 - self._reflectance),
+                rays=len(a),
                 emitted=len(a),
                 missed_lens=0.0,
                 reflected=self._reflectance * len(a),
@@ -140,6 +144,7 @@ class PointLight:
             start[:entered],
             direction[:entered],
             flux[:entered],
+            rays=len(a),
             emitted=emitted,
             missed_lens=missed_lens,
             reflected=reflected,

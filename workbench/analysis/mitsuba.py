@@ -14,6 +14,7 @@ import numpy as np
 import numpy.typing as npt
 
 from workbench import system_libraries
+from workbench.analysis.tracing import Watch, unwatched
 from workbench.errors import Refused
 from workbench.geometry.surface import ControlNet
 from workbench.optics.cap import covering_cap
@@ -37,7 +38,7 @@ _DISK = 1e-4
 # Mitsuba's spots fade at their rims, here beyond the cone.
 _FADE = 1e-3
 # Paths of a pass, at least one for each pixel: an interruption waits for one of them.
-_AT_ONCE = 1 << 19
+_AT_ONCE = 1 << 17
 _BLACK = {"type": "diffuse", "reflectance": {"type": "rgb", "value": 0.0}}
 
 
@@ -82,7 +83,7 @@ class MitsubaScene:
             }
         )
 
-    def flux(self, rays: int, seed: int) -> Array:
+    def flux(self, rays: int, seed: int, watch: Watch = unwatched) -> Array:
         """Part of the emitted light in each pixel.
 
         Parameters
@@ -91,6 +92,8 @@ class MitsubaScene:
             Paths to trace at least; rounded up to as many for each pixel in each pass.
         seed : int
             The same seed gives the same paths.
+        watch : callable
+            Is told the part that is done.
 
         Returns
         -------
@@ -103,9 +106,11 @@ class MitsubaScene:
         samples = -(-samples // passes)
         radiance = np.zeros((n_y, n_x))
         # Seeds that have nothing to do with each other: Mitsuba counts on from them.
-        for state in np.random.SeedSequence(seed).generate_state(passes):
+        states = np.random.SeedSequence(seed).generate_state(passes)
+        for done, state in enumerate(states, 1):
             picture = self._mi.render(self._rendered, spp=samples, seed=int(state))
             radiance += np.array(picture)[:, :, 0]
+            watch(done / passes)
         # Scattered evenly into the half-sphere.
         irradiance = math.pi / passes * radiance
         return np.asarray(irradiance * self._pixel_area / self._emitted)

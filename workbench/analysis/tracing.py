@@ -1,14 +1,16 @@
 """The independent trace of a lens: fresh random rays in batches, counted in pixels.
 
 The batches are traced by as many threads as there are cores; what each finds depends on the seed
-alone, and they are handed out in order.
+alone, and they are handed out in order. Whoever waits for one gets a word now and then, and may
+leave at any time: batches of many rays take minutes.
 """
 
 import math
 import os
-from collections.abc import Iterator, Sequence
-from concurrent.futures import ThreadPoolExecutor
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor, wait
 from dataclasses import dataclass
+from threading import Event
 
 import numpy as np
 import numpy.typing as npt
@@ -18,12 +20,18 @@ from workbench.analysis.face import Face
 from workbench.analysis.face_kernels import land
 from workbench.analysis.lights import CollimatedLight, PointLight
 from workbench.analysis.pose import Pose
+from workbench.analysis.ray_limit import MOST_RAYS
+from workbench.errors import Refused
 from workbench.geometry.body import check_body
 from workbench.optics.ledger import Ledger
 from workbench.scene import CollimatedSource, Scene, Screen
 
 Array = npt.NDArray[np.float64]
 
+Watch = Callable[[float], None]
+"""Is told now and then which part of a trace is done."""
+
+_OFTEN = 0.1  # seconds after which whoever waits for a batch gets a word
 _MOST_THREADS = 8
 # Each has the images of a batch at hand, which may be large: bytes for all of them together.
 _LARGEST_IMAGES = 1 << 28
@@ -107,7 +115,7 @@ class Trace:
     Raises
     ------
     Refused
-        If the lens is no body, or passes one of the screens.
+        If there are more rays than `MOST_RAYS`, the lens is no body, or passes one of the screens.
     """
 
     def __init__(
@@ -119,6 +127,8 @@ class Trace:
         pose: Pose | None = None,
         distances: Sequence[float] | None = None,
     ) -> None:
+        if rays > MOST_RAYS:
+            raise Refused("rays", f"{rays} are too many; at most {MOST_RAYS}")
         pose = Pose() if pose is None else pose
         self._screen, self._scale = scene.screen, _scale(scene.screen)
         self._planes = np.array([scene.screen.z] if distances is None else distances)
@@ -128,9 +138,15 @@ class Trace:
         kind = CollimatedLight if isinstance(scene.source, CollimatedSource) else PointLight
         self._light = kind(scene, rays, seed, pose)
         self.rays = self._light.rays
+        self._traced = [0] * BATCHES  # rays of each batch up to now
 
-    def batches(self, threads: int | None = None) -> Iterator[Tally]:
-        """Trace; yields each of the `BATCHES` batches.
+    @property
+    def part(self) -> float:
+        """The part of the rays that is traced."""
+        return sum(self._traced) / self.rays
+
+    def batches(self, threads: int | None = None) -> Iterator[Tally | None]:
+        """Trace; yields each of the `BATCHES` batches, and None now and then before one is done.
 
         Parameters
         ----------
@@ -139,17 +155,30 @@ class Trace:
         """
         room = max(_LARGEST_IMAGES // (8 * len(self._planes) * math.prod(self._screen.pixels)), 1)
         threads = min(threads or os.cpu_count() or 1, _MOST_THREADS, room)
+        left = Event()
         with ThreadPoolExecutor(threads) as pool:
-            # Not all at once: images that wait take memory, and Ctrl-C waits for these alone.
-            for first in range(0, BATCHES, threads):
-                yield from pool.map(self._batch, range(first, min(first + threads, BATCHES)))
+            try:
+                # Not all at once: images that wait take memory.
+                for first in range(0, BATCHES, threads):
+                    numbers = range(first, min(first + threads, BATCHES))
+                    some = [pool.submit(self._batch, number, left) for number in numbers]
+                    while some:
+                        if wait(some[:1], _OFTEN).done:
+                            yield some.pop(0).result()
+                        else:
+                            yield None
+            finally:
+                left.set()
 
-    def _batch(self, number: int) -> Tally:
+    def _batch(self, number: int, left: Event) -> Tally:
         n_x, n_y = self._screen.pixels
         planes = len(self._planes)
         tally = Tally(np.zeros((planes, n_y * n_x)), np.zeros(planes))
         lost = np.zeros(3)
+        self._traced[number] = 0
         for some in self._light.batch(number):
+            if left.is_set():  # nobody takes this batch
+                break
             followed = self._face.follow(some.places, some.direction)
             land(
                 *followed,
@@ -162,11 +191,29 @@ class Trace:
                 tally.off_screen,
                 lost,
             )
+            self._traced[number] += some.rays
             tally.emitted += some.emitted
             tally.missed_lens += some.missed_lens
             tally.fresnel_entrance += some.reflected
         tally.left_side, tally.total_reflection, tally.fresnel_exit = lost.tolist()
         return tally
+
+
+def added(total: Tally | None, batch: Tally | None) -> Tally | None:
+    """The light of a batch and of those before, as far as there are any."""
+    if total is None or batch is None:
+        return total or batch
+    total.add(batch)
+    return total
+
+
+def unwatched(part: float) -> None:
+    """Take no notice."""
+
+
+def part_of(watch: Watch, before: int, count: int, of: int) -> Watch:
+    """What a trace is told to that does ``count`` of so many things, some before it."""
+    return lambda part: watch((before + count * part) / of)
 
 
 def _scale(screen: Screen) -> Array:

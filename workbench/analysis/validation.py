@@ -8,6 +8,7 @@ smoothing filter is found out here.
 
 import math
 from collections.abc import Generator, Sequence
+from contextlib import closing
 from dataclasses import dataclass
 from typing import Any
 
@@ -17,7 +18,7 @@ import numpy.typing as npt
 from workbench.analysis.cells import BATCHES
 from workbench.analysis.metrics import Quality, paper_loss, product, relative_l2, root
 from workbench.analysis.pose import Pose
-from workbench.analysis.tracing import Tally, Trace
+from workbench.analysis.tracing import Tally, Trace, Watch, added, unwatched
 from workbench.errors import RunFailed
 from workbench.optics.ledger import Ledger
 from workbench.scene import Scene
@@ -114,6 +115,7 @@ def validate(
     screen_z: float | None = None,
     pose: Pose | None = None,
     threads: int | None = None,
+    watch: Watch = unwatched,
 ) -> Validation:
     """Trace a lens anew.
 
@@ -136,21 +138,25 @@ def validate(
         How the lens stands; straight and centred by default.
     threads : int, optional
         How many trace; as many as there are cores by default.
+    watch : callable
+        Is told the part that is done.
 
     Raises
     ------
     Refused
-        If the screen may touch the lens there, or the lens is no body; see `check_body`.
+        If there are too many rays, the screen may touch the lens there, or the lens is no body;
+        see `check_body`.
     RunFailed
         If no light reaches the screen.
     """
     steps = validating(scene, target, control_points, rays, seed, screen_z, pose, threads)
-    while True:
-        try:
-            next(steps)
-        except StopIteration as end:
-            found: Validation = end.value
-            return found
+    with closing(steps):
+        while True:
+            try:
+                watch(next(steps))
+            except StopIteration as end:
+                found: Validation = end.value
+                return found
 
 
 def validating(
@@ -185,18 +191,15 @@ def validating(
 
     trace = Trace(scene, control_points, rays, seed, pose)
     second = Trace(scene, control_points, -(-rays // _FEWER), _another(seed), pose)
-    all_rays, traced = trace.rays + second.rays, 0
+    first_part = trace.rays / (trace.rays + second.rays)
     distances = []  # of the batches' images to the target
     total: Tally | None = None
     for batch in trace.batches(threads):
-        distances.append(relative_l2(batch.flux.reshape(target.shape), target))
-        if total is None:
-            total = batch
-        else:
-            total.add(batch)
+        if batch is not None:
+            distances.append(relative_l2(batch.flux.reshape(target.shape), target))
+        total = added(total, batch)
         del batch  # large images must not wait for the next ones
-        traced += trace.rays // BATCHES
-        yield traced / all_rays
+        yield trace.part * first_part
     assert total is not None
     ledger = total.ledger()
     if ledger.on_screen == 0:
@@ -208,10 +211,10 @@ def validating(
 
     products = []
     for batch in second.batches(threads):
-        products.append(product(irradiance, batch.flux.reshape(target.shape), target))
+        if batch is not None:
+            products.append(product(irradiance, batch.flux.reshape(target.shape), target))
         del batch
-        traced += second.rays // BATCHES
-        yield traced / all_rays
+        yield first_part + second.part * (1 - first_part)
     square = float(np.mean(products))
     # The scatter of the second image shows in the products. That of the first, which has more
     # rays, adds less to the variance than its part of the rays says.
@@ -238,6 +241,7 @@ def through_focus(
     distances: Sequence[float],
     rays: int = 1_000_000,
     seed: int = 1,
+    watch: Watch = unwatched,
 ) -> Array:
     """Irradiance on screens at several distances, from one trace.
 
@@ -247,6 +251,8 @@ def through_focus(
         As for `validate`; the screens are as large as the scene's.
     distances : sequence of float
         z of each screen.
+    watch : callable
+        Is told the part that is done.
 
     Returns
     -------
@@ -260,13 +266,12 @@ def through_focus(
     """
     for z in distances:
         with_screen_at(scene, z)
+    trace = Trace(scene, control_points, rays, seed, distances=distances)
     total: Tally | None = None
-    for batch in Trace(scene, control_points, rays, seed, distances=distances).batches():
-        if total is None:
-            total = batch
-        else:
-            total.add(batch)
+    for batch in trace.batches():
+        total = added(total, batch)
         del batch
+        watch(trace.part)
     assert total is not None
     n_x, n_y = scene.screen.pixels
     images: Array = total.flux.reshape(-1, n_y, n_x)

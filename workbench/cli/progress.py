@@ -1,7 +1,8 @@
-"""Progress of a run on standard error: a bar on a terminal, plain lines elsewhere."""
+"""Progress on standard error: a bar on a terminal, plain lines elsewhere."""
 
 import math
 import sys
+import time
 
 from tqdm import tqdm
 
@@ -9,6 +10,45 @@ from workbench.design.snapshot import Snapshot
 
 # Elsewhere than on a terminal a line is due after this part of the run or this many seconds.
 _PART, _SECONDS = 0.05, 10.0
+_DELAY = 0.5  # seconds, before which nobody looks for a bar
+
+
+class PartProgress:
+    """Shows which part of something is done, if it takes long.
+
+    Parameters
+    ----------
+    name : str
+        What is done.
+    """
+
+    def __init__(self, name: str) -> None:
+        self._name = name
+        self._told = time.monotonic()
+        self._bar: tqdm | None = None
+        if sys.stderr.isatty():
+            self._bar = tqdm(
+                total=1.0,
+                file=sys.stderr,
+                dynamic_ncols=True,
+                delay=_DELAY,
+                leave=False,
+                bar_format="{desc}  {bar} {percentage:.0f} %  {remaining} left",
+                desc=name,
+            )
+
+    def show(self, part: float) -> None:
+        """Show the part that is done."""
+        if self._bar is not None:
+            self._bar.update(part - self._bar.n)
+        elif time.monotonic() - self._told > _SECONDS:
+            self._told = time.monotonic()
+            print(f"{self._name}  {100 * part:.0f} %", file=sys.stderr, flush=True)
+
+    def close(self) -> None:
+        """Take the bar away."""
+        if self._bar is not None:
+            self._bar.close()
 
 
 class Progress:

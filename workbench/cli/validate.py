@@ -2,6 +2,7 @@
 
 import json
 from collections.abc import Sequence
+from contextlib import closing
 from pathlib import Path
 
 from workbench.analysis.cross_check import CrossCheck, cross_check
@@ -10,6 +11,7 @@ from workbench.analysis.metrics import relative_l2
 from workbench.analysis.validation import Validation, with_screen_at
 from workbench.analysis.validation import validate as trace_anew
 from workbench.cli.designed import read_designed
+from workbench.cli.progress import PartProgress
 from workbench.files.atomic import check_writable, replacing
 
 
@@ -54,9 +56,14 @@ def validate(
     task = scene, session.target, result.control_points, rays
     if plot is not None:
         check_writable(plot)
-    series = list(focus_series(*task[:3], distances, rays))
-    compared = cross_check(*task) if with_mitsuba else None
-    found = trace_anew(*task)
+    with closing(PartProgress("through focus")) as progress:
+        series = list(focus_series(*task[:3], distances, rays, progress.show))
+    compared = None
+    if with_mitsuba:
+        with closing(PartProgress("with Mitsuba")) as progress:
+            compared = cross_check(*task, watch=progress.show)
+    with closing(PartProgress("check")) as progress:
+        found = trace_anew(*task, watch=progress.show)
     # The optimiser's image is one on the scene's screen.
     elsewhere = screen_z is not None and screen_z != session.scene.screen.z
     difference = None if elsewhere else relative_l2(found.irradiance, result.irradiance)

@@ -4,6 +4,8 @@ import argparse
 import math
 from contextlib import suppress
 
+from workbench.analysis.ray_limit import MOST_RAYS
+
 _MOST_DISTANCES = 1000
 
 
@@ -29,6 +31,14 @@ def count(text: str) -> int:
         if (number := int(text)) > 0:
             return number
     raise argparse.ArgumentTypeError(f"{text!r}; a whole number greater than 0 is needed")
+
+
+def rays(text: str) -> int:
+    """A number of rays that a check may have."""
+    number = count(text)
+    if number > MOST_RAYS:
+        raise argparse.ArgumentTypeError(f"{text!r} are too many; at most {MOST_RAYS}")
+    return number
 
 
 def distances(text: str) -> tuple[float, ...]:

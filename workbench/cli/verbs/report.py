@@ -3,7 +3,7 @@
 import argparse
 from typing import Any
 
-from workbench.cli.verbs.kinds import count
+from workbench.cli.verbs.kinds import count, rays
 from workbench.cli.verbs.parser import add_verb
 from workbench.cli.verbs.shared import add_session, add_tolerances, tolerances_of
 from workbench.errors import Refused
@@ -30,7 +30,7 @@ def add(commands: Any) -> None:
     parser.add_argument(
         "--rays",
         metavar="N",
-        type=count,
+        type=rays,
         default=4_000_000,
         help="of the check, at least; default %(default)s",
     )

@@ -4,7 +4,7 @@ import argparse
 from pathlib import Path
 from typing import Any
 
-from workbench.cli.verbs.kinds import count
+from workbench.cli.verbs.kinds import count, rays
 from workbench.cli.verbs.parser import add_verb
 from workbench.cli.verbs.shared import add_json
 
@@ -62,7 +62,7 @@ def add(commands: Any) -> None:
     parser.add_argument(
         "--validate-rays",
         metavar="N",
-        type=count,
+        type=rays,
         default=4_000_000,
         help="of the check of each lens, at least; default %(default)s",
     )

@@ -3,7 +3,7 @@
 import argparse
 from typing import Any
 
-from workbench.cli.verbs.kinds import count
+from workbench.cli.verbs.kinds import count, rays
 from workbench.cli.verbs.parser import add_verb
 from workbench.cli.verbs.shared import (
     add_json,
@@ -34,7 +34,7 @@ def add(commands: Any) -> None:
         "--samples", metavar="N", type=count, default=100, help="lenses; default %(default)s"
     )
     parser.add_argument(
-        "--rays", metavar="N", type=count, default=1_000_000, help="for each; default %(default)s"
+        "--rays", metavar="N", type=rays, default=1_000_000, help="for each; default %(default)s"
     )
     add_tolerances(parser)
     add_plot(parser, "draw how the error is distributed")

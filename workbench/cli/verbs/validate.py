@@ -3,7 +3,7 @@
 import argparse
 from typing import Any
 
-from workbench.cli.verbs.kinds import count, distances
+from workbench.cli.verbs.kinds import distances, rays
 from workbench.cli.verbs.parser import add_verb
 from workbench.cli.verbs.shared import add_json, add_plot, add_session
 from workbench.errors import Refused
@@ -27,7 +27,7 @@ def add(commands: Any) -> None:
     )
     add_session(parser)
     parser.add_argument(
-        "--rays", metavar="N", type=count, default=4_000_000, help="at least; default %(default)s"
+        "--rays", metavar="N", type=rays, default=4_000_000, help="at least; default %(default)s"
     )
     parser.add_argument(
         "--screen-z", metavar="Z", type=float, help="where the screen is, in place of the scene's"
