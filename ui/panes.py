@@ -30,7 +30,7 @@ class Panes(QObject):
         assert centre is not None  # stands there as long as the window
         self._centre: QWidget = centre
         self._docks, self._toolbar = docks, toolbar
-        self._marked: QDockWidget | None = None
+        self._marked: QWidget | None = None
         application = QApplication.instance()
         assert isinstance(application, QApplication)
         application.focusChanged.connect(self._mark)
@@ -67,17 +67,17 @@ class Panes(QObject):
         _enter(seen[(at + by) % len(seen)])
 
     def _mark(self, _: QWidget | None, focused: QWidget | None) -> None:
-        """Tell the dock with the focus from the others; see the style sheet."""
-        dock = next((dock for dock in self._docks.values() if _holds(dock, focused)), None)
-        if focused is None or dock is self._marked:  # no focus: another window is active
+        """Tell the pane with the focus from the others; see the style sheet."""
+        pane = next((pane for pane in map(self.place, PANES) if _holds(pane, focused)), None)
+        if focused is None or pane is self._marked:  # no focus: another window is active
             return
-        for each, active in ((self._marked, False), (dock, True)):
+        for each, active in ((self._marked, False), (pane, True)):
             if each is not None:
                 each.setProperty("active", active)
                 each.style().unpolish(each)
                 each.style().polish(each)
                 each.update()  # which polishing does not see to
-        self._marked = dock
+        self._marked = pane
 
 
 def _holds(pane: QWidget, widget: QWidget | None) -> bool:

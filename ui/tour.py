@@ -41,7 +41,8 @@ STOPS = (
         "scene",
         "Watch the light",
         "Lens, rays and screen. Drag to turn, Shift-drag to move, scroll to zoom, or use arrow "
-        "keys, + and −; Ctrl+0 shows all again. Ctrl+D draws a far screen nearer.",
+        "keys, + and −. Ctrl+1 looks at the lens, Ctrl+2 at the screen, Ctrl+0 shows all again; "
+        "Ctrl+D draws a far screen nearer.",
     ),
     Stop(
         "irradiance",

@@ -6,6 +6,7 @@ from PySide6.QtCore import QModelIndex, QPersistentModelIndex, Qt, QTimer
 from PySide6.QtGui import QUndoStack
 from PySide6.QtWidgets import (
     QDockWidget,
+    QFrame,
     QGridLayout,
     QLabel,
     QMainWindow,
@@ -20,6 +21,8 @@ from ui.docks import PANES
 from ui.log_view import LogView
 from ui.message_bar import MessageBar
 from ui.panels.forms import Forms
+
+_FRAME = 2  # pixels around the 3D scene, which tell whether it has the keyboard
 
 # Shares of the window for forms, images and what stands below the 3D scene.
 _FORMS_SHARE = 0.25
@@ -56,10 +59,11 @@ class Workspace:
         self._stage = QStackedWidget()
         self._curtain = QLabel("Loading the 3D scene…", alignment=Qt.AlignmentFlag.AlignCenter)
         self._stage.addWidget(self._curtain)
-        centre = QWidget()
+        centre = QFrame()
+        centre.setObjectName("centre")  # for the style sheet
         # One over the other: a message that comes or goes leaves the picture as it is.
         over = QGridLayout(centre)
-        over.setContentsMargins(0, 0, 0, 0)
+        over.setContentsMargins(*4 * [_FRAME])
         over.addWidget(self._stage, 0, 0)
         over.addWidget(messages, 0, 0, Qt.AlignmentFlag.AlignTop)
         window.setCentralWidget(centre)

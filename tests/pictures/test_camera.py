@@ -61,3 +61,82 @@ def test_it_comes_nearer_to_the_middle(camera, plotter):
     after = sight.pixels(places)
     np.testing.assert_allclose(after[0], before[0], atol=1e-6)
     np.testing.assert_allclose(after[1] - after[0], 1.25 * (before[1] - before[0]), atol=1e-6)
+
+
+@pytest.mark.parametrize("factor", [1.25, 0.6])
+def test_the_point_that_it_zooms_to_stays_where_it_is(camera, plotter, factor):
+    camera.turn(25, -20)
+    about = np.array([[0.3, -0.2, 0.4]])
+    places = about + np.array([[0, 0, 0], [0.1, 0.05, 0]])
+    sight = Sight(plotter)
+    before = sight.pixels(places)
+    away = np.array(plotter.camera.focal_point) - about[0]
+    camera.zoom(factor, about[0])
+    after = sight.pixels(places)
+    np.testing.assert_allclose(after[0], before[0], atol=1e-6)
+    assert np.linalg.norm(after[1] - after[0]) == pytest.approx(
+        factor * np.linalg.norm(before[1] - before[0]), rel=0.01
+    )
+    np.testing.assert_allclose(np.array(plotter.camera.focal_point) - about[0], away / factor)
+
+
+SCENES = [
+    {"screen.z": 5.0},
+    {"screen.z": 1.0},  # close to the lens
+    {"screen.half_width": [6.0, 6.0]},
+    {"screen.z": 500.0, "screen.half_width": [100.0, 100.0]},
+    {"source": {"kind": "point", "position": [0.0, 0.0, -12.0], "rays": 1000}},
+]
+
+
+def outline(sight, half_width, heights):
+    """Where a box about the axis is seen: left, lower, right and upper end."""
+    (x, y) = half_width
+    pixels = sight.pixels(
+        np.array([[i * x, j * y, z] for z in heights for i in (-1, 1) for j in (-1, 1)])
+    )
+    return *pixels.min(axis=0), *pixels.max(axis=0)
+
+
+@pytest.mark.parametrize("perspective", [False, True])
+@pytest.mark.parametrize("changes", SCENES)
+def test_a_look_at_the_lens_holds_it_large_and_free_of_the_screen(
+    make_scene, plotter, changes, perspective
+):
+    scene = make_scene(changes)
+    camera = FittedCamera(plotter, scene, perspective=perspective)
+    camera.fit("lens")
+    sight = Sight(plotter)
+    left, low, right, high = outline(sight, scene.lens.half_width, (0.0, 0.5))
+    width, height = plotter.window_size
+    assert min(left, low) > 0 and right < width and high < height
+    assert max((right - left) / width, (high - low) / height) > 0.7
+    beyond = perspective and plotter.camera.position[2] < scene.screen.z  # behind the camera
+    assert beyond or outline(sight, scene.screen.half_width, (scene.screen.z,))[0] > right
+
+
+@pytest.mark.parametrize("changes", SCENES)
+def test_a_look_at_the_screen_is_from_its_free_side(make_scene, plotter, changes):
+    scene = make_scene(changes)
+    camera = FittedCamera(plotter, scene)
+    camera.fit("screen")
+    left, low, right, high = outline(Sight(plotter), scene.screen.half_width, (scene.screen.z,))
+    assert high - low == pytest.approx(HEIGHT / 1.12)
+    assert right - left == pytest.approx(high - low)
+    assert plotter.camera.position[2] > scene.screen.z and plotter.camera.up == (0, 1, 0)
+
+
+@pytest.mark.parametrize("changes", SCENES)
+def test_the_first_look_shows_the_lens_free_of_the_screen(make_scene, plotter, changes):
+    scene = make_scene(changes)
+    FittedCamera(plotter, scene).fit("")
+    sight = Sight(plotter)
+    *_, right, _ = outline(sight, scene.lens.half_width, (0.0, 0.5))
+    assert outline(sight, scene.screen.half_width, (scene.screen.z,))[0] > right - 1
+
+
+def test_a_look_at_the_lens_follows_how_high_it_is(make_scene, plotter):
+    camera = FittedCamera(plotter, make_scene())
+    camera.top = 2.5
+    camera.fit("lens")
+    assert outline(Sight(plotter), (1.0, 1.0), (0.0, 2.5))[2] < plotter.window_size[0]

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from workbench.pictures.lens import LensPicture
 from workbench.pictures.sight import Sight
 
 UP = np.array([[0.0, 0.0, 1.0]])
@@ -62,3 +63,27 @@ def test_edge_on_a_plane_gives_the_direction_that_is_seen(plotter):
     camera.focal_point, camera.position, camera.up = (0, 0, 0), (-9, 0, 0), (0, 1, 0)
     x, y = Sight(plotter).movement(np.zeros(3), IN_PLANE, (3.0, 10.0))
     assert abs(x) < 1e-6 * y
+
+
+@pytest.fixture
+def scene_sight(make_scene, plotter):
+    """Looks at a picture of a scene from its first place."""
+    scene = make_scene()
+    LensPicture(plotter, scene, np.ones((32, 32))).fit()
+    plotter.render()
+    return scene, Sight(plotter)
+
+
+def test_a_look_finds_the_body_under_the_pointer(scene_sight):
+    scene, sight = scene_sight
+    for place in ([0.2, 0.3, 0.5], [-0.4, 0.1, scene.screen.z]):  # the exit face, the screen
+        (pixel,) = sight.pixels(np.array([place]))
+        np.testing.assert_allclose(sight.point(*pixel), place, atol=1e-3)
+
+
+def test_beside_all_bodies_it_finds_the_focal_plane(scene_sight, plotter):
+    _, sight = scene_sight
+    found = sight.point(3.0, 3.0)
+    camera = plotter.camera
+    assert (found - camera.focal_point) @ camera.direction == pytest.approx(0, abs=1e-6)
+    np.testing.assert_allclose(sight.pixels(found[None]), [[3.0, 3.0]], atol=1e-3)

@@ -6,6 +6,7 @@ from PySide6.QtGui import QAccessible
 from PySide6.QtWidgets import QAbstractButton, QApplication, QComboBox, QLineEdit, QWidget
 
 from tests.ui.hands import editor
+from ui import theme
 from ui.commands.table import COMMANDS
 from ui.docks import PANES
 
@@ -61,6 +62,18 @@ def test_one_dock_at_a_time_is_marked(window):
     assert [name for name, dock in docks.items() if dock.property("active")] == ["loss"]
 
 
+def test_the_3d_scene_shows_its_focus_as_other_panes_do(display, application, window):
+    theme.apply(application)
+    window.build()
+    window.commands["go_scene"].trigger()
+    centre = window.centralWidget()
+    assert holds_focus(centre) and centre.property("active") is True
+    framed = centre.grab().toImage().pixelColor(0, centre.height() // 2)
+    window.commands["go_design"].trigger()
+    assert centre.property("active") is False
+    assert centre.grab().toImage().pixelColor(0, centre.height() // 2) != framed
+
+
 def test_nothing_on_the_window_is_without_a_name_for_screen_readers(window):
     nameless = [
         (widget, widget.parent())
@@ -110,3 +123,13 @@ def test_at_first_each_dock_is_where_the_table_says(window):
     for name, dock in window.workspace.docks.items():
         assert window.dockWidgetArea(dock) is PANES[name].area
         assert dock.isHidden() is not PANES[name].shown
+
+
+def test_commands_look_at_lens_and_screen(display, window, qtbot):
+    window.build()
+    scene = window.bench.views.scene
+    qtbot.waitUntil(lambda: scene.camera() is not None, timeout=60_000)
+    for name, keys in (("screen", "Ctrl+2"), ("lens", "Ctrl+1")):
+        assert window.commands[f"{name}_view"].shortcut().toString() == keys
+        window.commands[f"{name}_view"].trigger()
+        assert scene.camera() == {"fitted": name}

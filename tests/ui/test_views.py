@@ -4,8 +4,9 @@ import dataclasses
 
 import numpy as np
 import pytest
-from PySide6.QtGui import QColor, QPalette
-from PySide6.QtWidgets import QMainWindow, QTabWidget
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QColor, QPalette, QWheelEvent
+from PySide6.QtWidgets import QApplication, QMainWindow, QTabWidget
 
 from ui.views import light_view
 from ui.views.error_view import ErrorView
@@ -267,6 +268,30 @@ def test_untouched_scene_stays_fitted_on_resize(drawn_scene, qtbot):
     scale = drawn_scene._plotter.camera.parallel_scale
     drawn_scene.window().resize(300, 500)
     qtbot.waitUntil(lambda: drawn_scene._plotter.camera.parallel_scale > scale)
+
+
+@pytest.mark.parametrize("perspective", [False, True])
+def test_the_wheel_zooms_to_what_is_under_the_pointer(drawn_scene, session, perspective):
+    drawn_scene.see_in_perspective(perspective)
+    plotter, sight = drawn_scene._plotter, drawn_scene.sight
+    corner = np.array([[0.9, 0.8, session.scene.screen.z]])  # of the screen
+    near = corner + np.array([0.01, 0.0, 0.0])
+    (x, y), there = sight.pixels(np.concatenate([corner, near]))
+    for angle in (120, 240, -120, 360):
+        event = QWheelEvent(
+            QPointF(x, plotter.height() - 1 - y),
+            QPointF(),
+            QPoint(),
+            QPoint(0, angle),
+            Qt.MouseButton.NoButton,
+            Qt.KeyboardModifier.NoModifier,
+            Qt.ScrollPhase.NoScrollPhase,
+            False,
+        )
+        QApplication.sendEvent(plotter, event)
+        np.testing.assert_allclose(sight.pixels(corner), [[x, y]], atol=0.2)
+    grown = np.linalg.norm(sight.pixels(near) - [x, y]) / np.linalg.norm(there - [x, y])
+    assert grown == pytest.approx(1.2**5, rel=0.1)
 
 
 def test_hidden_scene_draws_nothing_and_catches_up(drawn_scene, frame, draws, qtbot):

@@ -40,6 +40,9 @@ NEW = {f"new_{example.name}": example for example in EXAMPLES}
 """Commands that begin with an example."""
 _FIRST = NEW["new_tophat"]
 
+VIEWS = ("lens", "screen", "side", "top", "axis")
+"""Where the 3D scene can be looked at from, each with a command; see `FittedCamera.fit`."""
+
 RAYS = {f"rays_{rays}": rays for rays in (0, 5, 15, 45)}
 """Commands for the number of rays in the 3D scene, along each axis."""
 _FIRST_RAYS = 15
@@ -116,6 +119,8 @@ COMMANDS = {
         "F8",
     ),
     "fit_view": Command("&Fit 3D view", "Show lens and screen whole", "Ctrl+0", "fit-view"),
+    "lens_view": Command("Look at &lens", "See the lens as large as it can be", "Ctrl+1"),
+    "screen_view": Command("Look at s&creen", "See the screen as large as it can be", "Ctrl+2"),
     "side_view": Command("From the &side", "Look at the 3D scene along x: light goes right"),
     "top_view": Command("From a&bove", "Look at the 3D scene along y: light goes right"),
     "axis_view": Command("Along the a&xis", "Look back along z from behind the screen"),
@@ -251,9 +256,7 @@ MENUS: dict[str, list[Any]] = {
     "&Run": [*_RUN, None, "restore_run", "delete_run"],
     "&View": [
         "fit_view",
-        "side_view",
-        "top_view",
-        "axis_view",
+        *(f"{view}_view" for view in VIEWS),
         None,
         "exploded",
         "perspective",

@@ -90,3 +90,13 @@ def make_frame(session: "Session", snapshot: "Snapshot", history: "History") -> 
         stage_starts=history.stage_starts(),
         times=history.times(),
     )
+
+
+def some_rays(paths: "RayPaths", count: int) -> "RayPaths":
+    """Evenly spread ones of `RAYS` × `RAYS` rays, the middle one among them; or none."""
+    chosen = np.zeros((RAYS, RAYS), dtype=bool)
+    if count:
+        step = RAYS // count
+        chosen[step // 2 :: step, step // 2 :: step] = True
+    kept = chosen.ravel()
+    return type(paths)(paths.points[kept], paths.weight[kept], paths.on_screen[kept])

@@ -25,7 +25,7 @@ from PySide6.QtGui import QCloseEvent, QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import QGridLayout, QLabel, QSizePolicy, QWidget
 
 from ui.native import make_native
-from ui.run.frame import RAYS
+from ui.run.frame import some_rays
 from ui.views.tools.hand import Hand
 from ui.views.tools.steer import steer
 from ui.views.tools.tool import Pointer, Tool
@@ -35,7 +35,6 @@ from workbench.pictures.images import LIGHT
 if TYPE_CHECKING:
     from ui.run.frame import Frame
     from workbench.files.session import Session
-    from workbench.optics.paths import RayPaths
     from workbench.pictures.control_net import ControlNetPicture
     from workbench.pictures.lens import LensPicture
     from workbench.pictures.sight import Sight
@@ -43,6 +42,8 @@ if TYPE_CHECKING:
     from workbench.scene import Lens, Scene, Source
 
 Mask = npt.NDArray[np.bool_]
+
+_NOTCH = 1.2  # times as large, by a notch of the wheel
 
 
 class SceneView(View):
@@ -81,6 +82,7 @@ class SceneView(View):
         self._by_weight = False
         self._hand = Hand(self)
         self._hand.clicked.connect(self._pick)
+        self._hand.wheeled.connect(self._zoom)
         self._hand.let_go.connect(self.let_go)
         self._hint = QLabel(wordWrap=True)
         self._hint.setObjectName("hint")
@@ -238,7 +240,7 @@ class SceneView(View):
         self._ask()
 
     def fit(self, view: str = "") -> None:
-        """Turn to a view of `workbench.pictures.camera.VIEWS`, or back to the default one."""
+        """Turn to a view of `workbench.pictures.camera.FittedCamera.fit`, or to the default one."""
         if self._picture is not None:
             self._picture.fit(view)
             self._plotter.update()
@@ -286,6 +288,12 @@ class SceneView(View):
         if index is not None:
             self.picked.emit(index)
 
+    def _zoom(self, at: Pointer, notches: float) -> None:
+        """Come nearer to what is under the pointer, or go away from it."""
+        if self._picture is not None and self._sight is not None:
+            self._picture.camera.zoom(_NOTCH**notches, self._sight.point(at.x, at.y))
+            self._plotter.update()
+
     def _draw(self, session: "Session", frame: "Frame | None") -> None:
         if self._closed:
             return
@@ -296,7 +304,7 @@ class SceneView(View):
         self._shown = session
         self._place_camera(session)
         if self._picture is not None and frame is not None:
-            lit, paths = frame.snapshot.irradiance, _some(frame.paths, self._rays)
+            lit, paths = frame.snapshot.irradiance, some_rays(frame.paths, self._rays)
             self._picture.set_colours(self._colours)
             self._picture.update(frame.surface, paths, lit, frame.source)
         if frame is not None:
@@ -385,13 +393,3 @@ class SceneView(View):
             self._net.recolour(self.is_dark())
         if self._handles is not None:
             self._handles.recolour(self.is_dark())
-
-
-def _some(paths: "RayPaths", count: int) -> "RayPaths":
-    """Evenly spread ones of `RAYS` × `RAYS` rays, the middle one among them; or none."""
-    chosen = np.zeros((RAYS, RAYS), dtype=bool)
-    if count:
-        step = RAYS // count
-        chosen[step // 2 :: step, step // 2 :: step] = True
-    kept = chosen.ravel()
-    return type(paths)(paths.points[kept], paths.weight[kept], paths.on_screen[kept])

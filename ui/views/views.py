@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 
-from ui.commands.table import COLOURS, RAYS, RAYS_BY
+from ui.commands.table import COLOURS, RAYS, RAYS_BY, VIEWS
 from ui.views.derivative_view import DerivativeView
 from ui.views.error_view import ErrorView
 from ui.views.focus_view import FocusView
@@ -91,7 +91,7 @@ class Views(QObject):
         """What commands do here."""
         return {
             "fit_view": self.scene.fit,
-            **{f"{view}_view": partial(self.scene.fit, view) for view in ("side", "top", "axis")},
+            **{f"{view}_view": partial(self.scene.fit, view) for view in VIEWS},
         }
 
     def choices(self) -> dict[str, Callable[[], object]]:

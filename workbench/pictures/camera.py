@@ -19,6 +19,7 @@ VIEWS = {
     "side": ((-1.0, 0.0, 0.0), (0.0, 1.0, 0.0)),
     "top": ((0.0, 1.0, 0.0), (1.0, 0.0, 0.0)),
     "axis": ((0.0, 0.0, 1.0), (0.0, 1.0, 0.0)),
+    "screen": ((0.0, 0.0, 1.0), (0.0, 1.0, 0.0)),  # which then stands before the lens
 }
 """Directions towards the camera and up in the picture, by name of the view."""
 
@@ -27,6 +28,10 @@ _PLACES = ("position", "focal_point", "up")
 _FARTHEST = 3.0  # times the larger of screen's distance and width: a source in view
 _MARGIN = 1.12
 _STEEPEST = 85.0  # degrees above or below, when the camera is turned
+# Degrees from the axis, and above it, of a look at lens and screen, and of one at the lens alone.
+_AZIMUTH, _LENS_AZIMUTH, _ELEVATION = 58.0, 40.0, 22.0
+_CLEAR = 2.0  # degrees between the outlines of lens and screen
+_FLATTEST = 80.0  # degrees from the axis; farther round, a lens near its screen shows no face
 
 
 class FittedCamera:
@@ -45,6 +50,8 @@ class FittedCamera:
     ----------
     view : str
         The view that was fitted last.
+    top : float
+        Greatest z of the exit face as it is drawn.
     """
 
     def __init__(self, plotter: Any, scene: Scene, *, perspective: bool = False) -> None:
@@ -53,18 +60,20 @@ class FittedCamera:
         self._perspective = perspective
         self._left: tuple[object, ...] = ()
         self.view = ""
+        self.top = scene.lens.base.extent(scene.lens.half_width)[1]
 
     def fit(self, view: str) -> None:
-        """Turn the camera and fit everything into what it sees.
+        """Turn the camera and fit everything, or a part of it, into what it sees.
 
         Parameters
         ----------
         view : str
-            "side", "top" or "axis", one of `VIEWS`; else the three-quarter view.
+            "side", "top" or "axis" for everything; "lens" or "screen" for that alone, from a side
+            where the other does not hide it; else the three-quarter view.
         """
         self.view = view
-        corners = space(self._scene)
-        toward, up = map(np.array, VIEWS.get(view, (_view_direction(self._scene), _UP)))
+        corners = self._corners(view)
+        toward, up = map(np.array, VIEWS.get(view, (self._oblique(view), _UP)))
         right = np.cross(up, toward)
         right /= np.linalg.norm(right)
         frame = np.stack([right, np.cross(toward, right), toward])
@@ -118,14 +127,63 @@ class FittedCamera:
         camera.position = np.array(camera.position) + by
         self._plotter.renderer.ResetCameraClippingRange()
 
-    def zoom(self, factor: float) -> None:
-        """See everything so many times as large."""
+    def zoom(self, factor: float, about: Array | None = None) -> None:
+        """See everything so many times as large.
+
+        Parameters
+        ----------
+        factor : float
+            Larger than 1 to come nearer.
+        about : ndarray, shape (3,), optional
+            The point that stays where it is in the picture, and about which the camera turns more
+            and more; by default the focal point.
+        """
         camera = self._plotter.camera
+        focal, position = np.array(camera.focal_point), np.array(camera.position)
+        about, part = focal if about is None else about, 1 - 1 / factor
+        by = part * (about - focal)
+        camera.focal_point = focal + by
         if self._perspective:
-            camera.Dolly(factor)
+            camera.position = position + part * (about - position)
         else:
+            camera.position = position + by
             camera.parallel_scale /= factor
         self._plotter.renderer.ResetCameraClippingRange()
+
+    def _corners(self, view: str) -> Array:
+        """What a view has to hold, (n, 3)."""
+        lens, screen = self._scene.lens, self._scene.screen
+        if view == "lens":
+            return _corners(lens.half_width, lens.entrance_z, self.top)
+        if view == "screen":
+            return _corners(screen.half_width, screen.z)
+        return space(self._scene)
+
+    def _oblique(self, view: str) -> Array:
+        """Unit vector towards a camera beyond the exit face, beside the axis and above it.
+
+        The longer the way of the light, the closer to the axis: it then looks about two and a half
+        times as long as the widest of source, lens and screen, however long it is.
+        """
+        clear = self._clear_azimuth()
+        if view == "lens":
+            return _direction(max(math.radians(_LENS_AZIMUTH), clear), math.radians(_ELEVATION))
+        low, high = space(self._scene).min(axis=0), space(self._scene).max(axis=0)
+        length, width = high[2] - low[2], max(high[:2] - low[:2])
+        azimuth = math.asin(min(math.sin(math.radians(_AZIMUTH)), 2.4 * width / length))
+        azimuth = max(azimuth, min(clear, math.radians(_FLATTEST)))
+        drop = 0.45 * width / (length * math.cos(azimuth))
+        return _direction(azimuth, math.asin(min(math.sin(math.radians(_ELEVATION)), drop)))
+
+    def _clear_azimuth(self) -> float:
+        """Angle from the axis from which on the screen hides nothing of the lens, radians.
+
+        In parallel projection; in perspective, lines of sight spread the two further apart.
+        """
+        lens, screen = self._scene.lens, self._scene.screen
+        gap = screen.z - self.top
+        across = math.atan2(lens.half_width[0] + screen.half_width[0], gap)
+        return min(across + math.radians(_CLEAR), math.pi / 2)
 
     def _stand(self, toward: Array, nearer: float = 0.0) -> None:
         """Stand in a direction from the focal point, as far as the projection wants it."""
@@ -226,24 +284,14 @@ def space(scene: Scene) -> Array:
     """What a picture has to hold: corners of the source, of the lens and of the screen, (n, 3)."""
     lens, screen, source = scene.lens, scene.screen, scene.source
     before = lens.entrance_z - 0.5 * max(lens.half_width)
-    ends = [(lens.half_width, before), (screen.half_width, screen.z)]
-    corners = [[i * r[0], j * r[1], z] for r, z in ends for i in (-1, 1) for j in (-1, 1)]
+    corners = [_corners(lens.half_width, before), _corners(screen.half_width, screen.z)]
     if in_view(scene):
-        corners += shapes.source_points(source, (2, 2)).tolist()
-    return np.array(corners)
+        corners.append(shapes.source_points(source, (2, 2)))
+    return np.concatenate(corners)
 
 
-def _view_direction(scene: Scene) -> Array:
-    """Unit vector towards the camera.
-
-    The longer the way of the light, the closer to the axis: it then looks about two and a half
-    times as long as the widest of source, lens and screen, however long it is.
-    """
-    low, high = space(scene).min(axis=0), space(scene).max(axis=0)
-    length, width = high[2] - low[2], max(high[:2] - low[:2])
-    azimuth = math.asin(min(math.sin(math.radians(58)), 2.4 * width / length))
-    drop = 0.45 * width / (length * math.cos(azimuth))
-    elevation = math.asin(min(math.sin(math.radians(22)), drop))
+def _direction(azimuth: float, elevation: float) -> Array:
+    """Unit vector at angles from the axis, to the left of it, and above it; radians."""
     return np.array(
         [
             -math.sin(azimuth) * math.cos(elevation),
@@ -251,3 +299,9 @@ def _view_direction(scene: Scene) -> Array:
             math.cos(azimuth) * math.cos(elevation),
         ]
     )
+
+
+def _corners(half_width: tuple[float, float], *heights: float) -> Array:
+    """Corners of rectangles about the axis, (n, 3)."""
+    (r_x, r_y) = half_width
+    return np.array([[i * r_x, j * r_y, z] for z in heights for i in (-1, 1) for j in (-1, 1)])

@@ -96,8 +96,9 @@ class LensPicture:
         self._rays.cell_data["colour"] = np.zeros((1, 4), dtype=np.uint8)
         self._landing = np.zeros(1, dtype=bool)
         self._weight = np.zeros(1)
-        look = {"scalars": "colour", "rgba": True, "line_width": 1.0, "lighting": False}
-        self._light = self._add(self._rays, **look)
+        self._light = self._add(
+            self._rays, scalars="colour", rgba=True, line_width=1.0, lighting=False
+        )
         self.recolour(dark)
 
     def update(
@@ -171,9 +172,16 @@ class LensPicture:
         self._source.prop.color = _LANDS[dark]
         self._colour_rays()
 
-    def _add(self, mesh: pv.PolyData, **look: Any) -> Any:
+    def _add(self, mesh: pv.PolyData, *, body: bool = False, **look: Any) -> Any:
+        """Draw a mesh; a body is what a look along a line of sight finds."""
         return self._plotter.add_mesh(
-            mesh, **look, copy_mesh=False, show_scalar_bar=False, reset_camera=False, render=False
+            mesh,
+            **look,
+            pickable=body,
+            copy_mesh=False,
+            show_scalar_bar=False,
+            reset_camera=False,
+            render=False,
         )
 
     def _add_lens(self) -> None:
@@ -184,9 +192,10 @@ class LensPicture:
         self._face, self._net, self._walls, self._edges = (pv.PolyData(points) for _ in range(4))
         self._samples = (0, 0)
         self._place_lens(np.stack([x, y, lens.base.height_at(x, y)], axis=-1))
-        self._add(self._walls, color=_GLASS, opacity=0.25, ambient=0.3)
+        self._add(self._walls, body=True, color=_GLASS, opacity=0.25, ambient=0.3)
         self._add(
             self._face,
+            body=True,
             color=_GLASS,
             opacity=0.88,
             ambient=0.05,
@@ -199,6 +208,7 @@ class LensPicture:
 
     def _place_lens(self, surface: Array) -> None:
         points = surface.reshape(-1, 3)
+        self._camera.top = float(points[:, 2].max())
         walls = shapes.wall_points(surface, self._scene.lens.entrance_z)
         for mesh in (self._face, self._net):
             mesh.points = points
@@ -226,7 +236,7 @@ class LensPicture:
         self._texture.SetInputDataObject(self._texels)
         n_x, n_y = self._scene.screen.pixels
         self._paint_screen(np.zeros((n_y, n_x)))
-        self._add(plane, texture=self._texture, lighting=False)
+        self._add(plane, body=True, texture=self._texture, lighting=False)
         # A touch larger than the plane, which would swallow parts of it.
         around = corners * (1.004, 1.004, 1.0)
         frame = pv.PolyData(around, lines=[5, 0, 1, 2, 3, 0])
@@ -244,8 +254,9 @@ class LensPicture:
     def _add_source(self) -> None:
         self._places = pv.PolyData(np.zeros((1, 3)))
         # Sizes in pixels: as easy to see beside a large screen as beside a small lens.
-        look = {"style": "points", "render_points_as_spheres": True, "lighting": False}
-        self._source = self._add(self._places, **look)
+        self._source = self._add(
+            self._places, style="points", render_points_as_spheres=True, lighting=False
+        )
         self._place_source(self._scene)
 
     def _place_source(self, lit: Scene) -> None:

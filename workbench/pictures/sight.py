@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import numpy.typing as npt
+from vtkmodules.vtkRenderingCore import vtkCellPicker
 
 Array = npt.NDArray[np.float64]
 
@@ -35,6 +36,17 @@ class Sight:
             *point, scale = renderer.GetWorldPoint()
             ends.append(np.array(point) / scale)
         return ends[0], ends[1]
+
+    def point(self, x: float, y: float) -> Array:
+        """The point seen at a pixel: of a body, else of the plane through the focal point."""
+        picker = vtkCellPicker()
+        picker.SetTolerance(0.0)
+        if picker.Pick(x, y, 0.0, self._renderer):
+            return np.array(picker.GetPickPosition())
+        camera = self._renderer.GetActiveCamera()
+        (start, end), ahead = self.line(x, y), np.array(camera.GetDirectionOfProjection())
+        part = (camera.GetFocalPoint() - start) @ ahead / ((end - start) @ ahead)
+        return np.asarray(start + part * (end - start))
 
     def pixels(self, points: Array) -> Array:
         """Where points of the scene are seen.

@@ -8,7 +8,7 @@
    the release would be told there. X11 may tell of a key that repeats itself as if it were released
    and pressed at once, so a release counts only if no press comes right behind it.
 4. Keys that no tool takes are for the view, which turns the camera, and for the window.
-5. Other buttons, and the wheel without Ctrl, are the camera's with any tool.
+5. Other buttons are the camera's with any tool, and the wheel without Ctrl is the view's.
 """
 
 from PySide6.QtCore import QEvent, QObject, QPointF, Qt, QTimer, Signal
@@ -33,11 +33,14 @@ class Hand(QObject):
     ----------
     clicked : Signal(Pointer)
         Without a tool.
+    wheeled : Signal(Pointer, float)
+        The wheel was turned by so many notches, up or away from the hand, for no tool.
     let_go : Signal()
         Esc, while nothing was dragged.
     """
 
     clicked = Signal(object)
+    wheeled = Signal(object, float)
     let_go = Signal()
 
     def __init__(self, parent: QObject) -> None:
@@ -83,7 +86,8 @@ class Hand(QObject):
         if tool is not None and event.type() == QEvent.Type.Leave and self._held is None:
             tool.hover(None)
         if isinstance(event, QWheelEvent):
-            return self._turn_wheel(event)
+            self._turn_wheel(watched, event)
+            return True
         if isinstance(event, QMouseEvent):
             if tool is None:
                 return self._click(watched, event)
@@ -150,12 +154,12 @@ class Hand(QObject):
                 self.clicked.emit(_pointer(plotter, event))
         return False
 
-    def _turn_wheel(self, event: QWheelEvent) -> bool:
-        held = event.modifiers() & Qt.KeyboardModifier.ControlModifier
-        if self._tool is None or not held:
-            return False
-        self._tool.turn_wheel(round(event.angleDelta().y() / _NOTCH))
-        return True
+    def _turn_wheel(self, plotter: QWidget, event: QWheelEvent) -> None:
+        notches = event.angleDelta().y() / _NOTCH
+        if self._tool is not None and event.modifiers() & Qt.KeyboardModifier.ControlModifier:
+            self._tool.turn_wheel(round(notches))
+        else:
+            self.wheeled.emit(_pointer(plotter, event), notches)
 
     def _escape(self) -> bool:
         """Whether there was anything to leave."""
@@ -168,7 +172,7 @@ class Hand(QObject):
         return False
 
 
-def _pointer(plotter: QWidget, event: QMouseEvent) -> Pointer:
+def _pointer(plotter: QWidget, event: QMouseEvent | QWheelEvent) -> Pointer:
     scale, place, keys = plotter.devicePixelRatioF(), event.position(), event.modifiers()
     return Pointer(
         x=place.x() * scale,
