@@ -68,6 +68,64 @@ def test_a_flat_plate_shifts_each_ray_by_its_own_angle(make_scene):
     assert 1 - found.ledger.missed_lens == pytest.approx(hits, rel=1e-3)
 
 
+@pytest.mark.parametrize("half_width", [(1.0, 1.0), (1.0, 0.01)], ids=["square", "slim"])
+@pytest.mark.parametrize("distance", [1e2, 1e4, 1e7, 1e8, 1e12])
+def test_light_from_far_becomes_parallel(make_scene, half_width, distance):
+    changes = {
+        "lens.half_width": list(half_width),
+        "screen": {"z": 5.0, "half_width": [1.5, half_width[1]], "pixels": [8, 2]},
+    }
+    heights = 0.5 + 0.1 * np.linspace(-1, 1, 12)[:, None] ** 2 * np.ones(10)
+    source = {"kind": "point", "position": [0, 0, -distance]}
+    scene = make_scene(changes)
+    parallel = validate(scene, uniform(scene), heights, 1 << 18)
+    far = validate(make_scene(changes | {"source": source}), uniform(scene), heights, 1 << 18)
+    # The face in the round cone, and what of its light comes to the screen.
+    caught = 1 - far.ledger.missed_lens
+    part = 4 * math.prod(half_width) / (math.pi * math.hypot(*half_width) ** 2)
+    assert caught == pytest.approx(part, rel=5e-3)
+    spread = 5 / distance  # light from nearer is spread over more of the screen plane
+    assert far.efficiency / caught == pytest.approx(parallel.efficiency, rel=5e-3 + 2 * spread)
+    error = abs(far.relative_l2 - parallel.relative_l2)
+    assert error < 5 * far.noise + 2 * spread
+
+
+@pytest.mark.parametrize("emission", ["uniform", "lambertian"])
+def test_oblique_light_from_far_does_not_change_with_the_distance(make_scene, emission):
+    found = []
+    for distance in (1e6, 1e12):
+        position = [-0.2 * distance, 0.1 * distance, -distance]
+        source = {"kind": "point", "position": position, "emission": emission}
+        scene = make_scene({"source": source, "screen.half_width": [3.0, 2.0]})
+        found.append(validate(scene, uniform(scene), np.full((12, 10), 0.5), 1 << 14))
+    near, far = found
+    assert far.ledger.to_data() == pytest.approx(near.ledger.to_data(), abs=1e-5)
+    difference = abs(far.irradiance - near.irradiance).sum() / near.irradiance.sum()
+    assert difference < 1e-3  # a few rays at the edges of pixels
+
+
+@pytest.mark.parametrize("emission", ["uniform", "lambertian"])
+def test_a_grid_is_the_sum_of_its_points_with_equal_intensity(make_scene, emission):
+    grid = {"kind": "grid", "center": [0.5, 0, -0.6], "half_width": [1.2, 0], "points": [2, 1]}
+    view = {"screen.half_width": [16.0, 16.0], "screen.pixels": [4, 4]}
+    heights = np.full((12, 10), 0.5)
+    scene = make_scene(view | {"source": grid | {"emission": emission}})
+    both = validate(scene, uniform(scene), heights, 1 << 18)
+    light, irradiance = 0.0, 0.0
+    for x in (-0.7, 1.7):
+        point = {"kind": "point", "position": [x, 0, -0.6], "emission": emission}
+        one = make_scene(view | {"source": point})
+        found = validate(one, uniform(one), heights, 1 << 18)
+        # What enters by the face as the point sees it: by numbers, not by the cone.
+        t = (np.arange(400) + 0.5) / 200 - 1
+        away2 = (t[:, None] - x) ** 2 + t**2 + 0.36
+        power = 4 if emission == "lambertian" else 3
+        entering = (0.6 ** (power - 2) / away2 ** (power / 2)).sum()
+        flux = entering / (1 - found.ledger.missed_lens)
+        light, irradiance = light + flux, irradiance + flux * found.irradiance
+    assert both.irradiance == pytest.approx(irradiance / light, rel=0.02, abs=1e-5)
+
+
 def test_the_same_seed_gives_the_same_rays(make_scene, heights):
     scene = make_scene({"source": GRID})
     first, same, other = (

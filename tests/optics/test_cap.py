@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.optimize import minimize
 
-from workbench.optics.cap import covering_cap
+from workbench.optics.cap import covering_caps
 
 
 def corners(position, half_width, z):
@@ -16,13 +16,27 @@ def corners(position, half_width, z):
 
 
 @pytest.mark.parametrize("half_width", [(1.0, 1.0), (0.5, 2.0), (100.0, 1.0)])
-@pytest.mark.parametrize("distance", [1e-3, 1.0, 5.0, 1e4, 1e7, 1e9])
+@pytest.mark.parametrize("distance", [1e-3, 1.0, 5.0, 1e4, 1e7, 1e9, 1e12])
 def test_on_the_axis_it_is_that_of_the_paper(half_width, distance):
-    cap = covering_cap(np.array([0.0, 0.0, 2 - distance]), half_width, 2.0)
-    assert cap.axis == pytest.approx([0, 0, 1], abs=1e-9)
+    cap = covering_caps(np.array([[0.0, 0.0, 2 - distance]]), half_width, 2.0)
+    distance = 2 - (2 - distance)  # as rounding leaves it
+    assert cap.axis[0] == pytest.approx([0, 0, 1], abs=1e-12)
+    assert cap.centre[0] == pytest.approx([0, 0], abs=1e-11)
     angle = math.atan(math.hypot(*half_width) / distance)
-    assert cap.cos_max == pytest.approx(math.cos(angle), abs=1e-11)
-    assert cap.solid_angle == pytest.approx(4 * math.pi * math.sin(angle / 2) ** 2, rel=1e-7)
+    assert cap.cos_max[0] == pytest.approx(math.cos(angle), abs=1e-11)
+    assert cap.solid_angle[0] == pytest.approx(4 * math.pi * math.sin(angle / 2) ** 2, rel=1e-11)
+
+
+@pytest.mark.parametrize("half_width", [(1.0, 1.0), (1.0, 0.01)])
+def test_far_away_it_is_the_circle_around_the_face_as_seen(half_width):
+    """Of a parallelogram the longer diagonal is the diameter of that circle."""
+    directions = np.array([[0.3, -0.2, 0.9], [0.6, 0.6, 0.5], [0.0, 0.999, 0.04], [0.0, 0.0, 1.0]])
+    directions /= np.linalg.norm(directions, axis=1, keepdims=True)
+    caps = covering_caps(-1e12 * directions, half_width, 0.0)
+    diagonals = np.array([[2, 2, 0], [2, -2, 0]]) * [*half_width, 0.0]
+    across = np.linalg.norm(np.cross(diagonals[:, None], directions), axis=2).max(axis=0)
+    assert caps.versine == pytest.approx((across / 2 / 1e12) ** 2 / 2, rel=1e-10)
+    assert np.abs(caps.centre).max() < 1e-9
 
 
 def test_off_the_axis_it_holds_all_corners_and_none_is_smaller(rng):
@@ -30,27 +44,30 @@ def test_off_the_axis_it_holds_all_corners_and_none_is_smaller(rng):
         position = np.append(rng.uniform(-3, 3, 2), -(10 ** rng.uniform(-2, 1)))
         half_width = tuple(10 ** rng.uniform(-1, 0.5, 2))
         directions = corners(position, half_width, 0.0)
-        cap = covering_cap(position, half_width, 0.0)
-        assert np.linalg.norm(cap.axis) == pytest.approx(1)
-        assert (directions @ cap.axis >= cap.cos_max).all()
+        caps = covering_caps(position[None], half_width, 0.0)
+        (axis,), (cos_max,) = caps.axis, caps.cos_max
+        assert np.linalg.norm(axis) == pytest.approx(1)
+        assert (directions @ axis >= cos_max).all()
+        there = position - position[2] / axis[2] * axis
+        assert caps.centre[0] == pytest.approx(there[:2], abs=1e-9)
 
-        others = rng.normal(size=(2000, 3)) * 10 ** rng.uniform(-6, 0, (2000, 1)) + cap.axis
+        others = rng.normal(size=(2000, 3)) * 10 ** rng.uniform(-6, 0, (2000, 1)) + axis
         others /= np.linalg.norm(others, axis=1, keepdims=True)
-        assert (others @ directions.T).min(axis=1).max() <= cap.cos_max + 2e-12
+        assert (others @ directions.T).min(axis=1).max() <= cos_max + 2e-12
 
-        def worst(axis, directions=directions):
-            return -(directions @ (axis / np.linalg.norm(axis))).min()
+        def worst(other, directions=directions):
+            return -(directions @ (other / np.linalg.norm(other))).min()
 
         found = minimize(worst, directions.mean(axis=0), method="Nelder-Mead")
-        assert -found.fun <= cap.cos_max + 1e-9
+        assert -found.fun <= cos_max + 1e-9
 
 
 def test_it_covers_the_whole_face(rng):
     position = np.array([2.0, -1.5, -0.4])
-    cap = covering_cap(position, (1.0, 0.7), 0.0)
+    caps = covering_caps(position[None], (1.0, 0.7), 0.0)
     places = np.column_stack(
         [rng.uniform(-1, 1, 9999), rng.uniform(-0.7, 0.7, 9999), np.zeros(9999)]
     )
     directions = places - position
     directions /= np.linalg.norm(directions, axis=1, keepdims=True)
-    assert (directions @ cap.axis >= cap.cos_max).all()
+    assert (directions @ caps.axis[0] >= caps.cos_max[0]).all()

@@ -17,8 +17,7 @@ def test_a_square_seen_from_its_axis(make_scene, distance):
     square = 4 * np.arcsin(1 / (1 + distance**2))  # its solid angle
     rim = np.sqrt(distance**2 / (distance**2 + 2))
     cap = 2 * np.pi * (2 / (distance**2 + 2)) / (1 + rim)
-    # The guard of the cap's rim against rounding weighs in a cap of a millionth.
-    assert light.missed == pytest.approx(1 - square / cap, abs=1e-5 if distance > 9 else 1e-9)
+    assert light.missed == pytest.approx(1 - square / cap, abs=1e-9)
 
 
 @pytest.mark.parametrize("emission", ["uniform", "lambertian"])

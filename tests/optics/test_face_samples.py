@@ -17,6 +17,7 @@ from tests.optics.points import (
     smooth,
 )
 from workbench.geometry.surface import ControlNet
+from workbench.optics.cap import covering_caps
 from workbench.optics.collimated import CollimatedRays
 from workbench.optics.face_samples import FaceSamples
 from workbench.optics.irradiance import reconstruct
@@ -31,7 +32,7 @@ SOURCES = pytest.mark.parametrize("source", ALL.values(), ids=ALL.keys())
 
 def image_of(rays, heights, scene):
     hits = rays.trace(heights)
-    return reconstruct(hits.x, hits.y, hits.weight, scene.screen, scene.filter).flux.double()
+    return reconstruct(hits.x, hits.y, hits.weight, scene.screen, scene.filter).double()
 
 
 def distance(image, other):
@@ -116,7 +117,12 @@ def test_each_point_of_a_grid_gives_the_light_that_it_gives_alone(make_scene):
         for x in (-1, 1)
         for y in (-0.9, 1.1)
     ]
-    assert distance(together.flux, sum(one.flux for one in alone) / 4) < 1e-3
+    # Of equal intensity: each with the flux of its own cone.
+    points = scene.source.positions
+    part = covering_caps(points, scene.lens.half_width, 0.0).solid_angle
+    part /= part.sum()
+    expected = sum(p * one.flux for p, one in zip(part, alone, strict=True))
+    assert distance(together.flux, expected) < 1e-3
     for part, value in together.ledger.to_data().items():
         mean = np.mean([one.ledger.to_data()[part] for one in alone])
         assert value == pytest.approx(mean, abs=2e-4)

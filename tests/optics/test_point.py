@@ -34,7 +34,7 @@ def towards(scene, origin, count=40):
     x, y = (c.ravel() for c in np.meshgrid(place, place, indexing="ij"))
     direction = np.column_stack([x, y, np.full(len(x), lens.entrance_z)]) - origin
     direction /= np.linalg.norm(direction, axis=1, keepdims=True)
-    rays = Rays(np.tile(origin, (len(x), 1)), direction, np.full(len(x), 1 / len(x)))
+    rays = Rays(np.column_stack([x, y]), direction, np.full(len(x), 1 / len(x)))
     return x, y, enter(rays, lens)
 
 
@@ -106,7 +106,7 @@ def test_a_spherical_lens_focuses_where_the_lens_maker_says(make_scene):
     for aperture in (0.01, 0.02, 0.4):
         x = np.array([aperture])
         direction = np.array([[aperture, 0, distance]]) / np.hypot(aperture, distance)
-        rays = enter(Rays(np.array([[0, 0, -distance]]), direction, np.ones(1)), scene.lens)
+        rays = enter(Rays(np.array([[aperture, 0]]), direction, np.ones(1)), scene.lens)
         hits = PointRays(scene, net, rays, dtype=torch.float64).trace(control)
         few = PointRays(scene, net, rays, dtype=torch.float64)
         depth = few.depths(control).numpy()

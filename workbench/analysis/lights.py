@@ -6,13 +6,13 @@ from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
-from scipy.optimize import nnls
 
 from workbench.analysis.cells import Cells
+from workbench.analysis.cones import covering_cones
 from workbench.analysis.face import schlick
 from workbench.analysis.light_kernels import enter
 from workbench.analysis.pose import Pose
-from workbench.scene import CollimatedSource, GridSource, PointSource, Scene
+from workbench.scene import CollimatedSource, Scene
 
 Array = npt.NDArray[np.float64]
 
@@ -85,6 +85,8 @@ class CollimatedLight:
 class PointLight:
     """Light of points into the cones that just cover the entrance face, however that stands.
 
+    All points have the same intensity, so those that see the face larger emit more.
+
     Parameters
     ----------
     scene, rays, seed, pose
@@ -94,48 +96,36 @@ class PointLight:
     def __init__(self, scene: Scene, rays: int, seed: int, pose: Pose) -> None:
         assert not isinstance(scene.source, CollimatedSource)
         self._lens, self._seed = scene.lens, seed
-        self._index = scene.lens.index
         # Flux goes with the cosine to this; even light has none.
         lambertian = scene.source.emission == "lambertian"
         self._upwards = pose.axis() if lambertian else np.zeros(3)
-        self._points = pose.to_lens(_points(scene.source), scene.lens.entrance_z)
-        self._axes = np.array([self._nearest(point) for point in self._points])
+        points = pose.to_lens(scene.source.positions, scene.lens.entrance_z)
+        self._cones = covering_cones(points, scene.lens.half_width, scene.lens.entrance_z)
         self._cells = Cells(rays, 1.0, seed)
         self.rays = self._cells.count
 
-    def _nearest(self, point: Array) -> Array:
-        """The smallest vector in the hull of the unit vectors to the corners of the entrance face.
-
-        It points along the axis of the smallest cone that holds them, and its length is the
-        cosine of that cone's half-angle.
-        """
-        (r_x, r_y), z = self._lens.half_width, self._lens.entrance_z
-        corners = np.array([[x, y, z] for x in (-r_x, r_x) for y in (-r_y, r_y)]) - point
-        corners /= np.linalg.norm(corners, axis=1, keepdims=True)
-        # The sum of the weights is drawn to 1, at the same cost whatever their proportions.
-        weights, _ = nnls(np.vstack([corners.T, np.ones(4)]), np.array([0.0, 0.0, 0.0, 1.0]))
-        return np.asarray(weights @ corners / weights.sum())
-
     def batch(self, batch: int) -> Iterator[Entered]:
         """The rays of one batch, some at a time."""
+        cones = len(self._cones.axis)
         shuffle = np.random.default_rng([self._seed, 100 + batch])
         for a, b in self._cells.batch(batch):
             # As many rays from each point as from any other, but for one.
-            from_point = shuffle.permutation(len(a)) + shuffle.integers(len(self._points))
-            yield self._entered(from_point % len(self._points), a, b)
+            from_point = shuffle.permutation(len(a)) + shuffle.integers(cones)
+            yield self._entered(from_point % cones, a, b)
 
     def _entered(self, number: npt.NDArray[np.int64], a: Array, b: Array) -> Entered:
         start, direction, flux = np.empty((len(a), 2)), np.empty((len(a), 3)), np.empty(len(a))
         entered, emitted, missed_lens, reflected = enter(
-            self._points,
-            self._axes,
+            self._cones.axis,
+            self._cones.centre,
+            self._cones.distance,
+            self._cones.versine,
             number,
             a,
             b,
             self._upwards,
-            self._lens.entrance_z,
             self._lens.half_width,
-            self._index,
+            self._lens.index,
             start,
             direction,
             flux,
@@ -149,14 +139,3 @@ class PointLight:
             missed_lens=missed_lens,
             reflected=reflected,
         )
-
-
-def _points(source: PointSource | GridSource) -> Array:
-    if isinstance(source, PointSource):
-        return np.array([source.position])
-    offsets = [
-        np.linspace(-r, r, count) if count > 1 else np.zeros(1)
-        for r, count in zip(source.half_width, source.points, strict=True)
-    ]
-    x, y, z = source.center
-    return np.array([[x + i, y + j, z] for i in offsets[0] for j in offsets[1]])

@@ -17,8 +17,8 @@ from workbench import system_libraries
 from workbench.analysis.tracing import Watch, unwatched
 from workbench.errors import Refused
 from workbench.geometry.surface import ControlNet
-from workbench.optics.cap import covering_cap
-from workbench.scene import CollimatedSource, GridSource, PointSource, Scene
+from workbench.optics.cap import covering_caps
+from workbench.scene import CollimatedSource, Scene
 
 Array = npt.NDArray[np.float64]
 Indices = npt.NDArray[np.uint32]
@@ -129,18 +129,19 @@ class MitsubaScene:
                 4 * r_x * r_y
             )
         lights, emitted = {}, 0.0
-        for number, point in enumerate(_points(scene.source) / self._unit):
-            cap = covering_cap(point, (r_x, r_y), z)
+        points = scene.source.positions / self._unit
+        caps = covering_caps(points, (r_x, r_y), z)
+        for number, (point, axis, versine) in enumerate(zip(points, *caps[:2], strict=True)):
             if scene.source.emission == "uniform":
-                angle = math.degrees(2 * math.asin(math.sqrt(cap.versine / 2)))
+                angle = math.degrees(2 * math.asin(math.sqrt(versine / 2)))
                 lights[f"light{number}"] = {
                     "type": "spot",
-                    "to_world": to().look_at(point, point + cap.axis, [1, 0, 0]),
+                    "to_world": to().look_at(point, point + axis, [1, 0, 0]),
                     "intensity": even,
                     "beam_width": angle,
                     "cutoff_angle": angle * (1 + _FADE),
                 }
-                emitted += cap.solid_angle
+                emitted += 2 * math.pi * versine
             else:
                 radius = _DISK * (z - point[2])
                 lights[f"light{number}"] = {
@@ -149,8 +150,8 @@ class MitsubaScene:
                     "emitter": {"type": "area", "radiance": even},
                 }
                 # Area of the disk times the projected solid angle of the cone.
-                sine2 = cap.versine * (2 - cap.versine)
-                emitted += math.pi * radius**2 * math.pi * sine2 * cap.axis[2]
+                sine2 = versine * (2 - versine)
+                emitted += math.pi * radius**2 * math.pi * sine2 * axis[2]
         return lights, emitted
 
     def _body(self, control_points: Array) -> dict[str, Any]:
@@ -267,16 +268,6 @@ def _mitsuba() -> Any:
     mi.set_variant(_VARIANT)
     mi.logger().clear_appenders()  # its progress is not for our output
     return mi
-
-
-def _points(source: PointSource | GridSource) -> Array:
-    if isinstance(source, PointSource):
-        return np.array([source.position])
-    x, y = (
-        c + (np.linspace(-r, r, count) if count > 1 else np.zeros(1))
-        for c, r, count in zip(source.center, source.half_width, source.points, strict=False)
-    )
-    return _stacked(x[:, None], y, source.center[2]).reshape(-1, 3)
 
 
 def _stacked(x: Any, y: Any, z: Any) -> Array:

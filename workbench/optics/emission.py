@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 from scipy.stats import qmc
 
-from workbench.optics.cap import covering_cap
+from workbench.optics.cap import covering_caps
 from workbench.scene import GridSource, Lens, PointSource
 
 Array = npt.NDArray[np.float64]
@@ -20,13 +20,16 @@ class Rays(NamedTuple):
 
     Attributes
     ----------
-    origin, direction : ndarray, shape (m, 3)
-        Where they start, scene units, and unit vectors.
+    crossing : ndarray, shape (m, 2)
+        Where they cross the plane of the entrance face, scene units; of rays that go away from
+        it not a number or infinite.
+    direction : ndarray, shape (m, 3)
+        Unit vectors.
     flux : ndarray, shape (m,)
         Flux of each; all together 1.
     """
 
-    origin: Array
+    crossing: Array
     direction: Array
     flux: Array
 
@@ -74,10 +77,13 @@ def emit(source: PointSource | GridSource, lens: Lens, seed: int, draw: int = 0)
     Notes
     -----
     Directions are uniform in solid angle: cos φ is uniform between cos φ_max and 1 (de Koning et
-    al. 2023, eq. 19). A Lambertian source weighs them with the cosine to the z axis.
+    al. 2023, eq. 19). A Lambertian source weighs them with the cosine to the z axis. All points
+    of a grid have the same intensity, so rays in a wider cap carry more.
+
+    Rays are followed from where the axis of the cap crosses the entrance face: a far point would
+    leave no digits to a way from there.
     """
-    points = positions(source)
-    count = source.rays
+    points, count = source.positions, source.rays
     generator = np.random.default_rng([seed, draw])
     if source.sampling == "sobol":
         sobol = qmc.Sobol(2, seed=generator)
@@ -88,35 +94,32 @@ def emit(source: PointSource | GridSource, lens: Lens, seed: int, draw: int = 0)
     else:
         a = generator.random((len(points), count, 2))
 
-    direction = np.empty((len(points), count, 3))
-    for k, point in enumerate(points):
-        cap = covering_cap(point, lens.half_width, lens.entrance_z)
-        across, up = _perpendicular(cap.axis)
-        versine = cap.versine * a[k, :, 0]
-        cos, sin = 1 - versine, np.sqrt(versine * (2 - versine))
-        angle = 2 * np.pi * a[k, :, 1]
-        direction[k] = (
-            cos[:, None] * cap.axis
-            + (sin * np.cos(angle))[:, None] * across
-            + (sin * np.sin(angle))[:, None] * up
-        )
-    rays = direction.reshape(-1, 3)
-    flux = rays[:, 2].clip(0) if source.emission == "lambertian" else np.ones(len(rays))
+    caps = covering_caps(points, lens.half_width, lens.entrance_z)
+    versine = caps.versine[:, None] * a[..., 0]
+    cos, sin = 1 - versine, np.sqrt(versine * (2 - versine))
+    across, up = (basis[:, None] for basis in _perpendicular(caps.axis))
+    angle = 2 * np.pi * a[..., 1:]
+    aside = np.cos(angle) * across + np.sin(angle) * up  # [points, rays, 3]
+    axis = caps.axis[:, None]
+    direction = cos[..., None] * axis + sin[..., None] * aside
+    with np.errstate(invalid="ignore", divide="ignore"):
+        way = (lens.entrance_z - points[:, 2:]) / caps.axis[:, 2:] * sin / direction[..., 2]
+    turned = axis[..., 2:] * aside[..., :2] - aside[..., 2:] * axis[..., :2]
+    crossing = caps.centre[:, None] + way[..., None] * turned
+    flux = np.broadcast_to(caps.versine[:, None] / caps.versine.max(), cos.shape)
+    if source.emission == "lambertian":
+        flux = flux * direction[..., 2].clip(0)
     if not flux.any():  # a few rays may all go backwards: they miss the lens
-        flux[:] = 1
-    return Rays(np.repeat(points, count, axis=0), rays, flux / flux.sum())
+        flux = np.ones_like(flux)
+    return Rays(crossing.reshape(-1, 2), direction.reshape(-1, 3), flux.ravel() / flux.sum())
 
 
 def enter(rays: Rays, lens: Lens) -> InLens:
     """Refract rays at the flat entrance face."""
     cos = rays.direction[:, 2]
-    forward = cos > 0
-    path = np.divide(
-        lens.entrance_z - rays.origin[:, 2], cos, out=np.zeros_like(cos), where=forward
-    )
-    x, y = (rays.origin[:, :2] + path[:, None] * rays.direction[:, :2]).T
+    x, y = rays.crossing.T
     r_x, r_y = lens.half_width
-    meets = forward & (np.abs(x) <= r_x) & (np.abs(y) <= r_y)
+    meets = (cos > 0) & (np.abs(x) <= r_x) & (np.abs(y) <= r_y)
 
     x, y, cos, flux = x[meets], y[meets], cos[meets], rays.flux[meets]
     n = lens.index
@@ -137,20 +140,9 @@ def enter(rays: Rays, lens: Lens) -> InLens:
     )
 
 
-def positions(source: PointSource | GridSource) -> Array:
-    """Where the points of a source are, shape (points, 3); those of a grid in rows along y."""
-    if isinstance(source, PointSource):
-        return np.array([source.position])
-    (x, y, z), (r_x, r_y), (m_x, m_y) = source.center, source.half_width, source.points
-    along_x = x + (np.linspace(-r_x, r_x, m_x) if m_x > 1 else np.zeros(1))
-    along_y = y + (np.linspace(-r_y, r_y, m_y) if m_y > 1 else np.zeros(1))
-    grid_x, grid_y = np.meshgrid(along_x, along_y, indexing="ij")
-    return np.stack([grid_x.ravel(), grid_y.ravel(), np.full(m_x * m_y, z)], axis=-1)
-
-
 def _perpendicular(axis: Array) -> tuple[Array, Array]:
-    """Two unit vectors that make a right-handed system with the axis."""
-    aside = np.eye(3)[np.argmin(np.abs(axis))]
+    """Two unit vectors that make a right-handed system with each axis, shape (k, 3)."""
+    aside = np.eye(3)[np.abs(axis).argmin(axis=1)]
     across = np.cross(aside, axis)
-    across /= np.linalg.norm(across)
+    across /= np.linalg.norm(across, axis=1, keepdims=True)
     return across, np.cross(axis, across)

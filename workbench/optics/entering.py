@@ -6,8 +6,7 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from workbench.optics.cap import Cap, covering_cap
-from workbench.optics.emission import positions
+from workbench.optics.cap import Caps, covering_caps
 from workbench.optics.refraction import normal_reflectance
 from workbench.scene import GridSource, Lens, PointSource
 
@@ -21,15 +20,15 @@ class Entering(NamedTuple):
 
     Attributes
     ----------
-    intensity : ndarray, shape (m_x, m_y)
-        Flux per solid angle of each point, straight ahead; all light of the source together is 1.
+    intensity : float
+        Flux per solid angle of any point, straight ahead; all light of the source together is 1.
     missed : float
         Flux that passed the face by.
     reflected : float
         Flux reflected at the face.
     """
 
-    intensity: Array
+    intensity: float
     missed: float
     reflected: float
 
@@ -38,28 +37,26 @@ class Entering(NamedTuple):
 def entering(source: PointSource | GridSource, lens: Lens) -> Entering:
     """Account of a source's light before and at the entrance face.
 
-    The emission is that of `workbench.optics.emission.emit`: of a Lambertian grid, points that see
-    the lens head-on emit more into their cones than others.
+    The emission is that of `workbench.optics.emission.emit`.
     """
     lambertian = source.emission == "lambertian"
-    points = positions(source)
-    caps = [covering_cap(point, lens.half_width, lens.entrance_z) for point in points]
-    mean = np.array([_mean_cosine(cap) if lambertian else 1.0 for cap in caps])
-    solid_angle = np.array([cap.solid_angle for cap in caps])
-    count = source.points if isinstance(source, GridSource) else (1, 1)
-    intensity = (1 / (solid_angle * mean.sum())).reshape(count)
+    caps = covering_caps(source.positions, lens.half_width, lens.entrance_z)
+    mean = _mean_cosine(caps) if lambertian else np.ones(len(caps.versine))
+    intensity = 1 / float(caps.solid_angle @ mean)
 
-    distance = lens.entrance_z - points[0, 2]
-    x, weight_x = _nodes(points.reshape(*count, 3)[:, 0, 0], lens.half_width[0], distance)
-    y, weight_y = _nodes(points.reshape(*count, 3)[0, :, 1], lens.half_width[1], distance)
+    distance = lens.entrance_z - source.nearest_z
+    (x, weight_x), (y, weight_y) = (
+        _nodes(centre, r, distance) for centre, r in zip(source.axes, lens.half_width, strict=True)
+    )
     met = refracted = 0.0
-    for k in range(count[0]):
-        cos = distance / np.sqrt(distance**2 + x[k, None, :, None] ** 2 + y[:, None, :] ** 2)
+    for row, weight in zip(x, weight_x, strict=True):
+        cos = distance / np.sqrt(distance**2 + row[:, None] ** 2 + y[:, None, :] ** 2)
         flux = cos**3 * (cos if lambertian else 1.0) / distance**2
         passing = flux * (1 - normal_reflectance(lens.index)) * (1 - (1 - cos) ** 5)
-        met += intensity[k] @ np.einsum("jab,a,jb->j", flux, weight_x[k], weight_y)
-        refracted += intensity[k] @ np.einsum("jab,a,jb->j", passing, weight_x[k], weight_y)
-    return Entering(intensity, missed=1 - float(met), reflected=float(met - refracted))
+        met += np.einsum("jab,a,jb", flux, weight, weight_y)
+        refracted += np.einsum("jab,a,jb", passing, weight, weight_y)
+    met, refracted = intensity * float(met), intensity * float(refracted)
+    return Entering(intensity, missed=1 - met, reflected=met - refracted)
 
 
 def _nodes(centre: Array, half_width: float, distance: float) -> tuple[Array, Array]:
@@ -77,12 +74,18 @@ def _nodes(centre: Array, half_width: float, distance: float) -> tuple[Array, Ar
     return distance * np.sinh(a), distance * width / panels * np.tile(weight, panels) * np.cosh(a)
 
 
-def _mean_cosine(cap: Cap) -> float:
-    """Mean over a cap of the cosine to the z axis, where that is positive."""
-    ahead, aside = cap.axis[2], float(np.hypot(cap.axis[0], cap.axis[1]))
-    rim, level = 2 * np.arcsin(np.sqrt(cap.versine / 2)), np.arctan2(ahead, aside)
-    if rim <= level:
-        return float(ahead * (1 - cap.versine / 2))
+def _mean_cosine(caps: Caps) -> Array:
+    """Means over caps of the cosine to the z axis, where that is positive; shape (k,)."""
+    ahead, aside = caps.axis[:, 2], np.hypot(caps.axis[:, 0], caps.axis[:, 1])
+    rim, level = 2 * np.arcsin(np.sqrt(caps.versine / 2)), np.arctan2(ahead, aside)
+    mean = ahead * (1 - caps.versine / 2)
+    for k in (rim > level).nonzero()[0]:
+        mean[k] = _mean_cosine_ahead(ahead[k], aside[k], rim[k], level[k]) / caps.versine[k]
+    return np.asarray(mean)
+
+
+def _mean_cosine_ahead(ahead: float, aside: float, rim: float, level: float) -> float:
+    """The mean of a cap that is partly behind its point, times its versine."""
     # Rings around the axis that lie half behind: cos = A + B cos ψ, over the ψ of light ahead.
     # The square takes the root out of the end of ψ where the first ring dips below.
     root = (_NODE + 1) / 2
@@ -91,4 +94,4 @@ def _mean_cosine(cap: Cap) -> float:
     end = np.arccos((-part_a / part_b).clip(-1, 1))
     ring = (part_a * end + part_b * np.sin(end)) / np.pi
     partly = (rim - level) * (_WEIGHT @ (ring * np.sin(angle) * root))
-    return float((ahead * np.sin(level) ** 2 / 2 + partly) / cap.versine)
+    return float(ahead * np.sin(level) ** 2 / 2 + partly)

@@ -80,7 +80,7 @@ class FaceSamples:
         self._glass = Glass(lattice.distance, scene.lens.index, lambertian)
         self._area = constant(lattice.x.width)[:, None], constant(lattice.y.width)
         # Flux per area right before the points, but for Fresnel's loss.
-        self._brightest = constant(lattice.intensity / lattice.distance**2)
+        self._brightest = lattice.intensity / lattice.distance**2
         self._rims = [
             (axis.cell, constant(axis.reach).reshape(shape), constant(axis.beyond).reshape(shape))
             for axis, shape in ((lattice.x, (-1, 1)), (lattice.y, (1, -1)))

@@ -6,7 +6,6 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from workbench.optics.emission import positions
 from workbench.optics.entering import entering
 from workbench.scene import GridSource, Lens, PointSource
 
@@ -52,8 +51,8 @@ class Lattice(NamedTuple):
         Samples along the two axes.
     distance : float
         From the points to the entrance face.
-    intensity : ndarray, shape (m_x, m_y), or (1, 1) for one point
-        Flux per solid angle of each sample's point, straight ahead.
+    intensity : float
+        Flux per solid angle of any point, straight ahead.
     missed, reflected : float
         Flux that passed the entrance face by, and flux reflected there.
     """
@@ -61,7 +60,7 @@ class Lattice(NamedTuple):
     x: Axis
     y: Axis
     distance: float
-    intensity: Array
+    intensity: float
     missed: float
     reflected: float
 
@@ -76,16 +75,14 @@ def make_lattice(source: PointSource | GridSource, lens: Lens, samples: tuple[in
     samples : tuple[int, int]
         Samples along x and y; rounded up, so that all points of a grid have the same number.
     """
-    count = source.points if isinstance(source, GridSource) else (1, 1)
-    points = positions(source).reshape(*count, 3)
-    x = _axis(points[:, 0, 0], lens.half_width[0], samples[0])
-    y = _axis(points[0, :, 1], lens.half_width[1], samples[1])
+    x, y = (
+        _axis(centre, r, count)
+        for centre, r, count in zip(source.axes, lens.half_width, samples, strict=True)
+    )
     light = entering(source, lens)
-    several = light.intensity.size > 1
-    intensity = light.intensity[x.point][:, y.point] if several else light.intensity
     # Nearer than this a source makes no other light, but float32 leaves its range.
-    distance = max(lens.entrance_z - points[0, 0, 2], 1e-8 * max(lens.half_width))
-    return Lattice(x, y, distance, intensity, light.missed, light.reflected)
+    distance = max(lens.entrance_z - source.nearest_z, 1e-8 * max(lens.half_width))
+    return Lattice(x, y, distance, light.intensity, light.missed, light.reflected)
 
 
 def _axis(centre: Array, half_width: float, samples: int) -> Axis:

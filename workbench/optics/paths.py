@@ -13,12 +13,9 @@ from workbench.optics.collimated import CollimatedRays
 from workbench.optics.emission import Rays, enter
 from workbench.optics.hits import Hits
 from workbench.optics.point import PointRays
-from workbench.scene import CollimatedSource, GridSource, Lens, PointSource, Scene, Source
+from workbench.scene import CollimatedSource, GridSource, Lens, PointSource, Scene
 
 Array = npt.NDArray[np.float64]
-
-# The middle of an extended source and its corners, in half-widths.
-_FIVE = ((0, 0), (-1, -1), (1, -1), (-1, 1), (1, 1))
 
 
 class RayPaths(NamedTuple):
@@ -58,17 +55,15 @@ def ray_paths(scene: Scene, control_points: Array, count: tuple[int, int]) -> Ra
     if isinstance(scene.source, CollimatedSource):
         before, entrance, hits, exit_face = _collimated(scene, net, heights, count)
     else:
-        before, entrance, hits, exit_face = _from_points(scene, net, heights, count)
+        before, entrance, hits, exit_face = _from_points(scene, scene.source, net, heights, count)
     hit = np.stack([hits.x.numpy().ravel(), hits.y.numpy().ravel()], axis=-1)
     arrives = (hits.weight > 0).numpy().ravel() & np.isfinite(hit).all(axis=1)
     on_plane = np.column_stack([hit, np.full(len(hit), screen.z)])
     points = np.stack(
         [before, entrance, exit_face, np.where(arrives[:, None], on_plane, exit_face)], axis=1
     )
-    column, row = screen.to_pixels(hit[:, 0], hit[:, 1])
-    inside = (column >= 0) & (column < screen.pixels[0]) & (row >= 0) & (row < screen.pixels[1])
     share = (hits.weight / hits.arriving.clamp_min(1e-300)).numpy().ravel()
-    return RayPaths(points, share, inside & arrives)
+    return RayPaths(points, share, screen.contains(*hit.T) & arrives)
 
 
 def _collimated(
@@ -90,16 +85,20 @@ def _collimated(
 
 
 def _from_points(
-    scene: Scene, net: ControlNet, heights: Tensor, count: tuple[int, int]
+    scene: Scene,
+    source: PointSource | GridSource,
+    net: ControlNet,
+    heights: Tensor,
+    count: tuple[int, int],
 ) -> tuple[Array, Array, Hits, Array]:
     """Rays from the middle of the source, and from its corners, to places on the entrance face."""
     lens = scene.lens
-    origins = _middle_and_corners(scene.source)
+    origins = _middle_and_corners(source)
     places = _at(_grid(lens, count), np.full(math.prod(count), lens.entrance_z))
     origin = origins[np.arange(len(places)) % len(origins)]
     direction = places - origin
     direction /= np.linalg.norm(direction, axis=1, keepdims=True)
-    rays = enter(Rays(origin, direction, np.full(len(places), 1 / len(places))), lens)
+    rays = enter(Rays(places[:, :2], direction, np.full(len(places), 1 / len(places))), lens)
     few = PointRays(scene, net, rays, dtype=torch.float64)
     hits = few.trace(heights)
     depth = few.depths(heights).numpy()
@@ -107,12 +106,11 @@ def _from_points(
     return origin, places, hits, _at(exit_xy, lens.entrance_z + depth)
 
 
-def _middle_and_corners(source: Source) -> Array:
+def _middle_and_corners(source: PointSource | GridSource) -> Array:
     if isinstance(source, GridSource):
-        (x, y, z), (r_x, r_y) = source.center, source.half_width
-        return np.array([[x + i * r_x, y + j * r_y, z] for i, j in _FIVE])
-    assert isinstance(source, PointSource)
-    return np.array([source.position])
+        corners = source.model_copy(update={"points": (2, 2)}).positions
+        return np.vstack([source.center, corners])
+    return source.positions
 
 
 def _grid(lens: Lens, count: tuple[int, int]) -> Array:

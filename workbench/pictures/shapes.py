@@ -110,13 +110,9 @@ def source_points(source: Source, most: tuple[int, int]) -> Array:
     if isinstance(source, CollimatedSource):
         return np.zeros((0, 3))
     if isinstance(source, PointSource):
-        return np.array([source.position])
-    along = (
-        np.linspace(-r, r, min(m, limit)) if m > 1 else np.zeros(1)
-        for r, m, limit in zip(source.half_width, source.points, most, strict=True)
-    )
-    x, y = (c.ravel() for c in np.meshgrid(*along, indexing="ij"))
-    return np.stack([x, y, np.zeros_like(x)], axis=-1) + source.center
+        return source.positions
+    x, y = (min(pair) for pair in zip(source.points, most, strict=True))
+    return source.model_copy(update={"points": (x, y)}).positions
 
 
 def begun_at(start: Array, entrance: Array, z: float) -> Array:

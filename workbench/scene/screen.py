@@ -33,6 +33,12 @@ class Screen(Part):
         (r_x, r_y), (n_x, n_y) = self.half_width, self.pixels
         return (x + r_x) * (n_x / (2 * r_x)), (r_y - y) * (n_y / (2 * r_y))
 
+    def contains(self, x: Any, y: Any) -> Any:
+        """Whether points of its plane are on the screen; numpy arrays or torch tensors."""
+        column, row = self.to_pixels(x, y)
+        n_x, n_y = self.pixels
+        return (column >= 0) & (column < n_x) & (row >= 0) & (row < n_y)
+
     @property
     def pixel_area(self) -> float:
         """Area of one pixel, scene units squared."""

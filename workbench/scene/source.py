@@ -3,6 +3,8 @@
 import math
 from typing import Annotated, Literal, Self
 
+import numpy as np
+import numpy.typing as npt
 from pydantic import Field, Tag, model_validator
 
 from workbench.errors import Refused
@@ -43,6 +45,7 @@ IntersectionField = Annotated[
 Emission = Literal["uniform", "lambertian"]
 Sampling = Literal["sobol", "random"]
 Position = Annotated[tuple[float, float, float], LENGTH]
+Array = npt.NDArray[np.float64]
 
 
 class PointSource(Part):
@@ -77,9 +80,24 @@ class PointSource(Part):
         """Where the source comes closest to the lens."""
         return self.position[2]
 
+    @property
+    def axes(self) -> tuple[Array, Array]:
+        """The x and the y of its points, shape (1,) each."""
+        x, y, _ = self.position
+        return np.array([x]), np.array([y])
+
+    @property
+    def positions(self) -> Array:
+        """Where its points are, shape (1, 3)."""
+        return np.array([self.position])
+
 
 class GridSource(Part):
-    """Point sources on an equispaced grid, standing for an extended source; ``rays`` of each."""
+    """Point sources on an equispaced grid, standing for an extended source; ``rays`` of each.
+
+    All points have the same intensity. Each emits into a cone of its own that just covers the
+    entrance face, so its part of the flux goes with what that cone takes of its light.
+    """
 
     kind: Literal["grid"]
     center: Position
@@ -95,6 +113,22 @@ class GridSource(Part):
     def nearest_z(self) -> float:
         """Where the source comes closest to the lens."""
         return self.center[2]
+
+    @property
+    def axes(self) -> tuple[Array, Array]:
+        """The x of its columns, shape (m_x,), and the y of its rows of points, shape (m_y,)."""
+        x, y = (
+            middle + (np.linspace(-r, r, count) if count > 1 else np.zeros(1))
+            for middle, r, count in zip(self.center, self.half_width, self.points, strict=False)
+        )
+        return x, y
+
+    @property
+    def positions(self) -> Array:
+        """Where its points are, shape (m_x m_y, 3): y runs first."""
+        x, y = self.axes
+        places = np.broadcast_arrays(x[:, None], y, self.center[2])
+        return np.stack(places, axis=-1).reshape(-1, 3)
 
     @model_validator(mode="after")
     def _within_memory(self) -> Self:

@@ -70,11 +70,8 @@ class FusedFaceSamples:
         )
         m_x, m_y = (len(basis.place) for basis in self._bases)
         x, y = lattice.x, lattice.y
-        numbers_y = len(set(y.point))
-        intensity = np.broadcast_to(lattice.intensity, (len(x.place), len(y.place)))
-        bright = np.empty((numbers_y, m_x))
-        bright[y.point[:numbers_y]] = intensity[:m_x, :numbers_y].T
-        bright *= x.width[:m_x] * (1 - normal_reflectance(lens.index)) / lattice.distance**2
+        passing = 1 - normal_reflectance(lens.index)
+        bright = x.width[:m_x] * (lattice.intensity * passing / lattice.distance**2)
         self._across = Across(
             x.place[:m_x],
             x.away[:m_x].astype(kind),
@@ -90,7 +87,6 @@ class FusedFaceSamples:
             y.beyond[:m_y].astype(kind),
             kind(1 / y.cell),
             y.width[:m_y].astype(kind),
-            y.point[:m_y],
         )
         n, lambertian = lens.index, source.emission == "lambertian"
         self._glass = Glass(lattice.distance, n, lambertian)
@@ -107,7 +103,7 @@ class FusedFaceSamples:
             kind(self._lift),
             kind(scene.screen.z - self._level),
             kind(16 * np.finfo(kind).eps),
-            kind(1 - normal_reflectance(n)),
+            kind(passing),
             near=bool((n * n - 1) ** 0.5 * self._widest > apparent),
             rims=bool(x.reach.any() or y.reach.any()),
         )
@@ -129,8 +125,8 @@ def compile_for(dtype: torch.dtype) -> None:
     net = ControlNet((2, 2), (1, 1), (1.0, 1.0))
     bases = tuple(make_axis(net, axis, 2, False, kind) for axis in (0, 1))
     pair, one = np.ones(2, kind), kind(1)
-    across = Across(pair, pair, pair, pair, one, np.ones((1, 2), kind))
-    up = Up(pair, pair, pair, pair, one, pair, np.zeros(2, np.int64))
+    across = Across(pair, pair, pair, pair, one, pair)
+    up = Up(pair, pair, pair, pair, one, pair)
     optics = Optics._make([*(kind(1.5) for _ in Optics._fields[:-2]), False, False])
     screen = Screen(z=1.0, half_width=(1.0, 1.0), pixels=(2, 2))
     spread = make_spread(screen, GaussianFilter(), kind)

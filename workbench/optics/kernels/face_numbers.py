@@ -20,7 +20,7 @@ class Across(NamedTuple):
         Scene units.
     per_cell : floating
         One by the distance of neighbouring samples of a point.
-    bright : ndarray, shape (points along y, m)
+    bright : ndarray
         Flux over width along y of a sample were it right before its point.
     """
 
@@ -33,7 +33,7 @@ class Across(NamedTuple):
 
 
 class Up(NamedTuple):
-    """Samples along y in the same way, ``place`` in rows; ``width`` and ``point`` as there."""
+    """Samples along y in the same way, ``place`` in rows; ``width`` as there."""
 
     place: AnyArray
     away: AnyArray
@@ -41,7 +41,6 @@ class Up(NamedTuple):
     beyond: AnyArray
     per_cell: Number
     width: AnyArray
-    point: npt.NDArray[np.int64]
 
 
 class Optics(NamedTuple):

@@ -77,7 +77,7 @@ def find_part(away_x, away_y, optics, steps, lanes, t):  # type: ignore[no-untyp
 def see_points(across, i, up, j, optics, lanes, t):  # type: ignore[no-untyped-def]
     """Brightness of each sample's point as far as it is seen through the entrance face."""
     kind = t.dtype.type
-    bright, width = across.bright[up.point[j], i:], up.width[j]
+    bright, width = across.bright[i:], up.width[j]
     for lane in range(np.uintp(lanes)):
         t[_BRIGHT + lane] = bright[lane] * width
         t[_D_BRIGHT + lane] = kind(0)

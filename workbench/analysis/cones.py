@@ -1,0 +1,105 @@
+"""The cones of light that just cover the entrance face, for the independent check.
+
+Everything comes from how far apart the corners of the face are on the sphere around a point. These
+distances are found without a difference of long ways, so a point may be as far as one likes.
+"""
+
+from itertools import combinations
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+Array = npt.NDArray[np.float64]
+
+
+class Cones(NamedTuple):
+    """For each of k points the smallest circular cone that holds the face.
+
+    Attributes
+    ----------
+    centre : ndarray, shape (k, 2)
+        Where the axis crosses the plane of the face, scene units.
+    axis : ndarray, shape (k, 3)
+        Unit vectors.
+    distance : ndarray, shape (k,)
+        From the point to the centre.
+    versine : ndarray, shape (k,)
+        1 − cosine of the half-angle; the solid angle is 2π times that.
+    """
+
+    centre: Array
+    axis: Array
+    distance: Array
+    versine: Array
+
+
+def covering_cones(points: Array, half_width: tuple[float, float], z: float) -> Cones:
+    """Cones from points that just cover a centred rectangle in the plane z.
+
+    Parameters
+    ----------
+    points : ndarray, shape (k, 3)
+        The points, before the plane.
+    half_width : tuple[float, float]
+        Half-widths of the rectangle.
+    z : float
+        Where the rectangle is.
+
+    Notes
+    -----
+    The smallest ball around the four unit vectors to the corners has its centre on the axis, and
+    the sine of the half-angle is its radius. The centre is that of an edge, of a diagonal, or of
+    the circle through three corners.
+    """
+    corners = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1)]) * [*half_width, 1.0]
+    ways = corners - points[:, None]
+    length = np.linalg.norm(ways, axis=2)  # [points, corners]
+    chord2 = _squared_chords(corners, ways, length)
+    weights = np.stack(_centres(chord2), axis=1)  # [points, centres, corners]
+    # Of a centre Σ wᵢ uᵢ with Σ wᵢ = 1, squared distances to all corners.
+    across = np.einsum("kmi,kij->kmj", weights, chord2)
+    radius2 = across.max(axis=2) - np.einsum("kmj,kmj->km", across, weights) / 2
+    radius2[np.isnan(radius2)] = np.inf  # three corners on a line have no circle
+    smallest = radius2.argmin(axis=1)
+    rows = np.arange(len(points))
+    part = weights[rows, smallest] / length
+    part /= part.sum(axis=1, keepdims=True)
+    centre = (part @ corners)[:, :2]
+    way = np.column_stack([centre, np.full(len(points), z)]) - points
+    distance = np.linalg.norm(way, axis=1)
+    least = radius2[rows, smallest]
+    return Cones(
+        centre,
+        way / distance[:, None],
+        distance,
+        versine=least / (1 + np.sqrt((1 - least).clip(min=0))),
+    )
+
+
+def _squared_chords(corners: Array, ways: Array, length: Array) -> Array:
+    """Squared distances of the corners' unit vectors, shape (k, 4, 4)."""
+    apart = corners[:, None] - corners
+    sums = ways[:, :, None] + ways[:, None, :]
+    longer = (apart * sums).sum(axis=3) / (length[:, :, None] + length[:, None, :])
+    chord2 = np.square(apart).sum(axis=2) - np.square(longer)
+    return np.asarray(chord2 / (length[:, :, None] * length[:, None, :]))
+
+
+def _centres(chord2: Array) -> list[Array]:
+    """Weights of the corners, shape (k, 4), that make the possible centres of the ball."""
+    found = []
+    for pair in combinations(range(4), 2):
+        weights = np.zeros((len(chord2), 4))
+        weights[:, pair] = 0.5
+        found.append(weights)
+    for i, j, k in combinations(range(4), 3):
+        a, b, c = chord2[:, j, k], chord2[:, i, k], chord2[:, i, j]
+        weights = np.zeros((len(chord2), 4))
+        # Barycentric coordinates of the centre of the circle, from squared sides.
+        weights[:, [i, j, k]] = np.stack(
+            [a * (b + c - a), b * (c + a - b), c * (a + b - c)], axis=1
+        )
+        with np.errstate(invalid="ignore", divide="ignore"):
+            found.append(weights / weights.sum(axis=1, keepdims=True))
+    return found
