@@ -69,7 +69,10 @@ def test_snapshots_cannot_be_changed(scene, disc):
         snapshot.irradiance[0, 0] = 1
 
 
-def test_irradiance_is_flux_per_area(scene, disc):
+@pytest.mark.parametrize("method", METHODS, ids=["auto", "paper"])
+def test_irradiance_is_flux_per_area(make_scene, disc, method):
+    # A dark rim, beyond which no filter spreads light.
+    scene = make_scene({"run": method, "screen.half_width": [2.0, 2.0]})
     snapshot = next(run(scene, disc))
     flux = snapshot.irradiance.sum() * scene.screen.pixel_area
     assert flux == pytest.approx(snapshot.ledger.on_screen, rel=1e-6)

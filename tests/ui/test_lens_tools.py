@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+import torch
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QFocusEvent, QGuiApplication, QImage, QKeyEvent, QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QApplication, QMainWindow
@@ -13,6 +14,7 @@ from ui.run.control import RunControl
 from ui.scene_pictures import ScenePictures
 from ui.views.scene_view import SceneView
 from workbench.design.evaluation import undesigned
+from workbench.optics.plan import Plan
 from workbench.scene import Scene
 
 pytestmark = pytest.mark.usefixtures("kernels")
@@ -158,8 +160,12 @@ def test_dragging_a_point_is_one_step_with_its_light(sculpting, drag, qtbot):
     assert view._plotter.camera_position == camera
     assert result.iterations == 0 and 0 < result.loss < 1
     # Light and account are those of this lens.
-    pixel = document.session.scene.screen.pixel_area
-    assert result.irradiance.sum() * pixel == pytest.approx(result.ledger.on_screen, rel=1e-5)
+    scene = document.session.scene
+    traced = Plan(scene).trace(torch.tensor(result.control_points)).ledger
+    assert result.ledger.to_data() == pytest.approx(traced.to_data(), abs=5e-3)
+    # A filter spreads some light of the outer pixels over the rim.
+    flux = result.irradiance.sum() * scene.screen.pixel_area
+    assert flux == pytest.approx(traced.on_screen, rel=0.05)
     assert np.ptp(result.irradiance) > 5 * np.ptp(flat.snapshot.irradiance[4:-4, 4:-4])
     document.undo_stack.undo()
     assert document.session.result is None

@@ -1,7 +1,6 @@
 """The image of a lens on the screen and some way beyond, against the wish."""
 
 import math
-from dataclasses import replace
 
 import numpy as np
 import numpy.typing as npt
@@ -75,11 +74,7 @@ class WideImage:
     def compare(self, heights: Tensor) -> tuple[Tensor, Step]:
         """Error relative to the norm of the wish, on the wide image, and the step to report."""
         traced = self._plan.trace(heights)
-        ledger = traced.ledger
-        flux = traced.flux.detach()[self._on_screen]
-        visible = flux.sum(dtype=torch.float64).item()
-        beside = ledger.off_screen + ledger.on_screen - visible
-        ledger = replace(ledger, on_screen=visible, off_screen=beside)
+        ledger, flux = traced.ledger, traced.flux.detach()[self._on_screen]
         loss = paper_loss(flux, self._wanted[self._on_screen])
         check_finite(loss, ledger)
         step = Step(loss.item(), heights.detach(), flux, ledger, notes=self._plan.notes)

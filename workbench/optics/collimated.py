@@ -60,7 +60,7 @@ class CollimatedRays:
         self._x = constant((2 * u - 1) * r_x)[:, None]
         self._y = constant((2 * v - 1) * r_y)[None, :]
         self._index = scene.lens.index
-        self._screen_z = scene.screen.z
+        self.screen = scene.screen
         # Near the mean height of the surface float32 keeps the digits that make its shape.
         self._level = scene.lens.base.height
         self.fresnel_entrance = normal_reflectance(self._index) * self.emitted
@@ -82,7 +82,7 @@ class CollimatedRays:
         # moves sideways by (z_x, z_y) (n² − 1) / (1 + n q).
         k = slope_x.square() + slope_y.square()
         q, passes = root_where_positive(1 - (n * n - 1) * k)
-        bend = ((self._screen_z - level) - z) * (n * n - 1) / (1 + n * q)
+        bend = ((self.screen.z - level) - z) * (n * n - 1) / (1 + n * q)
         x = self._x + slope_x * bend
         y = self._y + slope_y * bend
         transmitted = schlick_transmittance(q * (1 + k).rsqrt(), n) * self._arriving

@@ -57,7 +57,7 @@ class FaceSamples:
         device: torch.device | str = "cpu",
     ) -> None:
         assert not isinstance(scene.source, CollimatedSource)
-        self._scene, self._net = scene, net
+        self._scene, self._net, self.screen = scene, net, scene.screen
         lattice = self.lattice = make_lattice(scene.source, scene.lens, samples)
         self.missed_lens, self.fresnel_entrance = lattice.missed, lattice.reflected
 

@@ -1,10 +1,8 @@
 """Image reconstruction: spreads the light of each ray over the pixels around its hit.
 
-Every ray's weight is conserved: what does not land in the image is counted as off screen.
+Every ray's weight is conserved; one near the rim leaves a part of it beside the image.
 De Koning et al. (2023), section 2.3; Pharr, Jakob, Humphreys (2016), section 7.8.
 """
-
-from typing import NamedTuple
 
 import torch
 from torch import Tensor
@@ -12,22 +10,7 @@ from torch import Tensor
 from workbench.scene import BoxFilter, Filter, GaussianFilter, Screen
 
 
-class Image(NamedTuple):
-    """Reconstructed light.
-
-    Attributes
-    ----------
-    flux : Tensor, shape (n_y, n_x)
-        Flux in each pixel, row 0 at +y.
-    off_screen : Tensor, scalar
-        Flux beside the image; carries no gradient.
-    """
-
-    flux: Tensor
-    off_screen: Tensor
-
-
-def reconstruct(x: Tensor, y: Tensor, weight: Tensor, screen: Screen, filter: Filter) -> Image:
+def reconstruct(x: Tensor, y: Tensor, weight: Tensor, screen: Screen, filter: Filter) -> Tensor:
     """Irradiance image of rays.
 
     Parameters
@@ -40,6 +23,11 @@ def reconstruct(x: Tensor, y: Tensor, weight: Tensor, screen: Screen, filter: Fi
         Where the pixels are.
     filter : BoxFilter or GaussianFilter
         How a ray's flux is spread.
+
+    Returns
+    -------
+    Tensor, shape (n_y, n_x)
+        Flux in each pixel, row 0 at +y.
     """
     n_x, n_y = screen.pixels
     size = filter.size if isinstance(filter, GaussianFilter) else (1, 1)
@@ -53,7 +41,6 @@ def reconstruct(x: Tensor, y: Tensor, weight: Tensor, screen: Screen, filter: Fi
     # Hits beyond the ghost pixels stay in the ray bundle, but light nothing.
     j, i = torch.where(near, j, 0), torch.where(near, i, 0)
     weight = weight.flatten()
-    beside = (weight * ~near).detach().sum()
     weight = torch.where(near, weight, 0.0)
 
     # A canvas wide enough that no tap needs a check of its own: ghost pixels and their taps.
@@ -72,9 +59,7 @@ def reconstruct(x: Tensor, y: Tensor, weight: Tensor, screen: Screen, filter: Fi
             canvas.index_add_(0, start + (b * stride + a), light.double())
     canvas = canvas.view(-1, stride)
     left, top = 2 * margin[0], 2 * margin[1]
-    image = canvas[top : top + n_y, left : left + n_x]
-    ghost = canvas.detach().sum() - image.detach().sum()
-    return Image(image.to(weight.dtype), beside + ghost)
+    return canvas[top : top + n_y, left : left + n_x].to(weight.dtype)
 
 
 def _taps(offset: Tensor, filter: Filter, axis: int) -> list[Tensor | None]:

@@ -12,7 +12,7 @@ class Ledger:
     emitted : float
         Flux of the source.
     on_screen, off_screen : float
-        Flux that reached the screen plane inside and outside the screen.
+        Flux of rays that reached the screen plane inside and outside the screen.
     missed_lens : float
         Flux that passed the entrance face by.
     left_side : float

@@ -15,8 +15,9 @@ class Light(NamedTuple):
     ----------
     flux : Tensor, shape (n_y, n_x)
         Flux in each pixel, row 0 at +y; differentiable.
-    off_screen : float
-        Flux on the screen plane beside the image.
+    on_screen, off_screen : float
+        Flux of the rays that hit the scene's screen, and of those that go beside it. A
+        reconstruction filter spreads some of it over the rim; the account is of rays.
     total_reflection, fresnel_exit : float
         Flux reflected at the exit face, totally or where the rest was refracted.
     left_side : float
@@ -24,6 +25,7 @@ class Light(NamedTuple):
     """
 
     flux: Tensor
+    on_screen: float
     off_screen: float
     total_reflection: float
     fresnel_exit: float

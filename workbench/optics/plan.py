@@ -35,7 +35,7 @@ _NEARLY_ALL = 0.999
 
 
 class Traced(NamedTuple):
-    """The image of a lens, and where the rest of its light went.
+    """The image of a lens, and where its light went.
 
     Attributes
     ----------
@@ -127,7 +127,7 @@ class Plan:
         light = tracer.image(heights, self._screen, self._filter)
         ledger = Ledger(
             emitted=tracer.emitted,
-            on_screen=float(light.flux.detach().sum(dtype=torch.float64)),
+            on_screen=light.on_screen,
             off_screen=light.off_screen,
             missed_lens=tracer.missed_lens,
             left_side=light.left_side,
@@ -181,7 +181,10 @@ class Plan:
         return float(np.quantile(x, _NEARLY_ALL)), float(np.quantile(y, _NEARLY_ALL))
 
     def on(self, screen: Screen) -> "Plan":
-        """The same rays on another part of the same plane; nothing of them is computed again."""
+        """The same rays, with the image of another part of the same plane.
+
+        Nothing of them is computed again, and the account is still of the scene's own screen.
+        """
         other = copy.copy(self)
         other._screen = screen
         return other

@@ -39,7 +39,7 @@ class PointRays:
         dtype: torch.dtype = torch.float32,
         device: torch.device | str = "cpu",
     ) -> None:
-        self._scene = scene
+        self._scene, self.screen = scene, scene.screen
         self._dtype, self._device = dtype, device
         self._patches = Patches(net, dtype, device)
         how = None if isinstance(scene.source, CollimatedSource) else scene.source.intersection

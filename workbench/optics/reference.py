@@ -8,8 +8,7 @@ from torch import Tensor
 
 from workbench.optics.collimated import CollimatedRays
 from workbench.optics.face_samples import FaceSamples
-from workbench.optics.hits import Hits
-from workbench.optics.irradiance import Image, reconstruct
+from workbench.optics.irradiance import reconstruct
 from workbench.optics.light import Light
 from workbench.optics.point import PointRays
 from workbench.scene import Filter, Screen
@@ -44,11 +43,14 @@ class Reference:
 
     def image(self, heights: Tensor, screen: Screen, filter: Filter) -> Light:
         """Trace a lens; see `workbench.optics.light.Tracer`."""
-        hits, image = self._image(heights, screen, filter)
+        hits = self.rays.trace(heights)
+        flux = reconstruct(hits.x, hits.y, hits.weight, screen, filter)
         with torch.no_grad():
+            lands = self.rays.screen.contains(hits.x, hits.y)
             return Light(
-                image.flux,
-                off_screen=image.off_screen.item(),
+                flux,
+                on_screen=_sum(hits.weight * lands),
+                off_screen=_sum(hits.weight * ~lands),
                 total_reflection=_sum(hits.arriving * ~hits.passes),
                 fresnel_exit=_sum((hits.arriving - hits.weight) * hits.passes),
                 left_side=hits.left_side.item(),
@@ -56,11 +58,8 @@ class Reference:
 
     def flux(self, heights: Tensor, screen: Screen, filter: Filter) -> Tensor:
         """The image alone, for `torch.func` transforms, which no sums survive as numbers."""
-        return self._image(heights, screen, filter)[1].flux
-
-    def _image(self, heights: Tensor, screen: Screen, filter: Filter) -> tuple[Hits, Image]:
         hits = self.rays.trace(heights)
-        return hits, reconstruct(hits.x, hits.y, hits.weight, screen, filter)
+        return reconstruct(hits.x, hits.y, hits.weight, screen, filter)
 
 
 def _sum(flux: Tensor) -> float:

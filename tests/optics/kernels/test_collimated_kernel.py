@@ -141,7 +141,7 @@ def test_no_lens_is_too_wild(make_scene, amplitude, dtype):
     )
     assert light.flux.isfinite().all()
     assert gradient.isfinite().all()
-    assert light.flux.sum().item() + sum(light[1:]) == pytest.approx(0.96, abs=1e-5)
+    assert sum(light[1:]) == pytest.approx(0.96, abs=1e-5)
     if amplitude != 5.0:
         assert light.total_reflection > 0.9
 

@@ -71,6 +71,7 @@ class FusedCollimatedRays:
         self._still_light: tuple[Screen, Filter, Light] | None = None
         self.traced = count(self._moving) / count((across, up))
         self._level = scene.lens.base.height
+        self._screen = scene.screen
         n = scene.lens.index
         self.fresnel_entrance = normal_reflectance(n) * self.emitted
         arriving = (self.emitted - self.fresnel_entrance) / (samples[0] * samples[1])
@@ -85,7 +86,7 @@ class FusedCollimatedRays:
 
     def image(self, heights: Tensor, screen: Screen, filter: Filter) -> Light:
         """Trace a lens; see `workbench.optics.light.Tracer`."""
-        spread = make_spread(screen, filter, self._kind)
+        spread = make_spread(screen, filter, self._kind, self._screen)
         light = trace(heights, self._level, self._dtype, _Passes(self, self._moving, spread))
         if not self._still:
             return light
@@ -150,18 +151,19 @@ class _Passes:
             )
 
         threads.run(work, self._parts)
-        image, around = add_up(self._spread, canvases)
+        image = add_up(self._spread, canvases)
         copies = 1
         for axis, mirrored in enumerate(self._mirrored):
             if mirrored:
                 image = image + np.flip(image, 1 - axis)
                 copies *= 2
-        beside, passed, light = sums.sum(axis=0)
+        on_screen, beside, passed = copies * sums.sum(axis=0)
         arriving = float(self._optics.arriving)
         return np.ascontiguousarray(image), Sums(
-            off_screen=copies * (beside + around),
-            total_reflection=copies * (self._rays - passed) * arriving,
-            fresnel_exit=copies * (passed * arriving - light),
+            on_screen,
+            off_screen=beside,
+            total_reflection=(copies * self._rays - passed) * arriving,
+            fresnel_exit=passed * arriving - on_screen - beside,
         )
 
     def backward(self, heights: AnyArray, cotangent: AnyArray) -> AnyArray:

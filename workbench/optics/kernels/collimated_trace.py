@@ -79,7 +79,7 @@ def trace_rows(  # type: ignore[no-untyped-def]
     canvas : array, shape (rows, columns)
         Where their light goes; changed.
     sums : array of float64, shape (3,)
-        Results: light beside the canvas, number of refracted rays, light of these.
+        Results: light on the screen and beside it, number of refracted rays.
     """
     rows = make_rows(heights)
     t = np.empty(_NUMBERS, heights.dtype)
@@ -95,10 +95,10 @@ def trace_rows(  # type: ignore[no-untyped-def]
         contract(heights, across, i, lanes, rows)
         for j in range(len(up.place)):
             blend(rows, up, j, lanes, t)
-            passed, light = _refract(place, up.place[j], optics, spread, lanes, t)
-            sums[1] += passed
-            sums[2] += light
-            sums[0] += scatter(spread, column, row, weight, lanes, work, canvas)
+            sums[2] += _refract(place, up.place[j], optics, spread, lanes, t)
+            on_screen, beside = scatter(spread, column, row, weight, lanes, work, canvas)
+            sums[0] += on_screen
+            sums[1] += beside
 
 
 @njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
@@ -156,13 +156,13 @@ def trace_rows_back(  # type: ignore[no-untyped-def]
 
 @njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy", forceinline=True)
 def _refract(place, row, optics, spread, lanes, t):  # type: ignore[no-untyped-def]
-    """Where rays hit, and their flux; how many are refracted, and the flux of all together.
+    """Where rays hit, and their flux; says how many are refracted.
 
     The formulas are those of `optics.collimated`.
     """
     kind = t.dtype.type
     one = kind(1)
-    passed, light = kind(0), kind(0)
+    passed = kind(0)
     for lane in range(np.uintp(lanes)):
         z_x, z_y = t[Z_X + lane], t[Z_Y + lane]
         k = z_x * z_x + z_y * z_y
@@ -179,8 +179,7 @@ def _refract(place, row, optics, spread, lanes, t):  # type: ignore[no-untyped-d
         t[_ROW + lane] = row + spread.per_y * z_y * bend
         t[_WEIGHT + lane] = weight
         passed += one if passes else kind(0)
-        light += weight
-    return np.float64(passed), np.float64(light)
+    return np.float64(passed)
 
 
 @njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy", forceinline=True)

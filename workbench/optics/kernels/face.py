@@ -58,7 +58,7 @@ class FusedFaceSamples:
         assert not isinstance(source, CollimatedSource)
         lattice = make_lattice(source, lens, samples)
         self.missed_lens, self.fresnel_entrance = lattice.missed, lattice.reflected
-        self._dtype = dtype
+        self._dtype, self._screen = dtype, scene.screen
         kind = self._kind = torch.zeros(0, dtype=dtype).numpy().dtype.type
         counts = len(lattice.x.place), len(lattice.y.place)
         self.mirrored = tuple(
@@ -110,7 +110,7 @@ class FusedFaceSamples:
 
     def image(self, heights: Tensor, screen: Screen, filter: Filter) -> Light:
         """Trace a lens; see `workbench.optics.light.Tracer`."""
-        spread = make_spread(screen, filter, self._kind)
+        spread = make_spread(screen, filter, self._kind, self._screen)
         return trace(heights, self._level, self._dtype, _Passes(self, spread))
 
     def steps(self, heights: AnyArray) -> int:
@@ -155,18 +155,19 @@ class _Passes:
         canvases = make_canvases(self._spread, self._parts)
         sums = np.zeros((self._parts, 4))
         self._run(trace_rows, heights, canvases, sums)
-        image, around = add_up(self._spread, canvases)
+        image = add_up(self._spread, canvases)
         copies = 1
         for axis, mirrored in enumerate(samples.mirrored):
             if mirrored:
                 image = image + np.flip(image, 1 - axis)
                 copies *= 2
-        beside, met, passed, light = (copies * sums.sum(axis=0)).tolist()
+        on_screen, beside, met, passed = (copies * sums.sum(axis=0)).tolist()
         entered = samples.emitted - samples.missed_lens - samples.fresnel_entrance
         return np.ascontiguousarray(image), Sums(
-            off_screen=beside + copies * around,
+            on_screen,
+            off_screen=beside,
             total_reflection=met - passed,
-            fresnel_exit=passed - light,
+            fresnel_exit=passed - on_screen - beside,
             left_side=entered - met,
         )
 

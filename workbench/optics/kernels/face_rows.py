@@ -44,8 +44,8 @@ def trace_rows(  # type: ignore[no-untyped-def]
     canvas : array, shape (rows, columns)
         Where their light goes; changed.
     sums : array of float64, shape (4,)
-        Results: light beside the canvas, light that met the face, that was not totally
-        reflected, that left.
+        Results: light on the screen and beside it, light that met the face and that was not
+        totally reflected there.
     """
     rows = make_rows(heights)
     t = np.empty(NUMBERS, heights.dtype)
@@ -60,11 +60,12 @@ def trace_rows(  # type: ignore[no-untyped-def]
             blend(rows, bases[1], j, lanes, t)
             find_part(across.away[i:], up.away[j], optics, steps, lanes, t)
             see_points(across, i, up, j, optics, lanes, t)
-            met, passed, light = refract(across, i, up, j, optics, spread, lanes, t)
-            sums[0] += scatter(spread, column, row, weight, lanes, work, canvas)
-            sums[1] += met
-            sums[2] += passed
-            sums[3] += light
+            met, passed = refract(across, i, up, j, optics, spread, lanes, t)
+            on_screen, beside = scatter(spread, column, row, weight, lanes, work, canvas)
+            sums[0] += on_screen
+            sums[1] += beside
+            sums[2] += met
+            sums[3] += passed
 
 
 @njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")

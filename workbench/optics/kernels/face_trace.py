@@ -115,12 +115,12 @@ def refract(across, i, up, j, optics, spread, lanes, t):  # type: ignore[no-unty
 
     Returns
     -------
-    tuple of three float64
-        Flux that met the face, that was not totally reflected, and that left.
+    tuple of two float64
+        Flux that met the face, and that was not totally reflected.
     """
     kind = t.dtype.type
     one, zero, n, c = kind(1), kind(0), optics.ratio, optics.apparent
-    met_flux, passed_flux, light = zero, zero, zero
+    met_flux, passed_flux = zero, zero
     place, away = across.place[i:], across.away[i:]
     y, away_y = up.place[j], up.away[j]
     plain = one - optics.lambert
@@ -171,8 +171,7 @@ def refract(across, i, up, j, optics, spread, lanes, t):  # type: ignore[no-unty
         t[_AHEAD + lane] = ahead
         met_flux += flux
         passed_flux += flux if passes else zero
-        light += weight
-    return np.float64(met_flux), np.float64(passed_flux), np.float64(light)
+    return np.float64(met_flux), np.float64(passed_flux)
 
 
 @njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy", forceinline=True)

@@ -16,6 +16,7 @@ AnyArray = npt.NDArray[np.floating[Any]]
 class Sums(NamedTuple):
     """Light that is not in the image: the parts of `Light` beside its flux."""
 
+    on_screen: float
     off_screen: float
     total_reflection: float
     fresnel_exit: float

@@ -20,6 +20,7 @@ from workbench.optics.kernels.point_order import Sorted, arrange
 from workbench.optics.kernels.point_trace import (
     BESIDE,
     FRESNEL,
+    ON_SCREEN,
     RUNS,
     SIDE,
     SUMS,
@@ -61,7 +62,7 @@ class FusedPointRays:
         self, rays: PointRays, scene: Scene, net: ControlNet, dtype: torch.dtype = torch.float32
     ) -> None:
         self._rays = rays
-        self._dtype = dtype
+        self._dtype, self._screen = dtype, scene.screen
         self._level = scene.lens.entrance_z
         self.kind = kind_of(dtype)
         self.face = Face(net, dtype)
@@ -80,7 +81,7 @@ class FusedPointRays:
 
     def image(self, heights: Tensor, screen: Screen, filter: Filter) -> Light:
         """Trace a lens; see `workbench.optics.light.Tracer`."""
-        spread = make_spread(screen, filter, self.kind)
+        spread = make_spread(screen, filter, self.kind, self._screen)
         return trace(heights, self._level, self._dtype, _Passes(self, spread))
 
     def ready(self, level: float) -> Sorted:
@@ -129,9 +130,8 @@ class _Passes:
         more = known.interruptions + max(runs - fewest, 0)
         rays.remember(known._replace(depths=depths, fewest=fewest, interruptions=more))
         self._table, self._bundle, self._depths = table, known.bundle, depths
-        image, around = add_up(spread, canvases)
-        beside = float(total[BESIDE]) + around
-        return image, Sums(beside, float(total[TOTAL]), float(total[FRESNEL]), float(total[SIDE]))
+        parts = total[[ON_SCREEN, BESIDE, TOTAL, FRESNEL, SIDE]].tolist()
+        return add_up(spread, canvases), Sums(*parts)
 
     def backward(self, heights: AnyArray, cotangent: AnyArray) -> AnyArray:
         rays, spread, table = self._rays, self._spread, self._table

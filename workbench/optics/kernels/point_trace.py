@@ -48,10 +48,10 @@ from workbench.optics.kernels.taps import FAST
 from workbench.optics.refraction import normal_reflectance
 from workbench.scene import Scene
 
-# Sums that a trace returns: flux beside the image, totally reflected, reflected by Fresnel, left
-# through the side; and the number of runs of rays that began in the same patch.
-BESIDE, TOTAL, FRESNEL, SIDE, RUNS = 0, 1, 2, 3, 4
-SUMS = 5
+# Sums that a trace returns: flux on the screen, beside it, totally reflected, reflected by Fresnel,
+# left through the side; and the number of runs of rays that began in the same patch.
+ON_SCREEN, BESIDE, TOTAL, FRESNEL, SIDE, RUNS = range(6)
+SUMS = 6
 
 
 class Glass(NamedTuple):
@@ -127,7 +127,9 @@ def trace(net, bounds, table, glass, spread, bundle, last, first, end, depths, c
         _polish(net, w, count)
         _hit(net, glass, spread, w, count)
         _account(w, count, sums)
-        sums[BESIDE] += scatter(spread, column, row, weight, count, work, canvas)
+        on_screen, beside = scatter(spread, column, row, weight, count, work, canvas)
+        sums[ON_SCREEN] += on_screen
+        sums[BESIDE] += beside
         depth = depths[start : start + count]
         for ray in range(count):
             met = w[at(STATE, ray)] == kind(MET)

@@ -32,6 +32,8 @@ class Spread(NamedTuple):
         A hit at x is at column ``column_0 + per_x x`` of the image, see `Screen.to_pixels`.
     row_0, per_y : floating
         A hit at y is at row ``row_0 + per_y y``; ``per_y`` is negative.
+    left, right, top, bottom : floating
+        Columns and rows between which a ray counts as one on the screen.
     pixels : tuple[int, int]
         (n_x, n_y).
     taps_x, taps_y : Taps
@@ -42,6 +44,10 @@ class Spread(NamedTuple):
     per_x: np.floating[Any]
     row_0: np.floating[Any]
     per_y: np.floating[Any]
+    left: np.floating[Any]
+    right: np.floating[Any]
+    top: np.floating[Any]
+    bottom: np.floating[Any]
     pixels: tuple[int, int]
     taps_x: Taps
     taps_y: Taps
@@ -69,19 +75,40 @@ _TAPS = np.uintp(BATCH * 8)
 _STEP = np.uintp(BATCH)
 
 
-def make_spread(screen: Screen, filter: Filter, kind: type[np.floating[Any]]) -> Spread:
-    """Prepare a screen and a filter for kernels of a float type."""
+def make_spread(
+    image: Screen, filter: Filter, kind: type[np.floating[Any]], screen: Screen | None = None
+) -> Spread:
+    """Prepare an image and a filter for kernels of a float type.
+
+    Parameters
+    ----------
+    image : Screen
+        Where the pixels are.
+    filter : BoxFilter or GaussianFilter
+        How a ray's flux is spread over them.
+    kind : type
+        Float type of the kernels.
+    screen : Screen, optional
+        Which rays count as on the screen; those on the image by default.
+    """
     size = filter.size if isinstance(filter, GaussianFilter) else (1, 1)
     alpha = filter.alpha if isinstance(filter, GaussianFilter) else 0.0
-    r_x, r_y = screen.half_width
-    column_0, row_0 = screen.to_pixels(0.0, 0.0)
-    column_1, row_1 = screen.to_pixels(r_x, r_y)
+    r_x, r_y = image.half_width
+    column_0, row_0 = image.to_pixels(0.0, 0.0)
+    column_1, row_1 = image.to_pixels(r_x, r_y)
+    x, y = (screen or image).half_width
+    left, top = image.to_pixels(-x, y)
+    right, bottom = image.to_pixels(x, -y)
     return Spread(
         kind(column_0),
         kind((column_1 - column_0) / r_x),
         kind(row_0),
         kind((row_1 - row_0) / r_y),
-        screen.pixels,
+        kind(left),
+        kind(right),
+        kind(top),
+        kind(bottom),
+        image.pixels,
         make_taps(alpha, size[0], kind),
         make_taps(alpha, size[1], kind),
     )
@@ -96,13 +123,12 @@ def make_canvases(spread: Spread, count: int) -> npt.NDArray[np.float64]:
     return np.zeros((count, n_y + 2 * m_y, n_x + 2 * m_x))
 
 
-def add_up(spread: Spread, canvases: npt.NDArray[np.float64]) -> tuple[AnyArray, float]:
-    """The image (n_y, n_x) of all canvases, and the flux that fell on the pixels around it."""
+def add_up(spread: Spread, canvases: npt.NDArray[np.float64]) -> AnyArray:
+    """The image (n_y, n_x) of all canvases."""
     (n_x, n_y), (m_x, m_y) = spread.pixels, _margins(spread)
     canvas = canvases[0] if len(canvases) == 1 else canvases.sum(axis=0)
-    image = np.ascontiguousarray(canvas[m_y : m_y + n_y, m_x : m_x + n_x])
-    around = float(canvas.sum() - image.sum()) if m_x or m_y else 0.0
-    return image.astype(spread.per_x.dtype), around
+    image: AnyArray = canvas[m_y : m_y + n_y, m_x : m_x + n_x].astype(spread.per_x.dtype)
+    return image
 
 
 def pad(spread: Spread, cotangent: AnyArray) -> AnyArray:
@@ -145,12 +171,12 @@ def scatter(spread, column, row, weight, count, work, canvas):  # type: ignore[n
 
     Returns
     -------
-    float64
-        Flux of the rays that light no pixel of the canvas.
+    tuple of two float64
+        Flux of the rays on the screen, and of those beside it, wherever the filter spreads it.
     """
     rays = np.uintp(count)
     numbers, start = work.numbers, work.start
-    beside = _prepare(spread, column, row, weight, rays, False, numbers, start)
+    _prepare(spread, column, row, weight, rays, False, numbers, start)
     flat, stride = canvas.reshape(-1), np.uintp(canvas.shape[1])
     size_x, size_y = _size(spread.taps_x), _size(spread.taps_y)
     taps_x, taps_y = _TAPS, _TAPS + size_x * _STEP
@@ -177,7 +203,7 @@ def scatter(spread, column, row, weight, count, work, canvas):  # type: ignore[n
                 for a in range(size_x):
                     flat[at + a] += flux * numbers[taps_x + a * _STEP + ray]
                 at += stride
-    return beside
+    return _landing(spread, column, row, weight, rays)
 
 
 @njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
@@ -261,6 +287,24 @@ def _size(taps):  # type: ignore[no-untyped-def]
 
 
 @njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy", forceinline=True)
+def _landing(spread, column, row, weight, count):  # type: ignore[no-untyped-def]
+    """Flux of rays on the screen, and beside it."""
+    kind = weight.dtype.type
+    on_screen, beside = kind(0), kind(0)
+    for ray in range(count):
+        lands = (
+            (column[ray] >= spread.left)
+            & (column[ray] < spread.right)
+            & (row[ray] >= spread.top)
+            & (row[ray] < spread.bottom)
+        )
+        light = weight[ray] if lands else kind(0)
+        on_screen += light
+        beside += weight[ray] - light  # a second choice would keep the loop from vectorising
+    return np.float64(on_screen), np.float64(beside)
+
+
+@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy", forceinline=True)
 def _prepare(spread, column, row, weight, count, slopes, numbers, start):  # type: ignore[no-untyped-def]
     """Everything that scatter and gather have in common, from cells to taps."""
     kind = weight.dtype.type
@@ -268,7 +312,6 @@ def _prepare(spread, column, row, weight, count, slopes, numbers, start):  # typ
     m_x, m_y = spread.taps_x.reach, spread.taps_y.reach
     left, right = kind(-m_x), kind(n_x + m_x)
     top, bottom = kind(-m_y), kind(n_y + m_y)
-    beside = kind(0)
     for ray in range(count):
         near = (
             (column[ray] >= left) & (column[ray] < right) & (row[ray] >= top) & (row[ray] < bottom)
@@ -276,7 +319,6 @@ def _prepare(spread, column, row, weight, count, slopes, numbers, start):  # typ
         light = weight[ray] if near else kind(0)
         numbers[_KEPT + ray] = kind(1) if near else kind(0)
         numbers[_LIGHT + ray] = light
-        beside += weight[ray] - light
     stride = np.uintp(n_x + 4 * m_x)
     _cells(row, count, top, bottom, stride, True, start, numbers, _OFFSET_Y)
     _cells(column, count, left, right, np.uintp(1), False, start, numbers, _OFFSET_X)
@@ -287,7 +329,6 @@ def _prepare(spread, column, row, weight, count, slopes, numbers, start):  # typ
     tap += size_x * _STEP
     slope += size_x * _STEP
     fill_taps(spread.taps_y, numbers, _STEP, _OFFSET_Y, count, slopes, _STATE, tap, slope)
-    return np.float64(beside)
 
 
 @njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy", forceinline=True)

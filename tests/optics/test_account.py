@@ -1,0 +1,48 @@
+"""The account of light is of rays: a reconstruction filter moves none of it over the rim."""
+
+import pytest
+import torch
+
+from workbench.optics.plan import Plan
+
+COLLIMATED = {"kind": "collimated", "rays": [64, 48]}
+POINT = {"kind": "point", "position": [0.1, 0, -40], "rays": 3000}
+WAYS = pytest.mark.parametrize(
+    ("source", "samples"),
+    [(COLLIMATED, None), (POINT, None), (POINT, (64, 48))],
+    ids=["collimated", "rays", "samples"],
+)
+TWINS = pytest.mark.parametrize("fused", [False, True], ids=["reference", "kernel"])
+WIDE = {"kind": "gaussian", "size": [5, 5], "alpha": 0.2}
+
+
+@WAYS
+@TWINS
+@pytest.mark.parametrize("dtype", [torch.float32, torch.float64])
+def test_a_plate_has_all_its_light_on_a_screen_that_just_holds_it(
+    make_scene, source, samples, fused, dtype
+):
+    changes = {"source": source, "screen.half_width": [1.14, 1.14], "screen.pixels": [1, 8]}
+    scene = make_scene(changes | {"filter": WIDE})
+    heights = torch.full((12, 10), 0.5, dtype=torch.float64)
+    traced = Plan(scene, dtype=dtype, fused=fused, samples=samples).trace(heights)
+    ledger = traced.ledger
+    assert ledger.off_screen == 0
+    met = (1 - ledger.missed_lens) * 0.96 - ledger.left_side
+    assert ledger.on_screen == pytest.approx(met * 0.96, rel=1e-3)
+    assert traced.flux.sum().item() < 0.9 * ledger.on_screen
+    emitted, *parts = ledger.to_data().values()
+    assert sum(parts) == pytest.approx(emitted, abs=1e-5 if dtype == torch.float32 else 1e-12)
+
+
+@WAYS
+@TWINS
+def test_the_account_does_not_depend_on_the_filter(make_scene, rng, source, samples, fused):
+    heights = torch.tensor(0.5 + 0.1 * rng.random((12, 10)))
+    accounts = []
+    for filter in ({"kind": "box"}, WIDE):
+        scene = make_scene({"source": source, "filter": filter})
+        plan = Plan(scene, dtype=torch.float64, fused=fused, samples=samples)
+        accounts.append(plan.trace(heights).ledger.to_data())
+    assert accounts[0]["off_screen"] > 0.01
+    assert accounts[1] == pytest.approx(accounts[0], abs=1e-12)
