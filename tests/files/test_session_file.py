@@ -300,6 +300,17 @@ class TestRefused:
         path.write_bytes(content[:at] + record)
         assert refused(path) == ": loss.npy: is cut off"
 
+    @pytest.mark.parametrize("height", [1e308, -1e308, 5001.0])
+    def test_a_height_that_is_out_of_all_bounds(self, session, path, forge, height):
+        write_session(session, path)
+        heights = session.result.control_points.copy()
+        heights[1, 2] = height
+        told = refused(forge({"control_points.npy": npy(heights)}))
+        assert told == (
+            f": control_points.npy[1, 2]: {height:.5g} is no height of this lens; at most 5000 cm "
+            "from its entrance face are possible"
+        )
+
     @pytest.mark.parametrize("name", ARRAYS)
     @pytest.mark.parametrize(
         "change, reason",

@@ -3,12 +3,13 @@
 A kept run's entries are named like those of the open design, in a folder of their own.
 """
 
+import numpy as np
+
 from workbench.design.snapshot import Result
-from workbench.errors import Refused
+from workbench.errors import Refused, shown
 from workbench.files.entries import Entries
 from workbench.files.figures import Figures
 from workbench.files.npy import Array
-from workbench.refusals import shown
 from workbench.scene import Scene
 
 _TARGET = "target.npy"
@@ -16,6 +17,10 @@ _CONTROL_POINTS = "control_points.npy"
 _IRRADIANCE = "irradiance.npy"
 _LOSS = "loss.npy"
 _SECONDS = "seconds.npy"  # sessions of earlier programs have none
+
+# Heights of a damaged file may be anything. Those of a lens are a part of the way to the screen; an
+# optic is still drawn, and its curvature found, with so many times as much.
+_FARTHEST = 1000
 
 
 def entries_of(folder: str, target: Array, result: Result | None) -> dict[str, Array]:
@@ -55,6 +60,28 @@ def read_target(entries: Entries, folder: str, scene: Scene) -> Array:
     return target
 
 
+def read_heights(entries: Entries, name: str, scene: Scene) -> Array:
+    """Control heights of a lens; one that is no body can be looked at, and mended.
+
+    Raises
+    ------
+    Refused
+        If they are not as the scene implies, or so far away that the file must be damaged.
+    """
+    heights = entries.array(name, scene.lens.control_points)
+    entrance, screen = scene.lens.entrance_z, scene.screen.z
+    farthest = _FARTHEST * (screen - entrance)
+    away = np.abs(heights - entrance)
+    if away.max() > farthest:
+        i, j = np.unravel_index(away.argmax(), away.shape)
+        raise Refused(
+            f"{entries.where(name)}[{i}, {j}]",
+            f"{heights[i, j]:.5g} is no height of this lens; at most {farthest:g} {scene.unit} "
+            "from its entrance face are possible",
+        )
+    return heights
+
+
 def read_result(entries: Entries, folder: str, scene: Scene, figures: Figures) -> Result:
     """The lens of a design.
 
@@ -72,7 +99,7 @@ def read_result(entries: Entries, folder: str, scene: Scene, figures: Figures) -
             f"has {figures.iterations} losses; stages cannot have begun after {shown(starts)}",
         )
     return Result(
-        control_points=entries.array(folder + _CONTROL_POINTS, scene.lens.control_points),
+        control_points=read_heights(entries, folder + _CONTROL_POINTS, scene),
         irradiance=entries.array(folder + _IRRADIANCE, (n_y, n_x)),
         losses=entries.array(folder + _LOSS, count),
         loss=figures.loss,

@@ -12,7 +12,7 @@ from workbench.design.session import Session as Session
 from workbench.design.task import begin
 from workbench.errors import Refused
 from workbench.files.atomic import replacing
-from workbench.files.designs import entries_of, names_of, read_result, read_target
+from workbench.files.designs import entries_of, names_of, read_heights, read_result, read_target
 from workbench.files.entries import Entries
 from workbench.files.figures import Figures, VerifiedFigures
 from workbench.files.fingerprint import digest
@@ -143,7 +143,7 @@ def read_session(path: Path) -> Session:
             entries.mask(_LOCKED, scene.lens.control_points) if _LOCKED in entries else None,
             tuple(_read_runs(entries, header.runs or (), path)),
             header.view,
-            entries.array(_START, scene.lens.control_points) if starts else None,
+            read_heights(entries, _START, scene) if starts else None,
             entries.content(_picture_entry(scene), LARGEST_PICTURE) if drawn else None,
         )
 

@@ -14,6 +14,8 @@ from workbench.scene import Scene
 
 Array = npt.NDArray[np.float64]
 
+# Faces that are so near, over the half-width, touch: meshes and solids cannot tell them apart.
+_TOUCH = 1e-9
 # Least number of places along each axis that are looked at.
 _PLACES = 512
 
@@ -37,8 +39,9 @@ def check_body(scene: Scene, control_points: Array, screen_z: float | None = Non
     """
     entrance = scene.lens.entrance_z
     screen = scene.screen.z if screen_z is None else screen_z
+    gap = _TOUCH * max(scene.lens.half_width)
     # The face lies in the convex hull of its control points: nearly always they alone tell.
-    if entrance < control_points.min() and control_points.max() < screen:
+    if entrance + gap < control_points.min() and control_points.max() < screen - gap:
         return
     net = ControlNet.of(scene.lens)
     u, v = (
@@ -46,11 +49,11 @@ def check_body(scene: Scene, control_points: Array, screen_z: float | None = Non
         for n, p in zip(net.shape, net.degree, strict=True)
     )
     height, _, _ = net.grid(u, v).evaluate(control_points)
-    for worst, broken, limit in (
-        (height.argmin(), height.min() <= entrance, f"above the entrance face at z = {entrance:g}"),
-        (height.argmax(), height.max() >= screen, f"before the screen at z = {screen:g}"),
+    for worst, room, limit in (
+        (height.argmin(), height.min() - entrance, f"above the entrance face at z = {entrance:g}"),
+        (height.argmax(), screen - height.max(), f"before the screen at z = {screen:g}"),
     ):
-        if broken:
+        if room <= gap:
             i, j = np.unravel_index(worst, height.shape)
             x, y = ((2 * t - 1) * r for t, r in zip((u[i], v[j]), net.half_width, strict=True))
             raise Refused(
