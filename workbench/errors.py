@@ -1,4 +1,7 @@
-"""The two ways in which the engine says no."""
+"""The two ways in which the engine says no, and how they quote what is wrong."""
+
+LONGEST_QUOTE = 60
+"""Most characters of a value or name that a sentence quotes."""
 
 
 class Refused(Exception):
@@ -21,3 +24,9 @@ class Refused(Exception):
 
 class RunFailed(Exception):
     """A design run that cannot go on, said in one sentence."""
+
+
+def shown(value: object) -> str:
+    """A value as a sentence can hold it: on one line, and short."""
+    text = repr(value)
+    return text if len(text) <= LONGEST_QUOTE else text[: LONGEST_QUOTE - 3] + "..."

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from workbench.errors import Refused
+from workbench.errors import Refused, shown
 
 
 @dataclass(frozen=True)
@@ -74,7 +74,9 @@ def refractive_index(name: str, wavelength_um: float) -> float:
     material = CATALOGUE.get(name)
     if material is None:
         known = ", ".join(CATALOGUE)
-        raise Refused("lens.refractive_index", f"{name!r} is not in the catalogue; known: {known}")
+        raise Refused(
+            "lens.refractive_index", f"{shown(name)} is not in the catalogue; known: {known}"
+        )
     low, high = material.range_um
     if not low <= wavelength_um <= high:
         raise Refused(

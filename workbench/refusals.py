@@ -5,10 +5,7 @@ from typing import Any, get_args
 from pydantic import BaseModel, Discriminator, ValidationError
 from pydantic_core import ErrorDetails
 
-from workbench.errors import Refused
-
-# Most characters of a value or name that a sentence quotes.
-_LONGEST = 60
+from workbench.errors import LONGEST_QUOTE, Refused, shown
 
 # What is wrong, by pydantic's error type; {x} are the values pydantic reports with it.
 _SENTENCES = {
@@ -130,10 +127,4 @@ def _sentence(details: ErrorDetails, fields: list[str]) -> str:
 
 def field_name(name: str) -> str:
     """A field's name as a path can hold it: what is not a field of ours may be any text."""
-    return name if name.isidentifier() and len(name) < _LONGEST else shown(name)
-
-
-def shown(value: object) -> str:
-    """A value as a sentence can hold it: on one line, and short."""
-    text = repr(value)
-    return text if len(text) <= _LONGEST else text[: _LONGEST - 3] + "..."
+    return name if name.isidentifier() and len(name) < LONGEST_QUOTE else shown(name)

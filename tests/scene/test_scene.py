@@ -180,6 +180,13 @@ def test_a_material_gives_its_index(scene_data):
         Lens.model_validate_json(json.dumps(lens | {"refractive_index": "butter"}))
 
 
+@pytest.mark.parametrize("value", ["x" * 10**6, [1.5] * 10**6])
+def test_a_sentence_quotes_the_beginning_of_what_is_long(make_scene, value):
+    with pytest.raises(Refused) as refused:
+        make_scene({"lens.refractive_index": value, "lens.wavelength_um": 0.5})
+    assert len(str(refused.value)) < 300
+
+
 @pytest.mark.parametrize(("form", "sign"), [("concave", 1), ("convex", -1)])
 def test_spherical_bases_follow_their_formula(form, sign):
     base = SphereBase(height=0.5, radius=8.0, form=form)

@@ -54,6 +54,11 @@ def _run(arguments: Sequence[str] | None) -> None:
     options.command(options)
 
 
+def _visible(text: str) -> str:
+    """Text without what a terminal would obey: names of files and fields come from strangers."""
+    return "".join(c if c.isprintable() else repr(c)[1:-1] for c in text)
+
+
 def _fail(status: int, reason: str) -> int:
-    print(f"freeform: {' '.join(reason.split())}", file=sys.stderr, flush=True)
+    print(f"freeform: {_visible(' '.join(reason.split()))}", file=sys.stderr, flush=True)
     return status

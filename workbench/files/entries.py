@@ -8,9 +8,8 @@ from pathlib import Path
 from textwrap import shorten
 from typing import BinaryIO
 
-from workbench.errors import Refused
+from workbench.errors import Refused, shown
 from workbench.files.npy import Array, Mask, largest_size, read_array, read_mask
-from workbench.refusals import shown
 
 # What zipfile raises on damaged archives, besides OSError.
 _DAMAGE = (

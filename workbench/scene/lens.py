@@ -9,7 +9,7 @@ import numpy.typing as npt
 from pydantic import Field, Tag, field_validator, model_validator
 
 from workbench import materials
-from workbench.errors import Refused
+from workbench.errors import Refused, shown
 from workbench.refusals import told_by
 from workbench.scene.part import LENGTH, NonNegative, Part, Positive
 
@@ -98,10 +98,12 @@ class Lens(Part):
         if isinstance(value, bool) or not isinstance(value, (int, float, str)):
             raise Refused(
                 "lens.refractive_index",
-                f"{value!r} is neither a number nor a name; a number above 1 or a material name",
+                f"{shown(value)} is neither a number nor a name; a number above 1 or a material name",
             )
         if isinstance(value, (int, float)) and not 1 < value < math.inf:
-            raise Refused("lens.refractive_index", f"{value!r}; a number greater than 1 is needed")
+            raise Refused(
+                "lens.refractive_index", f"{shown(value)}; a number greater than 1 is needed"
+            )
         return value
 
     @model_validator(mode="after")
@@ -114,7 +116,9 @@ class Lens(Part):
                     f"{count} is too few for degree {degree}; at least {degree + 1}",
                 )
         if isinstance(self.refractive_index, str) and self.wavelength_um is None:
-            raise Refused("lens.wavelength_um", f"missing; it goes with {self.refractive_index!r}")
+            raise Refused(
+                "lens.wavelength_um", f"missing; it goes with {shown(self.refractive_index)}"
+            )
         if not self.index > 1:
             raise Refused("lens.refractive_index", f"{self.index:g}; greater than 1 is needed")
         if isinstance(self.base, SphereBase) and self.base.radius <= math.hypot(*self.half_width):
