@@ -300,6 +300,17 @@ class TestRefused:
         path.write_bytes(content[:at] + record)
         assert refused(path) == ": loss.npy: is cut off"
 
+    @pytest.mark.parametrize("value", [1e308, -1e308, 1e6])
+    def test_a_pixel_with_more_than_all_light(self, session, path, forge, value):
+        write_session(session, path)
+        irradiance = session.result.irradiance.copy()
+        irradiance[5, 2] = value
+        told = refused(forge({"irradiance.npy": npy(irradiance)}))
+        assert told == (
+            f": irradiance.npy[5, 2]: {value:.5g} is more than all light of the source in this "
+            "pixel; 10.5 would be all of it"
+        )
+
     @pytest.mark.parametrize("height", [1e308, -1e308, 5001.0])
     def test_a_height_that_is_out_of_all_bounds(self, session, path, forge, height):
         write_session(session, path)

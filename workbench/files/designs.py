@@ -21,6 +21,8 @@ _SECONDS = "seconds.npy"  # sessions of earlier programs have none
 # Heights of a damaged file may be anything. Those of a lens are a part of the way to the screen; an
 # optic is still drawn, and its curvature found, with so many times as much.
 _FARTHEST = 1000
+# No pixel has more than all light; so many times as much leaves room for other units of flux.
+_BRIGHTEST = 1000
 
 
 def entries_of(folder: str, target: Array, result: Result | None) -> dict[str, Array]:
@@ -82,6 +84,20 @@ def read_heights(entries: Entries, name: str, scene: Scene) -> Array:
     return heights
 
 
+def _read_irradiance(entries: Entries, name: str, scene: Scene, figures: Figures) -> Array:
+    n_x, n_y = scene.screen.pixels
+    irradiance = entries.array(name, (n_y, n_x))
+    most = _BRIGHTEST * figures.ledger.emitted / scene.screen.pixel_area
+    if np.abs(irradiance).max() > most:
+        row, column = np.unravel_index(np.abs(irradiance).argmax(), irradiance.shape)
+        raise Refused(
+            f"{entries.where(name)}[{row}, {column}]",
+            f"{irradiance[row, column]:.5g} is more than all light of the source in this pixel; "
+            f"{most / _BRIGHTEST:.5g} would be all of it",
+        )
+    return irradiance
+
+
 def read_result(entries: Entries, folder: str, scene: Scene, figures: Figures) -> Result:
     """The lens of a design.
 
@@ -90,7 +106,6 @@ def read_result(entries: Entries, folder: str, scene: Scene, figures: Figures) -
     Refused
         If an array is not as scene and figures imply.
     """
-    n_x, n_y = scene.screen.pixels
     seconds, count = folder + _SECONDS, (figures.iterations,)
     starts = figures.stage_starts or ()
     if list(starts) != sorted(starts) or not all(0 <= at <= figures.iterations for at in starts):
@@ -100,7 +115,7 @@ def read_result(entries: Entries, folder: str, scene: Scene, figures: Figures) -
         )
     return Result(
         control_points=read_heights(entries, folder + _CONTROL_POINTS, scene),
-        irradiance=entries.array(folder + _IRRADIANCE, (n_y, n_x)),
+        irradiance=_read_irradiance(entries, folder + _IRRADIANCE, scene, figures),
         losses=entries.array(folder + _LOSS, count),
         loss=figures.loss,
         seconds=figures.seconds,

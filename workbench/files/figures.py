@@ -9,7 +9,11 @@ from workbench.design.snapshot import Result
 from workbench.optics.ledger import Ledger
 from workbench.scene import NonNegative, Part, Positive
 
+# Far more than any source has, in any unit; sums and ratios of it stay finite.
+_MOST_FLUX = 1e30
+
 Count = Annotated[int, Field(ge=0)]
+Flux = Annotated[float, Field(ge=-_MOST_FLUX, le=_MOST_FLUX)]
 
 LONGEST_REASON = 1000
 """Characters that are kept of why a run ended."""
@@ -18,14 +22,14 @@ LONGEST_REASON = 1000
 class LedgerFigures(Part):
     """`Ledger` as JSON; parts may be negative by a rounding error."""
 
-    emitted: Positive
-    on_screen: float
-    off_screen: float
-    missed_lens: float
-    left_side: float = 0.0  # which sessions of collimated light alone did not have
-    total_reflection: float
-    fresnel_entrance: float
-    fresnel_exit: float
+    emitted: Annotated[Positive, Field(le=_MOST_FLUX)]
+    on_screen: Flux
+    off_screen: Flux
+    missed_lens: Flux
+    left_side: Flux = 0.0  # which sessions of collimated light alone did not have
+    total_reflection: Flux
+    fresnel_entrance: Flux
+    fresnel_exit: Flux
 
 
 class VerifiedFigures(Part):

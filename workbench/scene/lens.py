@@ -98,7 +98,8 @@ class Lens(Part):
         if isinstance(value, bool) or not isinstance(value, (int, float, str)):
             raise Refused(
                 "lens.refractive_index",
-                f"{shown(value)} is neither a number nor a name; a number above 1 or a material name",
+                f"{shown(value)} is neither a number nor a name; "
+                "a number above 1 or a material name",
             )
         if isinstance(value, (int, float)) and not 1 < value < math.inf:
             raise Refused(
