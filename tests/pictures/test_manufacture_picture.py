@@ -24,6 +24,12 @@ def drawn(maps, limits):
     return {axes.get_images()[0].get_label(): axes for axes in figure.axes}
 
 
+def bar_texts(axes):
+    """What stands beside the colours."""
+    bar = next(each for each in axes.child_axes)
+    return [label.get_text() for label in bar.get_yticklabels()]
+
+
 def hatched(axes, x, y):
     """Whether a place lies in the hatched region."""
     return any(
@@ -69,4 +75,26 @@ def test_a_plane_can_be_drawn(make_scene):
     for name, axes in drawn(noisy, Limits()).items():
         if name != "Thickness":
             assert axes.get_images()[0].get_clim() == (0.0, 1.0)
+            assert bar_texts(axes) == ["0"]
     assert png.getvalue().startswith(b"\x89PNG")
+
+
+@pytest.mark.parametrize("unit_height", [3.0, 0.1])
+def test_a_plate_has_one_thickness_in_spite_of_rounding(make_scene, rng, unit_height):
+    lens = make_scene().lens
+    maps = surface_maps(lens, np.full((12, 10), 0.5), (9, 9))
+    thickness = unit_height * (1 + 4e-16 * rng.standard_normal(maps.thickness.shape))
+    axes = drawn(maps._replace(thickness=thickness), Limits())["Thickness"]
+    image = axes.get_images()[0]
+    assert np.unique(image.get_array()).tolist() == pytest.approx([unit_height])
+    assert image.get_clim() == pytest.approx((0, 2 * unit_height))
+    assert bar_texts(axes) == [f"{unit_height:g}"]
+    assert axes.child_axes[0].get_ylabel() == "cm, the same everywhere"
+
+
+def test_a_small_wedge_is_no_rounding(make_scene):
+    lens = make_scene().lens
+    x, _ = ControlNet.of(lens).positions
+    maps = surface_maps(lens, np.broadcast_to(0.5 + 1e-6 * x[:, None], (12, 10)), (9, 9))
+    low, high = drawn(maps, Limits())["Thickness"].get_images()[0].get_clim()
+    assert high - low == pytest.approx(2e-6)

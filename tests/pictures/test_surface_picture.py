@@ -77,3 +77,11 @@ def test_small_numbers_beside_the_bar_are_written_out(make_scene):
     bar = axes.child_axes[0].yaxis
     assert bar.get_offset_text().get_text() == ""
     assert "0.0000010" in {label.get_text() for label in bar.get_ticklabels()}
+
+
+def test_a_plate_has_no_height_in_spite_of_rounding(make_scene, rng):
+    scene = make_scene()
+    image = SurfaceImage(Figure().subplots(), scene, ASPECTS[0])
+    noise = 1e-16 * rng.standard_normal(scene.lens.control_points)
+    image.update(scene.lens.base.height + noise)
+    assert not image.values.any()

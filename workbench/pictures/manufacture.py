@@ -6,7 +6,7 @@ import numpy as np
 import numpy.typing as npt
 from matplotlib.colors import PowerNorm
 
-from workbench.pictures.maps import UNSIGNED, colour_bar, map_image
+from workbench.pictures.maps import UNSIGNED, colour_bar, constant_value, map_image, show_constant
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -17,7 +17,6 @@ Array = npt.NDArray[np.float64]
 _FONT = 9
 _DPI = 150
 _APART = {"wspace": 0.12, "hspace": 0.06}
-_ROUNDING = 1e-9  # what a flat face may have of slope, and of curvature times its size
 _BEYOND = "#ff4d3d"  # viridis has no red
 
 
@@ -115,10 +114,14 @@ def draw_map(axes: "Axes", name: str, maps: FaceMaps, limits: ShopLimits, unit: 
     image.set_data(values)
     # Sharp bends are few and far above the others.
     image.set_norm(PowerNorm(0.5 if "Curvature" in name else 1.0))
-    size = 1.0 if name == "Slope" else max(half_width)
-    even = name != "Thickness" and size * values.max() < _ROUNDING
-    image.set_clim(*((0.0, 1.0) if even else (float(values.min()), float(values.max()))))
-    colour_bar(axes, image, "degrees" if of == "°" else of, "neither")
+    size = {"Thickness": max(half_width), "Slope": 1.0}.get(name, 1 / max(half_width))
+    value, of = constant_value(values, size), "degrees" if of == "°" else of
+    if value is not None:
+        show_constant(image, value, of)
+        values = np.full_like(values, value)
+    else:
+        image.set_clim(float(values.min()), float(values.max()))
+        colour_bar(axes, image, of, "neither")
     if below is not None and (values < below).any():
         _hatch(axes, maps, values, [float(values.min()) - 1, below])
     if above is not None and (values > above).any():

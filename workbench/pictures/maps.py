@@ -19,6 +19,7 @@ UNSIGNED = ("inferno", "viridis", "cividis", "gray")
 """Colours of values from zero on; perceptually uniform, and read without red and green."""
 
 _FONT = 8
+_ROUNDING = 1e-9  # of what values could be, or are
 _ENOUGH = 0.995  # of all values; a few at an edge must not hide the rest
 
 
@@ -69,7 +70,32 @@ def map_image(
     return image
 
 
-def colour_bar(axes: "Axes", image: Any, unit: str, extend: str) -> None:
+def constant_value(values: Array, size: float) -> float | None:
+    """The one value of a map whose values differ by rounding alone; None for other maps.
+
+    Parameters
+    ----------
+    values : ndarray
+        What is to be shown.
+    size : float
+        What such values could be: differences far below it are rounding, and so is a value itself.
+    """
+    low, high = float(values.min()), float(values.max())
+    if high - low > _ROUNDING * max(size, abs(low), abs(high)):
+        return None
+    middle = (low + high) / 2
+    return 0.0 if abs(middle) <= _ROUNDING * size else middle
+
+
+def show_constant(image: Any, value: float, unit: str) -> None:
+    """Give an image one value everywhere, with a bar that names it and nothing else."""
+    image.set_data(np.full(image.get_array().shape, value))
+    image.set_clim(*sorted((0.0, 2 * value)) if value else (0.0, 1.0))
+    bar = colour_bar(image.axes, image, f"{unit}, the same everywhere", "neither")
+    bar.set_ticks([value], labels=[f"{value:.6g}"])
+
+
+def colour_bar(axes: "Axes", image: Any, unit: str, extend: str) -> Any:
     """The scale of an image, named by the unit of its values."""
     # Beside the image itself, not beside the slot that the image may not fill.
     beside = axes.inset_axes((1.05, 0.0, 0.055, 1.0))
@@ -80,6 +106,7 @@ def colour_bar(axes: "Axes", image: Any, unit: str, extend: str) -> None:
         bar.formatter.set_useOffset(False)
         bar.formatter.set_scientific(False)
     bar.outline.set_linewidth(0.6)
+    return bar
 
 
 def ticks() -> MaxNLocator:
@@ -95,7 +122,7 @@ def round_scale(largest: float) -> float:
     return next(step * decade for step in (1, 2, 5, 10, 20) if step * decade >= largest)
 
 
-def settled_scale(values: Array, scale: float, least: float = 0.0) -> float:
+def settled_scale(values: Array, scale: float) -> float:
     """A round end of a scale from zero on, or about zero, that does not change all the time.
 
     It stays unless magnitudes leave it or fill less than a third of it.
@@ -106,13 +133,9 @@ def settled_scale(values: Array, scale: float, least: float = 0.0) -> float:
         What is to be shown.
     scale : float
         End of the scale so far.
-    least : float
-        Magnitude below which there is nothing but rounding.
     """
     largest = float(np.quantile(np.abs(values), _ENOUGH))
-    if largest < least:
-        return round_scale(0.0)
-    return scale if scale / 3 <= largest <= scale else round_scale(largest)
+    return scale if 0 < scale / 3 <= largest <= scale else round_scale(largest)
 
 
 def pixel_at(

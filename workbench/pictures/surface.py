@@ -9,7 +9,14 @@ import numpy.typing as npt
 
 from workbench.geometry.curvature import LocalShape, local_shape
 from workbench.geometry.surface import ControlNet, even_counts
-from workbench.pictures.maps import SIGNED, UNSIGNED, colour_bar, map_image, settled_scale
+from workbench.pictures.maps import (
+    SIGNED,
+    UNSIGNED,
+    colour_bar,
+    constant_value,
+    map_image,
+    settled_scale,
+)
 from workbench.scene import Scene
 
 if TYPE_CHECKING:
@@ -19,7 +26,6 @@ if TYPE_CHECKING:
 Array = npt.NDArray[np.float64]
 
 _PLACES = 192  # along the longer side
-_ROUNDING = 1e-9  # of what a lens of this size could have
 
 
 @dataclass(frozen=True)
@@ -125,7 +131,7 @@ class SurfaceImage:
         self._u, self._v = ((np.arange(n) + 0.5) / n for n in (count_x, count_y))
         x, y = (2 * self._u - 1) * lens.half_width[0], (2 * self._v - 1) * lens.half_width[1]
         self._base = lens.base.height_at(x[:, None], y)
-        self._least = _ROUNDING * max(lens.half_width) ** aspect.length
+        self._size = max(lens.half_width) ** aspect.length  # of values that are more than rounding
         self.values = np.zeros((count_y, count_x))
         colours = SIGNED if aspect.signed else UNSIGNED[1]
         size = (count_x, count_y)
@@ -147,8 +153,11 @@ class SurfaceImage:
         shape = local_shape(self._net, heights, self._u, self._v)
         found = self._aspect.of(shape._replace(height=shape.height - self._base))
         self.values = np.asarray(found[:, ::-1].T)
+        value = constant_value(found, self._size)
+        if value is not None:
+            self.values = np.full_like(self.values, value)
         self._image.set_data(self.values)
-        scale = settled_scale(self.values, self._scale, self._least)
+        scale = settled_scale(self.values, self._scale)
         if scale == self._scale:
             return False
         self._scale = scale
