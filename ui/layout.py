@@ -3,13 +3,14 @@
 import base64
 import binascii
 
-from PySide6.QtCore import QByteArray, QSettings, QSize, QTimer
+from PySide6.QtCore import QByteArray, QSettings, QSize, Qt, QTimer
 from PySide6.QtWidgets import QMainWindow
 
 from ui.workspace import Workspace
 
 _SHARE_OF_SCREEN = 0.85
-_SIZE = QSize(1280, 800)  # which smaller screens need whole
+_SIZE = QSize(1280, 800)  # below which panes have little room
+_FRAME = QSize(16, 64)  # that a desktop may put around a window
 _GEOMETRY, _DOCKS = "window/geometry", "window/docks"
 
 
@@ -30,6 +31,9 @@ class Layout:
         self._window, self._workspace, self._settings = window, workspace, settings
         room = window.screen().availableSize()
         window.resize((room * _SHARE_OF_SCREEN).expandedTo(_SIZE).boundedTo(room))
+        framed = window.size() + _FRAME
+        if framed.boundedTo(room) != framed:  # the desktop knows best what fits in
+            window.setWindowState(Qt.WindowState.WindowMaximized)
         workspace.arrange()
         self._first = window.saveState()
         for key, restore in ((_GEOMETRY, window.restoreGeometry), (_DOCKS, window.restoreState)):

@@ -2,6 +2,7 @@
 
 import pytest
 from PySide6.QtCore import QSize
+from PySide6.QtGui import QScreen
 from PySide6.QtWidgets import QTabBar
 
 from ui import theme
@@ -58,3 +59,25 @@ def test_titles_of_tabs_are_whole_however_many_there_are(application, large, qtb
         assert bar.tabRect(number).width() > text
     current = bar.tabRect(bar.currentIndex())
     assert current.left() >= 0 and current.right() < bar.width()
+
+
+@pytest.mark.parametrize(
+    ("screen", "whole"),
+    [((1280, 800), True), ((1366, 768), True), ((1024, 600), True), ((1600, 1000), False)],
+)
+def test_the_first_window_fits_into_the_screen_with_its_frame(
+    open_window, qtbot, monkeypatch, screen, whole
+):
+    room = QSize(*screen)
+    monkeypatch.setattr(QScreen, "availableSize", lambda self: room)
+    window = open_window()
+    assert window.isMaximized() is whole
+    usual = window.normalGeometry().size()
+    assert usual.boundedTo(room) == usual
+    assert whole or (usual + QSize(16, 64)).boundedTo(room) == usual + QSize(16, 64)
+
+
+def test_the_window_with_all_its_first_docks_can_be_small(display, window):
+    window.build()
+    least = window.minimumSizeHint()
+    assert least.boundedTo(QSize(1024, 600)) == least
