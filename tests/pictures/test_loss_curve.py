@@ -34,6 +34,16 @@ def test_what_a_logarithm_cannot_show_is_left_out_of_the_limits(axes):
     assert axes.get_ylim() == (2, 5)
 
 
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("losses", [[5e-324], [1e-3, 5e-324], [1.7e308], [5e-324, 1.7e308]])
+def test_losses_at_the_ends_of_all_numbers_are_drawn(axes, losses):
+    curve = LossPicture(axes)
+    curve.update(np.array(losses), 10)
+    low, high = axes.get_ylim()
+    assert 0 < low < high < np.inf
+    axes.figure.canvas.draw()
+
+
 def test_no_losses_yet(axes):
     curve = LossPicture(axes)
     curve.update(np.zeros(0), 300)

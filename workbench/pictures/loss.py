@@ -18,6 +18,7 @@ Array = npt.NDArray[np.float64]
 Against = Literal["iterations", "seconds"]
 
 _FONT = 8
+_EXTREMES = 1e-300, 1e300  # ends of an axis: steps beside them are still numbers
 _SHORT_RANGE = 50
 _NAME = 13  # widths of letters that a name and its stroke take
 _MARK = "#8a8f98"  # seen on light and dark
@@ -285,6 +286,7 @@ def _tick(loss: float, _: int) -> str:
 
 def _round(value: float, *, down: bool) -> float:
     """The nearest 1, 2 or 5 times a power of ten strictly below or above ``value``."""
+    value = min(max(value, _EXTREMES[0]), _EXTREMES[1])
     decade = 10.0 ** math.floor(math.log10(value))
     steps = [step * decade for step in (0.5, 1, 2, 5, 10)]
     if down:
