@@ -177,7 +177,18 @@ def test_forged_header_takes_no_memory(tmp_path):
     assert "not a whole .npy" in refusal(path)
 
 
-@pytest.mark.parametrize("content", [b"", b"no array", b"\x93NUMPY\x01\x00", b"PK\x03\x04"])
+FOREIGN = [
+    b"",
+    b"no array",
+    b"PK\x03\x04",
+    b"\x93NUMPY\x01\x00",
+    b"\x93NUMPY\x02\x00\xff\xff\xff\xff{}",
+    b"\x93NUMPY\x01\x00\x60\xea" + b"(" * 60_000,
+    b"\x93NUMPY\x01\x00\x60\x00" + b"{1: 2, [3]: 4}".ljust(96),
+]
+
+
+@pytest.mark.parametrize("content", FOREIGN)
 def test_foreign_content_named_npy_is_refused(tmp_path, content):
     path = tmp_path / "a.npy"
     path.write_bytes(content)

@@ -24,6 +24,7 @@ FORMATS = ("PNG", "JPEG", "TIFF", "BMP", "GIF", "WEBP", "PPM", "JPEG2000", "TGA"
 
 _LARGEST_DRAWING = 16 << 20  # bytes of SVG
 
+_LONGEST_HEADER = 1 << 14  # bytes of .npy; a header may say that it has four billion
 _HEADER_READERS = {
     (1, 0): np.lib.format.read_array_header_1_0,
     (2, 0): np.lib.format.read_array_header_2_0,
@@ -110,19 +111,20 @@ def _check_size(path: Path, rows: int, columns: int) -> None:
 
 
 def _read_npy(path: Path, file: BinaryIO, side: int) -> Array:
+    header = BytesIO(file.read(_LONGEST_HEADER))
     try:
         # The shape is known before any memory is taken. Never unpickles.
         with warnings.catch_warnings(action="ignore"):
-            version = np.lib.format.read_magic(file)
-            shape, fortran, dtype = _HEADER_READERS[version](file)
-    except (ValueError, KeyError) as error:
+            version = np.lib.format.read_magic(header)
+            shape, fortran, dtype = _HEADER_READERS[version](header)
+    except Exception as error:  # the header is a Python literal: whatever parsing one raises
         raise _refused(path, f"is not a whole .npy array of numbers: {error}") from error
     if len(shape) != 2:
         raise _refused(path, f"has {len(shape)} dimensions; 2 (rows, columns) are needed")
     if dtype.kind not in "buif":
         raise _refused(path, f"holds values of type {dtype}; real numbers are needed")
     _check_size(path, *shape)
-    begin, size = file.tell(), dtype.itemsize * math.prod(shape)
+    begin, size = header.tell(), dtype.itemsize * math.prod(shape)
     if file.seek(0, SEEK_END) - begin < size:
         raise _refused(path, f"is not a whole .npy array of numbers: it lacks some of {size} bytes")
     file.seek(begin)
