@@ -99,11 +99,18 @@ def test_limits_are_judged_by_word_and_shown_on_the_map(pane, qtbot):
     assert states(pane)["tightest_convex"] == "✓ met"
 
 
+def test_a_limit_may_have_a_unit_and_be_worked_out(pane, qtbot):
+    enter(pane, qtbot, "max_thickness", "16 mm / 2")  # of a design in cm
+    assert pane._fields.limits.max_thickness == 0.8
+    enter(pane, qtbot, "max_slope", "40/2")
+    assert pane._fields.limits.max_slope == 20
+
+
 def test_a_limit_that_is_none_is_refused_and_taken_back(pane, qtbot):
     before = pane._fields.limits
     editor = enter(pane, qtbot, "max_thickness", "-1")
     row = pane._fields.rows["max_thickness"]
-    assert "-1.0; a number above 0" in row.refusal and pane._fields.limits == before
+    assert "-1; a number above 0" in row.refusal and pane._fields.limits == before
     qtbot.keyClick(editor, Qt.Key.Key_Escape)
     assert not row.refusal and editor.text() == ""
 

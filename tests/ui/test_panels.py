@@ -33,6 +33,40 @@ def test_a_number_is_entered_with_return(forms, document, qtbot):
     assert document.undo_stack.undoText() == "change of screen at z"
 
 
+@pytest.mark.parametrize(
+    ("path", "text", "value"),
+    [
+        ("screen.z", "70 mm", 7),
+        ("screen.z", "15/2", 7.5),
+        ("screen.z", "7,5", 7.5),
+        ("screen.z", "3 in - 0.62", None),
+        ("screen.z", "3 in - 6.2 mm", 7),
+        ("lens.min_thickness", "300 um", 0.03),
+        ("run.iterations", "2*128", 256),
+        ("lens.control_points[1]", "(30 + 2)/2", 16),
+    ],
+)
+def test_a_number_may_be_worked_out_and_have_a_unit(forms, document, qtbot, path, text, value):
+    before = document.session
+    enter(qtbot, forms, path, text)
+    if value is None:
+        assert document.session is before
+        assert "give both a unit" in row(forms, path).refusal
+    else:
+        assert editor(forms, path).text() == f"{value}"
+        assert not forms.refused and document.session is not before
+
+
+def test_a_unit_that_was_typed_keeps_its_meaning_when_the_unit_changes(forms, document, qtbot):
+    enter(qtbot, forms, "screen.z", "1 mm")  # within the lens
+    choose(forms, "unit", "mm")
+    enter(qtbot, forms, "lens.height_range[1]", "-4.1")
+    enter(qtbot, forms, "lens.min_thickness", "0")
+    assert forms.refused and document.session.scene.screen.z == 50
+    choose(forms, "unit", "m")
+    assert editor(forms, "screen.z").text() == "1 mm"
+
+
 def test_a_number_is_entered_by_leaving_the_field(forms, document, qtbot):
     first, second = (editor(forms, f"lens.half_width[{i}]") for i in (0, 1))
     first.setFocus()
@@ -56,13 +90,18 @@ def test_numbers_are_shown_with_all_the_digits_they_have(forms, document, qtbot)
     [
         ("screen.z", "far", "'far' is not a number"),
         ("screen.z", "0.1", "may touch the lens"),
-        ("screen.z", "nan", "not finite"),
+        ("screen.z", "nan", "'nan' is not a number"),
+        ("screen.z", "1e999", "too large"),
+        ("screen.z", "5 kg", "'kg' is not known here; mm, cm, m, inch"),
+        ("screen.z", "1,000", "1,000 may be 1.000 or 1000"),
+        ("screen.z", "5/0", "divides by zero"),
+        ("run.seed", "3 mm", "'mm' is not known here; no unit"),
         ("lens.half_width[1]", "-1", "must be greater than 0"),
         ("lens.control_points[0]", "3", "3 is too few for degree 3; at least 4"),
         ("lens.control_points[0]", "6.5", "is not a whole number"),
         ("lens.height_range[0]", "1", "low before high"),
         ("filter.size[0]", "4", "4 is even"),
-        ("run.seed", "", "is not a whole number"),
+        ("run.seed", "", "a whole number is needed"),
         ("target.radius", "2", "at most 1"),
     ],
 )
@@ -426,3 +465,27 @@ def test_a_refusal_of_a_source_stands_beside_its_field(
     enter(qtbot, forms, path, text)
     assert document.session is session
     assert reason in row(forms, path.partition("[")[0]).refusal
+
+
+@pytest.mark.parametrize(
+    ("half_width", "pixels", "aspect"),
+    [([1, 1], [12, 10], 1), ([2, 1], [8, 8], 2), ([1, 4], [8, 8], 0.25)],
+)
+def test_the_thumbnail_has_the_aspect_of_the_screen(forms, document, half_width, pixels, aspect):
+    screen = {"z": 5, "half_width": half_width, "pixels": pixels}
+    scene = Scene.from_data(document.session.scene.to_data() | {"screen": screen})
+    document.edit(scene, "screen", "screen")
+    thumbnail = forms._target._thumbnail
+    place = thumbnail.place
+    assert place.width() / place.height() == pytest.approx(aspect, rel=0.05)
+    assert thumbnail.rect().contains(place)
+    assert place.height() == thumbnail.height() or place.width() == thumbnail.width()
+
+
+def test_the_thumbnail_of_huge_and_tiny_values_is_that_of_their_ratios(forms):
+    thumbnail = forms._target._thumbnail
+    light = np.array([[0.0, 0.5, 1.0]])
+    for scale in (1.0, 1.7e308, 1e-310):
+        thumbnail.show_target(scale * light, 1)
+        greys = [thumbnail._picture.pixelColor(column, 0).red() for column in range(3)]
+        assert greys == [0, 127, 255]

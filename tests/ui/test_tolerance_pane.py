@@ -77,7 +77,7 @@ def test_what_is_not_possible_is_refused_beside_its_field(pane, qtbot):
         ("tilt", "50", "less than 45"),
         ("decentre", "-1", "from 0"),
         ("index", "0.9", "less than 0.5"),
-        ("surface[0]", "much", "finite number"),
+        ("surface[0]", "much", "'much' is not a number"),
         ("lenses", "0", "from 1 to"),
     ):
         row = enter(pane, qtbot, path, text)

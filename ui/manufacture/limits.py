@@ -6,7 +6,7 @@ from typing import Any
 
 from PySide6.QtCore import QObject, QSettings, Signal
 
-from ui.panels.edits import Edit
+from ui.panels.edits import LENGTH, Edit, Typed
 from ui.panels.optional import OptionalRow
 from workbench.analysis.manufacture_limits import Limits
 from workbench.scene import Scene
@@ -44,7 +44,13 @@ class LimitFields(QObject):
         self._settings = settings
         self._scene: Scene | None = None
         self.rows = {
-            name: OptionalRow(name, label, f"{tip}. {_HINT}", partial(self._stand_in, name))
+            name: OptionalRow(
+                name,
+                label,
+                f"{tip}. {_HINT}",
+                partial(self._stand_in, name),
+                "°" if name == _ANGLE else LENGTH,
+            )
             for name, (label, tip) in _ROWS.items()
         }
         for name, row in self.rows.items():
@@ -68,11 +74,17 @@ class LimitFields(QObject):
         self.changed.emit(self.limits)
 
     def _take(self, edit: Edit) -> None:
-        value = edit.changes[edit.path]
-        row = self.rows[edit.path]
-        if value is not None and not (isinstance(value, float) and 0 < value < math.inf):
-            row.refuse(f"{value}; a number above 0, or nothing")
-            return
+        row, value = self.rows[edit.path], None
+        typed = edit.changes[edit.path]
+        if isinstance(typed, Typed):
+            try:
+                value = float(typed.number(self._unit))
+            except ValueError as error:
+                row.refuse(f"{error}")
+                return
+            if not 0 < value < math.inf:
+                row.refuse(f"{value:g}; a number above 0, or nothing")
+                return
         row.refuse("")
         self._settings.setValue(self._key(edit.path), "" if value is None else repr(value))
         self._show()
@@ -85,8 +97,13 @@ class LimitFields(QObject):
     def _show(self) -> None:
         pending = {name for name, row in self.rows.items() if row.refusal}
         data: dict[str, Any] = {name: self._kept(name) for name in self.rows}
+        data["unit"] = self._unit
         for row in self.rows.values():
             row.show_scene(data, pending)
+
+    @property
+    def _unit(self) -> str:
+        return "" if self._scene is None else self._scene.unit
 
     def _kept(self, name: str) -> float | None:
         try:
@@ -96,7 +113,7 @@ class LimitFields(QObject):
         return value if 0 < value < math.inf else None
 
     def _key(self, name: str) -> str:
-        unit = "" if self._scene is None or name == _ANGLE else f"{self._scene.unit}/"
+        unit = f"{self._unit}/" if self._unit and name != _ANGLE else ""
         return f"manufacture/{unit}{name}"
 
     def _own(self) -> dict[str, float | None]:

@@ -1,10 +1,10 @@
 """What a person types into or chooses from, and what is said beside it."""
 
-from collections.abc import Callable
-
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QKeySequence, QResizeEvent, QWheelEvent
 from PySide6.QtWidgets import QComboBox, QLabel, QLineEdit, QSizePolicy
+
+from ui.panels.edits import Typed
 
 
 class TextEditor(QLineEdit):
@@ -58,18 +58,15 @@ class TextEditor(QLineEdit):
 class NumberEditor(TextEditor):
     """A number as text, because spin boxes round and change under the mouse wheel."""
 
-    def __init__(self, whole: bool, narrow: bool = False) -> None:
+    def __init__(self, unit: str, whole: bool, narrow: bool = False) -> None:
         super().__init__()
-        self._parse: Callable[[str], float] = int if whole else float
+        self._unit, self._whole = unit, whole
         seen = "0000" if narrow else "0000000"
         self.setMinimumWidth(self.fontMetrics().horizontalAdvance(seen))
 
-    def value(self, text: str) -> float | str:
-        """The number, or the text itself, for the scene to refuse."""
-        try:
-            return self._parse(text)
-        except ValueError:
-            return text
+    def typed(self, text: str) -> Typed:
+        """What such a text is typed for."""
+        return Typed(text, self._unit, self._whole)
 
 
 class Chooser(QComboBox):

@@ -5,9 +5,50 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
+from workbench.errors import Refused
+from workbench.quantity import read_number
 from workbench.scene import Scene, Unit
 
 _STEP = re.compile(r"[^.\[\]]+")
+
+
+LENGTH = "length"  # a unit that stands for the scene's own
+
+
+@dataclass(frozen=True)
+class Typed:
+    """What was typed for a number, which the unit of the scene gives its meaning.
+
+    Attributes
+    ----------
+    text : str
+        As it was typed.
+    unit : str
+        Unit of the field; `LENGTH` for the scene's.
+    whole : bool
+        Whether only whole numbers make sense.
+    """
+
+    text: str
+    unit: str = ""
+    whole: bool = False
+
+    def number(self, unit: str) -> float | int:
+        """The number, in a scene with a unit.
+
+        Raises
+        ------
+        ValueError
+            With what is wrong in one sentence.
+        """
+        kind = "whole number" if self.whole else "number"
+        try:
+            found = read_number(self.text, unit if self.unit == LENGTH else self.unit)
+            return int(found) if self.whole and found.denominator == 1 else float(found)
+        except OverflowError as error:
+            raise ValueError(f"{self.text} is too large; a {kind} is needed") from error
+        except ValueError as error:
+            raise ValueError(f"{error}; a {kind} is needed") from error
 
 
 @dataclass(frozen=True)
@@ -21,7 +62,8 @@ class Edit:
     text : str
         What the undo menu calls it.
     changes : dict
-        New values by path; a kind that changes brings its neighbours along.
+        New values by path, or what was `Typed` for them; a kind that changes brings its
+        neighbours along.
     alone : bool
         Whether it is a step of its own, also after another at the same path.
     unit : str, optional
@@ -75,8 +117,20 @@ def edited_scene(scene: Scene, edits: Iterable[Edit]) -> Scene:
             data = Scene.from_data(data).in_unit(edit.unit).to_data()
         for path, value in edit.changes.items():
             place, last = _place(data, path)
-            place[last] = value
+            place[last] = _read(value, path, data["unit"])
     return Scene.from_data(data)
+
+
+def _read(value: object, path: str, unit: str) -> object:
+    """The value, with numbers in place of what was typed for them."""
+    if isinstance(value, list):
+        return [_read(each, path, unit) for each in value]
+    if not isinstance(value, Typed):
+        return value
+    try:
+        return value.number(unit)
+    except ValueError as error:
+        raise Refused(path, f"{error}") from error
 
 
 def _place(data: dict[str, Any], path: str) -> tuple[Any, int | str]:

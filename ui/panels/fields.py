@@ -19,9 +19,8 @@ from PySide6.QtWidgets import (
 
 from ui import theme
 from ui.panels.editors import Chooser, NumberEditor, Refusal, TextEditor
+from ui.panels.edits import LENGTH as LENGTH  # to be had from here, too
 from ui.panels.edits import Edit, value_at
-
-LENGTH = "length"  # a unit that stands for the scene's own
 
 Changes = dict[str, object]
 
@@ -159,7 +158,7 @@ class NumberRow(Row):
     ) -> None:
         super().__init__(path, label, tip, unit, present)
         paths = [f"{path}[{k}]" for k in range(count)] if between else [path]
-        self.editors = {p: NumberEditor(whole, narrow=len(paths) > 2) for p in paths}
+        self.editors = {p: NumberEditor(unit, whole, narrow=len(paths) > 2) for p in paths}
         for number, (place, editor) in enumerate(self.editors.items()):
             if number:
                 self._add(QLabel(between), 0)
@@ -177,7 +176,7 @@ class NumberRow(Row):
                 editor.show_value(format(value_at(data, path), ".12g"))
 
     def _commit(self, path: str, text: str) -> None:
-        self._tell(path, {path: self.editors[path].value(text)})
+        self._tell(path, {path: self.editors[path].typed(text)})
 
 
 class TextRow(Row):

@@ -55,10 +55,10 @@ class OptionalRow(NumberRow):
         if not text.strip():
             self._tell(path, {self.path: None})
         elif path == self.path:
-            self._tell(path, {path: self.editors[path].value(text)})
+            self._tell(path, {path: self.editors[path].typed(text)})
         else:  # a number alone counts for both
             texts = [editor.text().strip() or text for editor in self.editors.values()]
-            values = [e.value(t) for e, t in zip(self.editors.values(), texts, strict=True)]
+            values = [e.typed(t) for e, t in zip(self.editors.values(), texts, strict=True)]
             self._tell(path, {self.path: values})
 
 

@@ -145,9 +145,15 @@ class ToleranceForm(QWidget):
 
     def _take(self, edit: Edit) -> None:
         row = self._row(edit.path)
-        values = [editor.value(editor.text()) for editor in row.editors.values()]
+        assert self._scene is not None  # there is one before anything is typed
+        unit = self._scene.unit
+        try:
+            values = [e.typed(e.text()).number(unit) for e in row.editors.values()]
+        except ValueError as error:
+            row.refuse(f"{error}")
+            return
         for value in values:
-            if not isinstance(value, int | float) or not _sound(row.path, value):
+            if not _sound(row.path, value):
                 row.refuse(f"{value}; {_allowed(row.path)}")
                 return
         row.refuse("")

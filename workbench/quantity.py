@@ -1,0 +1,151 @@
+"""Reads what people type for a number: 2.5, 2,5, 50/2, 5 cm, 3 * (1 mm + 200 µm)."""
+
+import ast
+import operator
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from math import isinf
+
+from workbench.refusals import shown
+from workbench.units import WRITTEN
+
+_LONGEST = 100
+_TOKEN = re.compile(
+    r"\s*(?:(?P<number>(?:\d[\d.,]*|[.,]\d+)(?:[eE][+-]?\d+)?)"
+    r"|(?P<unit>[^\W\d_]+|[°\"%])"
+    r"|(?P<sign>[-+*/()−×·÷]))\s*"
+)
+_SIGNS = str.maketrans("−×·÷", "-**/")
+_THOUSANDS = re.compile(r"[1-9]\d{0,2},\d{3}")
+
+
+@dataclass(frozen=True)
+class _Quantity:
+    """A number times a unit to some power."""
+
+    number: Fraction
+    power: int = 0
+
+
+def read_number(text: str, unit: str = "") -> Fraction:
+    """Work out what somebody typed.
+
+    Numbers have a decimal point, or a comma where it cannot stand between thousands. They may be
+    added, subtracted, multiplied and divided, with parentheses. A length may have any unit of
+    `WRITTEN`, where the field is of one; without it, it is in the unit of the field.
+
+    Parameters
+    ----------
+    text : str
+        What was typed.
+    unit : str
+        Unit of the field; empty for a plain number.
+
+    Returns
+    -------
+    Fraction
+        Exactly, in the field's unit.
+
+    Raises
+    ------
+    ValueError
+        With what is wrong in one sentence.
+
+    Examples
+    --------
+    >>> float(read_number("5 cm", "mm")), float(read_number("(2,5 + 0.5) / 2"))
+    (50.0, 1.5)
+    """
+    if len(text) > _LONGEST:
+        raise ValueError(f"has {len(text)} characters; at most {_LONGEST} are read")
+    source, values = _source(text, _known(unit))
+    try:
+        found = _worked_out(ast.parse(source, mode="eval").body, values)
+    except (SyntaxError, KeyError) as error:
+        raise ValueError(f"{shown(text)} is not a number") from error
+    except ZeroDivisionError as error:
+        raise ValueError(f"{shown(text)} divides by zero") from error
+    if found.power not in (0, 1):
+        raise ValueError(f"{shown(text)} is no length, but one to the power of {found.power}")
+    return found.number
+
+
+def _known(unit: str) -> Mapping[str, Fraction]:
+    """What may stand behind a number, in the field's unit."""
+    if unit in WRITTEN:
+        return {name: metres / WRITTEN[unit] for name, metres in WRITTEN.items()}
+    return {unit: Fraction(1)}
+
+
+def _source(text: str, units: Mapping[str, Fraction]) -> tuple[str, dict[str, _Quantity]]:
+    """An expression of names in place of numbers and units, and what they stand for."""
+    parts: list[str] = []
+    values: dict[str, _Quantity] = {}
+    at = 0
+    while at < len(text):
+        token = _TOKEN.match(text, at)
+        if token is None:
+            raise ValueError(f"{shown(text)} is not a number")
+        at = token.end()
+        name = f"v{len(values)}"
+        if token["sign"]:
+            parts.append(token["sign"].translate(_SIGNS))
+        elif token["number"]:
+            values[name] = _Quantity(_decimal(token["number"]))
+            parts.append(name)
+        elif not values:
+            raise ValueError(f"{shown(text)} is not a number")
+        elif token["unit"] not in units:
+            here = ", ".join(name for name in units if name) or "no unit"
+            raise ValueError(f"{shown(text)}: {token['unit']!r} is not known here; {here}")
+        else:
+            values[name] = _Quantity(units[token["unit"]], 1)
+            parts.append(f"*{name}")
+    return " ".join(parts), values
+
+
+def _decimal(text: str) -> Fraction:
+    if _THOUSANDS.fullmatch(text):
+        raise ValueError(
+            f"{text} may be {text.replace(',', '.')} or {text.replace(',', '')}; "
+            "write which of them"
+        )
+    if text.isdecimal():
+        return Fraction(int(text))
+    plain = text.replace(",", ".")
+    if plain.count(".") > 1:
+        raise ValueError(f"{text} has more than one decimal point")
+    number = float(plain)  # of no more digits than it shows, so that no exponent takes the memory
+    if isinf(number):
+        raise ValueError(f"{text} is too large")
+    return Fraction(repr(number))
+
+
+def _worked_out(node: ast.expr, values: Mapping[str, _Quantity]) -> _Quantity:
+    match node:
+        case ast.Name(id=name):
+            return values[name]
+        case ast.UnaryOp(op=ast.USub(), operand=operand):
+            found = _worked_out(operand, values)
+            return _Quantity(-found.number, found.power)
+        case ast.UnaryOp(op=ast.UAdd(), operand=operand):
+            return _worked_out(operand, values)
+        case ast.BinOp(left=left, op=ast.Add() | ast.Sub() as op, right=right):
+            return _sum(_worked_out(left, values), _worked_out(right, values), op)
+        case ast.BinOp(left=left, op=ast.Mult(), right=right):
+            one, two = _worked_out(left, values), _worked_out(right, values)
+            return _Quantity(one.number * two.number, one.power + two.power)
+        case ast.BinOp(left=left, op=ast.Div(), right=right):
+            one, two = _worked_out(left, values), _worked_out(right, values)
+            return _Quantity(one.number / two.number, one.power - two.power)
+    raise SyntaxError("a call, say: 2 (3)")
+
+
+def _sum(one: _Quantity, two: _Quantity, op: ast.operator) -> _Quantity:
+    if one.power != two.power:
+        raise ValueError("a number with a unit and one without are added; give both a unit")
+    add: Callable[[Fraction, Fraction], Fraction]
+    add = operator.add if isinstance(op, ast.Add) else operator.sub
+    return _Quantity(add(one.number, two.number), one.power)
