@@ -26,6 +26,7 @@ from ui.log_view import LogView
 from ui.message_bar import MessageBar
 from ui.panels.forms import Forms
 from ui.panes import Panes
+from ui.refused_fields import RefusedFields
 from ui.run.lens_on_show import LensOnShow
 from ui.run.status import RunStatus
 from ui.target_image import TargetImage
@@ -89,6 +90,7 @@ class MainWindow(QMainWindow):
         self.forms = Forms(document)
         self.forms.told.connect(self.log.add)
         self.forms.file_refused.connect(self.messages.warn)
+        self._refused = RefusedFields(self.forms, self.messages, self)
         CarriedLens(document, self.messages, self).told.connect(self.log.add)
         UnitChange(document, self.messages, self)
         self._image = TargetImage(document, self.messages, self)
@@ -141,7 +143,7 @@ class MainWindow(QMainWindow):
         """Begin a run, unless something that was typed is refused."""
         self.forms.commit()
         if self.forms.refused:
-            self.messages.warn("A marked field is refused; correct it, or press Esc in it, first.")
+            self._refused.tell()
         else:
             self.messages.clear()
             begin()

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from math import isinf
 
-from workbench.refusals import shown
+from workbench.errors import shown
 from workbench.units import WRITTEN
 
 _LONGEST = 100

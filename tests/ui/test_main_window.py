@@ -354,7 +354,7 @@ def test_a_refused_field_holds_the_start(built):
     edit(built, "far")
     built.commands["start"].trigger()
     assert built.bench.control.runner.state == "idle"
-    assert "marked field" in built.messages.text
+    assert built.messages.text.startswith("Screen at z: 'far' is not a number")
 
 
 def test_a_run_that_cannot_begin_is_said(built, qtbot, monkeypatch):

@@ -45,7 +45,7 @@ def test_a_changed_file_is_read_again_if_a_person_wants_that(window, saved, imag
     assert window.files.open(saved)
     before = window.document.session
     assert "letter.png has changed. The design keeps" in window.messages.text
-    qtbot.mouseClick(window.messages._button, Qt.MouseButton.LeftButton)
+    qtbot.mouseClick(window.messages.buttons[0], Qt.MouseButton.LeftButton)
     after = window.document.session
     assert after.scene == before.scene
     assert after.picture == image.read_bytes()

@@ -41,16 +41,20 @@ class Forms(QScrollArea):
         Why a chosen or dropped file is not taken.
     postponed : Signal(str)
         Which edits wait for the end of the run.
+    refusals_changed : Signal()
+        See `refusals`.
     """
 
     told = Signal(str)
     file_refused = Signal(str)
     postponed = Signal(str)
+    refusals_changed = Signal()
 
     def __init__(self, document: Document) -> None:
         super().__init__()
         self._document = document
         self._pending: dict[str, _Waiting] = {}
+        self._refusals: tuple[str, ...] = ()
         self._editing = self._running = False
         self._run_hint = ""
         self._later: list[Edit] = []  # made during a run
@@ -110,6 +114,11 @@ class Forms(QScrollArea):
     def postponed_edits(self) -> int:
         """How many edits wait for the end of the run."""
         return len(self._later)
+
+    @property
+    def refusals(self) -> tuple[str, ...]:
+        """The fields whose edits wait to be corrected, and why."""
+        return self._refusals
 
     def commit(self) -> None:
         """Enter what is typed and not yet entered."""
@@ -232,6 +241,7 @@ class Forms(QScrollArea):
         for panel in self.panels:
             panel.show_session(session, set(self._pending))
         reasons: dict[Row, str] = {}
+        refusals = []
         for path, waiting in self._pending.items():
             culprit = _row_of(waiting.refused.path, present)
             edited = _row_of(path, present)
@@ -241,11 +251,16 @@ class Forms(QScrollArea):
             if edited is not None and edited is not culprit:
                 where = culprit.name if culprit is not None else waiting.refused.path
                 reasons[edited] = f"{where}: {reason}"
+            if edited is not None:
+                refusals.append(f"{edited.name}: {reasons[edited]}")
         for panel in self.panels:
             for row in panel.rows:
                 row.refuse(reasons.get(row, ""))
                 if row in reasons:
                     panel.unfold(True)
+        if tuple(refusals) != self._refusals:
+            self._refusals = tuple(refusals)
+            self.refusals_changed.emit()
 
     def _show_hint(self) -> None:
         self._hint.setText(self._postponed if self._later else self._run_hint)

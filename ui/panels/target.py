@@ -4,7 +4,7 @@ from pathlib import Path
 
 import numpy as np
 import numpy.typing as npt
-from PySide6.QtCore import QPoint, QRect, Qt, Signal
+from PySide6.QtCore import QPoint, QRect, QSize, QSizeF, Signal
 from PySide6.QtGui import QImage, QPainter, QPaintEvent
 from PySide6.QtWidgets import QFileDialog, QWidget
 
@@ -98,7 +98,8 @@ class TargetPanel(Panel):
     def show_session(self, session: Session, pending: set[str]) -> None:
         """Show the target's settings and the image itself."""
         super().show_session(session, pending)
-        self._thumbnail.show_target(session.target)
+        screen = session.scene.screen
+        self._thumbnail.show_target(session.target, screen.half_width[0] / screen.half_width[1])
 
     def _change_kind(self, choice: str) -> Changes | None:
         if choice == "image":
@@ -132,25 +133,32 @@ class Thumbnail(QWidget):
 
     def __init__(self) -> None:
         super().__init__()
-        self._picture = QImage()
+        self._picture, self._aspect = QImage(), 1.0
         self.setFixedHeight(self._HEIGHT)
         self.setToolTip("The light that is wished for on the screen")
         self.setAccessibleName("Target image")
 
-    def show_target(self, target: npt.NDArray[np.float64]) -> None:
-        """Show an image (n_y, n_x), its brightest pixel white."""
-        greys = (target * (255 / target.max())).astype(np.uint8, order="C")
+    def show_target(self, target: npt.NDArray[np.float64], aspect: float) -> None:
+        """Show an image (n_y, n_x), its brightest pixel white, on a screen of this aspect."""
+        greys = (255 * (target / target.max())).astype(np.uint8, order="C")
+        self._aspect = aspect
         rows, columns = greys.shape
         view = QImage(greys.data, columns, rows, columns, QImage.Format.Format_Grayscale8)
         self._picture = view.copy()  # the array is gone after this
         self.update()
 
-    def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint the picture as large as fits, centred."""
-        size = self._picture.size().scaled(self.size(), Qt.AspectRatioMode.KeepAspectRatio)
-        place = QRect(QPoint(0, 0), size)
+    @property
+    def place(self) -> QRect:
+        """Where the picture is: as large as fits, centred."""
+        width, height = float(self.width()), float(self.height())
+        size = QSizeF(min(width, height * self._aspect), min(height, width / self._aspect))
+        place = QRect(QPoint(0, 0), size.toSize().expandedTo(QSize(1, 1)))
         place.moveCenter(self.rect().center())
+        return place
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint the picture."""
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
-        painter.drawImage(place, self._picture)
+        painter.drawImage(self.place, self._picture)
         painter.end()
