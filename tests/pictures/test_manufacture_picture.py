@@ -89,7 +89,7 @@ def test_a_plate_has_one_thickness_in_spite_of_rounding(make_scene, rng, unit_he
     assert np.unique(image.get_array()).tolist() == pytest.approx([unit_height])
     assert image.get_clim() == pytest.approx((0, 2 * unit_height))
     assert bar_texts(axes) == [f"{unit_height:g}"]
-    assert axes.child_axes[0].get_ylabel() == "cm, the same everywhere"
+    assert axes.child_axes[0].get_ylabel() == "cm, constant"
 
 
 def test_a_small_wedge_is_no_rounding(make_scene):

@@ -91,7 +91,7 @@ def show_constant(image: Any, value: float, unit: str) -> None:
     """Give an image one value everywhere, with a bar that names it and nothing else."""
     image.set_data(np.full(image.get_array().shape, value))
     image.set_clim(*sorted((0.0, 2 * value)) if value else (0.0, 1.0))
-    bar = colour_bar(image.axes, image, f"{unit}, the same everywhere", "neither")
+    bar = colour_bar(image.axes, image, f"{unit}, constant", "neither")
     bar.set_ticks([value], labels=[f"{value:.6g}"])
 
 
