@@ -8,7 +8,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
-from numba import njit
+
+from workbench.compiled import jit
 
 Array = npt.NDArray[np.float64]
 
@@ -59,7 +60,7 @@ class Spline(NamedTuple):
     refractive_index: float
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@jit(error_model="numpy")
 def heights_at(spline, places, found):  # type: ignore[no-untyped-def]
     """Heights (m,) of the face above the entrance face at places (m, 2)."""
     basis = np.empty((2, 8))
@@ -67,7 +68,7 @@ def heights_at(spline, places, found):  # type: ignore[no-untyped-def]
         found[ray] = _height(spline, places[ray, 0], places[ray, 1], basis)
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@jit(error_model="numpy")
 def follow(spline: Any, start: Any, direction: Any, leaving: Any, fate: Any) -> None:
     """Follow rays from the entrance face through the exit face.
 
@@ -117,7 +118,7 @@ def follow(spline: Any, start: Any, direction: Any, leaving: Any, fate: Any) -> 
         leaving[6, ray] = head_on + (1 - head_on) * (1 - cosine) ** 5
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@jit(error_model="numpy")
 def land(leaving, fate, flux, turn, shift, planes, scale, pixels, image, off_screen, lost):  # type: ignore[no-untyped-def]
     """Count the rays that `follow` has followed in the pixels that they hit.
 
@@ -168,7 +169,7 @@ def land(leaving, fate, flux, turn, shift, planes, scale, pixels, image, off_scr
                 off_screen[plane] += flux[ray] - reflected
 
 
-@njit(cache=True, nogil=True, error_model="numpy", inline="always")  # a call costs as much
+@jit(error_model="numpy", inline="always")  # a call costs as much
 def _span_of(place, half_width, density, spans):  # type: ignore[no-untyped-def]
     """Number of the knot span of a place, and how far it is through it: 0 to 1."""
     scaled = (place + half_width) * density
@@ -176,7 +177,7 @@ def _span_of(place, half_width, density, spans):  # type: ignore[no-untyped-def]
     return span, min(max(scaled - span, 0.0), 1.0)  # 1 at the far edge: the last span's
 
 
-@njit(cache=True, nogil=True, error_model="numpy", inline="always")  # a call costs as much
+@jit(error_model="numpy", inline="always")  # a call costs as much
 def _surface(spline, x, y, basis):  # type: ignore[no-untyped-def]
     """Height and slopes of the face; ``basis`` is room for two kinds of values."""
     column, part_x = _span_of(x, spline.r_x, spline.density_x, len(spline.along_x))
@@ -203,7 +204,7 @@ def _surface(spline, x, y, basis):  # type: ignore[no-untyped-def]
     return height, slope_x * spline.density_x, slope_y * spline.density_y
 
 
-@njit(cache=True, nogil=True, error_model="numpy", inline="always")  # a call costs as much
+@jit(error_model="numpy", inline="always")  # a call costs as much
 def _height(spline, x, y, basis):  # type: ignore[no-untyped-def]
     """Height of the face alone."""
     column, part_x = _span_of(x, spline.r_x, spline.density_x, len(spline.along_x))
@@ -225,13 +226,13 @@ def _height(spline, x, y, basis):  # type: ignore[no-untyped-def]
     return height
 
 
-@njit(cache=True, nogil=True, error_model="numpy", inline="always")  # a call costs as much
+@jit(error_model="numpy", inline="always")  # a call costs as much
 def _over(spline, x, y, slope_x, slope_y, rise, basis):  # type: ignore[no-untyped-def]
     """How far a ray is below the face; both at the aperture's edge if it has passed that."""
     return _height(spline, x + slope_x * rise, y + slope_y * rise, basis) - rise
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@jit(error_model="numpy")
 def _room(half_width, place, slope):  # type: ignore[no-untyped-def]
     """Rise of a ray up to the lens's side."""
     if slope == 0:
@@ -239,7 +240,7 @@ def _room(half_width, place, slope):  # type: ignore[no-untyped-def]
     return (half_width - place if slope > 0 else half_width + place) / abs(slope)
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@jit(error_model="numpy")
 def _meet(spline, x, y, slope_x, slope_y, basis):  # type: ignore[no-untyped-def]
     """Rise of an inclined ray to where it first meets the face; −∞ if it leaves at the side."""
     side = min(_room(spline.r_x, x, slope_x), _room(spline.r_y, y, slope_y))
@@ -265,7 +266,7 @@ def _meet(spline, x, y, slope_x, slope_y, basis):  # type: ignore[no-untyped-def
     return _false_position(spline, x, y, slope_x, slope_y, low, high, at_low, at_high, basis)
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@jit(error_model="numpy")
 def _false_position(  # type: ignore[no-untyped-def]
     spline, x, y, slope_x, slope_y, low, high, at_low, at_high, basis
 ):

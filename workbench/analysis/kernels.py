@@ -1,8 +1,9 @@
 """All that numba compiles for a design and for its check, got ready before it is needed."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import numpy as np
+import torch
 
 from workbench.analysis.validation import validate
 from workbench.design import kernels
@@ -20,20 +21,26 @@ _SOURCES = (
 )
 
 
-def compile_all(goes_on: Callable[[], bool] = lambda: True) -> None:
+def compile_all(
+    goes_on: Callable[[], bool] = lambda: True, dtypes: Sequence[torch.dtype] = (torch.float32,)
+) -> None:
     """Compile all kernels, or take them from disk.
 
     Parameters
     ----------
     goes_on : callable
         Asked before each part; the rest is left out once it says no.
+    dtypes : sequence of torch.dtype
+        Float types of the traces of designs.
     """
-    kernels.compile_all(goes_on)
-    for source in _SOURCES:
-        if goes_on():
-            scene = Scene.from_data({**_TINY, "source": source})
-            validate(scene, np.ones((1, 1)), np.full((4, 4), 0.1), rays=1)
+    try:
+        kernels.compile_all(goes_on, dtypes)
+    finally:
+        for source in _SOURCES:
+            if goes_on():
+                scene = Scene.from_data({**_TINY, "source": source})
+                validate(scene, np.ones((1, 1)), np.full((4, 4), 0.1), rays=1)
 
 
 if __name__ == "__main__":
-    compile_all()
+    compile_all(dtypes=(torch.float32, torch.float64))

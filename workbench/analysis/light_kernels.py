@@ -2,10 +2,10 @@
 
 import math
 
-from numba import njit
+from workbench.compiled import jit
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@jit(error_model="numpy")
 def enter(  # type: ignore[no-untyped-def]
     axes,
     centres,

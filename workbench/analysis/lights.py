@@ -8,11 +8,11 @@ import numpy as np
 import numpy.typing as npt
 
 from workbench.analysis.cells import Cells
-from workbench.analysis.cones import covering_cones
+from workbench.analysis.cones import Cones, covering_cones
 from workbench.analysis.face import schlick
 from workbench.analysis.light_kernels import enter
 from workbench.analysis.pose import Pose
-from workbench.scene import CollimatedSource, Scene
+from workbench.scene import CollimatedSource, Scene, of_points
 
 Array = npt.NDArray[np.float64]
 
@@ -73,7 +73,7 @@ class CollimatedLight:
         for a, b in self._cells.batch(batch):
             yield Entered(
                 (np.stack([a, b], axis=-1) * 2 - 1) * self._half_width,
-                np.broadcast_to(self._direction, (len(a), 3)),
+                np.full((len(a), 3), self._direction),
                 np.full(len(a), 1 - self._reflectance),
                 rays=len(a),
                 emitted=len(a),
@@ -94,13 +94,15 @@ class PointLight:
     """
 
     def __init__(self, scene: Scene, rays: int, seed: int, pose: Pose) -> None:
-        assert not isinstance(scene.source, CollimatedSource)
+        source = of_points(scene.source)
         self._lens, self._seed = scene.lens, seed
         # Flux goes with the cosine to this; even light has none.
-        lambertian = scene.source.emission == "lambertian"
+        lambertian = source.emission == "lambertian"
         self._upwards = pose.axis() if lambertian else np.zeros(3)
-        points = pose.to_lens(scene.source.positions, scene.lens.entrance_z)
-        self._cones = covering_cones(points, scene.lens.half_width, scene.lens.entrance_z)
+        points = pose.to_lens(source.positions, scene.lens.entrance_z)
+        cones = covering_cones(points, scene.lens.half_width, scene.lens.entrance_z)
+        # In one order of memory always, or the loops would be compiled for each.
+        self._cones = Cones(*map(np.ascontiguousarray, cones))
         self._cells = Cells(rays, 1.0, seed)
         self.rays = self._cells.count
 

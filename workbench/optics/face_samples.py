@@ -10,7 +10,7 @@ from workbench.optics.glass import Glass
 from workbench.optics.hits import Hits
 from workbench.optics.lattice import Array, Axis, make_lattice
 from workbench.optics.refraction import refract, schlick_transmittance
-from workbench.scene import CollimatedSource, Scene
+from workbench.scene import Scene, of_points
 
 
 class FaceSamples:
@@ -56,9 +56,9 @@ class FaceSamples:
         dtype: torch.dtype = torch.float32,
         device: torch.device | str = "cpu",
     ) -> None:
-        assert not isinstance(scene.source, CollimatedSource)
+        source = of_points(scene.source)
         self._scene, self._net, self.screen = scene, net, scene.screen
-        lattice = self.lattice = make_lattice(scene.source, scene.lens, samples)
+        lattice = self.lattice = make_lattice(source, scene.lens, samples)
         self.missed_lens, self.fresnel_entrance = lattice.missed, lattice.reflected
 
         def constant(values: np.ndarray) -> Tensor:
@@ -76,7 +76,7 @@ class FaceSamples:
         self._y = constant(lattice.y.place)[None, :]
         self._away_x = constant(lattice.x.away)[:, None]
         self._away_y = constant(lattice.y.away)[None, :]
-        lambertian = scene.source.emission == "lambertian"
+        lambertian = source.emission == "lambertian"
         self._glass = Glass(lattice.distance, scene.lens.index, lambertian)
         self._area = constant(lattice.x.width)[:, None], constant(lattice.y.width)
         # Flux per area right before the points, but for Fresnel's loss.

@@ -15,6 +15,7 @@ from workbench.scene.source import (
     MeshMethod,
     PointSource,
     Source,
+    of_points,
 )
 from workbench.scene.target import (
     BallTarget,
@@ -58,4 +59,5 @@ __all__ = [
     "TopHatTarget",
     "Unit",
     "dimension_of",
+    "of_points",
 ]

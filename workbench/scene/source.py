@@ -148,3 +148,16 @@ SourceField = Annotated[
     | Annotated[GridSource, Tag("grid")],
     told_by("kind", "collimated", "point", "grid"),
 ]
+
+
+def of_points(source: Source) -> PointSource | GridSource:
+    """A source as one of points.
+
+    Raises
+    ------
+    Refused
+        If it has none.
+    """
+    if isinstance(source, CollimatedSource):
+        raise Refused("source.kind", "'collimated' is no light of points; 'point' or 'grid'")
+    return source

@@ -8,10 +8,11 @@ Huttenlocher 2012, Distance transforms of sampled functions).
 from typing import Any
 
 import numpy as np
-from numba import njit
+
+from workbench.compiled import jit
 
 
-@njit(cache=True, nogil=True)
+@jit()
 def c_transform(potential, weight_0, weight_1):  # type: ignore[no-untyped-def]
     """The c-transform.
 
@@ -43,7 +44,7 @@ def c_transform(potential, weight_0, weight_1):  # type: ignore[no-untyped-def]
     return transformed
 
 
-@njit(cache=True, nogil=True)
+@jit()
 def _envelope(values, weight, vertex, border, envelope) -> Any:  # type: ignore[no-untyped-def]
     """min_j ½ w (k − j)² − values[j] for each k.
 

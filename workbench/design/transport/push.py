@@ -3,13 +3,14 @@
 import math
 
 import numpy as np
-from numba import njit
+
+from workbench.compiled import jit
 
 # Most parts along an axis into which a cell is cut where the map stretches it.
 _MOST_PARTS = 8
 
 
-@njit(cache=True, nogil=True)
+@jit()
 def mapped(potential, weight_0, weight_1):  # type: ignore[no-untyped-def]
     """Where the map y = x − ∇φ(x) / w brings the places of a grid with spacing 1.
 
@@ -38,7 +39,7 @@ def mapped(potential, weight_0, weight_1):  # type: ignore[no-untyped-def]
     return to_0, to_1
 
 
-@njit(cache=True, nogil=True)
+@jit()
 def push(mass, to_0, to_1):  # type: ignore[no-untyped-def]
     """Mass after each cell went where the map brings it.
 
@@ -88,6 +89,6 @@ def push(mass, to_0, to_1):  # type: ignore[no-untyped-def]
     return pushed
 
 
-@njit(cache=True, nogil=True)
+@jit()
 def _parts(stretch):  # type: ignore[no-untyped-def]
     return int(min(max(math.ceil(stretch), 1), _MOST_PARTS))

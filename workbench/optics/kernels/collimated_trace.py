@@ -8,8 +8,8 @@ blends q + 1 of these rows. So all loops run along u over neighbouring numbers, 
 from typing import Any, NamedTuple
 
 import numpy as np
-from numba import njit
 
+from workbench.compiled import jit
 from workbench.optics.kernels.grid import (
     Z_X,
     Z_Y,
@@ -58,7 +58,7 @@ class Optics(NamedTuple):
     head_on: np.floating[Any]
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+@jit(fastmath=FAST, error_model="numpy")
 def trace_rows(  # type: ignore[no-untyped-def]
     heights, across, up, optics, spread, begin, end, canvas, sums
 ):
@@ -101,7 +101,7 @@ def trace_rows(  # type: ignore[no-untyped-def]
             sums[1] += beside
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+@jit(fastmath=FAST, error_model="numpy")
 def trace_rows_back(  # type: ignore[no-untyped-def]
     heights, across, up, optics, spread, begin, end, cotangent, gradient
 ):
@@ -154,7 +154,7 @@ def trace_rows_back(  # type: ignore[no-untyped-def]
         contract_back(d_rows, across, i, lanes, gradient)
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(fastmath=FAST, error_model="numpy", forceinline=True)
 def _refract(place, row, optics, spread, lanes, t):  # type: ignore[no-untyped-def]
     """Where rays hit, and their flux; says how many are refracted.
 
@@ -182,7 +182,7 @@ def _refract(place, row, optics, spread, lanes, t):  # type: ignore[no-untyped-d
     return np.float64(passed)
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(fastmath=FAST, error_model="numpy", forceinline=True)
 def _refract_back(optics, spread, lanes, t):  # type: ignore[no-untyped-def]
     """Adjoint of `_refract`; the cotangents of z, z_x, z_y take the place of these."""
     kind = t.dtype.type

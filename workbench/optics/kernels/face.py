@@ -21,7 +21,7 @@ from workbench.optics.kernels.spread import Spread, add_up, make_canvases, make_
 from workbench.optics.lattice import make_lattice
 from workbench.optics.light import Light
 from workbench.optics.refraction import normal_reflectance
-from workbench.scene import CollimatedSource, Filter, GaussianFilter, Scene, Screen
+from workbench.scene import Filter, GaussianFilter, Scene, Screen, of_points
 
 AnyArray = npt.NDArray[np.floating[Any]]
 
@@ -54,8 +54,7 @@ class FusedFaceSamples:
         mirrored: tuple[bool, bool] = (False, False),
         dtype: torch.dtype = torch.float32,
     ) -> None:
-        source, lens = scene.source, scene.lens
-        assert not isinstance(source, CollimatedSource)
+        source, lens = of_points(scene.source), scene.lens
         lattice = make_lattice(source, lens, samples)
         self.missed_lens, self.fresnel_entrance = lattice.missed, lattice.reflected
         self._dtype, self._screen = dtype, scene.screen

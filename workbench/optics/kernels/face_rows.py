@@ -1,8 +1,8 @@
 """Samples of the exit face, row by row: what the threads of `kernels.face` run."""
 
 import numpy as np
-from numba import njit
 
+from workbench.compiled import jit
 from workbench.optics.kernels.face_trace import (
     COLUMN,
     D_COLUMN,
@@ -21,7 +21,7 @@ from workbench.optics.kernels.spread import BATCH, gather, scatter, workspace
 from workbench.optics.kernels.taps import FAST
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+@jit(fastmath=FAST, error_model="numpy")
 def trace_rows(  # type: ignore[no-untyped-def]
     heights, bases, across, up, optics, steps, spread, begin, end, canvas, sums
 ):
@@ -68,7 +68,7 @@ def trace_rows(  # type: ignore[no-untyped-def]
             sums[3] += passed
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+@jit(fastmath=FAST, error_model="numpy")
 def trace_rows_back(  # type: ignore[no-untyped-def]
     heights, bases, across, up, optics, steps, spread, begin, end, cotangent, gradient
 ):

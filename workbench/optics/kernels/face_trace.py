@@ -11,8 +11,8 @@ and the light goes on along (n s − Γ ∇z, n + Γ); the cosine behind the fac
 """
 
 import numpy as np
-from numba import njit
 
+from workbench.compiled import jit
 from workbench.optics.kernels.spread import BATCH
 from workbench.optics.kernels.taps import FAST
 
@@ -43,7 +43,7 @@ _STEP = np.uintp(BATCH)
 NUMBERS = 19 * BATCH
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(fastmath=FAST, error_model="numpy", forceinline=True)
 def _newton(part, depth, widening, apparent):  # type: ignore[no-untyped-def]
     """One step towards the root of p (1 + t g) = 1."""
     one = type(part)(1)
@@ -52,7 +52,7 @@ def _newton(part, depth, widening, apparent):  # type: ignore[no-untyped-def]
     return part - (part * (one + depth * g) - one) / (one + depth * (bent * bent) * g)
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(fastmath=FAST, error_model="numpy", forceinline=True)
 def find_part(away_x, away_y, optics, steps, lanes, t):  # type: ignore[no-untyped-def]
     """Depths of samples, and their p."""
     kind = t.dtype.type
@@ -73,7 +73,7 @@ def find_part(away_x, away_y, optics, steps, lanes, t):  # type: ignore[no-untyp
             t[_PART + lane] = _newton(t[_PART + lane], t[_DEPTH + lane], widening, c)
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(fastmath=FAST, error_model="numpy", forceinline=True)
 def see_points(across, i, up, j, optics, lanes, t):  # type: ignore[no-untyped-def]
     """Brightness of each sample's point as far as it is seen through the entrance face."""
     kind = t.dtype.type
@@ -95,7 +95,7 @@ def see_points(across, i, up, j, optics, lanes, t):  # type: ignore[no-untyped-d
         t[_BRIGHT + lane] *= seen_x * seen_y
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(fastmath=FAST, error_model="numpy", forceinline=True)
 def _seen(reach, beyond, per_cell, bent):  # type: ignore[no-untyped-def]
     """Part of a sample's cell that sees its point along one axis, and its slope by p.
 
@@ -109,7 +109,7 @@ def _seen(reach, beyond, per_cell, bent):  # type: ignore[no-untyped-def]
     return min(max(seen, kind(0)), kind(1)), rise
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(fastmath=FAST, error_model="numpy", forceinline=True)
 def refract(across, i, up, j, optics, spread, lanes, t):  # type: ignore[no-untyped-def]
     """Where light hits, and its flux.
 
@@ -174,7 +174,7 @@ def refract(across, i, up, j, optics, spread, lanes, t):  # type: ignore[no-unty
     return np.float64(met_flux), np.float64(passed_flux)
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(fastmath=FAST, error_model="numpy", forceinline=True)
 def refract_back(across, i, up, j, optics, spread, lanes, t):  # type: ignore[no-untyped-def]
     """Adjoint of `refract`, `see_points` and `find_part` together.
 

@@ -4,8 +4,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
-from numba import njit
 
+from workbench.compiled import jit
 from workbench.geometry.basis import local_basis
 from workbench.geometry.surface import ControlNet
 from workbench.optics.kernels.spread import BATCH
@@ -52,13 +52,13 @@ def make_axis(
     return Axis((2 * t - 1) * r, first.astype(np.uintp), value.astype(kind), slope.astype(kind))
 
 
-@njit(cache=True, nogil=True)
+@jit()
 def make_rows(heights):  # type: ignore[no-untyped-def]
     """Rows for a block of rays, all 0."""
     return np.zeros(2 * heights.shape[1] * _PITCH, heights.dtype)
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+@jit(fastmath=FAST, error_model="numpy")
 def contract(heights, across, i, lanes, rows):  # type: ignore[no-untyped-def]
     """Control values along v of z and z_x, for each u of a block."""
     count = heights.shape[1]
@@ -81,7 +81,7 @@ def contract(heights, across, i, lanes, rows):  # type: ignore[no-untyped-def]
             at += _PAIR
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+@jit(fastmath=FAST, error_model="numpy")
 def contract_back(d_rows, across, i, lanes, gradient):  # type: ignore[no-untyped-def]
     """Adjoint of `contract`."""
     count = gradient.shape[1]
@@ -100,7 +100,7 @@ def contract_back(d_rows, across, i, lanes, gradient):  # type: ignore[no-untype
                 near[b] += np.float64(value * line[b] + slope * line_x[b])
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(fastmath=FAST, error_model="numpy", forceinline=True)
 def blend(rows, up, j, lanes, t):  # type: ignore[no-untyped-def]
     """Height and slopes of the face at all u of a block and one v."""
     kind = t.dtype.type
@@ -136,7 +136,7 @@ def blend(rows, up, j, lanes, t):  # type: ignore[no-untyped-def]
         start += two
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(fastmath=FAST, error_model="numpy", forceinline=True)
 def blend_back(d_rows, up, j, lanes, t):  # type: ignore[no-untyped-def]
     """Adjoint of `blend`; the cotangents of z, z_x, z_y are where these were."""
     count = np.uintp(lanes)

@@ -6,8 +6,8 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 import torch
-from numba import njit
 
+from workbench.compiled import jit
 from workbench.geometry.patches import Patches
 from workbench.geometry.surface import ControlNet
 from workbench.optics.kernels import threads
@@ -124,7 +124,7 @@ def heights_cotangent(
     return np.asarray(shares.sum(axis=0))
 
 
-@njit(cache=True, nogil=True, fastmath=FAST)
+@jit(fastmath=FAST)
 def _table(heights, powers_x, powers_y, first, last, table):  # type: ignore[no-untyped-def]
     (n_b, _, up), n_a = powers_y.shape, len(powers_x)
     row, total = np.empty(heights.shape[1], heights.dtype), np.empty(up, heights.dtype)
@@ -141,7 +141,7 @@ def _table(heights, powers_x, powers_y, first, last, table):  # type: ignore[no-
                     table[k * up + m, a, b] = total[m]
 
 
-@njit(cache=True, nogil=True, fastmath=FAST)
+@jit(fastmath=FAST)
 def _adjoint(d_tables, powers_x, powers_y, first, last, d_heights):  # type: ignore[no-untyped-def]
     (n_b, _, up), n_a = powers_y.shape, len(powers_x)
     row, total = np.empty(d_heights.shape[1]), np.empty(up)
@@ -160,19 +160,19 @@ def _adjoint(d_tables, powers_x, powers_y, first, last, d_heights):  # type: ign
                 _add(d_heights[k + i], powers_x[i, a, k], row)
 
 
-@njit(cache=True, nogil=True, fastmath=FAST)
+@jit(fastmath=FAST)
 def _add(total, factor, values):  # type: ignore[no-untyped-def]
     for m in range(len(values)):
         total[m] += factor * values[m]
 
 
-@njit(cache=True, nogil=True, fastmath=FAST)
+@jit(fastmath=FAST)
 def _add_products(total, factors, values):  # type: ignore[no-untyped-def]
     for m in range(len(factors)):
         total[m] += factors[m] * values[m]
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+@jit(fastmath=FAST, error_model="numpy")
 def _hull(heights, distance_x, distance_y):  # type: ignore[no-untyped-def]
     """Lowest and highest control height, and the most that the slopes can be anywhere."""
     lowest = highest = heights[0, 0]

@@ -9,8 +9,8 @@ to the first, in steps proven not to pass it. Bounds, tolerances and results are
 import math
 
 import numpy as np
-from numba import njit
 
+from workbench.compiled import jit
 from workbench.optics.kernels.point_patches import (
     BUSY,
     DEPTH,
@@ -41,7 +41,7 @@ FALLS_BY = 0.1
 FALLS, MET, LEFT = 1, 0, -1
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+@jit(fastmath=FAST, error_model="numpy")
 def meet(net, bounds, table, w, count, patch, before, columns):  # type: ignore[no-untyped-def]
     """Depth, state, place, height and slopes of a batch of rays.
 
@@ -86,7 +86,7 @@ def meet(net, bounds, table, w, count, patch, before, columns):  # type: ignore[
     return runs
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+@jit(fastmath=FAST, error_model="numpy")
 def _bracket(net, bounds, w, count):  # type: ignore[no-untyped-def]
     """How deep the rays are at most, where they start, and how many may have several roots."""
     kind = w.dtype.type
@@ -104,7 +104,7 @@ def _bracket(net, bounds, w, count):  # type: ignore[no-untyped-def]
     return kind(count) - falling
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+@jit(fastmath=FAST, error_model="numpy")
 def depth_of_side(net, x, y, slope_x, slope_y):  # type: ignore[no-untyped-def]
     """Depth at which a ray leaves the aperture; infinite for one along the axis."""
     # Start on the right in a mirror where the ray goes left. A hair of room keeps 0/0 away.
@@ -113,7 +113,7 @@ def depth_of_side(net, x, y, slope_x, slope_y):  # type: ignore[no-untyped-def]
     return min(room_x / abs(slope_x), room_y / abs(slope_y))
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+@jit(fastmath=FAST, error_model="numpy")
 def _again(net, table, w, count, patch, before, columns):  # type: ignore[no-untyped-def]
     """Evaluate the face where the rays have gone."""
     if place(net, w, count, patch) > 0:
@@ -121,7 +121,7 @@ def _again(net, table, w, count, patch, before, columns):  # type: ignore[no-unt
     evaluate(columns, w, count)
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+@jit(fastmath=FAST, error_model="numpy")
 def _step(net, bounds, w, count):  # type: ignore[no-untyped-def]
     """A step of Newton's method for rays that do not rest yet; says how many these are."""
     kind = w.dtype.type
@@ -142,7 +142,7 @@ def _step(net, bounds, w, count):  # type: ignore[no-untyped-def]
     return busy
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+@jit(fastmath=FAST, error_model="numpy")
 def _settle(bounds, w, count):  # type: ignore[no-untyped-def]
     """Tell rays that met the face from those that the side cut off."""
     kind = w.dtype.type
@@ -153,7 +153,7 @@ def _settle(bounds, w, count):  # type: ignore[no-untyped-def]
         w[at(STATE, ray)] = settled if state == kind(FALLS) else state
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@jit(error_model="numpy")
 def _f(net, table, w, ray, depth):  # type: ignore[no-untyped-def]
     """The function f and its slope, for one ray."""
     kind = w.dtype.type
@@ -176,7 +176,7 @@ def _f(net, table, w, ray, depth):  # type: ignore[no-untyped-def]
     return z - depth, slope - kind(1)
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@jit(error_model="numpy")
 def _newton(net, bounds, table, w, ray):  # type: ignore[no-untyped-def]
     """The root of one ray whose f falls, safeguarded by the bracket."""
     kind = w.dtype.type
@@ -201,7 +201,7 @@ def _newton(net, bounds, table, w, ray):  # type: ignore[no-untyped-def]
     w[at(DEPTH, ray)] = depth
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@jit(error_model="numpy")
 def _walk(net, bounds, table, w, ray):  # type: ignore[no-untyped-def]
     """The first root of one ray.
 

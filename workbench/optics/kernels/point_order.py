@@ -4,8 +4,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
-from numba import njit
 
+from workbench.compiled import jit
 from workbench.optics.intersection import Bundle
 from workbench.optics.kernels.point_meet import depth_of_side
 from workbench.optics.kernels.point_patches import Net, span_of
@@ -53,7 +53,7 @@ def arrange(net: Net, drawn: Bundle | None, bundle: AnyArray, depths: AnyArray) 
     return Sorted(drawn, bundle, steepest, depths[order])
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@jit(error_model="numpy")
 def _order(net, finer_x, finer_y, bundle, depths):  # type: ignore[no-untyped-def]
     """Numbers of the rays, cell by cell of the face; by counting."""
     cells_x, cells_y = net.spans[0] * finer_x, net.spans[1] * finer_y

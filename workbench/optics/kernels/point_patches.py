@@ -12,8 +12,8 @@ vectorise without any check.
 from typing import Any, NamedTuple
 
 import numpy as np
-from numba import njit
 
+from workbench.compiled import jit
 from workbench.geometry.surface import ControlNet
 from workbench.optics.kernels.spread import BATCH
 from workbench.optics.kernels.taps import FAST
@@ -68,26 +68,26 @@ def make_net(net: ControlNet, kind: type[np.floating[Any]]) -> Net:
     return Net(kind(r_x), kind(r_y), hair, per_x, per_y, spans)
 
 
-@njit(inline="always")
+@jit(inline="always")
 def at(row, ray):  # type: ignore[no-untyped-def]
     """Where a ray's number is in the flat array of a batch."""
     return np.uintp(row) * np.uintp(BATCH) + np.uintp(ray)
 
 
-@njit(cache=True, nogil=True)
+@jit()
 def make_columns(table):  # type: ignore[no-untyped-def]
     """Room for the coefficients of a batch."""
     return np.empty((table.shape[1], table.shape[2] * BATCH), table.dtype)
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+@jit(fastmath=FAST, error_model="numpy")
 def span_of(u, last):  # type: ignore[no-untyped-def]
     """Knot span of a coordinate, the nearest one for those beyond; what is not a number has one."""
     inside = u if u > type(u)(0) else type(u)(0)
     return np.floor(inside if inside < last else last)
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+@jit(fastmath=FAST, error_model="numpy")
 def place(net, w, count, patch):  # type: ignore[no-untyped-def]
     """Patches and local coordinates of a batch of rays; says how many changed their patch."""
     kind = w.dtype.type
@@ -108,7 +108,7 @@ def place(net, w, count, patch):  # type: ignore[no-untyped-def]
     return changed
 
 
-@njit(cache=True, nogil=True)
+@jit()
 def fill(table, patch, count, columns):  # type: ignore[no-untyped-def]
     """Give all rays the coefficients of their patches; says how many runs of equal ones there are.
 
@@ -133,7 +133,7 @@ def fill(table, patch, count, columns):  # type: ignore[no-untyped-def]
     return runs
 
 
-@njit(cache=True, nogil=True)
+@jit()
 def _look_up(table, patch, count, columns):  # type: ignore[no-untyped-def]
     flat = table.reshape(-1)
     terms = np.uintp(table.shape[1] * table.shape[2])
@@ -144,7 +144,7 @@ def _look_up(table, patch, count, columns):  # type: ignore[no-untyped-def]
                 row[ray] = flat[np.uintp(patch[ray]) * terms + term]
 
 
-@njit(cache=True, nogil=True)
+@jit()
 def _repeat(table, patch, count, columns):  # type: ignore[no-untyped-def]
     start = 0
     while start < count:
@@ -161,7 +161,7 @@ def _repeat(table, patch, count, columns):  # type: ignore[no-untyped-def]
         start = stop
 
 
-@njit(cache=True, nogil=True)
+@jit()
 def refill(table, patch, before, count, columns):  # type: ignore[no-untyped-def]
     """The same for those rays alone that were in another patch before."""
     for ray in range(count):
@@ -173,7 +173,7 @@ def refill(table, patch, before, count, columns):  # type: ignore[no-untyped-def
                     columns[a, at(b, ray)] = coefficients[a, b]
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+@jit(fastmath=FAST, error_model="numpy")
 def evaluate(columns, w, count):  # type: ignore[no-untyped-def]
     """Heights and slopes of the face, by Horner's rule."""
     kind = w.dtype.type
@@ -189,7 +189,7 @@ def evaluate(columns, w, count):  # type: ignore[no-untyped-def]
             w[at(Z_T, ray)] = w[at(Z_T, ray)] * s + w[at(_INNER_T, ray)]
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+@jit(fastmath=FAST, error_model="numpy")
 def evaluate_bends(columns, w, count):  # type: ignore[no-untyped-def]
     """The same, and the second derivatives."""
     kind = w.dtype.type
@@ -208,7 +208,7 @@ def evaluate_bends(columns, w, count):  # type: ignore[no-untyped-def]
             w[at(Z_TT, ray)] = w[at(Z_TT, ray)] * s + w[at(_INNER_TT, ray)]
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+@jit(fastmath=FAST, error_model="numpy")
 def _polynomial(coefficients, w, count):  # type: ignore[no-untyped-def]
     """A polynomial of t and its derivatives; the usual degree at one go."""
     q = len(coefficients) // BATCH - 1
@@ -229,7 +229,7 @@ def _polynomial(coefficients, w, count):  # type: ignore[no-untyped-def]
             w[at(_INNER, ray)] = w[at(_INNER, ray)] * t + term[ray]
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+@jit(fastmath=FAST, error_model="numpy")
 def _cubic(coefficients, w, count):  # type: ignore[no-untyped-def]
     kind = w.dtype.type
     two, three = kind(2), kind(3)
@@ -242,7 +242,7 @@ def _cubic(coefficients, w, count):  # type: ignore[no-untyped-def]
         w[at(_INNER_TT, ray)] = two * (three * c3 * t + c2)
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+@jit(fastmath=FAST, error_model="numpy")
 def collect(w, count, patch, columns, d_table):  # type: ignore[no-untyped-def]
     """Add the cotangents of a batch of rays to those of the coefficients, evaluate's adjoint.
 
@@ -281,7 +281,7 @@ def collect(w, count, patch, columns, d_table):  # type: ignore[no-untyped-def]
         start = stop
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+@jit(fastmath=FAST, error_model="numpy")
 def _terms(w, count, terms):  # type: ignore[no-untyped-def]
     """Each ray's part of the cotangents of the coefficients of a power of s."""
     kind = w.dtype.type

@@ -8,8 +8,8 @@ import math
 from typing import Any, NamedTuple
 
 import numpy as np
-from numba import njit
 
+from workbench.compiled import jit
 from workbench.optics.kernels.point_meet import MET, meet
 from workbench.optics.kernels.point_patches import (
     COLUMN,
@@ -85,7 +85,7 @@ def make_glass(scene: Scene, kind: type[np.floating[Any]]) -> Glass:
     return Glass(*(kind(number) for number in numbers))
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+@jit(fastmath=FAST, error_model="numpy")
 def trace(net, bounds, table, glass, spread, bundle, last, first, end, depths, canvas):  # type: ignore[no-untyped-def]
     """Trace rays to the screen.
 
@@ -137,7 +137,7 @@ def trace(net, bounds, table, glass, spread, bundle, last, first, end, depths, c
     return sums
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+@jit(fastmath=FAST, error_model="numpy")
 def adjoint(net, table, glass, spread, bundle, depths, first, end, cotangent, d_table):  # type: ignore[no-untyped-def]
     """Add to the cotangents of a table of patches what comes from some rays.
 
@@ -176,12 +176,12 @@ def adjoint(net, table, glass, spread, bundle, depths, first, end, cotangent, d_
         collect(w, count, patch, columns, d_table)
 
 
-@njit(cache=True, nogil=True)
+@jit()
 def _row(w, row):  # type: ignore[no-untyped-def]
     return w[row * BATCH : (row + 1) * BATCH]
 
 
-@njit(cache=True, nogil=True)
+@jit()
 def _load(bundle, start, count, w):  # type: ignore[no-untyped-def]
     for row in (X, Y, SLOPE_X, SLOPE_Y, FLUX):
         source = bundle[row, start : start + count]
@@ -189,7 +189,7 @@ def _load(bundle, start, count, w):  # type: ignore[no-untyped-def]
             w[at(row, ray)] = source[ray]
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+@jit(fastmath=FAST, error_model="numpy")
 def _polish(net, w, count):  # type: ignore[no-untyped-def]
     """One more step, as the reference makes it: it moves the depth by rounding at most."""
     kind = w.dtype.type
@@ -200,7 +200,7 @@ def _polish(net, w, count):  # type: ignore[no-untyped-def]
         w[at(DEPTH, ray)] -= step if w[at(STATE, ray)] == kind(MET) else kind(0)
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(fastmath=FAST, error_model="numpy", forceinline=True)
 def _bend(net, glass, w, ray):  # type: ignore[no-untyped-def]
     """Snell's law for one ray; see `refraction.refract`.
 
@@ -225,7 +225,7 @@ def _bend(net, glass, w, ray):  # type: ignore[no-untyped-def]
     return d_z, z_x, z_y, length, cos_in, cos_out, along, passes, onward
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+@jit(fastmath=FAST, error_model="numpy")
 def _hit(net, glass, spread, w, count):  # type: ignore[no-untyped-def]
     """Columns, rows and weights of rays on the screen."""
     kind = w.dtype.type
@@ -247,7 +247,7 @@ def _hit(net, glass, spread, w, count):  # type: ignore[no-untyped-def]
         w[at(PASSES, ray)] = kind(1) if passes else kind(0)
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+@jit(fastmath=FAST, error_model="numpy")
 def _account(w, count, sums):  # type: ignore[no-untyped-def]
     """Where the light of a batch stays that does not leave the exit face."""
     kind = w.dtype.type
@@ -264,7 +264,7 @@ def _account(w, count, sums):  # type: ignore[no-untyped-def]
     sums[SIDE] += side
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+@jit(fastmath=FAST, error_model="numpy")
 def _hit_adjoint(net, glass, spread, w, count):  # type: ignore[no-untyped-def]
     """Cotangents of height and local slopes of the face from those of hits.
 

@@ -12,8 +12,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
-from numba import njit
 
+from workbench.compiled import jit
 from workbench.optics.kernels.taps import FAST, Taps, fill_taps, make_taps
 from workbench.scene import Filter, GaussianFilter, Screen
 
@@ -143,14 +143,14 @@ def _margins(spread: Spread) -> tuple[int, int]:
     return 2 * spread.taps_x.reach, 2 * spread.taps_y.reach
 
 
-@njit(cache=True, nogil=True)
+@jit()
 def workspace(spread, like):  # type: ignore[no-untyped-def]
     """Room that `scatter` and `gather` need; ``like`` is any array of the trace's float type."""
     taps = 2 * (2 * spread.taps_x.reach + 1 + 2 * spread.taps_y.reach + 1)
     return Workspace(np.empty((8 + taps) * BATCH, like.dtype), np.empty(BATCH, np.uintp))
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+@jit(fastmath=FAST, error_model="numpy")
 def scatter(spread, column, row, weight, count, work, canvas):  # type: ignore[no-untyped-def]
     """Add the light of a batch of rays to a canvas.
 
@@ -206,7 +206,7 @@ def scatter(spread, column, row, weight, count, work, canvas):  # type: ignore[n
     return _landing(spread, column, row, weight, rays)
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+@jit(fastmath=FAST, error_model="numpy")
 def gather(  # type: ignore[no-untyped-def]
     spread, column, row, weight, count, work, cotangent, d_column, d_row, d_weight
 ):
@@ -281,12 +281,12 @@ def gather(  # type: ignore[no-untyped-def]
         d_weight[ray] *= numbers[_KEPT + ray]
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@jit(error_model="numpy", forceinline=True)
 def _size(taps):  # type: ignore[no-untyped-def]
     return np.uintp(2 * taps.reach + 1)
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(fastmath=FAST, error_model="numpy", forceinline=True)
 def _landing(spread, column, row, weight, count):  # type: ignore[no-untyped-def]
     """Flux of rays on the screen, and beside it."""
     kind = weight.dtype.type
@@ -304,7 +304,7 @@ def _landing(spread, column, row, weight, count):  # type: ignore[no-untyped-def
     return np.float64(on_screen), np.float64(beside)
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(fastmath=FAST, error_model="numpy", forceinline=True)
 def _prepare(spread, column, row, weight, count, slopes, numbers, start):  # type: ignore[no-untyped-def]
     """Everything that scatter and gather have in common, from cells to taps."""
     kind = weight.dtype.type
@@ -331,7 +331,7 @@ def _prepare(spread, column, row, weight, count, slopes, numbers, start):  # typ
     fill_taps(spread.taps_y, numbers, _STEP, _OFFSET_Y, count, slopes, _STATE, tap, slope)
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(fastmath=FAST, error_model="numpy", forceinline=True)
 def _cells(place, count, low, high, step, first, start, numbers, offset):  # type: ignore[no-untyped-def]
     """Pixels of rays along one axis, and how far from the pixels' centres they are."""
     kind = place.dtype.type

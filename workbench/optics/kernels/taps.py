@@ -18,8 +18,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
-from numba import njit
 from scipy.fft import dct
+
+from workbench.compiled import jit
 
 # No 'nnan' or 'ninf': rays that go nowhere have such numbers.
 FAST = {"contract", "reassoc", "arcp", "nsz"}
@@ -108,7 +109,7 @@ def _even_functions(o: npt.NDArray[np.float64], alpha: float, reach: int) -> Any
 # references. So the numbers of a batch lie in one array, and functions are told where.
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+@jit(fastmath=FAST, error_model="numpy")
 def fill_taps(taps, numbers, batch, offset, count, slopes, state, value, slope):  # type: ignore[no-untyped-def]
     """Taps of rays, and their slopes too if these are wanted.
 
@@ -176,7 +177,7 @@ def fill_taps(taps, numbers, batch, offset, count, slopes, state, value, slope):
                     numbers[middle_slope + ray] -= odd + odd
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(fastmath=FAST, error_model="numpy", forceinline=True)
 def _pair_short(series, k, numbers, offset, count, middle, away):  # type: ignore[no-untyped-def]
     kind = numbers.dtype.type
     e0, e1, e2, e3, e4, e5 = _six(series, k, 0)
@@ -193,7 +194,7 @@ def _pair_short(series, k, numbers, offset, count, middle, away):  # type: ignor
         numbers[middle + ray] -= one + other
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(fastmath=FAST, error_model="numpy", forceinline=True)
 def _slopes_short(series, k, numbers, offset, count, middle, away):  # type: ignore[no-untyped-def]
     kind = numbers.dtype.type
     g0, g1, g2, g3, g4, g5 = _six(series, k, 2)
@@ -208,7 +209,7 @@ def _slopes_short(series, k, numbers, offset, count, middle, away):  # type: ign
         numbers[middle + ray] -= odd + odd
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@jit(error_model="numpy", forceinline=True)
 def _six(series, k, which):  # type: ignore[no-untyped-def]
     return (
         series[k, which, 0],
@@ -220,7 +221,7 @@ def _six(series, k, which):  # type: ignore[no-untyped-def]
     )
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(fastmath=FAST, error_model="numpy", forceinline=True)
 def _short(x2, c0, c1, c2, c3, c4, c5):  # type: ignore[no-untyped-def]
     """Sum of six Chebyshev polynomials by Clenshaw's recurrence; x2 is 2 x."""
     b4 = c4 + x2 * c5
@@ -230,7 +231,7 @@ def _short(x2, c0, c1, c2, c3, c4, c5):  # type: ignore[no-untyped-def]
     return c0 + (x2 * b1) * type(x2)(0.5) - b2
 
 
-@njit(cache=True, nogil=True, fastmath=FAST, error_model="numpy")
+@jit(fastmath=FAST, error_model="numpy")
 def _sum_long(series, k, which, numbers, batch, offset, count, state, total):  # type: ignore[no-untyped-def]
     """Sum of an even number of Chebyshev polynomials, two terms a pass."""
     kind = numbers.dtype.type
@@ -254,7 +255,7 @@ def _sum_long(series, k, which, numbers, batch, offset, count, state, total):  #
         numbers[total + ray] = c0 + (x2 * b1) * kind(0.5) - numbers[latest + ray]
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@jit(error_model="numpy")
 def _from_exponentials(alpha, reach, offset, numbers, batch, slopes, value, slope):  # type: ignore[no-untyped-def]
     """The taps of one ray, as in `irradiance._taps`."""
     kind = numbers.dtype.type

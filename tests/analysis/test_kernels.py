@@ -1,0 +1,71 @@
+"""What set-up compiles is all that designs and checks need."""
+
+import os
+import subprocess
+import sys
+
+import pytest
+
+# Designs and checks of all kinds in a process of their own; prints what was compiled on the way.
+SCRIPT = """
+from contextlib import suppress
+import numpy as np
+import numba.core.event as events
+import torch
+from tests.scenes import changed
+from workbench.analysis.validation import validate
+from workbench.design.evaluation import Evaluator, undesigned
+from workbench.design.run import run
+from workbench.errors import RunFailed
+from workbench.geometry.surface import ControlNet
+from workbench.optics.precision import precision_of
+from workbench.scene import Scene
+
+compiled, fine = [], []
+
+class Listener(events.Listener):
+    def on_start(self, event):
+        kernel = event.data["dispatcher"].py_func
+        compiled.append(f"{kernel.__module__}.{kernel.__qualname__} {event.data['args']}")
+
+    def on_end(self, event):
+        pass
+
+events.register("numba:compile", Listener())
+point = {"kind": "point", "position": [0, 0, -4], "rays": 500}
+grid = {"kind": "grid", "center": [0.1, 0, -4], "half_width": [0.2, 0.2], "points": [3, 2]}
+sources = [{}, {"source": point}, {"source": point | {"emission": "lambertian"}}, {"source": grid}]
+small = {"screen.pixels": [9, 12]}
+other = {"lens.degree": [1, 4], "screen.pixels": [12, 9], "filter.size": [1, 5]}
+far = {"screen.z": 2e5, "screen.pixels": [64, 64]}  # needs float64
+tasks = [source | shape | {"run": {"method": method, "iterations": 2}}
+         for source, shapes in zip(sources, [(small, far), (small, far), (other,), (other,)])
+         for shape in shapes for method in ("auto", "paper")]
+for task in tasks:
+    scene = Scene.from_data(changed(task))
+    fine.append(precision_of(scene, ControlNet.of(scene.lens)) == torch.float64)
+    target = np.ones(scene.screen.pixels[::-1])
+    target[:, 0] = 0
+    heights = undesigned(scene.lens)
+    with suppress(RunFailed):  # a far screen may see no light
+        for snapshot in run(scene, target):
+            heights = snapshot.control_points
+        Evaluator(scene, target, heights).snapshot(heights)
+        validate(scene, target, heights, rays=100)
+assert fine.count(True) == 4
+print(*compiled, sep="\\n")
+"""
+
+
+def python(*arguments):
+    environment = os.environ | {"PYTHONPATH": os.pathsep.join(sys.path)}
+    command = [sys.executable, *arguments]
+    done = subprocess.run(command, capture_output=True, text=True, env=environment)
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+@pytest.mark.timeout(1200)  # the first time, set-up takes minutes
+def test_after_set_up_no_design_and_no_check_compiles_anything():
+    python("-m", "workbench.analysis.kernels")
+    assert python("-c", SCRIPT).split() == []

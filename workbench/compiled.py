@@ -1,0 +1,166 @@
+"""What numba compiles: the one decorator of all kernels, and the folders that keep their code.
+
+1. A kernel contains what it calls from other files. So code is kept in a folder that is named after
+   the text of all files that use `jit`: no other program's code, not even that of another version
+   of this one, is ever taken from it.
+2. One file for each kernel and signature, sealed by a checksum and put in place in one step. What
+   is damaged is compiled again and replaced; two processes cannot mix their files up.
+3. Where the first folder cannot be written to, the next one is taken. Where none can, or the disk
+   is full, kernels are compiled at each start: no call fails because of that, and `unkept` says it.
+"""
+
+import hashlib
+import os
+import pickle
+import stat
+import sys
+import tempfile
+from collections.abc import Callable, Iterator
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import llvmlite  # type: ignore[import-untyped]
+import numba
+import platformdirs
+from numba.core.caching import _Cache
+from numba.core.compiler import CompileResult
+from numba.core.serialize import dumps
+
+_HERE = Path(__file__).parent
+_MARK = b"from workbench.compiled import"
+_SEAL = hashlib.sha256().digest_size
+
+_failures: list[str] = []
+
+
+def jit(**options: Any) -> Callable[[Callable[..., Any]], Any]:
+    """Compile a function at its first call with each signature, or take its code from disk.
+
+    Parameters
+    ----------
+    **options
+        Those of `numba.njit`; compiled code never holds Python's lock.
+    """
+
+    def decorate(function: Callable[..., Any]) -> Any:
+        kernel = numba.njit(nogil=True, **options)(function)
+        kernel._cache = _Kept(function)
+        return kernel
+
+    return decorate
+
+
+def rooms() -> list[Path]:
+    """The files of this program whose functions are compiled."""
+    return [file for file in sorted(_HERE.rglob("*.py")) if _MARK in file.read_bytes()]
+
+
+def unkept() -> str:
+    """Why code that this process has compiled could not be kept; nothing if it was."""
+    return _failures[-1] if _failures else ""
+
+
+def folders() -> Iterator[Path]:
+    """Where code may be kept, the best place first."""
+    named = f"kernels-{_fingerprint()}"
+    chosen = os.environ.get("NUMBA_CACHE_DIR")
+    if chosen:
+        yield Path(chosen) / named
+    else:
+        yield _HERE / "__pycache__" / named
+        yield Path(platformdirs.user_cache_dir("freeform-workbench", appauthor=False)) / named
+    private = _private_folder()
+    if private is not None:
+        yield private / named
+
+
+class _Kept(_Cache):
+    """The compiled code of one function: what numba asks before it compiles, and tells after."""
+
+    def __init__(self, function: Callable[..., Any]) -> None:
+        self._name = f"{function.__module__}.{function.__qualname__}"
+
+    @property
+    def cache_path(self) -> str:
+        return str(next(folders()))
+
+    def load_overload(self, sig: Any, target_context: Any) -> Any:
+        target_context.refresh()  # as numba's own cache does
+        name = self._file(sig, target_context.codegen())
+        for folder in folders():
+            data = _unsealed(folder / name)
+            if data is not None:
+                parts = pickle.loads(data)
+                return CompileResult._rebuild(target_context, *parts)  # type: ignore[no-untyped-call]
+        return None
+
+    def save_overload(self, sig: Any, data: Any) -> None:
+        name = self._file(sig, data.codegen)
+        code = dumps(data._reduce())  # type: ignore[no-untyped-call]
+        failures = []
+        for folder in folders():
+            try:
+                _put(folder / name, hashlib.sha256(code).digest() + code)
+            except OSError as error:
+                failures.append(f"{folder.parent}: {error.strerror or error}")
+            else:
+                return
+        _failures.append("; ".join(failures) or "no folder can be written to")
+
+    def _file(self, sig: Any, codegen: Any) -> str:
+        """A name that tells signature, processor and versions apart."""
+        made_by = sys.implementation.cache_tag, numba.__version__, llvmlite.__version__
+        key = repr((str(sig), codegen.magic_tuple(), made_by))
+        return f"{self._name}-{hashlib.sha256(key.encode()).hexdigest()[:24]}"
+
+    def enable(self) -> None:
+        """Nothing to do: it always is."""
+
+    def disable(self) -> None:
+        """Nothing to do: nobody asks for it."""
+
+    def flush(self) -> None:
+        """Nothing to do: what is compiled again replaces what was kept."""
+
+
+@cache
+def _fingerprint() -> str:
+    texts = b"".join(hashlib.sha256(file.read_bytes()).digest() for file in rooms())
+    return hashlib.sha256(texts).hexdigest()[:16]
+
+
+def _unsealed(file: Path) -> bytes | None:
+    """What `_put` wrote; nothing if it is not there or not whole."""
+    try:
+        sealed = file.read_bytes()
+    except OSError:
+        return None
+    seal, data = sealed[:_SEAL], sealed[_SEAL:]
+    return data if hashlib.sha256(data).digest() == seal else None
+
+
+def _put(file: Path, data: bytes) -> None:
+    file.parent.mkdir(parents=True, exist_ok=True)
+    handle, written = tempfile.mkstemp(dir=file.parent)
+    try:
+        with open(handle, "wb") as stream:
+            stream.write(data)
+        os.replace(written, file)
+    except BaseException:
+        os.unlink(written)
+        raise
+
+
+def _private_folder() -> Path | None:
+    """A temporary folder, unless another user could have put something into it."""
+    user = os.getuid() if hasattr(os, "getuid") else 0  # Windows has one for each user anyway
+    try:
+        folder = Path(tempfile.gettempdir()) / f"freeform-workbench-{user}"
+    except OSError:  # there is none
+        return None
+    if not os.path.lexists(folder):
+        return folder
+    found = folder.lstat()
+    safe = stat.S_ISDIR(found.st_mode) and found.st_uid == user and not found.st_mode & stat.S_IWOTH
+    return folder if safe else None
