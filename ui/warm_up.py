@@ -34,10 +34,7 @@ class WarmUp(QObject):
             for module in _SLOW:
                 importlib.import_module(module)
             from workbench.analysis.kernels import compile_all
-            from workbench.optics.kernels.ready import announce
-
-            announce()
         finally:
             self.done.emit()  # queued: the receiver lives in the window's thread
-        # From disk in a moment, or anew in half a minute; runs that begin before do without.
+        # From disk in a moment, or anew in half a minute; runs that begin before wait for it.
         compile_all(lambda: not self._ending.is_set())

@@ -25,7 +25,9 @@ def wavy(scene, rng, amplitude=0.02):
 @pytest.mark.parametrize("dtype", DTYPES)
 def test_a_flat_plate_does_not_deviate(make_scene, dtype):
     scene = make_scene()
-    hits = CollimatedRays(scene, ControlNet.of(scene.lens), dtype=dtype).trace(flat(scene))
+    hits = CollimatedRays(scene, ControlNet.of(scene.lens), scene.source.rays, dtype=dtype).trace(
+        flat(scene)
+    )
     centres = (np.arange(64) + 0.5) / 32 - 1
     assert np.abs(hits.x.numpy() - centres[:, None]).max() < 1e-6
     assert np.abs(hits.y.numpy() - centres[None, :]).max() < 1e-6
@@ -46,7 +48,9 @@ def test_a_plano_hyperbolic_lens_focuses_to_one_point(make_scene):
     sites = (x + 1) / 2, (y + 1) / 2
     basis = net.grid(*sites)
     heights = np.linalg.solve(basis.along_x, np.linalg.solve(basis.along_y.T, (0.6 + w).T).T)
-    hits = CollimatedRays(scene, net, dtype=torch.float64).trace(torch.as_tensor(heights))
+    hits = CollimatedRays(scene, net, scene.source.rays, dtype=torch.float64).trace(
+        torch.as_tensor(heights)
+    )
     assert hits.passes.all()
     assert hits.x.abs().max() < 1e-7
     assert hits.y.abs().max() < 1e-7
@@ -56,7 +60,7 @@ def test_the_short_formula_is_snells_law(make_scene, rng):
     scene = make_scene({"lens.refractive_index": 1.7})
     heights = wavy(scene, rng)
     net = ControlNet.of(scene.lens)
-    hits = CollimatedRays(scene, net, dtype=torch.float64).trace(heights)
+    hits = CollimatedRays(scene, net, scene.source.rays, dtype=torch.float64).trace(heights)
     t = (np.arange(64) + 0.5) / 64
     z, slope_x, slope_y = (torch.as_tensor(a) for a in net.grid(t, t).evaluate(heights.numpy()))
     length = (1 + slope_x**2 + slope_y**2).sqrt()
@@ -168,7 +172,9 @@ def test_paths_end_where_the_trace_does(make_scene, rng):
     scene = make_scene({"source.rays": [5, 4]})
     heights = wavy(scene, rng)
     paths = ray_paths(scene, heights.numpy(), (5, 4))
-    hits = CollimatedRays(scene, ControlNet.of(scene.lens), dtype=torch.float64).trace(heights)
+    hits = CollimatedRays(
+        scene, ControlNet.of(scene.lens), scene.source.rays, dtype=torch.float64
+    ).trace(heights)
     assert paths.points.shape == (20, 4, 3)
     assert paths.points[:, 3, 0] == pytest.approx(hits.x.numpy().ravel())
     assert paths.points[:, 3, 2] == pytest.approx(scene.screen.z)

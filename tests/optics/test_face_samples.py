@@ -95,7 +95,7 @@ def test_light_from_very_far_is_collimated(make_scene):
     parallel = make_scene({"source": {"kind": "collimated", "rays": [90, 80]}})
     net, heights = ControlNet.of(far.lens), smooth(far)
     hits = FaceSamples(far, net, (90, 80), torch.float64).trace(heights)
-    others = CollimatedRays(parallel, net, dtype=torch.float64).trace(heights)
+    others = CollimatedRays(parallel, net, parallel.source.rays, dtype=torch.float64).trace(heights)
     assert torch.equal(hits.passes, others.passes)
     assert (hits.x - others.x).abs().max() < 1e-3
     assert (hits.y - others.y).abs().max() < 1e-3

@@ -48,7 +48,7 @@ def ways(case: Case, dtype: torch.dtype) -> dict[str, list[Make]]:
     if isinstance(source, CollimatedSource):
         return {
             "collimated": [
-                lambda scene: Reference(CollimatedRays(scene, net, dtype)),
+                lambda scene: Reference(CollimatedRays(scene, net, scene.source.rays, dtype)),
                 lambda scene: FusedCollimatedRays(scene, net, source.rays, dtype=dtype),
             ]
         }

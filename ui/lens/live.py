@@ -17,6 +17,7 @@ from ui.background import Background
 from ui.run.frame import Frame, make_frame
 from workbench.design.evaluation import Evaluator
 from workbench.design.snapshot import History
+from workbench.optics.kernels.ready import without_waiting
 
 if TYPE_CHECKING:
     from workbench.design.snapshot import Result
@@ -95,9 +96,10 @@ class LiveLens(QObject):
         torch.set_num_threads(max(1, QThread.idealThreadCount() - 1))
         session, heights = draft.session, draft.heights
         scene, locked = session.scene, session.locked
-        if self._evaluator is None or not self._evaluator.suits(scene, heights, locked):
-            self._evaluator = Evaluator(scene, session.target, heights, locked)
-        snapshot = self._evaluator.snapshot(heights, draft.earlier)
+        with without_waiting():
+            if self._evaluator is None or not self._evaluator.suits(scene, heights, locked):
+                self._evaluator = Evaluator(scene, session.target, heights, locked)
+            snapshot = self._evaluator.snapshot(heights, draft.earlier)
         return make_frame(session, snapshot, History(draft.earlier))
 
     def _take(self, frame: Frame) -> None:

@@ -144,9 +144,12 @@ class Worker(QObject):
         if result is not None:
             snapshot = _as_snapshot(result, job.session.scene.run)
         else:
+            from workbench.optics.kernels.ready import without_waiting
+
             snapshots = self._snapshots(job)
             try:
-                snapshot = next(snapshots)
+                with without_waiting():
+                    snapshot = next(snapshots)
             finally:
                 snapshots.close()
         job.mailbox.put(make_frame(job.session, snapshot, History(result)))

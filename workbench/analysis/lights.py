@@ -12,7 +12,7 @@ from workbench.analysis.cones import Cones, covering_cones
 from workbench.analysis.face import schlick
 from workbench.analysis.light_kernels import enter
 from workbench.analysis.pose import Pose
-from workbench.scene import CollimatedSource, Scene, of_points
+from workbench.scene import Scene, of_points
 
 Array = npt.NDArray[np.float64]
 

@@ -16,7 +16,7 @@ from workbench.optics.refraction import (
     root_where_positive,
     schlick_transmittance,
 )
-from workbench.scene import CollimatedSource, Scene
+from workbench.scene import Scene
 
 
 class CollimatedRays:
@@ -25,9 +25,11 @@ class CollimatedRays:
     Parameters
     ----------
     scene : Scene
-        The scene; source kind "collimated".
+        Lens and screen.
     net : ControlNet
         Where the control heights sit.
+    count : tuple[int, int]
+        Numbers of rays along x and y.
     dtype, device
         Float type and device of the trace.
     """
@@ -39,11 +41,10 @@ class CollimatedRays:
         self,
         scene: Scene,
         net: ControlNet,
+        count: tuple[int, int],
         dtype: torch.dtype = torch.float32,
         device: torch.device | str = "cpu",
     ) -> None:
-        assert isinstance(scene.source, CollimatedSource)
-        count = scene.source.rays
         u, v = ((np.arange(m) + 0.5) / m for m in count)
         r_x, r_y = scene.lens.half_width
 

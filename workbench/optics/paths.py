@@ -70,8 +70,7 @@ def _collimated(
     scene: Scene, net: ControlNet, heights: Tensor, count: tuple[int, int]
 ) -> tuple[Array, Array, Hits, Array]:
     lens = scene.lens
-    source = CollimatedSource(kind="collimated", rays=count)
-    few = CollimatedRays(scene.model_copy(update={"source": source}), net, dtype=torch.float64)
+    few = CollimatedRays(scene, net, count, torch.float64)
     places = _grid(lens, count)
     u, v = ((np.arange(m) + 0.5) / m for m in count)
     z = net.grid(u, v).evaluate(heights.numpy())[0]

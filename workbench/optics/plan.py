@@ -7,29 +7,20 @@ import numpy as np
 import torch
 from torch import Tensor
 
+from workbench.compiled import unkept
 from workbench.errors import Refused
 from workbench.geometry.surface import ControlNet
-from workbench.optics.collimated import CollimatedRays
 from workbench.optics.face_samples import FaceSamples
 from workbench.optics.kernels import ready
 from workbench.optics.kernels.collimated import FusedCollimatedRays
 from workbench.optics.kernels.face import FusedFaceSamples
 from workbench.optics.kernels.locked import Mask
-from workbench.optics.kernels.point import FusedPointRays
 from workbench.optics.ledger import Ledger
 from workbench.optics.light import Tracer
-from workbench.optics.point import PointRays
 from workbench.optics.precision import precision_of
 from workbench.optics.reference import Reference
-from workbench.scene import (
-    BoxFilter,
-    CollimatedSource,
-    ExactMethod,
-    Filter,
-    MeshMethod,
-    Scene,
-    Screen,
-)
+from workbench.optics.ways import Options, way_of
+from workbench.scene import BoxFilter, Filter, Scene, Screen
 
 _NEARLY_ALL = 0.999
 
@@ -94,26 +85,14 @@ class Plan:
         self._screen = scene.screen
         self._filter = filter or scene.filter
         net = net or ControlNet.of(scene.lens)
-        self._fine = False  # by the scene's need, not by the caller's wish
+        self._fine = False  # by the scene's need, not by that of the caller
         if dtype is None:
             dtype = precision_of(scene, net)
             self._fine = dtype == torch.float64
         self._dtype, self._device = dtype, device_of(scene)
         self._fused = fused and self._device.type == "cpu"
-        self._mirrored, self._locked = mirrored, locked
-        self._kernel: Tracer | None = None
-        if samples is not None and isinstance(scene.source, CollimatedSource):
-            source = CollimatedSource(kind="collimated", rays=samples)
-            scene = scene.model_copy(update={"source": source})
-        self._scene, self._net, self._samples = scene, net, samples
-        self._fresh = not isinstance(scene.source, CollimatedSource) and scene.source.fresh
-        # Collimated light needs no entrance refraction and no intersection: it is not in its plan.
-        if isinstance(scene.source, CollimatedSource):
-            self._reference = Reference(CollimatedRays(scene, net, dtype, self._device))
-        elif samples is not None:
-            self._reference = Reference(FaceSamples(scene, net, samples, dtype, self._device))
-        else:
-            self._reference = Reference(PointRays(scene, net, dtype=dtype, device=self._device))
+        options = Options(net, dtype, self._device, samples, mirrored, locked)
+        self._way = way_of(scene, options)
 
     def trace(self, heights: Tensor) -> Traced:
         """Image and ledger of a lens.
@@ -147,12 +126,7 @@ class Plan:
         else:
             threads = torch.get_num_threads()
             notes = [f"fused kernels, {threads} thread{'s' * (threads > 1)}, {precision}"]
-        if isinstance(self._scene.source, CollimatedSource):
-            notes.append("collimated light: entrance refraction and intersection left out")
-        elif self._samples is not None:
-            notes.append("samples on the exit face: no ray has to search for it")
-        elif isinstance(self._scene.source.intersection, MeshMethod):
-            notes.append("intersection with the triangle mesh: by the reference alone")
+        notes += self._way.notes
         if isinstance(tracer, FusedCollimatedRays | FusedFaceSamples) and any(tracer.mirrored):
             part = "a quarter" if all(tracer.mirrored) else "half"
             notes.append(f"mirror symmetry: {part} of the rays")
@@ -162,18 +136,16 @@ class Plan:
             notes.append("float64: float32 would move light by a part of a pixel")
         if isinstance(self._filter, BoxFilter):
             notes.append("box filter: one pixel a ray, no ghost pixels")
-        return tuple(notes)
+        return tuple(notes + self._defects())
 
     def next_iteration(self) -> None:
         """Take new rays, if the source is to have fresh ones for each iteration."""
-        rays = self._reference.rays
-        if self._fresh and isinstance(rays, PointRays):
-            rays.redraw()
+        self._way.redraw()
 
     def reach(self, heights: Tensor) -> tuple[float, float]:
         """How far from the axis, along x and y, nearly all light on the screen plane falls."""
         with torch.no_grad():
-            hits = self._reference.rays.trace(heights)
+            hits = self._way.reference().rays.trace(heights)
         lands = (hits.weight > 0) & hits.x.isfinite()
         if not lands.any():
             return 0.0, 0.0
@@ -191,33 +163,34 @@ class Plan:
 
     def flux(self, heights: Tensor) -> Tensor:
         """The image alone, for `torch.func` transforms such as jvp: always by the reference."""
-        return self._reference.flux(heights, self._screen, self._filter)
+        return self._way.reference().flux(heights, self._screen, self._filter)
 
     def valid(self, heights: Tensor) -> bool:
         """Whether the way of tracing is surely right for a lens; see `FaceSamples.valid`."""
-        rays = self._reference.rays
+        rays = self._way.reference().rays
         return not isinstance(rays, FaceSamples) or rays.valid(heights)
 
     def _tracer(self) -> Tracer:
-        """The kernel as soon as it is compiled; see `workbench.optics.kernels.ready`."""
-        scene, source, rays = self._scene, self._scene.source, self._reference.rays
-        if self._kernel is None and self._fused:
-            if isinstance(source, CollimatedSource):
-                if ready.is_ready("collimated", self._dtype):
-                    self._kernel = FusedCollimatedRays(
-                        scene, self._net, source.rays, self._mirrored, self._dtype, self._locked
-                    )
-            elif self._samples is not None and ready.is_ready("face", self._dtype):
-                self._kernel = FusedFaceSamples(
-                    scene, self._net, self._samples, self._mirrored, self._dtype
-                )
-            elif (
-                isinstance(rays, PointRays)
-                and isinstance(source.intersection, ExactMethod)
-                and ready.is_ready("point", self._dtype)
-            ):
-                self._kernel = FusedPointRays(rays, scene, self._net, self._dtype)
-        return self._kernel or self._reference
+        """The kernel, or the reference; see `workbench.optics.kernels.ready`."""
+        needs = self._way.kernel_name
+        if self._fused and needs is not None and ready.obtain(needs, self._dtype):
+            return self._way.kernel()
+        return self._way.reference()
+
+    def _defects(self) -> list[str]:
+        """What makes traces or starts slower than they should be."""
+        notes, needs = [], self._way.kernel_name
+        error = ready.failure(needs, self._dtype) if self._fused and needs is not None else None
+        if error is not None:
+            notes.append(
+                f"the kernel could not be compiled ({type(error).__name__}: {error}), so this run "
+                "is many times slower"
+            )
+        if reason := unkept():
+            notes.append(
+                f"compiled kernels could not be kept ({reason}), so each start compiles them again"
+            )
+        return notes
 
 
 def device_of(scene: Scene) -> torch.device:

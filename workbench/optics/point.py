@@ -1,5 +1,7 @@
 """Light of point sources, through the flat entrance face to the exit face and on to the screen."""
 
+from typing import NamedTuple
+
 import numpy as np
 import torch
 from torch import Tensor
@@ -11,7 +13,7 @@ from workbench.optics.hits import Hits
 from workbench.optics.intersection import Bundle, ExactIntersection
 from workbench.optics.mesh import MeshIntersection, TriangleMesh
 from workbench.optics.refraction import refract, schlick_transmittance
-from workbench.scene import CollimatedSource, GridSource, MeshMethod, PointSource, Scene
+from workbench.scene import CollimatedSource, ExactMethod, MeshMethod, Scene, of_points
 
 
 class PointRays:
@@ -39,15 +41,8 @@ class PointRays:
         dtype: torch.dtype = torch.float32,
         device: torch.device | str = "cpu",
     ) -> None:
-        self._scene, self.screen = scene, scene.screen
+        self._scene, self._net, self.screen = scene, net, scene.screen
         self._dtype, self._device = dtype, device
-        self._patches = Patches(net, dtype, device)
-        how = None if isinstance(scene.source, CollimatedSource) else scene.source.intersection
-        self._mesh = (
-            TriangleMesh(net, how.subdivisions, dtype, device)
-            if isinstance(how, MeshMethod)
-            else None
-        )
         self._draw = 0
         self._load(self._drawn() if in_lens is None else in_lens)
 
@@ -64,18 +59,19 @@ class PointRays:
         heights : Tensor, shape (n_u, n_v)
             Control heights, float64 or the trace's float type.
         """
-        scene, bundle, patches = self._scene, self.bundle, self._patches
+        scene, bundle, search = self._scene, self.bundle, self._search()
+        patches = search.patches
         # Counted from the entrance face, float32 keeps the digits that make the shape.
         heights = (heights - scene.lens.entrance_z).to(self._dtype)
         table = patches.table(heights)
-        met = self._intersection.meet(heights, table)
+        met = search.intersection.meet(heights, table)
         x = bundle.x + bundle.slope_x * met.depth
         y = bundle.y + bundle.slope_y * met.depth
         _, face_x, face_y = patches.evaluate(table, patches.place(x, y))
 
         length = (face_x.square() + face_y.square() + 1).rsqrt()
         normal = (-face_x * length, -face_y * length, length)
-        out = refract(self._direction, normal, scene.lens.index)
+        out = refract(search.direction, normal, scene.lens.index)
         out_x, out_y, out_z = out.direction
         # A face that folds light back, or sideways for ever, sends it past any screen.
         onward = out_z > 1e-6
@@ -94,12 +90,14 @@ class PointRays:
     def depths(self, heights: Tensor) -> Tensor:
         """Where the rays leave the lens, by face or side, above the entrance face, shape (m,)."""
         heights = (heights - self._scene.lens.entrance_z).to(self._dtype)
-        return self._intersection.meet(heights, self._patches.table(heights)).depth
+        search = self._search()
+        return search.intersection.meet(heights, search.patches.table(heights)).depth
 
     def _drawn(self) -> InLens:
         scene = self._scene
-        assert isinstance(scene.source, (PointSource, GridSource))
-        return enter(emit(scene.source, scene.lens, scene.run.seed, self._draw), scene.lens)
+        return enter(
+            emit(of_points(scene.source), scene.lens, scene.run.seed, self._draw), scene.lens
+        )
 
     def _load(self, rays: InLens) -> None:
         self.missed_lens, self.fresnel_entrance = rays.missed, rays.reflected
@@ -109,13 +107,36 @@ class PointRays:
 
         parts = (rays.x, rays.y, rays.slope_x, rays.slope_y, rays.flux)
         self.bundle = Bundle(*map(constant, parts))
-        self._intersection: ExactIntersection | MeshIntersection
-        if self._mesh:
-            self._intersection = MeshIntersection(self.bundle, self._mesh)
+        self._searching: _Search | None = None
+
+    def _search(self) -> "_Search":
+        """What only a trace by torch needs; the kernel takes nothing but the bundle."""
+        if self._searching is None:
+            source = self._scene.source
+            how = None if isinstance(source, CollimatedSource) else source.intersection
+            self._searching = _Search.of(self.bundle, self._net, how)
+        return self._searching
+
+
+class _Search(NamedTuple):
+    """What finds where rays meet the exit face."""
+
+    patches: Patches
+    intersection: ExactIntersection | MeshIntersection
+    direction: tuple[Tensor, Tensor, Tensor]
+
+    @classmethod
+    def of(cls, bundle: Bundle, net: ControlNet, how: ExactMethod | MeshMethod | None) -> "_Search":
+        """For some rays, by the method that a source asks for."""
+        dtype, device = bundle.x.dtype, bundle.x.device
+        patches = Patches(net, dtype, device)
+        intersection: ExactIntersection | MeshIntersection
+        if isinstance(how, MeshMethod):
+            mesh = TriangleMesh(net, how.subdivisions, dtype, device)
+            intersection = MeshIntersection(bundle, mesh)
         else:
-            self._intersection = ExactIntersection(
-                self.bundle, self._scene.lens.half_width, self._patches
-            )
-        cos = 1 / np.sqrt(1 + rays.slope_x**2 + rays.slope_y**2)
-        direction = rays.slope_x * cos, rays.slope_y * cos, cos
-        self._direction = constant(direction[0]), constant(direction[1]), constant(direction[2])
+            intersection = ExactIntersection(bundle, net.half_width, patches)
+        slope_x, slope_y = bundle.slope_x.double(), bundle.slope_y.double()
+        cos = (1 + slope_x.square() + slope_y.square()).rsqrt()
+        x, y, z = ((part * cos).to(dtype) for part in (slope_x, slope_y, torch.ones_like(cos)))
+        return cls(patches, intersection, (x, y, z))

@@ -23,14 +23,16 @@ BAND = 1e-4
 def twins(scene, dtype, mirrored=(False, False)):
     net = ControlNet.of(scene.lens)
     return (
-        Reference(CollimatedRays(scene, net, dtype)),
+        Reference(CollimatedRays(scene, net, scene.source.rays, dtype)),
         FusedCollimatedRays(scene, net, scene.source.rays, mirrored, dtype),
     )
 
 
 def share_in_band(scene, heights):
     """Part of the rays that float32 may see in another pixel."""
-    hits = CollimatedRays(scene, ControlNet.of(scene.lens), torch.float64).trace(heights)
+    hits = CollimatedRays(scene, ControlNet.of(scene.lens), scene.source.rays, torch.float64).trace(
+        heights
+    )
     column, row = scene.screen.to_pixels(hits.x, hits.y)
     near = [(c - c.round()).abs() < BAND for c in (column, row)]
     return (near[0] | near[1]).double().mean().item()

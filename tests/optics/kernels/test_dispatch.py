@@ -1,9 +1,14 @@
 """Which tracer a plan takes, and that it makes no difference but speed."""
 
+import threading
+import time
+
 import numpy as np
 import pytest
 import torch
 
+from workbench import compiled
+from workbench.optics import point, ways
 from workbench.optics.kernels import ready
 from workbench.optics.plan import Plan
 
@@ -17,6 +22,7 @@ def lens(scene, seed=3):
 def nothing_compiled(monkeypatch):
     """As in a new process, but for what numba has in memory."""
     monkeypatch.setattr(ready, "_ready", set())
+    monkeypatch.setattr(ready, "_failures", {})
 
 
 def test_a_plan_takes_the_kernel_and_gives_what_the_reference_gives(make_scene):
@@ -29,14 +35,53 @@ def test_a_plan_takes_the_kernel_and_gives_what_the_reference_gives(make_scene):
     assert Plan(scene, fused=False).notes[0].startswith("reference in torch on cpu, float32")
 
 
-def test_the_reference_steps_in_while_another_thread_compiles(make_scene, nothing_compiled):
+def test_what_only_shows_a_lens_does_not_wait_for_a_kernel(make_scene, nothing_compiled):
     scene = make_scene()
     plan = Plan(scene)
-    with ready._compiling:
+    with ready.without_waiting():
         assert plan.notes[0].startswith("reference")
         early = plan.trace(lens(scene)).flux
+    assert not ready._ready
     assert plan.notes[0].startswith("fused")
     assert torch.allclose(plan.trace(lens(scene)).flux, early, atol=1e-6)
+    with ready.without_waiting():
+        assert plan.notes[0].startswith("fused")
+
+
+def test_a_trace_waits_for_a_kernel_that_another_thread_compiles(make_scene, nothing_compiled):
+    plan, notes = Plan(make_scene()), []
+    thread = threading.Thread(target=lambda: notes.extend(plan.notes))
+    with ready._compiling:
+        thread.start()
+        thread.join(0.2)
+        assert thread.is_alive()
+    thread.join()
+    assert notes[0].startswith("fused kernels")
+
+
+def test_who_waits_for_a_kernel_gets_it_before_the_rest_is_compiled(monkeypatch, nothing_compiled):
+    order, first, goes_on = [], threading.Event(), threading.Event()
+
+    def compiler(name):
+        def compile_for(dtype):
+            order.append(name)
+            first.set()
+            assert goes_on.wait(60)
+
+        return compile_for
+
+    monkeypatch.setattr(ready, "_COMPILERS", {name: compiler(name) for name in "abc"})
+    threads = [threading.Thread(target=ready.compile_all)]
+    threads[0].start()
+    assert first.wait(60)
+    threads.append(threading.Thread(target=ready.obtain, args=("c", torch.float32)))
+    threads[1].start()
+    while not ready._next.locked():  # until it waits for the one under way
+        time.sleep(0.001)
+    goes_on.set()
+    for thread in threads:
+        thread.join()
+    assert order == ["a", "c", "b"]
 
 
 def test_a_program_alone_compiles_what_it_needs_at_once(make_scene, nothing_compiled):
@@ -52,18 +97,56 @@ def test_compiling_ahead_can_be_broken_off(nothing_compiled):
     answers = iter([True, False])
     ready.compile_all(lambda: next(answers))
     assert ready._ready == {("collimated", torch.float32)}
+    assert not ready.is_compiled()
 
 
-def test_a_plan_does_not_compile_what_is_announced(monkeypatch):
-    monkeypatch.setattr(ready, "_ready", set())
-    ready.announce()
-    try:
-        assert not ready.is_ready("collimated", torch.float32)
-        assert not ready._ready
-        assert ready.is_ready("collimated", torch.float64)  # nobody else will compile that
-    finally:
-        ready.compile_all(lambda: False)
-    assert ready.is_ready("collimated", torch.float32)
+def test_a_kernel_that_cannot_be_compiled_is_tried_once_and_the_run_says_so(
+    make_scene, monkeypatch, nothing_compiled
+):
+    tried = []
+
+    def fail(dtype):
+        tried.append(dtype)
+        raise ValueError("no such register")
+
+    monkeypatch.setitem(ready._COMPILERS, "collimated", fail)
+    with pytest.raises(ValueError, match="no such register"):
+        ready.compile_all()
+    assert ready._ready == {("face", torch.float32), ("point", torch.float32)}
+    assert ready.is_compiled()  # nothing is left to wait for
+    scene = make_scene()
+    plan = Plan(scene)
+    said = "the kernel could not be compiled (ValueError: no such register)"
+    assert plan.notes[0].startswith("reference in torch")
+    assert any(note.startswith(said) for note in plan.notes)
+    reference = Plan(scene, fused=False)
+    assert torch.equal(plan.trace(lens(scene)).flux, reference.trace(lens(scene)).flux)
+    assert not any("could not" in note for note in reference.notes)
+    assert tried == [torch.float32]
+
+
+def test_a_run_says_that_kernels_cannot_be_kept(make_scene, monkeypatch):
+    assert not any("could not be kept" in note for note in Plan(make_scene()).notes)
+    monkeypatch.setattr(compiled, "_failures", ["/disk: No space left on device"])
+    said = "compiled kernels could not be kept (/disk: No space left on device)"
+    assert any(note.startswith(said) for note in Plan(make_scene()).notes)
+
+
+@pytest.mark.parametrize("source", [{}, {"source": {"kind": "point", "position": [0, 0, -4]}}])
+@pytest.mark.parametrize("samples", [None, (32, 32)])
+def test_a_run_on_kernels_never_makes_the_reference(make_scene, monkeypatch, source, samples):
+    def refuse(*_):
+        raise AssertionError("the reference was made")
+
+    scene = make_scene(source)
+    plan = Plan(scene, samples=samples)
+    monkeypatch.setattr(point._Search, "of", refuse)
+    monkeypatch.setattr(ways, "CollimatedRays", refuse)
+    monkeypatch.setattr(ways, "FaceSamples", refuse)
+    assert plan.trace(lens(scene)).ledger.on_screen > 0
+    plan.next_iteration()
+    with pytest.raises(AssertionError, match="was made"), ready.held_back():
+        plan.trace(lens(scene))
 
 
 def test_kernels_held_back_come_back(make_scene):

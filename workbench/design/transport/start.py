@@ -104,9 +104,7 @@ class _Light:
         self._glass: Glass | None = None
         self._rays: CollimatedRays | FaceSamples
         if isinstance(source, CollimatedSource):
-            source = source.model_copy(update={"rays": (cells, cells)})
-            scene = scene.model_copy(update={"source": source})
-            self._rays = CollimatedRays(scene, net, torch.float64)
+            self._rays = CollimatedRays(scene, net, (cells, cells), torch.float64)
             return
         if isinstance(source, GridSource):
             source = PointSource(kind="point", position=source.center, emission=source.emission)

@@ -37,8 +37,12 @@ def write_rays(design: Design, file: BinaryIO) -> Deviation:
 
 def _hits(design: Design, z: float) -> Hits:
     screen = design.scene.screen.model_copy(update={"z": z})
-    scene = design.scene.model_copy(update={"screen": screen})
-    kind = CollimatedRays if isinstance(scene.source, CollimatedSource) else PointRays
+    scene, net = design.scene.model_copy(update={"screen": screen}), design.net
+    rays: CollimatedRays | PointRays
+    if isinstance(scene.source, CollimatedSource):
+        rays = CollimatedRays(scene, net, scene.source.rays, torch.float64)
+    else:
+        rays = PointRays(scene, net, dtype=torch.float64)
     with torch.no_grad():
-        hits = kind(scene, design.net, dtype=torch.float64).trace(torch.tensor(design.heights))
+        hits = rays.trace(torch.tensor(design.heights))
     return Hits(*(part.expand(hits.x.shape) for part in hits))

@@ -1,14 +1,22 @@
 """Which kernels are compiled, and compiling them before they are needed.
 
-Numba compiles a kernel at its first call, some seconds long, and keeps it on disk. A window lets a
-thread of its own do that (`compile_all`, after `announce`); a plan asks `is_ready` before each
-trace and takes the reference as long as that thread is not done with the kernel. Where there is
-none, a plan compiles what it needs at once: a program without a window may as well wait.
+`workbench.compiled` keeps them on disk; the first time, each takes some seconds. A window lets a
+thread of its own get them ready (`compile_all`).
+
+1. A run waits for its kernel, whoever compiles it, and never begins with the reference: a seed
+   gives the same lens whether kernels were compiled before or not. Waiting is also the faster way:
+   all of them take half a minute, a run on the reference takes some ten times that of the kernels.
+2. What only shows a lens does not wait (`without_waiting`): a person sees it at once, traced by the
+   reference as long as its kernel is not ready.
+3. A kernel that cannot be compiled is tried once. The reference then does all its work, `failure`
+   says why, and so does the log of each run.
 """
 
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from contextvars import ContextVar
+from enum import Enum
 
 import torch
 
@@ -21,63 +29,114 @@ _COMPILERS: dict[str, Callable[[torch.dtype], None]] = {
     "point": point.compile_for,
 }
 
+
+class _Use(Enum):
+    """Which kernels the traces of a thread take."""
+
+    ALL = "all, after compiling if need be"
+    READY = "those that are ready"
+    NONE = "none"
+
+
+_use = ContextVar("_use", default=_Use.ALL)
 _ready: set[tuple[str, torch.dtype]] = set()
+_failures: dict[tuple[str, torch.dtype], Exception] = {}
 _compiling = threading.Lock()
-_announced = threading.Event()
-_held_back = threading.Event()
+_next = threading.Lock()  # held by whoever waits for `_compiling`: so they get it in turns
 
 
-def is_ready(name: str, dtype: torch.dtype) -> bool:
-    """Whether a kernel can be called now; compiles it unless another thread does or will."""
-    if _held_back.is_set():
+def obtain(name: str, dtype: torch.dtype) -> bool:
+    """Whether a kernel can be called; compiles it, or waits for it, if this thread may.
+
+    Parameters
+    ----------
+    name : str
+        "collimated", "face" or "point".
+    dtype : torch.dtype
+        Float type of the trace.
+    """
+    use, kernel = _use.get(), (name, dtype)
+    if use is _Use.NONE:
         return False
-    if (name, dtype) in _ready:
-        return True
-    if _announced.is_set() and dtype == torch.float32:
-        return False
-    if not _compiling.acquire(blocking=False):
-        return False
-    try:
+    if use is _Use.ALL:
         _compile(name, dtype)
-    finally:
-        _compiling.release()
-    return True
+    return kernel in _ready
 
 
-def announce() -> None:
-    """Say that `compile_all` will be called by this or another thread."""
-    _announced.set()
+def failure(name: str, dtype: torch.dtype) -> Exception | None:
+    """Why a kernel could not be compiled, if that was tried."""
+    return _failures.get((name, dtype))
 
 
-def compile_all(goes_on: Callable[[], bool] = lambda: True) -> None:
-    """Compile all kernels for float32, which designs use, one after the other.
+def is_compiled(dtype: torch.dtype = torch.float32) -> bool:
+    """Whether no trace has to wait for a kernel of this float type any more."""
+    return all(kernel in _ready or kernel in _failures for kernel in _kernels(dtype))
+
+
+def compile_all(
+    goes_on: Callable[[], bool] = lambda: True, dtype: torch.dtype = torch.float32
+) -> None:
+    """Compile all kernels for a float type, one after the other.
 
     Parameters
     ----------
     goes_on : callable
         Asked before each kernel; the rest is left out once it says no.
+    dtype : torch.dtype
+        Float type of the traces; designs use float32 unless a scene needs more.
+
+    Raises
+    ------
+    Exception
+        Why the first of those that cannot be compiled cannot; the others are compiled before.
     """
-    try:
-        for name in _COMPILERS:
-            if not goes_on():
-                return
-            with _compiling:
-                _compile(name, torch.float32)
-    finally:
-        _announced.clear()
+    for kernel in _kernels(dtype):
+        if not goes_on():
+            return
+        _compile(*kernel)
+    for kernel in _kernels(dtype):
+        if kernel in _failures:
+            raise _failures[kernel]
+
+
+@contextmanager
+def without_waiting() -> Iterator[None]:
+    """Let traces of this thread take the reference as long as their kernel is not ready."""
+    with _using(_Use.READY):
+        yield
 
 
 @contextmanager
 def held_back() -> Iterator[None]:
-    """Have all traces done by the reference, as if no kernel were ever ready: for comparisons."""
-    _held_back.set()
-    try:
+    """Have all traces of this thread done by the reference: for comparisons."""
+    with _using(_Use.NONE):
         yield
-    finally:
-        _held_back.clear()
+
+
+def _kernels(dtype: torch.dtype) -> list[tuple[str, torch.dtype]]:
+    return [(name, dtype) for name in _COMPILERS]
 
 
 def _compile(name: str, dtype: torch.dtype) -> None:
-    if (name, dtype) not in _ready:
-        _COMPILERS[name](dtype)
-        _ready.add((name, dtype))
+    kernel = name, dtype
+    if kernel in _ready or kernel in _failures:
+        return
+    with _next:
+        _compiling.acquire()
+    try:
+        if kernel not in _ready and kernel not in _failures:
+            _COMPILERS[name](dtype)
+            _ready.add(kernel)
+    except Exception as error:  # of any kind: compilers have many; `failure` keeps it
+        _failures[kernel] = error
+    finally:
+        _compiling.release()
+
+
+@contextmanager
+def _using(use: _Use) -> Iterator[None]:
+    before = _use.set(use)
+    try:
+        yield
+    finally:
+        _use.reset(before)
