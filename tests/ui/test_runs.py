@@ -159,6 +159,13 @@ def test_a_name_that_becomes_too_long_is_cut_and_said_while_it_is_typed(two_runs
     qtbot.waitUntil(lambda: two_runs.document.session.runs[0].name == "a" * 99 + "b")
 
 
+def test_a_long_name_leaves_room_for_figures_and_is_whole_in_its_tip(two_runs):
+    name = (10 * "long name ").strip()
+    table(two_runs).item(0, 0).setText(name)
+    assert table(two_runs).columnWidth(0) < 40 * table(two_runs).fontMetrics().averageCharWidth()
+    assert table(two_runs).item(0, 0).toolTip() == name
+
+
 def test_an_empty_name_is_refused(two_runs):
     table(two_runs).item(0, 0).setText("  ")
     assert "1 to 100" in two_runs.messages.text

@@ -37,6 +37,7 @@ _COLUMNS = {
     "Method": "How the lens was searched for",
     "Ended": "Why the run ended",
 }
+_WIDEST = 32  # characters of a column; longer texts are cut, and whole in a tip
 _VERIFIED, _ENDED = 1, len(_COLUMNS) - 1
 
 
@@ -87,6 +88,7 @@ class RunTable(QWidget):
         rows.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         header = self.table.horizontalHeader()
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        header.setMaximumSectionSize(_WIDEST * self.fontMetrics().averageCharWidth())
         self.table.setItemDelegateForColumn(0, _NameDelegate(self.table))
         self.table.itemChanged.connect(self._take_change)
         self.table.itemSelectionChanged.connect(self._show_possible)
@@ -188,13 +190,13 @@ class RunTable(QWidget):
                 font = item.font()
                 font.setBold(is_current)
                 item.setFont(font)
-                item.setToolTip("The lens of the design" if is_current else "")
+                item.setToolTip(f"{text}\nThe lens of the design" if is_current else text)
             else:
                 item.setFlags(item.flags() & ~Qt.ItemFlag.ItemIsEditable)
-                side = (
-                    Qt.AlignmentFlag.AlignLeft if column == _ENDED else Qt.AlignmentFlag.AlignRight
-                )
-                item.setTextAlignment(side | Qt.AlignmentFlag.AlignVCenter)
+                sides = Qt.AlignmentFlag
+                side = sides.AlignLeft if column == _ENDED else sides.AlignRight
+                item.setTextAlignment(side | sides.AlignVCenter)
+                item.setToolTip(text)
             self.table.setItem(row, column, item)
 
     def _take_change(self, item: QTableWidgetItem) -> None:
