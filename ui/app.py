@@ -56,6 +56,7 @@ def main(arguments: list[str] | None = None) -> int:
     windows, trouble = Windows(settings, folder), Trouble()
     trouble.happened.connect(windows.tell_trouble)
     trouble.qt_said.connect(windows.log)
+    trouble.logged.connect(windows.log_details)
     signals = _leave_on_signals(windows, application)
     window = windows.open()
     _begin_when_painted(window, lambda: _begin(windows, window, settings, options))

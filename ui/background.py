@@ -5,7 +5,7 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from workbench.errors import Refused, RunFailed
+from ui.failure import sentence_of
 
 
 class Background(QObject):
@@ -27,7 +27,7 @@ class Background(QObject):
     done = Signal(object)
     failed = Signal(str)
 
-    _ended = Signal(object, str)
+    _ended = Signal(object, object)
 
     def __init__(self, name: str, parent: QObject) -> None:
         super().__init__(parent)
@@ -41,8 +41,15 @@ class Background(QObject):
         return self._thread is not None
 
     def begin(self, work: Callable[[], object]) -> None:
-        """Begin work; none may be under way."""
-        assert not self.busy
+        """Begin work.
+
+        Raises
+        ------
+        RuntimeError
+            If other work is under way.
+        """
+        if self.busy:
+            raise RuntimeError(f"the {self._name} is under way already")
         self._thread = threading.Thread(target=self._run, args=(work,), name=self._name)
         self._thread.start()
 
@@ -53,23 +60,20 @@ class Background(QObject):
             self._thread = None
 
     def _run(self, work: Callable[[], object]) -> None:
-        result, sentence = None, ""
         try:
             result = work()
-        except (Refused, RunFailed) as error:
-            sentence = str(error)
-        except Exception as error:
-            # A defect has to reach the person instead of ending the thread.
-            sentence = f"The {self._name} ended with an unexpected {type(error).__name__}: {error}"
-        self._ended.emit(result, sentence)  # queued: the receiver lives in the window's thread
+        except Exception as error:  # of any kind: it has to reach the person
+            self._ended.emit(None, error)  # queued: the receiver lives in the window's thread
+        else:
+            self._ended.emit(result, None)
 
-    @Slot(object, str)
-    def _end(self, result: object, sentence: str) -> None:
+    @Slot(object, object)
+    def _end(self, result: object, error: Exception | None) -> None:
         if self._thread is None:  # closed, with this already under way
             return
         self._thread.join()
         self._thread = None
-        if sentence:
-            self.failed.emit(sentence)
+        if error is not None:
+            self.failed.emit(sentence_of(error, self._name))
         else:
             self.done.emit(result)

@@ -37,5 +37,9 @@ class LogView(QPlainTextEdit):
         """Write a line below the others."""
         self.appendPlainText(f"{datetime.now():%H:%M:%S}  {' '.join(sentence.split())}")
 
+    def add_details(self, text: str) -> None:
+        """Write lines below the others, as they are."""
+        self.appendPlainText(text.rstrip())
+
     def _note_place(self, value: int) -> None:
         self._at_end = value == self.verticalScrollBar().maximum()

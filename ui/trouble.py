@@ -4,12 +4,14 @@
 2. A view that fails fails at every frame. Each kind, by its type and the line that raised it, is
    told once and printed every time.
 3. Errors of other threads and messages of Qt come from anywhere; signals bring them to the window.
+4. Each is written down in the file of `workbench.defects`, which the sentence names.
 """
 
-import platform
+import logging
 import sys
 import threading
 import traceback
+from collections.abc import Callable
 from types import TracebackType
 
 from PySide6.QtCore import (
@@ -21,7 +23,8 @@ from PySide6.QtCore import (
     qVersion,
 )
 
-import workbench
+from ui.failure import LOG
+from workbench.defects import details, unexpected
 
 # The 3D view asks for its format when a context is there already, which serves it as well.
 _HARMLESS = "Setting a new default format"
@@ -37,10 +40,13 @@ class Trouble(QObject):
         An error of a new kind as a sentence, and its details.
     qt_said : Signal(str)
         A warning of Qt's that was not heard before.
+    logged : Signal(str)
+        The details of an error that was told by who began the work; see `ui.failure`.
     """
 
     happened = Signal(str, str)
     qt_said = Signal(str)
+    logged = Signal(str)
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -50,11 +56,14 @@ class Trouble(QObject):
         sys.excepthook = self._report
         threading.excepthook = self._report_thread
         self._qt_handler = qInstallMessageHandler(self._hear)
+        self._relay = _Relay(self.logged.emit)
+        LOG.addHandler(self._relay)
 
     def close(self) -> None:
         """Give the hooks back."""
         sys.excepthook, threading.excepthook = self._hooks
         qInstallMessageHandler(self._qt_handler)
+        LOG.removeHandler(self._relay)
 
     def _report(
         self, kind: type[BaseException], error: BaseException, trace: TracebackType | None
@@ -66,11 +75,10 @@ class Trouble(QObject):
         if known in self._known:
             return
         self._known.add(known)
-        text = f"{kind.__name__}: {error}".rstrip(": ")
-        details = "".join(traceback.format_exception(kind, error, trace))
         self.happened.emit(
-            f"Something went wrong that should not ({text}). Your work is still here: save it.",
-            f"{_about()}\n\n{details}",
+            f"Something went wrong that should not: {unexpected(error)}. "
+            "Your work is still here: save it.",
+            f"Qt {qVersion()}\n{details(error)}",
         )
 
     def _report_thread(self, arguments: threading.ExceptHookArgs) -> None:
@@ -90,8 +98,14 @@ def _place(trace: TracebackType | None) -> str:
     return f"{frames[-1].filename}:{frames[-1].lineno}" if frames else ""
 
 
-def _about() -> str:
-    return (
-        f"Freeform Lens Workbench {workbench.__version__}, Python {platform.python_version()}, "
-        f"Qt {qVersion()}, {platform.platform()}"
-    )
+class _Relay(logging.Handler):
+    """Prints what is logged, and gives it to the window."""
+
+    def __init__(self, tell: Callable[[str], None]) -> None:
+        super().__init__()
+        self._tell = tell
+
+    def emit(self, record: logging.LogRecord) -> None:
+        text = self.format(record)
+        print(text, file=sys.stderr)
+        self._tell(text)

@@ -116,12 +116,19 @@ class Windows(QObject):
         if window is not None:
             copy = partial(QGuiApplication.clipboard().setText, details)
             window.messages.warn(sentence, ("Copy details", copy))
+            window.log.add_details(details)
 
     def log(self, sentence: str) -> None:
         """Write a line into the log of the active window."""
         window = self.active()
         if window is not None:
             window.log.add(sentence)
+
+    def log_details(self, text: str) -> None:
+        """Write the traceback of an error into the log of the active window."""
+        window = self.active()
+        if window is not None:
+            window.log.add_details(text)
 
     def _build_all(self) -> None:
         self._warm = True

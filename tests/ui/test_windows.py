@@ -196,9 +196,13 @@ def test_each_work_left_behind_comes_back_in_a_window_of_its_own(
 
 def test_trouble_is_told_where_a_person_works_and_can_be_copied(windows, two, qtbot):
     first, second = two
-    windows.tell_trouble("Something odd.", "all about it")
+    windows.tell_trouble("Something odd.", "all about it\n  line 3")
     assert second.messages.text == "Something odd." and not first.messages.isVisible()
     assert second.messages.buttons[0].text() == "Copy details"
     qtbot.mouseClick(second.messages.buttons[0], Qt.MouseButton.LeftButton)
-    assert QApplication.clipboard().text() == "all about it"
+    assert QApplication.clipboard().text() == "all about it\n  line 3"
     assert "Something odd." in second.log.toPlainText()
+    assert second.log.toPlainText().endswith("all about it\n  line 3")
+    windows.log_details("elsewhere\n  line 4")
+    assert second.log.toPlainText().endswith("elsewhere\n  line 4")
+    assert "line" not in first.log.toPlainText()

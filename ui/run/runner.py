@@ -4,6 +4,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QThread, QTimer, Signal, Slot
 
+from ui.failure import sentence_of
 from ui.run.worker import Generate, Job, Worker
 from workbench.design.snapshot import Result
 
@@ -160,18 +161,18 @@ class Runner(QObject):
         if frame is not None:
             self.frame_ready.emit(frame)
 
-    @Slot(object, object, str)
-    def _end(self, job: Job, result: Result | None, sentence: str) -> None:
+    @Slot(object, object, object)
+    def _end(self, job: Job, result: Result | None, error: Exception | None) -> None:
         if job is not self._job:  # replaced in the meantime
             return
         self._take_frame()
         self._drop_job()
         self._set_state("idle")
-        if sentence:
-            self.failed.emit(sentence)
+        if error is not None:
+            self.failed.emit(sentence_of(error, "run"))
         if not job.preview:
             self.finished.emit(result)
-        elif sentence:
+        elif error is not None:
             self.unshown.emit(job.session)
 
     def _set_state(self, state: str) -> None:

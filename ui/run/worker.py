@@ -18,7 +18,6 @@ from ui.run.frame import Array, Frame, make_frame
 from ui.run.mailbox import Mailbox
 from workbench.design.session import Mask
 from workbench.design.snapshot import History, Result, Snapshot
-from workbench.errors import Refused, RunFailed
 
 if TYPE_CHECKING:
     from workbench.files.session import Session
@@ -101,25 +100,22 @@ class Job:
 class Worker(QObject):
     """Does jobs one after the other in the thread that it was moved to."""
 
-    # The job; its result or None; a sentence that says what went wrong, or nothing.
-    ended = Signal(object, object, str)
+    # The job; its result or None; what went wrong, or None.
+    ended = Signal(object, object, object)
 
     @Slot(object)
     def work(self, job: Job) -> None:
         """Do a job and tell how it ended."""
         history = History(job.session.result if job.continue_run else None)
-        sentence = ""
+        failure: Exception | None = None
         try:
             if job.preview:
                 self._show(job)
             else:
                 self._run(job, history)
-        except (Refused, RunFailed) as error:
-            sentence = str(error)
-        except Exception as error:
-            # A defect of the engine has to reach the person instead of ending the thread.
-            sentence = f"The run ended with an unexpected {type(error).__name__}: {error}"
-        self.ended.emit(job, history.result(), sentence)
+        except Exception as error:  # of any kind: it has to reach the person
+            failure = error
+        self.ended.emit(job, history.result(), failure)
 
     def _run(self, job: Job, history: History) -> None:
         gate, unseen = job.gate, None

@@ -10,6 +10,7 @@ from collections.abc import Sequence
 
 from workbench.cli.interruption import Interruptible, number_of
 from workbench.cli.streams import Streams
+from workbench.defects import unexpected
 from workbench.errors import Refused, RunFailed
 
 
@@ -39,8 +40,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         except SystemExit:  # help and version, which are done
             if streams.failure is None:
                 raise
-        except Exception as error:  # a defect: no traceback for those who only use the program
-            return _fail(1, f"unexpected {type(error).__name__}: {error}")
+        except Exception as error:  # a defect: its traceback goes to a file
+            return _fail(1, unexpected(error))
         broken = streams.failure
         if broken is not None:
             return _fail(1, f"standard output cannot be written: {broken.strerror or broken}")

@@ -5,6 +5,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from workbench.defects import unexpected
 from workbench.design.snapshot import History, Result
 from workbench.errors import Refused, RunFailed
 from workbench.scene import Scene
@@ -58,7 +59,7 @@ def attempt(task: Task, threads: int | None = None) -> Done | Failed:
     except (Refused, RunFailed) as failure:
         return Failed(str(failure))
     except Exception as error:  # one point must not end all
-        return Failed(f"unexpected {type(error).__name__}: {error}")
+        return Failed(unexpected(error))
 
 
 def _design(task: Task, threads: int | None) -> Done:

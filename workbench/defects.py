@@ -1,0 +1,63 @@
+"""Unexpected errors, which are defects of this program: one sentence for who uses it, and a file.
+
+The file is in the user's state folder and has all that a report needs: what ran where, and the
+traceback. It does not grow beyond some size: what is older than the last errors goes.
+"""
+
+import os
+import platform
+import traceback
+from datetime import datetime
+from pathlib import Path
+
+import platformdirs
+
+import workbench
+
+# Characters of one error, and bytes of a file; there is at most one older file.
+_LONGEST = 1 << 16
+_LARGEST = 1 << 18
+
+
+def unexpected(error: BaseException) -> str:
+    """Write an error down, and say what it is and where more is told.
+
+    Parameters
+    ----------
+    error : BaseException
+        With its traceback, and with what caused it.
+
+    Returns
+    -------
+    str
+        A part of a sentence: ``unexpected KeyError: 'x' (details are in /home/…/errors.log)``.
+    """
+    text = f"unexpected {type(error).__name__}: {error}".rstrip(": ")
+    try:
+        _append(file(), f"{datetime.now().astimezone():%Y-%m-%d %H:%M:%S %z}\n{details(error)}\n")
+    except OSError as failure:
+        return f"{text} (details could not be written to {file()}: {failure.strerror or failure})"
+    return f"{text} (details are in {file()})"
+
+
+def details(error: BaseException) -> str:
+    """The program, the system and the traceback."""
+    about = (
+        f"Freeform Lens Workbench {workbench.__version__}, Python {platform.python_version()}, "
+        f"{platform.platform()}"
+    )
+    trace = "".join(traceback.format_exception(error))
+    return f"{about}\n{trace[-_LONGEST:]}"
+
+
+def file() -> Path:
+    """Where errors are written down."""
+    return Path(platformdirs.user_state_dir("freeform-workbench", appauthor=False)) / "errors.log"
+
+
+def _append(path: Path, text: str) -> None:
+    path.parent.mkdir(parents=True, exist_ok=True)
+    if path.exists() and path.stat().st_size > _LARGEST:
+        os.replace(path, path.with_suffix(".old.log"))
+    with open(path, "a", encoding="utf-8", errors="backslashreplace") as log:
+        log.write(text)
