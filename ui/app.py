@@ -127,13 +127,15 @@ def _begin(
     """Load what is slow, recover or open, start."""
     windows.warm_up()
     recovered = windows.recover(window)
-    opened = not recovered and (options.file is None or window.files.open(options.file))
+    opened: MainWindow | None = None if recovered else window
+    if options.file is not None:
+        opened = windows.open_given(options.file, window, recovered)
     if not window.messages.isVisible():
         window.help.offer_tour(settings)
-    if options.start and opened and window.bench is None:
-        window.built.connect(window.start)
-    elif options.start and opened:  # all was loaded while a question stood
-        window.start()
+    if options.start and opened is not None and opened.bench is None:
+        opened.built.connect(opened.start)
+    elif options.start and opened is not None:  # all was loaded while a question stood
+        opened.start()
 
 
 def _leave_on_signals(windows: "Windows", application: "QApplication") -> socket.socket:

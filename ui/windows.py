@@ -1,5 +1,6 @@
 """All windows of the program: opened, found by their file, closed one by one or together."""
 
+from collections.abc import Iterator
 from functools import partial
 from pathlib import Path
 
@@ -91,6 +92,31 @@ class Windows(QObject):
         first.start()
         return left_behind.offer(left_behind.find(self._folder), recover, window)
 
+    def open_given(self, path: Path, window: MainWindow, recovered: bool) -> MainWindow | None:
+        """Open the file that the program was started with.
+
+        Parameters
+        ----------
+        path : Path
+            The file.
+        window : MainWindow
+            The first one.
+        recovered : bool
+            Whether it has unsaved work by now; then another one gets the file.
+
+        Returns
+        -------
+        MainWindow or None
+            Where the file was opened; None if it was not.
+        """
+        own = next(self._with(path), None)
+        if own is not None:
+            own.activateWindow()
+            own.messages.note(f"{path.name} is open with the unsaved changes that were recovered.")
+            return None
+        place = self.open_beside() if recovered else window
+        return place if place.files.open(path) else None
+
     def quit(self) -> None:
         """Close all windows, each with its question; one that stays keeps the rest open."""
         self._quitting = True
@@ -146,12 +172,15 @@ class Windows(QObject):
 
     def _other_with(self, window: MainWindow, path: Path) -> MainWindow | None:
         """The window beside ``window`` whose design lives in a file."""
+        return next((other for other in self._with(path) if other is not window), None)
+
+    def _with(self, path: Path) -> Iterator[MainWindow]:
+        """The windows whose design lives in a file."""
         path = path.resolve()
-        for other in self._recoveries:
-            own = other.document.path
-            if other is not window and own is not None and own.resolve() == path:
-                return other
-        return None
+        for window in self._recoveries:
+            own = window.document.path
+            if own is not None and own.resolve() == path:
+                yield window
 
     def _forget(self, window: MainWindow) -> None:
         recovery = self._recoveries.pop(window, None)

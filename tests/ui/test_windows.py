@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QApplication, QMessageBox
 from tests.ui.hands import move_screen
 from ui.files import left_behind
 from ui.windows import Windows
-from workbench.files.session import read_session
+from workbench.files.session import read_session, write_session
 
 SAVE, DISCARD, CANCEL = (
     QMessageBox.StandardButton.Save,
@@ -192,6 +192,51 @@ def test_each_work_left_behind_comes_back_in_a_window_of_its_own(
     for each in two:
         each.deleteLater()
     again.deleteLater()
+
+
+@pytest.fixture
+def recovered(windows, folder, tmp_path, monkeypatch):
+    """Windows after a start that recovered changes of mine.freeform, and its first window."""
+    lost = windows.open()
+    lost.document.save(tmp_path / "mine.freeform")
+    windows._recoveries[lost].start()
+    move_screen(lost.document, 7)
+    windows.leave()
+    again = Windows(windows._settings, folder)
+    monkeypatch.setattr(left_behind, "ask", lambda work, window: left_behind.Choice.RECOVER)
+    window = again.open()
+    assert again.recover(window)
+    yield again, window
+    for each in open_windows(again):
+        each.discard_and_close()
+    lost.deleteLater()
+    again.deleteLater()
+
+
+def test_a_given_file_is_opened_beside_recovered_work(recovered, session, tmp_path):
+    again, window = recovered
+    path = tmp_path / "other.freeform"
+    write_session(session, path)
+    beside = again.open_given(path, window, recovered=True)
+    assert beside.document.path == path and open_windows(again) == [window, beside]
+    assert window.document.session.scene.screen.z == 7 and window.document.dirty
+
+
+def test_a_given_file_whose_changes_were_recovered_is_not_opened_twice(recovered, tmp_path):
+    again, window = recovered
+    assert again.open_given(tmp_path / "mine.freeform", window, recovered=True) is None
+    assert open_windows(again) == [window]
+    assert "recovered" in window.messages.text
+    assert window.document.session.scene.screen.z == 7
+
+
+def test_a_given_file_is_opened_in_the_first_window(windows, session, tmp_path):
+    window = windows.open()
+    path = tmp_path / "other.freeform"
+    write_session(session, path)
+    assert windows.open_given(path, window, recovered=False) is window
+    assert windows.open_given(tmp_path / "none.freeform", window, recovered=False) is None
+    assert "does not exist" in window.messages.text
 
 
 def test_trouble_is_told_where_a_person_works_and_can_be_copied(windows, two, qtbot):
