@@ -55,10 +55,10 @@ class Bench(QObject):
         self.runs = Runs(document, self.control, views.loss, self)
         self.production = production = Production(settings, self)
         plots = views.plots() | production.plots()
-        self.plots = Plots(plots, document, messages, window)
+        self.plots = Plots(plots, document, messages, window.dialogs, window)
         self.tools = LensTools(document, self.control, views.scene, self)
         self.postponed = Postponed(window.forms, self.control, messages, self)
-        self._pictures = ScenePictures(views.scene, document, messages, window)
+        self._pictures = ScenePictures(views.scene, document, messages, window.dialogs, window)
         RunLog(document, self.control, window.log.add)
         docked = {
             **views.docked,

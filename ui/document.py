@@ -112,6 +112,12 @@ class Document(QObject):
         return self._path or self._suggestion.with_suffix(ENDING)
 
     @property
+    def folder(self) -> Path | None:
+        """Where the design was opened or saved; None where it was neither."""
+        path = self.suggested_path
+        return path.parent if path.is_absolute() else None
+
+    @property
     def dirty(self) -> bool:
         """Whether closing now would lose changes."""
         return not self.undo_stack.isClean()

@@ -16,6 +16,7 @@ from ui.commands.availability import Situation
 from ui.commands.table import NEW
 from ui.document import ENDING, Document
 from ui.files.actions import Answer, FileActions
+from ui.files.dialogs import FileDialogs
 from ui.files.exporter import Exporter
 from ui.files.recent import RecentFiles
 from ui.files.reporter import Reporter
@@ -25,6 +26,7 @@ from ui.layout import Layout
 from ui.log_view import LogView
 from ui.message_bar import MessageBar
 from ui.panels.forms import Forms
+from ui.panels.target import IMAGE_FILES
 from ui.panes import Panes
 from ui.refused_fields import RefusedFields
 from ui.run.lens_on_show import LensOnShow
@@ -91,6 +93,7 @@ class MainWindow(QMainWindow):
         self.forms.told.connect(self.log.add)
         self.forms.file_refused.connect(self.messages.warn)
         self._refused = RefusedFields(self.forms, self.messages, self)
+        self.forms.image_asked.connect(self._choose_image)
         CarriedLens(document, self.messages, self).told.connect(self.log.add)
         UnitChange(document, self.messages, self)
         self._image = TargetImage(document, self.messages, self)
@@ -102,9 +105,11 @@ class MainWindow(QMainWindow):
         self._settings = settings
         self._recent = RecentFiles(settings)
         self._lens = LensOnShow(document, self)
-        self.files = FileActions(document, self._lens, self._recent, self.messages, self)
-        self.exporter = Exporter(document, self._lens, self.messages, self)
-        self.reporter = Reporter(document, self._lens, self.messages, self)
+        self.dialogs = dialogs = FileDialogs(document, settings, self)
+        lens, messages = self._lens, self.messages
+        self.files = FileActions(document, lens, self._recent, messages, dialogs, self)
+        self.exporter = Exporter(document, lens, messages, dialogs, self)
+        self.reporter = Reporter(document, lens, messages, dialogs, self)
         self._panes = Panes(self, self.workspace.docks, self.commands.toolbar)
         self.help = Help(self, self.commands, self._panes, self.messages)
         self._layout = Layout(self, self.workspace, settings)
@@ -316,6 +321,11 @@ class MainWindow(QMainWindow):
     def _tell_saved(self, sentence: str) -> None:
         self.log.add(sentence)
         self.statusBar().showMessage(sentence, _READ_MS)
+
+    def _choose_image(self) -> None:
+        path = self.dialogs.to_open("image", "Target image", IMAGE_FILES)
+        if path is not None:
+            self.forms.choose_image(path)
 
     def _take_along(self, take: Callable[[], None]) -> None:
         self.forms.commit()

@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, BinaryIO
 
 from PySide6.QtCore import QObject
 from PySide6.QtGui import QAction, QGuiApplication, QImage
-from PySide6.QtWidgets import QFileDialog, QWidget
 
 from ui.background import Background
 from ui.document import Document
+from ui.files.dialogs import FileDialogs
 from ui.message_bar import MessageBar
 from workbench.errors import Refused
 from workbench.files.atomic import replacing
@@ -45,8 +45,8 @@ class Plots(QObject):
         Gives file names.
     messages : MessageBar
         Tells what was done, or why not.
-    window : QWidget
-        Parent of the dialog.
+    dialogs : FileDialogs
+        Ask for the file.
     """
 
     def __init__(
@@ -54,13 +54,14 @@ class Plots(QObject):
         plots: "Mapping[str, PlotView]",
         document: Document,
         messages: MessageBar,
-        window: QWidget,
+        dialogs: FileDialogs,
+        parent: QObject,
     ) -> None:
-        super().__init__(window)
+        super().__init__(parent)
         self._plots = dict(plots)
         self._document = document
         self._messages = messages
-        self._window = window
+        self._dialogs = dialogs
         self._last = next(iter(plots))
         self._background = Background("plot", self)
         self._background.done.connect(lambda path: messages.note(f"{path} is written."))
@@ -114,19 +115,9 @@ class Plots(QObject):
 
     def ask_for_name(self, name: str) -> Path | None:
         """Ask for a file; a name without an ending gets that of the chosen kind."""
-        suggested = self._document.suggested_path
-        dialog = QFileDialog(self._window, f"Save {name} plot", str(suggested.parent))
-        dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
         filters = _FILTERS if self._plots[name].figures() is None else _FILTERS | _FIGURES
-        dialog.setNameFilters(list(filters))
-
-        def suggest(chosen: str) -> None:
-            dialog.setDefaultSuffix(filters[chosen].removeprefix("."))
-
-        dialog.filterSelected.connect(suggest)
-        suggest(dialog.selectedNameFilter())
-        dialog.selectFile(f"{suggested.stem} {name}")
-        return Path(dialog.selectedFiles()[0]) if dialog.exec() else None
+        suggested = f"{self._document.name} {name}"
+        return self._dialogs.to_save("plot", f"Save {name} plot", suggested, filters)
 
     def close(self) -> None:
         """Let the file under way be written. Safe to call twice."""

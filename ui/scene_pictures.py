@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QBuffer, QIODevice, QObject, Qt
 from PySide6.QtGui import QCursor, QGuiApplication, QImage, QImageWriter
-from PySide6.QtWidgets import QFileDialog, QWidget
 
 from ui.commands.table import PICTURES
 from ui.document import Document
+from ui.files.dialogs import FileDialogs
 from ui.message_bar import MessageBar
 from workbench.errors import Refused
 from workbench.files.atomic import replacing
@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from ui.views.scene_view import SceneView
 
 _ENDING = ".png"
+_FILTER = f"Picture (*{_ENDING})"
 
 
 class ScenePictures(QObject):
@@ -32,16 +33,21 @@ class ScenePictures(QObject):
         Gives the name of the file.
     messages : MessageBar
         Tells what was done, or why not.
-    window : QWidget
-        Parent of the dialog.
+    dialogs : FileDialogs
+        Ask for the file.
     """
 
     def __init__(
-        self, view: "SceneView", document: Document, messages: MessageBar, window: QWidget
+        self,
+        view: "SceneView",
+        document: Document,
+        messages: MessageBar,
+        dialogs: FileDialogs,
+        parent: QObject,
     ) -> None:
-        super().__init__(window)
+        super().__init__(parent)
         self._view, self._document = view, document
-        self._messages, self._window = messages, window
+        self._messages, self._dialogs = messages, dialogs
 
     def slots(self) -> dict[str, Callable[[], object]]:
         """What commands do here."""
@@ -81,13 +87,8 @@ class ScenePictures(QObject):
 
     def ask_for_name(self) -> Path | None:
         """Ask for a file."""
-        suggested = self._document.suggested_path
-        dialog = QFileDialog(self._window, "Save picture of 3D", str(suggested.parent))
-        dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
-        dialog.setNameFilters([f"Picture (*{_ENDING})"])
-        dialog.setDefaultSuffix(_ENDING.removeprefix("."))
-        dialog.selectFile(f"{suggested.stem} 3D")
-        return Path(dialog.selectedFiles()[0]) if dialog.exec() else None
+        name = f"{self._document.name} 3D"
+        return self._dialogs.to_save("plot", "Save picture of 3D", name, {_FILTER: _ENDING})
 
     def _seen(self) -> bool:
         if not self._view.isVisible():

@@ -5,7 +5,7 @@ import pytest
 from PIL import Image
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QWheelEvent
-from PySide6.QtWidgets import QApplication, QFileDialog
+from PySide6.QtWidgets import QApplication
 
 from tests.ui.hands import choose, editor, enter, fill, row, rows
 from workbench.files.session import Session
@@ -290,17 +290,16 @@ def test_another_wish_keeps_its_finish(forms, document, qtbot):
     assert document.session.scene.target.invert
 
 
-def test_an_image_is_chosen_from_a_dialog(forms, document, tmp_path, monkeypatch):
+def test_an_image_is_chosen_from_a_dialog(forms, document, tmp_path):
     image = tmp_path / "wish.png"
     Image.fromarray(np.eye(8, dtype=np.uint8) * 255).save(image)
-    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(image), ""))
+    forms.image_asked.connect(lambda: forms.choose_image(image))
     choose(forms, "target.builtin", "image")
     assert document.session.scene.target.image == str(image)
     assert row(forms, "target.image").editor.text() == str(image)
 
 
-def test_a_dialog_that_is_cancelled_changes_nothing(forms, document, monkeypatch):
-    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: ("", ""))
+def test_a_dialog_that_is_cancelled_changes_nothing(forms, document):
     choose(forms, "target.builtin", "image")
     assert document.undo_stack.count() == 0
     assert row(forms, "target.builtin").chooser.currentData() == "tophat"
@@ -489,3 +488,18 @@ def test_the_thumbnail_of_huge_and_tiny_values_is_that_of_their_ratios(forms):
         thumbnail.show_target(scale * light, 1)
         greys = [thumbnail._picture.pixelColor(column, 0).red() for column in range(3)]
         assert greys == [0, 127, 255]
+
+
+def test_an_image_is_not_read_again_during_a_run(forms, document, tmp_path):
+    image = tmp_path / "wish.png"
+    Image.fromarray(np.eye(8, dtype=np.uint8) * 255).save(image)
+    forms.choose_image(image)
+    Image.fromarray(np.full((8, 8), 255, np.uint8)).save(image)
+    told, session = [], document.session
+    forms.file_refused.connect(told.append)
+    forms.set_running(True)
+    forms.choose_image(image)
+    assert document.session is session and "Stop the run first" in told[0]
+    forms.set_running(False)
+    forms.choose_image(image)
+    assert document.session is not session

@@ -10,6 +10,7 @@ from PySide6.QtGui import QAction, QGuiApplication, QImage
 from PySide6.QtWidgets import QHBoxLayout, QWidget
 
 from ui.document import Document
+from ui.files.dialogs import FileDialogs
 from ui.message_bar import MessageBar
 from ui.plots import Plots
 from ui.views.irradiance_view import IrradianceView
@@ -37,11 +38,13 @@ def views(frame, show, qtbot):
 
 
 @pytest.fixture
-def plots(views, session, qtbot):
+def plots(views, session, settings, qtbot):
     messages = MessageBar()
     qtbot.addWidget(messages)
     window = next(iter(views.values())).window()
-    plots = Plots(views, Document(session, "lens"), messages, window)
+    document = Document(session, "lens", window)
+    dialogs = FileDialogs(document, settings, window)
+    plots = Plots(views, document, messages, dialogs, window)
     yield plots
     plots.close()
 

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QWidget
 
 from tests.ui.hands import fill
 from ui.document import Document
+from ui.files.dialogs import FileDialogs
 from ui.message_bar import MessageBar
 from ui.plots import Plots
 from ui.tolerances import pane as pane_module
@@ -136,14 +137,15 @@ def test_a_failure_is_told(pane, monkeypatch, qtbot):
     assert pane.form.begin.text() == "Start" and pane.told.text() == ""
 
 
-def test_plot_and_figures_can_be_saved(pane, session, tmp_path: Path, qtbot):
+def test_plot_and_figures_can_be_saved(pane, session, settings, tmp_path: Path, qtbot):
     sample(pane, qtbot, lenses=3)
     qtbot.waitUntil(lambda: not pane.plot.empty)
     window, messages = QWidget(), MessageBar()
     qtbot.addWidget(window)
     qtbot.addWidget(messages)
     document = Document(session, "small", window)
-    plots = Plots({"tolerances": pane.plot}, document, messages, window)
+    dialogs = FileDialogs(document, settings, window)
+    plots = Plots({"tolerances": pane.plot}, document, messages, dialogs, window)
     for ending in ("json", "png", "csv"):
         plots.save("tolerances", tmp_path / f"spread.{ending}")
     plots.close()

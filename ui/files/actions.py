@@ -6,11 +6,12 @@ from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import QLocale, QObject, Signal
-from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
+from PySide6.QtWidgets import QMessageBox, QWidget
 
 from resources import Example
 from ui.document import ENDING, Document, OnDisk
 from ui.files import changed
+from ui.files.dialogs import FileDialogs
 from ui.files.left_behind import LeftBehind
 from ui.files.recent import RecentFiles
 from ui.message_bar import MessageBar
@@ -20,6 +21,7 @@ from workbench.files.session import read_session
 
 _OPENED = f"Designs and scenes (*{ENDING} *.json);;All files (*)"
 _SAVED = f"Designs (*{ENDING})"
+_KIND = "design"  # of files, for dialogs
 
 
 class Answer(Enum):
@@ -43,8 +45,10 @@ class FileActions(QObject):
         Learns of every file used.
     messages : MessageBar
         Shows refusals.
+    dialogs : FileDialogs
+        Ask for files.
     window : QWidget
-        Parent of dialogs.
+        Parent of questions.
 
     Attributes
     ----------
@@ -70,6 +74,7 @@ class FileActions(QObject):
         lens: LensOnShow,
         recent: RecentFiles,
         messages: MessageBar,
+        dialogs: FileDialogs,
         window: QWidget,
     ) -> None:
         super().__init__(window)
@@ -77,6 +82,7 @@ class FileActions(QObject):
         self._lens = lens
         self._recent = recent
         self._messages = messages
+        self._dialogs = dialogs
         self._window = window
         self.find_other: Callable[[Path], QWidget | None] = lambda path: None
         self.look: Callable[[], dict[str, Any] | None] = lambda: None
@@ -91,10 +97,9 @@ class FileActions(QObject):
 
     def choose_and_open(self) -> None:
         """Ask for a file and open it."""
-        folder = str(self._document.suggested_path.parent)
-        chosen, _ = QFileDialog.getOpenFileName(self._window, "Open", folder, _OPENED)
-        if chosen:
-            self.open(Path(chosen))
+        path = self._dialogs.to_open(_KIND, "Open", _OPENED)
+        if path is not None:
+            self.open(path)
 
     def open(self, path: Path) -> bool:
         """Open a file, unless changes would be lost that should not; False if not opened.
@@ -155,12 +160,8 @@ class FileActions(QObject):
 
     def ask_for_name(self) -> Path | None:
         """Ask where to save."""
-        dialog = QFileDialog(self._window, "Save as", str(self._document.suggested_path.parent))
-        dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
-        dialog.setNameFilter(_SAVED)
-        dialog.setDefaultSuffix(ENDING)
-        dialog.selectFile(self._document.suggested_path.name)
-        return Path(dialog.selectedFiles()[0]) if dialog.exec() else None
+        name = self._document.suggested_path.name
+        return self._dialogs.to_save(_KIND, "Save as", name, {_SAVED: ENDING})
 
     def may_leave(self) -> bool:
         """Whether the open design may be left, after saving it if a person wants that."""

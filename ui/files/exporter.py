@@ -4,10 +4,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
-from PySide6.QtWidgets import QFileDialog, QWidget
 
 from ui.background import Background
 from ui.document import Document
+from ui.files.dialogs import FileDialogs
 from ui.message_bar import MessageBar
 from ui.run.lens_on_show import NO_LENS, LensOnShow
 from workbench.files.export.formats import FORMATS, Format
@@ -28,19 +28,24 @@ class Exporter(QObject):
         It is written.
     messages : MessageBar
         Shows what was written and how far it is from the design, or why nothing was.
-    window : QWidget
-        Parent of the dialog.
+    dialogs : FileDialogs
+        Ask for the file.
     """
 
     def __init__(
-        self, document: Document, lens: LensOnShow, messages: MessageBar, window: QWidget
+        self,
+        document: Document,
+        lens: LensOnShow,
+        messages: MessageBar,
+        dialogs: FileDialogs,
+        parent: QObject,
     ) -> None:
-        super().__init__(window)
+        super().__init__(parent)
         self._document = document
         self._lens = lens
         self._what = ""  # of the file under way
         self._messages = messages
-        self._window = window
+        self._dialogs = dialogs
         self._background = Background("export", self)
         self._background.done.connect(self._tell)
         self._background.failed.connect(messages.warn)
@@ -66,19 +71,9 @@ class Exporter(QObject):
 
     def ask_for_name(self) -> Path | None:
         """Ask for a file; a name without an ending gets that of the chosen format."""
-        suggested = self._document.suggested_path
-        dialog = QFileDialog(self._window, f"Export {self._lens.text}", str(suggested.parent))
-        dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
         endings = {_filter(each): each.endings[0] for each in FORMATS}
-        dialog.setNameFilters(list(endings))
-
-        def suggest(chosen: str) -> None:
-            dialog.setDefaultSuffix(endings[chosen].removeprefix("."))
-
-        dialog.filterSelected.connect(suggest)
-        suggest(dialog.selectedNameFilter())
-        dialog.selectFile(suggested.stem)
-        return Path(dialog.selectedFiles()[0]) if dialog.exec() else None
+        title, name = f"Export {self._lens.text}", self._document.name
+        return self._dialogs.to_save("export", title, name, endings)
 
     def close(self) -> None:
         """Let the file under way be written. Safe to call twice."""

@@ -15,10 +15,10 @@ from threading import Event
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
-from PySide6.QtWidgets import QFileDialog, QWidget
 
 from ui.background import Background
 from ui.document import ENDING, Document
+from ui.files.dialogs import FileDialogs
 from ui.message_bar import MessageBar
 from ui.run.lens_on_show import NO_LENS, LensOnShow
 from workbench.errors import RunFailed
@@ -45,16 +45,21 @@ class Reporter(QObject):
         It is reported.
     messages : MessageBar
         Tells what was written, or why nothing was.
-    window : QWidget
-        Parent of the dialog.
+    dialogs : FileDialogs
+        Ask for the file.
     """
 
     def __init__(
-        self, document: Document, lens: LensOnShow, messages: MessageBar, window: QWidget
+        self,
+        document: Document,
+        lens: LensOnShow,
+        messages: MessageBar,
+        dialogs: FileDialogs,
+        parent: QObject,
     ) -> None:
-        super().__init__(window)
+        super().__init__(parent)
         self._document, self._lens = document, lens
-        self._messages, self._window = messages, window
+        self._messages, self._dialogs = messages, dialogs
         self._cancelled = Event()
         self._background = Background("report", self)
         self._background.done.connect(self._tell)
@@ -89,18 +94,8 @@ class Reporter(QObject):
 
     def ask_for_name(self) -> Path | None:
         """Ask for a file; a name without an ending gets that of the chosen format."""
-        suggested = self._document.suggested_path
-        dialog = QFileDialog(self._window, f"Report {self._lens.text}", str(suggested.parent))
-        dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
-        dialog.setNameFilters(list(_FILTERS))
-
-        def suggest(chosen: str) -> None:
-            dialog.setDefaultSuffix(_FILTERS[chosen].removeprefix("."))
-
-        dialog.filterSelected.connect(suggest)
-        suggest(dialog.selectedNameFilter())
-        dialog.selectFile(suggested.stem)
-        return Path(dialog.selectedFiles()[0]) if dialog.exec() else None
+        title, name = f"Report {self._lens.text}", self._document.name
+        return self._dialogs.to_save("report", title, name, _FILTERS)
 
     def cancel(self) -> None:
         """Write none after all."""

@@ -39,6 +39,8 @@ class Forms(QScrollArea):
         Why an edit was refused, each time.
     file_refused : Signal(str)
         Why a chosen or dropped file is not taken.
+    image_asked : Signal()
+        A person wants to choose an image file for the target.
     postponed : Signal(str)
         Which edits wait for the end of the run.
     refusals_changed : Signal()
@@ -47,6 +49,7 @@ class Forms(QScrollArea):
 
     told = Signal(str)
     file_refused = Signal(str)
+    image_asked = Signal()
     postponed = Signal(str)
     refusals_changed = Signal()
 
@@ -95,6 +98,7 @@ class Forms(QScrollArea):
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self._target.image_asked.connect(self.image_asked)
         self._target.image_again.connect(self._read_image_again)
         document.session_changed.connect(self._show_change)
         self._show()

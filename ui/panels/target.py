@@ -6,7 +6,7 @@ import numpy as np
 import numpy.typing as npt
 from PySide6.QtCore import QPoint, QRect, QSize, QSizeF, Signal
 from PySide6.QtGui import QImage, QPainter, QPaintEvent
-from PySide6.QtWidgets import QFileDialog, QWidget
+from PySide6.QtWidgets import QWidget
 
 from ui.panels.edits import Edit
 from ui.panels.fields import Changes, CheckRow, ChoiceRow, NumberRow, TextRow
@@ -28,10 +28,13 @@ class TargetPanel(Panel):
 
     Attributes
     ----------
+    image_asked : Signal()
+        A person wants to choose an image file.
     image_again : Signal()
         The image file of the target was chosen again.
     """
 
+    image_asked = Signal()
     image_again = Signal()
 
     def __init__(self) -> None:
@@ -44,7 +47,6 @@ class TargetPanel(Panel):
             f"design keeps images of up to {LARGEST_PICTURE >> 20} MB.",
             "Choose an image file",
         )
-        image.asked.connect(self._browse)
         super().__init__(
             "Target",
             [
@@ -92,6 +94,7 @@ class TargetPanel(Panel):
                 CheckRow("target.invert", "Invert", "Swap bright and dark."),
             ],
         )
+        image.asked.connect(self.image_asked)
         self._thumbnail = Thumbnail()
         self._form.insertRow(0, self._thumbnail)
 
@@ -103,18 +106,13 @@ class TargetPanel(Panel):
 
     def _change_kind(self, choice: str) -> Changes | None:
         if choice == "image":
-            self._browse()
+            self.image_asked.emit()
             return None
         return {"target": {"builtin": choice, **self._finish()}}
 
     def _finish(self) -> dict[str, object]:
         target = self.session.scene.target
         return {name: getattr(target, name) for name in Finish.model_fields}
-
-    def _browse(self) -> None:
-        chosen, _ = QFileDialog.getOpenFileName(self, "Target image", "", IMAGE_FILES)
-        if chosen:
-            self.choose_image(Path(chosen))
 
     def choose_image(self, path: Path) -> None:
         """Ask for an image file as the target; the one that it is already is read again."""
