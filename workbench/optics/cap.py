@@ -70,11 +70,11 @@ def covering_caps(points: Array, half_width: tuple[float, float], z: float) -> C
     unit = (corners - ahead[:, None] * shorter[..., None]) / length[..., None]
 
     # Of the smallest ball that holds the unit vectors the middle is on the axis.
-    balls = np.stack(_middles(unit), axis=1)  # [points, balls, 3]
-    radius2 = np.square(unit[:, None] - balls[:, :, None]).sum(axis=3).max(axis=2)
+    balls = _middles(unit)
+    radius2 = np.stack([np.square(unit - b[:, None]).sum(axis=2).max(axis=1) for b in balls])
     radius2[np.isnan(radius2)] = np.inf  # three corners on a line have no circle
-    best = np.arange(len(points)), radius2.argmin(axis=1)
-    aside, sine2 = balls[best], radius2[best]
+    best = radius2.argmin(axis=0), np.arange(len(points))
+    aside, sine2 = np.stack(balls)[best], radius2[best]
     axis = ahead + aside
     rise = middle[:, 2:] / axis[:, 2:]
     centre = rise * (aside[:, :2] - ahead[:, :2] * (aside[:, 2:] / ahead[:, 2:]))

@@ -79,19 +79,21 @@ def _mean_cosine(caps: Caps) -> Array:
     ahead, aside = caps.axis[:, 2], np.hypot(caps.axis[:, 0], caps.axis[:, 1])
     rim, level = 2 * np.arcsin(np.sqrt(caps.versine / 2)), np.arctan2(ahead, aside)
     mean = ahead * (1 - caps.versine / 2)
-    for k in (rim > level).nonzero()[0]:
-        mean[k] = _mean_cosine_ahead(ahead[k], aside[k], rim[k], level[k]) / caps.versine[k]
+    some = rim > level
+    if some.any():
+        mean[some] = _cosine_ahead(ahead[some], aside[some], rim[some], level[some])
+        mean[some] /= caps.versine[some]
     return np.asarray(mean)
 
 
-def _mean_cosine_ahead(ahead: float, aside: float, rim: float, level: float) -> float:
-    """The mean of a cap that is partly behind its point, times its versine."""
+def _cosine_ahead(ahead: Array, aside: Array, rim: Array, level: Array) -> Array:
+    """Means of caps that are partly behind their points, times their versines; shape (k,)."""
     # Rings around the axis that lie half behind: cos = A + B cos ψ, over the ψ of light ahead.
     # The square takes the root out of the end of ψ where the first ring dips below.
     root = (_NODE + 1) / 2
-    angle = level + (rim - level) * root**2
-    part_a, part_b = ahead * np.cos(angle), aside * np.sin(angle)
+    angle = level[:, None] + (rim - level)[:, None] * root**2  # [points, nodes]
+    part_a, part_b = ahead[:, None] * np.cos(angle), aside[:, None] * np.sin(angle)
     end = np.arccos((-part_a / part_b).clip(-1, 1))
     ring = (part_a * end + part_b * np.sin(end)) / np.pi
-    partly = (rim - level) * (_WEIGHT @ (ring * np.sin(angle) * root))
-    return float(ahead * np.sin(level) ** 2 / 2 + partly)
+    partly = (rim - level) * ((ring * np.sin(angle) * root) @ _WEIGHT)
+    return np.asarray(ahead * np.sin(level) ** 2 / 2 + partly)

@@ -1,0 +1,47 @@
+"""The work for a grid grows with its rays: nothing is done for one of its points after another."""
+
+import sys
+
+import pytest
+
+from workbench.analysis.lights import PointLight
+from workbench.analysis.pose import Pose
+from workbench.optics.emission import emit
+from workbench.optics.entering import entering
+from workbench.optics.lattice import make_lattice
+
+
+def calls_of(work):
+    """How many Python functions are called, those of numpy among them."""
+    count = 0
+
+    def see(_frame, event, _argument):
+        nonlocal count
+        count += event == "call"
+
+    sys.setprofile(see)
+    try:
+        work()
+    finally:
+        sys.setprofile(None)
+    return count
+
+
+@pytest.mark.parametrize("emission", ["uniform", "lambertian"])
+def test_as_many_steps_for_ten_thousand_points_as_for_four(make_scene, emission):
+    def scene(points):
+        # Some of the cones reach behind their points.
+        grid = {"kind": "grid", "center": [0, 0, -0.05], "half_width": [1.5, 1.5], "rays": 2}
+        return make_scene({"source": grid | {"points": [points, points], "emission": emission}})
+
+    few, many = scene(2), scene(100)
+    parts = {
+        "rays": lambda s: emit(s.source, s.lens, seed=0),
+        "check": lambda s: PointLight(s, 1000, 1, Pose()),
+        "account": lambda s: entering.__wrapped__(s.source, s.lens),
+        "samples": lambda s: make_lattice(s.source, s.lens, (400, 400)),
+    }
+    for name, work in parts.items():
+        work(few)  # imports and caches
+        # The account goes row by row, and samples look for the best order of a row.
+        assert calls_of(lambda w=work: w(many)) <= calls_of(lambda w=work: w(few)) + 3000, name
