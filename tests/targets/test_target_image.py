@@ -185,6 +185,9 @@ FOREIGN = [
     b"\x93NUMPY\x02\x00\xff\xff\xff\xff{}",
     b"\x93NUMPY\x01\x00\x60\xea" + b"(" * 60_000,
     b"\x93NUMPY\x01\x00\x60\x00" + b"{1: 2, [3]: 4}".ljust(96),
+    b"\x93NUMPY\x01\x00\x60\x00"
+    + b"{'descr': '|u1', 'fortran_order': False, 'shape': (True, 4)}".ljust(95)
+    + b"\n123",
 ]
 
 

@@ -18,7 +18,7 @@ Array = npt.NDArray[np.float64]
 Against = Literal["iterations", "seconds"]
 
 _FONT = 8
-_EXTREMES = 1e-300, 1e300  # ends of an axis: steps beside them are still numbers
+_EXTREMES = 1e-200, 1e200  # ends of an axis: ticks far beside them are still numbers
 _SHORT_RANGE = 50
 _NAME = 13  # widths of letters that a name and its stroke take
 _MARK = "#8a8f98"  # seen on light and dark

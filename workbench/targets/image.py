@@ -117,6 +117,7 @@ def _read_npy(path: Path, file: BinaryIO, side: int) -> Array:
         with warnings.catch_warnings(action="ignore"):
             version = np.lib.format.read_magic(header)
             shape, fortran, dtype = _HEADER_READERS[version](header)
+            shape = tuple(map(int, shape))  # numpy lets True be a length
     except Exception as error:  # the header is a Python literal: whatever parsing one raises
         raise _refused(path, f"is not a whole .npy array of numbers: {error}") from error
     if len(shape) != 2:
