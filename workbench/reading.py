@@ -29,6 +29,8 @@ def opened(path: Path) -> Iterator[BinaryIO]:
     Refused
         If it is missing, no ordinary file, or cannot be read, here or in the block.
     """
+    if "\0" in str(path):  # which Python would not look for
+        raise Refused(str(path), "does not exist; no file can have such a name")
     try:
         # Asked first: opening a pipe would wait for someone to write.
         kind = os.stat(path).st_mode

@@ -1,5 +1,6 @@
 """The picture of a target that a session keeps, and when its file is read."""
 
+import os
 from pathlib import Path
 
 import numpy as np
@@ -55,6 +56,17 @@ def test_the_kept_picture_counts_until_the_file_is_read_again(session, image):
     assert again.picture == image.read_bytes() and again.scene == kept.scene
     assert not changed_on_disk(again.scene, again.picture)
     assert np.abs(again.target - kept.target).max() > 0.9
+
+
+def test_a_pipe_in_place_of_the_file_is_not_waited_for(session, image):
+    image.unlink()
+    os.mkfifo(image)
+    assert picture_of(session.scene, image.parent) is None
+    assert not changed_on_disk(session.scene, session.picture)
+
+
+def test_a_name_that_no_file_can_have_gives_no_picture(make_scene, tmp_path):
+    assert picture_of(make_scene({"target": {"image": "a\0b.png"}}), tmp_path) is None
 
 
 def test_a_file_that_is_gone_has_not_changed(session, image):

@@ -2,6 +2,8 @@
 
 from pathlib import Path
 
+from workbench.errors import Refused
+from workbench.reading import opened
 from workbench.scene import Scene
 
 LARGEST_PICTURE = 16 << 20
@@ -27,9 +29,9 @@ def picture_of(scene: Scene, folder: Path) -> bytes | None:
     if scene.image is None:
         return None
     try:
-        with (folder / scene.image).open("rb") as file:
+        with opened(folder / scene.image) as file:
             content = file.read(LARGEST_PICTURE + 1)
-    except OSError:  # whoever draws the target says so
+    except Refused:  # whoever draws the target says so
         return None
     return content if len(content) <= LARGEST_PICTURE else None
 
@@ -49,7 +51,7 @@ def changed_on_disk(scene: Scene, picture: bytes | None) -> bool:
     if picture is None or scene.image is None:
         return False
     try:
-        with open(scene.image, "rb") as file:
+        with opened(Path(scene.image)) as file:
             return file.read(LARGEST_PICTURE + 1) != picture
-    except OSError:
+    except Refused:
         return False

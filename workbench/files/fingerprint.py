@@ -4,7 +4,7 @@ from hashlib import blake2b
 from pathlib import Path
 from typing import BinaryIO
 
-from workbench.files.reading import opened
+from workbench.reading import opened
 
 _BLOCK = 1 << 20  # bytes
 

@@ -7,9 +7,9 @@ from pathlib import Path
 
 from workbench.files.entries import Entries
 from workbench.files.header import read_header, read_part
-from workbench.files.reading import opened
 from workbench.files.scene import LARGEST_TEXT, read_scene, with_absolute_image
 from workbench.files.session import HEADER, is_session
+from workbench.reading import opened
 from workbench.scene import ImageTarget, Scene
 
 

@@ -6,7 +6,7 @@ from pathlib import Path
 from workbench.errors import Refused
 from workbench.files.atomic import replacing
 from workbench.files.json_text import check_fields_once
-from workbench.files.reading import opened
+from workbench.reading import opened
 from workbench.scene import ImageTarget, Scene
 
 LARGEST_TEXT = 1 << 20

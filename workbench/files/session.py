@@ -18,13 +18,13 @@ from workbench.files.figures import Figures, VerifiedFigures
 from workbench.files.fingerprint import digest
 from workbench.files.header import MOST_RUNS, Header, RunHeader, plain_view, read_header, read_part
 from workbench.files.npy import Array, Mask, write_array
-from workbench.files.reading import opened
 from workbench.files.scene import (
     LARGEST_TEXT,
     read_scene,
     with_absolute_image,
     with_portable_image,
 )
+from workbench.reading import opened
 from workbench.scene import Scene
 
 HEADER = "session.json"
