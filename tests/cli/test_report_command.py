@@ -1,7 +1,9 @@
 import base64
 import io
 import json
+import os
 import re
+from datetime import datetime
 from html.parser import HTMLParser
 
 import numpy as np
@@ -12,8 +14,11 @@ from workbench.design.session import VerifiedError
 from workbench.design.snapshot import Result
 from workbench.files.session import KeptRun, Session, write_session
 from workbench.optics.ledger import Ledger
+from workbench.report.content import Picture, Report, Row, Section
+from workbench.report.pdf import write_pdf
 from workbench.targets import load_target
 
+DAY = datetime(2001, 2, 3, 4, 5, 6)
 RAYS = ("--rays", 20_000)
 OFF = ("--tolerances", 3, "--tilt", 1, "--surface", 0.001, 0.3)
 
@@ -45,6 +50,7 @@ def lens(make_scene, tmp_path):
     kept = KeptRun("first <try>", scene, target, result, checked)
     path = tmp_path / "a <b> & 'c'.freeform"
     write_session(Session(scene, target, result, runs=(kept,)), path)
+    os.utime(path, (DAY.timestamp(), DAY.timestamp()))
     return path
 
 
@@ -95,6 +101,7 @@ class TestHtml:
     def test_it_needs_nothing_else_and_names_are_text(self, page, lens):
         found = Page(page)
         assert found.headings[0] == lens.stem
+        assert "<p>Design of 2001-02-03 04:05 " in page  # not of now: made again, it is the same
         assert found.rows["first <try>"].startswith("loss ")
         assert found.rows["first <try>"].endswith(" on the screen, error 6.25 %")
         assert not found.seen & {"script", "link", "iframe", "object"}
@@ -162,14 +169,28 @@ class TestPdf:
             assert value.split()[0] in text
         assert all(round(side.width) == 595 for side in (p.mediabox for p in reader.pages))
 
+    def test_the_same_report_is_the_same_bytes(self):
+        def draw(figure):
+            axes = figure.subplots()
+            figure.colorbar(axes.imshow(np.eye(3)), label="irradiance")
+
+        rows = tuple(Row(f"row {n}", "value") for n in range(40))
+        sections = (Section("All", rows, (Picture("An image", draw, 4.0),), note="why " * 50),)
+        written = []
+        for _ in range(3):
+            file = io.BytesIO()
+            write_pdf(Report("Title", "below", DAY, sections), file)
+            written.append(file.getvalue())
+        assert written[1:] == written[:-1]
+        assert b"/CreationDate (D:20010203040506" in written[0]
+
     def test_long_texts_stay_on_their_pages(self, tmp_path):
         pypdf = pytest.importorskip("pypdf")
-        from workbench.report.content import Report, Row, Section
-        from workbench.report.pdf import write_pdf
-
         rows = tuple(Row(f"row{n}", f"value{n} " + "long " * 30) for n in range(60))
         with (tmp_path / "long.pdf").open("wb") as file:
-            write_pdf(Report("Long", "below", (Section("All", rows, note="why " * 200),)), file)
+            write_pdf(
+                Report("Long", "below", DAY, (Section("All", rows, note="why " * 200),)), file
+            )
         pages = pypdf.PdfReader(tmp_path / "long.pdf").pages
         assert len(pages) > 2
         text = "".join(page.extract_text() for page in pages)

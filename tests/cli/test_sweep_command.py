@@ -3,9 +3,12 @@ import signal
 import subprocess
 import sys
 import time
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
+
+from workbench.sweep.store import Store
 
 FREEFORM = Path(sys.executable).with_name("freeform")
 FEW = ("--validate-rays", 10_000)
@@ -74,6 +77,31 @@ class TestTable:
         assert status == 0
         assert head.split()[:2] == ["scene", "error"]
         assert [line.split()[0] for line in lines] == ["hat", "cap"]
+
+    def test_an_error_below_the_noise_is_said_to_be_that(
+        self, freeform, scene_file, folder, monkeypatch
+    ):
+        from workbench.analysis.validation import validate
+
+        def noisy(*arguments, **named):
+            found = validate(*arguments, **named)
+            return replace(
+                found, relative_l2_corrected=0.0, relative_l2_corrected_interval=(0.0, 0.0035)
+            )
+
+        monkeypatch.setattr("workbench.analysis.validation.validate", noisy)
+        status, printed, told = freeform("sweep", scene_file, "-o", folder, *FEW)
+        assert status == 0
+        assert told.splitlines()[0] == "1/1  hat: error below 0.35 %"
+        assert "below 0.35 %" in printed
+        assert "0.00" not in printed
+
+    def test_another_sweep_in_the_folder_is_refused(self, freeform, scene_file, folder):
+        with Store(folder).locked():
+            status, printed, told = freeform("sweep", scene_file, "-o", folder, *FEW)
+        assert (status, printed) == (2, "")
+        assert told.startswith(f"freeform: {folder}: another sweep is at work in this folder; ")
+        assert freeform("sweep", scene_file, "-o", folder, *FEW)[0] == 0
 
     def test_a_point_that_fails_is_a_row(self, freeform, scene_file, folder):
         vary = ("--vary", "lens.control_points=3,12")

@@ -14,12 +14,19 @@ from workbench.optics.ledger import Ledger
 from workbench.sweep.cluster import Cluster
 from workbench.sweep.points import key_of, points
 from workbench.sweep.processes import Processes
-from workbench.sweep.store import FIGURES, Store
+from workbench.sweep.store import Store
 from workbench.sweep.sweep import sweep
 from workbench.sweep.vary import Variation
 from workbench.sweep.work import Done, Failed, Task, attempt
 
 RAYS = 10_000
+CHECK = {
+    "loss": 0.25,
+    "relative_l2": 0.25,
+    "relative_l2_corrected": 0.125,
+    "relative_l2_corrected_interval": [0.0, 0.2],
+    "efficiency": 0.75,
+}
 
 
 @pytest.fixture
@@ -54,7 +61,7 @@ class Here:
             ledger = Ledger(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1)
             heights = np.full(task.scene.lens.control_points, 0.5)
             result = Result(heights, np.ones((n_y, n_x)), np.zeros(3), 0.1, 2.5, ledger)
-            yield key, Done(result, dict.fromkeys(FIGURES[:4], 0.25))
+            yield key, Done(result, CHECK)
 
 
 def rows(found, store, workers):
@@ -125,7 +132,10 @@ class TestSweep:
         assert made[2].session is None
         assert read_session(store.folder / made[3].session).scene.run.seed == 3
         assert made[3].figures == {
-            **dict.fromkeys(FIGURES[:4], 0.25),
+            **{name: CHECK[name] for name in ("loss", "relative_l2", "efficiency")},
+            "relative_l2_corrected": 0.125,
+            "relative_l2_corrected_low": 0.0,
+            "relative_l2_corrected_high": 0.2,
             "iterations": 3.0,
             "seconds": 2.5,
         }
@@ -153,6 +163,27 @@ class TestSweep:
         made = rows(found[:1], store, Here())
         (store.folder / made[0].session).unlink()
         assert rows(found[:1], store, Here()) == made
+
+    @pytest.mark.parametrize("part", [0.0, 0.5, 0.99])
+    def test_a_truncated_session_is_made_anew(self, found, store, part):
+        made = rows(found[:1], store, Here())
+        session = store.folder / made[0].session
+        content = session.read_bytes()
+        session.write_bytes(content[: int(part * len(content))])
+        again = Here()
+        assert rows(found[:1], store, again) == made
+        assert len(again.asked) == 1
+        assert read_session(session).result.iterations == 3
+
+    def test_one_sweep_at_a_time_works_in_a_folder(self, found, store):
+        other = Store(store.folder)
+        with store.locked():
+            with pytest.raises(Refused, match="out: another sweep is at work"), other.locked():
+                pytest.fail("two at a time")
+            rows(found, store, Here())
+        with other.locked():
+            pass
+        assert not [path for path in store.folder.iterdir() if "lock" in path.name]
 
     def test_an_image_that_is_missing_is_a_row(self, scene_file, scene_data, store):
         np.save(scene_file.with_name("a.npy"), np.ones((4, 4)))

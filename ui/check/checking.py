@@ -10,10 +10,10 @@ import numpy.typing as npt
 from PySide6.QtCore import QObject, Signal
 
 from ui.latest import Latest
+from workbench.design.session import verified_error as verified_error  # to be had from here, too
 
 if TYPE_CHECKING:
     from workbench.analysis.validation import Validation
-    from workbench.design.session import VerifiedError
     from workbench.files.session import Session
 
 Array = npt.NDArray[np.float64]
@@ -117,11 +117,3 @@ class Checking(QObject):
     def _tell(self, suspect: Suspect, part: float) -> None:
         if self._latest.wants(suspect):
             self.came_on.emit(suspect, part)
-
-
-def verified_error(found: "Validation | VerifiedError") -> str:
-    """What a check says of the lens itself: the scatter of its own rays is no error of a lens."""
-    low, high = found.relative_l2_corrected_interval
-    if low == 0:  # so few rays cannot tell it from none
-        return f"below {100 * high:.2f} %"
-    return f"{100 * found.relative_l2_corrected:.2f} %"

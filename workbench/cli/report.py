@@ -1,6 +1,7 @@
 """``freeform report``."""
 
 from collections.abc import Callable, Sequence
+from datetime import datetime
 from pathlib import Path
 from typing import BinaryIO
 
@@ -41,7 +42,8 @@ def report(
         check_writable(file)
     from workbench.report.gather import gather  # late: draws, which takes long to import
 
-    found = gather(session, path.stem, rays, tolerances)
+    dated = datetime.fromtimestamp(path.stat().st_mtime)
+    found = gather(session, path.stem, dated, rays, tolerances)
     for file, write in zip(files, writers, strict=True):
         with replacing(file) as stream:
             write(found, stream)

@@ -7,16 +7,15 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from workbench.cli.interruption import Interrupted, number_of
+from workbench.design.session import verified_error
 from workbench.errors import RunFailed
 from workbench.sweep.cluster import Cluster
+from workbench.sweep.points import Point
 from workbench.sweep.points import points as points_of
 from workbench.sweep.processes import Processes
 from workbench.sweep.store import Row, Store, to_data
 from workbench.sweep.sweep import sweep as sweep_all
 from workbench.sweep.vary import Variation
-
-# What people compare: few rays scatter more than good lenses err.
-_ERROR = "relative_l2_corrected"
 
 
 def sweep(
@@ -57,36 +56,50 @@ def sweep(
         After Ctrl-C; what is finished is kept.
     """
     points = points_of(scenes, [Variation.parse(text) for text in vary])
-    store = Store(folder)
     # Threads of the tracer that wait must sleep: spinning, they take the cores from each other.
     os.environ.setdefault("OMP_WAIT_POLICY", "PASSIVE")
-    cores = os.cpu_count() or 1
-    count = min(jobs or cores, len(points))
-    rows: dict[int, Row] = {}
-    stop = None
-    try:
-        with Cluster(dask) if dask else Processes(count, max(cores // count, 1)) as workers:
-            for number, row in sweep_all(points, store, workers, rays):
-                rows[number] = row
-                _tell(points[number].name, row, len(rows), len(points))
-    except KeyboardInterrupt as error:
-        stop = error
-    table = [rows[number] for number in sorted(rows)]
-    store.write_table(table)
+    store = Store(folder)
+    with store.locked():
+        table, stop = _work(points, store, _workers(jobs, dask, len(points)), rays)
+        store.write_table(table)
     print(json.dumps(to_data(table)) if as_json else _text(table))
     failed = sum(row.reason is not None for row in table)
     if stop:
         raise Interrupted(
             number_of(stop),
-            f"interrupted; {len(rows) - failed} of {len(points)} points are finished and kept in "
+            f"interrupted; {len(table) - failed} of {len(points)} points are finished and kept in "
             f"{folder}, the same command goes on",
         )
     if failed:
         raise RunFailed(f"{failed} of {len(points)} points have no lens; the table tells why")
 
 
+def _workers(jobs: int | None, dask: str | None, points: int) -> Cluster | Processes:
+    if dask:
+        return Cluster(dask)
+    cores = os.cpu_count() or 1
+    count = min(jobs or cores, points)
+    return Processes(count, max(cores // count, 1))
+
+
+def _work(
+    points: Sequence[Point], store: Store, workers: Cluster | Processes, rays: int
+) -> tuple[list[Row], KeyboardInterrupt | None]:
+    """Rows of all points that were worked on, and what interrupted that."""
+    rows: dict[int, Row] = {}
+    stop = None
+    try:
+        with workers:
+            for number, row in sweep_all(points, store, workers, rays):
+                rows[number] = row
+                _tell(points[number].name, row, len(rows), len(points))
+    except KeyboardInterrupt as error:
+        stop = error
+    return [rows[number] for number in sorted(rows)], stop
+
+
 def _tell(name: str, row: Row, done: int, of: int) -> None:
-    told = row.reason or f"error {row.figures[_ERROR]:.2%}"
+    told = row.reason or f"error {verified_error(row.verified)}"
     print(f"{done}/{of}  {name}: {told}", file=sys.stderr, flush=True)
 
 
@@ -104,7 +117,7 @@ def _text(rows: Sequence[Row]) -> str:
         end = [row.reason or ""]
         if figures:
             end = [
-                f"{figures[_ERROR]:.2%}",
+                verified_error(row.verified),
                 f"{figures['efficiency']:.1%}",
                 f"{figures['iterations']:.0f}",
                 f"{figures['seconds']:.1f}",

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 import numpy.typing as npt
@@ -34,6 +34,30 @@ class VerifiedError(NamedTuple):
 
     relative_l2_corrected: float
     relative_l2_corrected_interval: tuple[float, float]
+
+
+class Checked(Protocol):
+    """What has the error that an independent check found."""
+
+    @property
+    def relative_l2_corrected(self) -> float:
+        """Without the scatter of the check's own rays."""
+
+    @property
+    def relative_l2_corrected_interval(self) -> tuple[float, float]:
+        """Where it lies with 95 % confidence."""
+
+
+def verified_error(found: Checked) -> str:
+    """What a check says of the lens itself: the scatter of its own rays is no error of a lens."""
+    low, high = found.relative_l2_corrected_interval
+    if low == 0:  # so few rays cannot tell it from none
+        return f"below {_percent(high)}"
+    return _percent(found.relative_l2_corrected)
+
+
+def _percent(part: float) -> str:
+    return f"{100 * part:.2f} %" if part >= 1e-4 else f"{100 * part:.1g} %"
 
 
 @dataclass(frozen=True, eq=False)

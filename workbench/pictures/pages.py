@@ -3,6 +3,7 @@
 import textwrap
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from datetime import datetime
 from functools import partial
 from itertools import zip_longest
 from typing import TYPE_CHECKING, BinaryIO
@@ -11,6 +12,7 @@ import matplotlib
 from matplotlib.backends.backend_pdf import PdfPages
 from matplotlib.figure import Figure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
+from matplotlib.transforms import Bbox, BboxBase
 
 if TYPE_CHECKING:
     from matplotlib.figure import FigureBase, SubFigure
@@ -27,6 +29,7 @@ _LINE = 0.17  # inches
 _INK, _PALE = "#1d232b", "#6a7380"
 _SIZES = {"title": 18.0, "heading": 12.0, "text": 8.5}
 _COLUMNS = (0.0, 1.65, 3.85, 5.5)  # inches, of the names and values of two rows
+_DIGITS = 6  # of places, in parts of a page
 _TOGETHER = 16  # rows that stay on one page
 _NAME_LETTERS, _VALUE_LETTERS, _LINE_LETTERS = 26, 34, 112
 
@@ -100,8 +103,8 @@ class Pages:
 
         self._blocks.append(_Block(height, between_margins))
 
-    def write(self, file: BinaryIO, title: str) -> None:
-        """Write all of it.
+    def write(self, file: BinaryIO, title: str, dated: datetime) -> None:
+        """Write all of it; the same pages of the same date are the same bytes.
 
         Raises
         ------
@@ -109,13 +112,16 @@ class Pages:
             If it cannot be written.
         """
         pages = self._paginated()
+        metadata = {"Title": title, "Creator": self._foot, "CreationDate": dated}
         # Letters as they are, so that the text can be found and copied.
         with (
             matplotlib.rc_context({"pdf.fonttype": 42}),
-            PdfPages(file, metadata={"Title": title, "Creator": self._foot}) as pdf,
+            PdfPages(file, metadata=metadata) as pdf,
         ):
             for number, blocks in enumerate(pages, 1):
-                pdf.savefig(self._page(blocks, f"{self._foot} · {number} / {len(pages)}"))
+                page = self._page(blocks, f"{self._foot} · {number} / {len(pages)}")
+                _settle(page)
+                pdf.savefig(page)
 
     def _paginated(self) -> list[list[_Block]]:
         room = _PAGE[1] - 2 * _MARGIN - _LINE
@@ -146,6 +152,25 @@ class Pages:
         bottom = last.bbox.height / last.dpi - _MARGIN
         _write(last, 0.0, bottom, foot, "text", colour=_PALE)
         return figure
+
+
+def _settle(page: Figure) -> None:
+    """Lay out a page, and round where everything stands.
+
+    The last digits of the solver depend on addresses in memory, which no two runs have in common.
+    """
+    page.draw_without_rendering()
+    page.set_layout_engine("none")
+    for axes in page.axes:
+        axes.set_position(_rounded(axes.get_position()))
+    parts = list(page.subfigs)
+    for part in parts:  # grows
+        parts.extend(part.subfigs)
+        part.bbox_relative.set(_rounded(part.bbox_relative))
+
+
+def _rounded(place: BboxBase) -> Bbox:
+    return Bbox(place.get_points().round(_DIGITS))
 
 
 def _beside(rows: Sequence[tuple[str, str]]) -> list[_Line]:

@@ -1,6 +1,7 @@
 """A report before it has a form: sections of rows and pictures."""
 
 from dataclasses import dataclass
+from datetime import datetime
 from typing import TYPE_CHECKING, NamedTuple
 
 if TYPE_CHECKING:
@@ -61,11 +62,14 @@ class Report:
     Attributes
     ----------
     title, subtitle : str
-        Session, and when and by what it was reported.
+        Session, of when it is and by what it was reported.
+    dated : datetime
+        Of when it is.
     sections : tuple of Section
         One after the other.
     """
 
     title: str
     subtitle: str
+    dated: datetime
     sections: tuple[Section, ...]

@@ -13,7 +13,7 @@ from workbench.analysis.metrics import relative_l2
 from workbench.analysis.tolerances import Distribution, Tolerances, perturbed
 from workbench.analysis.validation import validate
 from workbench.design.origin import origin
-from workbench.design.session import KeptRun, Session
+from workbench.design.session import KeptRun, Session, verified_error
 from workbench.errors import Refused
 from workbench.geometry.surface import even_counts
 from workbench.pictures import report as pictures
@@ -36,9 +36,9 @@ _PLACES = 257  # of maps, along the longer side of the lens
 def gather(
     session: Session,
     name: str,
+    dated: datetime,
     rays: int,
     tolerances: tuple[Tolerances, int] | None = None,
-    now: datetime | None = None,
 ) -> Report:
     """Check a lens and put together what is to be told of it.
 
@@ -48,12 +48,12 @@ def gather(
         A session with a lens.
     name : str
         What it is called.
+    dated : datetime
+        Of when it is. Not of now: then two reports of one session would differ.
     rays : int
         Rays of the independent check, at least.
     tolerances : tuple[Tolerances, int], optional
         How far lenses may be off, and how many are traced; a quarter of the rays for each.
-    now : datetime, optional
-        When the report is made; now by default.
 
     Raises
     ------
@@ -125,9 +125,9 @@ def gather(
         )
     )
     sections.append(Section("Scene", scene_rows(scene)))
-    at = (now or datetime.now()).astimezone()
-    program = f"Freeform Lens Workbench {__version__}"
-    return Report(name, f"{at:%Y-%m-%d %H:%M %Z} · {program}", tuple(sections))
+    dated = dated.astimezone()
+    subtitle = f"Design of {dated:%Y-%m-%d %H:%M %Z} · Freeform Lens Workbench {__version__}"
+    return Report(name, subtitle, dated, tuple(sections))
 
 
 def _manufacture(scene: Scene, heights: Array) -> Section:
@@ -163,7 +163,7 @@ def _tolerances(session: Session, within: Tolerances, samples: int, rays: int) -
 
 def _kept(run: KeptRun) -> Row:
     result, checked = run.result, run.verified
-    error = f", error {percent(checked.relative_l2_corrected, 2)}" if checked else ""
+    error = f", error {verified_error(checked)}" if checked else ""
     return Row(
         run.name,
         f"loss {result.loss:.4g} after {result.iterations} iterations in {result.seconds:.1f} s, "

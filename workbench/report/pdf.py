@@ -23,4 +23,4 @@ def write_pdf(report: Report, file: BinaryIO) -> None:
         pages.rows(section.rows, heads=bool(section.pictures))
         for picture in section.pictures:
             pages.picture(picture.draw, picture.height)
-    pages.write(file, report.title)
+    pages.write(file, report.title, report.dated)

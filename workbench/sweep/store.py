@@ -8,14 +8,16 @@ import csv
 import io
 import json
 from collections.abc import Sequence
-from contextlib import suppress
+from contextlib import AbstractContextManager, suppress
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any
 
+from workbench.design.session import VerifiedError
 from workbench.errors import Refused
 from workbench.files.atomic import check_writable, replacing
-from workbench.files.session import Session, write_session
+from workbench.files.lock import locked
+from workbench.files.session import Session, read_session, write_session
 from workbench.sweep.points import Point
 from workbench.sweep.vary import shown
 from workbench.sweep.work import Done
@@ -24,12 +26,18 @@ FIGURES = (
     "loss",
     "relative_l2",
     "relative_l2_corrected",
+    "relative_l2_corrected_low",
+    "relative_l2_corrected_high",
     "efficiency",
     "iterations",
     "seconds",
 )
-"""Numbers in a row; but for the last two those of the independent check."""
+"""Numbers in a row; but for the last two those of the independent check.
 
+Between low and high the error without ray noise lies with 95 % confidence.
+"""
+
+_LOCK = ".sweep.lock"
 _LARGEST = 1 << 20  # bytes of the figures of a point
 
 TABLES = ("table.csv", "table.json")
@@ -60,6 +68,13 @@ class Row:
     session: str | None = None
     reason: str | None = None
 
+    @property
+    def verified(self) -> VerifiedError:
+        """Error of the lens by its independent check."""
+        name = "relative_l2_corrected"
+        figures = self.figures
+        return VerifiedError(figures[name], (figures[f"{name}_low"], figures[f"{name}_high"]))
+
     @classmethod
     def of(cls, point: Point, reason: str | None = None) -> "Row":
         """A row without a lens."""
@@ -89,14 +104,25 @@ class Store:
         check_writable(folder / TABLES[0])
         self.folder = folder
 
+    def locked(self) -> AbstractContextManager[None]:
+        """The folder without any other sweep at work in it.
+
+        Raises
+        ------
+        Refused
+            When entered, if there is one.
+        """
+        busy = "another sweep is at work in this folder; wait for it, or give another one by -o"
+        return locked(self.folder / _LOCK, busy)
+
     def find(self, point: Point, key: str) -> Row | None:
-        """The row of a point that is finished."""
+        """The row of a point that is finished: both of its files are there and whole."""
         name = point.file_name(key)
-        with suppress(OSError, ValueError, KeyError, TypeError):
+        with suppress(OSError, ValueError, KeyError, TypeError, Refused):
             with (self.folder / f"{name}.json").open("rb") as file:
                 data = json.loads(file.read(_LARGEST))
             session = f"{name}.freeform"
-            if data["key"] == key and (self.folder / session).is_file():
+            if data["key"] == key and read_session(self.folder / session).result is not None:
                 figures = {figure: float(data[figure]) for figure in FIGURES}
                 return replace(Row.of(point), figures=figures, session=session)
         return None
@@ -107,7 +133,9 @@ class Store:
         result = done.result
         write_session(replace(task, result=result), self.folder / f"{name}.freeform")
         run = {"iterations": result.iterations, "seconds": result.seconds}
-        data = {"key": key, **done.check, **run}
+        low, high = done.check["relative_l2_corrected_interval"]
+        ends = {"relative_l2_corrected_low": low, "relative_l2_corrected_high": high}
+        data = {"key": key, **done.check, **ends, **run}
         with replacing(self.folder / f"{name}.json") as file:
             file.write(json.dumps(data, indent=1).encode())
         found = self.find(point, key)

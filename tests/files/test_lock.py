@@ -1,0 +1,52 @@
+import subprocess
+import sys
+
+import pytest
+
+from workbench.errors import Refused
+from workbench.files.lock import locked
+
+HOLD = (
+    "import sys, time; from pathlib import Path; from workbench.files.lock import locked\n"
+    "with locked(Path(sys.argv[1]), 'busy'): print(flush=True); time.sleep(60)"
+)
+
+
+@pytest.fixture
+def path(tmp_path):
+    return tmp_path / ".lock"
+
+
+def test_a_lock_is_held_by_one_at_a_time_and_leaves_nothing(path):
+    refused = pytest.raises(Refused, match=rf"^{path.parent}: is taken$")
+    with locked(path, "is taken"), refused, locked(path, "is taken"):
+        pytest.fail("held twice")
+    with locked(path, "is taken"):
+        pass
+    assert not path.exists()
+
+
+def test_an_error_within_is_not_taken_for_a_lock(path):
+    with pytest.raises(PermissionError), locked(path, "is taken"):
+        raise PermissionError
+    assert not path.exists()
+
+
+def test_the_lock_of_a_killed_process_is_free(path):
+    with subprocess.Popen(
+        [sys.executable, "-c", HOLD, path], stdout=subprocess.PIPE, text=True
+    ) as process:
+        process.stdout.readline()
+        with pytest.raises(Refused, match="is taken"), locked(path, "is taken"):
+            pytest.fail("held twice")
+        process.kill()
+        process.wait()
+        assert path.exists()
+        with locked(path, "is taken"):
+            pass
+    assert not path.exists()
+
+
+def test_a_folder_that_is_missing(tmp_path):
+    with pytest.raises(Refused, match="cannot be written"), locked(tmp_path / "no" / "lock", ""):
+        pytest.fail("held")
