@@ -1,4 +1,5 @@
 import json
+import math
 
 import pytest
 
@@ -20,8 +21,12 @@ def out(tmp_path):
 
 
 @pytest.fixture
-def freeform(capsys):
-    """Runs a command; gives exit status, standard output and error."""
+def freeform(capsys, monkeypatch):
+    """Runs a command; gives exit status, standard output and error.
+
+    Slow machines get no lines of progress that quick ones do not.
+    """
+    monkeypatch.setattr("workbench.cli.progress._LINES", math.inf)
 
     def run(*arguments):
         status = main([str(argument) for argument in arguments])

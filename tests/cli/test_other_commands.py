@@ -96,7 +96,7 @@ class TestValidate:
         assert re.search(r"\rcheck  .*\d+ %  .* left", told)
 
     def test_lines_elsewhere_than_on_a_terminal(self, freeform, lens, monkeypatch):
-        monkeypatch.setattr("workbench.cli.progress._SECONDS", -1.0)
+        monkeypatch.setattr("workbench.cli.progress._LINES", -1.0)
         status, _, told = freeform("validate", lens, "--rays", 10_000)
         assert status == 0
         assert told.splitlines()[-1] == "check  100 %"

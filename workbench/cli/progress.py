@@ -11,6 +11,7 @@ from workbench.design.snapshot import Snapshot
 # Elsewhere than on a terminal a line is due after this part of the run or this many seconds.
 _PART, _SECONDS = 0.05, 10.0
 _DELAY = 0.5  # seconds, before which nobody looks for a bar
+_LINES = 10.0  # seconds from one line to the next, where parts are told
 
 
 class PartProgress:
@@ -41,7 +42,7 @@ class PartProgress:
         """Show the part that is done."""
         if self._bar is not None:
             self._bar.update(part - self._bar.n)
-        elif time.monotonic() - self._told > _SECONDS:
+        elif time.monotonic() - self._told > _LINES:
             self._told = time.monotonic()
             print(f"{self._name}  {100 * part:.0f} %", file=sys.stderr, flush=True)
 
