@@ -315,8 +315,8 @@ class MainWindow(QMainWindow):
             return
         if self.forms.refused:
             self.messages.note("Saved with the last valid value of each marked field.")
-        elif self.forms.postponed_edits:
-            self.messages.note("Saved without the changes that wait for the end of the run.")
+        elif self.forms.postponed_edits and self.bench is not None:
+            self.bench.postponed.remind("Saved with the task that the run works on.")
 
     def _tell_saved(self, sentence: str) -> None:
         self.log.add(sentence)

@@ -33,6 +33,10 @@ class Postponed(QObject):
         self._withdraw()
         self._forms.make_postponed_edits()
 
+    def remind(self, sentence: str) -> None:
+        """Say something, and that edits still wait."""
+        self._offer(f"{sentence} {self._forms.postponed_text}")
+
     def _offer(self, sentence: str) -> None:
         self._said = sentence
         stop = self._control.runner.stop

@@ -124,8 +124,12 @@ def test_an_edit_waits_for_the_run_or_stops_it(running, qtbot):
     assert running.document.session.result is not None  # of the run, for the task that it had
 
 
-def test_an_edit_that_waits_can_be_taken_back(running, qtbot):
+def test_an_edit_that_waits_can_be_taken_back(running, qtbot, tmp_path, monkeypatch):
     enter(qtbot, running.forms, "screen.z", "7")
+    monkeypatch.setattr(running.files, "ask_for_name", lambda: tmp_path / "mine.freeform")
+    running.commands["save"].trigger()
+    assert read_session(tmp_path / "mine.freeform").scene.screen.z == 5
+    assert "Saved with the task that the run works on" in running.messages.text
     _, take_back = running.messages.buttons
     take_back.click()
     assert editor(running.forms, "screen.z").text() == "5" and not running.messages.isVisible()

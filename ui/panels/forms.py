@@ -202,7 +202,7 @@ class Forms(QScrollArea):
         if scene != self._session.scene:
             self._later += edits
             self._next = scene
-            self.postponed.emit(self._postponed)
+            self.postponed.emit(self.postponed_text)
 
     @property
     def _session(self) -> Session:
@@ -211,7 +211,8 @@ class Forms(QScrollArea):
         return session if self._next is None else replace(session, scene=self._next)
 
     @property
-    def _postponed(self) -> str:
+    def postponed_text(self) -> str:
+        """Which edits wait for the end of the run."""
         texts = dict.fromkeys(edit.text for edit in self._later)
         return f"Waits for the end of the run: {', '.join(texts)}."
 
@@ -267,7 +268,7 @@ class Forms(QScrollArea):
             self.refusals_changed.emit()
 
     def _show_hint(self) -> None:
-        self._hint.setText(self._postponed if self._later else self._run_hint)
+        self._hint.setText(self.postponed_text if self._later else self._run_hint)
         self._hint.setVisible(self._running)
 
     def _rows(self) -> list[Row]:
