@@ -355,6 +355,13 @@ class TestRefused:
         told = refused(forge({"target.npy": change(npy(session.target))}))
         assert "shape (6, 7) needs 336" in told
 
+    @pytest.mark.parametrize("peak", [1.7e308, 1e-310])
+    def test_only_ratios_of_a_huge_or_tiny_target_count(self, forge, session, peak):
+        ratios = session.target / session.target.max()
+        found = read_session(forge({"target.npy": npy(peak * ratios)})).target
+        np.testing.assert_allclose(found, ratios, atol=1e-12)
+        assert not found.flags.writeable
+
     @pytest.mark.parametrize("target", [np.zeros((6, 7)), np.full((6, 7), -1.0)])
     def test_a_target_without_light(self, forge, target):
         assert "some light is needed" in refused(forge({"target.npy": npy(target)}))

@@ -31,6 +31,14 @@ def test_target_irradiance_carries_unit_flux(scene, rng):
     assert flux == pytest.approx(1, abs=1e-12)
 
 
+@pytest.mark.parametrize("scale", [1.7e308, 1e-310])
+def test_target_irradiance_of_huge_and_tiny_values_is_that_of_their_ratios(scene, scale):
+    target = np.linspace(0, 1, 32).reshape(4, 8)
+    np.testing.assert_allclose(
+        target_irradiance(scene, scale * target), target_irradiance(scene, target), rtol=1e-9
+    )
+
+
 def test_error_compares_at_equal_flux(scene, rng):
     target = rng.random((4, 8))
     np.testing.assert_allclose(signed_error(scene, target, 3.7 * target), 0, atol=1e-12)

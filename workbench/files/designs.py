@@ -5,7 +5,7 @@ A kept run's entries are named like those of the open design, in a folder of the
 
 import numpy as np
 
-from workbench.design.snapshot import Result
+from workbench.design.snapshot import Result, frozen
 from workbench.errors import Refused, shown
 from workbench.files.entries import Entries
 from workbench.files.figures import Figures
@@ -23,6 +23,8 @@ _SECONDS = "seconds.npy"  # sessions of earlier programs have none
 _FARTHEST = 1000
 # No pixel has more than all light; so many times as much leaves room for other units of flux.
 _BRIGHTEST = 1000
+
+_TINY, _HUGE = 1e-100, 1e100  # largest values that are left as they are
 
 
 def entries_of(folder: str, target: Array, result: Result | None) -> dict[str, Array]:
@@ -48,6 +50,9 @@ def names_of(entries: Entries, folder: str, figures: Figures | None) -> set[str]
 def read_target(entries: Entries, folder: str, scene: Scene) -> Array:
     """The wished image of a design.
 
+    One whose sum of squares would be beyond float64, or 0, is scaled to a largest value of 1: only
+    ratios count.
+
     Raises
     ------
     Refused
@@ -59,7 +64,8 @@ def read_target(entries: Entries, folder: str, scene: Scene) -> Array:
         raise Refused(
             entries.where(folder + _TARGET), "is dark or has negative values; some light is needed"
         )
-    return target
+    peak = float(target.max())
+    return target if _TINY < peak < _HUGE else frozen(target / peak)
 
 
 def read_heights(entries: Entries, name: str, scene: Scene) -> Array:

@@ -48,8 +48,11 @@ def target_irradiance(scene: Scene, target: npt.NDArray[Any]) -> Array:
     ndarray, shape (n_y, n_x)
         Flux per area.
     """
-    flux = float(target.sum()) * scene.screen.pixel_area
-    return np.asarray(target / flux if flux > 0 else np.zeros(target.shape), dtype=np.float64)
+    peak = float(target.max())
+    if not peak > 0:
+        return np.zeros(target.shape)
+    ratios = target / peak  # first, so that neither tiny nor huge images lose their sum
+    return np.asarray(ratios / (float(ratios.sum()) * scene.screen.pixel_area), dtype=np.float64)
 
 
 def signed_error(scene: Scene, target: npt.NDArray[Any], irradiance: Array) -> Array:
