@@ -2,7 +2,7 @@
 
 ``first`` is by the first program that wrote sessions, ``staged`` by the first that ran in stages;
 ``compared`` has locks, kept runs and a view, ``checked`` a run whose error is verified, ``started``
-a lens of another task.
+a lens of another task, ``drawn`` the picture of its target.
 """
 
 import io
@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 
 from workbench.files.session import read_session, write_session
+from workbench.targets import load_target
 
 GOLDEN = Path(__file__).parent / "golden"
 NAMES = sorted(path.name for path in GOLDEN.iterdir())
@@ -45,7 +46,7 @@ def assert_result(result, figures, arrays):
 
 
 def test_they_are_all_there():
-    names = ["checked", "compared", "first", "staged", "started"]
+    names = ["checked", "compared", "drawn", "first", "staged", "started"]
     assert [f"{name}.freeform" for name in names] == NAMES
 
 
@@ -76,6 +77,7 @@ def test_they_can_be_written_again_and_lose_nothing(name, tmp_path):
     again = read_session(tmp_path / name)
     assert again.scene == session.scene
     assert again.view == session.view
+    assert again.picture == session.picture
 
 
 def test_what_the_first_program_found():
@@ -110,3 +112,11 @@ def test_a_lens_of_another_task():
     first = read_session(GOLDEN / "first.freeform")
     assert session.result is None
     np.testing.assert_array_equal(session.start, first.result.control_points)
+
+
+def test_a_picture_from_which_the_target_is_drawn_anew():
+    session = read_session(GOLDEN / "drawn.freeform")
+    assert session.picture.startswith(b"<svg ") and not Path(session.scene.image).exists()
+    light = load_target(session.scene, GOLDEN, session.picture)
+    np.testing.assert_allclose(light, session.target, atol=0.02)
+    assert read_session(GOLDEN / "first.freeform").picture is None
