@@ -64,7 +64,7 @@ def read_number(text: str, unit: str = "") -> Fraction:
     try:
         found = _worked_out(ast.parse(source, mode="eval").body, values)
     except (SyntaxError, KeyError) as error:
-        raise ValueError(f"{shown(text)} is not a number") from error
+        raise ValueError(f"{shown(text)} is not a number; a number is needed") from error
     except ZeroDivisionError as error:
         raise ValueError(f"{shown(text)} divides by zero") from error
     if found.power not in (0, 1):
@@ -87,7 +87,7 @@ def _source(text: str, units: Mapping[str, Fraction]) -> tuple[str, dict[str, _Q
     while at < len(text):
         token = _TOKEN.match(text, at)
         if token is None:
-            raise ValueError(f"{shown(text)} is not a number")
+            raise ValueError(f"{shown(text)} is not a number; a number is needed")
         at = token.end()
         name = f"v{len(values)}"
         if token["sign"]:
@@ -96,7 +96,7 @@ def _source(text: str, units: Mapping[str, Fraction]) -> tuple[str, dict[str, _Q
             values[name] = _Quantity(_decimal(token["number"]))
             parts.append(name)
         elif not values:
-            raise ValueError(f"{shown(text)} is not a number")
+            raise ValueError(f"{shown(text)} is not a number; a number is needed")
         elif token["unit"] not in units:
             here = ", ".join(name for name in units if name) or "no unit"
             raise ValueError(f"{shown(text)}: {token['unit']!r} is not known here; {here}")

@@ -101,7 +101,7 @@ def test_numbers_are_shown_with_all_the_digits_they_have(forms, document, qtbot)
         ("lens.control_points[0]", "6.5", "is not a whole number"),
         ("lens.height_range[0]", "1", "low before high"),
         ("filter.size[0]", "4", "4 is even"),
-        ("run.seed", "", "a whole number is needed"),
+        ("run.seed", "", "'' is not a number; a number is needed"),
         ("target.radius", "2", "at most 1"),
     ],
 )

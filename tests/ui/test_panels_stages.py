@@ -139,7 +139,7 @@ def test_one_number_of_an_empty_net_counts_for_both(begin, qtbot):
             "iterations",
             "soon",
             "[0].iterations",
-            "'soon' is not a number; a whole number",
+            "'soon' is not a number; a number is needed",
         ),
         ("iterations", "80", "", "they leave none of the 100 iterations"),
         ("control_points[0]", "3", "[0].control_points", "3 is too few for degree 3; at least 4"),

@@ -41,14 +41,11 @@ class Typed:
         ValueError
             With what is wrong in one sentence.
         """
-        kind = "whole number" if self.whole else "number"
+        found = read_number(self.text, unit if self.unit == LENGTH else self.unit)
         try:
-            found = read_number(self.text, unit if self.unit == LENGTH else self.unit)
             return int(found) if self.whole and found.denominator == 1 else float(found)
         except OverflowError as error:
-            raise ValueError(f"{self.text} is too large; a {kind} is needed") from error
-        except ValueError as error:
-            raise ValueError(f"{error}; a {kind} is needed") from error
+            raise ValueError(f"{self.text} is too large") from error
 
 
 @dataclass(frozen=True)
