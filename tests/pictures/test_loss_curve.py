@@ -35,9 +35,7 @@ def test_what_a_logarithm_cannot_show_is_left_out_of_the_limits(axes):
 
 
 @pytest.mark.filterwarnings("error")
-@pytest.mark.parametrize(
-    "losses", [[5e-324], [1e-3, 5e-324], [1e-3, 1.7e308], [5e-324, 1.7e308]]
-)
+@pytest.mark.parametrize("losses", [[5e-324], [1e-3, 5e-324], [1e-3, 1.7e308], [5e-324, 1.7e308]])
 def test_losses_at_the_ends_of_all_numbers_are_drawn(axes, losses):
     curve = LossPicture(axes)
     curve.update(np.array(losses), 10)
