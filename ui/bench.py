@@ -19,6 +19,7 @@ from ui.run.control import RunControl
 from ui.run.log import RunLog
 from ui.run.runs import Runs
 from ui.scene_pictures import ScenePictures
+from ui.shortfall_notice import ShortfallNotice
 from ui.views.views import Views
 
 if TYPE_CHECKING:
@@ -60,6 +61,8 @@ class Bench(QObject):
         self.postponed = Postponed(window.forms, self.control, messages, self)
         self._pictures = ScenePictures(views.scene, document, messages, window.dialogs, window)
         RunLog(document, self.control, window.log.add)
+        go_on = window.commands["continue"].trigger
+        ShortfallNotice(document, self.control, messages, go_on)
         docked = {
             **views.docked,
             **production.panes,

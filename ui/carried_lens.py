@@ -2,6 +2,7 @@
 
 from functools import partial
 
+import numpy as np
 from PySide6.QtCore import QObject, Signal
 
 from ui.document import Document
@@ -56,11 +57,20 @@ class CarriedLens(QObject):
         if before.scene.unit != after.scene.unit:  # converted, the lens with all the rest
             return
         net, other = ControlNet.of(before.scene.lens), ControlNet.of(after.scene.lens)
+        if after.result is not None and net == other:  # within its new limits
+            return
         if new is None:
-            self._tell_once(
-                before,
-                "The lens does not fit into the new outline, base or height range: Start designs "
-                "another one, Undo brings it back",
+            self._say_of(
+                after,
+                "The lens does not fit the new outline: Start designs another one, Undo brings it "
+                "back.",
+            )
+        elif net == other and new is not old:
+            unit, moved = after.scene.unit, np.abs(new - old)
+            self._say_of(
+                after,
+                f"The lens is changed by up to {moved.max():.2g} {unit} to be within its new "
+                "limits. Continue goes on from there, and Undo takes the change back.",
             )
         elif net != other:
             self._before, self._after = before, after
@@ -98,6 +108,11 @@ class CarriedLens(QObject):
         if self._told is None or self._told[0] is not before or self._told[1] != text:
             self._told = before, text
             self.told.emit(text)
+
+    def _say_of(self, after: Session, text: str) -> None:
+        """Say something of the session after an edit."""
+        self._before, self._after = None, after
+        self._say(text)
 
     def _say(self, text: str, *offers: Offer) -> None:
         self._said = text

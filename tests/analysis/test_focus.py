@@ -55,10 +55,15 @@ def test_within_the_lens(lens):
 
 
 def test_parts_of_the_way_to_the_screen_clear_the_lens(make_scene):
-    scene = make_scene()
+    scene, flat = make_scene(), np.full((12, 10), 0.5)
     top = scene.lens.highest
-    assert screen_at(scene, 1) == scene.screen.z
-    assert screen_at(scene, 0.5) - top == pytest.approx((scene.screen.z - top) / 2)
-    with_screen_at(scene, screen_at(scene, 1e-6))
+    assert screen_at(scene, flat, 1) == scene.screen.z
+    assert screen_at(scene, flat, 0.5) - top == pytest.approx((scene.screen.z - top) / 2)
+    with_screen_at(scene, screen_at(scene, flat, 1e-6))
     with pytest.raises(Refused, match="may touch the lens"):
-        with_screen_at(scene, screen_at(scene, 0))
+        with_screen_at(scene, screen_at(scene, flat, 0))
+
+
+def test_parts_of_the_way_begin_at_the_top_of_a_lens_whose_range_is_automatic(make_scene):
+    scene = make_scene({"lens.height_range": None})
+    assert screen_at(scene, np.linspace(0.1, 2.0, 120).reshape(12, 10), 0) == 2.0

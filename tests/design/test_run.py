@@ -1,6 +1,7 @@
 """A design run as its consumers see it."""
 
 import dataclasses
+import re
 from itertools import islice
 
 import numpy as np
@@ -110,14 +111,49 @@ def test_no_iterations_show_the_undesigned_lens(make_scene, disc):
     assert len(list(run(make_scene({"run.iterations": 0}), disc))) == 1
 
 
-def test_a_run_without_light_says_where_it_went(make_scene, disc):
-    for method in METHODS:
-        # Four rays, none of them through the middle, where the tiny screen is.
-        scene = make_scene(
-            {"run": method, "source.rays": [2, 2], "screen.half_width": [1e-3, 1e-3]}
-        )
-        with pytest.raises(RunFailed, match=r"iteration 0: no light reaches the screen: .* 92%"):
-            list(run(scene, disc))
+def test_a_run_without_light_says_where_all_of_it_went(make_scene, disc):
+    # Four rays, none of them through the middle, where the tiny screen is.
+    scene = make_scene(
+        {"run": {"method": "paper"}, "source.rays": [2, 2], "screen.half_width": [1e-3, 1e-3]}
+    )
+    with pytest.raises(RunFailed) as failed:
+        list(run(scene, disc))
+    text = str(failed.value)
+    assert text.startswith("stopped at iteration 0: no light reaches the screen: of the emitted")
+    assert "92.2% passes beside it" in text
+    shares = [float(share) for share in re.findall(r"([\d.]+)%", text)]
+    assert sum(shares) == pytest.approx(100, abs=0.2)
+    assert text.endswith("a larger or a nearer screen catches it")
+
+
+ASIDE = {
+    "lens.refractive_index": 2.0,
+    "source": {"kind": "point", "position": [4.0, 0.0, -5.0], "rays": 4096},
+    "lens.control_points": [20, 20],
+}
+
+
+def test_auto_judges_the_first_lens_of_transport_and_not_the_undesigned_one(make_scene, disc):
+    # The plate sends no light to the screen.
+    dark, *rest = run(make_scene(ASIDE | {"lens.height_range": None}), disc)
+    assert dark.ledger.on_screen == 0 and not dark.irradiance.any()
+    assert dark.best and np.isfinite(dark.loss)
+    assert rest[0].best and rest[0].ledger.on_screen > 0.3
+    assert rest[-1].loss < 0.2 * dark.loss
+
+
+def test_auto_goes_on_by_transport_from_a_lens_without_light(make_scene, disc):
+    scene = make_scene(ASIDE | {"lens.height_range": None})
+    dark, then, *_ = run(scene, disc, start=np.full((20, 20), 0.6))
+    assert dark.ledger.on_screen == 0 and (dark.control_points == 0.6).all()
+    assert then.ledger.on_screen > 0.3
+
+
+def test_auto_refuses_what_no_lens_in_the_range_can_do_and_says_what_is_needed(make_scene, disc):
+    aside = {"source": ASIDE["source"] | {"position": [20.0, 0.0, -5.0]}}
+    scene = make_scene(ASIDE | aside | {"lens.height_range": [-1e-4, 1e-4]})
+    with pytest.raises(RunFailed, match=r"no light .*; The lens needs .* is allowed: widen"):
+        list(run(scene, disc))
 
 
 def test_a_box_filter_gives_the_papers_method_no_gradient(make_scene, disc):

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from workbench.design.session import Session
+from workbench.design.shortfall import Shortfall
 from workbench.design.snapshot import Result
 from workbench.geometry.approximation import deviation
 from workbench.geometry.surface import ControlNet
@@ -101,15 +102,54 @@ def test_another_image_takes_the_lens_for_a_start(session):
 @pytest.mark.parametrize(
     "values",
     [
-        {"lens__half_width": [1.0, 1.1]},
-        {"lens__entrance_z": -0.01},
         {"lens__min_thickness": 0.06},
-        {"lens__height_range": [-0.2, 0.3]},
+        {"lens__max_thickness": 8.0},
+        {"lens__height_range": [-0.2, 3.0]},
+        {"lens__height_range": None},
+    ],
+)
+def test_limits_that_the_lens_is_within_keep_the_result(session, values):
+    short = Shortfall("height_range", None, (-0.3, 0.3), 0.5)
+    short = replace(session, result=replace(session.result, shortfall=short))
+    other = edited(short, **values)
+    assert other.result.control_points is session.result.control_points
+    assert other.result.losses is session.result.losses
+    assert other.result.shortfall is None  # it was one of the limits before
+    assert other.start is None
+
+
+@pytest.mark.parametrize(
+    "values",
+    [
+        {"lens__entrance_z": -0.01},
         {"lens__base": {"shape": "flat", "height": 0.51}},
     ],
 )
-def test_another_room_for_the_lens_takes_it_away(session, values):
+def test_a_lens_within_its_new_limits_is_a_start(session, values):
     other = edited(session, **values)
+    assert other.result is None and other.start is session.result.control_points
+
+
+def test_limits_that_the_lens_exceeds_cut_it_off(session):
+    heights = session.result.control_points
+    half = 0.7 * np.abs(heights - 0.5).max()
+    other = edited(session, lens__height_range=[-half, half])
+    assert other.result is None
+    assert np.abs(other.start - 0.5).max() == pytest.approx(half)
+    off = heights - other.start  # the most of it is as it was, moved along z
+    assert (np.abs(off - np.median(off)) < 1e-12).mean() > 0.9
+
+
+def test_a_lens_moves_along_z_where_that_is_enough_to_be_within_its_limits(session):
+    heights = session.result.control_points
+    other = edited(session, lens__max_thickness=float(heights.max()) - 0.01)
+    assert other.result is None
+    assert np.ptp(heights - other.start) < 1e-12
+    assert other.start.max() < heights.max() - 0.01
+
+
+def test_another_outline_takes_the_lens_away(session):
+    other = edited(session, lens__half_width=[1.0, 1.1])
     assert other.result is None and other.start is None and other.control_points is None
 
 

@@ -69,6 +69,9 @@ REFUSED = [
     ("lens.refractive_index", "PMMA", "lens.wavelength_um: missing; it goes with 'PMMA'"),
     ("lens.height_range", [0.3, -0.3], "lens.height_range: [0.3, -0.3] is empty"),
     ("lens.height_range", [-0.5, -0.45], "lens.height_range[1]: -0.45 leaves no room above"),
+    ("lens.max_thickness", 0.05, "lens.max_thickness: 0.05 leaves no room above"),
+    ("lens.max_thickness", 0.2, "lens.height_range[0]: -0.3 leaves no room below"),
+    ("lens.max_thickness", 0, "lens.max_thickness: 0"),
     ("source", {"kind": "laser"}, "source.kind: 'laser' is not available; allowed: 'collimated'"),
     ("source", {"kind": "point"}, "source.position: missing; it is required"),
     (

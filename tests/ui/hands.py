@@ -18,7 +18,15 @@ def row(forms, path, visible=True):
 
 def editor(forms, path):
     """The field at a path, of its row: ``lens.degree[0]``."""
-    return row(forms, path[: -len("[0]")] if path.endswith("]") else path).editors[path]
+    return field_row(forms, path).editors[path]
+
+
+def field_row(forms, path):
+    """The row of the field at a path; it can be seen."""
+    having = [each for each in rows(forms) if path in getattr(each, "editors", {})]
+    first = max(having, key=QWidget.isVisible)
+    assert first.isVisible(), f"{path} is hidden"
+    return first
 
 
 def fill(qtbot, field, text, key=Qt.Key.Key_Return):

@@ -104,10 +104,29 @@ def test_another_task_is_told_once(desk, qtbot):
     assert desk.messages.text == ""
 
 
-def test_a_lens_that_does_not_fit_is_told(desk, qtbot):
+def test_a_lens_of_another_outline_is_dropped_and_the_window_says_so(desk, qtbot):
     enter(qtbot, desk.forms, "lens.half_width[0]", "1.5")
-    assert "does not fit" in desk.log[0]
+    assert "does not fit the new outline" in desk.messages.text
     assert desk.document.session.control_points is None
+    desk.document.undo_stack.undo()
+    assert desk.document.session.result is not None
+    assert desk.messages.text == ""
+
+
+def test_a_lens_within_a_wider_range_stays_and_nothing_is_said(desk, qtbot):
+    before = desk.document.session.result
+    enter(qtbot, desk.forms, "lens.height_range[1]", "0.4")
+    assert desk.document.session.result.control_points is before.control_points
+    assert desk.messages.text == "" and desk.log == []
+
+
+def test_a_lens_that_exceeds_its_new_range_is_changed_and_the_window_says_by_how_much(desk, qtbot):
+    before = desk.document.session.control_points
+    enter(qtbot, desk.forms, "lens.height_range[1]", "0.01")
+    after = desk.document.session
+    moved = np.abs(after.control_points - before).max()
+    assert after.result is None and after.control_points.max() <= 0.51
+    assert f"changed by up to {moved:.2g} cm" in desk.messages.text
 
 
 def test_run_settings_are_no_matter_for_the_lens(desk, qtbot):

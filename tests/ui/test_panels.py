@@ -7,7 +7,7 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QApplication
 
-from tests.ui.hands import choose, editor, enter, fill, row, rows
+from tests.ui.hands import choose, editor, enter, field_row, fill, row, rows
 from workbench.files.session import Session
 from workbench.scene import Scene
 from workbench.targets import load_target
@@ -18,7 +18,8 @@ def session():
     scene = Scene.from_data(
         {
             "unit": "cm",
-            "lens": {"half_width": [1, 1], "refractive_index": 1.5, "control_points": [6, 6]},
+            "lens": {"half_width": [1, 1], "refractive_index": 1.5, "control_points": [6, 6]}
+            | {"height_range": [-0.3, 0.3]},
             "source": {"kind": "collimated", "rays": [16, 16]},
             "screen": {"z": 5, "half_width": [1, 1], "pixels": [12, 10]},
             "target": {"builtin": "tophat", "blur": 1.0},
@@ -110,7 +111,7 @@ def test_a_refusal_stands_beside_its_field(forms, document, qtbot, path, text, r
     enter(qtbot, forms, path, text)
     assert document.session is session
     assert editor(forms, path).text() == text  # as typed, until it is corrected
-    field = row(forms, path.partition("[")[0])
+    field = field_row(forms, path)
     assert reason in field.refusal
     assert field._refusal.isVisible()
     assert forms.refused
@@ -326,7 +327,7 @@ def test_a_refusal_unfolds_its_panel(forms, qtbot):
     panel.unfold(False)
     enter(qtbot, forms, "lens.height_range[1]", "9")
     assert "may touch the lens" in row(forms, "screen.z").refusal
-    assert "Screen at z: 5 may touch" in row(forms, "lens.height_range").refusal
+    assert "Screen at z: 5 may touch" in field_row(forms, "lens.height_range[1]").refusal
 
 
 def test_edits_during_a_run_wait_for_its_end(forms, document, qtbot):
@@ -503,3 +504,24 @@ def test_an_image_is_not_read_again_during_a_run(forms, document, tmp_path):
     forms.set_running(False)
     forms.choose_image(image)
     assert document.session is not session
+
+
+def test_the_height_range_is_automatic_or_a_persons_own(forms, document, qtbot):
+    assert row(forms, "lens.height_range").chooser.currentText() == "Own limits"
+    choose(forms, "lens.height_range", "automatic")
+    assert document.session.scene.lens.height_range is None
+    assert [each.isVisible() for each in rows(forms) if each.path == "lens.height_range"] == [
+        True,
+        False,  # no numbers
+    ]
+    choose(forms, "lens.height_range", "own")
+    assert document.session.scene.lens.height_range == (-0.3, 0.3)
+    enter(qtbot, forms, "lens.height_range[1]", "0.4")
+    assert document.session.scene.lens.height_range == (-0.3, 0.4)
+
+
+def test_stock_may_be_given_or_left_out(forms, document, qtbot):
+    enter(qtbot, forms, "lens.max_thickness", "0.9")
+    assert document.session.scene.lens.max_thickness == 0.9
+    enter(qtbot, forms, "lens.max_thickness", "")
+    assert document.session.scene.lens.max_thickness is None

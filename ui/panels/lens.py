@@ -3,12 +3,17 @@
 import math
 from typing import Any
 
+import numpy as np
+
 from ui.panels.fields import LENGTH, Changes, ChoiceRow, NumberRow
+from ui.panels.optional import OptionalRow
 from ui.panels.panel import Panel
 from workbench.files.session import Session
+from workbench.geometry.surface import ControlNet
 from workbench.materials import CATALOGUE
 
 _OWN_INDEX = "index"
+_AUTOMATIC, _OWN_RANGE = "automatic", "own"
 _HELIUM_D_UM = 0.5876  # the line at which catalogues quote an index
 
 
@@ -93,13 +98,30 @@ class LensPanel(Panel):
                 "Concave rises towards the rim, convex falls.",
                 [("concave", "Concave"), ("convex", "Convex")],
             ),
-            NumberRow(
+            ChoiceRow(
                 "lens.height_range",
                 "Height range",
+                "How far the exit face may be from the base. Automatic takes what the task needs, "
+                "between the thinnest and the thickest lens that is allowed.",
+                [(_AUTOMATIC, "Automatic"), (_OWN_RANGE, "Own limits")],
+                read=_range,
+                changes=self._change_range,
+            ),
+            NumberRow(
+                "lens.height_range",
+                "From the base",
                 "How far a control point may move from the base, down and up. "
                 "A wider range bends light further.",
                 LENGTH,
                 between="to",
+            ),
+            OptionalRow(
+                "lens.max_thickness",
+                "Max. thickness",
+                "The exit face is at most this far from the entrance face: the thickness of the "
+                "stock that the part is made of. Left empty, any will do.",
+                lambda data: ["none"],
+                LENGTH,
             ),
             NumberRow(
                 "lens.min_thickness",
@@ -125,6 +147,20 @@ class LensPanel(Panel):
         wavelength = lens.wavelength_um or _HELIUM_D_UM
         return {"lens.refractive_index": choice, "lens.wavelength_um": wavelength}
 
+    def _change_range(self, choice: str) -> Changes | None:
+        lens, heights = self.session.scene.lens, self.session.control_points
+        if choice == _range(self.session.scene.to_data()):
+            return None
+        if choice == _AUTOMATIC:
+            return {"lens.height_range": None}
+        half = 0.3 * max(lens.half_width)
+        if heights is not None:
+            x, y = ControlNet.of(lens).positions
+            off = np.abs(heights - lens.base.height_at(x[:, None], y[None, :]))
+            half = max(half, 1.5 * float(off.max()))
+        half = float(f"{half:.2g}")
+        return {"lens.height_range": [-half, half]}
+
     def _change_base(self, choice: str) -> Changes:
         lens = self.session.scene.lens
         base: dict[str, object] = {"shape": choice, "height": lens.base.height}
@@ -132,6 +168,10 @@ class LensPanel(Panel):
             # Shallow enough for any lens that a flat base was good for.
             base["radius"] = float(f"{10 * math.hypot(*lens.half_width):.2g}")
         return {"lens.base": base}
+
+
+def _range(data: dict[str, Any]) -> str:
+    return _AUTOMATIC if data["lens"].get("height_range") is None else _OWN_RANGE
 
 
 def _material(data: dict[str, Any]) -> str:

@@ -68,6 +68,7 @@ class Frame:
             stage_starts=self.stage_starts,
             stages_left=shot.stages - 1 - shot.stage,
             seconds_at=self.times,
+            shortfall=shot.shortfall,
         )
 
 

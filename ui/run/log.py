@@ -68,8 +68,9 @@ class RunLog(QObject):
         self._last = shot
         if shot.stages > 1 and (last is None or last.stage != shot.stage):
             self._tell(f"Stage {shot.stage + 1} of {shot.stages}, iteration {shot.iteration}")
-        if shot.notes and (last is None or last.notes != shot.notes):
-            self._tell("Trace: " + "; ".join(shot.notes))
+        new = [note for note in shot.notes if last is None or note not in last.notes]
+        if new:
+            self._tell("Trace: " + "; ".join(new))
 
     def _end(self) -> None:
         if self._last is None:

@@ -191,8 +191,9 @@ class FocusView(LightImageView, WhileSeen):
         self._curve.add(z, 1.0 if found is None else found.relative_l2_corrected)
 
     def _z_of(self, part: int) -> float:
-        assert self._frame is not None
-        return screen_at(self._frame.session.scene, part / _SCREEN)
+        frame = self._frame
+        assert frame is not None
+        return screen_at(frame.session.scene, frame.snapshot.control_points, part / _SCREEN)
 
     def _why_empty(self, frame: "Frame | None") -> str:
         if frame is not None and self._light is None:

@@ -30,6 +30,7 @@ from ui.views.tools.hand import Hand
 from ui.views.tools.steer import steer
 from ui.views.tools.tool import Pointer, Tool
 from ui.views.view import View, look_alike
+from workbench.design.limits import bounded
 from workbench.pictures.images import LIGHT
 
 if TYPE_CHECKING:
@@ -107,8 +108,8 @@ class SceneView(View):
 
     @property
     def lens(self) -> "Lens | None":
-        """Whose control points are shown."""
-        return None if self._shown is None else self._shown.scene.lens
+        """Whose control points are shown, with all that limits them."""
+        return None if self._shown is None else bounded(self._shown.scene)
 
     @property
     def source(self) -> "Source | None":

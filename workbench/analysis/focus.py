@@ -47,22 +47,24 @@ class Focus:
         return {"z": self.z, "relative_l2": self.relative_l2, "efficiency": self.efficiency}
 
 
-def screen_at(scene: Scene, part: float) -> float:
+def screen_at(scene: Scene, control_points: Array, part: float) -> float:
     """Where a screen stands at a part of the way from the lens to the scene's screen.
 
     Parameters
     ----------
     scene : Scene
         Lens and screen.
+    control_points : ndarray, shape (n_u, n_v)
+        Heights of the lens, scene units.
     part : float
-        Above 0, where the highest place is that the exit face can reach; 1 is the scene's screen.
+        Above 0, which is as high as the exit face is or may be; 1 is the scene's screen.
 
     Returns
     -------
     float
         z of the screen.
     """
-    highest = scene.lens.highest
+    highest = max(scene.lens.highest, float(control_points.max()))
     return highest + part * (scene.screen.z - highest)
 
 

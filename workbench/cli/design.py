@@ -72,6 +72,9 @@ def design(path: Path, output: Path, iterations: int | None, seconds: float, as_
                 keeper.finish(result)
     if result is not None:
         _print(result, as_json)
+        if result.shortfall is not None:
+            shortfall = result.shortfall
+            print(f"{shortfall.sentence(scene.unit)}: {shortfall.cure}", file=sys.stderr)
     if interruption.asked:
         raise Interrupted(interruption.asked, f"interrupted; the best lens so far is in {output}")
 

@@ -75,9 +75,10 @@ class Progress:
             self._line = snapshot
             done = f"{snapshot.iteration}/{snapshot.iterations}"
             print(f"{done}  {self._state(snapshot)}", file=sys.stderr, flush=True)
-        if snapshot.notes != self._notes:
-            self._notes = snapshot.notes
-            tqdm.write("; ".join(snapshot.notes), file=sys.stderr)
+        new = [note for note in snapshot.notes if note not in self._notes]
+        self._notes = snapshot.notes
+        if new:
+            tqdm.write("; ".join(new), file=sys.stderr)
 
     def close(self) -> None:
         """Leave the bar as it is and go on below it."""

@@ -11,7 +11,7 @@
 - What is its own mirror image is traced in one half or quarter alone.
 """
 
-from collections.abc import Callable, Generator
+from collections.abc import Callable, Generator, Sequence
 from functools import partial
 from itertools import islice
 
@@ -24,13 +24,12 @@ from torch import Tensor
 from workbench.design.heights import HeightRange, Mask
 from workbench.design.lbfgs import Evaluation, Objective, minimise
 from workbench.design.loss import check_gradient
-from workbench.design.phases import PHASES, SHARPEST, image_of, reach_of
+from workbench.design.phases import PHASES, SHARPEST, Phase, image_of, reach_of
+from workbench.design.room import Room
 from workbench.design.smoothness import Smoothness
 from workbench.design.step import Step
-from workbench.design.transport import transport_start
 from workbench.design.waves import Waves
 from workbench.design.wide_image import WideImage
-from workbench.geometry.surface import ControlNet
 from workbench.optics.plan import device_of
 from workbench.scene import GridSource, PointSource, Scene
 
@@ -47,9 +46,7 @@ _SLOW = f"converged: less than {100 * _PROGRESS:g} % better in {_PATIENCE} itera
 _LOWEST = "converged: no step makes the image better"
 
 
-def auto_steps(
-    scene: Scene, target: Array, start: Array | None, locked: Mask | None = None
-) -> Generator[Step, None, str]:
+def auto_steps(room: Room) -> Generator[Step, None, str]:
     """Evaluate lens after lens through all phases; see `workbench.design.run.run`.
 
     Returns
@@ -60,36 +57,66 @@ def auto_steps(
     Raises
     ------
     RunFailed
-        If the loss or its gradient is not finite.
+        If no light comes near the screen even from the first lens by transport, or the loss or its
+        gradient is not finite.
     """
+    scene, target, locked = room.scene, room.target, room.locked
     device = device_of(scene)
-    free = HeightRange.of(scene.lens, ControlNet.of(scene.lens), device).keeping(locked, start)
-    parameters = free.rest if start is None else free.parameters(start)
-    mirrored = _mirrored(scene, target, start, locked)
+    mirrored = _mirrored(scene, target, room.start, locked)
     seen_by = partial(image_of, scene=scene, target=target, mirrored=mirrored, locked=locked)
     smoothness = Smoothness.of(scene, target, device)
-    if start is None:
-        undesigned = free.heights(parameters)
-        step = seen_by(SHARPEST, reach=reach_of(scene, undesigned)).compare(undesigned)[1]
-        if smoothness is not None:
-            step = smoothness.judged(step, smoothness.penalty(undesigned))
-        yield step
-        first = transport_start(scene, target)
-        if first is not None:
-            parameters = free.parameters(_joined(first, undesigned.cpu().numpy(), locked))
-    heights = free.heights(parameters)
-    reach = reach_of(scene, heights)
+    before = room.begin
+    heights = torch.tensor(before, device=device)
     # All lenses are judged by the sharpest image, so that their losses can be compared.
+    reach = reach_of(scene, heights)
     judge = seen_by(SHARPEST, reach=reach)
-    near = start is not None and judge.compare(heights)[0].norm() < _ROUGH
-    # The very first lens is none of the iterations.
-    left = scene.run.iterations + (start is not None)
-    for phase in (SHARPEST,) if near else PHASES:
-        image = judge if phase is SHARPEST else seen_by(phase, reach=reach)
+    step = judge.step(heights)
+    if smoothness is not None:
+        step = smoothness.judged(step, smoothness.penalty(heights))
+    yield step
+    free = room.height_range(device)
+    # Nothing tells a lens to go on from where its light should go if none is on the screen.
+    goes_on = room.start is not None and step.ledger.on_screen > 0
+    if goes_on or room.first is None:
+        parameters = free.parameters(before)
+    else:
+        parameters = free.parameters(_joined(room.limits.nearest(room.first), before, locked))
+        reach = reach_of(scene, free.heights(parameters))
+        judge = seen_by(SHARPEST, reach=reach)
+    near = goes_on and judge.compare(heights)[0].norm() < _ROUGH
+    steps = _descend(
+        (SHARPEST,) if near else PHASES,
+        lambda phase: judge if phase is SHARPEST else seen_by(phase, reach=reach),
+        partial(_objective, judge=judge, free=free, smoothness=smoothness),
+        parameters,
+        mirrored,
+        scene.run.iterations + goes_on,
+    )
+    if goes_on:
+        next(steps)  # has been shown
+    return (yield from steps)
+
+
+def _descend(
+    phases: Sequence[Phase],
+    image_for: Callable[[Phase], WideImage],
+    objective_of: Callable[[WideImage, Tensor, Waves], Objective[Step]],
+    parameters: Tensor,
+    mirrored: tuple[bool, bool],
+    left: int,
+) -> Generator[Step, None, str]:
+    """Minimise through one phase after the other, for as many steps as are left.
+
+    Returns
+    -------
+    str
+        Why the last one ended of its own accord.
+    """
+    for phase in phases:
+        image = image_for(phase)
         waves = Waves(parameters, phase.cut, mirrored)
         base, length = parameters, _longest_change(waves)
-        objective = _objective(image, judge, free, base, waves, smoothness)
-        steps = minimise(objective, waves.nothing, _REACH, length)
+        steps = minimise(objective_of(image, base, waves), waves.nothing, _REACH, length)
         best: list[float] = []
         for x, found in islice(steps, phase.iterations(left)):
             parameters = base + waves.change(x)
@@ -117,10 +144,11 @@ def _joined(first: Array, before: Array, locked: Mask | None) -> Array:
 
 def _objective(
     image: WideImage,
-    judge: WideImage,
-    free: HeightRange,
     base: Tensor,
     waves: Waves,
+    *,
+    judge: WideImage,
+    free: HeightRange,
     smoothness: Smoothness | None,
 ) -> Objective[Step]:
     """What a phase minimises over amplitudes of waves, with the step that ``judge`` tells."""
@@ -136,8 +164,7 @@ def _objective(
         (gradient,) = torch.autograd.grad(value, [x])
         check_gradient(gradient)
         if image is not judge:
-            with torch.no_grad():
-                step = judge.compare(heights)[1]
+            step = judge.step(heights)
         if smoothness is not None:
             step = smoothness.judged(step, penalty)
         return Evaluation(value.item(), gradient, step)

@@ -3,7 +3,7 @@
 import numpy as np
 import numpy.typing as npt
 
-from workbench.design.heights import HeightRange
+from workbench.design.limits import HeightLimits
 from workbench.geometry.surface import ControlNet
 from workbench.scene import Lens
 
@@ -70,7 +70,7 @@ class Stroke:
     """One movement of the brush along z.
 
     Heights stay in the range that the lens allows, which keeps its minimal thickness as well (see
-    `HeightRange`); locked control points stay where they are.
+    `HeightLimits`); locked control points stay where they are.
 
     Parameters
     ----------
@@ -95,15 +95,15 @@ class Stroke:
         radius: float,
     ) -> None:
         net = ControlNet.of(lens)
-        free = HeightRange.of(lens, net)
+        limits = HeightLimits.of(lens, net)
         self._heights = heights
         self._block, self._weights = bump(net, index, radius)
         if locked is not None:
             self._weights = np.where(locked[self._block], 0.0, self._weights)
         before = heights[self._block]
         # Heights that are beyond the range already may come back, but go no farther.
-        self._lower = np.minimum(free.lower.numpy()[self._block], before)
-        self._upper = np.maximum(free.upper.numpy()[self._block], before)
+        self._lower = np.minimum(limits.lower[self._block], before)
+        self._upper = np.maximum(limits.upper[self._block], before)
 
     @property
     def moves(self) -> bool:

@@ -5,8 +5,9 @@ import numpy.typing as npt
 import torch
 from torch import Tensor
 
-from workbench.design.heights import HeightRange, Mask
-from workbench.design.loss import check_finite, paper_loss, share
+from workbench.design.heights import Mask
+from workbench.design.limits import HeightLimits
+from workbench.design.loss import check_finite, check_light, paper_loss, share
 from workbench.design.phases import SHARPEST, image_of, reach_of
 from workbench.design.snapshot import Result, Snapshot, frozen
 from workbench.design.step import Step
@@ -94,6 +95,7 @@ class Evaluator:
 
     def _step_of_paper(self, heights: Tensor) -> Step:
         traced = self._plan.trace(heights)
+        check_light(traced.flux, traced.ledger)
         loss = paper_loss(traced.flux, self._wanted)
         check_finite(loss, traced.ledger)
         return Step(loss.item(), heights, traced.flux, traced.ledger, self._plan.notes)
@@ -104,5 +106,4 @@ class Evaluator:
 
 def undesigned(lens: Lens) -> Array:
     """Control heights of a lens before any design, shape (n_u, n_v), scene units."""
-    free = HeightRange.of(lens, ControlNet.of(lens))
-    return np.asarray(free.heights(free.rest).numpy())
+    return HeightLimits.of(lens, ControlNet.of(lens)).undesigned

@@ -7,6 +7,7 @@ import numpy.typing as npt
 import torch
 from torch import Tensor
 
+from workbench.design.limits import HeightLimits
 from workbench.geometry.surface import ControlNet
 from workbench.scene import Lens
 
@@ -38,14 +39,19 @@ class HeightRange:
 
     @classmethod
     def of(cls, lens: Lens, net: ControlNet, device: torch.device | str = "cpu") -> "HeightRange":
-        """The range that a lens allows on a control net."""
-        x, y = net.positions
-        base = lens.base.height_at(x[:, None], y[None, :])
-        low, high = lens.height_range
-        lower = np.maximum(base + low, lens.entrance_z + lens.min_thickness)
-        upper = base + high
-        rest = _inside(base + (low + high) / 2, lower, upper)
-        return cls(*(torch.as_tensor(part, device=device) for part in (lower, upper, rest)))
+        """The range that a lens allows on a control net.
+
+        Raises
+        ------
+        ValueError
+            If the lens leaves its range to the run; see `workbench.design.room`.
+        """
+        limits = HeightLimits.of(lens, net)
+        if not np.isfinite(limits.upper).all():
+            raise ValueError("the lens has neither a height range nor a maximal thickness")
+        rest = _inside(limits.undesigned, limits.lower, limits.upper)
+        ends = (limits.lower, limits.upper, rest)
+        return cls(*(torch.as_tensor(part, device=device) for part in ends))
 
     def keeping(self, locked: Mask | None, start: Array | None) -> "HeightRange":
         """The same range, but locked control points keep their heights exactly.

@@ -8,6 +8,16 @@ from torch import Tensor
 from workbench.errors import RunFailed
 from workbench.optics.ledger import Ledger
 
+# Where light can go instead of to the screen, in words, and what brings it there.
+_WHERE = {
+    "off_screen": ("passes beside it", "a larger or a nearer screen catches it"),
+    "missed_lens": ("misses the lens", "a larger lens catches it"),
+    "left_side": ("leaves by the side", "a thinner lens or a source nearer to the axis keeps it"),
+    "total_reflection": ("is totally reflected", "a lower index or a flatter base lets it out"),
+    "fresnel_entrance": ("is reflected at the entrance", "a source nearer to the axis lets it in"),
+    "fresnel_exit": ("is reflected at the exit", "a lower index or a flatter base lets it out"),
+}
+
 
 def share(target: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
     """The target as the part of the light that each pixel should get; sums to 1."""
@@ -31,9 +41,35 @@ def paper_loss(flux: Tensor, target_share: Tensor) -> Tensor:
     Tensor, scalar
         Frobenius norm of the difference of the sum-normalised images over √(n_x n_y).
     """
-    difference = flux / flux.sum() - target_share
+    total = flux.sum()
+    # An image without light differs by all of the target.
+    difference = flux / torch.where(total > 0, total, 1.0) - target_share
     loss: Tensor = torch.linalg.vector_norm(difference) / difference.numel() ** 0.5
     return loss
+
+
+def check_light(flux: Tensor, ledger: Ledger) -> None:
+    """Stop a run whose image has no light that it could move.
+
+    Parameters
+    ----------
+    flux : Tensor
+        Light in each pixel of the image that the run looks at.
+    ledger : Ledger
+        Where the light went.
+
+    Raises
+    ------
+    RunFailed
+        With where it went, and what would help.
+    """
+    if flux.sum() > 0:
+        return
+    emitted = ledger.emitted
+    parts = {name: value / emitted for name, value in ledger.to_data().items() if name in _WHERE}
+    most = max(parts, key=lambda name: parts[name])
+    went = ", ".join(f"{part:.1%} {_WHERE[name][0]}" for name, part in parts.items() if part > 5e-4)
+    raise RunFailed(f"no light reaches the screen: of the emitted light {went}; {_WHERE[most][1]}")
 
 
 def check_finite(loss: Tensor, ledger: Ledger) -> None:
@@ -42,20 +78,13 @@ def check_finite(loss: Tensor, ledger: Ledger) -> None:
     Raises
     ------
     RunFailed
-        With where the non-finite loss comes from.
+        With how much light is on the screen.
     """
-    if torch.isfinite(loss):
-        return
-    if ledger.on_screen == 0:
+    if not torch.isfinite(loss):
+        part = ledger.efficiency
         raise RunFailed(
-            f"no light reaches the screen: of the emitted light {ledger.off_screen:.0%} passes "
-            f"beside it, {ledger.total_reflection:.0%} is totally reflected, "
-            f"{ledger.left_side:.0%} leaves by the side and {ledger.missed_lens:.0%} misses the "
-            "lens; a larger screen or another base would catch some"
+            f"the loss is {loss.item()} although {part:.0%} of the light is on the screen"
         )
-    raise RunFailed(
-        f"the loss is {loss.item()} although {ledger.on_screen:.0%} of the light is on the screen"
-    )
 
 
 def check_gradient(gradient: Tensor) -> None:

@@ -5,7 +5,8 @@ from collections.abc import Sequence
 import numpy as np
 import numpy.typing as npt
 
-from workbench.design.heights import HeightRange, Mask
+from workbench.design.heights import Mask
+from workbench.design.limits import HeightLimits, bounded
 from workbench.design.parametrisation import check_memory
 from workbench.errors import Refused
 from workbench.geometry.body import check_body
@@ -50,8 +51,8 @@ def check_parts(
             path = refused.path.removeprefix("lens.").removeprefix("run.")
             raise Refused(f"run.stages[{stage}].{path}", refused.reason) from None
     if locked is not None and start is not None:
-        free = HeightRange.of(finished.lens, ControlNet.of(finished.lens)).keeping(locked, start)
-        check_body(finished, free.heights(free.parameters(start)).numpy())
+        limits = HeightLimits.of(bounded(finished), ControlNet.of(finished.lens))
+        check_body(finished, np.where(locked, start, start.clip(limits.lower, limits.upper)))
 
 
 def _check_filter(scene: Scene) -> None:

@@ -3,33 +3,23 @@
 from collections.abc import Generator
 from typing import NoReturn
 
-import numpy as np
-import numpy.typing as npt
 import torch
 
-from workbench.design.heights import HeightRange, Mask
-from workbench.design.loss import check_finite, check_gradient, paper_loss, share
+from workbench.design.loss import check_finite, check_gradient, check_light, paper_loss, share
 from workbench.design.networks import build
 from workbench.design.parametrisation import learning_rate
+from workbench.design.room import Room
 from workbench.design.smoothness import Smoothness
 from workbench.design.step import Step
 from workbench.geometry.surface import ControlNet
 from workbench.optics.plan import Plan, device_of
-from workbench.scene import PaperRun, Scene
-
-Array = npt.NDArray[np.float64]
+from workbench.scene import PaperRun
 
 
-def paper_steps(
-    scene: Scene,
-    target: Array,
-    settings: PaperRun,
-    start: Array | None,
-    locked: Mask | None = None,
-) -> Generator[Step, None, NoReturn]:
+def paper_steps(room: Room, settings: PaperRun) -> Generator[Step, None, NoReturn]:
     """Evaluate lens after lens, for ever; see `workbench.design.run.run`.
 
-    The inputs of the tanh are those of the undesigned lens, or of ``start``, plus how far the
+    The inputs of the tanh are those of the undesigned lens, or of the start, plus how far the
     parametrisation has moved since its own start. So a run with a network goes on from any
     heights exactly, as if the biases of its last layer had been set to them.
 
@@ -38,12 +28,13 @@ def paper_steps(
     RunFailed
         If the loss or its gradient is not finite.
     """
+    scene, start = room.scene, room.start
     device = device_of(scene)
-    plan = Plan(scene, locked=locked)
+    plan = Plan(scene, locked=room.locked)
     net = ControlNet.of(scene.lens)
-    free = HeightRange.of(scene.lens, net, device).keeping(locked, start)
-    wanted = torch.as_tensor(share(target), dtype=torch.float32, device=device)
-    smoothness = Smoothness.of(scene, target, device)
+    free = room.height_range(device)
+    wanted = torch.as_tensor(share(room.target), dtype=torch.float32, device=device)
+    smoothness = Smoothness.of(scene, room.target, device)
     shift = build(net, settings, device)
     rest = free.rest
     if start is not None:
@@ -54,6 +45,7 @@ def paper_steps(
         # The light's gradient ends at the heights, where it is checked; the network's begins.
         heights = shaped.detach().requires_grad_()
         traced = plan.trace(heights)
+        check_light(traced.flux.detach(), traced.ledger)
         loss = paper_loss(traced.flux, wanted)
         check_finite(loss, traced.ledger)
         step = Step(loss.item(), heights.detach(), traced.flux.detach(), traced.ledger)

@@ -15,6 +15,7 @@ from workbench.design.auto import auto_steps
 from workbench.design.heights import Mask
 from workbench.design.needs import check_parts
 from workbench.design.paper import paper_steps
+from workbench.design.room import Room
 from workbench.design.snapshot import Snapshot, frozen
 from workbench.design.step import Step
 from workbench.errors import RunFailed
@@ -73,8 +74,10 @@ def run(
         net = ControlNet.of(part.lens)
         # The first lens of a later stage counts as an iteration: its loss is one of another task.
         most = 1 if done else part.run.iterations + (stage == first)
-        steps = _steps(part, target, start, locked)
+        room = Room(part, target, start, locked)
+        steps = _steps(room)
         lowest = math.inf
+        best_heights: Array | None = None
         for _ in range(most):
             resumed = time.perf_counter()
             try:
@@ -83,10 +86,13 @@ def run(
                 ended: str = end.value
                 break
             except RunFailed as error:
-                raise RunFailed(f"stopped at iteration {iteration}: {error}") from None
+                short = room.shortfall(room.begin)
+                cause = "" if short is None else f"; {short.sentence(scene.unit)}: {short.cure}"
+                raise RunFailed(f"stopped at iteration {iteration}: {error}{cause}") from None
             heights = step.heights.cpu().double().numpy()
             merit = step.loss if step.merit is None else step.merit
-            best = merit < lowest
+            # The first one is the best so far even if its light falls beside the screen.
+            best = best_heights is None or merit < lowest
             if best:
                 lowest, best_heights = merit, heights
             control_points = heights if net == finished else net.carry(heights, finished)
@@ -103,19 +109,17 @@ def run(
                 best=best,
                 stage=stage,
                 stages=len(parts),
-                notes=step.notes,
+                notes=(*step.notes, *room.notes),
+                shortfall=room.shortfall(heights),
             )
             iteration += 1
         else:
             ended = _LOCKED if done else _DONE
-        if stage + 1 < len(parts):
+        if stage + 1 < len(parts) and best_heights is not None:
             start = net.carry(best_heights, ControlNet.of(parts[stage + 1].lens))
     return ended
 
 
-def _steps(
-    scene: Scene, target: Array, start: Array | None, locked: Mask | None
-) -> Generator[Step, None, str]:
-    if isinstance(scene.run, PaperRun):
-        return paper_steps(scene, target, scene.run, start, locked)
-    return auto_steps(scene, target, start, locked)
+def _steps(room: Room) -> Generator[Step, None, str]:
+    settings = room.scene.run
+    return paper_steps(room, settings) if isinstance(settings, PaperRun) else auto_steps(room)

@@ -8,11 +8,12 @@ import numpy as np
 import numpy.typing as npt
 
 from workbench import units
+from workbench.design.limits import HeightLimits, bounded
 from workbench.design.snapshot import Result, frozen
 from workbench.errors import Refused
 from workbench.geometry.approximation import project
 from workbench.geometry.surface import ControlNet
-from workbench.scene import Lens, Scene, Unit
+from workbench.scene import Scene, Unit
 
 Array = npt.NDArray[np.float64]
 Mask = npt.NDArray[np.bool_]
@@ -140,10 +141,11 @@ class Session:
         """The session after an edit; what belongs to this task as well stays.
 
         Run settings say how to search, not what for, so changing them leaves the result, and so
-        does a control net that holds the same surface. For any other task the lens is a start,
-        as long as it fits into the outline, base and range of the new one; on a net that cannot
-        hold its surface it is the nearest one. Locks stay as long as the control points that they
-        are about. A scene that is converted to another unit takes the lens along.
+        does a control net that holds the same surface, and limits that the lens is within. For any
+        other task the lens is a start, if it has the same outline; on a net that cannot hold its
+        surface it is the nearest one, and so it is within limits that it exceeds. Locks stay as
+        long as the control points that they are about. A scene that is converted to another unit
+        takes the lens along.
         """
         unit = scene.unit
         if unit != self.scene.unit and target is self.target and scene == self.scene.in_unit(unit):
@@ -155,7 +157,13 @@ class Session:
         if start is not None and other != net:
             start = net.refine(start, other) if exact else project(net, start, other)
             result = result and replace(result, control_points=start)
-        if result is not None or _room(scene.lens) != _room(self.scene.lens):
+        if scene.lens.half_width != self.scene.lens.half_width:
+            result = start = None
+        if start is not None and _limits(scene) != _limits(self.scene):
+            within = HeightLimits.of(bounded(scene), other).nearest(start)
+            result = _unhindered(result) if result is not None and within is start else None
+            start = within
+        if result is not None:
             start = None
         same_points = (other.shape, other.degree) == (net.shape, net.degree)
         return replace(
@@ -183,20 +191,28 @@ class Session:
             self.result,
             control_points=frozen(self.result.control_points * factor),
             irradiance=frozen(self.result.irradiance / factor**2),
+            shortfall=self.result.shortfall and self.result.shortfall.scaled(factor),
         )
         start = None if self.start is None else frozen(self.start * factor)
         return replace(self, scene=self.scene.in_unit(unit), result=result, start=start)
 
 
 def task_of(scene: Scene) -> Scene:
-    """What a result is one for: all but how it was searched for, and on which control net.
+    """What a result is one for: all but how it was searched for, where, and on which control net.
 
     A task of another size is the same one as long as its numbers are: no length has one of its own.
     """
-    lens = scene.lens.model_copy(update={"control_points": (), "degree": ()})
+    searched = ("control_points", "degree", "height_range", "max_thickness", "min_thickness")
+    lens = scene.lens.model_copy(update=dict.fromkeys(searched))
     return scene.model_copy(update={"lens": lens, "run": None, "unit": None})
 
 
-def _room(lens: Lens) -> tuple[object, ...]:
-    """Where the exit face of a lens may be."""
-    return lens.half_width, lens.entrance_z, lens.base, lens.height_range, lens.min_thickness
+def _unhindered(result: Result) -> Result:
+    """A result without what is said of limits that are no more."""
+    return result if result.shortfall is None else replace(result, shortfall=None)
+
+
+def _limits(scene: Scene) -> tuple[object, ...]:
+    """What tells where control heights may be."""
+    lens = bounded(scene)
+    return lens.height_range and (lens.height_range, lens.base), lens.floor, lens.ceiling

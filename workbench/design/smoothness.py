@@ -118,6 +118,8 @@ class Smoothness:
 
     def judged(self, step: Step, penalty: Tensor) -> Step:
         """A step that tells its merit."""
+        if step.merit is not None:
+            return step  # no light is on the screen
         merit = self.merit(torch.tensor(step.loss), penalty.detach())
         return step._replace(merit=merit.item())
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from workbench.design.shortfall import Shortfall
 from workbench.optics.ledger import Ledger
 
 Array = npt.NDArray[np.float64]
@@ -39,6 +40,8 @@ class Snapshot:
         How many stages the run has, the scene itself included.
     notes : tuple of str
         What was chosen for the trace of this lens, and what was left out.
+    shortfall : Shortfall, optional
+        What the task needs beyond the limits of the heights, where that is known to hinder it.
     """
 
     iteration: int
@@ -52,6 +55,7 @@ class Snapshot:
     stage: int = 0
     stages: int = 1
     notes: tuple[str, ...] = ()
+    shortfall: Shortfall | None = None
 
 
 @dataclass(frozen=True)
@@ -81,6 +85,8 @@ class Result:
         Run time at the end of each iteration; None where it was not kept.
     ended : str
         Why the run ended, as `History.follow` says it; empty where it was not kept.
+    shortfall : Shortfall, optional
+        What the task needs beyond the limits of this lens's heights.
     """
 
     control_points: Array
@@ -93,6 +99,7 @@ class Result:
     stages_left: int = 0
     seconds_at: Array | None = None
     ended: str = ""
+    shortfall: Shortfall | None = None
 
     @property
     def iterations(self) -> int:
@@ -197,6 +204,7 @@ class History:
             stages_left=self._best.stages - 1 - self._best.stage,
             seconds_at=self.times(),
             ended=self._ended,
+            shortfall=self._best.shortfall,
         )
 
 

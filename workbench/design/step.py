@@ -23,7 +23,8 @@ class Step(NamedTuple):
     notes : tuple of str
         What was chosen for this lens's trace, and what was left out.
     merit : float, optional
-        What tells the best lens, where that is not the loss alone.
+        What tells the best lens, where that is not the loss alone; infinite where no light is on
+        the screen.
     """
 
     loss: float

@@ -8,11 +8,11 @@ import torch
 from torch import Tensor
 
 from workbench.design.heights import Mask
-from workbench.design.loss import check_finite, paper_loss, share
+from workbench.design.loss import check_finite, check_light, paper_loss, share
 from workbench.design.step import Step
 from workbench.geometry.surface import ControlNet
 from workbench.optics.filtered import expected_image
-from workbench.optics.plan import Plan, device_of
+from workbench.optics.plan import Plan, Traced, device_of
 from workbench.scene import GaussianFilter, Scene, Screen
 
 Array = npt.NDArray[np.float64]
@@ -72,14 +72,31 @@ class WideImage:
         self._scale = self._wanted.norm().item()
 
     def compare(self, heights: Tensor) -> tuple[Tensor, Step]:
-        """Error relative to the norm of the wish, on the wide image, and the step to report."""
+        """Error relative to the norm of the wish, on the wide image, and the step to report.
+
+        Raises
+        ------
+        RunFailed
+            If there is no light on the wide image, or the loss is not finite.
+        """
         traced = self._plan.trace(heights)
-        ledger, flux = traced.ledger, traced.flux.detach()[self._on_screen]
+        check_light(traced.flux.detach(), traced.ledger)
+        step = self._step(heights, traced)
+        error = traced.flux / (step.ledger.on_screen + step.ledger.off_screen) - self._wanted
+        return error / self._scale, step
+
+    def step(self, heights: Tensor) -> Step:
+        """The step to report of a lens, also of one that sends no light here."""
+        with torch.no_grad():
+            return self._step(heights, self._plan.trace(heights))
+
+    def _step(self, heights: Tensor, traced: Traced) -> Step:
+        ledger = traced.ledger
+        flux = traced.flux.detach()[self._on_screen]
         loss = paper_loss(flux, self._wanted[self._on_screen])
         check_finite(loss, ledger)
-        step = Step(loss.item(), heights.detach(), flux, ledger, notes=self._plan.notes)
-        error = traced.flux / (ledger.on_screen + ledger.off_screen) - self._wanted
-        return error / self._scale, step
+        merit = None if flux.sum() > 0 else math.inf
+        return Step(loss.item(), heights.detach(), flux, ledger, self._plan.notes, merit)
 
 
 def _margin(reach: float, pixels: int) -> int:

@@ -130,4 +130,5 @@ def read_result(entries: Entries, folder: str, scene: Scene, figures: Figures) -
         stages_left=figures.stages_left or 0,
         seconds_at=entries.array(seconds, count) if seconds in entries else None,
         ended=figures.ended or "",
+        shortfall=None if figures.shortfall is None else figures.shortfall.to_shortfall(),
     )

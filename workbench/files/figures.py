@@ -1,10 +1,12 @@
 """The figures of a result, as they stand in JSON."""
 
+from dataclasses import asdict
 from typing import Annotated, Self
 
 from pydantic import Field
 
 from workbench.design.session import VerifiedError
+from workbench.design.shortfall import Cause, Interval, Shortfall
 from workbench.design.snapshot import Result
 from workbench.optics.ledger import Ledger
 from workbench.scene import NonNegative, Part, Positive
@@ -43,6 +45,24 @@ class VerifiedFigures(Part):
         return VerifiedError(**dict(self))
 
 
+class ShortfallFigures(Part):
+    """`Shortfall` as JSON."""
+
+    cause: Cause
+    needed: Interval | None = None
+    allowed: Interval
+    share: NonNegative
+
+    @classmethod
+    def of(cls, shortfall: Shortfall) -> Self:
+        """The figures of a shortfall."""
+        return cls(**asdict(shortfall))
+
+    def to_shortfall(self) -> Shortfall:
+        """What the task of the lens needs beyond its limits."""
+        return Shortfall(**self.model_dump())
+
+
 class Figures(Part):
     """All of a `Result` but its arrays, and its efficiency."""
 
@@ -54,10 +74,12 @@ class Figures(Part):
     stage_starts: tuple[int, ...] | None = None  # of a run in stages
     stages_left: Count | None = None  # of one that ended before the last
     ended: Annotated[str, Field(max_length=LONGEST_REASON)] | None = None  # why it did
+    shortfall: ShortfallFigures | None = None  # of a lens whose limits are too narrow
 
     @classmethod
     def of(cls, result: Result) -> Self:
         """The figures of a result."""
+        short = result.shortfall
         return cls(
             loss=result.loss,
             iterations=result.iterations,
@@ -67,6 +89,7 @@ class Figures(Part):
             stage_starts=result.stage_starts or None,
             stages_left=result.stages_left or None,
             ended=result.ended[:LONGEST_REASON] or None,
+            shortfall=None if short is None else ShortfallFigures.of(short),
         )
 
     def to_ledger(self) -> Ledger:

@@ -26,6 +26,9 @@ from workbench.scene import CollimatedSource, Scene
 
 # In pixels: the image is good to 1e-3 of its light up to here, the gradient to a few per cent.
 _TOLERABLE = 0.01
+# Where the lens does not say how far its heights go: that part of its half-width, as in most lenses
+# that bend their light over the whole screen.
+_RISE = 0.3
 
 
 def precision_of(scene: Scene, net: ControlNet | None = None) -> torch.dtype:
@@ -50,9 +53,12 @@ def shift_of(scene: Scene, net: ControlNet | None = None) -> float:
     """
     lens, screen = scene.lens, scene.screen
     net = net or ControlNet.of(lens)
+    rise = _RISE * max(lens.half_width)
     low, high = (
         end + offset
-        for end, offset in zip(lens.base.extent(lens.half_width), lens.height_range, strict=True)
+        for end, offset in zip(
+            lens.base.extent(lens.half_width), lens.height_range or (-rise, rise), strict=True
+        )
     )
     level, steepest = lens.base.height, 0.0
     if not isinstance(scene.source, CollimatedSource):

@@ -68,11 +68,20 @@ def _relative(factor: float) -> Callable[[dict[str, Any]], float]:
     return lambda data: factor * max(data.get("half_width", (0.0,)))
 
 
+def _thinnest(data: dict[str, Any]) -> float:
+    """Default minimal thickness: small beside the lens and its stock."""
+    thickest = data.get("max_thickness")
+    relative = _relative(0.05)(data)
+    return relative if thickest is None else min(relative, thickest / 2)
+
+
 class Lens(Part):
     """Flat entrance face and B-spline exit face over a rectangle.
 
     ``control_points`` and ``degree`` are (along x, along y). ``height_range`` is the offset from
-    the base that a control height may take. Defaults scale with the lens.
+    the base that a control height may take; left out, a run takes what its task needs.
+    ``max_thickness`` and ``min_thickness`` are counted from the entrance face to the exit face, and
+    hold in any case. Other defaults scale with the lens.
     """
 
     half_width: Annotated[tuple[Positive, Positive], LENGTH]
@@ -86,10 +95,9 @@ class Lens(Part):
             height=data.get("entrance_z", 0.0) + _relative(0.5)(data)
         )
     )
-    height_range: Annotated[tuple[float, float], LENGTH] = Field(
-        default_factory=lambda data: (_relative(-0.3)(data), _relative(0.3)(data))
-    )
-    min_thickness: Annotated[NonNegative, LENGTH] = Field(default_factory=_relative(0.05))
+    height_range: Annotated[tuple[float, float] | None, LENGTH] = None
+    max_thickness: Annotated[Positive | None, LENGTH] = None
+    min_thickness: Annotated[NonNegative, LENGTH] = Field(default_factory=_thinnest)
 
     @field_validator("refractive_index", mode="before")
     @classmethod
@@ -128,23 +136,66 @@ class Lens(Part):
                 f"{self.base.radius:g} does not span the lens; "
                 f"more than its half-diagonal {math.hypot(*self.half_width):g}",
             )
-        low, high = self.height_range
+        if self.floor >= self.ceiling:
+            raise Refused(
+                "lens.max_thickness",
+                f"{self.max_thickness:g} leaves no room above the minimal thickness; "
+                f"more than {self.min_thickness:g}",
+            )
+        if self.height_range is not None:
+            self._check_range(*self.height_range)
+        return self
+
+    def _check_range(self, low: float, high: float) -> None:
+        """Refuse a height range that leaves a control point nowhere to be."""
         if not low < high:
             raise Refused("lens.height_range", f"[{low:g}, {high:g}] is empty; low before high")
-        floor = self.entrance_z + self.min_thickness
-        lowest = self.base.extent(self.half_width)[0]
-        if lowest + high <= floor:
+        lowest, highest = self.base.extent(self.half_width)
+        if lowest + high <= self.floor:
             raise Refused(
                 "lens.height_range[1]",
                 f"{high:g} leaves no room above the minimal thickness; "
-                f"more than {floor - lowest:g}",
+                f"more than {self.floor - lowest:g}",
             )
-        return self
+        if highest + low >= self.ceiling:
+            raise Refused(
+                "lens.height_range[0]",
+                f"{low:g} leaves no room below the maximal thickness; "
+                f"less than {self.ceiling - highest:g}",
+            )
+
+    @property
+    def floor(self) -> float:
+        """The z that the minimal thickness keeps the exit face above."""
+        return self.entrance_z + self.min_thickness
+
+    @property
+    def ceiling(self) -> float:
+        """The z that the maximal thickness keeps the exit face below; infinite without one."""
+        return math.inf if self.max_thickness is None else self.entrance_z + self.max_thickness
+
+    def limits_at(
+        self, x: npt.ArrayLike, y: npt.ArrayLike
+    ) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]:
+        """Lowest and highest z that control points at (x, y) may have; x and y broadcast.
+
+        The highest is infinite where neither a height range nor a maximal thickness is given.
+        """
+        low, high = self.height_range or (-math.inf, math.inf)
+        base = self.base.height_at(x, y)
+        return np.maximum(base + low, self.floor), np.minimum(base + high, self.ceiling)
 
     @property
     def highest(self) -> float:
-        """The z that no control point, and so no point of the exit face, can be above."""
-        return self.base.extent(self.half_width)[1] + self.height_range[1]
+        """The z that no point of the exit face can be above.
+
+        Without a height range and a maximal thickness it is the top of the base: each run keeps
+        the face clear of its screen.
+        """
+        top = self.base.extent(self.half_width)[1]
+        if self.height_range is not None:
+            return min(top + self.height_range[1], self.ceiling)
+        return max(top, self.floor) if self.max_thickness is None else self.ceiling
 
     @property
     def index(self) -> float:

@@ -20,7 +20,9 @@ Array = npt.NDArray[np.float64]
 
 _ALONG = np.array([[0.0, 0.0, 1.0]])
 _FINE = 1 / 20  # of the movement of the hand or key, with Shift
-_RISE = 1 / 100  # of the height range, for a press of a key and each repeat
+_RISE = (
+    1 / 100
+)  # for a press of a key and each repeat: of the height range, or of half the lens's half-width
 _RISES: dict[int, int] = {Qt.Key.Key_PageUp: 1, Qt.Key.Key_PageDown: -1}
 
 
@@ -105,7 +107,7 @@ class Sculpt(BrushTool):
         super().repeat_key(key, fine)
         drag, lens = self._drag, self._view.lens
         if key in _RISES and drag is not None and lens is not None:
-            low, high = lens.height_range
+            low, high = lens.height_range or (0.0, max(lens.half_width) / 2)
             self._raise(drag, _RISES[key] * _RISE * (high - low), fine)
 
     def release(self) -> None:

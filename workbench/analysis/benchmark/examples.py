@@ -8,6 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 import resources
+from workbench.design.limits import HeightLimits
 from workbench.geometry.surface import ControlNet
 from workbench.scene import Scene
 from workbench.targets import load_target
@@ -71,10 +72,9 @@ def wavy(scene: Scene) -> Array:
     # A slope s bends light by (n − 1) s, which moves it on the screen by that times the distance.
     slope = 0.1 * min(scene.screen.half_width) / distance / (scene.lens.index - 1)
     height = slope * min(r_x, r_y) / (1.5 * np.pi)
-    low, high = scene.lens.height_range
-    height = min(height, 0.4 * (high - low))
-    base = scene.lens.base.height_at(x[:, None], y[None, :])
-    return np.asarray(base + (low + high) / 2 + height * rise)
+    limits = HeightLimits.of(scene.lens, ControlNet.of(scene.lens))
+    height = min(height, 0.4 * float((limits.upper - limits.lower).min()))
+    return np.asarray(limits.undesigned + height * rise)
 
 
 def _merged(part: Any, change: Any) -> Any:

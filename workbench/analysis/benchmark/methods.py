@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from workbench.analysis.benchmark.examples import Example
-from workbench.design.heights import HeightRange
+from workbench.design.limits import HeightLimits
 from workbench.design.run import run
 from workbench.design.transport import transport_start
 from workbench.errors import RunFailed
@@ -49,9 +49,8 @@ def _transport(example: Example, iterations: int | None) -> Iterator[tuple[float
     first = transport_start(example.scene, example.target)
     if first is None:
         raise RunFailed("no light leaves the lens, so there is none to transport")
-    free = HeightRange.of(example.scene.lens, ControlNet.of(example.scene.lens))
-    lens = free.heights(free.parameters(first)).numpy()
-    yield time.perf_counter() - begun, lens
+    limits = HeightLimits.of(example.scene.lens, ControlNet.of(example.scene.lens))
+    yield time.perf_counter() - begun, limits.nearest(first)
 
 
 def _designed(

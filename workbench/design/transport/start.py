@@ -10,12 +10,13 @@ The flux on the face and the heights in 2 depend on the face itself: all of it i
 """
 
 import math
+from collections.abc import Iterator
 
 import numpy as np
 import numpy.typing as npt
 import torch
 
-from workbench.design.heights import HeightRange
+from workbench.design.limits import HeightLimits, bounded
 from workbench.design.transport.back_and_forth import Transport
 from workbench.design.transport.face import SlopeFit
 from workbench.geometry.surface import ControlNet
@@ -32,7 +33,6 @@ _FITS = 3
 # Where no face could bend the light as wanted, the normal is kept along the axis by this part of
 # what it is where light goes straight on, n − 1.
 _UPRIGHT = 0.1
-_SHIFTS = 65
 
 
 def transport_start(scene: Scene, target: Array) -> Array | None:
@@ -48,28 +48,29 @@ def transport_start(scene: Scene, target: Array) -> Array | None:
     Returns
     -------
     ndarray, shape (n_u, n_v), or None
-        Heights, scene units, beyond their range where that is too small for the task. None if no
-        light leaves the lens as it is before the design.
+        Heights, scene units, beyond their limits where these are too narrow for the task. None if
+        no light leaves the lens even where its faces are parallel.
     """
     lens, screen, net = scene.lens, scene.screen, ControlNet.of(scene.lens)
     cells = max(_CELLS, 2 * max(net.shape))
     light = _Light(scene, net, cells)
     middle = (np.arange(cells) + 0.5) / cells
     fit = SlopeFit(net, middle, middle)
-    free = HeightRange.of(lens, net)
-    heights = free.heights(free.rest).numpy()
+    limits = HeightLimits.of(bounded(scene), net)
     image = target / target.max()
     wish = _resampled(image[::-1].T, cells)  # along x first and y upwards, as the lens is
     wish /= wish.sum()
     r = np.array(lens.half_width) * np.array(screen.half_width)
     weights = r / math.sqrt(r.prod())
 
+    heights = next((z for z in _candidates(limits) if light.flux(z).sum() > 0), None)
+    if heights is None:
+        return None
     transport: Transport | None = None
     for _ in range(2):
-        flux = light.flux(heights)
-        if not flux.sum() > 0:
-            return None
-        flux /= flux.sum()
+        passed = light.flux(heights)
+        if passed.sum() > 0:  # or a lens that reflects all of it totally is improved blindly
+            flux = passed / passed.sum()
         if transport is None:
             transport = Transport(flux, wish, (float(weights[0]), float(weights[1])))
         else:
@@ -88,8 +89,15 @@ def transport_start(scene: Scene, target: Array) -> Array | None:
             normal_z = np.maximum(n * d_z - out_z / length, _UPRIGHT * (n - 1))
             slope_x = -(n * d_x - out_x / length) / normal_z
             slope_y = -(n * d_y - out_y / length) / normal_z
-            heights = _amid(fit.heights(slope_x, slope_y), free)
+            heights = limits.placed(fit.heights(slope_x, slope_y))
     return heights
+
+
+def _candidates(limits: HeightLimits) -> Iterator[Array]:
+    """Lenses that light may leave: the undesigned one; plates, that reflect none of it totally."""
+    yield limits.undesigned
+    yield np.full_like(limits.undesigned, limits.undesigned.mean())
+    yield np.full_like(limits.undesigned, limits.lower.min())
 
 
 class _Light:
@@ -130,20 +138,6 @@ class _Light:
         slope_x, slope_y = self._away_x * slope, self._away_y * slope
         along = 1 / np.sqrt(1 + slope_x**2 + slope_y**2)
         return slope_x * along, slope_y * along, along
-
-
-def _amid(heights: Array, free: HeightRange) -> Array:
-    """Heights shifted to the middle of the room that their range leaves them.
-
-    Where there is too little of it, as few of them as possible are beyond the range.
-    """
-    lower, upper = free.lower.numpy(), free.upper.numpy()
-    least, most = (lower - heights).max(), (upper - heights).min()
-    if least <= most:
-        return np.asarray(heights + (least + most) / 2)
-    shifts = np.linspace(most, least, _SHIFTS)
-    beyond = [((heights + c < lower) | (heights + c > upper)).sum() for c in shifts]
-    return np.asarray(heights + shifts[np.argmin(beyond)])
 
 
 def _resampled(image: Array, cells: int) -> Array:

@@ -1,0 +1,151 @@
+"""The range of a run: what its task needs of it, and what is said where that is not allowed."""
+
+import numpy as np
+import pytest
+
+from workbench.design.room import Room
+from workbench.design.run import run
+from workbench.design.shortfall import Shortfall
+
+FREE = {"lens.height_range": None, "lens.control_points": [24, 24]}
+
+
+@pytest.fixture
+def corner():
+    """Light in one quarter of the screen."""
+    image = np.zeros((32, 32))
+    image[4:14, 4:14] = 1.0
+    return image
+
+
+def ends(room):
+    free = room.height_range()
+    return free.lower.min().item(), free.upper.max().item()
+
+
+def test_an_automatic_range_holds_the_first_lens_with_some_space(make_scene, corner):
+    room = Room(make_scene(FREE), corner)
+    low, high = ends(room)
+    most = np.abs(room.first - 0.5).max()
+    assert high - 0.5 == pytest.approx(2.5 * most)
+    assert low == max(0.05, 0.5 - 2.5 * most)
+    assert room.notes == (f"heights within {2.5 * most:.3g} cm of the base",)
+
+
+def test_an_automatic_range_holds_the_lens_that_the_run_goes_on_from(make_scene, corner):
+    heights = np.full((24, 24), 1.9)
+    assert ends(Room(make_scene(FREE), corner, heights))[1] > 1.9
+
+
+def test_an_automatic_range_keeps_to_the_stock(make_scene, corner):
+    stock = {"lens.max_thickness": 0.6, "lens.min_thickness": 0.2}
+    assert ends(Room(make_scene(FREE | stock), corner)) == (0.2, 0.6)
+
+
+def test_an_automatic_range_is_never_empty(make_scene):
+    # An even image as large as the lens needs no bending at all.
+    low, high = ends(Room(make_scene(FREE), np.ones((32, 32))))
+    assert 0.01 < 0.5 - low < 0.3 and 0.01 < high - 0.5 < 0.3
+
+
+def test_the_range_of_a_scene_is_taken_as_it_is(make_scene, corner):
+    room = Room(make_scene(), corner)
+    assert ends(room) == pytest.approx((0.2, 0.8))
+    assert room.notes == ()
+
+
+def test_runs_by_either_method_take_an_automatic_range(make_scene, corner):
+    for settings in ({"method": "auto", "iterations": 3}, {"method": "paper", "iterations": 3}):
+        shots = list(run(make_scene(FREE | {"run": settings}), corner))
+        assert shots[-1].loss < shots[0].loss
+        assert "of the base" in shots[-1].notes[-1]
+        assert shots[0].control_points == pytest.approx(0.5, abs=1e-12)
+        assert shots[-1].shortfall is None
+
+
+def test_a_range_that_is_too_small_is_said_with_what_is_needed(make_scene, corner):
+    *_, last = run(make_scene(FREE | {"lens.height_range": [-0.05, 0.05]}), corner)
+    short = last.shortfall
+    first = Room(make_scene(FREE), corner).first
+    assert (short.cause, short.allowed) == ("height_range", (-0.05, 0.05))
+    assert short.needed == pytest.approx((first.min() - 0.5, first.max() - 0.5), rel=0.1)
+    assert short.share > 0.1
+
+
+def test_a_range_that_is_large_enough_is_no_shortfall(make_scene, corner):
+    assert all(shot.shortfall is None for shot in run(make_scene({}), np.ones((32, 32))))
+
+
+def test_stock_that_is_too_thin_is_said_with_the_thickness_that_is_needed(make_scene, corner):
+    stock = {"lens.max_thickness": 0.2, "lens.min_thickness": 0.1}
+    *_, last = run(make_scene(FREE | stock), corner)
+    short = last.shortfall
+    extent = np.ptp(Room(make_scene(FREE), corner).first)
+    assert (short.cause, short.allowed) == ("max_thickness", (0.1, 0.2))
+    assert short.needed == pytest.approx((0.1, 0.1 + extent), rel=0.1)
+
+
+def test_stock_is_the_limit_even_where_a_range_is_given(make_scene, corner):
+    stock = {"lens.max_thickness": 0.55, "lens.min_thickness": 0.45}
+    *_, last = run(make_scene(FREE | stock | {"lens.height_range": [-0.3, 0.3]}), corner)
+    assert last.shortfall.cause == "max_thickness"
+
+
+def test_a_run_that_goes_on_says_it_once_its_heights_are_at_their_ends(make_scene, corner):
+    scene = make_scene(FREE | {"lens.height_range": [-0.05, 0.05]})
+    first, *_ = run(scene, corner, start=np.full((24, 24), 0.5))
+    assert first.shortfall is None
+    half = np.where(np.arange(24)[:, None] < 12, 0.45, 0.55) * np.ones((24, 24))
+    first, *_ = run(scene, corner, start=half)
+    assert first.shortfall.cause == "height_range" and first.shortfall.share == 1.0
+
+
+def test_locked_heights_at_an_end_are_no_shortfall(make_scene):
+    locked = np.zeros((24, 24), dtype=bool)
+    locked[:, :6] = True
+    start = np.where(locked, 0.8, 0.5)
+    scene = make_scene(FREE | {"lens.height_range": [-0.3, 0.3]})
+    first, *_ = run(scene, np.ones((32, 32)), start=start, locked=locked)
+    assert first.shortfall is None
+
+
+@pytest.mark.parametrize(
+    ("shortfall", "sentence"),
+    [
+        (
+            Shortfall("height_range", (-2.2, 2.2), (-0.3, 0.3), 0.4),
+            "The lens needs ±2.2 mm; ±0.3 mm is allowed",
+        ),
+        (
+            Shortfall("height_range", (-1.0, 3.4), (-0.2, 0.3), 0.4),
+            "The lens needs -1 to 3.4 mm; -0.2 to 0.3 mm is allowed",
+        ),
+        (
+            Shortfall("height_range", None, (-0.3, 0.3), 0.4),
+            "40% of the control heights are at an end of their range; ±0.3 mm is allowed",
+        ),
+        (
+            Shortfall("max_thickness", (2.0, 9.3), (2.0, 8.0), 0.4),
+            "The lens needs to be 9.3 mm thick; the stock allows 8 mm",
+        ),
+        (
+            Shortfall("screen", (2.0, 9.3), (2.0, 8.0), 0.4),
+            "The lens needs to be 9.3 mm thick; the screen leaves room for 8 mm",
+        ),
+        (
+            Shortfall("max_thickness", None, (2.0, 8.0), 0.4),
+            "40% of the control heights are at the largest thickness; the stock allows 8 mm",
+        ),
+        (
+            Shortfall("min_thickness", None, (2.0, 8.0), 0.4),
+            "40% of the control heights are at the minimal thickness of 2 mm",
+        ),
+    ],
+)
+def test_a_shortfall_is_one_plain_sentence(shortfall, sentence):
+    assert shortfall.sentence("mm") == sentence
+
+
+def test_a_shortfall_is_converted_with_its_lens():
+    short = Shortfall("height_range", (-2.0, 3.0), (-0.5, 0.5), 0.4).scaled(10.0)
+    assert (short.needed, short.allowed) == ((-20.0, 30.0), (-5.0, 5.0))

@@ -1,0 +1,111 @@
+"""Where the control heights of a lens may be."""
+
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from workbench.geometry.surface import ControlNet
+from workbench.scene import Lens, Scene
+
+Array = npt.NDArray[np.float64]
+Mask = npt.NDArray[np.bool_]
+
+# A surface keeps this part of its own extent along z away from an end, where there is room for it:
+# heights that begin at an end can hardly be moved.
+_APART = 0.25
+# Places along z that are tried where a surface does not fit anywhere.
+_SHIFTS = 65
+# The undesigned lens keeps this part of each interval away from its ends.
+_INSIDE = 0.0005
+# Rounding, as a part of the largest height.
+_ROUNDING = 1e-12
+
+
+@dataclass(frozen=True, eq=False)
+class HeightLimits:
+    """The interval of each control height, and the lens before any design.
+
+    Attributes
+    ----------
+    lower, upper : ndarray, shape (n_u, n_v)
+        Ends of the intervals, scene units; the upper one may be infinite.
+    undesigned : ndarray, shape (n_u, n_v)
+        Base plus the middle of the height range, within the limits.
+    """
+
+    lower: Array
+    upper: Array
+    undesigned: Array
+
+    @classmethod
+    def of(cls, lens: Lens, net: ControlNet) -> "HeightLimits":
+        """The limits that a lens sets on a control net."""
+        x, y = net.positions
+        lower, upper = lens.limits_at(x[:, None], y[None, :])
+        middle = lens.base.height_at(x[:, None], y[None, :])
+        if lens.height_range is not None:
+            middle = middle + sum(lens.height_range) / 2
+        inside = np.where(np.isfinite(upper), _INSIDE * (upper - lower), 0.0)
+        return cls(lower, upper, middle.clip(lower + inside, upper - inside))
+
+    def lacks(self, heights: Array) -> float:
+        """How much more room along z a surface needs, scene units; at most 0 where it fits.
+
+        It may be moved along z.
+        """
+        return float((self.lower - heights).max() - (self.upper - heights).min())
+
+    def ends(self, heights: Array, part: float) -> tuple[Mask, Mask]:
+        """Which heights are at their lower and at their upper end, within a part of the interval.
+
+        All ends have to be finite.
+        """
+        near = part * (self.upper - self.lower)
+        return heights <= self.lower + near, heights >= self.upper - near
+
+    def hold(self, heights: Array) -> bool:
+        """Whether heights are within the limits as they are."""
+        slack = _ROUNDING * np.abs(heights).max()
+        return bool(((heights >= self.lower - slack) & (heights <= self.upper + slack)).all())
+
+    def placed(self, heights: Array) -> Array:
+        """A surface moved along z to where the undesigned lens is, as far as the limits allow.
+
+        One that does not fit anywhere is beyond the limits by as much above as below.
+        """
+        least, most = (self.lower - heights).max(), (self.upper - heights).min()
+        if least > most:
+            return np.asarray(heights + (least + most) / 2)
+        off = heights - self.undesigned
+        apart = min(_APART * (off.max() - off.min()), (most - least) / 2)
+        shift = np.clip(-(off.max() + off.min()) / 2, least + apart, most - apart)
+        return np.asarray(heights + shift)
+
+    def nearest(self, heights: Array) -> Array:
+        """A surface within the limits.
+
+        It is moved along z where that is enough; else as little as possible of it is cut off.
+        """
+        if self.hold(heights):
+            return heights
+        least, most = (self.lower - heights).max(), (self.upper - heights).min()
+        if least <= most:
+            return self.placed(heights)
+        shifts = np.linspace(most, least, _SHIFTS)
+        beyond = [((heights + c < self.lower) | (heights + c > self.upper)).sum() for c in shifts]
+        moved: Array = heights + shifts[np.argmin(beyond)]
+        return moved.clip(self.lower, self.upper)
+
+
+def bounded(scene: Scene) -> Lens:
+    """The lens of a scene with all that limits its heights.
+
+    Where neither a height range nor a maximal thickness says how far the exit face may rise, it
+    stays in the nearer half of the way to the screen.
+    """
+    lens = scene.lens
+    if lens.height_range is not None or lens.max_thickness is not None:
+        return lens
+    thickness = (lens.highest + scene.screen.z) / 2 - lens.entrance_z
+    return lens.model_copy(update={"max_thickness": thickness})

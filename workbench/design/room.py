@@ -1,0 +1,171 @@
+"""The room of a run: where its control heights may be, and whether that is enough."""
+
+from functools import cached_property
+
+import numpy as np
+import numpy.typing as npt
+import torch
+
+from workbench.design.heights import HeightRange, Mask
+from workbench.design.limits import HeightLimits, bounded
+from workbench.design.shortfall import Cause, Shortfall
+from workbench.design.transport import transport_start
+from workbench.geometry.surface import ControlNet
+from workbench.scene import Lens, Scene
+
+Array = npt.NDArray[np.float64]
+
+# An automatic range is that many times what the lenses that it has to hold take of it, and at
+# least this part of what bends the light at the rim by half of the screen's width.
+_TIMES, _LEAST = 2.5, 0.1
+# Heights within this part of their interval from its end are at the end; so many are no accident.
+_END, _MANY = 0.003, 0.02
+# What the first lens may lack, as a part of its extent along z, without being any worse.
+_TOLERABLE = 0.02
+
+
+class Room:
+    """Where the control heights of a run may be, by what its lens allows and its task needs.
+
+    The first lens that transport finds tells the need. That takes a second, and is done when it is
+    asked for.
+
+    Parameters
+    ----------
+    scene : Scene
+        The design task, without stages.
+    target : ndarray, shape (n_y, n_x)
+        The wanted image in any scale, row 0 at +y.
+    start : ndarray, shape (n_u, n_v), optional
+        Control heights to go on from; an automatic range holds them.
+    locked : ndarray of bool, shape (n_u, n_v), optional
+        Control points that keep the heights that they begin with.
+
+    Attributes
+    ----------
+    scene, target, start, locked
+        As given.
+    limits : HeightLimits
+        What the lens allows.
+    """
+
+    def __init__(
+        self, scene: Scene, target: Array, start: Array | None = None, locked: Mask | None = None
+    ) -> None:
+        self.scene, self.target, self.start, self.locked = scene, target, start, locked
+        self._net = ControlNet.of(scene.lens)
+        self._lens = bounded(scene)
+        self._found: tuple[Array | None] | None = None  # once it was looked for
+        self.limits = HeightLimits.of(self._lens, self._net)
+
+    @property
+    def first(self) -> Array | None:
+        """Control heights of the first lens, beyond the limits where these are too narrow."""
+        if self._found is None:
+            self._found = (transport_start(self.scene, self.target),)
+        return self._found[0]
+
+    @property
+    def begin(self) -> Array:
+        """Control heights that the run begins with; those that are not locked within the limits."""
+        if self.start is None:
+            return self.limits.undesigned
+        inside = self.start.clip(self.limits.lower, self.limits.upper)
+        return inside if self.locked is None else np.where(self.locked, self.start, inside)
+
+    def height_range(self, device: torch.device | str = "cpu") -> HeightRange:
+        """The range of a run that optimises: finite, locked control points left out."""
+        free = HeightRange.of(self._ranged, self._net, device)
+        return free.keeping(self.locked, self.start)
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What was chosen for the run, once it is."""
+        if self._found is None or self._lens.height_range is not None:
+            return ()
+        assert self._ranged.height_range is not None
+        most = self._ranged.height_range[1]
+        return (f"heights within {most:.3g} {self.scene.unit} of the base",)
+
+    def shortfall(self, heights: Array) -> Shortfall | None:
+        """What the task needs beyond the limits; None where they do not seem to hinder it.
+
+        Parameters
+        ----------
+        heights : ndarray, shape (n_u, n_v)
+            Control heights of a lens of the run, scene units.
+        """
+        looked = self._found is not None
+        if not looked and self._lens.height_range is None:
+            return None  # nothing has been chosen yet that heights could be at an end of
+        low, high = HeightLimits.of(self._ranged, self._net).ends(heights, _END)
+        if self.locked is not None:
+            low, high = low & ~self.locked, high & ~self.locked
+        share = float((low | high).mean())
+        if not looked and share < _MANY:
+            return None
+        return self._need(share) or (self._held(low, high, share) if share >= _MANY else None)
+
+    def _need(self, share: float) -> Shortfall | None:
+        """What the first lens lacks."""
+        if self.first is None:
+            return None
+        tolerable = _TOLERABLE * float(np.ptp(self.first - self.limits.undesigned))
+        if self.limits.lacks(self.first) <= tolerable:
+            return None
+        lens = self.scene.lens.model_copy(update={"height_range": None})
+        lens = bounded(self.scene.model_copy(update={"lens": lens}))
+        limits = HeightLimits.of(lens, self._net)
+        lacks = limits.lacks(self.first)
+        if lacks > tolerable or self._lens.height_range is None:
+            thickest = lens.ceiling - lens.entrance_z
+            needed, allowed = (
+                (lens.min_thickness, thickness) for thickness in (thickest + lacks, thickest)
+            )
+            return Shortfall(self._thick, needed, allowed, share)
+        off = limits.placed(self.first) - self._base
+        needed = float(off.min()), float(off.max())
+        return Shortfall("height_range", needed, self._lens.height_range, share)
+
+    def _held(self, low: Mask, high: Mask, share: float) -> Shortfall:
+        """What keeps most of the heights that are at an end."""
+        lens = self._ranged
+        assert lens.height_range is not None
+        limits = HeightLimits.of(lens, self._net)
+        thin, thick = low & (limits.lower == lens.floor), high & (limits.upper == lens.ceiling)
+        held: dict[Cause, int] = {
+            "height_range": int(((low & ~thin) | (high & ~thick)).sum()),
+            "min_thickness": int(thin.sum()),
+            self._thick: int(thick.sum()),
+        }
+        cause = max(held, key=lambda each: held[each])
+        thickness = lens.min_thickness, lens.ceiling - lens.entrance_z
+        allowed = lens.height_range if cause == "height_range" else thickness
+        return Shortfall(cause, None, allowed, share)
+
+    @property
+    def _thick(self) -> Cause:
+        """What keeps the lens from becoming thicker."""
+        return "screen" if self.scene.lens.max_thickness is None else "max_thickness"
+
+    @property
+    def _base(self) -> Array:
+        x, y = self._net.positions
+        return self._lens.base.height_at(x[:, None], y[None, :])
+
+    @cached_property
+    def _ranged(self) -> Lens:
+        """The lens with a height range in any case."""
+        if self._lens.height_range is not None:
+            return self._lens
+        lenses = (self.limits.undesigned, self.first, self.start)
+        most = max(float(np.abs(z - self._base).max()) for z in lenses if z is not None)
+        half = max(_TIMES * most, _LEAST * _natural(self.scene))
+        return self._lens.model_copy(update={"height_range": (-half, half)})
+
+
+def _natural(scene: Scene) -> float:
+    """Rise of a face that bends the light at the rim by half of the screen's width, about."""
+    lens, screen = scene.lens, scene.screen
+    slope = max(screen.half_width) / ((screen.z - lens.highest) * (lens.index - 1))
+    return max(lens.half_width) * min(slope, 1.0)

@@ -1,0 +1,87 @@
+"""What a task needs of its lens beyond what is allowed."""
+
+from dataclasses import dataclass, replace
+from typing import Literal
+
+Cause = Literal["height_range", "max_thickness", "min_thickness", "screen"]
+Interval = tuple[float, float]
+
+_CURES: dict[Cause, str] = {
+    "height_range": "widen the height range, or leave it out",
+    "max_thickness": "thicker stock, or a smaller minimal thickness, lets the lens bend more",
+    "min_thickness": "a higher base or a smaller minimal thickness gives it room",
+    "screen": "move the screen away from the lens",
+}
+
+
+@dataclass(frozen=True)
+class Shortfall:
+    """Limits of a lens that keep it from what its task needs.
+
+    Attributes
+    ----------
+    cause : str
+        The limit: "height_range", "max_thickness", "min_thickness", or "screen" for one so near
+        that the exit face has no room before it.
+    needed : tuple[float, float], optional
+        Of a height range, the offsets from the base that the task needs; else the thinnest and the
+        thickest place; scene units. None where that is not known.
+    allowed : tuple[float, float]
+        The same as it is allowed.
+    share : float
+        Part of the control heights that are at an end of their interval.
+    """
+
+    cause: Cause
+    needed: Interval | None
+    allowed: Interval
+    share: float
+
+    def sentence(self, unit: str) -> str:
+        """What is needed and what is allowed.
+
+        Parameters
+        ----------
+        unit : str
+            The scene's unit of length.
+        """
+        thinnest, thickest = self.allowed
+        if self.cause == "height_range":
+            allowed = f"{_offsets(self.allowed)} {unit} is allowed"
+            if self.needed is not None:
+                return f"The lens needs {_offsets(self.needed)} {unit}; {allowed}"
+            return f"{self._ends} an end of their range; {allowed}"
+        if self.cause == "min_thickness":
+            return f"{self._ends} the minimal thickness of {thinnest:.3g} {unit}"
+        limit = (
+            "the stock allows" if self.cause == "max_thickness" else "the screen leaves room for"
+        )
+        if self.needed is not None:
+            needed = f"The lens needs to be {self.needed[1]:.3g} {unit} thick"
+            return f"{needed}; {limit} {thickest:.3g} {unit}"
+        return f"{self._ends} the largest thickness; {limit} {thickest:.3g} {unit}"
+
+    def scaled(self, factor: float) -> "Shortfall":
+        """The same in another unit of length, of which ``factor`` make the one before."""
+        needed = None if self.needed is None else _times(self.needed, factor)
+        return replace(self, needed=needed, allowed=_times(self.allowed, factor))
+
+    @property
+    def cure(self) -> str:
+        """What helps."""
+        return _CURES[self.cause]
+
+    @property
+    def _ends(self) -> str:
+        return f"{self.share:.0%} of the control heights are at"
+
+
+def _times(interval: Interval, factor: float) -> Interval:
+    return interval[0] * factor, interval[1] * factor
+
+
+def _offsets(interval: Interval) -> str:
+    low, high = interval
+    if abs(low + high) <= 0.005 * (high - low):
+        return f"±{high:.3g}"
+    return f"{low:.3g} to {high:.3g}"
