@@ -75,7 +75,7 @@ def see(tracer: Tracer, scene: Scene, heights: torch.Tensor, cotangent: torch.Te
         gradient = gradient if found is None else found
     flux = light.flux.detach().double().numpy()
     before = tracer.missed_lens + tracer.fresnel_entrance
-    total = float(flux.sum()) + sum(light[1:]) + before
+    total = sum(light[1:]) + before
     return Seen(flux, gradient.numpy(), np.array(light[1:]), total)
 
 

@@ -79,7 +79,7 @@ def _searching(scene: Scene, dtype: torch.dtype, axis: int | None) -> Make:
 
 def check_units(case: Case, dtype: torch.dtype) -> None:
     """Lengths in other units, a power of two apart, change the gradient's unit and no more."""
-    for power in (-case.unit,) if case.unit else (-20, 20):
+    for power in (-case.unit,) if case.unit else (-19, 19):
         other = case._replace(unit=case.unit + power)
         there = ways(other, dtype)
         for way, makes in ways(case, dtype).items():

@@ -29,7 +29,7 @@ NAMED = {
             "lens.control_points": [64, 60],
             "screen.half_width": [0.01, 0.005],
         },
-        unit=-20,
+        unit=-19,
         face="rough",
         samples=(18, 1),
     ),
@@ -56,8 +56,8 @@ NAMED = {
     "the screen hugs the lens": plain({"screen.z": 0.8 + 1e-9}),
     "index near 1": plain({"lens.refractive_index": 1.0003, "screen.z": 1e4}),
     "a lens far from the origin": plain(
-        {"lens.entrance_z": 1e6, "lens.base": {"shape": "flat", "height": 1e6 + 0.5}}
-        | {"screen.z": 1e6 + 5}
+        {"lens.entrance_z": 5e5, "lens.base": {"shape": "flat", "height": 5e5 + 0.5}}
+        | {"screen.z": 5e5 + 5}
     ),
     "nets as small as the degree allows": plain(
         {"lens.degree": [7, 1], "lens.control_points": [8, 2]}, face="wild"

@@ -79,7 +79,7 @@ def _mean_cosine(caps: Caps) -> Array:
     ahead, aside = caps.axis[:, 2], np.hypot(caps.axis[:, 0], caps.axis[:, 1])
     rim, level = 2 * np.arcsin(np.sqrt(caps.versine / 2)), np.arctan2(ahead, aside)
     mean = ahead * (1 - caps.versine / 2)
-    some = rim > level
+    some = (rim > level) & (aside > 0)  # straight ahead, rounding alone makes the rim larger
     if some.any():
         mean[some] = _cosine_ahead(ahead[some], aside[some], rim[some], level[some])
         mean[some] /= caps.versine[some]

@@ -11,6 +11,7 @@ from pydantic import Field, Tag, field_validator, model_validator
 from workbench import materials
 from workbench.errors import Refused, shown
 from workbench.refusals import told_by
+from workbench.scene import limits
 from workbench.scene.part import LENGTH, NonNegative, Part, Positive
 
 Degree = Annotated[int, Field(ge=1, le=7)]
@@ -116,6 +117,22 @@ class Lens(Part):
         return value
 
     @model_validator(mode="after")
+    def _computable(self) -> Self:
+        limits.check_width(self.half_width)
+        heights = [
+            ("lens.entrance_z", self.entrance_z),
+            ("lens.base.height", self.base.height),
+            *((f"lens.height_range[{end}]", z) for end, z in enumerate(self.height_range or ())),
+            ("lens.max_thickness", self.max_thickness or 0.0),
+            ("lens.min_thickness", self.min_thickness),
+        ]
+        limits.check_lengths(heights, self.half_width, limits.HEIGHT)
+        if isinstance(self.base, SphereBase):
+            radius = [("lens.base.radius", self.base.radius)]
+            limits.check_lengths(radius, self.half_width, limits.FAR)
+        return self
+
+    @model_validator(mode="after")
     def _possible(self) -> Self:
         for axis in (0, 1):
             count, degree = self.control_points[axis], self.degree[axis]
@@ -130,6 +147,7 @@ class Lens(Part):
             )
         if not self.index > 1:
             raise Refused("lens.refractive_index", f"{self.index:g}; greater than 1 is needed")
+        limits.check_index(self.index)
         if isinstance(self.base, SphereBase) and self.base.radius <= math.hypot(*self.half_width):
             raise Refused(
                 "lens.base.radius",

@@ -29,13 +29,7 @@ class Part(BaseModel):
     model_config = ConfigDict(frozen=True, extra="forbid", strict=True, allow_inf_nan=False)
 
     def scaled(self, factor: Fraction) -> Self:
-        """The same part in another unit of length, of which ``factor`` make the one before.
-
-        Raises
-        ------
-        OverflowError
-            If a number is beyond float64 then.
-        """
+        """The same part in another unit of length, of which ``factor`` make the one before."""
         fields = type(self).model_fields
         changes = {
             name: _scaled(getattr(self, name), factor, dimension_of(field))

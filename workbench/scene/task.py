@@ -8,11 +8,18 @@ from pydantic import ValidationError, model_validator
 from workbench import units
 from workbench.errors import Refused
 from workbench.refusals import refusal
+from workbench.scene import limits
 from workbench.scene.lens import Lens
 from workbench.scene.part import Part
 from workbench.scene.run import AutoRun, RunField, RunSettings, Stage
 from workbench.scene.screen import FilterField, GaussianFilter, Screen
-from workbench.scene.source import CollimatedSource, MeshMethod, PointSource, SourceField
+from workbench.scene.source import (
+    CollimatedSource,
+    GridSource,
+    MeshMethod,
+    PointSource,
+    SourceField,
+)
 from workbench.scene.target import ImageTarget, TargetField
 
 Unit = Literal["mm", "cm", "m", "inch"]
@@ -44,6 +51,25 @@ class Scene(Part):
                 f"{source.nearest_z:g} is not before the entrance face; "
                 f"less than {self.lens.entrance_z:g}",
             )
+        return self
+
+    @model_validator(mode="after")
+    def _lengths_go_together(self) -> Self:
+        half_width, screen, source = self.lens.half_width, self.screen, self.source
+        lengths = [("screen.z", screen.z)]
+        lengths += [(f"screen.half_width[{axis}]", r) for axis, r in enumerate(screen.half_width)]
+        if self.run.min_radius is not None:
+            lengths.append(("run.min_radius", self.run.min_radius))
+        limits.check_lengths(lengths, half_width, limits.FAR)
+        if isinstance(source, CollimatedSource):
+            return self
+        field = "position" if isinstance(source, PointSource) else "center"
+        x, y, z = getattr(source, field)
+        aside = [(f"source.{field}[0]", x), (f"source.{field}[1]", y)]
+        if isinstance(source, GridSource):
+            aside += [(f"source.half_width[{k}]", r) for k, r in enumerate(source.half_width)]
+        limits.check_lengths(aside, half_width, limits.FARTHEST)
+        limits.check_way(f"source.{field}[2]", self.lens.entrance_z - z, half_width)
         return self
 
     @model_validator(mode="after")
@@ -139,14 +165,11 @@ class Scene(Part):
         Raises
         ------
         Refused
-            If a length would be beyond float64, or so small that it is 0.
+            If the numbers would be too large or too small to be computed with.
         """
         if unit == self.unit:
             return self
-        try:
-            scene = self.scaled(units.ratio(self.unit, unit))
-        except OverflowError as error:
-            raise Refused("unit", f"a length is too large to be given in {unit}") from error
+        scene = self.scaled(units.ratio(self.unit, unit))
         return self.from_data(scene.to_data() | {"unit": unit})
 
     @classmethod

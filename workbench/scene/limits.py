@@ -1,0 +1,112 @@
+"""What float64 can hold and what optics can mean: lengths against each other, refractive indices.
+
+All lengths are judged by the lens. Within these limits no square overflows, not even in float32, no
+height loses the digits that make its shape, and light of a point arrives.
+"""
+
+from collections.abc import Iterable
+
+from workbench.errors import Refused
+
+LARGEST_INDEX = 10.0
+"""No transparent material has a larger refractive index."""
+HEIGHT = 1e6
+"""Heights of the faces, at most, in half-widths of the lens."""
+FAR = 1e9
+"""Radii, and lengths on the screen's side, at most, in half-widths of the lens."""
+FARTHEST, NEAREST = 1e12, 1e-10
+"""Ways from a source, at most and at least, in half-widths of the lens."""
+
+# Half-widths of the lens, scene units, and the smaller one over the larger one, at least.
+_SMALLEST, _LARGEST, _SLIMMEST = 1e-6, 1e6, 1e-3
+
+
+def check_width(half_width: tuple[float, float]) -> None:
+    """Refuse a lens that is too large, too small or too slim to compute with.
+
+    Raises
+    ------
+    Refused
+        With the half-width, and what is possible.
+    """
+    large = max(half_width)
+    axis = half_width.index(large)
+    if not _SMALLEST <= large <= _LARGEST:
+        raise Refused(
+            f"lens.half_width[{axis}]",
+            f"{large:g} cannot be computed with; from {_SMALLEST:g} to {_LARGEST:g}, "
+            "in another unit if need be",
+        )
+    if half_width[1 - axis] < _SLIMMEST * large:
+        raise Refused(
+            f"lens.half_width[{1 - axis}]",
+            f"{half_width[1 - axis]:g} makes the lens slimmer than {1 / _SLIMMEST:g} to 1; "
+            f"at least {_SLIMMEST * large:g}",
+        )
+
+
+def check_index(index: float) -> None:
+    """Refuse a refractive index that no material has.
+
+    Raises
+    ------
+    Refused
+        With the index, and the largest.
+    """
+    if index > LARGEST_INDEX:
+        raise Refused(
+            "lens.refractive_index",
+            f"{index:g} is more than any material has; at most {LARGEST_INDEX:g}",
+        )
+
+
+def check_lengths(
+    lengths: Iterable[tuple[str, float]], half_width: tuple[float, float], most: float
+) -> None:
+    """Refuse lengths that are too long for a lens.
+
+    Parameters
+    ----------
+    lengths : iterable of tuple[str, float]
+        Paths and values.
+    half_width : tuple[float, float]
+        Half-widths of the lens.
+    most : float
+        The longest, of either sign, in units of the larger half-width.
+
+    Raises
+    ------
+    Refused
+        With the first that is too long.
+    """
+    longest = most * max(half_width)
+    for path, length in lengths:
+        if abs(length) > longest:
+            raise Refused(
+                path,
+                f"{length:g} is too long for a lens with a half-width of {max(half_width):g}; "
+                f"at most {longest:g}",
+            )
+
+
+def check_way(path: str, way: float, half_width: tuple[float, float]) -> None:
+    """Refuse a source that is too near before the entrance face, or too far.
+
+    Raises
+    ------
+    Refused
+        With the way, and what is possible.
+    """
+    least, most = NEAREST * max(half_width), FARTHEST * max(half_width)
+    lens = f"for a lens with a half-width of {max(half_width):g}"
+    if way < least:
+        raise Refused(
+            path,
+            f"{way:g} before the entrance face is too near {lens}; at least {least:g}",
+        )
+    if way > most:
+        raise Refused(
+            path,
+            f"{way:g} before the entrance face is too far {lens}; "
+            f"at most {most:g}, or collimated light",
+        )
