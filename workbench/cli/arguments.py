@@ -35,7 +35,10 @@ examples:
   freeform export flame.freeform flame.step
 
 SCENE is a scene file (JSON) or a session (.freeform), SESSION a session with a designed lens.
-freeform COMMAND --help tells more of each."""
+freeform COMMAND --help tells more of each.
+
+Exit status: 0 done, 1 failed, 2 refused; 130 after Ctrl-C, 143 after SIGTERM,
+129 when the terminal is closed."""
 
 
 def parse(arguments: Sequence[str] | None) -> argparse.Namespace:
