@@ -4,7 +4,9 @@ What the surroundings ignore, as a shell asks of its background jobs and nohup o
 ignored here too.
 """
 
+import _thread
 import signal
+import sys
 import threading
 from abc import ABC, abstractmethod
 from types import FrameType, TracebackType
@@ -94,7 +96,10 @@ class Interruptible(_Handling):
 
     def _repeat(self, thread: int, number: int) -> None:
         self._is_repeated = True
-        signal.pthread_kill(thread, number)  # which also ends what it waits for
+        if sys.platform == "win32":
+            _thread.interrupt_main(number)
+        else:
+            signal.pthread_kill(thread, number)  # which also ends what it waits for
 
 
 def _is_loading(frame: FrameType | None) -> bool:
