@@ -113,6 +113,7 @@ class Bench(QObject):
         runner.unshown.connect(self.check.show_nothing)
         runner.unshown.connect(status.show_nothing)
         runner.failed.connect(self._window.messages.warn)
+        runner.waiting.connect(self._window.tell_waiting)
         runner.state_changed.connect(self.state_changed)
         self.runs.check.figures_changed.connect(status.show_verified)
         look_back.went_on.connect(

@@ -46,6 +46,10 @@ _STATES = {
     "paused": "Paused",
     "stopping": "Stopping…",
 }
+_COMPILING = (
+    "The run waits for its tracing kernels: they are compiled once after installing, "
+    "for about half a minute"
+)
 _READ_MS = 6000  # a sentence in the status bar
 
 
@@ -326,6 +330,14 @@ class MainWindow(QMainWindow):
         path = self.dialogs.to_open("image", "Target image", IMAGE_FILES)
         if path is not None:
             self.forms.choose_image(path)
+
+    def tell_waiting(self, waiting: bool) -> None:
+        """Say why a run shows nothing yet, until it does."""
+        if waiting:
+            self.log.add(_COMPILING)
+            self.statusBar().showMessage(_COMPILING)
+        else:
+            self.statusBar().clearMessage()
 
     def _take_along(self, take: Callable[[], None]) -> None:
         self.forms.commit()

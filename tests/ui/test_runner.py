@@ -8,6 +8,7 @@ from PySide6.QtCore import QThread
 
 from ui.run.runner import Runner
 from workbench.errors import RunFailed
+from workbench.optics.kernels import ready
 
 
 class Heard:
@@ -240,3 +241,36 @@ def test_a_preview_that_fails_says_of_what_there_is_no_picture(session, start_ru
     assert heard.failures == ["no light at all"]
     with qtbot.assertNotEmitted(runner.unshown), qtbot.waitSignal(runner.finished):
         runner.start(session, continue_run=False)
+
+
+def test_a_run_waits_for_its_kernels_and_says_so(
+    start_runner, session, kernels, monkeypatch, qtbot
+):
+    """Its first lens is traced by them already: as if they had been ready."""
+    runner, heard = start_runner(None)
+    waiting = []
+    runner.waiting.connect(waiting.append)
+    monkeypatch.setattr(ready, "_ready", set())
+    with ready._compiling:  # as by another thread
+        runner.start(session, continue_run=False)
+        qtbot.waitUntil(lambda: waiting == [True])
+        qtbot.wait(100)
+        assert not heard.frames
+    qtbot.waitUntil(lambda: bool(heard.results))
+    assert waiting == [True, False]
+    cold = heard.results[0]
+    ready.compile_all()
+    runner.start(session, continue_run=False)
+    qtbot.waitUntil(lambda: len(heard.results) == 2)
+    assert waiting == [True, False]
+    np.testing.assert_array_equal(cold.control_points, heard.results[1].control_points)
+    np.testing.assert_array_equal(cold.losses, heard.results[1].losses)
+
+
+def test_a_preview_does_not_wait_for_kernels(start_runner, session, kernels, monkeypatch, qtbot):
+    runner, heard = start_runner(None)
+    monkeypatch.setattr(ready, "_ready", set())
+    with ready._compiling:
+        runner.preview(session)
+        qtbot.waitUntil(lambda: bool(heard.frames))
+    assert any("reference" in note for note in heard.frames[0].snapshot.notes)

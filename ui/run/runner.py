@@ -41,6 +41,8 @@ class Runner(QObject):
         Why a run or a preview could not go on; of a run, `finished` follows.
     unshown : Signal(Session)
         A preview failed: there is no picture of this session.
+    waiting : Signal(bool)
+        A run waits for its kernels, which another thread compiles; or does so no longer.
     """
 
     state_changed = Signal(str)
@@ -48,6 +50,7 @@ class Runner(QObject):
     finished = Signal(object)
     failed = Signal(str)
     unshown = Signal(object)
+    waiting = Signal(bool)
 
     _job_given = Signal(object)
 
@@ -55,6 +58,7 @@ class Runner(QObject):
         super().__init__(parent)
         self._generate = generate
         self._state = "idle"
+        self._waiting = False
         self._job: Job | None = None
         self._best: Result | None = None
         self._thread: QThread | None = None
@@ -139,6 +143,7 @@ class Runner(QObject):
         self._job_given.emit(job)
 
     def _drop_job(self) -> None:
+        self._set_waiting(False)
         self._timer.stop()
         self._best = None
         if self._job is not None:
@@ -150,6 +155,7 @@ class Runner(QObject):
         self._worker = Worker()
         self._worker.moveToThread(self._thread)
         self._worker.ended.connect(self._end)
+        self._worker.waits.connect(self._wait)
         self._job_given.connect(self._worker.work)
         self._thread.start()
 
@@ -159,6 +165,7 @@ class Runner(QObject):
         frame = self._job.mailbox.take()
         self._best = self._job.best.take() or self._best
         if frame is not None:
+            self._set_waiting(False)
             self.frame_ready.emit(frame)
 
     @Slot(object, object, object)
@@ -174,6 +181,16 @@ class Runner(QObject):
             self.finished.emit(result)
         elif error is not None:
             self.unshown.emit(job.session)
+
+    @Slot(object)
+    def _wait(self, job: Job) -> None:
+        if job is self._job:
+            self._set_waiting(True)
+
+    def _set_waiting(self, waiting: bool) -> None:
+        if waiting != self._waiting:
+            self._waiting = waiting
+            self.waiting.emit(waiting)
 
     def _set_state(self, state: str) -> None:
         if state != self._state:

@@ -102,6 +102,8 @@ class Worker(QObject):
 
     # The job; its result or None; what went wrong, or None.
     ended = Signal(object, object, object)
+    # The job, which has to wait for what it traces with.
+    waits = Signal(object)
 
     @Slot(object)
     def work(self, job: Job) -> None:
@@ -119,6 +121,8 @@ class Worker(QObject):
 
     def _run(self, job: Job, history: History) -> None:
         gate, unseen = job.gate, None
+        if job.generate is None and not _ready():
+            self.waits.emit(job)
         snapshots = history.follow(self._snapshots(job))
         try:
             for snapshot in snapshots:
@@ -166,6 +170,13 @@ def _post(job: Job, snapshot: Snapshot, history: History) -> None:
     if best is not None:
         job.best.put(best)
     job.mailbox.put(make_frame(job.session, snapshot, history))
+
+
+def _ready() -> bool:
+    """Whether a run would begin at once, as far as kernels go."""
+    from workbench.optics.kernels.ready import is_compiled
+
+    return is_compiled()
 
 
 def _engine() -> Generate:
