@@ -11,6 +11,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from llvmlite.binding import Linkage
 
 import workbench
 from workbench import compiled
@@ -20,6 +21,11 @@ ROOT = Path(workbench.__file__).parent
 
 def doubled(x):
     return 2 * x
+
+
+@compiled.jit()
+def fibonacci(n):  # calls itself, so it is never merged into what calls it
+    return n if n < 2 else fibonacci(n - 1) + fibonacci(n - 2)
 
 
 def compile_and_call():
@@ -43,6 +49,23 @@ def test_code_is_compiled_once_and_taken_from_disk_later(places):
     assert compile_and_call() == (True, 42)
     assert len(list(places[0].iterdir())) == 1
     assert not compiled.unkept()
+
+
+def test_a_kernel_has_copies_of_its_own_of_what_it_calls(places):
+    """Copies that others may replace by theirs would make results depend on what is loaded."""
+
+    def total(n):
+        return fibonacci(n) + fibonacci(n + 1)
+
+    outer = compiled.jit()(total)
+    assert outer(10) == 55 + 89
+    (result,) = outer.overloads.values()
+    shared = [
+        function.name
+        for function in result.library._final_module.functions
+        if function.linkage == Linkage.linkonce_odr
+    ]
+    assert not [name for name in shared if not name.startswith("NRT_")]
 
 
 def empty(file):

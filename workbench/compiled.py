@@ -23,8 +23,10 @@ from typing import Any
 import llvmlite  # type: ignore[import-untyped]
 import numba
 import platformdirs
+from llvmlite.binding import Linkage  # type: ignore[import-untyped]
 from numba.core.caching import _Cache
-from numba.core.compiler import CompileResult
+from numba.core.codegen import JITCodeLibrary
+from numba.core.compiler import Compiler, CompileResult
 from numba.core.serialize import dumps
 
 _HERE = Path(__file__).parent
@@ -44,7 +46,7 @@ def jit(**options: Any) -> Callable[[Callable[..., Any]], Any]:
     """
 
     def decorate(function: Callable[..., Any]) -> Any:
-        kernel = numba.njit(nogil=True, **options)(function)
+        kernel = numba.njit(nogil=True, pipeline_class=_Compiler, **options)(function)
         kernel._cache = _Kept(function)
         return kernel
 
@@ -73,6 +75,33 @@ def folders() -> Iterator[Path]:
     private = _private_folder()
     if private is not None:
         yield private / named
+
+
+class _Compiler(Compiler):
+    """Compiles a function together with all that it calls."""
+
+    def define_pipelines(self) -> Any:
+        codegen = self.state.targetctx.codegen()
+        library: Any = _Library(codegen, self.state.func_id.func_qualname)  # type: ignore[no-untyped-call]
+        library.enable_object_caching()  # so that it can be kept
+        self.state.library = library
+        return super().define_pipelines()  # type: ignore[no-untyped-call]
+
+
+class _Library(JITCodeLibrary):
+    """The code of a function, with copies of its own of all functions that it calls.
+
+    Otherwise copies with the same name, which the compiler has made faster in different ways, would
+    stand for each other: whichever was loaded first. Results would then depend, by rounding, on
+    what was compiled or loaded before.
+    """
+
+    def _optimize_final_module(self) -> None:
+        for function in self._final_module.functions:
+            called = function.linkage == Linkage.linkonce_odr
+            if called and not function.name.startswith("NRT_"):  # which a later pass looks for
+                function.linkage = Linkage.internal
+        super()._optimize_final_module()  # type: ignore[no-untyped-call]
 
 
 class _Kept(_Cache):
