@@ -1,5 +1,6 @@
 import errno
 import json
+import zipfile
 from dataclasses import replace
 
 import numpy as np
@@ -29,7 +30,9 @@ class TestDone:
             "ledger",
             "loss",
             "seconds",
+            "shortfall",
         ]
+        assert figures["shortfall"] is None
         result = read_session(out).result
         assert figures["ended"] == result.ended == "all iterations are done"
         assert figures["loss"] == result.loss
@@ -43,6 +46,30 @@ class TestDone:
             progress.count("collimated light: entrance refraction and intersection left out") == 1
         )
         assert progress.splitlines()[-1].startswith("10/10  loss ")
+
+    def test_a_range_that_is_too_small_is_said_in_a_line_and_in_the_figures(
+        self, freeform, scene_file, scene_data, out
+    ):
+        scene_data["lens"]["height_range"] = [-0.01, 0.01]
+        scene_file.write_text(json.dumps(scene_data))
+        status, printed, progress = freeform("design", scene_file, "-o", out, "--json")
+        assert status == 0
+        assert "; ±0.01 cm is allowed: widen the height range" in progress.splitlines()[-1]
+        shortfall = json.loads(printed.splitlines()[-1])["shortfall"]
+        assert shortfall["cause"] == "height_range" and shortfall["allowed"] == [-0.01, 0.01]
+        assert shortfall["needed"][1] > 0.05 and shortfall["share"] > 0.02
+        kept = read_session(out).result.shortfall
+        assert (kept.cause, kept.share) == ("height_range", shortfall["share"])
+
+    def test_a_scene_without_a_range_stays_without_one(self, freeform, scene_file, scene_data, out):
+        del scene_data["lens"]["height_range"]
+        scene_file.write_text(json.dumps(scene_data))
+        status, _, progress = freeform("design", scene_file, "-o", out)
+        assert status == 0 and "of the base" in progress
+        with zipfile.ZipFile(out) as session:
+            assert "height_range" not in json.loads(session.read("session.json"))["scene"]["lens"]
+        assert freeform("design", out, "-o", out)[0] == 0  # it goes on from its lens
+        assert read_session(out).scene.lens.height_range is None
 
     def test_an_svg_can_be_the_target_and_goes_along(self, freeform, scene_file, scene_data, out):
         drawing = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><circle r="4"/></svg>'

@@ -27,9 +27,9 @@ def test_an_automatic_range_holds_the_first_lens_with_some_space(make_scene, cor
     room = Room(make_scene(FREE), corner)
     low, high = ends(room)
     most = np.abs(room.first - 0.5).max()
-    assert high - 0.5 == pytest.approx(2.5 * most)
-    assert low == max(0.05, 0.5 - 2.5 * most)
-    assert room.notes == (f"heights within {2.5 * most:.3g} cm of the base",)
+    assert high - 0.5 == pytest.approx(3 * most)
+    assert low == max(0.05, 0.5 - 3 * most)
+    assert room.notes == (f"heights within {3 * most:.3g} cm of the base",)
 
 
 def test_an_automatic_range_holds_the_lens_that_the_run_goes_on_from(make_scene, corner):

@@ -10,6 +10,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from workbench import __version__
+from workbench.design.shortfall import Shortfall
 from workbench.design.snapshot import Result
 from workbench.errors import Refused
 from workbench.files import atomic
@@ -115,6 +116,13 @@ class TestRoundTrip:
         again = read_session(path)
         assert again.result is None
         assert same(again.target, session.target)
+
+    def test_a_lens_whose_limits_are_too_narrow(self, session, path):
+        short = Shortfall("height_range", (-2.0, 3.0), (-0.3, 0.3), 0.25)
+        for each in (short, replace(short, cause="max_thickness", needed=None)):
+            result = replace(session.result, shortfall=each)
+            write_session(replace(session, result=result), path)
+            assert read_session(path).result.shortfall == each
 
     def test_a_run_of_no_iterations(self, session, path):
         result = replace(session.result, losses=np.zeros(0))

@@ -17,7 +17,7 @@ Array = npt.NDArray[np.float64]
 
 # An automatic range is that many times what the lenses that it has to hold take of it, and at
 # least this part of what bends the light at the rim by half of the screen's width.
-_TIMES, _LEAST = 2.5, 0.1
+_TIMES, _LEAST = 3.0, 0.1
 # Heights within this part of their interval from its end are at the end; so many are no accident.
 _END, _MANY = 0.003, 0.02
 # What the first lens may lack, as a part of its extent along z, without being any worse.
