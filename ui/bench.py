@@ -61,8 +61,8 @@ class Bench(QObject):
         self.postponed = Postponed(window.forms, self.control, messages, self)
         self._pictures = ScenePictures(views.scene, document, messages, window.dialogs, window)
         RunLog(document, self.control, window.log.add)
-        go_on = window.commands["continue"].trigger
-        ShortfallNotice(document, self.control, messages, go_on)
+        begin = (window.commands[name].trigger for name in ("start", "continue"))
+        ShortfallNotice(document, self.control, messages, *begin)
         docked = {
             **views.docked,
             **production.panes,

@@ -29,8 +29,8 @@ class ShortfallNotice(QObject):
         Its runs; the notice goes with it.
     messages : MessageBar
         Gets what is said.
-    go_on : Callable
-        Goes on from the lens as it is.
+    start_over, go_on : Callable
+        Begin a run: anew, or from the lens as it is.
     """
 
     def __init__(
@@ -38,11 +38,12 @@ class ShortfallNotice(QObject):
         document: Document,
         control: "RunControl",
         messages: MessageBar,
+        start_over: Callable[[], object],
         go_on: Callable[[], object],
     ) -> None:
         super().__init__(control)
         self._document, self._control, self._messages = document, control, messages
-        self._go_on = go_on
+        self._start_over, self._go_on = start_over, go_on
         self._shown: Shortfall | None = None
         self._said = ""
         self._said_of_run = False
@@ -107,10 +108,12 @@ class ShortfallNotice(QObject):
         text = "automatic height range"
         scene = self._document.session.scene
         self._document.edit(edited_scene(scene, [Edit(_RANGE, text, {_RANGE: None})]), text, "")
-        self._say(
-            "The height range follows from the task now, and the lens is as it was.",
-            ("Continue", self._go_on),
+        # From a lens that was cut off at its ends the way is long, and often does not lead as far.
+        self._said = (
+            "The height range follows from the task now, and the lens is as it was. Start over "
+            "mostly finds a better one than Continue does."
         )
+        self._messages.note(self._said, ("Start over", self._start_over), ("Continue", self._go_on))
 
     def _say(self, text: str, *offers: Offer) -> None:
         self._said = text

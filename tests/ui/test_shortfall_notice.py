@@ -22,7 +22,7 @@ def desk(qtbot, session, as_run, snapshots):
     owner.document = Document(session, "small")
     owner.document.setParent(owner)
     owner.control, owner.messages = RunControl(owner.document, owner), MessageBar()
-    owner.went_on = []
+    owner.begun = []
 
     def fall_short(shortfall, iterations=4, pause=0.0):
         def run(scene, target, start=None, locked=None):
@@ -34,7 +34,11 @@ def desk(qtbot, session, as_run, snapshots):
 
     owner.fall_short = fall_short
     ShortfallNotice(
-        owner.document, owner.control, owner.messages, lambda: owner.went_on.append(True)
+        owner.document,
+        owner.control,
+        owner.messages,
+        lambda: owner.begun.append("anew"),
+        lambda: owner.begun.append("from the lens"),
     )
     qtbot.addWidget(owner.messages)
     yield owner
@@ -67,9 +71,10 @@ def test_a_range_that_is_too_small_is_said_and_widened_with_the_lens_kept(desk, 
     assert session.scene.lens.height_range is None
     assert session.result.control_points is lens and session.result.shortfall is None
     assert "follows from the task now" in desk.messages.text
-    assert offers(desk) == ["Continue"]
-    press(desk, qtbot)
-    assert desk.went_on == [True]
+    assert offers(desk) == ["Start over", "Continue"]
+    for button in desk.messages.buttons:
+        qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
+    assert desk.begun == ["anew", "from the lens"]
 
 
 def test_undo_takes_the_wider_range_back_and_says_again_what_is_missing(desk, qtbot):
@@ -93,7 +98,7 @@ def test_it_is_said_during_the_run_which_can_be_stopped_to_widen(desk, qtbot):
         press(desk, qtbot)
     assert desk.document.session.scene.lens.height_range is None
     assert desk.document.session.result is not None
-    assert offers(desk) == ["Continue"]
+    assert offers(desk) == ["Start over", "Continue"]
 
 
 def test_stock_that_is_too_thin_is_said_with_its_own_cure(desk, qtbot):
