@@ -10,6 +10,7 @@ import pytest
 import torch
 
 from tests.stress.scenes import Case
+from tests.stress.walk import WalkTracer
 from workbench.geometry.surface import ControlNet
 from workbench.optics.collimated import CollimatedRays
 from workbench.optics.face_samples import FaceSamples
@@ -42,7 +43,7 @@ class Seen(NamedTuple):
 
 
 def ways(case: Case, dtype: torch.dtype) -> dict[str, list[Make]]:
-    """Ways to trace a case, the reference first and then, where there is one, its fused twin."""
+    """Ways to trace a case, the reference first and then others of the same rays."""
     scene = case.scene
     net, source = ControlNet.of(scene.lens), scene.source
     if isinstance(source, CollimatedSource):
@@ -50,9 +51,13 @@ def ways(case: Case, dtype: torch.dtype) -> dict[str, list[Make]]:
             "collimated": [
                 lambda scene: Reference(CollimatedRays(scene, net, scene.source.rays, dtype)),
                 lambda scene: FusedCollimatedRays(scene, net, source.rays, dtype=dtype),
+                lambda scene: WalkTracer(scene, net, dtype),
             ]
         }
-    search: list[Make] = [lambda scene: Reference(PointRays(scene, net, dtype=dtype))]
+    search: list[Make] = [
+        lambda scene: Reference(PointRays(scene, net, dtype=dtype)),
+        lambda scene: WalkTracer(scene, net, dtype),
+    ]
     if isinstance(source.intersection, ExactMethod):
         search.append(
             lambda scene: FusedPointRays(PointRays(scene, net, dtype=dtype), scene, net, dtype)

@@ -1,7 +1,7 @@
 """Light sources before the lens."""
 
 import math
-from typing import Annotated, Literal, Self
+from typing import Annotated, ClassVar, Literal, Self
 
 import numpy as np
 import numpy.typing as npt
@@ -12,13 +12,6 @@ from workbench.refusals import told_by
 from workbench.scene.part import LENGTH, NonNegative, Part
 
 RayCount = Annotated[int, Field(ge=1, le=4096)]
-
-
-class CollimatedSource(Part):
-    """Parallel light along +z that fills the entrance face; ``rays`` per axis."""
-
-    kind: Literal["collimated"]
-    rays: tuple[RayCount, RayCount] = (512, 512)
 
 
 class ExactMethod(Part):
@@ -41,6 +34,16 @@ IntersectionField = Annotated[
     Annotated[ExactMethod, Tag("exact")] | Annotated[MeshMethod, Tag("mesh")],
     told_by("method", "exact", "mesh", otherwise="exact"),
 ]
+
+
+class CollimatedSource(Part):
+    """Parallel light along +z that fills the entrance face; ``rays`` per axis."""
+
+    kind: Literal["collimated"]
+    rays: tuple[RayCount, RayCount] = (512, 512)
+    # Along the axis a ray meets the face right before it: there is nothing to choose.
+    intersection: ClassVar[ExactMethod] = ExactMethod()
+
 
 Emission = Literal["uniform", "lambertian"]
 Sampling = Literal["sobol", "random"]

@@ -7,10 +7,7 @@ import torch
 
 from workbench.files.export.design import Design, Deviation
 from workbench.files.export.tables import rounding, write_table
-from workbench.optics.collimated import CollimatedRays
-from workbench.optics.hits import Hits
-from workbench.optics.point import PointRays
-from workbench.scene import CollimatedSource
+from workbench.optics.path import Path
 
 
 def write_rays(design: Design, file: BinaryIO) -> Deviation:
@@ -20,29 +17,15 @@ def write_rays(design: Design, file: BinaryIO) -> Deviation:
     and beside it.
     """
     z = design.scene.screen.z
-    # A second plane, farther away than the lens, tells the directions.
-    farther = z + max(z - design.scene.lens.entrance_z, *design.scene.lens.half_width)
-    here, there = _hits(design, z), _hits(design, farther)
-    arrives = (here.weight > 0) & here.x.isfinite() & there.x.isfinite()
-    x, y, beyond_x, beyond_y, flux = (
-        c[arrives].numpy() for c in (here.x, here.y, there.x, there.y, here.weight)
+    path = Path.of(design.scene, design.net, torch.float64)
+    with torch.no_grad():
+        arrival = path.walk({"exit": torch.tensor(design.heights)})
+    arrives = (arrival.rays.flux > 0) & arrival.x.isfinite() & arrival.y.isfinite()
+    x, y, flux, *direction = (
+        part.expand(arrives.shape)[arrives].numpy()
+        for part in (arrival.x, arrival.y, arrival.rays.flux, *arrival.rays.direction)
     )
-    ray = np.stack([beyond_x - x, beyond_y - y, np.full_like(x, farther - z)])
-    ray /= np.linalg.norm(ray, axis=0)
     unit = design.unit
     header = f"x [{unit}],y [{unit}],z [{unit}],cos x,cos y,cos z,flux"
-    written = write_table(file, [x, y, np.full_like(x, z), *ray, flux], header, delimiter=",")
+    written = write_table(file, [x, y, np.full_like(x, z), *direction, flux], header, delimiter=",")
     return Deviation("rounding", max(rounding(written, 0, x), rounding(written, 1, y)), unit)
-
-
-def _hits(design: Design, z: float) -> Hits:
-    screen = design.scene.screen.model_copy(update={"z": z})
-    scene, net = design.scene.model_copy(update={"screen": screen}), design.net
-    rays: CollimatedRays | PointRays
-    if isinstance(scene.source, CollimatedSource):
-        rays = CollimatedRays(scene, net, scene.source.rays, torch.float64)
-    else:
-        rays = PointRays(scene, net, dtype=torch.float64)
-    with torch.no_grad():
-        hits = rays.trace(torch.tensor(design.heights))
-    return Hits(*(part.expand(hits.x.shape) for part in hits))

@@ -1,0 +1,127 @@
+"""The walk along a path: what elements promise, and what the path makes of them."""
+
+import numpy as np
+import pytest
+import torch
+
+from tests.optics.points import GRID, INDEX, POINT, smooth
+from workbench.geometry.surface import ControlNet
+from workbench.optics.interfaces import Passed, Refraction
+from workbench.optics.path import Path, Step
+from workbench.optics.rays import RayBundle
+from workbench.optics.receivers import PlaneReceiver
+from workbench.optics.surfaces import Plane
+
+COLLIMATED = {"kind": "collimated", "rays": [40, 30]}
+SOURCES = pytest.mark.parametrize(
+    "source", [COLLIMATED, POINT, GRID], ids=["collimated", "point", "grid"]
+)
+
+
+class Beam:
+    """An emitter of given rays."""
+
+    def __init__(self, *places):
+        self._places = torch.tensor(places, dtype=torch.float64)
+
+    def rays(self, seed, draw=0):
+        x, z = self._places.unbind(1)
+        zero, one = torch.zeros_like(x), torch.ones_like(x)
+        return RayBundle((x, zero, z), (zero, zero, one), one / len(x), one.bool())
+
+    def towards(self, x, y):
+        raise AssertionError("nobody looks at it")
+
+
+class Unchanged:
+    """An interface that lets all light pass straight on."""
+
+    def turn(self, rays, meeting):
+        flux = torch.where(meeting.met, rays.flux, 0.0)
+        return Passed(RayBundle(meeting.position, rays.direction, flux, meeting.met), {})
+
+
+def total(arrival):
+    flux = arrival.rays.flux.detach().sum(dtype=torch.float64)
+    return (flux + sum(arrival.lost.values())).item()
+
+
+@SOURCES
+@pytest.mark.parametrize("dtype", [torch.float32, torch.float64])
+def test_what_arrives_and_what_is_lost_adds_up_to_all_light(make_scene, source, dtype):
+    scene = make_scene({"source": source})
+    arrival = Path.of(scene, ControlNet.of(scene.lens), dtype).walk({"exit": smooth(scene, 0.2)})
+    assert total(arrival) == pytest.approx(1, abs=1e-12 if dtype == torch.float64 else 1e-6)
+    assert min(flux.item() for flux in arrival.lost.values()) >= -1e-6
+
+
+def test_lost_rays_stay_in_the_bundle_without_flux(make_scene):
+    scene = make_scene({"source": POINT})
+    path = Path.of(scene, ControlNet.of(scene.lens), torch.float64)
+    steep = torch.full(scene.lens.control_points, 3.5, dtype=torch.float64)
+    arrival = path.walk({"exit": steep})
+    assert arrival.rays.flux.shape == path.rays.flux.shape
+    assert not arrival.rays.alive.all()
+    assert not arrival.rays.flux[~arrival.rays.alive].any()
+    assert torch.isinf(arrival.x[~arrival.rays.alive]).all()
+    assert all(part.isfinite().all() for part in arrival.rays.direction)
+
+
+def test_light_beside_the_first_face_is_named_as_that_face_says(make_scene):
+    plate = Plane("front", 0.0, (1.0, 1.0))
+    path = Path(
+        Beam((0.5, -2.0), (3.0, -2.0)),
+        [Step(plate, Refraction(1.0, INDEX, "front_reflection"), "beside")],
+        PlaneReceiver(4.0),
+        datum=0.0,
+        seed=0,
+        dtype=torch.float64,
+    )
+    arrival = path.walk({})
+    assert arrival.lost["beside"].item() == 0.5
+    assert arrival.lost["front_reflection"].item() == pytest.approx(0.5 * 0.04)
+    assert arrival.x.tolist() == [0.5]  # the ray that missed is gone before the walk begins
+
+
+@SOURCES
+def test_a_plate_in_pieces_is_the_plate(make_scene, source):
+    """Two planes in the glass that let all light pass change no ray."""
+    scene = make_scene({"source": source})
+    net = ControlNet.of(scene.lens)
+    whole = Path.of(scene, net, torch.float64)
+    between = [
+        Step(Plane(f"inner {z}", z - whole.datum, (9.0, 9.0)), Unchanged(), "aside")
+        for z in (0.1, 0.2)
+    ]
+    entrance, *rest = whole.steps
+    pieces = Path(
+        whole.emitter,
+        [entrance, *between, *rest],
+        whole.receiver,
+        datum=whole.datum,
+        seed=0,
+        dtype=torch.float64,
+    )
+    heights = {"exit": smooth(scene)}
+    one, other = whole.walk(heights), pieces.walk(heights)
+    for here, there in zip(
+        (one.x, one.y, one.rays.flux), (other.x, other.y, other.rays.flux), strict=True
+    ):
+        assert torch.allclose(here, there, rtol=0, atol=1e-12)
+    assert other.lost["aside"].item() == 0
+
+
+@SOURCES
+def test_rays_through_a_place_are_followed_to_where_the_trace_sends_them(make_scene, source):
+    scene = make_scene({"source": source})
+    path = Path.of(scene, ControlNet.of(scene.lens), torch.float64)
+    heights = {"exit": smooth(scene)}
+    x = torch.tensor([0.1, -0.3], dtype=torch.float64)
+    rays = path.emitter.towards(x, 0.5 * x)
+    (entrance, exit_face), arrival = path.follow(rays, heights)
+    assert np.allclose(entrance[0], x) and np.allclose(entrance[1], 0.5 * x)
+    assert np.allclose(entrance[2], scene.lens.entrance_z)
+    places = ControlNet.of(scene.lens).points(*((c.numpy() + 1) / 2 for c in exit_face[:2]))
+    height = places.evaluate(heights["exit"].numpy())[0]
+    assert np.allclose(exit_face[2], height, rtol=0, atol=1e-12)
+    assert arrival.rays.alive.all()

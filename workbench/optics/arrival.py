@@ -1,0 +1,26 @@
+"""Light at the receiver, before it becomes an image."""
+
+from typing import NamedTuple
+
+from torch import Tensor
+
+from workbench.optics.rays import RayBundle
+
+
+class Arrival(NamedTuple):
+    """Rays at the receiver.
+
+    Attributes
+    ----------
+    x, y : Tensor
+        Where they hit it, scene units; infinite for rays that do not get there.
+    rays : RayBundle
+        The rays behind the last face; their flux is differentiable.
+    lost : dict of str to Tensor
+        Flux lost on the way, by its name in the light account: scalars in float64, no gradient.
+    """
+
+    x: Tensor
+    y: Tensor
+    rays: RayBundle
+    lost: dict[str, Tensor]

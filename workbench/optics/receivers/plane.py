@@ -1,0 +1,33 @@
+"""A screen across the axis."""
+
+import torch
+from torch import Tensor
+
+from workbench.optics.rays import RayBundle
+
+# A face that folds light back, or sideways for ever, sends it past any screen.
+_ONWARD = 1e-6
+
+
+class PlaneReceiver:
+    """Plane at one z on which light makes an image.
+
+    Parameters
+    ----------
+    z : float
+        Where it is, counted from the datum of the path.
+    """
+
+    def __init__(self, z: float) -> None:
+        self._z = z
+
+    def places(self, rays: RayBundle) -> tuple[Tensor, Tensor]:
+        """Where (x, y) rays hit the plane, scene units; infinite for those that never do."""
+        (x, y, z), (d_x, d_y, d_z) = rays.position, rays.direction
+        onward = d_z > _ONWARD
+        way = (self._z - z) / torch.where(onward, d_z, 1.0)
+        hits = rays.alive & onward
+        return (
+            torch.where(hits, x + d_x * way, torch.inf),
+            torch.where(hits, y + d_y * way, torch.inf),
+        )

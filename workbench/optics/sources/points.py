@@ -1,0 +1,62 @@
+"""Light of one point, or of a grid of points that stands for an extended source."""
+
+import numpy as np
+import numpy.typing as npt
+import torch
+from torch import Tensor
+
+from workbench.optics.emission import emit
+from workbench.optics.rays import RayBundle, Vector
+from workbench.scene import GridSource, Lens, PointSource
+
+Array = npt.NDArray[np.float64]
+
+
+class PointEmitter:
+    """Rays into the cones that just cover the entrance face; an `Emitter`.
+
+    Parameters
+    ----------
+    source : PointSource or GridSource
+        Where the points are, and how they emit.
+    lens : Lens
+        Gives the entrance face.
+    """
+
+    along_axis = False
+
+    def __init__(self, source: PointSource | GridSource, lens: Lens) -> None:
+        self._source, self._lens = source, lens
+
+    def rays(self, seed: int, draw: int = 0) -> RayBundle:
+        """Rays of one draw; see `Emitter.rays`."""
+        rays = emit(self._source, self._lens, seed, draw)
+        onto_face = np.column_stack([rays.crossing, np.full(len(rays.flux), self._lens.entrance_z)])
+        return _bundle(onto_face, rays.direction, rays.flux)
+
+    def towards(self, x: Tensor, y: Tensor) -> RayBundle:
+        """Rays from the middle of the source and its corners in turn; see `Emitter.towards`."""
+        corners = _middle_and_corners(self._source)
+        place = np.column_stack([x, y, np.full(len(x), self._lens.entrance_z)])
+        origin = corners[np.arange(len(place)) % len(corners)]
+        direction = place - origin
+        direction /= np.linalg.norm(direction, axis=1, keepdims=True)
+        return _bundle(origin, direction, np.full(len(place), 1 / len(place)))
+
+
+def _bundle(origin: Array, direction: Array, flux: Array) -> RayBundle:
+    alive = torch.ones(len(flux), dtype=torch.bool)
+    return RayBundle(_vector(origin), _vector(direction), torch.as_tensor(flux), alive)
+
+
+def _vector(rows: Array) -> Vector:
+    x, y, z = torch.as_tensor(rows).unbind(1)
+    return x.contiguous(), y.contiguous(), z.contiguous()
+
+
+def _middle_and_corners(source: PointSource | GridSource) -> Array:
+    """A point's place, or those of a grid's middle and corners, shape (n, 3)."""
+    if isinstance(source, GridSource):
+        corners = source.model_copy(update={"points": (2, 2)}).positions
+        return np.vstack([source.center, corners])
+    return source.positions

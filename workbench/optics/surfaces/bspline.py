@@ -1,0 +1,145 @@
+"""A B-spline surface, met by rays along the axis or in any direction to +z."""
+
+from collections.abc import Mapping
+from typing import Protocol
+
+import torch
+from torch import Tensor
+
+from workbench.geometry.patches import Patches
+from workbench.geometry.surface import ControlNet, GridBasis
+from workbench.optics.intersection import Bundle, ExactIntersection, Met
+from workbench.optics.mesh import MeshIntersection, TriangleMesh
+from workbench.optics.rays import RayBundle
+from workbench.optics.surfaces.surface import Meeting
+
+
+class BSplineSurface:
+    """Face over a rectangle whose control heights are free; a `Surface`.
+
+    Parameters
+    ----------
+    name : str
+        What its heights are called.
+    net : ControlNet
+        Where the control heights sit.
+    datum : float
+        z of the scene from which the path counts z.
+    dtype, device
+        Float type and device of the trace.
+    subdivisions : tuple[int, int], optional
+        Of each knot span along x and y: rays then meet triangles, as in the paper, in place of the
+        B-spline itself.
+
+    Notes
+    -----
+    Rays that stay the same for lens after lens are told by being the same object: what depends on
+    them alone is then kept, and the search begins at the root of the last lens.
+    """
+
+    freeform = True
+
+    def __init__(
+        self,
+        name: str,
+        net: ControlNet,
+        datum: float,
+        dtype: torch.dtype,
+        device: torch.device | str = "cpu",
+        subdivisions: tuple[int, int] | None = None,
+    ) -> None:
+        self.name = name
+        self._net, self._datum = net, datum
+        self._dtype, self._device = dtype, device
+        self._subdivisions = subdivisions
+        self._met_before: tuple[RayBundle, _Way] | None = None
+
+    def meet(self, rays: RayBundle, heights: Mapping[str, Tensor]) -> Meeting:
+        """Where rays meet the face; see `Surface.meet`."""
+        # Counted from the datum, float32 keeps the digits that make the shape.
+        above = (heights[self.name] - self._datum).to(self._dtype)
+        if self._met_before is None or self._met_before[0] is not rays:
+            self._met_before = rays, self._way(rays)
+        return self._met_before[1].meet(above)
+
+    def _way(self, rays: RayBundle) -> "_Way":
+        x, y, _ = rays.position
+        along_axis = not any(d.count_nonzero() for d in rays.direction[:2])
+        if along_axis and x.ndim == 2 and x.shape[1] == 1 and y.shape[0] == 1:
+            return _AlongAxis(rays, self._net, self._dtype, self._device)
+        return _Searching(rays, self._net, self._dtype, self._device, self._subdivisions)
+
+
+class _Way(Protocol):
+    """How one bundle meets faces of one control net."""
+
+    def meet(self, heights: Tensor) -> Meeting:
+        """Where it meets the face with control heights (n_u, n_v), counted from the datum."""
+        ...
+
+
+class _AlongAxis:
+    """A tensor grid of rays along z: nothing to search for, slopes by small matrix products."""
+
+    def __init__(
+        self, rays: RayBundle, net: ControlNet, dtype: torch.dtype, device: torch.device | str
+    ) -> None:
+        self._rays = rays
+        x, y, _ = rays.position
+        r_x, r_y = net.half_width
+        u, v = (x[:, 0].cpu().double() / r_x + 1) / 2, (y[0].cpu().double() / r_y + 1) / 2
+        self._basis = GridBasis(
+            *(
+                torch.as_tensor(part, dtype=dtype, device=device).contiguous()
+                for part in vars(net.grid(u.numpy(), v.numpy())).values()
+            )
+        )
+
+    def meet(self, heights: Tensor) -> Meeting:
+        x, y, _ = self._rays.position
+        z, slope_x, slope_y = self._basis.evaluate(heights)
+        return _met_at((x, y, z), slope_x, slope_y, self._rays.alive)
+
+
+class _Searching:
+    """Scattered rays: the exact intersection, or that with a triangle mesh."""
+
+    def __init__(
+        self,
+        rays: RayBundle,
+        net: ControlNet,
+        dtype: torch.dtype,
+        device: torch.device | str,
+        subdivisions: tuple[int, int] | None,
+    ) -> None:
+        self._rays = rays
+        (x, y, z), (d_x, d_y, d_z) = rays.position, rays.direction
+        # Lines are given by where they cross the plane of the datum.
+        slope_x, slope_y = d_x / d_z, d_y / d_z
+        lines = x - slope_x * z, y - slope_y * z, slope_x, slope_y, rays.flux
+        count = (
+            lines[0] + lines[1] + slope_x + slope_y
+        ).shape  # rays along the axis may have one direction for all
+        self._lines = Bundle(*(part.expand(count) for part in lines))
+        self._patches = Patches(net, dtype, device)
+        self._intersection: ExactIntersection | MeshIntersection
+        if subdivisions is not None:
+            mesh = TriangleMesh(net, subdivisions, dtype, device)
+            self._intersection = MeshIntersection(self._lines, mesh)
+        else:
+            self._intersection = ExactIntersection(self._lines, net.half_width, self._patches)
+
+    def meet(self, heights: Tensor) -> Meeting:
+        table = self._patches.table(heights)
+        met: Met = self._intersection.meet(heights, table)
+        x = self._lines.x + self._lines.slope_x * met.depth
+        y = self._lines.y + self._lines.slope_y * met.depth
+        _, slope_x, slope_y = self._patches.evaluate(table, self._patches.place(x, y))
+        return _met_at((x, y, met.depth), slope_x, slope_y, met.found & self._rays.alive)
+
+
+def _met_at(
+    position: tuple[Tensor, Tensor, Tensor], slope_x: Tensor, slope_y: Tensor, met: Tensor
+) -> Meeting:
+    length = (slope_x.square() + slope_y.square() + 1).rsqrt()
+    return Meeting(position, (-slope_x * length, -slope_y * length, length), met)

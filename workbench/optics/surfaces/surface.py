@@ -1,0 +1,54 @@
+"""What every surface does."""
+
+from collections.abc import Mapping
+from typing import NamedTuple, Protocol
+
+from torch import Tensor
+
+from workbench.optics.rays import RayBundle, Vector
+
+
+class Meeting(NamedTuple):
+    """Where rays meet a surface; tensors that broadcast against those of the rays.
+
+    Attributes
+    ----------
+    position : tuple of three tensors
+        Places on the surface; of rays that do not meet it finite stand-ins.
+    normal : tuple of three tensors
+        Unit normals there, to the side to which the light goes.
+    met : Tensor of bool
+        Whether a ray meets the surface within its outline.
+    """
+
+    position: Vector
+    normal: Vector
+    met: Tensor
+
+
+class Surface(Protocol):
+    """A face that rays meet.
+
+    Attributes
+    ----------
+    name : str
+        What its heights are called; one name for each surface of a path.
+    freeform : bool
+        Whether it depends on control heights; rays before the first such surface stay as they are
+        during a run.
+    """
+
+    name: str
+    freeform: bool
+
+    def meet(self, rays: RayBundle, heights: Mapping[str, Tensor]) -> Meeting:
+        """Where rays meet the surface.
+
+        Parameters
+        ----------
+        rays : RayBundle
+            The rays.
+        heights : mapping of str to Tensor
+            Control heights (n_u, n_v) of the freeform surfaces by name, z counted as in the scene.
+        """
+        ...
