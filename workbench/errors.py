@@ -26,6 +26,11 @@ class RunFailed(Exception):
     """A design run that cannot go on, said in one sentence."""
 
 
+def visible(text: str) -> str:
+    """Text without what a terminal obeys or no encoding has: names of files come from strangers."""
+    return "".join(c if c.isprintable() else repr(c)[1:-1] for c in text)
+
+
 def shown(value: object) -> str:
     """A value as a sentence can hold it: on one line, and short."""
     text = repr(value)

@@ -220,6 +220,23 @@ class TestCheckpoint:
         assert left.read_bytes() == b"precious"
         assert sorted(os.listdir(out.parent)) == [left.name, "lens.freeform", "scene.json"]
 
+    def test_an_output_may_have_the_longest_possible_name(
+        self, freeform, scene_file, out, fake_run
+    ):
+        out = out.with_name("é" * 123 + ".freeform")  # 255 bytes
+        twin = out.with_name("é" * 122 + "ee.freeform")
+        left = []
+
+        def look():
+            left.extend(out.parent.glob("*.checkpoint*.freeform"))
+
+        for each in (out, twin):
+            fake_run({4: look})
+            assert freeform("design", scene_file, "-o", each)[0] == 0
+            read_session(each)
+        assert len(set(left)) == 2  # names of their own
+        assert not any(each.exists() for each in left)
+
     def test_a_checkpoint_is_gone_on_from(self, freeform, scene_file, out, fake_run):
         left = out.with_name("lens.checkpoint.freeform")
         fake_run({})

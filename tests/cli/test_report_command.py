@@ -3,6 +3,7 @@ import io
 import json
 import os
 import re
+import sys
 from datetime import datetime
 from html.parser import HTMLParser
 
@@ -116,6 +117,13 @@ class TestHtml:
                 assert picture.width == 1080
             assert image["alt"]
         assert len(found.images) == 6
+
+    @pytest.mark.skipif(sys.platform != "linux", reason="names of files are bytes on Linux alone")
+    def test_a_name_that_is_no_text_is_shown_as_far_as_it_is(self, freeform, lens, tmp_path):
+        odd = lens.rename(tmp_path / "a\udcff\nb.freeform")
+        files = tmp_path / "out.html", tmp_path / "out.pdf"
+        assert freeform("report", odd, *files, *RAYS) == (0, "", "")
+        assert Page(files[0].read_text()).headings[0] == r"a\udcff\nb"
 
     def test_figures_are_those_of_the_check(self, freeform, page, lens):
         found = Page(page).rows

@@ -88,3 +88,15 @@ def test_a_run_goes_on_though_nobody_reads_its_progress(scene_file, tmp_path):
     assert (done.returncode, done.stderr) == (0, "")
     figures = json.loads((tmp_path / "figures").read_text())
     assert figures["iterations"] == read_session(tmp_path / "out").result.iterations == 10
+
+
+@pytest.mark.parametrize("encoding", ["ascii", "latin-1", "utf-16"])
+def test_what_the_encoding_of_the_output_lacks_is_written_otherwise(lens, encoding):
+    done = subprocess.run(
+        [FREEFORM, "manufacture", lens],
+        capture_output=True,
+        env={**os.environ, "PYTHONIOENCODING": encoding},
+    )
+    assert (done.returncode, done.stderr) == (0, b"")
+    degree = r"\xb0" if encoding == "ascii" else "°"
+    assert f" {degree}\n" in done.stdout.decode(encoding)

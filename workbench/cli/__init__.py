@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from workbench.cli.interruption import Interruptible, number_of
 from workbench.cli.streams import Streams
 from workbench.defects import unexpected
-from workbench.errors import Refused, RunFailed
+from workbench.errors import Refused, RunFailed, visible
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -55,11 +55,6 @@ def _run(arguments: Sequence[str] | None) -> None:
     options.command(options)
 
 
-def _visible(text: str) -> str:
-    """Text without what a terminal would obey: names of files and fields come from strangers."""
-    return "".join(c if c.isprintable() else repr(c)[1:-1] for c in text)
-
-
 def _fail(status: int, reason: str) -> int:
-    print(f"freeform: {_visible(' '.join(reason.split()))}", file=sys.stderr, flush=True)
+    print(f"freeform: {visible(' '.join(reason.split()))}", file=sys.stderr, flush=True)
     return status

@@ -7,11 +7,13 @@
    user.
 """
 
+import os
 import sys
 import tempfile
 import time
 from collections.abc import Callable, Iterator
 from contextlib import suppress
+from hashlib import blake2b
 from itertools import count
 from pathlib import Path
 
@@ -23,6 +25,8 @@ from workbench.files.session import Session, write_session
 
 _SECONDS = 10.0  # from one checkpoint to the next
 _PART = 0.02  # of the time, at most, goes to writing them
+_LONGEST_STEM = 220  # bytes of a name; file systems allow 255, ending included
+_SHORT_STEM = 40  # characters, of at most 4 bytes each
 
 
 class Keeper:
@@ -107,6 +111,10 @@ class Keeper:
 
 def _checkpoints(output: Path) -> Iterator[Path]:
     """Names of checkpoints of an output: the usual one, then those beside it."""
-    yield output.with_name(f"{output.stem}.checkpoint.freeform")
+    name = os.fsencode(output.stem)
+    stem = output.stem
+    if len(name) > _LONGEST_STEM:  # with its end, the name would be longer than file systems allow
+        stem = f"{stem[:_SHORT_STEM]}-{blake2b(name, digest_size=8).hexdigest()}"
+    yield output.with_name(f"{stem}.checkpoint.freeform")
     for number in count(2):
-        yield output.with_name(f"{output.stem}.checkpoint-{number}.freeform")
+        yield output.with_name(f"{stem}.checkpoint-{number}.freeform")

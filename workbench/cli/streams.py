@@ -2,7 +2,8 @@
 
 1. What is closed becomes the null device, before a file that is opened gets its number, into which
    a library could then print.
-2. What breaks, or fills its disk, does not end the work: the first error is kept for the exit
+2. What an old terminal's encoding lacks is written as an escape, as on standard error.
+3. What breaks, or fills its disk, does not end the work: the first error is kept for the exit
    status, and the rest goes to the null device, also what Python still flushes when it ends.
 """
 
@@ -60,7 +61,11 @@ class _Outlet(io.TextIOBase):
 
     def write(self, text: str) -> int:
         with self._keeping():
-            self._stream.write(text)
+            try:
+                self._stream.write(text)
+            except UnicodeEncodeError:
+                encoding = self._stream.encoding
+                self._stream.write(text.encode(encoding, "backslashreplace").decode(encoding))
         return len(text)
 
     def flush(self) -> None:

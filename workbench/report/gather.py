@@ -14,7 +14,7 @@ from workbench.analysis.tolerances import Distribution, Tolerances, perturbed
 from workbench.analysis.validation import validate
 from workbench.design.origin import origin
 from workbench.design.session import KeptRun, Session, verified_error
-from workbench.errors import Refused
+from workbench.errors import Refused, visible
 from workbench.geometry.surface import even_counts
 from workbench.pictures import report as pictures
 from workbench.report.content import Picture, Report, Row, Section
@@ -127,7 +127,7 @@ def gather(
     sections.append(Section("Scene", scene_rows(scene)))
     dated = dated.astimezone()
     subtitle = f"Design of {dated:%Y-%m-%d %H:%M %Z} · Freeform Lens Workbench {__version__}"
-    return Report(name, subtitle, dated, tuple(sections))
+    return Report(visible(name), subtitle, dated, tuple(sections))
 
 
 def _manufacture(scene: Scene, heights: Array) -> Section:
