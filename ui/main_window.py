@@ -344,7 +344,8 @@ class MainWindow(QMainWindow):
         take()
 
     def _show_title(self) -> None:
-        self.setWindowTitle(f"{self.document.name}[*] - {TITLE}")
+        name = self.document.name.replace("[*]", "[*][*]")  # Qt's mark for what is modified
+        self.setWindowTitle(f"{name}[*] - {TITLE}")
         self.setWindowModified(self.document.dirty)
 
     def _show_recent(self) -> None:
@@ -371,7 +372,8 @@ class MainWindow(QMainWindow):
         commands.allow(now.allows())
         commands.explain(now.reasons())
         commands.reword(now.texts())
-        commands.reword({"undo": f"&Undo {stack.undoText()}", "redo": f"&Redo {stack.redoText()}"})
+        undo, redo = (text.replace("&", "&&") for text in (stack.undoText(), stack.redoText()))
+        commands.reword({"undo": f"&Undo {undo}", "redo": f"&Redo {redo}"})
         commands["pause"].setChecked(now.state == "paused")
         self.forms.set_running(not now.editable, paused=now.state == "paused")
         self.workspace.history.setEnabled(now.editable)

@@ -4,7 +4,7 @@ import os
 import shutil
 
 import pytest
-from PySide6.QtCore import QTimer
+from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QApplication, QMessageBox, QPushButton
 
 from tests.ui.hands import move_screen
@@ -152,6 +152,7 @@ def press(word, seen):
         box = next(w for w in QApplication.topLevelWidgets() if isinstance(w, QMessageBox))
         buttons = {b.text().replace("&", ""): b for b in box.findChildren(QPushButton)}
         seen.append((box.text(), set(buttons)))
+        assert box.textFormat() is Qt.TextFormat.PlainText  # names may look like markup
         buttons[word].click()
 
     QTimer.singleShot(200, answer)

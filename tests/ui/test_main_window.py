@@ -1,3 +1,4 @@
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -11,6 +12,7 @@ from resources import EXAMPLES
 from tests.ui.hands import editor
 from ui.commands.table import COMMANDS
 from ui.document import Document
+from ui.files.recent import RecentFiles
 from ui.main_window import MainWindow
 from workbench.files.session import Session, read_session
 from workbench.scene import Scene
@@ -98,6 +100,14 @@ def test_the_title_tells_name_and_changes(window, tmp_path):
     window.document.save(tmp_path / "mine.freeform")
     assert window.windowTitle() == "mine[*] - Freeform Lens Workbench"
     assert not window.isWindowModified()
+
+
+def test_names_are_shown_as_they_are_in_title_and_menu(window, session, tmp_path):
+    window.document.save(tmp_path / "a [*].freeform")
+    # Qt shows [*][*] as [*].
+    assert window.windowTitle() == "a [*][*][*] - Freeform Lens Workbench"
+    window.document.change(replace(session), "return to R&D")
+    assert window.commands["undo"].text() == "&Undo return to R&&D"
 
 
 def test_undo_and_redo_by_keyboard(window, qtbot):
@@ -239,6 +249,12 @@ def test_recent_files_are_kept_and_struck_off_when_gone(window, tmp_path, settin
     menu.actions()[0].trigger()
     assert str(paths[-1]) in window.messages.text
     assert menu.actions()[0].text() == f"&1 {paths[-2]}"
+
+
+def test_damaged_settings_leave_the_recent_files_that_are_named(settings):
+    Path(settings.fileName()).write_text("[General]\nrecent_files=/a.freeform, @Invalid()\n")
+    settings.sync()
+    assert RecentFiles(settings).paths() == [Path("/a.freeform")]
 
 
 def test_a_message_leaves_the_picture_where_it_is(built):

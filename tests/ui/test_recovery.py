@@ -203,6 +203,38 @@ def test_a_full_disk_is_told_once(document, keeping, monkeypatch, qtbot):
     assert len(told) == 1 and "No space left" in told[0]
 
 
+def test_a_folder_that_cannot_be_changed_is_told_once_and_holds_nothing_up(
+    document, keeping, tmp_path, qtbot
+):
+    (tmp_path / "recovery").write_text("no folder")  # removing in it fails for any user
+    told = []
+    recovery = Recovery(document, tmp_path / "recovery")
+    recovery.failed.connect(told.append)
+    recovery.start()
+    recovery.keep()  # nothing is unsaved
+    move_screen(document, 7)
+    assert not recovery.keep_now()
+    recovery.close(leave=True)
+    assert len(told) == 1
+
+
+def test_work_that_cannot_be_removed_is_offered_again(document, keeping, monkeypatch):
+    recovery = keeping()
+    move_screen(document, 7)
+    recovery.keep_now()
+    crash(recovery)
+
+    def refuse(path, missing_ok=False):
+        raise OSError(30, "Read-only file system")
+
+    monkeypatch.setattr(left_behind, "ask", lambda work, window: Choice.DISCARD)
+    with monkeypatch.context() as read_only:
+        read_only.setattr("pathlib.Path.unlink", refuse)
+        assert not left_behind.offer(left_behind.find(recovery.folder), lambda work: False, None)
+    (work,) = left_behind.find(recovery.folder)
+    work.remove()
+
+
 def test_the_lens_of_a_run_is_kept_before_it_ends(display, window, tmp_path, qtbot):
     window.build()
     scene = window.document.session.scene
@@ -263,6 +295,7 @@ def test_work_kept_when_the_system_ended_the_program_is_no_alarm(window, documen
     def answer():
         box = next(w for w in QApplication.topLevelWidgets() if isinstance(w, QMessageBox))
         boxes.append((box.text(), box.icon()))
+        assert box.textFormat() is Qt.TextFormat.PlainText
         qtbot.keyClick(box, Qt.Key.Key_Escape)
 
     QTimer.singleShot(200, answer)

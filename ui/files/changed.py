@@ -3,6 +3,7 @@
 from enum import Enum, auto
 from pathlib import Path
 
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QAbstractButton, QMessageBox, QWidget
 
 from ui.document import OnDisk
@@ -31,6 +32,7 @@ def ask(path: Path, found: OnDisk, window: QWidget) -> Choice:
     """
     box = QMessageBox(window)
     box.setIcon(QMessageBox.Icon.Warning)
+    box.setTextFormat(Qt.TextFormat.PlainText)  # names of files may look like markup
     roles = QMessageBox.ButtonRole
     choices: dict[QAbstractButton, Choice] = {}
     if found is OnDisk.CHANGED:

@@ -5,12 +5,13 @@ Each window keeps a session file, says in a small file beside it what is in it, 
 
 import json
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import asdict, dataclass
 from datetime import datetime
 from enum import Enum, auto
 from pathlib import Path
 
-from PySide6.QtCore import QLockFile
+from PySide6.QtCore import QLockFile, Qt
 from PySide6.QtWidgets import QMessageBox, QWidget
 
 from ui.document import ENDING
@@ -83,9 +84,10 @@ class LeftBehind:
         return datetime.fromtimestamp(self.file.stat().st_mtime)
 
     def remove(self) -> None:
-        """Nobody needs it any more."""
+        """Nobody needs it any more; where it cannot be removed, the next start asks again."""
         for file in (self.file, about_of(self.file)):
-            file.unlink(missing_ok=True)
+            with suppress(OSError):
+                file.unlink(missing_ok=True)
             remove_left_behind(file)
         self.lock.unlock()
 
@@ -164,6 +166,7 @@ def offer(
 def ask(work: LeftBehind, window: QWidget) -> Choice:
     """Put the question about one."""
     box, name = QMessageBox(window), work.about.name
+    box.setTextFormat(Qt.TextFormat.PlainText)  # names of files may look like markup
     box.setWindowTitle("Unsaved work")
     if work.about.ended:
         box.setIcon(QMessageBox.Icon.Information)

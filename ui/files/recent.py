@@ -25,7 +25,8 @@ class RecentFiles:
         stored = self._settings.value(_KEY)
         if isinstance(stored, str):  # a list of one, as an ini file tells it
             return [Path(stored)]
-        return [Path(path) for path in stored] if isinstance(stored, list) else []
+        named = stored if isinstance(stored, list) else []
+        return [Path(path) for path in named if isinstance(path, str)]
 
     def add(self, path: Path) -> None:
         """Put a file first."""

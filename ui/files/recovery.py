@@ -164,7 +164,10 @@ class Recovery(QObject):
     def _remove(self) -> None:
         self._kept = None
         for file in (self._file, about_of(self._file)):
-            file.unlink(missing_ok=True)
+            try:
+                file.unlink(missing_ok=True)
+            except OSError as error:  # the next start offers what is there
+                self._tell(f"{file}: {error.strerror or error}")
 
     def _join(self) -> None:
         if self._writer is not None:
