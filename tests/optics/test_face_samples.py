@@ -16,6 +16,7 @@ from tests.optics.points import (
     oval,
     smooth,
 )
+from workbench.analysis.validation import validate
 from workbench.geometry.surface import ControlNet
 from workbench.optics.cap import covering_caps
 from workbench.optics.collimated import CollimatedRays
@@ -216,3 +217,34 @@ class TestFolds:
             found.add(valid)
             assert not (valid and dark)
         assert found == {False, True}
+
+
+THIN = {
+    "lens.base": {"shape": "flat", "height": 0.01},
+    "lens.height_range": [-0.003, 0.003],
+    "lens.min_thickness": 0.0,
+    "screen": {"z": 2.0, "half_width": [6.0, 6.0], "pixels": [16, 16]},
+    "filter": {"kind": "box"},
+}
+
+
+@pytest.mark.parametrize("fused", [False, True], ids=["reference", "kernel"])
+@pytest.mark.parametrize("source", [[0.3, -0.2, -1e-3], [0, 0, -1e-4]], ids=["aside", "middle"])
+def test_samples_are_dense_before_a_source_that_is_near_a_thin_lens(make_scene, source, fused):
+    """Of even samples a few saw all of the light, and the image was off by more than all of it."""
+    scene = make_scene(THIN | {"source": POINT | {"position": source}})
+    heights = 0.005 + 0.01 * smooth(scene)
+    flux = Plan(scene, samples=(400, 400), fused=fused, dtype=torch.float64).trace(heights).flux
+    exact = validate(scene, np.ones((16, 16)), heights.numpy(), 1 << 19).irradiance
+    assert distance(flux, torch.tensor(exact * scene.screen.pixel_area)) < 0.1
+
+
+def test_half_of_the_dense_samples_see_a_mirror_image(make_scene):
+    scene = make_scene(THIN | {"source": POINT | {"position": [0, 0, -1e-3]}})
+    heights = torch.full(scene.lens.control_points, 0.01, dtype=torch.float64)
+    whole, quarter = (
+        Plan(scene, samples=(400, 400), mirrored=halved, dtype=torch.float64).trace(heights)
+        for halved in ((False, False), (True, True))
+    )
+    assert distance(quarter.flux, whole.flux) < 1e-9
+    assert quarter.ledger.to_data() == pytest.approx(whole.ledger.to_data(), abs=1e-9)

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from workbench.optics.lattice import make_lattice
+from workbench.scene import FlatBase
 
 GRID = {"kind": "grid", "center": [0, 0, -5], "half_width": [1, 2]}
 
@@ -56,3 +57,24 @@ def test_samples_of_one_point_are_the_middles_of_cells(make_scene):
     # Above the aperture by 2: its rays cross the entrance face 2 or more below the point.
     assert lattice.y.reach.tolist() == [-2.0] * 5
     assert lattice.y.beyond == pytest.approx(1 - lattice.y.place)
+
+
+@pytest.mark.parametrize("points", [(1, 1), (3, 4)])
+@pytest.mark.parametrize("x", [0.0, 0.4])
+def test_samples_are_dense_where_a_near_source_lights_the_face(make_scene, points, x):
+    scene = grid(make_scene, points, center=[x, 0, -0.01], half_width=[0.02, 0.03])
+    scene = scene.model_copy(
+        update={"lens": scene.lens.model_copy(update={"base": FlatBase(height=0.05)})}
+    )
+    lattice = make_lattice(scene.source, scene.lens, (120, 120))
+    axis = lattice.x
+    assert (np.diff(axis.place) > 0).all()
+    assert abs(axis.place).max() < 1
+    assert axis.t == pytest.approx((axis.place + 1) / 2)
+    assert np.diff(axis.place).argmin() == pytest.approx(abs(axis.place - x).argmin(), abs=2)
+    assert np.diff(axis.place).min() < 0.3 * 2 / 120
+    for number in range(points[0]):
+        assert axis.width[axis.point == number].sum() == pytest.approx(2)
+    if x == 0:
+        assert axis.place == pytest.approx(-axis.place[::-1])
+        assert axis.width == pytest.approx(axis.width[::-1])

@@ -64,8 +64,7 @@ class FaceSamples:
         def constant(values: np.ndarray) -> Tensor:
             return torch.as_tensor(values, dtype=dtype, device=device).contiguous()
 
-        counts = len(lattice.x.place), len(lattice.y.place)
-        basis = net.grid(*((np.arange(count) + 0.5) / count for count in counts))
+        basis = net.grid(lattice.x.t, lattice.y.t)
         self._basis = GridBasis(
             constant(basis.along_x),
             constant(basis.slope_x),

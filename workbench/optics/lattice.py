@@ -11,6 +11,10 @@ from workbench.scene import GridSource, Lens, PointSource
 
 Array = npt.NDArray[np.float64]
 
+# Part of the aperture's half-width that samples are made denser for, at least: a lens that becomes
+# thicker than it began still has enough of them elsewhere.
+_NARROWEST = 0.002
+
 
 class Axis(NamedTuple):
     """Samples along x (or y), each for one row (or column) of points; arrays of shape (m,).
@@ -18,7 +22,9 @@ class Axis(NamedTuple):
     Attributes
     ----------
     place : ndarray
-        Middles of equal cells of the aperture, scene units.
+        Middles of cells of the aperture, scene units: of equal ones, unless the source is near.
+    t : ndarray
+        The same as parts of the way from one side of the aperture to the other.
     width : ndarray
         What of the aperture is nearer to a sample than to others of its point.
     point : ndarray of int
@@ -30,10 +36,12 @@ class Axis(NamedTuple):
         ends ``reach`` from the point, counted in the direction away from the lens, and ``beyond``
         the place. 0 and one cell for points before the aperture.
     cell : float
-        Distance of neighbouring samples of the same point.
+        Distance of neighbouring samples of the same point, where cells are equal: they are for all
+        points beside the aperture.
     """
 
     place: Array
+    t: Array
     width: Array
     point: npt.NDArray[np.int64]
     away: Array
@@ -75,31 +83,57 @@ def make_lattice(source: PointSource | GridSource, lens: Lens, samples: tuple[in
     samples : tuple[int, int]
         Samples along x and y; rounded up, so that all points of a grid have the same number.
     """
+    # Nearer than this a source makes no other light, but float32 leaves its range.
+    distance = max(lens.entrance_z - source.nearest_z, 1e-8 * max(lens.half_width))
+    # About as far as this from its axis a point lights the exit face.
+    lit = lens.index * distance + max(lens.base.height - lens.entrance_z, 0.0)
     x, y = (
-        _axis(centre, r, count)
+        _axis(centre, r, count, max(lit, _NARROWEST * r))
         for centre, r, count in zip(source.axes, lens.half_width, samples, strict=True)
     )
     light = entering(source, lens)
-    # Nearer than this a source makes no other light, but float32 leaves its range.
-    distance = max(lens.entrance_z - source.nearest_z, 1e-8 * max(lens.half_width))
     return Lattice(x, y, distance, light.intensity, light.missed, light.reflected)
 
 
-def _axis(centre: Array, half_width: float, samples: int) -> Axis:
+def _axis(centre: Array, half_width: float, samples: int, lit: float) -> Axis:
     points = len(centre)
     count = -(-samples // points) * points
-    place = ((np.arange(count) + 0.5) / count * 2 - 1) * half_width
+    part = (np.arange(count) + 0.5) / count  # of the way along the axis
+    low, high = part - points / count / 2, part + points / count / 2
+    low[:points], high[-points:] = 0.0, 1.0
+    place = _spread(part, centre, half_width, lit)
+    width = _spread(high, centre, half_width, lit) - _spread(low, centre, half_width, lit)
     cell = 2 * half_width / count * points
-    width = np.full(count, cell)
-    width[:points] += half_width + place[:points] - cell / 2
-    width[-points:] += half_width - place[-points:] - cell / 2
     point = np.tile(_interleaving(points), count // points)
     sign = np.sign(centre) * (np.abs(centre) > half_width)
     reach = np.where(sign == 0, 0.0, half_width - np.abs(centre))[point]
     side = sign[point]
     # Not as a difference of two ways from the point, which may be far.
     beyond = np.where(side == 0, cell, half_width - side * place)
-    return Axis(place, width, point, place - centre[point], reach, beyond, cell)
+    return Axis(
+        place,
+        (place / half_width + 1) / 2,
+        width,
+        point,
+        place - centre[point],
+        reach,
+        beyond,
+        cell,
+    )
+
+
+def _spread(part: Array, centre: Array, half_width: float, lit: float) -> Array:
+    """Places at parts of the way along an axis: even, or denser before a source that is near.
+
+    In a = arsinh(x / wide) the light is smooth at a scale of 1, as on the entrance face.
+    """
+    middle, wide = (centre[0] + centre[-1]) / 2, lit + (centre[-1] - centre[0]) / 2
+    if wide >= half_width or np.abs(centre).max() > half_width:
+        return (2 * part - 1) * half_width
+    low, high = np.arcsinh((-half_width - middle) / wide), np.arcsinh((half_width - middle) / wide)
+    return np.asarray(middle + wide * np.sinh(low + (high - low) * part)).clip(
+        -half_width, half_width
+    )
 
 
 def _interleaving(points: int) -> npt.NDArray[np.int64]:

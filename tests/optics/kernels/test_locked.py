@@ -7,7 +7,7 @@ import torch
 from workbench.geometry.surface import ControlNet
 from workbench.optics.kernels import collimated
 from workbench.optics.kernels.collimated import FusedCollimatedRays
-from workbench.optics.kernels.grid import make_axis
+from workbench.optics.kernels.grid import make_axis, middles
 from workbench.optics.kernels.locked import count, split
 from workbench.optics.plan import Plan
 
@@ -15,7 +15,7 @@ NET = ControlNet((12, 10), (3, 2), (1.0, 2.0))
 
 
 def rays(halved=(False, False)):
-    return tuple(make_axis(NET, k, (40, 30)[k], halved[k], np.float64) for k in (0, 1))
+    return tuple(make_axis(NET, k, middles((40, 30)[k], halved[k]), np.float64) for k in (0, 1))
 
 
 def lock(*free):

@@ -15,7 +15,7 @@ from workbench.geometry.surface import ControlNet
 from workbench.optics.kernels import threads
 from workbench.optics.kernels.collimated_trace import Optics, trace_rows, trace_rows_back
 from workbench.optics.kernels.function import Sums, kind_of, trace
-from workbench.optics.kernels.grid import make_axis
+from workbench.optics.kernels.grid import make_axis, middles
 from workbench.optics.kernels.locked import Mask, Rays, count, split
 from workbench.optics.kernels.spread import Spread, add_up, make_canvases, make_spread, pad
 from workbench.optics.light import Light, sum_of
@@ -64,7 +64,7 @@ class FusedCollimatedRays:
             wanted and along % 2 == 0 for wanted, along in zip(mirrored, samples, strict=True)
         )
         across, up = (
-            make_axis(net, axis, along, halved, kind)
+            make_axis(net, axis, middles(along, halved), kind)
             for axis, (along, halved) in enumerate(zip(samples, self.mirrored, strict=True))
         )
         self._moving, self._still = split((across, up), locked)
@@ -104,7 +104,7 @@ def compile_for(dtype: torch.dtype) -> None:
     """Compile the kernels for a float type by tracing a few rays."""
     kind = kind_of(dtype)
     net = ControlNet((2, 2), (1, 1), (1.0, 1.0))
-    across, up = (make_axis(net, axis, 2, False, kind) for axis in (0, 1))
+    across, up = (make_axis(net, axis, middles(2, False), kind) for axis in (0, 1))
     across, up = (axis._replace(place=axis.place.astype(kind)) for axis in (across, up))
     numbers = Optics(*(kind(1.5) for _ in Optics._fields))
     screen = Screen(z=1.0, half_width=(1.0, 1.0), pixels=(2, 2))

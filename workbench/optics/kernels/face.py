@@ -16,7 +16,7 @@ from workbench.optics.kernels import threads
 from workbench.optics.kernels.face_numbers import Across, Optics, Up
 from workbench.optics.kernels.face_rows import trace_rows, trace_rows_back
 from workbench.optics.kernels.function import Sums, trace
-from workbench.optics.kernels.grid import make_axis
+from workbench.optics.kernels.grid import make_axis, middles
 from workbench.optics.kernels.spread import Spread, add_up, make_canvases, make_spread, pad
 from workbench.optics.lattice import make_lattice
 from workbench.optics.light import Light
@@ -64,8 +64,10 @@ class FusedFaceSamples:
             wanted and count % 2 == 0 for wanted, count in zip(mirrored, counts, strict=True)
         )
         self._bases = tuple(
-            make_axis(net, axis, count, halved, kind)
-            for axis, (count, halved) in enumerate(zip(counts, self.mirrored, strict=True))
+            make_axis(net, axis, along.t[: count // 2 if halved else count], kind)
+            for axis, (along, count, halved) in enumerate(
+                zip((lattice.x, lattice.y), counts, self.mirrored, strict=True)
+            )
         )
         m_x, m_y = (len(basis.place) for basis in self._bases)
         x, y = lattice.x, lattice.y
@@ -122,7 +124,7 @@ def compile_for(dtype: torch.dtype) -> None:
     """Compile the kernels for a float type by tracing a few samples."""
     kind = torch.zeros(0, dtype=dtype).numpy().dtype.type
     net = ControlNet((2, 2), (1, 1), (1.0, 1.0))
-    bases = tuple(make_axis(net, axis, 2, False, kind) for axis in (0, 1))
+    bases = tuple(make_axis(net, axis, middles(2, False), kind) for axis in (0, 1))
     pair, one = np.ones(2, kind), kind(1)
     across = Across(pair, pair, pair, pair, one, pair)
     up = Up(pair, pair, pair, pair, one, pair)

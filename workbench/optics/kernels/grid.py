@@ -41,11 +41,15 @@ class Axis(NamedTuple):
     slope: AnyArray
 
 
+def middles(count: int, halved: bool) -> npt.NDArray[np.float64]:
+    """Middles of ``count`` equal cells of [0, 1], or of the first half of them."""
+    return (np.arange(count // 2 if halved else count) + 0.5) / count
+
+
 def make_axis(
-    net: ControlNet, axis: int, count: int, halved: bool, kind: type[np.floating[Any]]
+    net: ControlNet, axis: int, t: npt.NDArray[np.float64], kind: type[np.floating[Any]]
 ) -> Axis:
-    """Rays in the middles of ``count`` equal cells of one axis, or of the first half of them."""
-    t = (np.arange(count // 2 if halved else count) + 0.5) / count
+    """Rays at parts ``t`` of the way along one axis, shape (m,)."""
     knots, degree, r = net.knots[axis], net.degree[axis], net.half_width[axis]
     first, value = local_basis(knots, degree, t)
     slope = local_basis(knots, degree, t, derivative=1)[1] / (2 * r)
