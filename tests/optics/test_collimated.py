@@ -5,6 +5,7 @@ import pytest
 import torch
 
 from tests.optics.gradients import check_both_modes
+from workbench.design.snapshot import frozen
 from workbench.geometry.surface import ControlNet
 from workbench.optics.collimated import CollimatedRays
 from workbench.optics.paths import ray_paths
@@ -182,6 +183,16 @@ def test_paths_end_where_the_trace_does(make_scene, rng):
     assert (paths.weight > 0.9).all()
     expected = (np.abs(paths.points[:, 3, :2]) < 1).all(axis=1)
     assert (paths.on_screen == expected).all()
+
+
+def test_paths_of_a_result_come_without_a_warning(make_scene, recwarn):
+    scene = make_scene()
+    torch.set_warn_always(True)  # else it warns in the first test of a process alone
+    try:
+        ray_paths(scene, frozen(flat(scene).numpy()), (2, 2))
+    finally:
+        torch.set_warn_always(False)
+    assert not recwarn.list
 
 
 def test_reflected_paths_stop_at_the_exit_face(make_scene):

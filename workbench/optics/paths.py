@@ -50,7 +50,7 @@ def ray_paths(scene: Scene, control_points: Array, count: tuple[int, int]) -> Ra
     x, y = (torch.as_tensor(c) for c in _grid(lens, count))
     rays = emitter_of(scene.source, lens).towards(x, y)
     path = Path.of(scene, ControlNet.of(lens), torch.float64)
-    faces, arrival = path.follow(rays, {"exit": torch.as_tensor(control_points)})
+    faces, arrival = path.follow(rays, {"exit": torch.tensor(control_points)})
     hits = arrival.x.isfinite() & arrival.y.isfinite() & (arrival.rays.flux > 0)
     on_plane = _rows((arrival.x, arrival.y, torch.full_like(arrival.x, screen.z)), len(x))
     before_plane = [_rows(place, len(x)) for place in (rays.position, *faces)]
