@@ -56,6 +56,15 @@ MITSUBA = (("libatomic.so.1", "libatomic1"),)
 VIRTUAL_SCREEN = (("xvfb-run", "xvfb"), ("xauth", "xauth"), ("xdotool", "xdotool"))
 
 
+def keep_shaders_in_memory() -> None:
+    """Have Mesa, which may draw, keep no shaders on the disk; to be called before it is loaded.
+
+    It writes them through a map of a file, so a full disk would end the process on the spot (bus
+    error) with all unsaved work. Compiling them takes a fifth of a second.
+    """
+    os.environ.setdefault("MESA_SHADER_CACHE_DISABLE", "true")
+
+
 def missing(libraries: Iterable[tuple[str, str]] = WINDOW) -> list[tuple[str, str]]:
     """Return the (library, Debian package) pairs that this machine cannot load.
 

@@ -3,6 +3,7 @@ import math
 import os
 import re
 import signal
+import subprocess
 import sys
 
 import pytest
@@ -133,6 +134,17 @@ def test_pictures(freeform, lens, tmp_path):
     assert (status, printed, told) == (0, "", "")
     for name in ("irradiance.png", "lens.png"):
         assert (folder / name).read_bytes().startswith(b"\x89PNG")
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="about Mesa")
+def test_pictures_keep_no_shaders_where_a_full_disk_would_end_the_process(lens, tmp_path):
+    caches = tmp_path / "caches"
+    subprocess.run(
+        [sys.executable, "-m", "workbench", "pictures", lens, tmp_path],
+        env={**os.environ, "XDG_CACHE_HOME": str(caches)},
+        check=True,
+    )
+    assert not list(caches.glob("mesa_shader_cache*"))
 
 
 def test_a_picture_that_cannot_be_written_is_told(freeform, lens, tmp_path):

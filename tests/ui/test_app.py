@@ -121,6 +121,15 @@ print(told.raw[:length].count(b"<heap nr="))
 """
 
 
+def test_the_window_keeps_no_shaders_where_a_full_disk_would_end_it():
+    script = (
+        "import os; from ui.app import _prepare_environment; _prepare_environment();"
+        "print(os.environ['MESA_SHADER_CACHE_DISABLE'])"
+    )
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True)
+    assert done.stdout == "true\n", done.stderr
+
+
 @pytest.mark.skipif(platform.libc_ver()[0] != "glibc", reason="arenas are glibc's")
 def test_threads_share_what_memory_was_freed():
     told = subprocess.run([sys.executable, "-c", _ARENAS], capture_output=True, text=True)

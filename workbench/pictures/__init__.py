@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING, BinaryIO, Protocol
 import numpy as np
 import numpy.typing as npt
 
+from workbench.system_libraries import keep_shaders_in_memory
+
 if TYPE_CHECKING:
     from workbench.design.snapshot import Result
     from workbench.scene import Scene
@@ -101,6 +103,7 @@ def lens_image(
     -------
     ndarray of uint8, shape (height, width, 3)
     """
+    keep_shaders_in_memory()
     import pyvista as pv
     from vtkmodules.vtkCommonCore import vtkLogger
 
