@@ -189,12 +189,13 @@ class Document(QObject):
         path = path.absolute()
         shipped = path.is_relative_to(resources.path())  # no place to save to
         suggestion = Path(path.name) if shipped else path
-        found = fingerprint(path)  # beforehand: what is written while it is read is a change
+        # Beforehand: what is written while it is read is a change. Other files may be endless.
+        found = fingerprint(path) if is_session(path) else None
         session = open_design(path)
-        if is_session(path):
-            self._begin(session, suggestion, path, found)
-        else:
+        if found is None:
             self._begin(session, suggestion)
+        else:
+            self._begin(session, suggestion, path, found)
 
     def recover(self, session: Session, name: str, path: Path | None, known: str | None) -> None:
         """Go on with a session that was never saved.

@@ -1,3 +1,4 @@
+import os
 from dataclasses import replace
 from pathlib import Path
 
@@ -234,6 +235,20 @@ def test_a_refused_file_is_said_and_changes_nothing(window, tmp_path):
     assert "bad.freeform" in window.messages.text
     assert window.document.session is session
     assert window.commands.menus["Open &recent"].isEmpty()
+
+
+def test_a_large_file_that_is_no_design_is_refused_without_being_read(
+    window, tmp_path, monkeypatch
+):
+    def read(path):
+        pytest.fail("it is read to its end")
+
+    monkeypatch.setattr("ui.document.fingerprint", read)
+    film = tmp_path / "film.mp4"
+    film.touch()
+    os.truncate(film, 1 << 33)
+    assert not window.files.open(film)
+    assert "film.mp4: is no scene" in window.messages.text
 
 
 def test_recent_files_are_kept_and_struck_off_when_gone(window, tmp_path, settings):
