@@ -59,15 +59,14 @@ class LensTools(QObject):
         super().__init__(parent)
         self._document, self._control, self._view = document, control, view
         self._brush = Brush(view)
+        lock = Lock(view, self._brush, self._may_change, self)
         self._tools: dict[str, Tool | None] = {
             "turn": None,
             "sculpt": self._sculpt(),
-            "lock": Lock(view, self._brush, self._may_change, self),
+            "lock": lock,
             "move_source": self._move_source(),
         }
         self._tool: Tool | None = None
-        lock = self._tools["lock"]
-        assert isinstance(lock, Lock)
         lock.painted.connect(lambda locked, verb: self._set_locked(locked, f"{verb} points"))
         self._live = LiveLens(self)
         self._live.traced.connect(self._take)

@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, BinaryIO, Protocol
 import numpy as np
 import numpy.typing as npt
 
+from workbench.design.snapshot import Result, result_of
 from workbench.system_libraries import keep_shaders_in_memory
 
 if TYPE_CHECKING:
-    from workbench.design.snapshot import Result
     from workbench.scene import Scene
 
 _SURFACE_SAMPLES = (129, 129)
@@ -44,10 +44,9 @@ def write_images(session: Designed, file: BinaryIO) -> None:
 
     from workbench.pictures.images import ErrorImage, IrradianceImage, target_irradiance
 
-    assert session.result is not None
     figure = Figure(figsize=(13, 4), layout=ConstrainedLayoutEngine(wspace=0.12))
     lit, wished, off = figure.subplots(1, 3)
-    scene, target, irradiance = session.scene, session.target, session.result.irradiance
+    scene, target, irradiance = session.scene, session.target, result_of(session).irradiance
     IrradianceImage(lit, scene, target).update(irradiance)
     IrradianceImage(wished, scene, target).update(target_irradiance(scene, target))
     ErrorImage(off, scene, target).update(irradiance)
@@ -60,8 +59,8 @@ def write_lens(session: Designed, file: BinaryIO) -> None:
     """Draw a designed lens with its rays and the lit screen as PNG."""
     from PIL import Image
 
-    assert session.result is not None
-    Image.fromarray(lens_image(session, session.result.irradiance)).save(file, "PNG")
+    irradiance = result_of(session).irradiance
+    Image.fromarray(lens_image(session, irradiance)).save(file, "PNG")
 
 
 def write_loss(session: Designed, file: BinaryIO) -> None:
@@ -70,8 +69,8 @@ def write_loss(session: Designed, file: BinaryIO) -> None:
 
     from workbench.pictures.loss import LossPicture
 
-    assert session.result is not None
-    losses, starts = session.result.losses, session.result.stage_starts
+    result = result_of(session)
+    losses, starts = result.losses, result.stage_starts
     figure = Figure(figsize=(7, 4), layout="constrained")
     LossPicture(figure.subplots()).update(losses, losses.size, starts)
     figure.savefig(file, format="png", dpi=_DPI)
@@ -111,8 +110,7 @@ def lens_image(
     from workbench.optics.paths import ray_paths
     from workbench.pictures.lens import LensPicture
 
-    assert session.result is not None
-    scene, heights = session.scene, session.result.control_points
+    scene, heights = session.scene, result_of(session).control_points
     # Without a display VTK draws in memory; that it looked for one is nobody's concern.
     vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_ERROR)
     plotter = pv.Plotter(off_screen=True, window_size=[1600, 1000])

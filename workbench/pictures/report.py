@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import numpy.typing as npt
 
+from workbench.design.snapshot import result_of
 from workbench.pictures import Designed, lens_image
 from workbench.pictures.images import ErrorImage, IrradianceImage, target_irradiance
 from workbench.pictures.loss import LossPicture
@@ -43,13 +44,12 @@ def draw_lens(figure: "FigureBase", session: Designed, irradiance: Array) -> Non
 
 def draw_images(figure: "FigureBase", session: Designed, irradiance: Array) -> None:
     """Draw irradiance, target, signed error and the height of the exit face over its base."""
-    assert session.result is not None
-    scene, target = session.scene, session.target
+    scene, target, result = session.scene, session.target, result_of(session)
     (lit, wished), (off, face) = figure.subplots(2, 2, gridspec_kw=_APART)
     IrradianceImage(lit, scene, target).update(irradiance)
     IrradianceImage(wished, scene, target).update(target_irradiance(scene, target))
     ErrorImage(off, scene, target).update(irradiance)
-    SurfaceImage(face, scene, ASPECTS[0]).update(session.result.control_points)
+    SurfaceImage(face, scene, ASPECTS[0]).update(result.control_points)
     titles = ("Irradiance", "Target", "Irradiance − target", "Exit face over its base")
     for axes, title in zip((lit, wished, off, face), titles, strict=True):
         axes.set_title(title, fontsize=_FONT)

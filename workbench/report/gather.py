@@ -14,7 +14,8 @@ from workbench.analysis.tolerances import Distribution, Tolerances, perturbed
 from workbench.analysis.validation import validate
 from workbench.design.origin import origin
 from workbench.design.session import KeptRun, Session, verified_error
-from workbench.errors import Refused, visible
+from workbench.design.snapshot import result_of
+from workbench.errors import visible
 from workbench.geometry.surface import even_counts
 from workbench.pictures import report as pictures
 from workbench.report.content import Picture, Report, Row, Section
@@ -62,9 +63,7 @@ def gather(
     RunFailed
         If no light reaches the screen.
     """
-    scene, target, result = session.scene, session.target, session.result
-    if result is None:
-        raise Refused("session", "holds no lens yet; a design run finds one")
+    scene, target, result = session.scene, session.target, result_of(session)
     if tolerances is not None:
         tolerances[0].check(scene)
     heights = result.control_points
@@ -145,10 +144,8 @@ def _manufacture(scene: Scene, heights: Array) -> Section:
 
 
 def _tolerances(session: Session, within: Tolerances, samples: int, rays: int) -> Section:
-    assert session.result is not None
-    nominal, *others = perturbed(
-        session.scene, session.target, session.result.control_points, within, samples, rays
-    )
+    heights = result_of(session).control_points
+    nominal, *others = perturbed(session.scene, session.target, heights, within, samples, rays)
     spread = Distribution.of(nominal, others)
     errors = [each.relative_l2 for each in others]
     draw = partial(pictures.draw_tolerances, nominal=nominal.relative_l2, errors=errors)

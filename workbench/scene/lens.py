@@ -141,10 +141,6 @@ class Lens(Part):
                     f"lens.control_points[{axis}]",
                     f"{count} is too few for degree {degree}; at least {degree + 1}",
                 )
-        if isinstance(self.refractive_index, str) and self.wavelength_um is None:
-            raise Refused(
-                "lens.wavelength_um", f"missing; it goes with {shown(self.refractive_index)}"
-            )
         if not self.index > 1:
             raise Refused("lens.refractive_index", f"{self.index:g}; greater than 1 is needed")
         limits.check_index(self.index)
@@ -218,7 +214,9 @@ class Lens(Part):
     @property
     def index(self) -> float:
         """Refractive index as a number."""
-        if isinstance(self.refractive_index, str):
-            assert self.wavelength_um is not None  # validated
-            return materials.refractive_index(self.refractive_index, self.wavelength_um)
-        return float(self.refractive_index)
+        if not isinstance(self.refractive_index, str):
+            return float(self.refractive_index)
+        if self.wavelength_um is None:
+            named = shown(self.refractive_index)
+            raise Refused("lens.wavelength_um", f"missing; it goes with {named}")
+        return materials.refractive_index(self.refractive_index, self.wavelength_um)

@@ -12,7 +12,7 @@ from PySide6.QtCore import QObject, Qt, Signal
 from ui.views.keys import ARROWS
 from ui.views.tools.tool import Pointer
 from workbench.pictures.source_handles import Handle, moved
-from workbench.scene import CollimatedSource, PointSource, Source
+from workbench.scene import CollimatedSource, PointSource, Source, of_points
 
 if TYPE_CHECKING:
     from ui.views.scene_view import SceneView
@@ -104,8 +104,7 @@ class MoveSource(QObject):
         drag, sight = self._drag, self._view.sight
         if drag is None or drag.at is None or sight is None:
             return
-        source = drag.before
-        assert not isinstance(source, CollimatedSource)  # which has no handles
+        source = of_points(drag.before)  # no other has handles
         middle = source.position if isinstance(source, PointSource) else source.center
         to = _ALONG if at.along and drag.handle == "middle" else _ACROSS
         gone = (at.x - drag.at.x, at.y - drag.at.y)

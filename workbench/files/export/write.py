@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from workbench.errors import Refused
+from workbench.design.snapshot import result_of
 from workbench.files.atomic import check_writable, replacing
 from workbench.files.export.design import Design, Deviation
 from workbench.files.export.formats import format_of
@@ -64,10 +64,9 @@ def export(
         cannot be written, all of it before anything is written; later, if a format cannot hold
         what is asked.
     """
-    if session.result is None:
-        raise Refused("session", "holds no lens yet; a design run finds one")
-    check_body(session.scene, session.result.control_points)
-    design = Design(session.scene, session.result, chord_error)
+    result = result_of(session)
+    check_body(session.scene, result.control_points)
+    design = Design(session.scene, result, chord_error)
     formats = [format_of(path) for path in paths]
     for path in paths:
         check_writable(path)
