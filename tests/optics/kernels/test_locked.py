@@ -115,13 +115,13 @@ def test_still_rays_are_traced_for_the_first_lens_alone(scene, rng, monkeypatch)
         scene, ControlNet.of(scene.lens), (96, 80), dtype=torch.float64, locked=locked
     )
     traced = []
-    kernel = collimated.trace_rows
+    loops = collimated.LOOPS
 
-    def counting(heights, across, up, optics, spread, begin, end, canvas, sums):
-        traced.append((end - begin) * len(up.place))
-        kernel(heights, across, up, optics, spread, begin, end, canvas, sums)
+    def counting(heights, bases, light, spread, begin, end, canvas, sums):
+        traced.append((end - begin) * len(bases[1].place))
+        loops.trace(heights, bases, light, spread, begin, end, canvas, sums)
 
-    monkeypatch.setattr(collimated, "trace_rows", counting)
+    monkeypatch.setattr(collimated, "LOOPS", loops._replace(trace=counting))
     first, *others = lenses(scene, locked, rng)
     tracer.image(first, scene.screen, scene.filter)
     assert sum(traced) == 96 * 80

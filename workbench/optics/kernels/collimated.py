@@ -1,6 +1,6 @@
 """Collimated light in one pass from control heights to the image: `optics.collimated`'s twin.
 
-The loops are in `workbench.optics.kernels.collimated_trace`. Nothing is kept for the way back: it
+The loops are those of `workbench.optics.kernels.rows`. Nothing is kept for the way back: it
 traces the same rays again, which costs less than memory.
 """
 
@@ -12,12 +12,12 @@ import torch
 from torch import Tensor
 
 from workbench.geometry.surface import ControlNet
-from workbench.optics.kernels import threads
-from workbench.optics.kernels.collimated_trace import Optics, trace_rows, trace_rows_back
+from workbench.optics.kernels.collimated_trace import LOOPS, Optics
 from workbench.optics.kernels.function import Sums, kind_of, trace
 from workbench.optics.kernels.grid import make_axis, middles
 from workbench.optics.kernels.locked import Mask, Rays, count, split
-from workbench.optics.kernels.spread import Spread, add_up, make_canvases, make_spread, pad
+from workbench.optics.kernels.passes import GridPasses
+from workbench.optics.kernels.spread import Spread, make_canvases, make_spread, pad
 from workbench.optics.light import Light, sum_of
 from workbench.optics.refraction import normal_reflectance
 from workbench.scene import Filter, GaussianFilter, Scene, Screen
@@ -111,85 +111,36 @@ def compile_for(dtype: torch.dtype) -> None:
     spread = make_spread(screen, GaussianFilter(), kind)
     canvas = make_canvases(spread, 1)[0]
     heights, gradient = np.zeros(net.shape, kind), np.zeros(net.shape)
-    trace_rows(heights, across, up, numbers, spread, 0, 2, canvas, np.zeros(3))
-    trace_rows_back(
-        heights, across, up, numbers, spread, 0, 2, pad(spread, np.zeros((2, 2), kind)), gradient
-    )
+    light = across.place, up.place, numbers
+    given = heights, (across, up), light, spread, 0, 2
+    LOOPS.trace(*given, canvas, np.zeros(3))
+    LOOPS.trace_back(*given, pad(spread, np.zeros((2, 2), kind)), gradient)
 
 
-class _Passes:
+class _Passes(GridPasses):
     """The trace of one set of rays onto one screen, and its adjoint."""
 
     def __init__(self, source: FusedCollimatedRays, rays: Rays, spread: Spread) -> None:
+        super().__init__(LOOPS, rays, spread, source.mirrored, sums=3)
         across, up = rays
         columns = spread.column_0 + spread.per_x * across.place
         rows = spread.row_0 + spread.per_y * up.place
-        self._across = across._replace(place=columns.astype(spread.per_x.dtype))
-        self._up = up._replace(place=rows.astype(spread.per_x.dtype))
-        self._optics, self._spread = source._optics, spread
-        self._mirrored = source.mirrored
-        self._rays = count(rays)
-        self._parts = min(threads.parts(self._rays), max(1, len(across.place)))
-        self._bounds = threads.bounds(len(across.place), self._parts)
+        kind = spread.per_x.dtype
+        self._light = columns.astype(kind), rows.astype(kind), source._optics
+        self._arriving = float(source._optics.arriving)
+        self._flux = self.copies * count(rays) * self._arriving
 
-    def forward(self, heights: AnyArray) -> tuple[AnyArray, Sums]:
-        """See `workbench.optics.kernels.function.Passes`."""
-        canvases = make_canvases(self._spread, self._parts)
-        sums = np.zeros((self._parts, 3))
+    def light(self, heights: AnyArray) -> tuple[Any, ...]:
+        """See `GridPasses`."""
+        return self._light
 
-        def work(part: int) -> None:
-            trace_rows(
-                heights,
-                self._across,
-                self._up,
-                self._optics,
-                self._spread,
-                self._bounds[part],
-                self._bounds[part + 1],
-                canvases[part],
-                sums[part],
-            )
-
-        threads.run(work, self._parts)
-        image = add_up(self._spread, canvases)
-        copies = 1
-        for axis, mirrored in enumerate(self._mirrored):
-            if mirrored:
-                image = image + np.flip(image, 1 - axis)
-                copies *= 2
-        on_screen, beside, passed = copies * sums.sum(axis=0)
-        arriving = float(self._optics.arriving)
-        return np.ascontiguousarray(image), Sums(
+    def account(self, sums: list[float]) -> Sums:
+        """See `GridPasses`."""
+        on_screen, beside, passed = sums
+        passed *= self._arriving
+        return Sums(
             on_screen,
             off_screen=beside,
-            total_reflection=(copies * self._rays - passed) * arriving,
-            fresnel_exit=passed * arriving - on_screen - beside,
+            total_reflection=self._flux - passed,
+            fresnel_exit=passed - on_screen - beside,
         )
-
-    def backward(self, heights: AnyArray, cotangent: AnyArray) -> AnyArray:
-        """See `workbench.optics.kernels.function.Passes`."""
-        for axis, mirrored in enumerate(self._mirrored):
-            if mirrored:
-                cotangent = cotangent + np.flip(cotangent, 1 - axis)
-        canvas = pad(self._spread, cotangent)
-        gradients = np.zeros((self._parts, *heights.shape))
-
-        def work(part: int) -> None:
-            trace_rows_back(
-                heights,
-                self._across,
-                self._up,
-                self._optics,
-                self._spread,
-                self._bounds[part],
-                self._bounds[part + 1],
-                canvas,
-                gradients[part],
-            )
-
-        threads.run(work, self._parts)
-        gradient: AnyArray = gradients.sum(axis=0)
-        for axis, mirrored in enumerate(self._mirrored):
-            if mirrored:  # the other half of the rays would have given the mirror image of this
-                gradient = (gradient + np.flip(gradient, axis)) / 2
-        return gradient

@@ -1,6 +1,6 @@
 """Light of points by samples of the exit face, in one pass: `optics.face_samples`' twin.
 
-Batches are those of `workbench.optics.kernels.grid`: neighbouring u at one v.
+Batches are those of `workbench.optics.kernels.rows`: neighbouring u at one v.
 """
 
 from typing import Any
@@ -12,12 +12,12 @@ from torch import Tensor
 
 from workbench.geometry.surface import ControlNet
 from workbench.optics.glass import Glass
-from workbench.optics.kernels import threads
 from workbench.optics.kernels.face_numbers import Across, Optics, Up
-from workbench.optics.kernels.face_rows import trace_rows, trace_rows_back
+from workbench.optics.kernels.face_trace import LOOPS
 from workbench.optics.kernels.function import Sums, trace
 from workbench.optics.kernels.grid import make_axis, middles
-from workbench.optics.kernels.spread import Spread, add_up, make_canvases, make_spread, pad
+from workbench.optics.kernels.passes import GridPasses
+from workbench.optics.kernels.spread import Spread, make_canvases, make_spread, pad
 from workbench.optics.lattice import make_lattice
 from workbench.optics.light import Light
 from workbench.optics.refraction import normal_reflectance
@@ -63,12 +63,13 @@ class FusedFaceSamples:
         self.mirrored = tuple(
             wanted and count % 2 == 0 for wanted, count in zip(mirrored, counts, strict=True)
         )
-        self._bases = tuple(
+        across, up = (
             make_axis(net, axis, along.t[: count // 2 if halved else count], kind)
             for axis, (along, count, halved) in enumerate(
                 zip((lattice.x, lattice.y), counts, self.mirrored, strict=True)
             )
         )
+        self._bases = across, up
         m_x, m_y = (len(basis.place) for basis in self._bases)
         x, y = lattice.x, lattice.y
         passing = 1 - normal_reflectance(lens.index)
@@ -133,77 +134,35 @@ def compile_for(dtype: torch.dtype) -> None:
     spread = make_spread(screen, GaussianFilter(), kind)
     canvas = make_canvases(spread, 1)[0]
     heights, gradient = np.zeros(net.shape, kind), np.zeros(net.shape)
-    given = heights, bases, across, up, optics, 1, spread, 0, 2
-    trace_rows(*given, canvas, np.zeros(4))
-    trace_rows_back(*given, pad(spread, np.zeros((2, 2), kind)), gradient)
+    given = heights, bases, (across, up, optics, 1), spread, 0, 2
+    LOOPS.trace(*given, canvas, np.zeros(4))
+    LOOPS.trace_back(*given, pad(spread, np.zeros((2, 2), kind)), gradient)
 
 
-class _Passes:
+class _Passes(GridPasses):
     """The trace of one set of samples onto one screen, and its adjoint."""
 
     def __init__(self, samples: FusedFaceSamples, spread: Spread) -> None:
-        self._samples, self._spread = samples, spread
+        super().__init__(LOOPS, samples._bases, spread, samples.mirrored, sums=4)
+        self._samples = samples
         kind, across, up = samples._kind, samples._across, samples._up
         columns = (spread.column_0 + spread.per_x * across.place).astype(kind)
         rows = (spread.row_0 + spread.per_y * up.place).astype(kind)
         self._across, self._up = across._replace(place=columns), up._replace(place=rows)
-        self._parts = min(threads.parts(len(columns) * len(rows)), len(columns))
-        self._bounds = threads.bounds(len(columns), self._parts)
 
-    def forward(self, heights: AnyArray) -> tuple[AnyArray, Sums]:
-        """See `workbench.optics.kernels.function.Passes`."""
+    def light(self, heights: AnyArray) -> tuple[Any, ...]:
+        """See `GridPasses`."""
+        return self._across, self._up, self._samples._optics, self._samples.steps(heights)
+
+    def account(self, sums: list[float]) -> Sums:
+        """See `GridPasses`."""
+        on_screen, beside, met, passed = sums
         samples = self._samples
-        canvases = make_canvases(self._spread, self._parts)
-        sums = np.zeros((self._parts, 4))
-        self._run(trace_rows, heights, canvases, sums)
-        image = add_up(self._spread, canvases)
-        copies = 1
-        for axis, mirrored in enumerate(samples.mirrored):
-            if mirrored:
-                image = image + np.flip(image, 1 - axis)
-                copies *= 2
-        on_screen, beside, met, passed = (copies * sums.sum(axis=0)).tolist()
         entered = samples.emitted - samples.missed_lens - samples.fresnel_entrance
-        return np.ascontiguousarray(image), Sums(
+        return Sums(
             on_screen,
             off_screen=beside,
             total_reflection=met - passed,
             fresnel_exit=passed - on_screen - beside,
             left_side=entered - met,
         )
-
-    def backward(self, heights: AnyArray, cotangent: AnyArray) -> AnyArray:
-        """See `workbench.optics.kernels.function.Passes`."""
-        mirrored = self._samples.mirrored
-        for axis in (0, 1):
-            if mirrored[axis]:
-                cotangent = cotangent + np.flip(cotangent, 1 - axis)
-        canvas = pad(self._spread, cotangent)
-        gradients = np.zeros((self._parts, *heights.shape))
-        self._run(trace_rows_back, heights, [canvas] * self._parts, gradients)
-        gradient: AnyArray = gradients.sum(axis=0)
-        for axis in (0, 1):
-            if mirrored[axis]:  # the other half would have given the mirror image of this
-                gradient = (gradient + np.flip(gradient, axis)) / 2
-        return gradient
-
-    def _run(self, kernel: Any, heights: AnyArray, canvases: Any, results: AnyArray) -> None:
-        """Run a kernel on all parts of the samples, each with a canvas and a result of its own."""
-        samples, steps = self._samples, self._samples.steps(heights)
-
-        def work(part: int) -> None:
-            kernel(
-                heights,
-                samples._bases,
-                self._across,
-                self._up,
-                samples._optics,
-                steps,
-                self._spread,
-                self._bounds[part],
-                self._bounds[part + 1],
-                canvases[part],
-                results[part],
-            )
-
-        threads.run(work, self._parts)

@@ -1,4 +1,4 @@
-"""The loops of `workbench.optics.kernels.face`, and their adjoints.
+"""What `workbench.optics.kernels.face` runs: its light from the face to the screen.
 
 The light in the glass is that of `workbench.optics.glass`, with ρ the sample's distance from its
 point's axis, p = r = ρ_e / ρ and c = n d. Both directions are scaled so that no unit vector is
@@ -13,34 +13,24 @@ and the light goes on along (n s − Γ ∇z, n + Γ); the cosine behind the fac
 import numpy as np
 
 from workbench.compiled import jit
-from workbench.optics.kernels.spread import BATCH
-from workbench.optics.kernels.taps import FAST
-
-# The numbers of a batch; the first three are those of `grid.blend`, and cotangents of z, z_x, z_y
-# take the place of these.
-_STEP = np.uintp(BATCH)
-(
-    _Z,
-    _Z_X,
-    _Z_Y,
-    _DEPTH,
-    _PART,
-    _BRIGHT,
-    _D_BRIGHT,
-    _G,
-    _COS,
-    _NARROW,
-    _Q,
-    _GAMMA,
-    _AHEAD,
+from workbench.optics.kernels.grid import Z_X, Z_Y, Z
+from workbench.optics.kernels.rows import (
     COLUMN,
-    ROW,
-    WEIGHT,
     D_COLUMN,
     D_ROW,
     D_WEIGHT,
-) = (np.uintp(BATCH * k) for k in range(19))
-NUMBERS = 19 * BATCH
+    OWN,
+    ROW,
+    WEIGHT,
+    make_loops,
+)
+from workbench.optics.kernels.spread import BATCH
+from workbench.optics.kernels.taps import FAST
+
+# Numbers of a batch beside those of all kinds.
+_DEPTH, _PART, _BRIGHT, _D_BRIGHT, _G, _COS, _NARROW, _Q, _GAMMA, _AHEAD = (
+    OWN + np.uintp(BATCH * k) for k in range(10)
+)
 
 
 @jit(fastmath=FAST, error_model="numpy", forceinline=True)
@@ -53,13 +43,13 @@ def _newton(part, depth, widening, apparent):  # type: ignore[no-untyped-def]
 
 
 @jit(fastmath=FAST, error_model="numpy", forceinline=True)
-def find_part(away_x, away_y, optics, steps, lanes, t):  # type: ignore[no-untyped-def]
+def _find_part(away_x, away_y, optics, steps, lanes, t):  # type: ignore[no-untyped-def]
     """Depths of samples, and their p."""
     kind = t.dtype.type
     one, zero, c = kind(1), kind(0), optics.apparent
     count = np.uintp(lanes)
     for lane in range(count):
-        depth = max(t[_Z + lane] + optics.lift, zero)
+        depth = max(t[Z + lane] + optics.lift, zero)
         t[_DEPTH + lane] = depth
         t[_PART + lane] = c / (c + depth)
     if optics.near:
@@ -74,7 +64,7 @@ def find_part(away_x, away_y, optics, steps, lanes, t):  # type: ignore[no-untyp
 
 
 @jit(fastmath=FAST, error_model="numpy", forceinline=True)
-def see_points(across, i, up, j, optics, lanes, t):  # type: ignore[no-untyped-def]
+def _see_points(across, i, up, j, optics, lanes, t):  # type: ignore[no-untyped-def]
     """Brightness of each sample's point as far as it is seen through the entrance face."""
     kind = t.dtype.type
     bright, width = across.bright[i:], up.width[j]
@@ -110,7 +100,7 @@ def _seen(reach, beyond, per_cell, bent):  # type: ignore[no-untyped-def]
 
 
 @jit(fastmath=FAST, error_model="numpy", forceinline=True)
-def refract(across, i, up, j, optics, spread, lanes, t):  # type: ignore[no-untyped-def]
+def _refract(across, i, up, j, optics, spread, lanes, t):  # type: ignore[no-untyped-def]
     """Where light hits, and its flux.
 
     Returns
@@ -125,7 +115,7 @@ def refract(across, i, up, j, optics, spread, lanes, t):  # type: ignore[no-unty
     y, away_y = up.place[j], up.away[j]
     plain = one - optics.lambert
     for lane in range(np.uintp(lanes)):
-        z, z_x, z_y = t[_Z + lane], t[_Z_X + lane], t[_Z_Y + lane]
+        z, z_x, z_y = t[Z + lane], t[Z_X + lane], t[Z_Y + lane]
         depth, part = t[_DEPTH + lane], t[_PART + lane]
         away_x = away[lane]
         enters2 = part * part * (away_x * away_x + away_y * away_y)
@@ -175,8 +165,8 @@ def refract(across, i, up, j, optics, spread, lanes, t):  # type: ignore[no-unty
 
 
 @jit(fastmath=FAST, error_model="numpy", forceinline=True)
-def refract_back(across, i, up, j, optics, spread, lanes, t):  # type: ignore[no-untyped-def]
-    """Adjoint of `refract`, `see_points` and `find_part` together.
+def _refract_back(across, i, up, j, optics, spread, lanes, t):  # type: ignore[no-untyped-def]
+    """Adjoint of `_refract`, `_see_points` and `_find_part` together.
 
     The derivative of p by the depth is that of the root, −p g dρ_e/dρ.
     """
@@ -188,7 +178,7 @@ def refract_back(across, i, up, j, optics, spread, lanes, t):  # type: ignore[no
     plain, power = one - optics.lambert, kind(3) + optics.lambert
     for lane in range(np.uintp(lanes)):
         # Again what `refract` had, but for its roots and quotients.
-        z, z_x, z_y = t[_Z + lane], t[_Z_X + lane], t[_Z_Y + lane]
+        z, z_x, z_y = t[Z + lane], t[Z_X + lane], t[Z_Y + lane]
         depth, part, g = t[_DEPTH + lane], t[_PART + lane], t[_G + lane]
         cos, narrow, q = t[_COS + lane], t[_NARROW + lane], t[_Q + lane]
         gamma, ahead, bright = t[_GAMMA + lane], t[_AHEAD + lane], t[_BRIGHT + lane]
@@ -251,6 +241,26 @@ def refract_back(across, i, up, j, optics, spread, lanes, t):  # type: ignore[no
         flux_rise = bright * density_rise + t[_D_BRIGHT + lane] * part_rise * density
         d_z += d_slope * d_slope_rise + d_flux * lean * flux_rise
         lit = t[WEIGHT + lane] > zero
-        t[_Z + lane] = d_z if lit else zero
-        t[_Z_X + lane] = d_z_x if lit else zero
-        t[_Z_Y + lane] = d_z_y if lit else zero
+        t[Z + lane] = d_z if lit else zero
+        t[Z_X + lane] = d_z_x if lit else zero
+        t[Z_Y + lane] = d_z_y if lit else zero
+
+
+@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+def _ahead(light, spread, i, j, lanes, t):  # type: ignore[no-untyped-def]
+    """From the face to the screen; flux that met the face, and that was not totally reflected."""
+    across, up, optics, steps = light
+    _find_part(across.away[i:], up.away[j], optics, steps, lanes, t)
+    _see_points(across, i, up, j, optics, lanes, t)
+    return _refract(across, i, up, j, optics, spread, lanes, t)
+
+
+@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+def _back(light, spread, i, j, lanes, t):  # type: ignore[no-untyped-def]
+    """Adjoint of `_ahead`."""
+    across, up, optics, _ = light
+    _refract_back(across, i, up, j, optics, spread, lanes, t)
+
+
+LOOPS = make_loops("face", _ahead, _back, own=10)
+"""For light of samples ``across`` and ``up``, numbers of the trace and steps of Newton's method."""

@@ -1,0 +1,108 @@
+"""The loops over a tensor grid of rays, whatever the light does between face and screen.
+
+A batch is up to ``BATCH`` rays with one v and neighbouring u. For a block of so many u the control
+heights are contracted with the basis along x once, into rows that lie side by side; each v then
+blends q + 1 of these rows. So all loops run along u over neighbouring numbers, and vectorise.
+"""
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from workbench.compiled import jit
+from workbench.optics.kernels.grid import blend, blend_back, contract, contract_back, make_rows
+from workbench.optics.kernels.spread import BATCH, gather, scatter, workspace
+from workbench.optics.kernels.taps import FAST
+
+# The numbers of a batch, after height and slopes of the face, whose cotangents take their place;
+# those of the kind of light come behind.
+COLUMN, ROW, WEIGHT, D_COLUMN, D_ROW, D_WEIGHT, OWN = (np.uintp(BATCH * k) for k in range(3, 10))
+
+
+class Loops(NamedTuple):
+    """Two kernels.
+
+    Attributes
+    ----------
+    trace : callable
+        Takes (heights, bases, light, spread, begin, end, canvas, sums): traces the rays from
+        number ``begin`` to ``end`` along u, and all along v, and adds their light to the canvas
+        and to the sums: what is on the screen, what is beside it, and what ``ahead`` gives.
+    trace_back : callable
+        Its adjoint, with the cotangent of the canvas in its place, and the gradient with respect
+        to the heights (n_u, n_v), float64, in that of the sums.
+    """
+
+    trace: Callable[..., None]
+    trace_back: Callable[..., None]
+
+
+def make_loops(name: str, ahead: Any, back: Any, own: int) -> Loops:
+    """Loops for a kind of light.
+
+    Parameters
+    ----------
+    name : str
+        Tells its kernels from those of other kinds.
+    ahead : compiled function
+        Takes (light, spread, i, j, lanes, t) and goes from height and slopes of a batch, whose
+        first ray is (i, j), to its columns, rows and weights on the screen. ``light`` is a tuple
+        of what the kind needs to know. Gives a tuple of sums of flux.
+    back : compiled function
+        Its adjoint.
+    own : int
+        How many numbers of a batch it wants for itself, from ``OWN`` on.
+    """
+    numbers = int(OWN) + own * BATCH
+
+    def trace(heights, bases, light, spread, begin, end, canvas, sums):  # type: ignore[no-untyped-def]
+        rows = make_rows(heights)
+        t = np.empty(numbers, heights.dtype)
+        work = workspace(spread, heights)
+        column, row, weight = t[COLUMN:ROW], t[ROW:WEIGHT], t[WEIGHT:D_COLUMN]
+        blocks = (end - begin + BATCH - 1) // BATCH
+        for block in range(blocks):
+            i = begin + (end - begin) * block // blocks
+            lanes = begin + (end - begin) * (block + 1) // blocks - i
+            contract(heights, bases[0], i, lanes, rows)
+            for j in range(len(bases[1].first)):
+                blend(rows, bases[1], j, lanes, t)
+                found = ahead(light, spread, i, j, lanes, t)
+                on_screen, beside = scatter(spread, column, row, weight, lanes, work, canvas)
+                sums[0] += on_screen
+                sums[1] += beside
+                for k in range(len(found)):
+                    sums[2 + k] += found[k]
+
+    def trace_back(heights, bases, light, spread, begin, end, cotangent, gradient):  # type: ignore[no-untyped-def]
+        kind = heights.dtype.type
+        rows = make_rows(heights)
+        d_rows = make_rows(heights)
+        t = np.empty(numbers, heights.dtype)
+        work = workspace(spread, heights)
+        column, row, weight = t[COLUMN:ROW], t[ROW:WEIGHT], t[WEIGHT:D_COLUMN]
+        d_column, d_row, d_weight = t[D_COLUMN:D_ROW], t[D_ROW:D_WEIGHT], t[D_WEIGHT:OWN]
+        blocks = (end - begin + BATCH - 1) // BATCH
+        for block in range(blocks):
+            i = begin + (end - begin) * block // blocks
+            lanes = begin + (end - begin) * (block + 1) // blocks - i
+            contract(heights, bases[0], i, lanes, rows)
+            d_rows[:] = kind(0)
+            for j in range(len(bases[1].first)):
+                blend(rows, bases[1], j, lanes, t)
+                ahead(light, spread, i, j, lanes, t)
+                gather(
+                    spread, column, row, weight, lanes, work, cotangent, d_column, d_row, d_weight
+                )
+                back(light, spread, i, j, lanes, t)
+                blend_back(d_rows, bases[1], j, lanes, t)
+            contract_back(d_rows, bases[0], i, lanes, gradient)
+
+    return Loops(_kernel(trace, name), _kernel(trace_back, name))
+
+
+def _kernel(function: Callable[..., None], name: str) -> Callable[..., None]:
+    function.__qualname__ = f"{name}_{function.__name__}"  # by which its code is kept
+    kernel: Callable[..., None] = jit(fastmath=FAST, error_model="numpy")(function)
+    return kernel
