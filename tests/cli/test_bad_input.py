@@ -11,7 +11,9 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from tests.scenes import changed
 from workbench.files.session import Session, write_session
+from workbench.scene import Scene
 
 
 @pytest.fixture(autouse=True)
@@ -181,6 +183,18 @@ def test_commands_that_need_a_lens(refusal, session_file, scene_file, command):
     verb, *tail = command
     assert refusal(verb, session_file, *tail).startswith(f"{session_file}: holds no lens yet")
     assert refusal(verb, scene_file, *tail).startswith(f"{scene_file}: is no session")
+
+
+@pytest.mark.parametrize("command", [["validate"], ["export", "lens.stl"], ["report", "lens.html"]])
+def test_commands_say_that_the_task_was_edited_after_the_run(refusal, tmp_path, command):
+    scene = Scene.from_data(changed({"target.blur": 1.0}))
+    path = tmp_path / "edited.freeform"
+    start = np.full(scene.lens.control_points, 0.5)
+    write_session(Session(scene, np.ones((32, 32)), start=start), path)
+    verb, *tail = command
+    said = refusal(verb, path, *tail)
+    assert "its lens was designed for another task" in said
+    assert "goes on from it" in said
 
 
 class TestOutput:

@@ -2,8 +2,8 @@
 
 from pathlib import Path
 
+from workbench.design.session import result_of
 from workbench.design.snapshot import Result
-from workbench.errors import Refused
 from workbench.files.session import Session, read_session
 
 
@@ -16,6 +16,4 @@ def read_designed(path: Path) -> tuple[Session, Result]:
         If it cannot be read or has no result.
     """
     session = read_session(path)
-    if session.result is None:
-        raise Refused(str(path), "holds no lens yet; freeform design finds one")
-    return session, session.result
+    return session, result_of(session, str(path))

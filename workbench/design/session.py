@@ -197,6 +197,32 @@ class Session:
         return replace(self, scene=self.scene.in_unit(unit), result=result, start=start)
 
 
+def result_of(session: Session, name: str = "session") -> Result:
+    """The lens of a session that was designed for its task.
+
+    Parameters
+    ----------
+    session : Session
+        The session.
+    name : str
+        What a refusal calls it.
+
+    Raises
+    ------
+    Refused
+        If there is none.
+    """
+    if session.result is not None:
+        return session.result
+    if session.start is None:
+        raise Refused(name, "holds no lens yet; freeform design finds one")
+    raise Refused(
+        name,
+        "its lens was designed for another task, which was edited afterwards; "
+        "freeform design goes on from it",
+    )
+
+
 def task_of(scene: Scene) -> Scene:
     """What a result is one for: all but how it was searched for, where, and on which control net.
 

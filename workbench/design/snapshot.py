@@ -2,13 +2,11 @@
 
 from collections.abc import Generator
 from dataclasses import dataclass
-from typing import Protocol
 
 import numpy as np
 import numpy.typing as npt
 
 from workbench.design.shortfall import Shortfall
-from workbench.errors import Refused
 from workbench.optics.ledger import Ledger
 
 Array = npt.NDArray[np.float64]
@@ -114,27 +112,6 @@ class Result:
             return self.seconds_at
         count = self.iterations
         return np.linspace(self.seconds / max(count, 1), self.seconds, count)
-
-
-class HoldsResult(Protocol):
-    """A session, as far as this room knows it."""
-
-    @property
-    def result(self) -> Result | None:
-        """The designed lens, if there is one."""
-
-
-def result_of(session: HoldsResult) -> Result:
-    """The designed lens of a session.
-
-    Raises
-    ------
-    Refused
-        If there is none.
-    """
-    if session.result is None:
-        raise Refused("session", "holds no lens yet; a design run finds one")
-    return session.result
 
 
 class History:

@@ -5,39 +5,20 @@ not wait for them.
 """
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, BinaryIO, Protocol
+from typing import BinaryIO
 
 import numpy as np
 import numpy.typing as npt
 
-from workbench.design.snapshot import Result, result_of
+from workbench.design.session import Session, result_of
 from workbench.system_libraries import keep_shaders_in_memory
-
-if TYPE_CHECKING:
-    from workbench.scene import Scene
 
 _SURFACE_SAMPLES = (129, 129)
 _RAYS = (15, 15)
 _DPI = 150
 
 
-class Designed(Protocol):
-    """What a session holds."""
-
-    @property
-    def scene(self) -> "Scene":
-        """The design task."""
-
-    @property
-    def target(self) -> npt.NDArray[np.float64]:
-        """Wished image, shape (n_y, n_x)."""
-
-    @property
-    def result(self) -> "Result | None":
-        """The designed lens, if there is one."""
-
-
-def write_images(session: Designed, file: BinaryIO) -> None:
+def write_images(session: Session, file: BinaryIO) -> None:
     """Draw irradiance, target and signed error of a designed lens as PNG."""
     from matplotlib.figure import Figure
     from matplotlib.layout_engine import ConstrainedLayoutEngine
@@ -55,7 +36,7 @@ def write_images(session: Designed, file: BinaryIO) -> None:
     figure.savefig(file, format="png", dpi=_DPI)
 
 
-def write_lens(session: Designed, file: BinaryIO) -> None:
+def write_lens(session: Session, file: BinaryIO) -> None:
     """Draw a designed lens with its rays and the lit screen as PNG."""
     from PIL import Image
 
@@ -63,7 +44,7 @@ def write_lens(session: Designed, file: BinaryIO) -> None:
     Image.fromarray(lens_image(session, irradiance)).save(file, "PNG")
 
 
-def write_loss(session: Designed, file: BinaryIO) -> None:
+def write_loss(session: Session, file: BinaryIO) -> None:
     """Draw the loss of a designed lens over the iterations as PNG."""
     from matplotlib.figure import Figure
 
@@ -76,7 +57,7 @@ def write_loss(session: Designed, file: BinaryIO) -> None:
     figure.savefig(file, format="png", dpi=_DPI)
 
 
-PICTURES: dict[str, Callable[[Designed, BinaryIO], None]] = {
+PICTURES: dict[str, Callable[[Session, BinaryIO], None]] = {
     "irradiance.png": write_images,
     "lens.png": write_lens,
     "loss.png": write_loss,
@@ -85,13 +66,13 @@ PICTURES: dict[str, Callable[[Designed, BinaryIO], None]] = {
 
 
 def lens_image(
-    session: Designed, irradiance: npt.NDArray[np.float64], explode: bool = False
+    session: Session, irradiance: npt.NDArray[np.float64], explode: bool = False
 ) -> npt.NDArray[np.uint8]:
     """Draw a designed lens with its rays.
 
     Parameters
     ----------
-    session : Designed
+    session : Session
         A session with a result.
     irradiance : ndarray, shape (n_y, n_x)
         Flux per area on the screen.

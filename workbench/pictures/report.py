@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 import numpy.typing as npt
 
-from workbench.design.snapshot import result_of
-from workbench.pictures import Designed, lens_image
+from workbench.design.session import Session, result_of
+from workbench.pictures import lens_image
 from workbench.pictures.images import ErrorImage, IrradianceImage, target_irradiance
 from workbench.pictures.loss import LossPicture
 from workbench.pictures.manufacture import draw_manufacture
@@ -35,14 +35,14 @@ _FONT = 9
 _APART = {"wspace": 0.12, "hspace": 0.03}
 
 
-def draw_lens(figure: "FigureBase", session: Designed, irradiance: Array) -> None:
+def draw_lens(figure: "FigureBase", session: Session, irradiance: Array) -> None:
     """Draw the lens with its rays, long distances short, and the screen lit by an image."""
     axes = figure.subplots()
     axes.imshow(lens_image(session, irradiance, explode=True), interpolation="antialiased")
     axes.set_axis_off()
 
 
-def draw_images(figure: "FigureBase", session: Designed, irradiance: Array) -> None:
+def draw_images(figure: "FigureBase", session: Session, irradiance: Array) -> None:
     """Draw irradiance, target, signed error and the height of the exit face over its base."""
     scene, target, result = session.scene, session.target, result_of(session)
     (lit, wished), (off, face) = figure.subplots(2, 2, gridspec_kw=_APART)
@@ -55,7 +55,7 @@ def draw_images(figure: "FigureBase", session: Designed, irradiance: Array) -> N
         axes.set_title(title, fontsize=_FONT)
 
 
-def draw_sections(figure: "FigureBase", session: Designed, irradiance: Array) -> None:
+def draw_sections(figure: "FigureBase", session: Session, irradiance: Array) -> None:
     """Draw irradiance and target along x and y through the middle of the screen."""
     for axes, along in zip(figure.subplots(1, 2, gridspec_kw=_APART), "xy", strict=True):
         curves = SectionCurves(axes, session.scene, session.target)

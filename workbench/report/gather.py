@@ -13,8 +13,7 @@ from workbench.analysis.metrics import relative_l2
 from workbench.analysis.tolerances import Distribution, Tolerances, perturbed
 from workbench.analysis.validation import validate
 from workbench.design.origin import origin
-from workbench.design.session import KeptRun, Session, verified_error
-from workbench.design.snapshot import result_of
+from workbench.design.session import KeptRun, Session, result_of, verified_error
 from workbench.errors import visible
 from workbench.geometry.surface import even_counts
 from workbench.pictures import report as pictures
