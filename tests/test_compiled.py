@@ -35,6 +35,12 @@ def compile_and_call():
     return bool(kernel.stats.cache_hits), found
 
 
+def umask():
+    mask = os.umask(0)
+    os.umask(mask)
+    return mask
+
+
 @pytest.fixture
 def places(tmp_path, monkeypatch):
     """Two folders in place of those of the program; none of them is there yet."""
@@ -47,7 +53,8 @@ def places(tmp_path, monkeypatch):
 def test_code_is_compiled_once_and_taken_from_disk_later(places):
     assert compile_and_call() == (False, 42)
     assert compile_and_call() == (True, 42)
-    assert len(list(places[0].iterdir())) == 1
+    (file,) = places[0].iterdir()
+    assert file.stat().st_mode & 0o044 == 0o044 & ~umask()  # set-up's is for all users
     assert not compiled.unkept()
 
 

@@ -15,6 +15,7 @@ import pickle
 import stat
 import sys
 import tempfile
+import uuid
 from collections.abc import Callable, Iterator
 from functools import cache
 from pathlib import Path
@@ -171,13 +172,13 @@ def _unsealed(file: Path) -> bytes | None:
 
 def _put(file: Path, data: bytes) -> None:
     file.parent.mkdir(parents=True, exist_ok=True)
-    handle, written = tempfile.mkstemp(dir=file.parent)
+    written = file.with_name(f"{file.name}.{uuid.uuid4().hex}")
     try:
-        with open(handle, "wb") as stream:
+        with open(written, "xb") as stream:  # for all who may read files of this user
             stream.write(data)
         os.replace(written, file)
     except BaseException:
-        os.unlink(written)
+        written.unlink(missing_ok=True)
         raise
 
 
