@@ -11,6 +11,7 @@ import torch
 from workbench.design.run import run
 from workbench.design.snapshot import History
 from workbench.errors import Refused, RunFailed
+from workbench.optics.kernels import ready
 
 METHODS = [{"method": "auto"}, {"method": "paper", "learning_rate": 3e-3}]
 
@@ -32,6 +33,18 @@ def test_the_first_snapshot_is_the_lens_before_any_step(scene, disc):
     assert first.control_points == pytest.approx(0.5, abs=1e-14)
     assert first.ledger.efficiency == pytest.approx(0.96**2, rel=0.1)
     assert first.best
+
+
+def test_a_run_says_how_it_is_traced(scene, disc):
+    assert next(run(scene, disc)).notes[0].startswith("fused kernels")
+
+
+def test_a_run_repeats_whether_or_not_its_kernel_was_compiled_before(scene, disc, monkeypatch):
+    monkeypatch.setattr(ready, "_ready", set())
+    cold, warm = (list(run(scene, disc)) for _ in range(2))
+    assert [shot.loss for shot in cold] == [shot.loss for shot in warm]
+    assert [shot.notes for shot in cold] == [shot.notes for shot in warm]
+    np.testing.assert_array_equal(cold[-1].control_points, warm[-1].control_points)
 
 
 def test_a_run_brings_the_image_closer_to_the_wish(scene, disc):

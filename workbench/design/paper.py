@@ -48,7 +48,8 @@ def paper_steps(room: Room, settings: PaperRun) -> Generator[Step, None, NoRetur
         check_light(traced.flux.detach(), traced.ledger)
         loss = paper_loss(traced.flux, wanted)
         check_finite(loss, traced.ledger)
-        step = Step(loss.item(), heights.detach(), traced.flux.detach(), traced.ledger)
+        flux = traced.flux.detach()
+        step = Step(loss.item(), heights.detach(), flux, traced.ledger, plan.notes)
         if smoothness is not None:
             loss = smoothness.merit(loss, smoothness.penalty(heights))
             step = step._replace(merit=loss.item())
