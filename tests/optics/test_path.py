@@ -24,7 +24,7 @@ class Beam:
     def __init__(self, *places):
         self._places = torch.tensor(places, dtype=torch.float64)
 
-    def rays(self, seed, draw=0):
+    def rays(self, seed):
         x, z = self._places.unbind(1)
         zero, one = torch.zeros_like(x), torch.ones_like(x)
         return RayBundle((x, zero, z), (zero, zero, one), one / len(x), one.bool())

@@ -5,6 +5,7 @@ follows the rays that are drawn and written to files, and tests hold all other t
 """
 
 from collections.abc import Mapping, Sequence
+from functools import cached_property
 from typing import NamedTuple
 
 import torch
@@ -74,11 +75,9 @@ class Path:
         device: torch.device | str = "cpu",
     ) -> None:
         self.emitter, self.steps, self.receiver, self.datum = emitter, tuple(steps), receiver, datum
-        self._seed, self._draw = seed, 0
-        self._dtype, self._device = dtype, device
+        self._seed, self._dtype, self._device = seed, dtype, device
         fixed = next((i for i, step in enumerate(steps) if step.surface.freeform), len(steps))
         self._fixed, self._shaped = self.steps[:fixed], self.steps[fixed:]
-        self._drawn: _Drawn | None = None
 
     @classmethod
     def of(
@@ -111,11 +110,6 @@ class Path:
     def lost(self) -> dict[str, Tensor]:
         """Flux lost before the first freeform face, by name; see `Arrival.lost`."""
         return dict(self._known.lost)
-
-    def redraw(self) -> None:
-        """Take another sample of the source's rays."""
-        self._draw += 1
-        self._drawn = None
 
     def walk(self, heights: Mapping[str, Tensor]) -> Arrival:
         """Follow the source's rays to the receiver.
@@ -151,19 +145,17 @@ class Path:
         on_faces = [_lifted(place, self.datum) for place in places]
         return on_faces, Arrival(*self.receiver.places(rays), rays, lost)
 
-    @property
-    def _known(self) -> "_Drawn":
-        if self._drawn is None:
-            rays = self.emitter.rays(self._seed, self._draw)
-            rays = rays._replace(position=_lifted(rays.position, -self.datum))
-            rays, lost, _ = _through(self._fixed, rays, {})
-            on_device = {name: flux.to(self._device) for name, flux in lost.items()}
-            self._drawn = _Drawn(_cast(_living(rays), self._dtype, self._device), on_device)
-        return self._drawn
+    @cached_property
+    def _known(self) -> "_Known":
+        rays = self.emitter.rays(self._seed)
+        rays = rays._replace(position=_lifted(rays.position, -self.datum))
+        rays, lost, _ = _through(self._fixed, rays, {})
+        on_device = {name: flux.to(self._device) for name, flux in lost.items()}
+        return _Known(_cast(_living(rays), self._dtype, self._device), on_device)
 
 
-class _Drawn(NamedTuple):
-    """Rays of one draw behind the faces that do not change, and light lost up to there."""
+class _Known(NamedTuple):
+    """The source's rays behind the faces that do not change, and light lost up to there."""
 
     rays: RayBundle
     lost: dict[str, Tensor]

@@ -25,15 +25,13 @@ class Emitter(Protocol):
 
     along_axis: bool
 
-    def rays(self, seed: int, draw: int = 0) -> RayBundle:
+    def rays(self, seed: int) -> RayBundle:
         """Rays of the source, in float64; their flux adds up to 1.
 
         Parameters
         ----------
         seed : int
             The same seed gives the same rays.
-        draw : int
-            Number of the ray set; each is another sample where the source has several.
         """
         ...
 

@@ -24,7 +24,7 @@ class CollimatedEmitter:
     def __init__(self, source: CollimatedSource, lens: Lens) -> None:
         self._count, self._lens = source.rays, lens
 
-    def rays(self, seed: int, draw: int = 0) -> RayBundle:
+    def rays(self, seed: int) -> RayBundle:
         """The same rays for every seed; see `Emitter.rays`."""
         x, y = (
             torch.as_tensor(((np.arange(m) + 0.5) / m * 2 - 1) * r)

@@ -28,9 +28,9 @@ class PointEmitter:
     def __init__(self, source: PointSource | GridSource, lens: Lens) -> None:
         self._source, self._lens = source, lens
 
-    def rays(self, seed: int, draw: int = 0) -> RayBundle:
-        """Rays of one draw; see `Emitter.rays`."""
-        rays = emit(self._source, self._lens, seed, draw)
+    def rays(self, seed: int) -> RayBundle:
+        """Rays drawn by the seed; see `Emitter.rays`."""
+        rays = emit(self._source, self._lens, seed)
         onto_face = np.column_stack([rays.crossing, np.full(len(rays.flux), self._lens.entrance_z)])
         return _bundle(onto_face, rays.direction, rays.flux)
 
