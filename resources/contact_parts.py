@@ -10,12 +10,12 @@ from PySide6.QtWidgets import QApplication, QComboBox, QDialog, QLineEdit, QPush
 
 import resources
 from resources.make_screenshot import dialog_of, settle
+from ui.commands.panes import PANES
 from ui.commands.table import TOOLS
-from ui.docks import PANES
 from ui.files.left_behind import LeftBehind, ask
+from ui.help.tour import STOPS, Bubble
 from ui.main_window import MainWindow
-from ui.tour import STOPS, Bubble
-from ui.views.menu_button import MenuButton
+from ui.widgets.menu_button import MenuButton
 
 _MOMENT, _WHILE = 300, 1500  # milliseconds: to draw, and to compute what only eyes ask for
 _MAPS = ("surface", "manufacture")  # docks with a choice of maps

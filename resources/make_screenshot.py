@@ -12,9 +12,9 @@ from PySide6.QtGui import QPixmap
 from PySide6.QtWidgets import QApplication, QDialog
 
 import resources
-from ui import theme
-from ui.document import Document
+from ui.document.document import Document
 from ui.main_window import MainWindow
+from ui.widgets import theme
 from workbench.files.session import open_design
 
 _SIZE = QSize(1440, 900)

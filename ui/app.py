@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import workbench
-from ui.display import why_no_window
+from ui.startup.display import why_no_window
 from workbench.system_libraries import keep_shaders_in_memory
 
 if TYPE_CHECKING:
@@ -48,7 +48,7 @@ def main(arguments: list[str] | None = None) -> int:
 
     from PySide6.QtCore import QSettings, QStandardPaths
 
-    from ui.trouble import Trouble
+    from ui.startup.unexpected_errors import Trouble
     from ui.windows import Windows
 
     beside_settings = QStandardPaths.StandardLocation.AppConfigLocation
@@ -97,8 +97,8 @@ def _application() -> "QApplication":
     from PySide6.QtCore import QCoreApplication, Qt
     from PySide6.QtWidgets import QApplication
 
-    from ui import theme
-    from ui.help import TITLE
+    from ui.help.help import TITLE
+    from ui.widgets import theme
 
     QCoreApplication.setAttribute(Qt.ApplicationAttribute.AA_ShareOpenGLContexts)
     QCoreApplication.setOrganizationName(_PROGRAM)

@@ -10,34 +10,34 @@ from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QKeyEvent, Q
 from PySide6.QtWidgets import QMainWindow
 
 from resources import EXAMPLES, Example
-from ui.carried_lens import CarriedLens
 from ui.commands.actions import Commands
 from ui.commands.availability import Situation
+from ui.commands.pane_focus import Panes
 from ui.commands.table import NEW
-from ui.document import ENDING, Document
+from ui.document.document import ENDING, Document
 from ui.files.actions import Answer, FileActions
 from ui.files.dialogs import FileDialogs
 from ui.files.exporter import Exporter
+from ui.files.gallery import Gallery
 from ui.files.recent import RecentFiles
 from ui.files.reporter import Reporter
-from ui.gallery import Gallery
-from ui.help import TITLE, Help
-from ui.layout import Layout
-from ui.log_view import LogView
-from ui.message_bar import MessageBar
+from ui.help.help import TITLE, Help
+from ui.notices.carried_lens import CarriedLens
+from ui.notices.refused_fields import RefusedFields
+from ui.notices.target_image import TargetImage
+from ui.notices.unit_change import UnitChange
 from ui.panels.forms import Forms
 from ui.panels.target import IMAGE_FILES
-from ui.panes import Panes
-from ui.refused_fields import RefusedFields
 from ui.run.lens_on_show import LensOnShow
 from ui.run.status import RunStatus
-from ui.target_image import TargetImage
-from ui.unit_change import UnitChange
-from ui.view_state import ViewState
-from ui.workspace import Workspace
+from ui.widgets.log_view import LogView
+from ui.widgets.message_bar import MessageBar
+from ui.window.layout import Layout
+from ui.window.view_state import ViewState
+from ui.window.workspace import Workspace
 
 if TYPE_CHECKING:
-    from ui.bench import Bench
+    from ui.window.loaded_parts import Bench
 
 _STATES = {
     "loading": "Loading…",
@@ -132,7 +132,7 @@ class MainWindow(QMainWindow):
 
     def build(self) -> None:
         """Add runner and views; imports what they stand on."""
-        from ui.bench import Bench
+        from ui.window.loaded_parts import Bench
 
         self.bench = bench = Bench(self, self._settings)
         bench.state_changed.connect(self._show_state)

@@ -9,12 +9,12 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QApplication
 
 from resources import EXAMPLES
-from ui.document import Document
+from ui.document.document import Document
 from ui.files import left_behind
 from ui.files.left_behind import LeftBehind
 from ui.files.recovery import Recovery
 from ui.main_window import MainWindow
-from ui.warm_up import WarmUp
+from ui.startup.warm_up import WarmUp
 from workbench.files.session import open_design
 
 _STEP = QPoint(32, 32)  # from one window to the next, so that both can be seen

@@ -23,7 +23,7 @@ from PySide6.QtWidgets import QApplication, QWidget
 
 import resources
 from ui import app
-from ui.document import Document
+from ui.document.document import Document
 from ui.main_window import MainWindow
 from ui.views.view import View
 from workbench.analysis.benchmark.machine import Machine

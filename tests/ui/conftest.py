@@ -14,10 +14,10 @@ from PySide6.QtCore import QSettings
 
 from tests.ui.latency import LatencyProbe
 from tests.ui.leftovers import left_behind, living
-from ui.document import Document
+from ui.document.document import Document
 from ui.main_window import MainWindow
 from ui.panels.forms import Forms
-from ui.run.frame import make_frame
+from ui.shown.frame import make_frame
 from workbench.design.snapshot import History, Snapshot
 from workbench.files.session import Session
 from workbench.optics.ledger import Ledger

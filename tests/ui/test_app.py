@@ -8,7 +8,8 @@ import sys
 
 import pytest
 
-from ui import app, display
+from ui import app
+from ui.startup import display
 from workbench import __version__, system_libraries
 
 COMMAND = [sys.executable, "-m", "ui"]

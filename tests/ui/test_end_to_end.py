@@ -29,7 +29,7 @@ import sys
 from PySide6.QtCore import QSettings
 from PySide6.QtWidgets import QApplication
 from ui import app
-from ui.document import Document
+from ui.document.document import Document
 from ui.main_window import MainWindow
 from workbench.files.session import open_design
 from pathlib import Path

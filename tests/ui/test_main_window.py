@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QApplication, QMessageBox, QTabBar
 from resources import EXAMPLES
 from tests.ui.hands import editor
 from ui.commands.table import COMMANDS
-from ui.document import Document
+from ui.document.document import Document
 from ui.files.recent import RecentFiles
 from ui.main_window import MainWindow
 from workbench.files.session import Session, read_session
@@ -243,7 +243,7 @@ def test_a_large_file_that_is_no_design_is_refused_without_being_read(
     def read(path):
         pytest.fail("it is read to its end")
 
-    monkeypatch.setattr("ui.document.fingerprint", read)
+    monkeypatch.setattr("ui.document.document.fingerprint", read)
     film = tmp_path / "film.mp4"
     film.touch()
     os.truncate(film, 1 << 33)

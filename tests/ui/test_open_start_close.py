@@ -4,7 +4,7 @@ import pytest
 from PySide6.QtCore import QCoreApplication, QEvent
 
 from tests.ui.leftovers import left_behind, living
-from ui.document import Document
+from ui.document.document import Document
 from ui.main_window import MainWindow
 
 pytestmark = pytest.mark.usefixtures("kernels")

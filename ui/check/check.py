@@ -9,7 +9,7 @@ from ui.check.checking import RAYS, Checking, Suspect, verified_error
 from ui.views.view import look_alike
 
 if TYPE_CHECKING:
-    from ui.run.frame import Frame
+    from ui.shown.frame import Frame
     from workbench.analysis.validation import Validation
     from workbench.files.session import Session
 

@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 from PySide6.QtCore import QObject, Signal
 
-from ui.latest import Latest
+from ui.threads.latest import Latest
 from workbench.design.session import verified_error as verified_error  # to be had from here, too
 
 if TYPE_CHECKING:

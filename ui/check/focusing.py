@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 from PySide6.QtCore import QObject, QThread, Signal
 
-from ui.latest import Latest
+from ui.threads.latest import Latest
 from workbench.errors import RunFailed
 
 if TYPE_CHECKING:

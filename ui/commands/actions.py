@@ -7,9 +7,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
 from PySide6.QtWidgets import QMainWindow, QMenu, QMenuBar, QToolBar, QToolButton
 
-from ui import theme
 from ui.commands.palette import SEPARATOR
 from ui.commands.table import CHOICES, COMMANDS, LABELLED, MENUS, TOOLBAR, Command
+from ui.widgets import theme
 
 
 class Commands:

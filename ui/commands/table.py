@@ -6,7 +6,7 @@ from typing import Any
 from PySide6.QtGui import QKeySequence
 
 from resources import EXAMPLES
-from ui.docks import PANES
+from ui.commands.panes import PANES
 
 
 @dataclass(frozen=True)

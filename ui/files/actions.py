@@ -9,13 +9,13 @@ from PySide6.QtCore import QLocale, QObject, Signal
 from PySide6.QtWidgets import QMessageBox, QWidget
 
 from resources import Example
-from ui.document import ENDING, Document, OnDisk
+from ui.document.document import ENDING, Document, OnDisk
 from ui.files import changed
 from ui.files.dialogs import FileDialogs
 from ui.files.left_behind import LeftBehind
 from ui.files.recent import RecentFiles
-from ui.message_bar import MessageBar
 from ui.run.lens_on_show import LensOnShow
+from ui.widgets.message_bar import MessageBar
 from workbench.errors import Refused
 from workbench.files.session import read_session
 

@@ -6,7 +6,7 @@ from pathlib import Path
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QAbstractButton, QMessageBox, QWidget
 
-from ui.document import OnDisk
+from ui.document.document import OnDisk
 
 
 class Choice(Enum):

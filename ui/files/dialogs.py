@@ -6,7 +6,7 @@ from pathlib import Path
 from PySide6.QtCore import QObject, QSettings, QStandardPaths
 from PySide6.QtWidgets import QFileDialog, QWidget
 
-from ui.document import Document
+from ui.document.document import Document
 
 _KEY = "folders"
 

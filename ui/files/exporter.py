@@ -5,11 +5,11 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 
-from ui.background import Background
-from ui.document import Document
+from ui.document.document import Document
 from ui.files.dialogs import FileDialogs
-from ui.message_bar import MessageBar
 from ui.run.lens_on_show import NO_LENS, LensOnShow
+from ui.threads.background import Background
+from ui.widgets.message_bar import MessageBar
 from workbench.files.export.formats import FORMATS, Format
 
 if TYPE_CHECKING:

@@ -14,7 +14,7 @@ from pathlib import Path
 from PySide6.QtCore import QLockFile, Qt
 from PySide6.QtWidgets import QMessageBox, QWidget
 
-from ui.document import ENDING
+from ui.document.document import ENDING
 from workbench.files.atomic import remove_left_behind, replacing
 
 

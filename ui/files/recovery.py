@@ -16,14 +16,14 @@ from uuid import uuid4
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from ui.document import ENDING, Document
+from ui.document.document import ENDING, Document
 from ui.files.left_behind import About, about_of, lock_of
 from workbench.errors import Refused
 from workbench.files.session import Session, write_session
 
 if TYPE_CHECKING:
     from ui.run.control import RunControl
-    from ui.run.frame import Frame
+    from ui.shown.frame import Frame
 
 _EVERY_MS = 60_000
 

@@ -13,8 +13,8 @@ import numpy.typing as npt
 import torch
 from PySide6.QtCore import QObject, QThread, Signal
 
-from ui.background import Background
-from ui.run.frame import Frame, make_frame
+from ui.shown.frame import Frame, make_frame
+from ui.threads.background import Background
 from workbench.design.evaluation import Evaluator
 from workbench.design.snapshot import History
 from workbench.optics.kernels.ready import without_waiting

@@ -15,20 +15,20 @@ import numpy as np
 import numpy.typing as npt
 from PySide6.QtCore import QObject, Signal
 
+from ui.lens.brush import Brush
 from ui.lens.live import Draft, LiveLens
-from ui.views.tools.brush import Brush
-from ui.views.tools.lock import Lock
-from ui.views.tools.move_source import MoveSource
-from ui.views.tools.sculpt import Sculpt
+from ui.lens.lock import Lock
+from ui.lens.move_source import MoveSource
+from ui.lens.sculpt import Sculpt
 from ui.views.turns import turns
 from workbench.design.evaluation import undesigned
 from workbench.errors import Refused
 from workbench.scene import Scene
 
 if TYPE_CHECKING:
-    from ui.document import Document
+    from ui.document.document import Document
     from ui.run.control import RunControl
-    from ui.run.frame import Frame
+    from ui.shown.frame import Frame
     from ui.views.scene_view import SceneView
     from ui.views.tools.tool import Tool
     from workbench.files.session import Session

@@ -11,17 +11,17 @@ from PySide6.QtCore import QSettings, QTimer
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QWidget
 
-from ui.background import Background
-from ui.beside import Beside
 from ui.check.check import same_lens
 from ui.manufacture.face_map import FaceMap
 from ui.manufacture.figures import Figures
 from ui.manufacture.limits import LimitFields
+from ui.threads.background import Background
+from ui.widgets.side_by_side import Beside
 from workbench.analysis.manufacture import Manufacture, SurfaceMaps, manufacture, surface_maps
 from workbench.geometry.surface import even_counts
 
 if TYPE_CHECKING:
-    from ui.run.frame import Frame
+    from ui.shown.frame import Frame
     from workbench.files.session import Session
 
 _REST_MS = 250  # longer than between two steps of a hand

@@ -17,10 +17,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from ui import theme
 from ui.panels.editors import Chooser, NumberEditor, Refusal, TextEditor
 from ui.panels.edits import LENGTH as LENGTH  # to be had from here, too
 from ui.panels.edits import Edit, value_at
+from ui.widgets import theme
 
 Changes = dict[str, object]
 

@@ -7,7 +7,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QVBoxLayout, QWidget
 
-from ui.document import Document
+from ui.document.document import Document
 from ui.panels.edits import Edit, edited_scene, has_place
 from ui.panels.fields import Changes, ChoiceRow, Row
 from ui.panels.lens import LensPanel

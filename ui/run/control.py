@@ -4,14 +4,14 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from ui.document import Document
+from ui.document.document import Document
 from ui.run.kept import with_run
-from ui.run.moments import Moments, moment
 from ui.run.runner import Runner
+from ui.shown.frame_history import Moments, moment
 from workbench.design.snapshot import Result
 
 if TYPE_CHECKING:
-    from ui.run.frame import Frame
+    from ui.shown.frame import Frame
     from workbench.files.session import Session
 
 _PREVIEW_MS = 200  # a person who types is not done yet

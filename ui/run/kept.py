@@ -4,7 +4,7 @@ import re
 from collections.abc import Iterable
 from dataclasses import replace
 
-from ui.memory import distinct_bytes
+from ui.document.memory import distinct_bytes
 from workbench.design.snapshot import Result
 from workbench.files.header import MOST_RUNS
 from workbench.files.session import KeptRun, Session

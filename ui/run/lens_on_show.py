@@ -5,12 +5,12 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 
-from ui.document import Document
+from ui.document.document import Document
 from workbench.design.origin import origin
 
 if TYPE_CHECKING:
     from ui.run.control import RunControl
-    from ui.run.frame import Frame
+    from ui.shown.frame import Frame
     from workbench.design.snapshot import Result
     from workbench.files.session import Session
 

@@ -4,12 +4,12 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QThread, QTimer, Signal, Slot
 
-from ui.failure import sentence_of
 from ui.run.worker import Generate, Job, Worker
+from ui.threads.failure import sentence_of
 from workbench.design.snapshot import Result
 
 if TYPE_CHECKING:
-    from ui.run.frame import Frame
+    from ui.shown.frame import Frame
     from workbench.files.session import Session
 
 _FRAME_MS = 66  # 15 Hz

@@ -7,10 +7,10 @@ import numpy as np
 from PySide6.QtCore import QObject, Signal
 
 from ui.check.checking import Suspect, verified_error
-from ui.check.run_check import RunCheck
-from ui.document import Document
+from ui.document.document import Document
 from ui.run.control import RunControl
 from ui.run.kept import renamed, restored, without
+from ui.run.run_check import RunCheck
 from ui.run.table import RunTable
 from workbench.errors import Refused
 from workbench.files.session import KeptRun

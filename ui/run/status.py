@@ -5,11 +5,11 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel, QProgressBar, QStatusBar
 
-from ui.elided import ElidedLabel
 from ui.run.pace import Pace
+from ui.widgets.elided_label import ElidedLabel
 
 if TYPE_CHECKING:
-    from ui.run.frame import Frame
+    from ui.shown.frame import Frame
 
 
 class RunStatus:

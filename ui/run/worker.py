@@ -14,8 +14,8 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QThread, Signal, Slot
 
-from ui.run.frame import Array, Frame, make_frame
 from ui.run.mailbox import Mailbox
+from ui.shown.frame import Array, Frame, make_frame
 from workbench.design.session import Mask
 from workbench.design.snapshot import History, Result, Snapshot
 

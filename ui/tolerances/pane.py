@@ -5,15 +5,15 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QLabel
 
-from ui.beside import Beside
 from ui.check.check import same_lens
 from ui.tolerances.form import ToleranceForm
 from ui.tolerances.sampling import Sample, Sampling
 from ui.tolerances.spread_view import SpreadView
+from ui.widgets.side_by_side import Beside
 from workbench.analysis.tolerances import Distribution
 
 if TYPE_CHECKING:
-    from ui.run.frame import Frame
+    from ui.shown.frame import Frame
     from workbench.files.session import Session
 
 _RAYS = 1_000_000  # for each lens, as on the command line

@@ -6,10 +6,10 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
-from ui.background import Background
+from ui.threads.background import Background
 
 if TYPE_CHECKING:
-    from ui.run.frame import Frame
+    from ui.shown.frame import Frame
     from workbench.analysis.tolerances import Perturbed, Tolerances
 
 

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from matplotlib.artist import Artist
     from matplotlib.axes import Axes
 
-    from ui.run.frame import Frame
+    from ui.shown.frame import Frame
     from workbench.files.session import Session
 
 

@@ -12,8 +12,8 @@ from PySide6.QtCore import QSignalBlocker, QTimer, Signal
 from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSpinBox, QWidget
 
-from ui.latest import Latest
-from ui.lens.derivatives import Question, derivative
+from ui.threads.latest import Latest
+from ui.views.derivatives import Question, derivative
 from ui.views.plot_view import PlotView
 from ui.views.view import look_alike
 from ui.views.while_seen import WhileSeen
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from matplotlib.artist import Artist
     from matplotlib.axes import Axes
 
-    from ui.run.frame import Frame
+    from ui.shown.frame import Frame
     from workbench.analysis.derivatives import DerivativeMap
     from workbench.files.session import Session
 

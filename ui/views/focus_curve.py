@@ -10,7 +10,7 @@ from ui.views.view import View
 from workbench.pictures.focus_curve import FocusCurve
 
 if TYPE_CHECKING:
-    from ui.run.frame import Frame
+    from ui.shown.frame import Frame
     from workbench.files.session import Session
 
 _LINES = 8  # of text, as high as it is beside an image

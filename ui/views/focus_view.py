@@ -23,7 +23,7 @@ from ui.views.while_seen import WhileSeen
 from workbench.analysis.focus import screen_at
 
 if TYPE_CHECKING:
-    from ui.run.frame import Frame
+    from ui.shown.frame import Frame
     from workbench.analysis.validation import Validation
     from workbench.files.session import Session
 

@@ -8,7 +8,7 @@ import numpy.typing as npt
 from ui.views.light_image_view import LightImageView
 
 if TYPE_CHECKING:
-    from ui.run.frame import Frame
+    from ui.shown.frame import Frame
 
 
 class IrradianceView(LightImageView):

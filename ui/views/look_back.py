@@ -7,10 +7,10 @@ from PySide6.QtCore import QSignalBlocker, QSize, Qt, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSlider, QWidget
 
-from ui.run.moments import moment
+from ui.shown.frame_history import moment
 
 if TYPE_CHECKING:
-    from ui.run.frame import Frame
+    from ui.shown.frame import Frame
 
 
 class LookBack(QWidget):

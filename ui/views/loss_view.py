@@ -6,15 +6,15 @@ from typing import TYPE_CHECKING
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QWidget
 
-from ui.views.menu_button import MenuButton, chosen_of
 from ui.views.plot_view import PlotView
+from ui.widgets.menu_button import MenuButton, chosen_of
 from workbench.pictures.loss import Against, Course, LossPicture, Verified
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
     from matplotlib.axes import Axes
 
-    from ui.run.frame import Frame
+    from ui.shown.frame import Frame
     from workbench.files.session import Session
 
 _AGAINST: tuple[Against, ...] = ("iterations", "seconds")

@@ -24,17 +24,17 @@ from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QCloseEvent, QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import QGridLayout, QLabel, QSizePolicy, QWidget
 
-from ui.native import make_native
-from ui.run.frame import some_rays
+from ui.shown.frame import some_rays
 from ui.views.tools.hand import Hand
 from ui.views.tools.steer import steer
 from ui.views.tools.tool import Pointer, Tool
 from ui.views.view import View, look_alike
+from ui.widgets.native import make_native
 from workbench.design.limits import bounded
 from workbench.pictures.images import LIGHT
 
 if TYPE_CHECKING:
-    from ui.run.frame import Frame
+    from ui.shown.frame import Frame
     from workbench.files.session import Session
     from workbench.pictures.control_net import ControlNetPicture
     from workbench.pictures.lens import LensPicture

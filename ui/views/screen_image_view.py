@@ -10,9 +10,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QToolButton, QWidget
 
-from ui import theme
 from ui.views.image_link import ImageLink, Place
 from ui.views.image_view import ImageView
+from ui.widgets import theme
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

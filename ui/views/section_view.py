@@ -14,8 +14,8 @@ from PySide6.QtWidgets import QWidget
 
 from ui.views.image_link import ImageLink, Line, Place
 from ui.views.keys import ARROWS
-from ui.views.menu_button import MenuButton, choose, chosen_of
 from ui.views.plot_view import PlotView
+from ui.widgets.menu_button import MenuButton, choose, chosen_of
 from workbench.pictures.section import Cut, SectionCurves, cut_between, cut_through
 
 if TYPE_CHECKING:
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from matplotlib.artist import Artist
     from matplotlib.axes import Axes
 
-    from ui.run.frame import Frame
+    from ui.shown.frame import Frame
     from workbench.files.session import Session
     from workbench.scene import Scene, Screen
 

@@ -10,7 +10,7 @@ from ui.views.view import look_alike
 from workbench.pictures.images import target_irradiance
 
 if TYPE_CHECKING:
-    from ui.run.frame import Frame
+    from ui.shown.frame import Frame
 
 
 class TargetView(LightImageView):

@@ -23,7 +23,7 @@ from ui.views.target_view import TargetView
 from ui.views.view import View
 
 if TYPE_CHECKING:
-    from ui.document import Document
+    from ui.document.document import Document
     from ui.run.control import RunControl
 
 

@@ -1,0 +1,135 @@
+"""Every pane is reachable by keyboard, and the one with the focus is told from the others."""
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QAccessible
+from PySide6.QtWidgets import QAbstractButton, QApplication, QComboBox, QLineEdit, QWidget
+
+from tests.ui.hands import editor
+from ui.commands.panes import PANES
+from ui.commands.table import COMMANDS
+from ui.widgets import theme
+
+
+def holds_focus(pane):
+    focused = QApplication.focusWidget()
+    return focused is not None and (pane is focused or pane.isAncestorOf(focused))
+
+
+def test_the_table_knows_every_pane_by_its_title(window):
+    titles = {name: dock.windowTitle() for name, dock in window.workspace.docks.items()}
+    assert titles == {name: pane.title for name, pane in PANES.items() if name != "scene"}
+
+
+@pytest.mark.parametrize("name", [name for name in PANES if name != "scene"])
+def test_a_command_shows_a_dock_and_takes_the_keyboard_there(window, name, qtbot):
+    window.workspace.docks[name].hide()
+    window.commands[f"go_{name}"].trigger()
+    dock = window.workspace.docks[name]
+    qtbot.waitUntil(lambda: not dock.visibleRegion().isEmpty())
+    assert holds_focus(dock)
+    assert dock.property("active") is True
+
+
+def test_keys_go_round_all_panes_that_can_be_seen(window, qtbot):
+    window.commands["go_design"].trigger()
+    docks = window.workspace.docks
+    seen = {name for name, dock in docks.items() if not dock.visibleRegion().isEmpty()}
+    visited = []
+    for _ in range(len(seen) + 2):  # and the scene, and the toolbar
+        visited += [name for name, dock in docks.items() if holds_focus(dock)]
+        qtbot.keyClick(window, Qt.Key.Key_F6, Qt.KeyboardModifier.ControlModifier)
+    assert sorted(visited) == sorted(seen) and len(seen) >= 4
+    assert holds_focus(docks["design"])
+    both = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier
+    qtbot.keyClick(window, Qt.Key.Key_F6, both)
+    assert holds_focus(window.commands.toolbar)
+
+
+def test_a_pane_gives_the_focus_back_to_the_field_that_had_it(window, qtbot):
+    field = editor(window.forms, "screen.z")
+    field.setFocus()
+    window.commands["go_log"].trigger()
+    assert not field.hasFocus()
+    window.commands["go_design"].trigger()
+    assert field.hasFocus()
+
+
+def test_one_dock_at_a_time_is_marked(window):
+    for name in ("design", "loss"):
+        window.commands[f"go_{name}"].trigger()
+    docks = window.workspace.docks
+    assert [name for name, dock in docks.items() if dock.property("active")] == ["loss"]
+
+
+def test_the_3d_scene_shows_its_focus_as_other_panes_do(display, application, window):
+    theme.apply(application)
+    window.build()
+    window.commands["go_scene"].trigger()
+    centre = window.centralWidget()
+    assert holds_focus(centre) and centre.property("active") is True
+    framed = centre.grab().toImage().pixelColor(0, centre.height() // 2)
+    window.commands["go_design"].trigger()
+    assert centre.property("active") is False
+    assert centre.grab().toImage().pixelColor(0, centre.height() // 2) != framed
+
+
+def test_nothing_on_the_window_is_without_a_name_for_screen_readers(window):
+    nameless = [
+        (widget, widget.parent())
+        for kind in (QAbstractButton, QLineEdit, QComboBox)
+        for widget in window.findChildren(kind)
+        if widget.isVisibleTo(window) and not _name_of(widget)
+    ]
+    assert nameless == []
+
+
+def _name_of(widget):
+    return QAccessible.queryAccessibleInterface(widget).text(QAccessible.Text.Name)
+
+
+def test_tab_goes_down_the_forms_row_by_row(window):
+    forms = window.forms
+    content = forms.widget()
+    places, widget = [], content.nextInFocusChain()
+    while widget is not content:
+        takes = widget.focusPolicy() & Qt.FocusPolicy.TabFocus and widget.focusProxy() is None
+        if takes and content.isAncestorOf(widget) and widget.isVisibleTo(content):
+            middle = widget.mapTo(content, widget.rect().center())
+            places.append((middle.y() // 4, middle.x()))  # rows are not exact to the pixel
+        widget = widget.nextInFocusChain()
+    assert len(places) > 20
+    assert places == sorted(places)
+
+
+def test_every_command_is_in_a_menu_and_with_it_in_the_palette(window):
+    offered = {action for _, action in window.commands.entries()}
+    missing = [name for name in COMMANDS if window.commands[name] not in offered]
+    assert missing == []
+
+
+def test_each_dock_gets_something_to_hold_and_nothing_is_without_a_dock(window):
+    workspace = window.workspace
+    views = {name: QWidget() for name in PANES.keys() - {"scene", "design", "history", "log"}}
+    with pytest.raises(ValueError, match=r"\['runs'\]"):
+        workspace.raise_curtain(QWidget(), {k: v for k, v in views.items() if k != "runs"})
+    with pytest.raises(ValueError, match=r"\['ghost'\]"):
+        workspace.raise_curtain(QWidget(), {**views, "ghost": QWidget()})
+    workspace.raise_curtain(QWidget(), views)
+    assert all(workspace.docks[name].widget() is view for name, view in views.items())
+
+
+def test_at_first_each_dock_is_where_the_table_says(window):
+    for name, dock in window.workspace.docks.items():
+        assert window.dockWidgetArea(dock) is PANES[name].area
+        assert dock.isHidden() is not PANES[name].shown
+
+
+def test_commands_look_at_lens_and_screen(display, window, qtbot):
+    window.build()
+    scene = window.bench.views.scene
+    qtbot.waitUntil(lambda: scene.camera() is not None, timeout=60_000)
+    for name, keys in (("screen", "Ctrl+2"), ("lens", "Ctrl+1")):
+        assert window.commands[f"{name}_view"].shortcut().toString() == keys
+        window.commands[f"{name}_view"].trigger()
+        assert scene.camera() == {"fitted": name}

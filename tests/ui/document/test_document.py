@@ -1,0 +1,206 @@
+import numpy as np
+import pytest
+from PIL import Image
+
+from ui.document.document import Document
+from workbench.design.snapshot import Result
+from workbench.errors import Refused
+from workbench.files.session import Session
+from workbench.optics.ledger import Ledger
+from workbench.scene import Scene
+from workbench.targets import load_target
+
+
+def small_scene(**changes):
+    return Scene.from_data(
+        {
+            "lens": {"half_width": [1, 1], "refractive_index": 1.5, "control_points": [6, 5]},
+            "source": {"kind": "collimated", "rays": [16, 16]},
+            "screen": {"z": 5, "half_width": [1, 1], "pixels": [12, 10]},
+            "target": {"builtin": "tophat"},
+            "run": {"iterations": 3},
+            **changes,
+        }
+    )
+
+
+def lens_result():
+    return Result(
+        control_points=np.full((6, 5), 0.5),
+        irradiance=np.ones((10, 12)),
+        losses=np.array([2.0, 1.0]),
+        loss=1.0,
+        seconds=0.5,
+        ledger=Ledger(1.0, 0.9, 0.0, 0.0, 0.0, 0.0, 0.04, 0.06),
+    )
+
+
+def changed(scene, part, **values):
+    return scene.model_copy(
+        update={part: getattr(scene, part).model_copy(update=values)},
+    )
+
+
+@pytest.fixture
+def document(qapp, tmp_path):
+    scene = small_scene()
+    document = Document(Session(scene, load_target(scene, tmp_path)), "small")
+    yield document
+    document.deleteLater()
+
+
+def move_screen(document, z, key="screen.z"):
+    document.edit(changed(document.session.scene, "screen", z=float(z)), "change of screen", key)
+
+
+def test_an_edit_can_be_undone_and_redone(document):
+    move_screen(document, 7)
+    assert document.session.scene.screen.z == 7
+    assert document.undo_stack.undoText() == "change of screen"
+    document.undo_stack.undo()
+    assert document.session.scene.screen.z == 5
+    document.undo_stack.redo()
+    assert document.session.scene.screen.z == 7
+
+
+def test_consecutive_edits_of_one_field_are_one_step(document):
+    for z in (6, 7, 8):
+        move_screen(document, z)
+    assert document.undo_stack.count() == 1
+    document.undo_stack.undo()
+    assert document.session.scene.screen.z == 5
+
+
+def test_edits_of_different_fields_are_steps_of_their_own(document):
+    move_screen(document, 6)
+    document.edit(changed(document.session.scene, "run", seed=3), "change of seed", "run.seed")
+    move_screen(document, 7)
+    assert document.undo_stack.count() == 3
+
+
+def test_an_edit_that_changes_nothing_is_no_step(document):
+    move_screen(document, 5)
+    assert document.undo_stack.count() == 0
+    assert not document.dirty
+
+
+def test_an_edit_after_saving_does_not_merge_into_what_was_saved(document, tmp_path):
+    move_screen(document, 6)
+    document.save(tmp_path / "a.freeform")
+    move_screen(document, 7)
+    assert document.dirty
+    document.undo_stack.undo()
+    assert document.session.scene.screen.z == 6
+    assert not document.dirty
+
+
+def test_dirty_is_told_when_it_changes(document, tmp_path, qtbot):
+    with qtbot.waitSignal(document.dirty_changed) as told:
+        move_screen(document, 6)
+    assert told.args == [True]
+    with qtbot.waitSignal(document.dirty_changed) as told:
+        document.save(tmp_path / "a.freeform")
+    assert told.args == [False]
+
+
+def test_another_screen_loads_the_target_for_its_pixels(document):
+    document.edit(changed(document.session.scene, "screen", pixels=(20, 8)), "pixels", "pixels")
+    assert document.session.target.shape == (8, 20)
+    document.undo_stack.undo()
+    assert document.session.target.shape == (10, 12)
+
+
+def test_an_image_that_is_gone_matters_only_where_it_is_read_again(document, tmp_path):
+    image = tmp_path / "wish.png"
+    Image.fromarray(np.full((4, 4), 200, np.uint8)).save(image)
+    scene = small_scene(target={"image": str(image)})
+    document.edit(scene, "target", "target")
+    image.unlink()
+    document.edit(changed(document.session.scene, "screen", pixels=(9, 9)), "pixels", "pixels")
+    session = document.session
+    assert session.target.shape == (9, 9)
+    with pytest.raises(Refused, match=r"wish\.png"):
+        document.read_image_again()
+    assert document.session is session
+
+
+def test_a_relative_image_starts_beside_the_file(document, tmp_path):
+    Image.fromarray(np.full((4, 4), 200, np.uint8)).save(tmp_path / "wish.png")
+    document.save(tmp_path / "design.freeform")
+    document.edit(small_scene(target={"image": "wish.png"}), "target", "target")
+    assert document.session.scene.target.image == str(tmp_path / "wish.png")
+
+
+def test_a_result_goes_with_another_lens_and_comes_back_by_undo(document):
+    document.set_result(lens_result(), "design run")
+    document.edit(changed(document.session.scene, "run", seed=3), "change of seed", "run.seed")
+    assert document.session.result is not None
+    move_screen(document, 6)
+    assert document.session.result is None
+    document.undo_stack.undo()
+    assert document.session.result is not None
+    document.undo_stack.undo()
+    document.undo_stack.undo()
+    assert document.session.result is None
+
+
+def test_a_saved_design_opens_as_it_was(document, tmp_path):
+    move_screen(document, 6)
+    document.set_result(lens_result(), "design run")
+    saved = document.session
+    path = tmp_path / "design.freeform"
+    document.save(path)
+    move_screen(document, 9)
+    document.open(path)
+    assert document.path == path
+    assert document.name == "design"
+    assert not document.dirty
+    assert document.undo_stack.count() == 0
+    assert document.session.scene == saved.scene
+    np.testing.assert_array_equal(document.session.target, saved.target)
+    np.testing.assert_array_equal(
+        document.session.result.control_points, saved.result.control_points
+    )
+    np.testing.assert_array_equal(document.session.result.losses, saved.result.losses)
+
+
+def test_a_scene_file_opens_as_an_untitled_design(document, tmp_path):
+    path = tmp_path / "task.json"
+    path.write_text(small_scene(unit="m").to_json())
+    document.open(path)
+    assert document.session.scene.unit == "m"
+    assert document.path is None
+    assert document.suggested_path == tmp_path / "task.freeform"
+
+
+@pytest.mark.parametrize("content", [b"", b"{", b"PK\x03\x04 no zip at all", b'{"lens": 1}'])
+def test_a_file_that_is_refused_leaves_the_open_design_untouched(document, tmp_path, content):
+    document.save(tmp_path / "mine.freeform")
+    move_screen(document, 6)
+    session, path = document.session, document.path
+    bad = tmp_path / "bad.freeform"
+    bad.write_bytes(content)
+    with pytest.raises(Refused):
+        document.open(bad)
+    assert document.session is session
+    assert document.path == path
+    assert document.dirty
+    document.undo_stack.undo()
+    assert document.session.scene.screen.z == 5
+
+
+def test_saving_where_nothing_can_be_written_keeps_the_design_dirty(document, tmp_path):
+    move_screen(document, 6)
+    with pytest.raises(Refused):
+        document.save(tmp_path / "missing" / "design.freeform")
+    assert document.dirty
+    assert document.path is None
+
+
+def test_typing_on_in_a_field_brings_back_what_its_first_value_had(document):
+    document.set_result(lens_result(), "design run")
+    move_screen(document, 6)
+    assert document.session.result is None
+    move_screen(document, 5)
+    assert document.session.result is not None
+    assert document.undo_stack.count() == 2

@@ -1,0 +1,163 @@
+"""Steps that can be taken back: all of them, until they hold too much memory."""
+
+import gc
+import weakref
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QObject
+
+from ui.document.undo_steps import Steps
+from workbench.design.snapshot import Result
+from workbench.files.session import KeptRun
+from workbench.optics.ledger import Ledger
+
+MEGABYTE = 1 << 20
+
+
+def lens(megabytes=1):
+    return Result(
+        control_points=np.zeros((4, 4)),
+        irradiance=np.zeros(megabytes * MEGABYTE // 8),
+        losses=np.zeros(3),
+        loss=1.0,
+        seconds=0.5,
+        ledger=Ledger(1.0, 0.9, 0.0, 0.0, 0.0, 0.0, 0.04, 0.06),
+    )
+
+
+class Walk:
+    """A stack, the session it stands at, and the one it began with."""
+
+    def __init__(self, session, owner, budget):
+        self.now = self.first = session
+        self.shown = []
+        self.steps = Steps(self.show, owner, budget)
+
+    def show(self, session):
+        self.now = session
+        self.shown.append(session)
+
+    def go(self, text, key="", **changes):
+        self.steps.take(self.now, replace(self.now, **changes), text, key)
+        return self.now
+
+    @property
+    def texts(self):
+        return [self.steps.text(number) for number in range(self.steps.count())]
+
+
+@pytest.fixture
+def walk(qapp, session):
+    owner = QObject()
+    yield Walk(session, owner, 5 * MEGABYTE)
+    owner.deleteLater()
+
+
+def test_small_steps_are_all_kept(walk):
+    for number in range(250):
+        walk.go(f"{number}", view={"number": number})
+    assert walk.steps.count() == 250
+    for _ in range(250):
+        walk.steps.undo()
+    assert walk.now is walk.first
+
+
+def test_a_step_costs_what_only_the_session_before_it_holds(walk):
+    walk.go("run", result=lens(2))
+    assert walk.steps.cost < MEGABYTE  # the lens is needed anyway
+    result = walk.now.result
+    walk.go("keep", runs=(KeptRun("a", walk.now.scene, walk.now.target, result),))
+    walk.go("drop", result=None)
+    assert walk.steps.cost < MEGABYTE  # the kept run still has it
+    walk.go("delete", runs=())
+    assert walk.steps.cost == pytest.approx(2 * MEGABYTE, abs=MEGABYTE / 8)
+
+
+def test_a_step_to_another_image_costs_the_picture_before(walk):
+    walk.go("image", picture=bytes(2 * MEGABYTE))
+    assert walk.steps.cost < MEGABYTE
+    walk.go("padding", view={"padding": 1})
+    assert walk.steps.cost < MEGABYTE  # both have the same picture
+    walk.go("another image", picture=bytes(10))
+    assert walk.steps.cost == pytest.approx(2 * MEGABYTE, abs=MEGABYTE / 8)
+
+
+def test_the_oldest_steps_are_forgotten_when_all_cost_too_much(walk):
+    forgotten = []
+    walk.steps.forgot.connect(forgotten.append)
+    sessions = [walk.go(f"run {number}", result=lens()) for number in range(12)]
+    assert sum(forgotten) == 8
+    assert walk.steps.cost <= 5 * MEGABYTE
+    assert walk.texts == [f"run {number}" for number in (8, 9, 10, 11)]
+    assert walk.steps.index() == 4 and not walk.steps.isClean()
+    assert walk.shown == sessions  # nothing else was shown on the way
+    for number in (10, 9, 8, 7):
+        walk.steps.undo()
+        assert walk.now is sessions[number]
+    assert not walk.steps.canUndo()
+    for number in (8, 9, 10, 11):
+        walk.steps.redo()
+        assert walk.now is sessions[number]
+
+
+def test_a_step_too_large_can_still_be_taken_back(walk):
+    walk.go("large", result=lens(20))
+    walk.go("next", result=lens())
+    assert walk.texts == ["next"]
+    walk.steps.undo()
+    assert walk.now.result.irradiance.nbytes == 20 * MEGABYTE
+
+
+def test_what_was_saved_stays_clean_until_it_is_forgotten(walk):
+    for number in range(4):
+        walk.go(f"run {number}", result=lens())
+    walk.steps.setClean()
+    for number in range(4, 8):
+        walk.go(f"run {number}", result=lens())
+    assert walk.texts == [f"run {number}" for number in (4, 5, 6, 7)]
+    assert not walk.steps.isClean()
+    for _ in range(4):
+        walk.steps.undo()
+    assert walk.steps.isClean()
+    for _ in range(4):
+        walk.steps.redo()
+    walk.go("run 8", result=lens())
+    for _ in range(4):
+        walk.steps.undo()
+    assert not walk.steps.canUndo() and not walk.steps.isClean()
+
+
+def test_forgetting_neither_merges_steps_nor_keeps_the_last_from_merging(walk):
+    walk.go("large", result=lens(4))
+    walk.go("small", result=lens(1))
+    walk.go("typed", "key", view={"a": 1})
+    walk.steps.setClean()
+    walk.go("typed", "key", view={"a": 2})  # another step, as the one before was saved
+    walk.steps.setClean()
+    walk.go("late", result=lens(3))
+    walk.go("typed", "key", result=lens(1))
+    assert walk.texts == ["typed"] * 2 + ["late", "typed"]
+    walk.go("typed", "key", result=lens(1))
+    assert walk.steps.count() == 4
+
+
+def test_the_origin_is_that_of_the_step_under_way(walk):
+    assert walk.steps.origin("key") is None
+    before = walk.now
+    walk.go("typed", "key", view={"a": 1})
+    walk.go("typed", "key", view={"a": 2})
+    assert walk.steps.origin("key") is before
+    assert walk.steps.origin("other") is None and walk.steps.origin("") is None
+    walk.steps.setClean()
+    assert walk.steps.origin("key") is None
+
+
+def test_what_steps_that_became_one_have_passed_through_is_let_go(walk):
+    passed = weakref.ref(walk.go("drag", "drag 1", result=lens()))
+    walk.go("drag", "drag 1", result=lens())
+    walk.shown.clear()
+    gc.collect()
+    assert walk.steps.count() == 1
+    assert passed() is None

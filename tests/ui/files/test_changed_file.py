@@ -1,0 +1,193 @@
+"""Saving asks before it takes the place of what another program has written."""
+
+import os
+import shutil
+
+import pytest
+from PySide6.QtCore import Qt, QTimer
+from PySide6.QtWidgets import QApplication, QMessageBox, QPushButton
+
+from tests.ui.hands import move_screen
+from ui.document.document import Document, OnDisk
+from ui.files import changed
+from ui.files.changed import Choice
+from workbench.files.session import read_session, write_session
+
+
+@pytest.fixture
+def path(window, tmp_path):
+    """The file of a design that has changes since it was saved."""
+    path = tmp_path / "mine.freeform"
+    window.document.save(path)
+    move_screen(window.document, 7)
+    return path
+
+
+@pytest.fixture
+def answers(monkeypatch):
+    """Answers to come; each is used once."""
+    coming = []
+    monkeypatch.setattr(changed, "ask", lambda path, found, window: coming.pop(0))
+    yield coming
+    assert not coming, "a question that was expected was not asked"
+
+
+def write_elsewhere(session, path, z):
+    """What another program does: the same design with its screen elsewhere."""
+    other = Document(session, "other")
+    move_screen(other, z)
+    write_session(other.session, path)
+    other.deleteLater()
+
+
+@pytest.mark.parametrize(
+    ("choice", "saved", "z"), [(Choice.OVERWRITE, True, 7), (Choice.CANCEL, False, 9)]
+)
+def test_save_asks_when_the_file_changed_on_disk(window, session, path, answers, choice, saved, z):
+    times = path.stat()
+    write_elsewhere(session, path, 9)
+    os.utime(path, ns=(times.st_atime_ns, times.st_mtime_ns))
+    answers.append(choice)
+    assert window.files.save() is saved
+    assert read_session(path).scene.screen.z == z
+    assert window.document.dirty is not saved
+
+
+def test_save_as_leaves_the_changed_file_as_it_is(
+    window, session, path, answers, tmp_path, monkeypatch
+):
+    write_elsewhere(session, path, 9)
+    monkeypatch.setattr(window.files, "ask_for_name", lambda: tmp_path / "new.freeform")
+    answers.append(Choice.SAVE_AS)
+    assert window.files.save()
+    assert read_session(path).scene.screen.z == 9
+    assert read_session(tmp_path / "new.freeform").scene.screen.z == 7
+
+
+def test_save_as_to_the_same_name_asks_too(window, session, path, answers, monkeypatch):
+    write_elsewhere(session, path, 9)
+    monkeypatch.setattr(window.files, "ask_for_name", lambda: path.parent / "." / path.name)
+    answers.append(Choice.CANCEL)
+    assert not window.files.save_as()
+    assert read_session(path).scene.screen.z == 9
+
+
+def test_reload_shows_the_file_and_undo_brings_the_design_back(window, session, path, answers):
+    write_elsewhere(session, path, 9)
+    answers.append(Choice.RELOAD)
+    assert not window.files.save()
+    assert window.document.session.scene.screen.z == 9 and not window.document.dirty
+    window.document.undo_stack.undo()
+    assert window.document.session.scene.screen.z == 7
+    assert window.files.save()  # what the file holds has been seen
+    assert read_session(path).scene.screen.z == 7
+
+
+def test_a_file_that_is_gone_is_not_brought_back_without_a_question(window, path, answers):
+    path.unlink()
+    answers.append(Choice.CANCEL)
+    assert not window.files.save()
+    assert not path.exists()
+    answers.append(Choice.OVERWRITE)
+    assert window.files.save()
+    assert read_session(path).scene.screen.z == 7
+
+
+def test_a_file_replaced_by_renaming_another_is_a_changed_one(window, session, path):
+    write_elsewhere(session, path.with_name("new"), 9)
+    path.with_name("new").rename(path)
+    assert window.document.on_disk(path) is OnDisk.CHANGED
+
+
+def test_a_link_to_another_file_is_a_changed_one(window, session, tmp_path):
+    first, second, link = tmp_path / "1.freeform", tmp_path / "2.freeform", tmp_path / "l.freeform"
+    link.symlink_to(first)
+    window.document.save(link)
+    assert link.is_symlink() and window.document.on_disk(link) is OnDisk.KNOWN
+    write_elsewhere(session, second, 9)
+    link.unlink()
+    link.symlink_to(second)
+    assert window.document.on_disk(link) is OnDisk.CHANGED
+
+
+@pytest.mark.usefixtures("answers")
+def test_own_saves_and_equal_content_ask_nothing(window, path):
+    assert window.files.save()
+    move_screen(window.document, 8)
+    assert window.files.save()
+    shutil.copy(path, path.with_name("copy"))
+    path.with_name("copy").rename(path)  # the same content, another file
+    move_screen(window.document, 9)
+    assert window.files.save()
+    assert read_session(path).scene.screen.z == 9
+
+
+def test_a_file_opened_and_changed_since_is_asked_about(window, session, path, answers):
+    window.document.open(path)
+    write_elsewhere(session, path, 9)
+    answers.append(Choice.CANCEL)
+    assert not window.files.save()
+
+
+def test_what_cannot_be_read_is_not_written_over(window, path):
+    path.unlink()
+    path.mkdir()
+    assert not window.files.save()
+    assert "is a folder" in window.messages.text
+    assert window.messages.buttons[0].text() == "Save as…"
+
+
+def test_closing_does_not_lose_the_changed_file_either(window, session, path, answers, monkeypatch):
+    write_elsewhere(session, path, 9)
+    monkeypatch.setattr(QMessageBox, "question", lambda *_: QMessageBox.StandardButton.Save)
+    answers.append(Choice.CANCEL)
+    assert not window.close()
+    assert window.isVisible() and read_session(path).scene.screen.z == 9
+
+
+def press(word, seen):
+    """Press the button with this word in the box that is about to open."""
+
+    def answer():
+        box = next(w for w in QApplication.topLevelWidgets() if isinstance(w, QMessageBox))
+        buttons = {b.text().replace("&", ""): b for b in box.findChildren(QPushButton)}
+        seen.append((box.text(), set(buttons)))
+        assert box.textFormat() is Qt.TextFormat.PlainText  # names may look like markup
+        buttons[word].click()
+
+    QTimer.singleShot(200, answer)
+
+
+@pytest.mark.parametrize(
+    ("word", "choice"),
+    [
+        ("Overwrite", Choice.OVERWRITE),
+        ("Save as…", Choice.SAVE_AS),
+        ("Reload", Choice.RELOAD),
+        ("Cancel", Choice.CANCEL),
+    ],
+)
+def test_the_question_about_a_changed_file(window, path, word, choice):
+    seen = []
+    press(word, seen)
+    assert changed.ask(path, OnDisk.CHANGED, window) is choice
+    ((text, buttons),) = seen
+    assert "mine.freeform" in text
+    assert buttons == {"Overwrite", "Save as…", "Reload", "Cancel"}
+
+
+def test_the_question_about_a_file_that_is_gone(window, path):
+    seen = []
+    press("Save there again", seen)
+    assert changed.ask(path, OnDisk.GONE, window) is Choice.OVERWRITE
+    assert seen[0][1] == {"Save there again", "Save as…", "Cancel"}
+    press("Save as…", seen)
+    assert changed.ask(path / "gone.freeform", OnDisk.GONE, window) is Choice.SAVE_AS
+    assert seen[1][1] == {"Save as…", "Cancel"}
+
+
+def test_saving_says_what_was_saved(window, path):
+    window.commands["save"].trigger()
+    said = window.statusBar().currentMessage()
+    assert said.startswith("Saved mine.freeform, ") and said.endswith("kB")
+    assert window.log.toPlainText().endswith(said)

@@ -1,0 +1,108 @@
+"""Dialogs for files begin where a person has files of this kind."""
+
+import numpy as np
+import pytest
+from PIL import Image
+from PySide6.QtCore import QStandardPaths
+from PySide6.QtWidgets import QFileDialog, QWidget
+
+from tests.ui.hands import choose
+from ui.document.document import Document
+from ui.files.dialogs import FileDialogs
+
+DOCUMENTS = QStandardPaths.StandardLocation.DocumentsLocation
+
+
+@pytest.fixture
+def asked(monkeypatch):
+    """Folders that dialogs began in; each is answered with what was put into the list."""
+    begun, answers = [], []
+
+    def choose(window, title, folder, filters):
+        begun.append(folder)
+        return str(answers.pop(0)) if answers else "", ""
+
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", choose)
+    return begun, answers
+
+
+@pytest.fixture
+def window_of_dialogs(qtbot):
+    widget = QWidget()
+    qtbot.addWidget(widget)
+    return widget
+
+
+@pytest.fixture
+def make(settings, window_of_dialogs):
+    return lambda document: FileDialogs(document, settings, window_of_dialogs)
+
+
+@pytest.fixture
+def folders(tmp_path):
+    made = [tmp_path / name for name in ("designs", "pictures", "elsewhere")]
+    for folder in made:
+        folder.mkdir()
+    return made
+
+
+def test_an_untitled_design_does_not_begin_in_the_working_folder(make, document, asked, tmp_path):
+    begun, _ = asked
+    make(document).to_open("design", "Open", "")
+    documents = QStandardPaths.writableLocation(DOCUMENTS)
+    assert begun[0] in (
+        documents,
+        QStandardPaths.writableLocation(QStandardPaths.StandardLocation.HomeLocation),
+    )
+
+
+def test_a_dialog_begins_in_the_folder_of_the_design(make, document, asked, folders):
+    designs, *_ = folders
+    begun, _ = asked
+    dialogs = make(document)
+    document.save(designs / "mine.freeform")
+    for kind in ("design", "image"):
+        dialogs.to_open(kind, "Open", "")
+    assert begun == [str(designs)] * 2
+
+
+def test_each_kind_of_file_has_a_folder_of_its_own(make, document, asked, folders):
+    designs, pictures, elsewhere = folders
+    begun, answers = asked
+    document.save(designs / "mine.freeform")
+    dialogs = make(document)
+    answers.append(pictures / "flame.png")
+    assert dialogs.to_open("image", "Open", "") == pictures / "flame.png"
+    dialogs.to_open("image", "Open", "")
+    dialogs.to_open("design", "Open", "")
+    assert begun == [str(designs), str(pictures), str(designs)]
+    document.save(elsewhere / "mine.freeform")  # where the person works from now on
+    dialogs.to_open("image", "Open", "")
+    assert begun[-1] == str(elsewhere)
+
+
+def test_a_folder_is_remembered_for_the_next_window(make, document, session, asked, folders):
+    _, pictures, _ = folders
+    begun, answers = asked
+    answers.append(pictures / "flame.png")
+    make(document).to_open("image", "Open", "")
+    other = Document(session, "other", document)
+    make(other).to_open("image", "Open", "")
+    assert begun[1] == str(pictures)
+    make(other).to_open("design", "Open", "")
+    assert begun[2] != str(pictures)
+    pictures.rmdir()
+    make(other).to_open("image", "Open", "")
+    assert begun[3] == begun[2]  # a folder that is gone is none to begin in
+
+
+def test_an_image_for_the_target_is_asked_for(window, asked, folders):
+    _, pictures, _ = folders
+    begun, answers = asked
+    image = pictures / "wish.png"
+    Image.fromarray(np.eye(8, dtype=np.uint8) * 255).save(image)
+    answers.append(image)
+    choose(window.forms, "target.builtin", "image")
+    assert window.document.session.scene.target.image == str(image)
+    choose(window.forms, "target.builtin", "image")
+    assert begun[1] == str(pictures)

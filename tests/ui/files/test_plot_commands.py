@@ -1,0 +1,68 @@
+"""Commands for plots and for the colours of light, in the window."""
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QMainWindow
+
+from ui.commands.actions import Commands
+from ui.commands.colour_choice import keep_colours
+from ui.commands.table import COLOURS
+from workbench.pictures.maps import UNSIGNED
+
+
+@pytest.fixture
+def window(display, window):
+    window.build()
+    return window
+
+
+def test_there_is_a_command_for_each_choice_of_colours():
+    assert tuple(COLOURS.values()) == UNSIGNED
+
+
+def test_colours_reach_all_views_and_the_next_window(window, settings, qtbot):
+    assert window.commands["colours_inferno"].isChecked()
+    window.commands["colours_cividis"].trigger()
+    assert window.bench.views.link.colours == window.bench.views.scene._colours == "cividis"
+    irradiance = window.bench.views.docked["irradiance"]
+    qtbot.waitUntil(lambda: not irradiance.empty, timeout=30_000)
+    shown = irradiance._image.artists[0]
+    qtbot.waitUntil(lambda: shown.get_cmap().name == "cividis")
+    assert settings.value("view/colours") == "cividis"
+    other, told = QMainWindow(), []
+    qtbot.addWidget(other)
+    commands = Commands(other)
+    commands.connect_choices({"colours_cividis": lambda: told.append("cividis")})
+    keep_colours(settings, commands)
+    assert told == ["cividis"] and commands["colours_cividis"].isChecked()
+
+
+def test_colours_that_are_not_known_are_left_out(settings, qtbot):
+    settings.setValue("view/colours", "jet")
+    window = QMainWindow()
+    qtbot.addWidget(window)
+    commands = Commands(window)
+    keep_colours(settings, commands)
+    assert commands["colours_inferno"].isChecked()
+
+
+def test_the_plot_on_show_is_copied_by_a_key(window, qtbot):
+    view = window.bench.views.docked["irradiance"]
+    qtbot.waitUntil(lambda: not view.empty, timeout=30_000)
+    QGuiApplication.clipboard().clear()
+    keys = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier
+    qtbot.keyClick(window, Qt.Key.Key_C, keys)
+    assert not QGuiApplication.clipboard().image().isNull()
+    assert [action.text() for action in view._canvas.actions()] == ["Copy &plot", "Save p&lot…"]
+
+
+def test_a_line_that_is_drawn_brings_its_cross_section(window, qtbot):
+    dock, link = window.workspace.docks["section"], window.bench.views.link
+    assert not dock.isVisible()
+    link.drawn.emit(((-0.5, 0.0), (0.5, 0.25)))
+    qtbot.waitUntil(dock.isVisible)
+    assert link.line == ((-0.5, 0.0), (0.5, 0.25))
+    section = window.bench.views.docked["section"]
+    qtbot.waitUntil(lambda: not section.empty, timeout=30_000)
+    assert section._curves._axes.get_xlabel() == "distance (cm)"

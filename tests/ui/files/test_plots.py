@@ -1,0 +1,127 @@
+"""Plots are copied and saved, whichever was clicked or reached last."""
+
+import csv
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QAction, QGuiApplication, QImage
+from PySide6.QtWidgets import QHBoxLayout, QWidget
+
+from ui.document.document import Document
+from ui.files.dialogs import FileDialogs
+from ui.files.plots import Plots
+from ui.views.irradiance_view import IrradianceView
+from ui.views.loss_view import LossView
+from ui.views.surface_view import SurfaceView
+from ui.widgets.message_bar import MessageBar
+
+
+@pytest.fixture
+def frame(frames):
+    return frames(3, irradiance=np.arange(1024.0).reshape(32, 32) / 1000)
+
+
+@pytest.fixture
+def views(frame, show, qtbot):
+    window = QWidget()
+    views = {"irradiance": IrradianceView(), "loss": LossView(), "surface": SurfaceView()}
+    row = QHBoxLayout(window)
+    for view in views.values():
+        row.addWidget(view)
+        view.show_frame(frame)
+    show(window, 1000, 300)
+    window.activateWindow()
+    qtbot.waitUntil(lambda: not any(view.empty for view in views.values()))
+    yield views  # the window lives as long
+
+
+@pytest.fixture
+def plots(views, session, settings, qtbot):
+    messages = MessageBar()
+    qtbot.addWidget(messages)
+    window = next(iter(views.values())).window()
+    document = Document(session, "lens", window)
+    dialogs = FileDialogs(document, settings, window)
+    plots = Plots(views, document, messages, dialogs, window)
+    yield plots
+    plots.close()
+
+
+def test_the_picture_of_the_plot_that_was_clicked_is_copied(plots, views, qtbot):
+    qtbot.mouseClick(views["loss"]._canvas, Qt.MouseButton.LeftButton, pos=QPoint(5, 5))
+    plots.copy()
+    image = QGuiApplication.clipboard().image()
+    canvas = views["loss"]._canvas
+    assert abs(image.width() - 2 * canvas.width()) <= 2  # sharper than on the screen
+    assert image.pixelColor(1, 1).name() == "#ffffff"  # on paper, whatever the theme
+    assert "loss" in plots._messages.text
+
+
+def test_the_view_looks_as_before(plots, views):
+    before = views["surface"].grab().toImage()
+    plots._last = "surface"
+    plots.copy()
+    assert views["surface"].grab().toImage() == before
+
+
+def test_pictures_are_saved(plots, tmp_path):
+    plots.save("irradiance", tmp_path / "light.png")
+    assert QImage(str(tmp_path / "light.png")).width() > 300
+    plots.save("loss", tmp_path / "loss.SVG")
+    assert ElementTree.parse(tmp_path / "loss.SVG").getroot().tag.endswith("svg")
+
+
+def test_numbers_are_saved(plots, views, frame, tmp_path, qtbot):
+    with qtbot.waitSignal(plots._background.done):
+        plots.save("irradiance", tmp_path / "light.csv")
+    with open(tmp_path / "light.csv", encoding="utf-8") as file:
+        header, *rows = csv.reader(file)
+    assert header == ["x [cm]", "y [cm]", "irradiance [flux / cm^2]"]
+    values = np.array(rows, dtype=float)[:, 2]
+    np.testing.assert_allclose(values, frame.snapshot.irradiance.ravel())
+
+
+def test_what_cannot_be_written_is_told(plots, tmp_path):
+    plots.save("loss", tmp_path / "missing" / "loss.png")
+    assert "missing" in plots._messages.text
+    plots.save("loss", tmp_path / "loss.bmp")
+    assert plots._messages.text == "loss.bmp: a plot is saved as one of .png, .svg, .csv"
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_plot_out_of_sight_gives_way_to_one_that_is_seen(plots, views):
+    plots._touch("surface")
+    views["surface"].hide()
+    assert plots._current() == "irradiance"
+    for view in views.values():
+        view.hide()
+    plots.copy()
+    assert "no plot to be seen" in plots._messages.text
+
+
+def test_the_keyboard_reaches_plots(plots, views, qtbot):
+    views["surface"]._canvas.setFocus(Qt.FocusReason.TabFocusReason)
+    assert plots._current() == "surface"
+
+
+def test_a_menu_on_the_plot_offers_the_commands(plots, views, qtbot):
+    action = QAction("Copy", plots)
+    plots.offer([action])
+    for view in views.values():
+        assert view._canvas.actions() == [action]
+        assert view._canvas.contextMenuPolicy() == Qt.ContextMenuPolicy.ActionsContextMenu
+
+
+def test_the_axes_of_the_loss_are_chosen_in_its_menu(views, frame, qtbot):
+    loss = views["loss"]
+    axes = lambda: loss._canvas.figure.axes[0]  # noqa: E731
+    against_seconds = loss._against.actions()[1]
+    against_seconds.trigger()
+    qtbot.waitUntil(lambda: axes().get_xlabel() == "time (s)")
+    np.testing.assert_allclose(loss._picture.artists[0].get_xdata(), frame.times)
+    log_x, log_y = loss._logarithmic
+    log_x.trigger()
+    log_y.trigger()
+    qtbot.waitUntil(lambda: (axes().get_xscale(), axes().get_yscale()) == ("log", "linear"))

@@ -1,0 +1,389 @@
+"""Unsaved work outlives a program that is not closed."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt, QTimer
+from PySide6.QtWidgets import QApplication, QMessageBox, QPushButton
+
+from tests.ui.hands import move_screen
+from ui.document.document import Document, OnDisk
+from ui.files import left_behind
+from ui.files.left_behind import Choice
+from ui.files.recovery import Recovery
+from workbench.errors import Refused
+from workbench.files.atomic import replacing
+from workbench.files.session import read_session, write_session
+
+pytestmark = pytest.mark.usefixtures("kernels")
+
+
+@pytest.fixture
+def keeping(document, tmp_path):
+    recoveries = []
+
+    def make():
+        recovery = Recovery(document, tmp_path / "recovery")
+        recoveries.append(recovery)
+        recovery.start()
+        return recovery
+
+    yield make
+    for recovery in recoveries:
+        recovery.close()
+
+
+def kept(recovery):
+    return sorted(file.name for file in recovery.folder.glob("*.freeform"))
+
+
+def crash(recovery):
+    """Let go of the lock, as the end of the process does."""
+    recovery._timer.stop()
+    recovery._lock.unlock()
+    recovery._closed = True
+
+
+def test_only_what_is_not_saved_is_kept(document, keeping, tmp_path):
+    recovery = keeping()
+    assert not recovery.keep_now() and not kept(recovery)
+    move_screen(document, 7)
+    assert recovery.keep_now()
+    assert read_session(recovery._file).scene.screen.z == 7
+    move_screen(document, 8)
+    recovery.keep_now()
+    assert read_session(recovery._file).scene.screen.z == 8
+    document.save(tmp_path / "mine.freeform")
+    recovery.keep_now()
+    assert [file.suffix for file in recovery.folder.iterdir()] == [".lock"]
+
+
+def test_how_it_is_looked_at_is_kept_as_of_then(document, keeping):
+    recovery = keeping()
+    recovery.look = lambda: {"on": ["target_log"]}
+    move_screen(document, 7)
+    recovery.keep_now()
+    assert read_session(recovery._file).view == {"on": ["target_log"]}
+
+
+def test_it_is_kept_every_minute(document, keeping, qtbot):
+    recovery = keeping()
+    assert recovery._timer.isActive() and recovery._timer.interval() == 60_000
+    move_screen(document, 7)
+    recovery._timer.timeout.emit()
+    qtbot.waitUntil(lambda: bool(kept(recovery)))
+
+
+def test_what_is_kept_is_not_written_again(document, keeping):
+    recovery = keeping()
+    move_screen(document, 7)
+    recovery.keep_now()
+    recovery._file.unlink()
+    recovery.keep_now()
+    assert not kept(recovery)
+
+
+def test_closing_leaves_nothing(document, keeping):
+    recovery = keeping()
+    move_screen(document, 7)
+    recovery.keep_now()
+    recovery.close()
+    assert list(recovery.folder.iterdir()) == []
+
+
+def test_a_signal_leaves_it_for_the_next_start(document, keeping):
+    recovery = keeping()
+    move_screen(document, 7)
+    recovery.close(leave=True)
+    recovery.close()
+    (work,) = left_behind.find(recovery.folder)
+    assert read_session(work.file).scene.screen.z == 7
+    assert work.about.ended
+    work.put_back()
+
+
+def test_what_a_kill_broke_off_goes_with_the_work(document, tmp_path):
+    file = tmp_path / "work.freeform"
+    with replacing(file) as half:
+        half.write(b"half")
+    file.rename(half.name)
+    write_session(document.session, tmp_path / "whole")
+    (tmp_path / "whole").rename(file)
+    assert len(list(tmp_path.iterdir())) == 2
+    (work,) = left_behind.find(tmp_path)
+    work.remove()
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_work_of_an_open_window_is_not_offered(document, keeping):
+    recovery = keeping()
+    move_screen(document, 7)
+    recovery.keep_now()
+    assert left_behind.find(recovery.folder) == []
+    crash(recovery)
+    (work,) = left_behind.find(recovery.folder)
+    assert left_behind.find(recovery.folder) == []  # nor to two at once
+    work.put_back()
+    (work,) = left_behind.find(recovery.folder)
+    work.remove()
+    assert list(recovery.folder.iterdir()) == []
+
+
+def test_name_and_file_come_back_unsaved(document, keeping, tmp_path):
+    path = tmp_path / "mine.freeform"
+    document.save(path)
+    recovery = keeping()
+    move_screen(document, 7)
+    recovery.keep_now()
+    crash(recovery)
+    (work,) = left_behind.find(recovery.folder)
+    about = work.about
+    assert (about.name, about.path, about.ended) == ("mine", path, False)
+    other = Document(document.session, "other", document)
+    other.recover(read_session(work.file), about.name, about.path, about.fingerprint)
+    assert (other.name, other.path, other.dirty) == ("mine", path, True)
+    assert other.session.scene.screen.z == 7
+    assert other.on_disk(path) is OnDisk.KNOWN
+    other.save(path)
+    assert not other.dirty
+    work.remove()
+
+
+def test_a_file_changed_after_a_crash_is_asked_about(document, keeping, tmp_path):
+    path = tmp_path / "mine.freeform"
+    document.save(path)
+    recovery = keeping()
+    move_screen(document, 7)
+    recovery.keep_now()
+    crash(recovery)
+    write_session(document.session, path)
+    (work,) = left_behind.find(recovery.folder)
+    about = work.about
+    document.recover(read_session(work.file), about.name, about.path, about.fingerprint)
+    assert document.on_disk(path) is OnDisk.CHANGED
+    work.remove()
+
+
+def test_a_file_opened_after_a_recovery_is_not_modified(document, tmp_path):
+    path = tmp_path / "mine.freeform"
+    document.save(path)
+    document.recover(document.session, "lost", None, None)
+    assert document.dirty
+    document.open(path)
+    assert not document.dirty
+
+
+def test_damaged_words_about_work_leave_it_to_be_found(document, keeping):
+    recovery = keeping()
+    move_screen(document, 7)
+    recovery.keep_now()
+    crash(recovery)
+    left_behind.about_of(recovery._file).write_text('{"path": 3}')
+    (work,) = left_behind.find(recovery.folder)
+    assert work.about == left_behind.About("recovered")
+    work.remove()
+
+
+def test_a_full_disk_is_told_once(document, keeping, monkeypatch, qtbot):
+    def full(session, path):
+        raise Refused(str(path), "No space left on device")
+
+    monkeypatch.setattr("ui.files.recovery.write_session", full)
+    recovery, told = keeping(), []
+    recovery.failed.connect(told.append)
+    for z in (7, 8):
+        move_screen(document, z)
+        assert not recovery.keep_now()
+    qtbot.waitUntil(lambda: bool(told))
+    assert len(told) == 1 and "No space left" in told[0]
+
+
+def test_a_folder_that_cannot_be_changed_is_told_once_and_holds_nothing_up(
+    document, keeping, tmp_path, qtbot
+):
+    (tmp_path / "recovery").write_text("no folder")  # removing in it fails for any user
+    told = []
+    recovery = Recovery(document, tmp_path / "recovery")
+    recovery.failed.connect(told.append)
+    recovery.start()
+    recovery.keep()  # nothing is unsaved
+    move_screen(document, 7)
+    assert not recovery.keep_now()
+    recovery.close(leave=True)
+    assert len(told) == 1
+
+
+def test_work_that_cannot_be_removed_is_offered_again(document, keeping, monkeypatch):
+    recovery = keeping()
+    move_screen(document, 7)
+    recovery.keep_now()
+    crash(recovery)
+
+    def refuse(path, missing_ok=False):
+        raise OSError(30, "Read-only file system")
+
+    monkeypatch.setattr(left_behind, "ask", lambda work, window: Choice.DISCARD)
+    with monkeypatch.context() as read_only:
+        read_only.setattr("pathlib.Path.unlink", refuse)
+        assert not left_behind.offer(left_behind.find(recovery.folder), lambda work: False, None)
+    (work,) = left_behind.find(recovery.folder)
+    work.remove()
+
+
+def test_the_lens_of_a_run_is_kept_before_it_ends(display, window, tmp_path, qtbot):
+    window.build()
+    scene = window.document.session.scene
+    run = scene.run.model_copy(update={"iterations": 100_000})
+    window.document.edit(scene.model_copy(update={"run": run}), "run", "")
+    recovery = Recovery(window.document, tmp_path / "recovery", window)
+    recovery.start()
+    recovery.follow(window.bench.control)
+    window.start()
+    qtbot.waitUntil(lambda: recovery._frame is not None, timeout=60_000)
+    frame = recovery._frame
+    assert recovery.keep_now()
+    found = read_session(recovery._file).result
+    assert found.iterations >= frame.snapshot.iteration
+    np.testing.assert_array_equal(found.losses, recovery._kept.result.losses)
+    window.bench.control.runner.stop()
+    qtbot.waitUntil(lambda: not window.bench.control.busy, timeout=60_000)
+    assert recovery._frame is None
+    recovery._join()
+    ended = read_session(recovery._file).result
+    np.testing.assert_array_equal(
+        ended.control_points, window.document.session.result.control_points
+    )
+    recovery.close()
+
+
+@pytest.mark.parametrize(
+    ("button", "choice"),
+    [("Recover", Choice.RECOVER), ("Discard", Choice.DISCARD), ("Ask later", Choice.LATER)],
+)
+def test_the_question_has_three_answers(window, document, keeping, qtbot, button, choice):
+    recovery = keeping()
+    move_screen(document, 7)
+    recovery.keep_now()
+    crash(recovery)
+    (work,) = left_behind.find(recovery.folder)
+    told = []
+
+    def answer():
+        box = next(w for w in QApplication.topLevelWidgets() if isinstance(w, QMessageBox))
+        told.append(box.text())
+        buttons = {b.text().replace("&", ""): b for b in box.findChildren(QPushButton)}
+        qtbot.mouseClick(buttons[button], Qt.MouseButton.LeftButton)
+
+    QTimer.singleShot(200, answer)
+    assert left_behind.ask(work, window) is choice
+    assert "small" in told[0] and "not closed" in told[0]
+    work.remove()
+
+
+def test_work_kept_when_the_system_ended_the_program_is_no_alarm(window, document, keeping, qtbot):
+    recovery = keeping()
+    move_screen(document, 7)
+    recovery.close(leave=True)
+    (work,) = left_behind.find(recovery.folder)
+    boxes = []
+
+    def answer():
+        box = next(w for w in QApplication.topLevelWidgets() if isinstance(w, QMessageBox))
+        boxes.append((box.text(), box.icon()))
+        assert box.textFormat() is Qt.TextFormat.PlainText
+        qtbot.keyClick(box, Qt.Key.Key_Escape)
+
+    QTimer.singleShot(200, answer)
+    assert left_behind.ask(work, window) is Choice.LATER
+    ((text, icon),) = boxes
+    assert "told to end" in text and "not closed" not in text
+    assert icon is QMessageBox.Icon.Information
+    work.remove()
+
+
+def test_each_is_asked_about(document, keeping, monkeypatch):
+    works = []
+    for z in (7, 8, 9, 10):
+        recovery = keeping()
+        move_screen(document, z)
+        recovery.keep_now()
+        os.utime(recovery._file, (z, z))
+        crash(recovery)
+    works = left_behind.find(recovery.folder)
+    assert [read_session(work.file).scene.screen.z for work in works] == [10, 9, 8, 7]
+    choices = iter([Choice.DISCARD, Choice.RECOVER, Choice.LATER, Choice.RECOVER])
+    monkeypatch.setattr(left_behind, "ask", lambda work, window: next(choices))
+    opened = []
+    assert left_behind.offer(works, lambda work: not opened.append(work), None)
+    assert opened == [works[1], works[3]]
+    (rest,) = left_behind.find(recovery.folder)
+    assert read_session(rest.file).scene.screen.z == 8
+    rest.remove()
+
+
+BEGIN = (
+    "import sys; from PySide6.QtCore import QTimer; import ui.app, ui.files.recovery as r\n"
+    "start = r.Recovery.start\n"
+    "def started(self):\n"
+    "    start(self)\n"
+    "    scene = self._document.session.scene\n"
+    "    screen = scene.screen.model_copy(update={'z': 7.5})\n"
+    "    self._document.edit(scene.model_copy(update={'screen': screen}), 'edit', '')\n"
+    "    print(self.keep_now(), flush=True)\n"
+    "r.Recovery.start = started\n"
+    "sys.exit(ui.app.main([]))"
+)
+AGAIN = (
+    "import sys; import ui.app, ui.files.left_behind as l, ui.main_window as m\n"
+    "l.ask = lambda work, window: l.Choice.RECOVER\n"
+    "recover = m.FileActions.recover\n"
+    "def told(self, *a):\n"
+    "    done = recover(self, *a)\n"
+    "    document = self._document\n"
+    "    print(document.session.scene.screen.z, document.name, document.dirty, flush=True)\n"
+    "    return done\n"
+    "m.FileActions.recover = told\n"
+    "sys.exit(ui.app.main([]))"
+)
+
+
+def first_line(script, number, folder):
+    """What a program told before it got a signal."""
+    process = subprocess.Popen(
+        [sys.executable, "-c", script],
+        env={**os.environ, "XDG_CONFIG_HOME": str(folder)},
+        stdout=subprocess.PIPE,
+        text=True,
+    )
+    line = process.stdout.readline()
+    time.sleep(0.2)
+    process.send_signal(number)
+    process.communicate(timeout=120)
+    return line
+
+
+needs_display = pytest.mark.skipif(not os.environ.get("DISPLAY"), reason="needs a display")
+
+
+@needs_display
+def test_after_a_kill_the_work_is_found(tmp_path):
+    assert first_line(BEGIN, signal.SIGKILL, tmp_path) == "True\n"
+    (folder,) = tmp_path.rglob("recovery")
+    (work,) = left_behind.find(folder)
+    assert (work.about.name, work.about.path) == ("tophat", None)
+    session = read_session(work.file)
+    assert session.scene.screen.z == 7.5 and session.view["layout"]
+    work.remove()
+
+
+@needs_display
+@pytest.mark.slow
+def test_after_a_kill_each_next_start_has_the_work(tmp_path):
+    assert first_line(BEGIN, signal.SIGKILL, tmp_path) == "True\n"
+    assert first_line(AGAIN, signal.SIGTERM, tmp_path) == "7.5 tophat True\n"
+    assert first_line(AGAIN, signal.SIGKILL, tmp_path) == "7.5 tophat True\n"

@@ -1,0 +1,99 @@
+"""The tour and the table of shortcuts, by keyboard in the real window."""
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QKeySequence
+
+from ui.commands.shortcuts import Shortcuts
+from ui.commands.table import COMMANDS
+from ui.help.tour import STOPS, Bubble
+
+
+@pytest.fixture
+def bubble(window, qtbot):
+    window.commands["tour"].trigger()
+    bubble = window.findChild(Bubble)
+    qtbot.waitUntil(bubble.isVisible)
+    return bubble
+
+
+def test_it_goes_from_stop_to_stop_and_back_by_keyboard(window, bubble, qtbot):
+    assert bubble._title.text() == STOPS[0].title
+    assert not bubble.back.isEnabled() and bubble.on.hasFocus()
+    titles = []
+    for _ in STOPS:
+        titles.append(bubble._title.text())
+        qtbot.waitUntil(bubble.on.hasFocus)
+        if len(titles) < len(STOPS):
+            qtbot.keyClick(bubble.on, Qt.Key.Key_Return)
+    assert titles == [stop.title for stop in STOPS]
+    assert bubble.on.text() == "&Done" and not bubble.end.isVisible()
+    qtbot.keyClick(bubble.on, Qt.Key.Key_Backtab)
+    assert bubble.back.hasFocus()
+    qtbot.keyClick(bubble.back, Qt.Key.Key_Space)
+    assert bubble._title.text() == STOPS[-2].title
+    bubble.on.setFocus()
+    qtbot.keyClick(bubble.on, Qt.Key.Key_Space)
+    assert bubble._title.text() == STOPS[-1].title
+    gone = []
+    bubble.destroyed.connect(lambda: gone.append(True))
+    qtbot.keyClick(bubble.on, Qt.Key.Key_Space)
+    qtbot.waitUntil(lambda: bool(gone))
+    assert window.findChild(Bubble) is None
+
+
+def test_escape_ends_it_and_it_can_begin_again(window, bubble, qtbot):
+    gone = []
+    bubble.destroyed.connect(lambda: gone.append(True))
+    qtbot.keyClick(bubble.on, Qt.Key.Key_Escape)
+    qtbot.waitUntil(lambda: bool(gone))
+    window.commands["tour"].trigger()
+    assert window.findChild(Bubble) is not None
+
+
+def test_it_stands_in_the_window_and_off_what_it_points_at(window, bubble, qtbot):
+    for stop in STOPS:
+        place = window.help._place(stop.place)
+        qtbot.waitUntil(lambda s=stop: bubble._title.text() == s.title and bubble.on.hasFocus())
+        qtbot.wait(20)
+        assert window.rect().contains(bubble.geometry())
+        if stop.place != "scene":
+            corner = place.mapTo(window, place.rect().topLeft())
+            assert not bubble.geometry().intersects(place.rect().translated(corner))
+        bubble.on.click()
+
+
+def test_hidden_docks_are_shown_for_their_stop_only(window, bubble, qtbot):
+    docks = window.workspace.docks
+    at = [stop.place for stop in STOPS].index("history")
+    assert not docks["history"].isVisible()
+    for _ in range(at):
+        bubble.on.click()
+    qtbot.waitUntil(lambda: not docks["history"].visibleRegion().isEmpty())
+    bubble.on.click()
+    assert not docks["history"].isVisible()
+
+
+def test_it_is_offered_once_and_never_forced(window, settings, qtbot):
+    window.help.offer_tour(settings)
+    assert "tour" in window.messages.text.lower() and window.findChild(Bubble) is None
+    qtbot.mouseClick(window.messages.buttons[0], Qt.MouseButton.LeftButton)
+    assert window.findChild(Bubble) is not None
+    window.messages.clear()
+    window.help.offer_tour(settings)
+    assert not window.messages.isVisible()
+
+
+def test_all_shortcuts_are_listed_and_found_by_name_or_key(window, qtbot):
+    qtbot.keyClick(window, Qt.Key.Key_F1, Qt.KeyboardModifier.ControlModifier)
+    dialog = window.findChild(Shortcuts)
+    table = dialog._table
+    rows = [table.topLevelItem(k) for k in range(table.topLevelItemCount())]
+    keys = {row.text(1) for row in rows}
+    wanted = {QKeySequence(c.shortcut).toString() for c in COMMANDS.values() if c.shortcut}
+    assert wanted <= keys
+    for typed, found in (("contin", "Run → Continue"), ("shift+f5", "Run → Continue")):
+        dialog._field.clear()
+        qtbot.keyClicks(dialog._field, typed)
+        assert [row.text(0) for row in rows if not row.isHidden()] == [found]
+    dialog.reject()

@@ -1,0 +1,642 @@
+"""Hands on the lens, by events of the mouse over the 3D view."""
+
+import numpy as np
+import pytest
+import torch
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtGui import QFocusEvent, QGuiApplication, QImage, QKeyEvent, QMouseEvent, QWheelEvent
+from PySide6.QtWidgets import QApplication, QMainWindow
+
+from tests.ui.hands import move_screen
+from ui.document.document import Document
+from ui.files.scene_pictures import ScenePictures
+from ui.lens.tools import LensTools
+from ui.run.control import RunControl
+from ui.views.scene_view import SceneView
+from workbench.design.evaluation import undesigned
+from workbench.optics.plan import Plan
+from workbench.scene import Scene
+
+pytestmark = pytest.mark.usefixtures("kernels")
+
+LEFT = Qt.MouseButton.LeftButton
+POINT = {"kind": "point", "position": [0.0, 0.0, -3.0], "rays": 4096}
+GRID = {
+    "kind": "grid",
+    "center": [0.0, 0.0, -3.0],
+    "half_width": [0.5, 0.5],
+    "points": [5, 5],
+    "rays": 64,
+}
+
+
+class Bench:
+    """The 3D view with its tools, a document and its runs, and no more of the window."""
+
+    def __init__(self, session):
+        self.document = Document(session, "by hand")
+        self.window = QMainWindow()
+        self.document.setParent(self.window)
+        self.view = SceneView()
+        self.window.setCentralWidget(self.view)
+        self.window.resize(640, 480)
+        self.control = RunControl(self.document, self.window)
+        self.tools = LensTools(self.document, self.control, self.view, self.window)
+        self.commands = self.tools.slots()
+        self.said, self.put_away = [], []
+        self.tools.said.connect(self.said.append)
+        self.view.let_go.connect(lambda: self.put_away.append(True))
+        self.view.show_design(session)
+        self.document.session_changed.connect(self.view.show_design)
+        self.control.runner.frame_ready.connect(self.view.show_frame)
+
+    def close(self):
+        self.control.close()
+        self.tools.close()
+        self.view.close_plotter()
+
+    def heights(self):
+        found = self.document.session.control_points
+        return undesigned(self.document.session.scene.lens) if found is None else found
+
+
+@pytest.fixture
+def at_bench(display, make_session, qtbot):
+    def at_bench(changes=None):
+        bench = Bench(make_session(changes))
+        qtbot.addWidget(bench.window, before_close_func=lambda _: bench.close())
+        with qtbot.waitExposed(bench.window):
+            bench.window.show()
+        # Until the first preview is drawn there is nothing to take hold of.
+        view = bench.view
+        qtbot.waitUntil(lambda: view.frame is not None and view.lens is not None, timeout=60_000)
+        qtbot.waitUntil(lambda: not view._dated)
+        return bench
+
+    return at_bench
+
+
+@pytest.fixture
+def bench(at_bench):
+    return at_bench()
+
+
+@pytest.fixture
+def sculpting(bench, qtbot):
+    bench.commands["sculpt"]()
+    qtbot.waitUntil(lambda: bench.view.net._shown)
+    return bench
+
+
+def seen_at(view, place):
+    """Where a place of the scene is seen, as Qt counts."""
+    ((x, y),) = view.sight.pixels(np.array([place]))
+    scale = view.devicePixelRatioF()
+    return QPoint(round(x / scale), view._plotter.height() - 1 - round(y / scale))
+
+
+class Drag:
+    """A drag over the 3D view that the test begins, moves and ends."""
+
+    def __init__(self, qtbot, view, start):
+        self._qtbot, self._plotter, self.at = qtbot, view._plotter, start
+        qtbot.mousePress(self._plotter, LEFT, pos=start)
+
+    def move(self, by, keys=Qt.KeyboardModifier.NoModifier):
+        self.at = self.at + by
+        place = QPointF(self.at)
+        QApplication.sendEvent(
+            self._plotter,
+            QMouseEvent(
+                QEvent.Type.MouseMove,
+                place,
+                self._plotter.mapToGlobal(place),
+                Qt.MouseButton.NoButton,
+                LEFT,
+                keys,
+            ),
+        )
+
+    def release(self):
+        self._qtbot.mouseRelease(self._plotter, LEFT, pos=self.at)
+
+
+@pytest.fixture
+def drag(qtbot):
+    return lambda view, start: Drag(qtbot, view, start)
+
+
+def control_point(bench, index):
+    return seen_at(bench.view, bench.view.net.places[index])
+
+
+def upwards(view, length):
+    """Pixels, as Qt counts, that lead so far along z."""
+    there = seen_at(view, (0, 0, 0.5 + length)) - seen_at(view, (0, 0, 0.5))
+    assert there.manhattanLength() > 1
+    return there
+
+
+def test_dragging_a_point_is_one_step_with_its_light(sculpting, drag, qtbot):
+    bench, view, document = sculpting, sculpting.view, sculpting.document
+    bench.commands["brush_smaller"]()
+    bench.commands["brush_smaller"]()
+    frames, flat = [], view.frame
+    bench.control.runner.frame_ready.connect(frames.append)
+    camera = view._plotter.camera_position
+    held = drag(view, control_point(bench, (6, 5)))
+    for _ in range(4):
+        held.move(upwards(view, 0.05))
+    qtbot.waitUntil(lambda: bool(frames), timeout=20_000)
+    assert document.session.result is None  # not yet a step
+    assert frames[-1].snapshot.control_points[6, 5] > 0.5
+    held.release()
+    qtbot.waitUntil(lambda: document.session.result is not None, timeout=20_000)
+    result = document.session.result
+    np.testing.assert_array_equal(np.argwhere(result.control_points != 0.5), [[6, 5]])
+    assert result.control_points[6, 5] == pytest.approx(0.7, abs=0.06)
+    assert document.undo_stack.count() == 1
+    assert document.undo_stack.undoText() == "move control points"
+    assert view._plotter.camera_position == camera
+    assert result.iterations == 0 and 0 < result.loss < 1
+    # Light and account are those of this lens.
+    scene = document.session.scene
+    traced = Plan(scene).trace(torch.tensor(result.control_points)).ledger
+    assert result.ledger.to_data() == pytest.approx(traced.to_data(), abs=5e-3)
+    # A filter spreads some light of the outer pixels over the rim.
+    flux = result.irradiance.sum() * scene.screen.pixel_area
+    assert flux == pytest.approx(traced.on_screen, rel=0.05)
+    assert np.ptp(result.irradiance) > 5 * np.ptp(flat.snapshot.irradiance[4:-4, 4:-4])
+    document.undo_stack.undo()
+    assert document.session.result is None
+
+
+def test_shift_moves_finely_and_esc_takes_back(sculpting, drag, qtbot):
+    bench, view = sculpting, sculpting.view
+    held = drag(view, control_point(bench, (6, 5)))
+    held.move(upwards(view, 0.2), Qt.KeyboardModifier.ShiftModifier)
+    qtbot.waitUntil(lambda: view.frame.snapshot.control_points[6, 5] > 0.5, timeout=20_000)
+    assert view.frame.snapshot.control_points[6, 5] == pytest.approx(0.51, abs=0.002)
+    qtbot.waitUntil(lambda: "Moved by +0.0" in view._hint.text())
+    qtbot.keyClick(view._plotter, Qt.Key.Key_Escape)
+    qtbot.waitUntil(lambda: view.frame.snapshot.control_points[6, 5] == 0.5, timeout=20_000)
+    held.release()
+    assert bench.document.undo_stack.count() == 0 and not bench.put_away
+    qtbot.keyClick(view._plotter, Qt.Key.Key_Escape)
+    assert bench.put_away
+
+
+def test_the_brush_takes_a_smooth_bump_and_stays_in_range(sculpting, drag, qtbot):
+    bench, view = sculpting, sculpting.view
+    for _ in range(3):
+        bench.commands["brush_larger"]()
+    held = drag(view, control_point(bench, (6, 5)))
+    held.move(upwards(view, 0.1))
+    held.release()
+    qtbot.waitUntil(lambda: bench.document.session.result is not None, timeout=20_000)
+    found = bench.heights()
+    assert found.min() == 0.5
+    assert 10 < (found > 0.5).sum() < 120
+    assert found[6, 5] > found[8, 5] > found[9, 5]
+    held = drag(view, control_point(bench, (6, 5)))
+    held.move(upwards(view, 1.0))
+    held.release()
+    qtbot.waitUntil(lambda: bench.heights().max() > 0.7, timeout=20_000)
+    assert bench.heights().max() == pytest.approx(0.8)  # the end of the height range
+    assert bench.document.undo_stack.count() == 2
+
+
+def test_beside_the_lens_the_camera_turns(sculpting, drag):
+    view = sculpting.view
+    position = view._plotter.camera.position
+    held = drag(view, QPoint(3, 3))
+    held.move(QPoint(40, 30))
+    held.release()
+    assert view._plotter.camera.position != position
+    assert sculpting.document.undo_stack.count() == 0
+
+
+def wheel(view, place, keys):
+    event = QWheelEvent(
+        QPointF(place),
+        view._plotter.mapToGlobal(QPointF(place)),
+        QPoint(),
+        QPoint(0, 240),
+        Qt.MouseButton.NoButton,
+        keys,
+        Qt.ScrollPhase.NoScrollPhase,
+        False,
+    )
+    QApplication.sendEvent(view._plotter, event)
+
+
+def test_the_wheel_with_ctrl_is_the_brush_and_without_it_the_zoom(sculpting, qtbot):
+    view, camera = sculpting.view, sculpting.view._plotter.camera
+    place = control_point(sculpting, (6, 5))
+    move = QMouseEvent(
+        QEvent.Type.MouseMove,
+        QPointF(place),
+        view._plotter.mapToGlobal(QPointF(place)),
+        Qt.MouseButton.NoButton,
+        Qt.MouseButton.NoButton,
+        Qt.KeyboardModifier.NoModifier,
+    )
+    QApplication.sendEvent(view._plotter, move)
+    index, radius = view._brush
+    assert index == (6, 5)
+    scale = camera.parallel_scale
+    wheel(view, place, Qt.KeyboardModifier.ControlModifier)
+    assert view._brush[1] > 1.2 * radius and camera.parallel_scale == scale
+    qtbot.waitUntil(lambda: f"radius {view._brush[1]:.2g} cm" in view._hint.text())
+    wheel(view, place, Qt.KeyboardModifier.NoModifier)
+    assert camera.parallel_scale < scale
+    QApplication.sendEvent(view._plotter, QEvent(QEvent.Type.Leave))
+    assert view._brush is None
+
+
+def test_a_change_of_the_design_ends_the_drag(sculpting, drag, qtbot):
+    bench, view, document = sculpting, sculpting.view, sculpting.document
+    held = drag(view, control_point(bench, (6, 5)))
+    held.move(upwards(view, 0.1))
+    move_screen(document, 6)
+    held.move(upwards(view, 0.1))
+    held.release()
+    qtbot.waitUntil(lambda: view.frame.session is document.session, timeout=20_000)
+    assert document.undo_stack.count() == 1
+    assert (view.frame.snapshot.control_points == 0.5).all()
+
+
+def test_nothing_is_done_to_a_lens_that_is_not_shown_yet(sculpting, drag, qtbot):
+    bench, view, document = sculpting, sculpting.view, sculpting.document
+    data = document.session.scene.to_data()
+    other = Scene.from_data({**data, "lens": {**data["lens"], "control_points": [8, 8]}})
+    for tool in ("sculpt", "lock"):
+        bench.commands[tool]()
+        document.edit(other, "net", "")
+        held = drag(view, control_point(bench, (6, 5)))
+        held.move(upwards(view, 0.1))
+        held.release()
+        assert "no lens" in bench.said[-1] and document.session.locked is None
+        document.undo_stack.undo()
+    assert document.session.result is None
+
+
+def test_words_of_a_tool_leave_the_picture_as_it_is(bench, qtbot):
+    view = bench.view
+    qtbot.waitUntil(lambda: view._plotter is not None, timeout=30_000)
+    place = view._plotter.geometry()
+    bench.commands["sculpt"]()
+    view._hint.setText("as many words as it takes for some lines of them " * 5)
+    QApplication.processEvents()
+    assert view._hint.isVisible() and view._plotter.geometry() == place
+    assert view._hint.geometry().bottom() == place.bottom()
+    assert view._hint.height() >= view._hint.heightForWidth(place.width())
+
+
+def test_locked_points_do_not_move(sculpting, drag):
+    bench = sculpting
+    bench.commands["lock_all"]()
+    locked = bench.document.session.locked
+    assert locked.shape == (12, 10) and locked.all() and not locked.flags.writeable
+    held = drag(bench.view, control_point(bench, (6, 5)))
+    held.move(upwards(bench.view, 0.1))
+    held.release()
+    assert "locked" in bench.said[-1]
+    assert bench.document.session.result is None
+    bench.commands["unlock_all"]()
+    assert bench.document.session.locked is None
+    bench.commands["invert_locks"]()
+    assert bench.document.session.locked.all() and bench.document.undo_stack.count() == 3
+    bench.commands["lock_all"]()  # which they are
+    assert bench.document.undo_stack.count() == 3
+
+
+def test_painting_locks_and_unlocks(bench, drag, qtbot):
+    view, document = bench.view, bench.document
+    bench.commands["lock"]()
+    for _ in range(2):
+        bench.commands["brush_smaller"]()
+    qtbot.waitUntil(lambda: view.net._shown)
+    held = drag(view, control_point(bench, (3, 3)))
+    held.move(control_point(bench, (4, 3)) - held.at)
+    held.move(control_point(bench, (5, 3)) - held.at)
+    assert view.locked.sum() == 3 and document.session.locked is None
+    held.release()
+    np.testing.assert_array_equal(np.argwhere(document.session.locked), [[3, 3], [4, 3], [5, 3]])
+    assert document.undo_stack.undoText() == "lock points"
+    qtbot.waitUntil(lambda: view.net._locked is not None)
+    held = drag(view, control_point(bench, (4, 3)))
+    held.move(control_point(bench, (4, 4)) - held.at)
+    held.release()
+    np.testing.assert_array_equal(np.argwhere(document.session.locked), [[3, 3], [5, 3]])
+    held = drag(view, control_point(bench, (8, 8)))
+    qtbot.keyClick(view._plotter, Qt.Key.Key_Escape)
+    np.testing.assert_array_equal(np.argwhere(view.locked), [[3, 3], [5, 3]])
+    held.release()
+    document.undo_stack.undo()
+    document.undo_stack.undo()
+    assert document.session.locked is None and view.locked is None
+
+
+def test_hands_off_while_a_run_goes_on(sculpting, drag, qtbot):
+    bench, view = sculpting, sculpting.view
+    bench.control.start()
+    bench.control.toggle_pause()
+    held = drag(view, control_point(bench, (6, 5)))
+    held.move(upwards(view, 0.1))
+    held.release()
+    assert "Stop the run first" in bench.said[-1]
+    bench.commands["lock_all"]()
+    assert bench.document.session.locked is None
+    bench.control.runner.stop()
+    qtbot.waitUntil(lambda: not bench.control.busy, timeout=30_000)
+
+
+def test_the_source_follows_the_pointer_in_its_plane(at_bench, drag, qtbot):
+    bench = at_bench({"source": POINT})
+    view, document = bench.view, bench.document
+    bench.commands["move_source"]()
+    qtbot.waitUntil(lambda: view.handles._source is not None)
+    camera, start = view._plotter.camera_position, seen_at(view, (0.0, 0.0, -3.0))
+    there = seen_at(view, (0.3, -0.2, -3.0)) - start
+    held = drag(view, start)
+    held.move(there / 2)
+    held.move(there - there / 2)
+    x, y, z = document.session.scene.source.position
+    assert (x, y) == (pytest.approx(0.3, abs=0.05), pytest.approx(-0.2, abs=0.05)) and z == -3.0
+    assert x == round(x, 3)
+    held.release()
+    assert document.undo_stack.count() == 1
+    assert document.undo_stack.undoText() == "move the source"
+    qtbot.waitUntil(lambda: view.frame.source.position == (x, y, z), timeout=20_000)
+    # At rest the new design is shown; the camera has not moved.
+    qtbot.waitUntil(lambda: view.frame.session is document.session, timeout=20_000)
+    qtbot.waitUntil(lambda: view._shown is document.session)
+    assert view._plotter.camera_position == camera
+    # Along the axis, until the lens is in the way.
+    ctrl = Qt.KeyboardModifier.ControlModifier
+    start = seen_at(view, (x, y, z))
+    held = drag(view, start)
+    held.move(seen_at(view, (x, y, -2.0)) - start, ctrl)
+    assert document.session.scene.source.position[:2] == (x, y)
+    assert document.session.scene.source.position[2] == pytest.approx(-2.0, abs=0.05)
+    held.move(seen_at(view, (x, y, 3.0)) - start, ctrl)
+    assert document.session.scene.source.position[2] < 0
+    assert "source.position" in bench.said[-1]
+    qtbot.keyClick(view._plotter, Qt.Key.Key_Escape)
+    assert document.session.scene.source.position == (x, y, z)
+    held.release()
+    assert document.undo_stack.index() == 1
+    qtbot.waitUntil(lambda: view.frame.session is document.session, timeout=20_000)
+    assert view.frame.source.position == (x, y, z)
+    document.undo_stack.undo()
+    assert document.session.scene.source.position == (0.0, 0.0, -3.0)
+
+
+def test_a_corner_widens_the_grid_unless_exploded(at_bench, drag, qtbot):
+    bench = at_bench({"source": GRID})
+    view, corner = bench.view, (0.5, 0.5, -3.0)
+    bench.commands["move_source"]()
+    qtbot.waitUntil(lambda: view.handles._source is not None)
+    held = drag(view, seen_at(view, corner))
+    held.move(seen_at(view, (0.8, 0.6, -3.0)) - seen_at(view, corner))
+    held.release()
+    source = bench.document.session.scene.source
+    assert source.half_width == (pytest.approx(0.8, abs=0.05), pytest.approx(0.6, abs=0.05))
+    assert source.center == (0.0, 0.0, -3.0)
+    qtbot.waitUntil(lambda: view.frame.session is bench.document.session, timeout=20_000)
+    view.explode(True)
+    qtbot.waitUntil(lambda: view._shown is not None)
+    held = drag(view, seen_at(view, view.handles._dots._mesh.points[-1]))
+    held.move(QPoint(20, 5))
+    held.release()
+    assert bench.document.undo_stack.count() == 1
+    assert "to scale" in bench.said[-1]
+
+
+def test_keys_that_no_tool_takes_lead_the_camera(bench, qtbot):
+    view, camera = bench.view, bench.view._plotter.camera
+    fitted, scale = camera.position, camera.parallel_scale
+    qtbot.keyClick(view._plotter, Qt.Key.Key_Right)
+    turned = camera.position
+    assert turned[2] > fitted[2]  # nearer to the screen's side
+    qtbot.keyClick(view._plotter, Qt.Key.Key_Left)
+    assert camera.position == pytest.approx(fitted)
+    middle = camera.focal_point
+    qtbot.keyClick(view._plotter, Qt.Key.Key_Up, Qt.KeyboardModifier.ShiftModifier)
+    assert camera.focal_point[1] > middle[1]
+    bench.commands["sculpt"]()
+    middle = camera.focal_point
+    qtbot.keyClick(view._plotter, Qt.Key.Key_Up)
+    assert view._brush and camera.focal_point == middle
+    qtbot.keyClick(view._plotter, Qt.Key.Key_Plus)
+    assert camera.parallel_scale == pytest.approx(scale / 1.25)
+    assert not view._picture.fitted
+    qtbot.keyClick(view._plotter, Qt.Key.Key_Home)
+    assert camera.position == pytest.approx(fitted) and view._picture.fitted
+
+
+def test_arrows_move_the_brush_from_where_it_was(sculpting, qtbot):
+    view = sculpting.view
+    qtbot.keyClick(view._plotter, Qt.Key.Key_Right)
+    assert view._brush[0] == (7, 5)  # from the middle
+    for _ in range(6):
+        qtbot.keyClick(view._plotter, Qt.Key.Key_Up)
+    assert view._brush[0] == (7, 9)
+    qtbot.waitUntil(lambda: view._hand._held is None)
+    qtbot.mouseMove(view._plotter, control_point(sculpting, (3, 4)))
+    qtbot.waitUntil(lambda: view._brush[0] == (3, 4))
+    QApplication.sendEvent(view._plotter, QEvent(QEvent.Type.Leave))
+    assert view._brush is None
+    qtbot.keyClick(view._plotter, Qt.Key.Key_Down)
+    qtbot.keyClick(view._plotter, Qt.Key.Key_Left)
+    assert view._brush[0] == (2, 3)
+    qtbot.waitUntil(lambda: view.net._brush == view._brush)  # it is seen
+    sculpting.commands["turn"]()
+    assert view._brush is None
+
+
+def test_a_brush_beyond_another_net_is_not_drawn(sculpting, qtbot):
+    view, document = sculpting.view, sculpting.document
+    for _ in range(6):
+        qtbot.keyClick(view._plotter, Qt.Key.Key_Right)
+    assert view._brush[0] == (11, 5)
+    data = document.session.scene.to_data()
+    coarse = {**data["lens"], "control_points": [8, 4]}
+    document.edit(Scene.from_data({**data, "lens": coarse}), "net", "")
+    qtbot.waitUntil(lambda: view._shown is document.session, timeout=20_000)
+    assert view.net._brush is None
+    qtbot.keyClick(view._plotter, Qt.Key.Key_Right)
+    assert view._brush[0] == (7, 3)
+
+
+def hold_key(view, key, times, as_repeats=True):
+    """A key that is pressed and repeats itself, and is not released yet."""
+    for time in range(times):
+        for kind in (QEvent.Type.KeyRelease, QEvent.Type.KeyPress)[time == 0 :]:
+            again = as_repeats and time > 0
+            event = QKeyEvent(kind, key, Qt.KeyboardModifier.NoModifier, "", again)
+            QApplication.sendEvent(view._plotter, event)
+
+
+@pytest.mark.parametrize("as_repeats", [True, False], ids=["told as repeats", "as on X11"])
+def test_a_held_key_is_one_step(sculpting, qtbot, as_repeats):
+    bench, view, document = sculpting, sculpting.view, sculpting.document
+    bench.commands["brush_smaller"]()
+    bench.commands["brush_smaller"]()
+    hold_key(view, Qt.Key.Key_PageUp, 10, as_repeats)
+    qtbot.waitUntil(lambda: view.frame.snapshot.control_points[6, 5] > 0.5, timeout=20_000)
+    qtbot.waitUntil(lambda: "Moved by +0.06 cm" in view._hint.text())
+    assert document.session.result is None
+    # Neither hand nor pointer is in its way.
+    qtbot.mouseMove(view._plotter, control_point(bench, (3, 4)))
+    QApplication.sendEvent(view._plotter, QEvent(QEvent.Type.Leave))
+    assert view._brush[0] == (6, 5)
+    qtbot.keyRelease(view._plotter, Qt.Key.Key_PageUp)
+    qtbot.waitUntil(lambda: document.session.result is not None, timeout=20_000)
+    np.testing.assert_array_equal(np.argwhere(bench.heights() != 0.5), [[6, 5]])
+    assert bench.heights()[6, 5] == pytest.approx(0.56)  # ten times 1/100 of 0.6
+    assert document.undo_stack.count() == 1
+    assert document.undo_stack.undoText() == "move control points"
+    qtbot.keyClick(view._plotter, Qt.Key.Key_PageDown, Qt.KeyboardModifier.ShiftModifier)
+    qtbot.waitUntil(lambda: document.undo_stack.count() == 2, timeout=20_000)
+    assert bench.heights()[6, 5] == pytest.approx(0.5597)
+    document.undo_stack.undo()
+    document.undo_stack.undo()
+    assert document.session.result is None
+
+
+def test_esc_takes_a_held_key_back_and_lost_focus_lets_it_go(sculpting, qtbot):
+    bench, view, document = sculpting, sculpting.view, sculpting.document
+    hold_key(view, Qt.Key.Key_PageDown, 3)
+    qtbot.waitUntil(lambda: view.frame.snapshot.control_points.min() < 0.5, timeout=20_000)
+    qtbot.keyClick(view._plotter, Qt.Key.Key_Escape)
+    qtbot.waitUntil(lambda: (view.frame.snapshot.control_points == 0.5).all(), timeout=20_000)
+    again = QKeyEvent(
+        QEvent.Type.KeyPress, Qt.Key.Key_PageDown, Qt.KeyboardModifier.NoModifier, "", True
+    )
+    QApplication.sendEvent(view._plotter, again)  # it is held still
+    qtbot.keyRelease(view._plotter, Qt.Key.Key_PageDown)
+    qtbot.waitUntil(lambda: view._hand._held is None)
+    assert document.undo_stack.count() == 0 and not bench.put_away
+    hold_key(view, Qt.Key.Key_PageDown, 3)
+    QApplication.sendEvent(view._plotter, QFocusEvent(QEvent.Type.FocusOut))
+    qtbot.waitUntil(lambda: document.undo_stack.count() == 1, timeout=20_000)
+    assert bench.heights().min() == pytest.approx(0.482)
+
+
+def test_keys_are_refused_as_drags_are(sculpting, qtbot):
+    bench, view = sculpting, sculpting.view
+    bench.commands["lock_all"]()
+    hold_key(view, Qt.Key.Key_PageUp, 5)
+    qtbot.keyRelease(view._plotter, Qt.Key.Key_PageUp)
+    assert len(bench.said) == 1 and "locked" in bench.said[0]
+    assert bench.document.session.result is None
+
+
+def test_space_locks_and_unlocks_what_is_in_the_brush(bench, qtbot):
+    view, document = bench.view, bench.document
+    bench.commands["lock"]()
+    qtbot.waitUntil(lambda: view.net._shown)
+    hold_key(view, Qt.Key.Key_Space, 3)
+    assert view.locked.sum() == 9 and document.session.locked is None
+    qtbot.keyClick(view._plotter, Qt.Key.Key_Escape)
+    assert view.locked is None and not bench.put_away
+    qtbot.keyClick(view._plotter, Qt.Key.Key_Space)
+    qtbot.waitUntil(lambda: document.undo_stack.count() == 1)
+    locked = document.session.locked
+    assert locked[5:8, 4:7].all() and locked.sum() == 9
+    assert document.undo_stack.undoText() == "lock points"
+    qtbot.keyClick(view._plotter, Qt.Key.Key_Right)
+    qtbot.keyClick(view._plotter, Qt.Key.Key_Return)
+    qtbot.waitUntil(lambda: document.undo_stack.count() == 2)
+    locked = document.session.locked
+    assert locked[5, 4:7].all() and locked.sum() == 3
+    assert document.undo_stack.undoText() == "unlock points"
+
+
+def test_keys_move_the_source(at_bench, qtbot):
+    bench = at_bench({"source": POINT})
+    view, document = bench.view, bench.document
+    bench.commands["move_source"]()
+    qtbot.waitUntil(lambda: view.handles._source is not None)
+    hold_key(view, Qt.Key.Key_Right, 5)
+    qtbot.keyRelease(view._plotter, Qt.Key.Key_Right)
+    qtbot.keyClick(view._plotter, Qt.Key.Key_PageDown, Qt.KeyboardModifier.ShiftModifier)
+    assert document.session.scene.source.position == pytest.approx((0.1, 0.0, -3.002))
+    assert document.undo_stack.count() == 2
+    hold_key(view, Qt.Key.Key_Down, 2)
+    assert document.session.scene.source.position == pytest.approx((0.1, -0.04, -3.002))
+    qtbot.keyClick(view._plotter, Qt.Key.Key_Escape)
+    assert document.session.scene.source.position == pytest.approx((0.1, 0.0, -3.002))
+    assert document.undo_stack.index() == 2
+
+
+def test_projection_and_colours_of_rays_outlive_another_design(bench, qtbot):
+    view, document = bench.view, bench.document
+    view.see_in_perspective(True)
+    view.colour_rays(by_weight=True)
+    assert not view._plotter.camera.parallel_projection
+    data = document.session.scene.to_data()
+    farther = Scene.from_data({**data, "screen": {**data["screen"], "z": 9.0}})
+    old = view._picture
+    document.edit(farther, "distance", "z")
+    qtbot.waitUntil(lambda: view._picture is not old, timeout=20_000)
+    assert not view._plotter.camera.parallel_projection
+    assert view._picture._by_weight
+    view.see_in_perspective(False)
+    view.colour_rays(by_weight=False)
+    assert view._plotter.camera.parallel_projection and not view._picture._by_weight
+
+
+def test_in_the_window(display, make_session, open_window, tmp_path, drag, qtbot, monkeypatch):
+    """Commands, all views and the run, from a drag to what goes on from it."""
+    window = open_window(make_session({"run.iterations": 3}))
+    window.build()
+    view, commands, document = window.bench.views.scene, window.commands, window.document
+    qtbot.waitUntil(lambda: view.frame is not None and view.lens is not None, timeout=60_000)
+    commands["sculpt"].trigger()
+    qtbot.waitUntil(lambda: view.net._shown)
+    held = drag(view, seen_at(view, view.net.places[6, 5]))
+    held.move(upwards(view, 0.1))
+    held.release()
+    qtbot.waitUntil(lambda: document.session.result is not None, timeout=20_000)
+    shaped = document.session.control_points
+    for shows in window.bench.views.docked.values():
+        assert (shows._frame.snapshot.control_points == shaped).all()
+    qtbot.keyClick(view._plotter, Qt.Key.Key_Escape)
+    assert commands["turn"].isChecked()
+
+    frames = []
+    window.bench.control.runner.frame_ready.connect(frames.append)
+    commands["continue"].trigger()
+    assert not commands["lock_all"].isEnabled()
+    qtbot.waitUntil(lambda: window.bench.control.runner.state == "idle", timeout=60_000)
+    assert document.session.result.iterations > 0
+    np.testing.assert_allclose(frames[0].snapshot.control_points, shaped, atol=0.05)
+
+    file = tmp_path / "lens.png"
+    monkeypatch.setattr(ScenePictures, "ask_for_name", lambda self: file)
+    for times in (1, 2):
+        size = view._plotter.size() * view.devicePixelRatioF()  # less, below a message
+        commands[f"save_scene_{times}"].trigger()
+        assert QImage(str(file)).size() == size * times
+    seen = QImage(str(file))
+    assert len({seen.pixel(x, seen.height() // 2) for x in range(seen.width())}) > 20
+    commands["copy_scene"].trigger()
+    assert QGuiApplication.clipboard().image().width() == size.width()
+    commands["scene_view"].trigger()
+    file.unlink()
+    commands["save_scene_1"].trigger()
+    assert not file.exists() and "hidden" in window.messages.text
+
+
+def test_no_key_does_what_the_window_knows_nothing_of(bench, qtbot):
+    view = bench.view
+    before = [actor.prop.style for actor in view._plotter.actors.values() if hasattr(actor, "prop")]
+    position = view._plotter.camera_position
+    for key in "wsprv3qbC":  # wireframe, picking, other cameras, stereo, closing
+        qtbot.keyClicks(view._plotter, key)
+    now = [actor.prop.style for actor in view._plotter.actors.values() if hasattr(actor, "prop")]
+    assert now == before and "Surface" in now
+    assert view._plotter.camera_position == position

@@ -1,0 +1,145 @@
+"""What is said and offered when an edit changes the net or the task of a designed lens."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QObject, Qt
+
+from tests.ui.hands import enter
+from ui.document.document import Document
+from ui.notices.carried_lens import CarriedLens
+from ui.panels.forms import Forms
+from ui.widgets.message_bar import MessageBar
+from workbench.geometry.approximation import deviation
+from workbench.geometry.surface import ControlNet
+
+
+@pytest.fixture
+def desk(qtbot, session, history, rng):
+    """Forms over a document with a lens that no coarser net can hold, and what is said of it."""
+    result = history(4).result()
+    heights = result.control_points + 0.01 * rng.normal(size=result.control_points.shape)
+    document = Document(
+        replace(session, result=replace(result, control_points=heights)), "designed"
+    )
+    document.setParent(owner := QObject())
+    owner.forms, owner.messages, owner.document = Forms(document), MessageBar(), document
+    owner.log = []
+    CarriedLens(document, owner.messages, owner).told.connect(owner.log.append)
+    qtbot.addWidget(owner.forms)
+    qtbot.addWidget(owner.messages)
+    owner.forms.show()
+    yield owner
+    owner.deleteLater()
+
+
+def test_a_finer_net_that_holds_the_lens_keeps_its_result(desk, qtbot):
+    before = desk.document.session
+    enter(qtbot, desk.forms, "lens.control_points[0]", "21")  # 9 spans of degree 3 become 18
+    after = desk.document.session
+    assert after.result.control_points.shape == (21, 10)
+    assert after.result.irradiance is before.result.irradiance
+    assert desk.messages.text == "On 21 × 10 control points the lens is the same."
+    assert desk.document.undo_stack.count() == 1
+    desk.document.undo_stack.undo()
+    assert desk.document.session is before
+    assert desk.messages.text == ""
+
+
+def test_a_net_that_cannot_hold_the_lens_asks(desk, qtbot):
+    before = desk.document.session
+    enter(qtbot, desk.forms, "lens.control_points[0]", "20")
+    after = desk.document.session
+    assert after.result is None and after.start.shape == (20, 10)
+    off = deviation(
+        ControlNet.of(before.scene.lens),
+        before.control_points,
+        ControlNet.of(after.scene.lens),
+        after.start,
+    )
+    assert f"off by up to {off:.2g} cm" in desk.messages.text
+    assert desk.messages.buttons[0].text() == "Take 21 × 10, exact"
+    qtbot.mouseClick(desk.messages.buttons[0], Qt.MouseButton.LeftButton)
+    taken = desk.document.session
+    assert taken.scene.lens.control_points == (21, 10)
+    assert taken.result.loss == before.result.loss
+    assert desk.messages.text == ""
+    desk.document.undo_stack.undo()
+    assert desk.document.session is after
+
+
+def test_both_numbers_of_a_net_are_one_change_of_mind(desk, qtbot):
+    before = desk.document.session
+    enter(qtbot, desk.forms, "lens.control_points[0]", "20")
+    enter(qtbot, desk.forms, "lens.control_points[1]", "19")
+    # Offered and measured from the lens that was designed, 9 × 7 spans.
+    assert desk.messages.buttons[0].text() == "Take 21 × 17, exact"
+    qtbot.mouseClick(desk.messages.buttons[0], Qt.MouseButton.LeftButton)
+    taken = desk.document.session
+    assert taken.result is not None
+    np.testing.assert_array_equal(
+        taken.result.control_points,
+        ControlNet.of(before.scene.lens).refine(
+            before.control_points, ControlNet.of(taken.scene.lens)
+        ),
+    )
+
+
+def test_a_coarser_net_has_no_exact_one_to_offer(desk, qtbot):
+    enter(qtbot, desk.forms, "lens.control_points[0]", "6")
+    assert "off by up to" in desk.messages.text
+    assert desk.messages.buttons == []
+    enter(qtbot, desk.forms, "lens.control_points[0]", "12")
+    assert desk.document.session.result is not None
+    assert desk.messages.text == ""
+
+
+def test_another_task_is_told_once(desk, qtbot):
+    for z in ("6", "7", "8"):
+        enter(qtbot, desk.forms, "screen.z", z)
+        desk.document.undo_stack.setClean()  # steps of their own
+    assert len(desk.log) == 1 and "is a start for this one" in desk.log[0]
+    assert desk.document.session.start is not None
+    assert desk.messages.text == ""
+
+
+def test_a_lens_of_another_outline_is_dropped_and_the_window_says_so(desk, qtbot):
+    enter(qtbot, desk.forms, "lens.half_width[0]", "1.5")
+    assert "does not fit the new outline" in desk.messages.text
+    assert desk.document.session.control_points is None
+    desk.document.undo_stack.undo()
+    assert desk.document.session.result is not None
+    assert desk.messages.text == ""
+
+
+def test_a_lens_within_a_wider_range_stays_and_nothing_is_said(desk, qtbot):
+    before = desk.document.session.result
+    enter(qtbot, desk.forms, "lens.height_range[1]", "0.4")
+    assert desk.document.session.result.control_points is before.control_points
+    assert desk.messages.text == "" and desk.log == []
+
+
+def test_a_lens_that_exceeds_its_new_range_is_changed_and_the_window_says_by_how_much(desk, qtbot):
+    before = desk.document.session.control_points
+    enter(qtbot, desk.forms, "lens.height_range[1]", "0.01")
+    after = desk.document.session
+    moved = np.abs(after.control_points - before).max()
+    assert after.result is None and after.control_points.max() <= 0.51
+    assert f"changed by up to {moved:.2g} cm" in desk.messages.text
+
+
+def test_run_settings_are_no_matter_for_the_lens(desk, qtbot):
+    enter(qtbot, desk.forms, "run.iterations", "77")
+    assert desk.log == [] and desk.messages.text == ""
+    assert desk.document.session.result is not None
+
+
+def test_another_task_is_told_once_of_all_edits_of_a_step(desk, qtbot):
+    z = desk.document.session.scene.screen.z
+    for beyond in (1, 2, 3):
+        enter(qtbot, desk.forms, "screen.z", f"{z + beyond}")
+    assert desk.document.undo_stack.count() == 1
+    assert len(desk.log) == 1 and "another task" in desk.log[0]
+    enter(qtbot, desk.forms, "screen.half_width[0]", "7")
+    assert desk.document.undo_stack.count() == 2

@@ -1,0 +1,126 @@
+"""What the window says, and offers, when the limits of a lens are too narrow for its task."""
+
+from dataclasses import replace
+
+import pytest
+from PySide6.QtCore import QObject, Qt
+
+from ui.document.document import Document
+from ui.notices.shortfall import ShortfallNotice
+from ui.run.control import RunControl
+from ui.widgets.message_bar import MessageBar
+from workbench.design.shortfall import Shortfall
+
+NARROW = Shortfall("height_range", (-2.2, 2.2), (-0.3, 0.3), 0.4)
+THIN = Shortfall("max_thickness", (0.1, 0.9), (0.1, 0.6), 0.4)
+
+
+@pytest.fixture
+def desk(qtbot, session, as_run, snapshots):
+    """A document whose runs fall short by as much as a test says."""
+    owner = QObject()
+    owner.document = Document(session, "small")
+    owner.document.setParent(owner)
+    owner.control, owner.messages = RunControl(owner.document, owner), MessageBar()
+    owner.begun = []
+
+    def fall_short(shortfall, iterations=4, pause=0.0):
+        def run(scene, target, start=None, locked=None):
+            ended = as_run(iterations, pause)(scene, target, start, locked)
+            yield from (replace(shot, shortfall=shortfall) for shot in ended)
+            return "all iterations are done"
+
+        owner.control.runner._generate = run
+
+    owner.fall_short = fall_short
+    ShortfallNotice(
+        owner.document,
+        owner.control,
+        owner.messages,
+        lambda: owner.begun.append("anew"),
+        lambda: owner.begun.append("from the lens"),
+    )
+    qtbot.addWidget(owner.messages)
+    yield owner
+    owner.control.close()
+    owner.deleteLater()
+
+
+def design(desk, qtbot):
+    with qtbot.waitSignal(desk.control.ended):
+        desk.control.start()
+
+
+def offers(desk):
+    return [button.text() for button in desk.messages.buttons]
+
+
+def press(desk, qtbot):
+    (button,) = desk.messages.buttons
+    qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
+
+
+def test_a_range_that_is_too_small_is_said_and_widened_with_the_lens_kept(desk, qtbot):
+    desk.fall_short(NARROW)
+    design(desk, qtbot)
+    assert desk.messages.text == "The lens needs ±2.2 cm; ±0.3 cm is allowed."
+    assert offers(desk) == ["Widen"]
+    lens = desk.document.session.result.control_points
+    press(desk, qtbot)
+    session = desk.document.session
+    assert session.scene.lens.height_range is None
+    assert session.result.control_points is lens and session.result.shortfall is None
+    assert "follows from the task now" in desk.messages.text
+    assert offers(desk) == ["Start over", "Continue"]
+    for button in desk.messages.buttons:
+        qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
+    assert desk.begun == ["anew", "from the lens"]
+
+
+def test_undo_takes_the_wider_range_back_and_says_again_what_is_missing(desk, qtbot):
+    desk.fall_short(NARROW)
+    design(desk, qtbot)
+    press(desk, qtbot)
+    desk.document.undo_stack.undo()
+    assert desk.document.session.scene.lens.height_range == (-0.3, 0.3)
+    assert desk.messages.text == "The lens needs ±2.2 cm; ±0.3 cm is allowed."
+    desk.document.undo_stack.undo()
+    assert desk.document.session.result is None
+    assert desk.messages.text == ""
+
+
+def test_it_is_said_during_the_run_which_can_be_stopped_to_widen(desk, qtbot):
+    desk.fall_short(NARROW, iterations=10_000, pause=0.01)
+    desk.control.start()
+    qtbot.waitUntil(lambda: "The run goes on within these limits" in desk.messages.text)
+    assert offers(desk) == ["Stop and widen"]
+    with qtbot.waitSignal(desk.control.ended):
+        press(desk, qtbot)
+    assert desk.document.session.scene.lens.height_range is None
+    assert desk.document.session.result is not None
+    assert offers(desk) == ["Start over", "Continue"]
+
+
+def test_stock_that_is_too_thin_is_said_with_its_own_cure(desk, qtbot):
+    desk.fall_short(THIN)
+    design(desk, qtbot)
+    assert desk.messages.text == (
+        "The lens needs to be 0.9 cm thick; the stock allows 0.6 cm. "
+        "Thicker stock, or a smaller minimal thickness, lets the lens bend more."
+    )
+    assert offers(desk) == []
+
+
+def test_nothing_is_said_of_a_lens_within_its_limits(desk, qtbot):
+    desk.fall_short(None)
+    design(desk, qtbot)
+    assert desk.messages.text == ""
+
+
+def test_a_later_run_says_it_anew(desk, qtbot):
+    desk.fall_short(NARROW)
+    design(desk, qtbot)
+    desk.messages.clear()
+    desk.fall_short(replace(NARROW, share=0.5))
+    design(desk, qtbot)
+    assert desk.messages.text == "The lens needs ±2.2 cm; ±0.3 cm is allowed."

@@ -1,0 +1,202 @@
+"""The stages in the form: listed, added, moved, edited, refused, undone."""
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QListWidget, QToolButton
+
+from tests.ui.hands import choose, enter, row, rows
+from ui.document.document import Document
+from workbench.scene import Stage
+
+
+@pytest.fixture
+def begin(make_session, open_forms):
+    """Opens the forms of a scene with some run settings."""
+
+    def opened_with(run=None):
+        session = make_session({"run": run or {"iterations": 100}})
+        document = Document(session, "staged")
+        forms = open_forms(document)
+        document.setParent(forms)
+        return document, forms
+
+    return opened_with
+
+
+def stages(document):
+    return document.session.scene.run.stages
+
+
+def click(qtbot, forms, text):
+    button = next(b for b in forms.findChildren(QToolButton) if b.text() == text)
+    qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
+
+
+def listed(forms):
+    found = forms.findChild(QListWidget)
+    return [found.item(at).text() for at in range(found.count())]
+
+
+TWO = {"iterations": 100, "stages": [{"iterations": 10}, {"iterations": 20}]}
+
+
+def test_what_follows_the_stages_is_never_cut_off(begin, qtbot):
+    _, forms = begin()
+    told = next(row for row in rows(forms) if row.path == "run.stages")._rest
+    for width in (forms.minimumWidth(), 900, forms.minimumWidth()):
+        forms.resize(width, 900)
+        qtbot.waitUntil(lambda: told.height() >= told.heightForWidth(told.width()) > 0)
+
+
+def test_stages_are_added_and_each_is_a_step_of_its_own(begin, qtbot):
+    document, forms = begin()
+    assert listed(forms) == []
+    click(qtbot, forms, "Add")
+    click(qtbot, forms, "Add")
+    assert [stage.iterations for stage in stages(document)] == [50, 25]
+    assert listed(forms) == ["1.  50 iterations", "2.  25 iterations"]
+    assert forms.findChild(QListWidget).currentRow() == 1
+    document.undo_stack.undo()
+    assert listed(forms) == ["1.  50 iterations"]
+    document.undo_stack.undo()
+    assert stages(document) == ()
+    assert [each.path for each in rows(forms) if "stages" in each.path] == ["run.stages"]
+    document.undo_stack.redo()
+    assert listed(forms) == ["1.  50 iterations"]
+
+
+def test_stages_are_moved_and_stay_chosen(begin, qtbot):
+    document, forms = begin(TWO)
+    click(qtbot, forms, "Down")
+    assert [stage.iterations for stage in stages(document)] == [20, 10]
+    assert forms.findChild(QListWidget).currentRow() == 1
+    assert row(forms, "run.stages[1].iterations").isVisible()
+    click(qtbot, forms, "Down")  # disabled
+    click(qtbot, forms, "Up")
+    assert [stage.iterations for stage in stages(document)] == [10, 20]
+    assert document.undo_stack.count() == 2
+
+
+def test_the_chosen_stage_is_removed(begin, qtbot):
+    document, forms = begin(TWO)
+    click(qtbot, forms, "Remove")
+    assert [stage.iterations for stage in stages(document)] == [20]
+    click(qtbot, forms, "Remove")
+    assert stages(document) == ()
+    click(qtbot, forms, "Remove")
+    assert document.undo_stack.count() == 2
+
+
+def test_every_setting_of_a_stage_can_be_edited_and_left_out_again(begin, qtbot):
+    document, forms = begin(TWO)
+    at = "run.stages[0]"
+    enter(qtbot, forms, f"{at}.iterations", "12")
+    choose(forms, f"{at}.method", "paper")
+    enter(qtbot, forms, f"{at}.learning_rate", "0.01")
+    enter(qtbot, forms, f"{at}.control_points[0]", "6")
+    enter(qtbot, forms, f"{at}.control_points[1]", "7")
+    choose(forms, f"{at}.source.kind", "point")
+    enter(qtbot, forms, f"{at}.source.rays", "5000")
+    choose(forms, f"{at}.filter.kind", "gaussian")
+    enter(qtbot, forms, f"{at}.filter.size[0]", "5")
+    stage = stages(document)[0]
+    assert (stage.iterations, stage.method, stage.learning_rate) == (12, "paper", 0.01)
+    assert stage.control_points == (6, 7)
+    assert (stage.source.kind, stage.source.rays) == ("point", 5000)
+    assert stage.source.position == (0, 0, -5)
+    assert stage.filter.size == (5, 3)
+    assert listed(forms)[0] == (
+        "1.  12 iterations, as in the paper, net of 6 × 7, point source, gaussian filter"
+    )
+    choose(forms, f"{at}.source.kind", "")
+    choose(forms, f"{at}.filter.kind", "")
+    choose(forms, f"{at}.method", "")
+    enter(qtbot, forms, f"{at}.control_points[0]", "")
+    assert stages(document)[0] == Stage(iterations=12)
+    for path in ("learning_rate", "source.rays", "filter.size"):
+        assert not row(forms, f"{at}.{path}", visible=False).isVisible()
+
+
+def test_what_is_left_empty_shows_what_counts(begin):
+    _, forms = begin({"iterations": 9, "method": "paper", "stages": [{"iterations": 3}]})
+    net = row(forms, "run.stages[0].control_points").editors.values()
+    assert [(e.text(), e.placeholderText()) for e in net] == [("", "12"), ("", "10")]
+    (rate,) = row(forms, "run.stages[0].learning_rate").editors.values()
+    assert (rate.text(), rate.placeholderText()) == ("", "0.003")
+
+
+def test_one_number_of_an_empty_net_counts_for_both(begin, qtbot):
+    document, forms = begin(TWO)
+    enter(qtbot, forms, "run.stages[0].control_points[1]", "8")
+    assert stages(document)[0].control_points == (8, 8)
+
+
+@pytest.mark.parametrize(
+    ("path", "text", "beside", "reason"),
+    [
+        ("iterations", "0", "[0].iterations", "at least 1"),
+        (
+            "iterations",
+            "soon",
+            "[0].iterations",
+            "'soon' is not a number; a number is needed",
+        ),
+        ("iterations", "80", "", "they leave none of the 100 iterations"),
+        ("control_points[0]", "3", "[0].control_points", "3 is too few for degree 3; at least 4"),
+    ],
+)
+def test_a_refusal_stands_beside_its_field(begin, qtbot, path, text, beside, reason):
+    document, forms = begin(TWO)
+    session = document.session
+    editor = enter(qtbot, forms, f"run.stages[0].{path}", text)
+    assert document.session is session
+    assert editor.text() == text
+    assert reason in row(forms, f"run.stages{beside}").refusal
+    qtbot.keyClick(editor, Qt.Key.Key_Escape)
+    assert not any(each.refusal for each in rows(forms))
+
+
+def test_a_stage_for_which_nothing_is_left_is_refused(begin, qtbot):
+    document, forms = begin({"iterations": 1})
+    click(qtbot, forms, "Add")
+    assert stages(document) == ()
+    assert "they leave none of the 1 iterations" in row(forms, "run.stages").refusal
+
+
+def test_an_impossible_source_is_refused_beside_it(begin, qtbot):
+    document, forms = begin(TWO)
+    choose(forms, "run.stages[0].source.kind", "point")
+    enter(qtbot, forms, "run.stages[0].source.position[2]", "1")
+    assert "not before the entrance face" in row(forms, "run.stages[0].source.position").refusal
+    assert stages(document)[0].source.position[2] == -5
+
+
+def test_text_that_is_not_entered_stays_with_its_stage(begin, qtbot):
+    document, forms = begin(TWO)
+    enter(qtbot, forms, "run.stages[0].iterations", "11", key=None)
+    click(qtbot, forms, "Down")
+    assert [stage.iterations for stage in stages(document)] == [20, 11]
+    enter(qtbot, forms, "run.stages[1].iterations", "12", key=None)
+    document.undo_stack.undo()
+    document.undo_stack.undo()
+    assert [stage.iterations for stage in stages(document)] == [10, 20]
+
+
+def test_choosing_another_stage_shows_its_settings(begin, qtbot):
+    _, forms = begin(TWO)
+    enter(qtbot, forms, "run.stages[0].iterations", "none")
+    forms.findChild(QListWidget).setCurrentRow(1)
+    (editor,) = row(forms, "run.stages[1].iterations").editors.values()
+    assert editor.text() == "20"
+    forms.findChild(QListWidget).setCurrentRow(0)
+    (editor,) = row(forms, "run.stages[0].iterations").editors.values()
+    assert (editor.text(), row(forms, "run.stages[0].iterations").refusal) == ("10", "")
+
+
+def test_the_automatic_method_drops_learning_rates_that_follow_it(begin, qtbot):
+    kept = {"iterations": 2, "method": "paper", "learning_rate": 0.2}
+    run = {"method": "paper", "stages": [{"iterations": 1, "learning_rate": 0.1}, kept]}
+    document, forms = begin(run)
+    choose(forms, "run.method", "auto")
+    assert document.session.scene.run.method == "auto"
+    assert [stage.learning_rate for stage in stages(document)] == [None, 0.2]

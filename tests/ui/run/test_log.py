@@ -1,0 +1,151 @@
+"""The log: phases, notes and failures of runs, with times, bounded, in a dock of its own."""
+
+import dataclasses
+import re
+
+import pytest
+from PySide6.QtWidgets import QTabWidget
+
+from ui.widgets.log_view import LogView
+from workbench.errors import RunFailed
+from workbench.scene import Stage
+
+pytestmark = pytest.mark.usefixtures("kernels")
+
+
+def lines(log):
+    return [line.split("  ", 1) for line in log.toPlainText().splitlines()]
+
+
+def sentences(log):
+    return [text for _, text in lines(log)]
+
+
+def test_each_line_has_the_time_of_day(qtbot):
+    log = LogView()
+    qtbot.addWidget(log)
+    log.add("one\nsentence")
+    ((when, text),) = lines(log)
+    assert re.fullmatch(r"[0-2]\d:[0-5]\d:[0-5]\d", when)
+    assert text == "one sentence"
+
+
+def test_the_oldest_lines_give_way(qtbot):
+    log = LogView()
+    qtbot.addWidget(log)
+    for number in range(2500):
+        log.add(str(number))
+    assert sentences(log) == [str(number) for number in range(500, 2500)]
+
+
+def test_its_end_is_shown_until_one_scrolls_up(qtbot, show):
+    log = LogView()
+    qtbot.addWidget(log)
+    for number in range(200):
+        log.add(f"{number}: a sentence that takes more than one line where there is little room")
+    show(log, 300, 120)
+    bar = log.verticalScrollBar()
+    qtbot.waitUntil(lambda: bar.value() == bar.maximum() > 0)
+    for width, height in ((200, 90), (900, 700), (120, 60), (1500, 300), (120, 60)):
+        log.resize(width, height)
+        log.add("one more, also with more words than fit into a short line")
+        qtbot.waitUntil(lambda: bar.value() == bar.maximum())
+    bar.setValue(3)
+    log.add("another")
+    log.resize(300, 120)
+    qtbot.wait(50)
+    assert bar.value() < bar.maximum() / 2
+
+
+def test_behind_another_tab_nothing_is_drawn(qtbot, monkeypatch):
+    drawn = []
+    paint = LogView.paintEvent
+    monkeypatch.setattr(LogView, "paintEvent", lambda *a: (drawn.append(1), paint(*a))[1])
+    tabs, log = QTabWidget(), LogView()
+    qtbot.addWidget(tabs)
+    front = LogView()
+    tabs.addTab(front, "front")
+    tabs.addTab(log, "behind")
+    with qtbot.waitExposed(tabs):
+        tabs.show()
+    qtbot.waitUntil(lambda: bool(drawn))
+    qtbot.wait(50)
+    drawn.clear()
+    log.add("unseen")
+    qtbot.wait(50)
+    assert not drawn
+    tabs.setCurrentWidget(log)
+    qtbot.waitUntil(lambda: bool(drawn))
+
+
+@pytest.fixture
+def window(display, window):
+    window.build()
+    return window
+
+
+def run_with(window, qtbot, generate):
+    window.bench.control.runner._generate = generate
+    with qtbot.waitSignal(window.bench.control.ended, timeout=60_000):
+        window.commands["start"].trigger()
+
+
+def test_a_run_tells_its_phases_and_its_trace_once(window, snapshots, as_seen_run, qtbot):
+    def staged(iteration, iterations):
+        notes = ("reference",) if iteration < 3 else ("fused kernels", "box filter")
+        shot = snapshots(iteration, iterations)
+        return dataclasses.replace(shot, stage=int(iteration > 1), stages=2, notes=notes)
+
+    scene = window.document.session.scene
+    stages = scene.model_copy(
+        update={"run": scene.run.model_copy(update={"stages": (Stage(iterations=1),)})}
+    )
+    window.document.edit(stages, "stages", "")
+    run = as_seen_run(window.bench.control.runner, 3, staged)
+    run_with(window, qtbot, run)
+    assert sentences(window.log) == [
+        "Run begins: small, method auto",
+        "Stage 1 of 2, iteration 0",
+        "Trace: reference",
+        "Stage 2 of 2, iteration 2",
+        "Trace: fused kernels; box filter",
+        "Run ended (all iterations are done) after iteration 3 of 3, 0:00: "
+        "last loss 2.500e-01, 92.0 % on the screen",
+    ]
+
+
+def test_pausing_and_stopping_are_told(window, as_run, qtbot):
+    window.bench.control.runner._generate = as_run(100_000, pause=0.01)
+    window.commands["start"].trigger()
+    qtbot.waitUntil(lambda: window.bench.control.moments.frames != [], timeout=60_000)
+    window.commands["pause"].trigger()
+    window.commands["pause"].trigger()
+    with qtbot.waitSignal(window.bench.control.ended, timeout=60_000):
+        window.commands["stop"].trigger()
+    told = [re.sub(r" (at|after) iteration.*", "", text) for text in sentences(window.log)]
+    assert told == [
+        "Run begins: small, method auto",
+        "Run paused",
+        "Run resumed",
+        "Stop asked for",
+        "Run ended (stopped)",
+    ]
+
+
+def test_a_failure_stands_in_the_log_when_its_message_is_closed(window, snapshots, qtbot):
+    def run(scene, target, start=None, locked=None):
+        yield snapshots(0)
+        raise RunFailed("the loss is not finite")
+
+    run_with(window, qtbot, run)
+    window.messages.clear()
+    assert "the loss is not finite" in sentences(window.log)
+    window.files.open_recent(window.document.suggested_path.with_name("none.freeform"))
+    assert "none.freeform" in sentences(window.log)[-1]
+
+
+def test_the_dock_is_hidden_until_it_is_asked_for(window, qtbot):
+    dock = window.workspace.docks["log"]
+    assert dock.isHidden()
+    dock.toggleViewAction().trigger()
+    qtbot.waitUntil(lambda: not window.log.viewport().visibleRegion().isEmpty())

@@ -1,0 +1,71 @@
+"""The window says in what state a run is, and at last why it ended."""
+
+import pytest
+from PySide6.QtCore import QSize
+
+from ui.widgets.elided_label import ElidedLabel
+from workbench.errors import RunFailed
+
+pytestmark = pytest.mark.usefixtures("kernels")
+
+
+@pytest.fixture
+def window(display, window):
+    window.build()
+    return window
+
+
+def state(window):
+    return window.status._state.text()
+
+
+def run(window, qtbot, generate):
+    window.bench.control.runner._generate = generate
+    with qtbot.waitSignal(window.bench.control.ended, timeout=60_000):
+        window.commands["start"].trigger()
+
+
+def test_the_status_bar_says_why_the_run_ended(window, as_run, qtbot):
+    assert state(window) == "Ready"
+    run(window, qtbot, as_run(3))
+    assert state(window) == "All iterations are done"
+    window.commands["undo"].trigger()
+    assert state(window) == "Ready"
+
+
+def test_a_stop_and_a_failure_are_reasons(window, snapshots, as_run, qtbot):
+    def fails(scene, target, start=None, locked=None):
+        yield snapshots(0)
+        raise RunFailed("the loss is not finite")
+
+    run(window, qtbot, fails)
+    assert state(window) == "Failed: the loss is not finite"
+    window.bench.control.runner._generate = as_run(100_000, pause=0.01)
+    window.commands["start"].trigger()
+    assert state(window) == "Designing…"
+    qtbot.waitUntil(lambda: window.bench.control.moments.frames != [], timeout=60_000)
+    with qtbot.waitSignal(window.bench.control.ended, timeout=60_000):
+        window.commands["stop"].trigger()
+    assert state(window) == "Stopped"
+
+
+def test_a_paused_run_is_nowhere_called_running(window, as_run, qtbot):
+    window.bench.control.runner._generate = as_run(100_000, pause=0.01)
+    window.commands["start"].trigger()
+    assert window.forms._hint.text() == "The design is running. Changes wait until it ends."
+    window.commands["pause"].trigger()
+    assert state(window) == "Paused"
+    assert window.forms._hint.text() == "The design is paused. Changes wait until it ends."
+    with qtbot.waitSignal(window.bench.control.ended, timeout=60_000):
+        window.commands["stop"].trigger()
+
+
+def test_a_long_reason_is_cut_where_there_is_no_room_and_has_a_tip(show):
+    label = ElidedLabel()
+    label.setText("Failed: " + 40 * "reason ")
+    show(label, 200, 20)
+    assert label.size() == QSize(200, 20)
+    assert label.shown.endswith("…") and label.toolTip() == label.text()
+    label.setText("Stopped")
+    label.repaint()
+    assert label.shown == "Stopped" and label.toolTip() == ""

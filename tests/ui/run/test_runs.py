@@ -1,0 +1,317 @@
+"""Runs kept side by side: named, compared on the loss plot, gone back to, deleted; and checked."""
+
+import time
+from dataclasses import replace
+from types import SimpleNamespace
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QApplication, QLineEdit, QToolTip
+
+from tests.ui.hands import move_screen
+from ui.check.checking import Suspect
+from workbench.scene import Stage
+
+pytestmark = pytest.mark.usefixtures("kernels")
+
+
+def found(error):
+    return SimpleNamespace(
+        loss=0.2,
+        loss_corrected=0.1,
+        relative_l2=2 * error,
+        relative_l2_corrected=error,
+        relative_l2_corrected_interval=(0.9 * error, 1.1 * error),
+        efficiency=0.9,
+        rays=1000,
+        noise=0.001,
+    )
+
+
+@pytest.fixture
+def checks(monkeypatch):
+    """Checks that say what they are told at once; notes heights, rays and threads."""
+    seen = SimpleNamespace(asked=[], error=0.0125)
+
+    def validating(scene, target, heights, rays, threads):
+        seen.asked.append((heights, rays, threads))
+        yield 1.0
+        return found(seen.error)
+
+    monkeypatch.setattr("workbench.analysis.validation.validating", validating)
+    return seen
+
+
+@pytest.fixture
+def window(display, window, checks, as_seen_run):
+    window.build()
+    window.bench.control.runner._generate = as_seen_run(window.bench.control.runner, 6)
+    window.workspace.docks["runs"].show()
+    window.workspace.docks["runs"].raise_()
+    return window
+
+
+@pytest.fixture
+def run(window, qtbot):
+    def do(command="start"):
+        with qtbot.waitSignal(window.bench.control.ended, timeout=60_000):
+            window.commands[command].trigger()
+        qtbot.waitUntil(lambda: not window.bench.runs.check._checking.busy)
+
+    return do
+
+
+@pytest.fixture
+def two_runs(window, run):
+    run()
+    move_screen(window.document, 7)
+    run()
+    return window
+
+
+def table(window):
+    return window.bench.runs.table.table
+
+
+def names(window):
+    return [table(window).item(row, 0).text() for row in range(table(window).rowCount())]
+
+
+def texts(window, row):
+    return [table(window).item(row, column).text() for column in range(9)]
+
+
+def test_each_run_is_kept_in_one_step_with_its_result(window, run):
+    assert not table(window).isVisible()
+    run()
+    assert names(window) == ["Run 1: auto, 12 × 10"]
+    assert window.document.undo_stack.count() == 1
+    run("continue")
+    assert names(window) == ["Run 1: auto, 12 × 10", "Run 2: auto, 12 × 10"]
+    figures = ["1.25 %", "1.429e-01", "92.0 %", "0:01", "12", "12 × 10", "auto"]
+    figures.append("all iterations are done")
+    assert texts(window, 1)[1:] == figures
+    window.commands["undo"].trigger()
+    window.commands["undo"].trigger()
+    assert names(window) == [] and window.document.session.result is None
+
+
+def test_runs_stay_while_the_design_changes(two_runs):
+    assert names(two_runs) == ["Run 1: auto, 12 × 10", "Run 2: auto, 12 × 10"]
+    bold = [table(two_runs).item(row, 0).font().bold() for row in (0, 1)]
+    assert bold == [False, True]
+
+
+def test_a_check_mark_draws_the_loss_of_another_run(two_runs, qtbot):
+    loss = two_runs.bench.views.loss
+    for row in (0, 1):
+        table(two_runs).item(row, 0).setCheckState(Qt.CheckState.Checked)
+    # The lens on show is drawn anyway.
+    assert [course.name for course in loss._runs] == ["Run 1: auto, 12 × 10"]
+    assert loss._runs[0].losses.size == loss._runs[0].times.size == 6
+    table(two_runs).item(0, 0).setCheckState(Qt.CheckState.Unchecked)
+    assert loss._runs == ()
+
+
+def test_the_run_before_is_drawn_beside_the_one_that_goes_on(window, run, as_run, qtbot):
+    run()
+    table(window).item(0, 0).setCheckState(Qt.CheckState.Checked)
+    assert window.bench.views.loss._runs == ()
+    window.bench.control.runner._generate = as_run(100_000, pause=0.01)
+    window.commands["start"].trigger()
+    assert [course.name for course in window.bench.views.loss._runs] == ["Run 1: auto, 12 × 10"]
+    assert not window.bench.runs.table._restore.isEnabled()
+    window.commands["stop"].trigger()
+    qtbot.waitUntil(lambda: not window.bench.control.busy, timeout=60_000)
+
+
+def test_a_run_is_given_another_name_by_keyboard(two_runs, qtbot):
+    lines = table(two_runs)
+    lines.setCurrentCell(0, 0)
+    lines.setFocus()
+    qtbot.keyClick(lines, Qt.Key.Key_F2)
+    qtbot.waitUntil(lambda: bool(lines.viewport().findChildren(QLineEdit)))
+    editor = lines.viewport().findChildren(QLineEdit)[0]
+    editor.selectAll()
+    qtbot.keyClicks(editor, "near screen")
+    qtbot.keyClick(editor, Qt.Key.Key_Return)
+    qtbot.waitUntil(lambda: two_runs.document.session.runs[0].name == "near screen")
+    assert two_runs.document.undo_stack.undoText() == "rename run"
+    two_runs.commands["undo"].trigger()
+    assert names(two_runs)[0] == "Run 1: auto, 12 × 10"
+
+
+def test_a_name_that_becomes_too_long_is_cut_and_said_while_it_is_typed(two_runs, qtbot):
+    lines = table(two_runs)
+    lines.setCurrentCell(0, 0)
+    lines.setFocus()
+    qtbot.keyClick(lines, Qt.Key.Key_F2)
+    qtbot.waitUntil(lambda: bool(lines.viewport().findChildren(QLineEdit)))
+    editor = lines.viewport().findChildren(QLineEdit)[0]
+    editor.selectAll()
+    QApplication.clipboard().setText("a" * 99)
+    qtbot.keyClick(editor, Qt.Key.Key_V, Qt.KeyboardModifier.ControlModifier)
+    assert not QToolTip.isVisible()
+    qtbot.keyClicks(editor, "bc")
+    assert editor.text() == "a" * 99 + "b"
+    assert QToolTip.text() == "A name has at most 100 characters"
+    qtbot.keyClick(editor, Qt.Key.Key_Return)
+    qtbot.waitUntil(lambda: two_runs.document.session.runs[0].name == "a" * 99 + "b")
+
+
+def test_a_long_name_leaves_room_for_figures_and_is_whole_in_its_tip(two_runs):
+    name = (10 * "long name ").strip()
+    table(two_runs).item(0, 0).setText(name)
+    assert table(two_runs).columnWidth(0) < 40 * table(two_runs).fontMetrics().averageCharWidth()
+    assert table(two_runs).item(0, 0).toolTip() == name
+
+
+def test_an_empty_name_is_refused(two_runs):
+    table(two_runs).item(0, 0).setText("  ")
+    assert "1 to 100" in two_runs.messages.text
+    assert names(two_runs)[0] == "Run 1: auto, 12 × 10"
+
+
+def test_going_back_to_a_run(two_runs, qtbot):
+    document = two_runs.document
+    first = document.session.runs[0]
+    table(two_runs).selectRow(0)
+    qtbot.mouseClick(two_runs.bench.runs.table._restore, Qt.MouseButton.LeftButton)
+    assert document.session.scene is first.scene and document.session.scene.screen.z == 5.0
+    assert document.session.result is first.result
+    assert document.undo_stack.undoText() == "return to Run 1: auto, 12 × 10"
+    assert table(two_runs).item(0, 0).font().bold()
+    two_runs.commands["undo"].trigger()
+    assert document.session.scene.screen.z == 7.0
+
+
+def test_deleting_runs_can_be_undone(two_runs, qtbot):
+    lines = table(two_runs)
+    lines.selectAll()
+    two_runs.activateWindow()
+    lines.setFocus()
+    qtbot.waitUntil(lines.hasFocus)
+    qtbot.keyClick(lines, Qt.Key.Key_Delete)
+    assert names(two_runs) == [] and not lines.isVisible()
+    two_runs.commands["undo"].trigger()
+    assert len(names(two_runs)) == 2
+    lines.selectRow(1)
+    two_runs.commands["delete_run"].trigger()
+    assert names(two_runs) == ["Run 1: auto, 12 × 10"]
+    assert two_runs.document.session.result is not None
+
+
+def test_commands_without_a_choice_say_what_is_missing(two_runs):
+    table(two_runs).clearSelection()
+    two_runs.commands["restore_run"].trigger()
+    assert "Choose one run" in two_runs.messages.text
+
+
+def test_kept_runs_travel_with_the_file(two_runs, tmp_path):
+    path = tmp_path / "two.freeform"
+    two_runs.document.save(path)
+    two_runs.document.open(path)
+    assert names(two_runs) == ["Run 1: auto, 12 × 10", "Run 2: auto, 12 × 10"]
+    assert [table(two_runs).item(row, 0).font().bold() for row in (0, 1)] == [False, True]
+    assert [texts(two_runs, row)[1] for row in (0, 1)] == ["1.25 %", "1.25 %"]
+    session = two_runs.document.session
+    two_runs.bench.runs.note_check(Suspect(session, session.control_points), found(0.03))
+    assert not two_runs.document.dirty  # a check is no edit
+    assert [texts(two_runs, row)[1] for row in (0, 1)] == ["1.25 %", "3.00 %"]
+    two_runs.document.save(path)
+    two_runs.document.open(path)
+    assert [texts(two_runs, row)[1] for row in (0, 1)] == ["1.25 %", "3.00 %"]
+
+
+def test_the_lens_of_a_run_is_checked_at_its_end(window, run, checks, qtbot):
+    run()
+    result = window.document.session.result
+    heights, rays, threads = checks.asked[-1]
+    assert heights is result.control_points and rays == 4_000_000 and threads is None
+    assert window.status._verified.text() == "verified 1.25 % at 6"
+    assert texts(window, 0)[1] == "1.25 %"
+    (point,) = window.bench.views.loss._verified
+    assert (point.iteration, point.loss) == (6, 0.1)
+    move_screen(window.document, 7)
+    assert window.status._verified.text() == "" and window.bench.views.loss._verified == ()
+    assert texts(window, 0)[1] == "1.25 %"
+
+
+def test_a_lens_changed_by_hand_is_not_the_one_that_was_checked(window, run, checks):
+    run()
+    document, status = window.document, window.status
+    result = document.session.result
+    moved = replace(result, control_points=result.control_points + 0.001)
+    document.set_result(moved, "move control points")
+    assert status._verified.text() == ""
+    document.undo_stack.undo()
+    assert status._verified.text() == "verified 1.25 % at 6"
+
+
+def test_a_run_is_checked_while_it_goes_on(window, as_run, checks, monkeypatch, qtbot):
+    monkeypatch.setattr("ui.run.run_check._REST", 0.0)
+    monkeypatch.setattr("ui.run.run_check._RESTS", 0.0)
+    monkeypatch.setattr("ui.run.run_check.QThread.idealThreadCount", lambda: 2)
+    window.bench.control.runner._generate = as_run(100_000, pause=0.01)
+    window.commands["start"].trigger()
+    qtbot.waitUntil(lambda: len(window.bench.views.loss._verified) >= 2, timeout=60_000)
+    assert {(rays, threads) for _, rays, threads in checks.asked} == {(1_000_000, 1)}
+    assert window.status._verified.text().startswith("verified 1.25 % at ")
+    window.commands["stop"].trigger()
+    qtbot.waitUntil(lambda: not window.bench.control.busy, timeout=60_000)
+    qtbot.waitUntil(lambda: checks.asked[-1][1] == 4_000_000)
+    qtbot.waitUntil(lambda: not window.bench.runs.check._checking.busy)
+    seen = [point.iteration for point in window.bench.views.loss._verified]
+    assert seen == sorted(seen) and seen[0] > 0
+
+
+def test_a_stage_is_checked_at_its_end(window, snapshots, as_seen_run, checks, monkeypatch, qtbot):
+    monkeypatch.setattr("ui.run.run_check.QThread.idealThreadCount", lambda: 2)
+
+    def staged(iteration, iterations):
+        give_up = time.monotonic() + 30
+        while iteration == 7 and not checks.asked and time.monotonic() < give_up:
+            time.sleep(0.002)  # or the run ends before the thread of the check has begun
+        return replace(snapshots(iteration, iterations), stage=iteration // 4, stages=2)
+
+    scene = window.document.session.scene
+    run = scene.run.model_copy(update={"stages": (Stage(iterations=4),)})
+    window.document.edit(scene.model_copy(update={"run": run}), "stages", "")
+    runner = window.bench.control.runner
+    runner._generate = as_seen_run(runner, 7, staged)
+    with qtbot.waitSignal(window.bench.control.ended, timeout=60_000):
+        window.commands["start"].trigger()
+    qtbot.waitUntil(lambda: not window.bench.runs.check._checking.busy)
+    assert [(rays, threads) for _, rays, threads in checks.asked] == [
+        (1_000_000, 1),
+        (4_000_000, None),
+    ]
+    assert checks.asked[0][0][0, 0] == 0.5 - 0.003  # the last lens of the first stage
+
+
+def test_one_core_alone_is_the_runs(window, as_run, checks, monkeypatch, qtbot):
+    monkeypatch.setattr("ui.run.run_check._REST", 0.0)
+    monkeypatch.setattr("ui.run.run_check._RESTS", 0.0)
+    monkeypatch.setattr("ui.run.run_check.QThread.idealThreadCount", lambda: 1)
+    window.bench.control.runner._generate = as_run(20, pause=0.01)
+    with qtbot.waitSignal(window.bench.control.ended, timeout=60_000):
+        window.commands["start"].trigger()
+    qtbot.waitUntil(lambda: not window.bench.runs.check._checking.busy)
+    assert [rays for _, rays, _ in checks.asked] == [4_000_000]
+
+
+def test_a_check_of_another_task_is_not_that_of_the_run(window, run, checks):
+    run()
+    session = window.document.session
+    checks.error = 0.5
+    moved = session.with_scene(
+        session.scene.model_copy(
+            update={"screen": session.scene.screen.model_copy(update={"z": 8.0})}
+        ),
+        session.target,
+    )
+    assert moved.start is session.result.control_points
+    window.bench.runs.note_check(Suspect(moved, moved.start), found(0.5))
+    assert texts(window, 0)[1] == "1.25 %"
+    window.bench.runs.note_check(Suspect(replace(session, runs=()), moved.start), found(0.5))
+    assert texts(window, 0)[1] == "50.00 %"

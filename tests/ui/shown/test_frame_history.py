@@ -1,0 +1,118 @@
+"""Each result has a course of its own, which comes and goes with it."""
+
+import weakref
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from ui.shown.frame_history import Moments, moment
+from workbench.pictures.loss import Verified
+
+EARLY, LATE = Verified(1, 0.1, 0.5), Verified(3, 0.3, 0.25)
+
+
+class Fake(SimpleNamespace):
+    """Equal to itself alone, like what it stands in for."""
+
+    __eq__, __hash__ = object.__eq__, object.__hash__
+
+
+@pytest.fixture
+def task(make_scene):
+    return Fake(scene=make_scene({}), target=np.ones((32, 32)), result=None)
+
+
+@pytest.fixture
+def run(task):
+    """Adds frames and checks, and gives the session with the result that they lead to."""
+
+    def do(moments, iterations, size=1000, checks=()):
+        for at in range(iterations + 1):
+            moments.add(frame(task, at, size))
+        for check in checks:
+            moments.add_check(check)
+        result = Fake(losses=np.zeros(iterations))
+        moments.keep(result)
+        return Fake(scene=task.scene, target=task.target, result=result)
+
+    return do
+
+
+def frame(session, at, size):
+    return Fake(
+        session=session,
+        losses=np.zeros(at),
+        surface=np.zeros(size // 8),
+        snapshot=SimpleNamespace(control_points=np.zeros(0), irradiance=np.zeros(0)),
+        paths=SimpleNamespace(points=np.zeros(0), weight=np.zeros(0)),
+    )
+
+
+def shown(moments):
+    return [moment(each) for each in moments.frames]
+
+
+def test_moments_and_checks_follow_the_result(task, run):
+    moments = Moments()
+    first = run(moments, 3, checks=[EARLY, LATE])
+    second = run(moments, 2)
+    assert shown(moments) == [0, 1, 2] and moments.checks == ()
+    moments.show(first)
+    assert shown(moments) == [0, 1, 2, 3] and moments.checks == (EARLY, LATE)
+    moments.show(task)
+    assert shown(moments) == [] and moments.checks == ()
+    moments.show(second)
+    assert shown(moments) == [0, 1, 2]
+
+
+def test_a_branch_keeps_what_came_before_it(run):
+    moments = Moments()
+    session = run(moments, 3, checks=[EARLY, LATE])
+    middle = moments.frames[2]
+    moments.branch(middle)
+    session.result = SimpleNamespace(losses=middle.losses)
+    moments.show(session)
+    assert shown(moments) == [0, 1, 2] and moments.checks == (EARLY,)
+
+
+def test_a_later_check_belongs_to_the_result_that_it_is_of(run):
+    moments = Moments()
+    first, second = run(moments, 3), run(moments, 2)
+    moments.show(second)
+    moments.add_later_check(LATE, first.result, second)
+    assert moments.checks == ()
+    moments.show(first)
+    assert moments.checks == (LATE,)
+
+
+def test_a_lens_that_was_shaped_by_hand_keeps_the_course(run):
+    moments = Moments()
+    session = run(moments, 3)
+    session.result = SimpleNamespace(losses=session.result.losses)
+    moments.show(session)
+    assert shown(moments) == [0, 1, 2, 3]
+
+
+def test_frames_of_another_scene_are_not_shown_and_checks_stay_those_of_the_lens(run, make_scene):
+    moments = Moments()
+    session = run(moments, 3, checks=[EARLY])
+    session.scene = make_scene({"unit": "mm"})
+    moments.show(session)
+    assert shown(moments) == [] and moments.checks == (EARLY,)
+
+
+def test_memory_of_all_courses_is_bounded(run):
+    moments = Moments(budget=9_000)
+    sessions = [run(moments, 3, size=2000) for _ in range(3)]
+    for session, at in zip(sessions, ([], [0, 1, 2, 3], [0, 1, 2, 3]), strict=True):
+        moments.show(session)
+        assert shown(moments) == at
+
+
+def test_courses_of_results_that_are_gone_are_forgotten(run):
+    moments = Moments()
+    course = weakref.ref(run(moments, 3).result)
+    lost = weakref.ref(moments.frames[2])
+    run(moments, 1)
+    assert course() is None and lost() is None

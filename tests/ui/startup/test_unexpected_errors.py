@@ -1,0 +1,85 @@
+"""Defects are told once a kind, wherever they arise, and nothing ends for them."""
+
+import sys
+import threading
+
+import pytest
+from PySide6.QtCore import QTimer, qWarning
+from PySide6.QtWidgets import QWidget
+
+from ui.startup.unexpected_errors import Trouble
+
+
+@pytest.fixture
+def trouble(qapp):
+    hooks = sys.excepthook, threading.excepthook
+    trouble = Trouble()
+    yield trouble
+    trouble.close()
+    trouble.deleteLater()
+    assert (sys.excepthook, threading.excepthook) == hooks
+
+
+@pytest.fixture
+def told(trouble):
+    told = []
+    trouble.happened.connect(lambda sentence, details: told.append((sentence, details)))
+    return told
+
+
+def fail(text="odd"):
+    raise ValueError(text)
+
+
+def meet(kind=ValueError, text="odd"):
+    """An error as it reaches the hook, raised in one place."""
+    try:
+        raise kind(text)
+    except kind as error:
+        sys.excepthook(kind, error, error.__traceback__)
+
+
+def test_an_error_is_told_with_all_that_a_report_needs(told, capsys):
+    meet()
+    ((sentence, details),) = told
+    assert "ValueError: odd" in sentence and "save it" in sentence
+    assert "Traceback" in details and "test_unexpected_errors.py" in details
+    assert "Workbench" in details and "Qt 6" in details
+    assert "ValueError: odd" in capsys.readouterr().err
+
+
+def test_a_kind_is_told_once_and_printed_each_time(told, capsys):
+    for text in ("one", "two"):
+        meet(text=text)
+    meet(KeyError)
+    assert len(told) == 2
+    assert "one" in told[0][0] and "KeyError" in told[1][0]
+    assert capsys.readouterr().err.count("Traceback") == 3
+
+
+@pytest.mark.qt_no_exception_capture
+def test_slots_handlers_and_threads_may_fail_and_the_loop_goes_on(told, qtbot, capsys):
+    class Odd(QWidget):
+        def paintEvent(self, event):
+            raise RuntimeError("painting")
+
+    odd = Odd()
+    qtbot.addWidget(odd)
+    thread = threading.Thread(target=fail, args=("thread",))
+    after = []
+    QTimer.singleShot(0, lambda: fail("slot"))
+    QTimer.singleShot(0, thread.start)
+    QTimer.singleShot(50, lambda: after.append(True))
+    odd.show()
+    qtbot.waitUntil(lambda: bool(after) and len(told) == 2)  # both of fail are of one kind
+    thread.join()
+    assert any("painting" in sentence for sentence, _ in told)
+
+
+def test_qt_is_heard_once_for_each_sentence(trouble, capsys):
+    said = []
+    trouble.qt_said.connect(said.append)
+    for text in ("odd thing", "odd thing", "other thing"):
+        qWarning(text)
+    assert said == ["Qt: odd thing", "Qt: other thing"]
+    assert capsys.readouterr().err.count("odd thing") == 2

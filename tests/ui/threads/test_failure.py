@@ -1,0 +1,54 @@
+"""What a person, the log and the file get of work in a thread that failed."""
+
+import pytest
+
+from ui.startup.unexpected_errors import Trouble
+from ui.threads.background import Background
+from ui.threads.failure import sentence_of
+from workbench.defects import file
+from workbench.errors import Refused, RunFailed
+
+
+@pytest.fixture
+def logged(qapp):
+    trouble, lines = Trouble(), []
+    trouble.logged.connect(lines.append)
+    yield lines
+    trouble.close()
+    trouble.deleteLater()
+
+
+@pytest.mark.parametrize("error", [Refused("lens", "too thick"), RunFailed("no light")])
+def test_a_refusal_is_a_sentence_and_no_defect(logged, error):
+    assert sentence_of(error, "run") == str(error)
+    assert not logged
+
+
+def divided_by_nothing():
+    return 1 / 0
+
+
+def test_a_defect_in_a_thread_reaches_person_log_and_file(qtbot, qapp, logged, capsys):
+    background, said = Background("export", qapp), []
+    background.failed.connect(said.append)
+    background.begin(divided_by_nothing)
+    qtbot.waitUntil(lambda: bool(said))
+    background.deleteLater()
+    assert said == [
+        "The export ended with an unexpected ZeroDivisionError: division by zero "
+        f"(details are in {file()})"
+    ]
+    (details,) = logged
+    for text in (details, file().read_text(), capsys.readouterr().err):
+        assert "Traceback" in text and "in divided_by_nothing" in text
+
+
+def test_work_does_not_begin_while_other_work_is_under_way(qtbot, qapp):
+    background, done = Background("export", qapp), []
+    background.done.connect(done.append)
+    background.begin(lambda: 1)
+    with pytest.raises(RuntimeError, match="the export is under way already"):
+        background.begin(lambda: 2)
+    qtbot.waitUntil(lambda: bool(done))
+    background.deleteLater()
+    assert done == [1]

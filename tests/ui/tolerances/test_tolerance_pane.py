@@ -1,0 +1,176 @@
+"""The dock that perturbs the lens on show."""
+
+import csv
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QWidget
+
+from tests.ui.hands import fill
+from ui.document.document import Document
+from ui.files.dialogs import FileDialogs
+from ui.files.plots import Plots
+from ui.tolerances import pane as pane_module
+from ui.tolerances.pane import TolerancePane
+from ui.widgets.message_bar import MessageBar
+from workbench.analysis.tolerances import Distribution, perturbed
+from workbench.errors import RunFailed
+
+RAYS = 5000
+
+pytestmark = pytest.mark.usefixtures("kernels")
+
+
+@pytest.fixture
+def frame(frames):
+    return frames(1)
+
+
+@pytest.fixture
+def pane(session, frame, show, monkeypatch, qtbot):
+    monkeypatch.setattr(pane_module, "_RAYS", RAYS)
+    pane = TolerancePane()
+    qtbot.addWidget(pane, before_close_func=lambda pane: pane.close_thread())
+    pane.show_design(session)
+    pane.show_frame(frame)
+    return show(pane, 760, 420)
+
+
+def enter(pane, qtbot, path, text):
+    """Type into a field."""
+    row = pane.form._row(path)
+    fill(qtbot, row.editors[path], text)
+    return row
+
+
+def sample(pane, qtbot, lenses=4):
+    """Have lenses traced."""
+    enter(pane, qtbot, "lenses", f"{lenses}")
+    qtbot.mouseClick(pane.form.begin, Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(lambda: not pane._sampling.busy, timeout=60_000)
+
+
+def test_the_figures_are_those_of_the_engine(pane, session, frame, qtbot):
+    assert pane.plot.empty and not pane.form.save.isEnabled()
+    enter(pane, qtbot, "tilt", "1.5")
+    enter(pane, qtbot, "seed", "3")
+    sample(pane, qtbot)
+    heights = frame.snapshot.control_points
+    nominal, *others = perturbed(
+        session.scene, session.target, heights, pane.form.within, 4, RAYS, seed=3
+    )
+    assert np.degrees(pane.form.within.tilt) == pytest.approx(1.5)
+    spread = Distribution.of(nominal, others)
+    assert pane.told.text() == (
+        f"4 of 4 lenses: error as designed {100 * spread.nominal:.2f} %, median "
+        f"{100 * spread.percentiles['50']:.2f} %, 95 % of lenses below "
+        f"{100 * spread.percentiles['95']:.2f} %, worst {100 * spread.worst:.2f} %"
+    )
+    qtbot.waitUntil(lambda: not pane.plot.empty)
+    assert pane.form.save.isEnabled()
+
+
+def test_what_is_not_possible_is_refused_beside_its_field(pane, qtbot):
+    for path, text, word in (
+        ("tilt", "50", "less than 45"),
+        ("decentre", "-1", "from 0"),
+        ("index", "0.9", "less than 0.5"),
+        ("surface[0]", "much", "'much' is not a number"),
+        ("lenses", "0", "from 1 to"),
+    ):
+        row = enter(pane, qtbot, path, text)
+        assert word in row.refusal, path
+        pane.toggle()
+        assert not pane._sampling.busy
+        qtbot.keyClick(row.editors[path], Qt.Key.Key_Escape)
+        assert not row.refusal
+
+
+def test_nothing_off_is_nothing_to_trace(pane, qtbot):
+    for path in ("tilt", "decentre", "index", "distance", "surface[0]"):
+        enter(pane, qtbot, path, "0")
+    pane.toggle()
+    assert not pane._sampling.busy and pane.told.text().startswith("Nothing is off")
+
+
+def test_whoever_cancels_keeps_the_lenses_so_far(pane, qtbot):
+    enter(pane, qtbot, "lenses", "50000")
+    pane.toggle()
+    assert pane.form.begin.text() == "Cancel"
+    qtbot.waitUntil(lambda: len(pane._sample.others) > 2, timeout=60_000)
+    pane.toggle()
+    assert not pane.form.begin.isEnabled()
+    qtbot.waitUntil(lambda: not pane._sampling.busy, timeout=60_000)
+    assert pane.form.begin.text() == "Start" and pane.form.begin.isEnabled()
+    traced = len(pane._sample.others)
+    assert 2 < traced < 50000 and pane.told.text().startswith(f"{traced} of 50000 lenses: ")
+
+
+def test_the_figures_say_when_the_lens_is_another(pane, session, frame, frames, qtbot):
+    sample(pane, qtbot)
+    pane.show_frame(frames(5))
+    assert pane.told.text().endswith("these are of the one before.")
+    pane.show_frame(frame)
+    assert "changed" not in pane.told.text()
+    pane.show_nothing(session)
+    assert "changed" in pane.told.text() and not pane.form.begin.isEnabled()
+
+
+def test_only_a_lens_that_rests_is_perturbed(pane):
+    assert pane.form.begin.isEnabled()
+    pane.allow(resting=False)
+    assert not pane.form.begin.isEnabled()
+
+
+def test_a_failure_is_told(pane, monkeypatch, qtbot):
+    def fail(*_):
+        raise RunFailed("no light reaches the screen")
+        yield
+
+    monkeypatch.setattr("workbench.analysis.tolerances.perturbed", fail)
+    with qtbot.waitSignal(pane.failed) as told:
+        pane.toggle()
+    assert told.args == ["no light reaches the screen"]
+    assert pane.form.begin.text() == "Start" and pane.told.text() == ""
+
+
+def test_plot_and_figures_can_be_saved(pane, session, settings, tmp_path: Path, qtbot):
+    sample(pane, qtbot, lenses=3)
+    qtbot.waitUntil(lambda: not pane.plot.empty)
+    window, messages = QWidget(), MessageBar()
+    qtbot.addWidget(window)
+    qtbot.addWidget(messages)
+    document = Document(session, "small", window)
+    dialogs = FileDialogs(document, settings, window)
+    plots = Plots({"tolerances": pane.plot}, document, messages, dialogs, window)
+    for ending in ("json", "png", "csv"):
+        plots.save("tolerances", tmp_path / f"spread.{ending}")
+    plots.close()
+    figures = json.loads((tmp_path / "spread.json").read_text())
+    errors = [each["relative_l2"] for each in figures["samples"]]
+    assert len(errors) == 3 and figures["worst"] == max(errors)
+    assert (tmp_path / "spread.png").read_bytes().startswith(b"\x89PNG")
+    with (tmp_path / "spread.csv").open() as file:
+        rows = list(csv.DictReader(file))
+    assert [float(row["relative L2 error"]) for row in rows] == pytest.approx(errors)
+    assert "decentre x [cm]" in rows[0]
+
+
+def test_closing_in_the_midst_of_a_sample(pane, qtbot):
+    enter(pane, qtbot, "lenses", "50000")
+    pane.toggle()
+    pane.close_thread()
+    assert not pane._sampling.busy
+
+
+def test_another_unit_converts_what_was_asked_for(pane, session, qtbot):
+    enter(pane, qtbot, "decentre", "0.03")
+    enter(pane, qtbot, "tilt", "1.5")
+    pane.show_design(session.in_unit("mm"))
+    within = pane.form.within
+    assert (within.decentre, pane.form._row("decentre").editors["decentre"].text()) == (0.3, "0.3")
+    assert within.tilt == pytest.approx(np.radians(1.5))
+    assert within.surface == (0, 2)  # a tenth of 20 mm

@@ -1,0 +1,74 @@
+"""Light and dark, also when the system changes its mind while the window is open."""
+
+import re
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QColor, QPalette
+from PySide6.QtWidgets import QPushButton
+
+from ui.widgets import theme
+
+
+def dark_palette():
+    return QPalette(QColor("#222"), QColor("#222"))
+
+
+def test_colours_follow_the_palette_which_comes_after_the_signal(application, qtbot):
+    theme.apply(application)
+    light = application.styleSheet()
+    application.styleHints().colorSchemeChanged.emit(Qt.ColorScheme.Dark)
+    application.setPalette(dark_palette())
+    qtbot.waitUntil(lambda: application.styleSheet() != light)
+    assert theme._REFUSED["light"] in light
+    assert theme._REFUSED["dark"] in application.styleSheet()
+
+
+def contrast(one, other):
+    """Of WCAG 2: 1 for equal colours, 21 for black on white."""
+
+    def luminance(colour):
+        parts = [getattr(QColor(colour), part)() for part in ("redF", "greenF", "blueF")]
+        linear = [p / 12.92 if p <= 0.04045 else ((p + 0.055) / 1.055) ** 2.4 for p in parts]
+        return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+
+    dark, bright = sorted([luminance(one), luminance(other)])
+    return (bright + 0.05) / (dark + 0.05)
+
+
+@pytest.mark.parametrize(
+    ("scheme", "ground", "text"), [("light", "#efefef", "#000"), ("dark", "#323232", "#fff")]
+)
+def test_what_is_coloured_can_be_read(scheme, ground, text):
+    """On Fusion's own grounds; 4.5 is what WCAG asks of text."""
+    assert contrast(theme._REFUSED[scheme], ground) >= 4.5
+    for ground_of_message in (theme._WARNING, theme._NOTE):
+        assert contrast(text, ground_of_message[scheme]) >= 7
+
+
+@pytest.mark.parametrize(("scheme", "ink"), [("light", "#000"), ("dark", "#fff")])
+def test_what_is_on_can_be_read_and_told_from_what_is_off(application, scheme, ink, qtbot):
+    theme.apply(application)
+    if scheme == "dark":
+        application.styleHints().colorSchemeChanged.emit(Qt.ColorScheme.Dark)
+        application.setPalette(dark_palette())
+        qtbot.waitUntil(lambda: theme._ON["dark"] in application.styleSheet())
+    assert contrast(ink, theme._ON[scheme]) >= 4.5
+    button = QPushButton(checkable=True)
+    qtbot.addWidget(button)
+    button.resize(80, 30)
+    off, on = (_middle(button, checked) for checked in (False, True))
+    assert on.blue() - on.red() > 30 > off.blue() - off.red()
+
+
+def _middle(button, checked):
+    button.setChecked(checked)
+    return button.grab().toImage().pixelColor(40, 15)
+
+
+@pytest.mark.parametrize("name", ["dock-close", "dock-float"])
+@pytest.mark.parametrize("ground", ["#efefef", "#323232"])
+def test_buttons_of_docks_are_seen_on_both_grounds(name, ground):
+    """3 is what WCAG asks of what is not text."""
+    (ink,) = re.findall('stroke="(#[0-9a-f]{6})"', theme._icon_file(name).read_text())
+    assert contrast(ink, ground) >= 3

@@ -1,0 +1,47 @@
+"""The list of steps: by mouse and keyboard, also when there are a thousand."""
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QStyleOptionViewItem
+
+from tests.ui.hands import move_screen
+from ui.document.undo_steps import Steps
+
+STEPS = 1000
+
+
+def test_a_thousand_steps_are_listed_and_gone_through_by_keyboard(window, qtbot, monkeypatch):
+    # Neither forms that show each of them nor the account of memory are tried here.
+    window.document.blockSignals(True)
+    monkeypatch.setattr(Steps, "_forget_oldest", lambda self: None)
+    for number in range(STEPS):
+        move_screen(window.document, 6 + number, f"screen at {6 + number}")
+    window.document.blockSignals(False)
+    window.commands["go_history"].trigger()
+    history, document = window.workspace.history, window.document
+    qtbot.waitUntil(history.hasFocus)
+    assert history.model().rowCount() == STEPS + 1  # and the beginning
+    assert history.currentIndex().row() == STEPS
+    qtbot.waitUntil(lambda: history.visualRect(history.currentIndex()).isValid())
+    assert history.viewport().rect().intersects(history.visualRect(history.currentIndex()))
+    qtbot.keyClick(history, Qt.Key.Key_Up)
+    assert document.session.scene.screen.z == 6 + STEPS - 2
+    qtbot.keyClick(history, Qt.Key.Key_Home)
+    assert document.session.scene.screen.z == 5 and history.currentIndex().row() == 0
+    qtbot.keyClick(history, Qt.Key.Key_End)
+    assert document.session.scene.screen.z == 6 + STEPS - 1
+
+
+def test_undo_moves_the_mark(window):
+    for z in (6, 7):
+        move_screen(window.document, z, f"screen at {z}")
+    history = window.workspace.history
+    assert history.currentIndex().data() == "screen at 7"
+    window.commands["undo"].trigger()
+    assert history.currentIndex().data() == "screen at 6"
+
+
+def test_steps_begin_with_a_capital(window):
+    move_screen(window.document, 6, "screen at 6")
+    history, option = window.workspace.history, QStyleOptionViewItem()
+    history.itemDelegate().initStyleOption(option, history.currentIndex())
+    assert option.text == "Screen at 6"

@@ -1,0 +1,98 @@
+"""Moves the keyboard's focus from pane to pane, and shows which one has it."""
+
+from collections.abc import Callable, Mapping
+from functools import partial
+
+from PySide6.QtCore import QObject, Qt
+from PySide6.QtWidgets import QApplication, QDockWidget, QMainWindow, QToolBar, QWidget
+
+from ui.commands.panes import PANES
+
+
+class Panes(QObject):
+    """The docks, what stands between them, and the toolbar.
+
+    Parameters
+    ----------
+    window : QMainWindow
+        Holds them.
+    docks : mapping of str to QDockWidget
+        By name; the focus goes in the order of `PANES`.
+    toolbar : QToolBar
+        Comes last.
+    """
+
+    def __init__(
+        self, window: QMainWindow, docks: Mapping[str, QDockWidget], toolbar: QToolBar
+    ) -> None:
+        super().__init__(window)
+        centre = window.centralWidget()
+        assert centre is not None  # stands there as long as the window
+        self._centre: QWidget = centre
+        self._docks, self._toolbar = docks, toolbar
+        self._marked: QWidget | None = None
+        application = QApplication.instance()
+        assert isinstance(application, QApplication)
+        application.focusChanged.connect(self._mark)
+
+    def slots(self) -> dict[str, Callable[[], object]]:
+        """What commands do here."""
+        return {
+            **{f"go_{name}": partial(self.go, name) for name in PANES},
+            "next_pane": partial(self._step, 1),
+            "previous_pane": partial(self._step, -1),
+        }
+
+    def place(self, name: str) -> QWidget:
+        """The pane of a name."""
+        found = self._docks.get(name)
+        return self._centre if found is None else found
+
+    def show(self, name: str) -> None:
+        """Make sure that a pane can be seen."""
+        if name in self._docks:
+            self._docks[name].show()
+            self._docks[name].raise_()
+
+    def go(self, name: str) -> None:
+        """Show a pane and give it the focus."""
+        self.show(name)
+        _enter(self.place(name))
+
+    def _step(self, by: int) -> None:
+        panes = [*map(self.place, PANES), self._toolbar]
+        seen = [pane for pane in panes if not pane.visibleRegion().isEmpty()]
+        focused = QApplication.focusWidget()
+        at = next((k for k, pane in enumerate(seen) if _holds(pane, focused)), -1 if by > 0 else 0)
+        _enter(seen[(at + by) % len(seen)])
+
+    def _mark(self, _: QWidget | None, focused: QWidget | None) -> None:
+        """Tell the pane with the focus from the others; see the style sheet."""
+        pane = next((pane for pane in map(self.place, PANES) if _holds(pane, focused)), None)
+        if focused is None or pane is self._marked:  # no focus: another window is active
+            return
+        for each, active in ((self._marked, False), (pane, True)):
+            if each is not None:
+                each.setProperty("active", active)
+                each.style().unpolish(each)
+                each.style().polish(each)
+                each.update()  # which polishing does not see to
+        self._marked = pane
+
+
+def _holds(pane: QWidget, widget: QWidget | None) -> bool:
+    return widget is not None and (pane is widget or pane.isAncestorOf(widget))
+
+
+def _enter(pane: QWidget) -> None:
+    """Give the focus back to what had it in a pane, or to the first that takes it."""
+    inner = pane.widget() if isinstance(pane, QDockWidget) else pane
+    last = inner.focusWidget()
+    children = [w for w in inner.findChildren(QWidget) if w.focusPolicy() & Qt.FocusPolicy.TabFocus]
+    for widget in (last, inner, *children):
+        if widget is None or not (widget.isVisible() and widget.isEnabled()):
+            continue
+        if widget.focusPolicy() & Qt.FocusPolicy.TabFocus:
+            widget.setFocus(Qt.FocusReason.TabFocusReason)
+            return
+    inner.setFocus(Qt.FocusReason.OtherFocusReason)

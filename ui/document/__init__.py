@@ -1,0 +1,1 @@
+"""The open design, its undo steps, and the verified errors of its lenses."""

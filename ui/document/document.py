@@ -1,0 +1,295 @@
+"""The open design: a session, the file it lives in, and every change that was made to it."""
+
+from dataclasses import replace
+from enum import Enum, auto
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtCore import QObject, Signal
+
+import resources
+from ui.document.undo_steps import Steps
+from ui.document.verified_errors import VerifiedErrors
+from workbench.design.snapshot import Result
+from workbench.design.task import with_file, with_task
+from workbench.files.fingerprint import fingerprint
+from workbench.files.scene import with_absolute_image
+from workbench.files.session import (
+    Session,
+    is_session,
+    open_design,
+    read_session,
+    write_session,
+)
+from workbench.scene import Scene
+
+ENDING = ".freeform"
+
+
+class OnDisk(Enum):
+    """What has become of a design's file since the design was last read from it or written to it.
+
+    Attributes
+    ----------
+    KNOWN
+        It holds what it held then.
+    CHANGED
+        Another program has written to it.
+    GONE
+        It is no longer there.
+    """
+
+    KNOWN = auto()
+    CHANGED = auto()
+    GONE = auto()
+
+
+class Document(QObject):
+    """Owns the session, the file path, the undo stack and with it the dirty flag.
+
+    Sessions are immutable values, so an edit is a step from one session to the next and whatever
+    raises on the way (a refusal, a full disk) leaves the open one as it is.
+
+    Parameters
+    ----------
+    session : Session
+        What is open at first.
+    name : str
+        What the title calls it until it has a file of its own.
+
+    Attributes
+    ----------
+    verified : VerifiedErrors
+        What checks say of the lenses of kept runs, which goes into files.
+    session_changed : Signal(Session)
+        Another session is open, in whatever way it came.
+    edited : Signal(Session, Session)
+        An edit has led from the one to the other.
+    path_changed : Signal()
+        The design has another file.
+    dirty_changed : Signal(bool)
+        Whether closing now would lose changes.
+    """
+
+    session_changed = Signal(object)
+    edited = Signal(object, object)
+    path_changed = Signal()
+    dirty_changed = Signal(bool)
+
+    def __init__(self, session: Session, name: str, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._session = session
+        self._path: Path | None = None
+        self._fingerprint: str | None = None
+        self._suggestion = Path(name)
+        self.verified = VerifiedErrors()
+        self.undo_stack = Steps(self._show, self)
+        self.undo_stack.cleanChanged.connect(self._tell_dirty)
+
+    @property
+    def session(self) -> Session:
+        """Scene, target and, once designed, the result."""
+        return self._session
+
+    @property
+    def path(self) -> Path | None:
+        """The session file that saving writes; None for a design without one."""
+        return self._path
+
+    @property
+    def fingerprint(self) -> str | None:
+        """Of the file as it was last read or written; None where there was none."""
+        return self._fingerprint
+
+    @property
+    def name(self) -> str:
+        """What the title calls the design."""
+        return self.suggested_path.stem
+
+    @property
+    def suggested_path(self) -> Path:
+        """Where the design is or might be saved."""
+        return self._path or self._suggestion.with_suffix(ENDING)
+
+    @property
+    def folder(self) -> Path | None:
+        """Where the design was opened or saved; None where it was neither."""
+        path = self.suggested_path
+        return path.parent if path.is_absolute() else None
+
+    @property
+    def dirty(self) -> bool:
+        """Whether closing now would lose changes."""
+        return not self.undo_stack.isClean()
+
+    def edit(self, scene: Scene, text: str, key: str) -> None:
+        """Go on with another scene, as one step that can be undone.
+
+        Parameters
+        ----------
+        scene : Scene
+            Takes the place of the open one.
+        text : str
+            What the undo menu calls the step.
+        key : str
+            Consecutive edits with the same key become one step.
+
+        Raises
+        ------
+        Refused
+            If the scene's target cannot be loaded; nothing has changed then.
+        """
+        # One step is one edit: what was lost on the way comes back with the value it hung on.
+        old = self.undo_stack.origin(key) or self._session
+        # A relative path typed by hand starts beside the file, as it will when saved there.
+        scene = with_absolute_image(scene, self.suggested_path)
+        if scene == self._session.scene:
+            return
+        after = with_task(old, scene, self.suggested_path.parent)
+        self.change(after, text, key)
+        self.edited.emit(old, after)
+
+    def read_image_again(self) -> None:
+        """Take the target's image as its file has it now, as one step that can be undone.
+
+        Raises
+        ------
+        Refused
+            If the target cannot be drawn; nothing has changed then.
+        """
+        before = self._session
+        after = with_file(before, self.suggested_path.parent)
+        self.change(after, "new reading of the image")
+        self.edited.emit(before, after)
+
+    def set_result(self, result: Result, text: str) -> None:
+        """Put a run's result into the session, as one step that can be undone."""
+        self.change(replace(self._session, result=result), text)
+
+    def change(self, session: Session, text: str, key: str = "") -> None:
+        """Go on with another session, as one step that can be undone.
+
+        Parameters
+        ----------
+        session : Session
+            Takes the place of the open one.
+        text, key
+            As for `edit`.
+        """
+        self.undo_stack.take(self._session, session, text, key)
+
+    def open(self, path: Path) -> None:
+        """Open a session, or an untitled design from a scene file.
+
+        Raises
+        ------
+        Refused
+            If it cannot be read; the open design stays.
+        """
+        path = path.absolute()
+        shipped = path.is_relative_to(resources.path())  # no place to save to
+        suggestion = Path(path.name) if shipped else path
+        # Beforehand: what is written while it is read is a change. Other files may be endless.
+        found = fingerprint(path) if is_session(path) else None
+        session = open_design(path)
+        if found is None:
+            self._begin(session, suggestion)
+        else:
+            self._begin(session, suggestion, path, found)
+
+    def recover(self, session: Session, name: str, path: Path | None, known: str | None) -> None:
+        """Go on with a session that was never saved.
+
+        Parameters
+        ----------
+        session : Session
+            What was kept of it.
+        name : str
+            What the title called it.
+        path : Path, optional
+            The file that saving wrote.
+        known : str, optional
+            Fingerprint of that file when the work was kept.
+        """
+        self._begin(session, Path(name), path, known)
+        self.undo_stack.resetClean()
+
+    def on_disk(self, path: Path) -> OnDisk:
+        """What saving to a file would replace; `OnDisk.KNOWN` for any but the design's own.
+
+        Raises
+        ------
+        Refused
+            If something is there that cannot be read.
+        """
+        if self._path is None or path.resolve() != self._path.resolve():
+            return OnDisk.KNOWN
+        found = fingerprint(path)
+        if found == self._fingerprint:
+            return OnDisk.KNOWN
+        return OnDisk.GONE if found is None else OnDisk.CHANGED
+
+    def revert(self) -> None:
+        """Go back to what the file holds, as one step that can be undone.
+
+        Raises
+        ------
+        Refused
+            If it cannot be read; nothing has changed then.
+        """
+        if self._path is not None:
+            found = fingerprint(self._path)
+            self.change(read_session(self._path), "revert to the file")
+            self._fingerprint = found
+            self.undo_stack.setClean()
+
+    def save(
+        self, path: Path, view: dict[str, Any] | None = None, making: Result | None = None
+    ) -> None:
+        """Write the session and make ``path`` its file.
+
+        Parameters
+        ----------
+        path : Path
+            Session file.
+        view : dict, optional
+            How the design is looked at, which goes into the file and is no change of the design.
+        making : Result, optional
+            The best lens so far of a run that goes on. The file gets it; the design still has
+            changes then, because it gets its lens when the run ends.
+
+        Raises
+        ------
+        Refused
+            If it cannot be written; what was at ``path`` before is still there.
+        """
+        session = replace(self.verified.complete(self._session), view=view)
+        if making is not None:
+            session = replace(session, result=making)
+        self._fingerprint = write_session(session, path)
+        self._path = path
+        if making is None:
+            self.undo_stack.setClean()
+        else:
+            self.undo_stack.resetClean()
+        self.path_changed.emit()
+
+    def _tell_dirty(self, clean: bool) -> None:
+        self.dirty_changed.emit(not clean)
+
+    def _begin(
+        self,
+        session: Session,
+        suggestion: Path,
+        path: Path | None = None,
+        known: str | None = None,
+    ) -> None:
+        self._path, self._fingerprint, self._suggestion = path, known, suggestion
+        self.undo_stack.clear()
+        self.undo_stack.setClean()  # an empty stack is left as it was, a recovered one too
+        self._show(session)
+        self.path_changed.emit()
+
+    def _show(self, session: Session) -> None:
+        self._session = session
+        self.session_changed.emit(session)

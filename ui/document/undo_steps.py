@@ -1,0 +1,142 @@
+"""What was done to a design, as steps that can be taken back, as many as memory holds."""
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QObject, QSignalBlocker, Signal
+from PySide6.QtGui import QUndoCommand, QUndoStack
+
+from ui.document.memory import blocks
+from workbench.files.session import Session
+
+Show = Callable[[Session], None]
+
+_BUDGET = 64 << 20  # bytes
+_SMALL = 16 << 10  # bytes of a step without arrays of its own: scene, text, Qt's part
+
+
+class Steps(QUndoStack):
+    """The undo stack of a document.
+
+    Sessions share their arrays, so a step costs what the session before it holds and the one
+    after it does not. When all steps together cost too much, the oldest are forgotten.
+
+    Parameters
+    ----------
+    show : Callable
+        Is given the session that a step, or taking it back, leads to.
+    budget : int
+        Bytes that the steps may hold.
+
+    Attributes
+    ----------
+    forgot : Signal(int)
+        So many of the oldest steps can be taken back no more.
+    """
+
+    forgot = Signal(int)
+
+    def __init__(self, show: Show, parent: QObject, budget: int = _BUDGET) -> None:
+        super().__init__(parent)
+        self._go_to, self._budget = show, budget
+
+    @property
+    def cost(self) -> int:
+        """Bytes that are held for taking steps back."""
+        return sum(step.cost for step in self._all())
+
+    def take(self, before: Session, after: Session, text: str, key: str = "") -> None:
+        """Go from one session to the next.
+
+        Parameters
+        ----------
+        before, after : Session
+            Where the step begins and ends.
+        text : str
+            What the undo menu calls it.
+        key : str
+            Consecutive steps with the same key become one.
+        """
+        self.push(_Step(self._go_to, before, after, text, key))
+        self._forget_oldest()
+
+    def origin(self, key: str) -> Session | None:
+        """Where the step began that one with this key would become part of, if there is one."""
+        if not key or self.isClean() or not self.canUndo():
+            return None
+        last = self._all()[self.index() - 1]
+        return last.before if last.key == key else None
+
+    def _all(self) -> "list[_Step]":
+        steps = [self.command(number) for number in range(self.count())]
+        return [step for step in steps if isinstance(step, _Step)]
+
+    def _forget_oldest(self) -> None:
+        steps = self._all()
+        over, forgotten = self.cost - self._budget, 0
+        while over > 0 and forgotten < len(steps) - 1:  # the last one can always be taken back
+            over -= steps[forgotten].cost
+            forgotten += 1
+        if not forgotten:
+            return
+        # A stack forgets all or nothing by itself; what is kept is put on an empty one.
+        kept = [step.again() for step in steps[forgotten:-1]]
+        last = steps[-1].again(steps[-1].key)
+        clean = self.cleanIndex() - forgotten
+        with QSignalBlocker(self):
+            self.clear()
+            if clean != 0:
+                self.resetClean()
+            for number, step in enumerate(kept, 1):
+                self.push(step)
+                if number == clean:
+                    self.setClean()
+        self.push(last)
+        self.forgot.emit(forgotten)
+
+
+class _Step(QUndoCommand):
+    """From one session to the next."""
+
+    _MERGING = 1  # Qt offers only commands of the same id to each other
+
+    def __init__(
+        self, show: Show, before: Session, after: Session, text: str, key: str, done: bool = False
+    ) -> None:
+        super().__init__(text)
+        self._show, self._done = show, done
+        self.before, self.after, self.key = before, after, key
+        self.cost = _cost(before, after)
+
+    def again(self, key: str = "") -> "_Step":
+        """The same step for an empty stack, which would do what is done already.
+
+        Without a key it stays apart from its neighbours, as it was.
+        """
+        return _Step(self._show, self.before, self.after, self.text(), key, done=True)
+
+    def redo(self) -> None:
+        if self._done:
+            self._done = False
+        else:
+            self._show(self.after)
+
+    def undo(self) -> None:
+        self._show(self.before)
+
+    def id(self) -> int:
+        return self._MERGING if self.key else -1
+
+    def mergeWith(self, other: QUndoCommand) -> bool:
+        if not isinstance(other, _Step) or other.key != self.key:
+            return False
+        self.after = other.after
+        self.cost = _cost(self.before, self.after)
+        # Qt deletes the other in the midst of `push`, after which PySide keeps its shell for ever.
+        del other.before, other.after
+        return True
+
+
+def _cost(before: Session, after: Session) -> int:
+    kept = dict(blocks(after))
+    left = {block: size for block, size in dict(blocks(before)).items() if block not in kept}
+    return _SMALL + sum(left.values())

@@ -1,0 +1,164 @@
+"""Takes plots along: as a picture on the clipboard or in a file, or in numbers."""
+
+import csv
+import io
+import json
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, BinaryIO
+
+from PySide6.QtCore import QObject
+from PySide6.QtGui import QAction, QGuiApplication, QImage
+
+from ui.document.document import Document
+from ui.files.dialogs import FileDialogs
+from ui.threads.background import Background
+from ui.widgets.message_bar import MessageBar
+from workbench.errors import Refused
+from workbench.files.atomic import replacing
+from workbench.files.export.tables import write_table
+
+if TYPE_CHECKING:
+    from ui.views.plot_view import PlotView
+    from workbench.pictures.data import Column
+
+_PICTURES = {".png": "png", ".svg": "svg"}
+_TABLE = ".csv"
+_DATA = ".json"
+_FILTERS = {
+    "Picture in pixels (*.png)": ".png",
+    "Picture in lines (*.svg)": ".svg",
+    "Numbers shown (*.csv)": _TABLE,
+}
+_FIGURES = {"Figures (*.json)": _DATA}
+
+
+class Plots(QObject):
+    """Copies and saves the plot that was clicked, or reached by keyboard, last.
+
+    Parameters
+    ----------
+    plots : mapping of str to PlotView
+        All plots by their names.
+    document : Document
+        Gives file names.
+    messages : MessageBar
+        Tells what was done, or why not.
+    dialogs : FileDialogs
+        Ask for the file.
+    """
+
+    def __init__(
+        self,
+        plots: "Mapping[str, PlotView]",
+        document: Document,
+        messages: MessageBar,
+        dialogs: FileDialogs,
+        parent: QObject,
+    ) -> None:
+        super().__init__(parent)
+        self._plots = dict(plots)
+        self._document = document
+        self._messages = messages
+        self._dialogs = dialogs
+        self._last = next(iter(plots))
+        self._background = Background("plot", self)
+        self._background.done.connect(lambda path: messages.note(f"{path} is written."))
+        self._background.failed.connect(messages.warn)
+        for name, plot in plots.items():
+            plot.touched.connect(partial(self._touch, name))
+
+    def slots(self) -> dict[str, Callable[[], object]]:
+        """What commands do here."""
+        return {"copy_plot": self.copy, "save_plot": self.choose_and_save}
+
+    def offer(self, actions: Sequence[QAction]) -> None:
+        """Offer these by a menu on each plot."""
+        for plot in self._plots.values():
+            plot.offer(actions)
+
+    def copy(self) -> None:
+        """Put the picture on the clipboard."""
+        name = self._current()
+        if name is not None:
+            with io.BytesIO() as file:
+                self._plots[name].write(file, "png")
+                QGuiApplication.clipboard().setImage(QImage.fromData(file.getvalue()))
+            self._messages.note(f"A picture of the {name} plot is on the clipboard.")
+
+    def choose_and_save(self) -> None:
+        """Ask for a file and save the plot there."""
+        name = self._current()
+        if name is not None:
+            self.choose_and_save_plot(name)
+
+    def choose_and_save_plot(self, name: str) -> None:
+        """Ask for a file and save a plot there, whichever was touched last."""
+        path = self.ask_for_name(name)
+        if path is not None:
+            self.save(name, path)
+
+    def save(self, name: str, path: Path) -> None:
+        """Save a plot; the ending of the file tells as what."""
+        ending, plot = path.suffix.lower(), self._plots[name]
+        figures = plot.figures()
+        if ending == _TABLE:
+            self._write_table(plot.data(), path)
+        elif ending == _DATA and figures is not None:
+            self._write(path, lambda file: file.write(json.dumps(figures, indent=2).encode()))
+        elif ending in _PICTURES:
+            self._write(path, lambda file: plot.write(file, _PICTURES[ending]))
+        else:
+            known = ", ".join((*_PICTURES, _TABLE, *([] if figures is None else [_DATA])))
+            self._messages.warn(f"{path.name}: a plot is saved as one of {known}")
+
+    def ask_for_name(self, name: str) -> Path | None:
+        """Ask for a file; a name without an ending gets that of the chosen kind."""
+        filters = _FILTERS if self._plots[name].figures() is None else _FILTERS | _FIGURES
+        suggested = f"{self._document.name} {name}"
+        return self._dialogs.to_save("plot", f"Save {name} plot", suggested, filters)
+
+    def close(self) -> None:
+        """Let the file under way be written. Safe to call twice."""
+        self._background.close()
+
+    def _touch(self, name: str) -> None:
+        self._last = name
+
+    def _current(self) -> str | None:
+        """The last one touched, or else the first, of those that can be seen and show something."""
+        for name in (self._last, *self._plots):
+            plot = self._plots[name]
+            if plot.isVisible() and not plot.empty:
+                plot.take_turn()  # what came in the meantime
+                return name
+        self._messages.note("There is no plot to be seen; View shows the docks of all plots.")
+        return None
+
+    def _write(self, path: Path, write: Callable[[BinaryIO], object]) -> None:
+        try:
+            with replacing(path) as file:
+                write(file)
+        except Refused as refused:
+            self._messages.warn(str(refused))
+        else:
+            self._messages.note(f"{path} is written.")
+
+    def _write_table(self, columns: "list[Column]", path: Path) -> None:
+        if self._background.busy:
+            self._messages.note("One plot is still being written; save the next after it.")
+            return
+
+        def work() -> Path:
+            with replacing(path) as file:
+                write_table(file, [c.values for c in columns], _header(columns), delimiter=",")
+            return path
+
+        self._background.begin(work)  # of a large image it takes seconds
+
+
+def _header(columns: "list[Column]") -> str:
+    with io.StringIO() as line:
+        csv.writer(line, lineterminator="").writerow([column.name for column in columns])
+        return line.getvalue()

@@ -1,0 +1,1 @@
+"""What helps to find one's way: tour, table of keys, about."""

@@ -1,0 +1,144 @@
+"""Shapes the lens: moves control points along the optical axis."""
+
+from collections.abc import Callable, Set
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+import numpy.typing as npt
+from PySide6.QtCore import QObject, Qt, Signal
+
+from ui.lens.brush import Brush, BrushTool
+from ui.views.keys import ARROWS
+from ui.views.tools.tool import Pointer
+from workbench.design.brush import Stroke
+
+if TYPE_CHECKING:
+    from ui.views.scene_view import SceneView
+
+Array = npt.NDArray[np.float64]
+
+_ALONG = np.array([[0.0, 0.0, 1.0]])
+_FINE = 1 / 20  # of the movement of the hand or key, with Shift
+_RISE = (
+    1 / 100
+)  # for a press of a key and each repeat: of the height range, or of half the lens's half-width
+_RISES: dict[int, int] = {Qt.Key.Key_PageUp: 1, Qt.Key.Key_PageDown: -1}
+
+
+@dataclass
+class _Drag:
+    stroke: Stroke
+    place: Array  # of the control point in the middle, shape (3,)
+    at: Pointer | None  # None with a key
+    rise: float = 0.0
+
+
+class Sculpt(BrushTool):
+    """The tool for the heights of control points.
+
+    Parameters
+    ----------
+    view : SceneView
+        Where they are shown.
+    brush : Brush
+        Which ones move together.
+    heights : callable
+        Those of the lens to shape, or None while none may be shaped.
+
+    Attributes
+    ----------
+    shaped : Signal(ndarray, bool)
+        New control heights, and whether the drag is over.
+    refused : Signal(str)
+        Why nothing moves.
+    """
+
+    shaped = Signal(object, bool)
+    refused = Signal(str)
+
+    cursor = Qt.CursorShape.SizeVerCursor
+    keys: Set[int] = ARROWS.keys() | _RISES.keys()
+
+    def __init__(
+        self, view: "SceneView", brush: Brush, heights: Callable[[], Array | None], parent: QObject
+    ) -> None:
+        super().__init__(view, brush, parent)
+        self._heights = heights
+        self._drag: _Drag | None = None
+
+    @property
+    def hint(self) -> str:
+        """What can be done with it, in a line."""
+        text = (
+            "Drag control points along z, or use arrows, Page Up and Page Down; Shift: finely; "
+            f"Esc: back. Brush, [ and ]: {self._brush.words}"
+        )
+        if self._drag is not None:
+            text += f". Moved by {self._drag.rise:+.4g} {self._view.unit}"
+        return text
+
+    def press(self, at: Pointer) -> bool:
+        """Take hold of the control points in the brush."""
+        index = self._brush.point_at(at)
+        if index is None:
+            return False
+        self._begin(index, at)
+        return True
+
+    def drag(self, at: Pointer) -> None:
+        """Move them as far as the pointer goes along the axis as it is seen."""
+        drag, sight = self._drag, self._view.sight
+        if drag is None or drag.at is None or sight is None:
+            return
+        moved = (at.x - drag.at.x, at.y - drag.at.y)
+        (rise,) = sight.movement(drag.place, _ALONG, moved)
+        drag.at = at
+        self._raise(drag, float(rise), at.fine)
+
+    def press_key(self, key: int) -> None:
+        """Take hold of the control points in the brush, wherever the pointer is."""
+        index = self._brush.step(0, 0) if key in _RISES else None
+        if index is not None:
+            self._begin(index)
+
+    def repeat_key(self, key: int, fine: bool) -> None:
+        """Move them a little, or the brush."""
+        super().repeat_key(key, fine)
+        drag, lens = self._drag, self._view.lens
+        if key in _RISES and drag is not None and lens is not None:
+            low, high = lens.height_range or (0.0, max(lens.half_width) / 2)
+            self._raise(drag, _RISES[key] * _RISE * (high - low), fine)
+
+    def release(self) -> None:
+        """Leave them there."""
+        self._end(moved=True)
+
+    def cancel(self) -> None:
+        """Put them back."""
+        self._end(moved=False)
+
+    def turn_wheel(self, steps: int) -> None:
+        """Change the brush."""
+        if self._drag is None:
+            super().turn_wheel(steps)
+
+    def _begin(self, index: tuple[int, int], at: Pointer | None = None) -> None:
+        lens, net = self._view.lens, self._view.net
+        heights = self._heights()
+        if lens is None or net is None or heights is None:
+            return
+        stroke = Stroke(lens, heights, self._view.locked, index, self._brush.radius)
+        if stroke.moves:
+            self._drag = _Drag(stroke, net.places[index].copy(), at)
+        else:
+            self.refused.emit("All control points in the brush are locked; unlock some first.")
+
+    def _raise(self, drag: _Drag, by: float, fine: bool) -> None:
+        drag.rise += by * (_FINE if fine else 1.0)
+        self.shaped.emit(drag.stroke.raised(drag.rise), False)
+
+    def _end(self, *, moved: bool) -> None:
+        drag, self._drag = self._drag, None
+        if drag is not None:
+            self.shaped.emit(drag.stroke.raised(drag.rise if moved else 0.0), True)

@@ -1,0 +1,1 @@
+"""Messages about edits and runs that offer what to do next."""

@@ -1,0 +1,128 @@
+"""Tells what became of the lens when the task was edited, and how to go on."""
+
+from functools import partial
+
+import numpy as np
+from PySide6.QtCore import QObject, Signal
+
+from ui.document.document import Document
+from ui.panels.edits import Edit, edited_scene
+from ui.widgets.message_bar import MessageBar, Offer
+from workbench.files.session import Session
+from workbench.geometry.approximation import deviation, nearest_finer
+from workbench.geometry.surface import ControlNet
+from workbench.scene.lens import LARGEST_NET
+
+_NET = "lens.control_points"
+
+
+class CarriedLens(QObject):
+    """Listens to the edits of a document.
+
+    A lens that another control net cannot hold is carried over nearly: the message says how far
+    off it is, and offers the nearest net on which it would stay as it is.
+
+    Parameters
+    ----------
+    document : Document
+        What is edited.
+    messages : MessageBar
+        Gets what wants an answer.
+
+    Attributes
+    ----------
+    told : Signal(str)
+        What is good to know.
+    """
+
+    told = Signal(str)
+
+    def __init__(self, document: Document, messages: MessageBar, parent: QObject) -> None:
+        super().__init__(parent)
+        self._document, self._messages = document, messages
+        # The last change of a net: another one right after it is a change of mind.
+        self._before: Session | None = None
+        self._after: Session | None = None
+        self._said = ""
+        self._told: tuple[Session, str] | None = None  # said once of all edits of one step
+        document.edited.connect(self._tell)
+        document.session_changed.connect(self._withdraw)
+
+    def _tell(self, before: Session, after: Session) -> None:
+        if before is self._after and self._before is not None:
+            before = self._before
+        old, new = before.control_points, after.control_points
+        if old is None or after.result is before.result is not None:
+            return
+        if before.scene.unit != after.scene.unit:  # converted, the lens with all the rest
+            return
+        net, other = ControlNet.of(before.scene.lens), ControlNet.of(after.scene.lens)
+        if after.result is not None and net == other:  # within its new limits
+            return
+        if new is None:
+            self._say_of(
+                after,
+                "The lens does not fit the new outline: Start designs another one, Undo brings it "
+                "back.",
+            )
+        elif net == other and new is not old:
+            unit, moved = after.scene.unit, np.abs(new - old)
+            self._say_of(
+                after,
+                f"The lens is changed by up to {moved.max():.2g} {unit} to be within its new "
+                "limits. Continue goes on from there, and Undo takes the change back.",
+            )
+        elif net != other:
+            self._before, self._after = before, after
+            if other.contains(net):
+                self._say(f"On {_size(other.shape)} control points the lens is the same.")
+            else:
+                self._ask(before, after, deviation(net, old, other, new))
+        elif before.result is not None:
+            self._tell_once(
+                before,
+                "The lens was designed for another task and is a start for this one: Continue "
+                "goes on from it, Start over does not",
+            )
+
+    def _ask(self, before: Session, after: Session, off: float) -> None:
+        net, wished = ControlNet.of(before.scene.lens), after.scene.lens.control_points
+        unit = after.scene.unit
+        exact = nearest_finer(net, wished, LARGEST_NET)
+        offers: list[Offer] = []
+        if exact != net.shape:
+            take = partial(self._take, before, after, exact)
+            offers = [(f"Take {_size(exact)}, exact", take)]
+        self._say(
+            f"On {_size(wished)} control points the lens is off by up to {off:.2g} {unit}. "
+            "Continue goes on from there, Start over from nothing, and Undo takes the change back.",
+            *offers,
+        )
+
+    def _take(self, before: Session, after: Session, size: tuple[int, int]) -> None:
+        text = "change of lens control points"
+        scene = edited_scene(after.scene, [Edit(_NET, text, {_NET: list(size)})])
+        self._document.change(before.with_scene(scene, after.target), text)
+
+    def _tell_once(self, before: Session, text: str) -> None:
+        if self._told is None or self._told[0] is not before or self._told[1] != text:
+            self._told = before, text
+            self.told.emit(text)
+
+    def _say_of(self, after: Session, text: str) -> None:
+        """Say something of the session after an edit."""
+        self._before, self._after = None, after
+        self._say(text)
+
+    def _say(self, text: str, *offers: Offer) -> None:
+        self._said = text
+        self._messages.note(text, *offers)
+
+    def _withdraw(self, session: Session) -> None:
+        """What was said is about the session that it was said of."""
+        if session is not self._after and self._said == self._messages.text:
+            self._messages.clear()
+
+
+def _size(shape: tuple[int, int]) -> str:
+    return f"{shape[0]} × {shape[1]}"

@@ -1,0 +1,51 @@
+"""Edits of the task that are made while a run goes on: they wait for its end, or end it."""
+
+from PySide6.QtCore import QObject
+
+from ui.panels.forms import Forms
+from ui.run.control import RunControl
+from ui.widgets.message_bar import MessageBar
+
+
+class Postponed(QObject):
+    """Says which edits wait, and offers to stop the run for them.
+
+    Parameters
+    ----------
+    forms : Forms
+        Keeps the edits.
+    control : RunControl
+        Its run they wait for.
+    messages : MessageBar
+        Shows the offer.
+    """
+
+    def __init__(
+        self, forms: Forms, control: RunControl, messages: MessageBar, parent: QObject
+    ) -> None:
+        super().__init__(parent)
+        self._forms, self._control, self._messages = forms, control, messages
+        self._said = ""
+        forms.postponed.connect(self._offer)
+
+    def make(self) -> None:
+        """The run has ended: make the edits."""
+        self._withdraw()
+        self._forms.make_postponed_edits()
+
+    def remind(self, sentence: str) -> None:
+        """Say something, and that edits still wait."""
+        self._offer(f"{sentence} {self._forms.postponed_text}")
+
+    def _offer(self, sentence: str) -> None:
+        self._said = sentence
+        stop = self._control.runner.stop
+        self._messages.note(sentence, ("Stop and apply", stop), ("Take back", self._take_back))
+
+    def _take_back(self) -> None:
+        self._withdraw()
+        self._forms.drop_postponed_edits()
+
+    def _withdraw(self) -> None:
+        if self._said == self._messages.text:
+            self._messages.clear()

@@ -1,0 +1,40 @@
+"""Says which fields are refused when a run cannot begin for them."""
+
+from PySide6.QtCore import QObject
+
+from ui.panels.forms import Forms
+from ui.widgets.message_bar import MessageBar
+
+
+class RefusedFields(QObject):
+    """Tells of the refused fields, as long as there are any.
+
+    Parameters
+    ----------
+    forms : Forms
+        Where fields are refused.
+    messages : MessageBar
+        Says which.
+    """
+
+    def __init__(self, forms: Forms, messages: MessageBar, parent: QObject) -> None:
+        super().__init__(parent)
+        self._forms, self._messages = forms, messages
+        self._said = ""
+        forms.refusals_changed.connect(self._follow)
+
+    def tell(self) -> None:
+        """Say which fields are to be corrected."""
+        count = len(self._forms.refusals)
+        first = self._forms.refusals[0]
+        others = f" ({count - 1} more refused)" if count > 1 else ""
+        self._said = f"{first}{others}. Correct it, or press Esc in the field, first."
+        self._messages.warn(self._said)
+
+    def _follow(self) -> None:
+        """What was said is over when its field is corrected; the next one may be left."""
+        if self._said and self._messages.text == self._said:
+            if self._forms.refusals:
+                self.tell()
+            else:
+                self._messages.clear()

@@ -1,0 +1,120 @@
+"""Says when the limits of the lens are too narrow for its task, and offers the cure."""
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject
+
+from ui.document.document import Document
+from ui.panels.edits import Edit, edited_scene
+from ui.widgets.message_bar import MessageBar, Offer
+from workbench.design.shortfall import Shortfall
+from workbench.files.session import Session
+
+if TYPE_CHECKING:
+    from ui.run.control import RunControl
+    from ui.shown.frame import Frame
+
+_RANGE = "lens.height_range"
+
+
+class ShortfallNotice(QObject):
+    """Listens to the runs of a window and to what is open in it.
+
+    Parameters
+    ----------
+    document : Document
+        What is designed.
+    control : RunControl
+        Its runs; the notice goes with it.
+    messages : MessageBar
+        Gets what is said.
+    start_over, go_on : Callable
+        Begin a run: anew, or from the lens as it is.
+    """
+
+    def __init__(
+        self,
+        document: Document,
+        control: "RunControl",
+        messages: MessageBar,
+        start_over: Callable[[], object],
+        go_on: Callable[[], object],
+    ) -> None:
+        super().__init__(control)
+        self._document, self._control, self._messages = document, control, messages
+        self._start_over, self._go_on = start_over, go_on
+        self._shown: Shortfall | None = None
+        self._said = ""
+        self._said_of_run = False
+        self._stopped_to_widen = False
+        control.runner.frame_ready.connect(self._look)
+        control.ended.connect(self._end)
+        document.session_changed.connect(self._follow)
+        self._follow(document.session)
+
+    def _look(self, frame: "Frame") -> None:
+        """Say it once a run, as soon as it is known."""
+        shortfall = frame.snapshot.shortfall
+        if shortfall is None or not self._control.busy or self._said_of_run:
+            return
+        self._said_of_run = True
+        text = f"{self._sentence(shortfall)} The run goes on within these limits."
+        offers = [("Stop and widen", self._stop_and_widen)] if self._helps(shortfall) else []
+        self._say(text, *offers)
+
+    def _end(self) -> None:
+        self._said_of_run = False
+        if self._stopped_to_widen:
+            self._stopped_to_widen = False
+            self._widen()
+
+    def _follow(self, session: Session) -> None:
+        """Of the lens that is open; what was said of another one is withdrawn."""
+        shortfall = None if session.result is None else session.result.shortfall
+        if shortfall is self._shown:
+            return
+        if self._said and self._said == self._messages.text:
+            self._messages.clear()
+        self._shown, self._said = shortfall, ""
+        if shortfall is not None:
+            self._say(self._sentence(shortfall), *self._offers(shortfall))
+
+    def _offers(self, shortfall: Shortfall) -> list[Offer]:
+        if self._helps(shortfall):
+            return [("Widen", self._widen)]
+        if shortfall.cause == "height_range":  # the next run takes a wider one by itself
+            return [("Continue", self._go_on)]
+        return []
+
+    def _helps(self, shortfall: Shortfall) -> bool:
+        """Whether another height range would help."""
+        explicit = self._document.session.scene.lens.height_range is not None
+        return explicit and shortfall.cause == "height_range"
+
+    def _sentence(self, shortfall: Shortfall) -> str:
+        sentence = shortfall.sentence(self._document.session.scene.unit)
+        if shortfall.cause == "height_range":
+            return f"{sentence}."
+        cure = shortfall.cure
+        return f"{sentence}. {cure[0].upper()}{cure[1:]}."
+
+    def _stop_and_widen(self) -> None:
+        self._stopped_to_widen = True
+        self._control.runner.stop()
+
+    def _widen(self) -> None:
+        """Leave the range to the task, and keep the lens."""
+        text = "automatic height range"
+        scene = self._document.session.scene
+        self._document.edit(edited_scene(scene, [Edit(_RANGE, text, {_RANGE: None})]), text, "")
+        # From a lens that was cut off at its ends the way is long, and often does not lead as far.
+        self._said = (
+            "The height range follows from the task now, and the lens is as it was. Start over "
+            "mostly finds a better one than Continue does."
+        )
+        self._messages.note(self._said, ("Start over", self._start_over), ("Continue", self._go_on))
+
+    def _say(self, text: str, *offers: Offer) -> None:
+        self._said = text
+        self._messages.warn(text, *offers)

@@ -1,0 +1,65 @@
+"""Says what a person should know of the target's image: whether it is kept, or has changed."""
+
+from PySide6.QtCore import QObject
+
+from ui.document.document import Document
+from ui.widgets.message_bar import MessageBar
+from workbench.design.picture import changed_on_disk, why_not_kept
+from workbench.errors import Refused
+from workbench.files.session import Session
+
+
+class TargetImage(QObject):
+    """Listens to the edits of a document.
+
+    Parameters
+    ----------
+    document : Document
+        What is edited.
+    messages : MessageBar
+        Gets what may want an answer.
+    """
+
+    def __init__(self, document: Document, messages: MessageBar, parent: QObject) -> None:
+        super().__init__(parent)
+        self._document, self._messages = document, messages
+        self._said = ""
+        document.edited.connect(self._tell_of_edit)
+        document.session_changed.connect(self._withdraw)
+
+    def look(self) -> None:
+        """Look at a design that has just been opened."""
+        session = self._document.session
+        if self._document.path is None:  # drawn from its file a moment ago
+            self._tell_if_not_kept(session)
+        self._tell_if_changed(session)
+
+    def _tell_of_edit(self, before: Session, after: Session) -> None:
+        if after.target is before.target:
+            return
+        if after.scene.image != before.scene.image:
+            self._tell_if_not_kept(after)
+        self._tell_if_changed(after)
+
+    def _tell_if_not_kept(self, session: Session) -> None:
+        said = why_not_kept(session.scene, session.picture)
+        if said:
+            self._messages.note(said)
+
+    def _tell_if_changed(self, session: Session) -> None:
+        if changed_on_disk(session.scene, session.picture):
+            self._said = (
+                f"{session.scene.image} has changed. The design keeps the picture that it has."
+            )
+            self._messages.note(self._said, ("Read it again", self._read_again))
+
+    def _read_again(self) -> None:
+        try:
+            self._document.read_image_again()
+        except Refused as refused:
+            self._messages.warn(f"{refused}")
+
+    def _withdraw(self) -> None:
+        """What was said is about the session that it was said of."""
+        if self._said and self._said == self._messages.text:
+            self._messages.clear()

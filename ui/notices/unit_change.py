@@ -1,0 +1,49 @@
+"""Says that a change of the unit converted all lengths, and offers to keep the numbers."""
+
+from PySide6.QtCore import QObject
+
+from ui.document.document import Document
+from ui.widgets.message_bar import MessageBar
+from workbench.files.session import Session
+from workbench.units import ratio
+
+
+class UnitChange(QObject):
+    """Listens to the edits of a document.
+
+    Parameters
+    ----------
+    document : Document
+        What is edited.
+    messages : MessageBar
+        Gets what may want an answer.
+    """
+
+    def __init__(self, document: Document, messages: MessageBar, parent: QObject) -> None:
+        super().__init__(parent)
+        self._document, self._messages = document, messages
+        self._after: Session | None = None
+        self._said = ""
+        document.edited.connect(self._tell)
+        document.session_changed.connect(self._withdraw)
+
+    def _tell(self, before: Session, after: Session) -> None:
+        old, new = before.scene.unit, after.scene.unit
+        if old == new:
+            return
+        self._after = after
+        self._said = (
+            f"All lengths are converted: 1 {old} is {float(ratio(old, new)):.6g} {new} now."
+        )
+        self._messages.note(
+            self._said, ("Keep the numbers", lambda: self._keep_numbers(before, after))
+        )
+
+    def _keep_numbers(self, before: Session, after: Session) -> None:
+        scene = before.scene.model_copy(update={"unit": after.scene.unit})
+        self._document.change(before.with_scene(scene, before.target), "change of unit alone")
+
+    def _withdraw(self, session: Session) -> None:
+        """What was said is about the session that it was said of."""
+        if session is not self._after and self._said == self._messages.text:
+            self._messages.clear()

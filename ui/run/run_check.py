@@ -1,0 +1,138 @@
+"""What an independent check says of a run while it goes on, and of what it led to."""
+
+from time import monotonic
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, QThread, Signal
+
+from ui.check.checking import Checking, Suspect, verified_error
+from ui.document.document import Document
+from ui.run.control import RunControl
+from ui.shown.frame_history import moment
+from ui.views.view import look_alike
+from workbench.pictures.loss import Verified
+
+if TYPE_CHECKING:
+    from ui.shown.frame import Frame
+    from workbench.analysis.validation import Validation
+    from workbench.design.snapshot import Result
+    from workbench.files.session import Session
+
+_RAYS = 1_000_000  # enough to tell an error from the next
+_REST = 5.0  # seconds between checks, at least
+_RESTS = 19.0  # seconds of rest for each second of a check: 5 % of one core
+_GUESS = 0.5  # seconds that the first one takes
+
+
+class RunCheck(QObject):
+    """Checks lenses of a run at the ends of its stages, every some seconds, and at its end.
+
+    While the run goes on, one thread traces few rays on the core that the run leaves free; where
+    there is one core alone, none.
+
+    Parameters
+    ----------
+    document : Document
+        What is designed.
+    control : RunControl
+        Its runs are checked.
+
+    Attributes
+    ----------
+    figures_changed : Signal(str)
+        The latest verified error and the moment that it is of; empty for none, and while the
+        design is another lens.
+    checked : Signal(Suspect, Validation)
+        One of them.
+    """
+
+    figures_changed = Signal(str)
+    checked = Signal(object, object)
+
+    def __init__(self, document: Document, control: RunControl, parent: QObject) -> None:
+        super().__init__(parent)
+        self._document, self._control = document, control
+        self._last: Frame | None = None
+        self._began = self._rested_at = 0.0
+        self._cost = _GUESS
+        self._text = ""
+        self._latest: Verified | None = None  # which the text is of
+        self._end: Suspect | None = None  # the lens of the run that ended last
+        self._result: Result | None = None  # that it is of
+        self._checking = Checking(self)
+        self._checking.checked.connect(self._take)
+        control.runner.state_changed.connect(self._follow)
+        control.runner.frame_ready.connect(self._look)
+        control.ended.connect(self._finish)
+        control.moments.changed.connect(self._follow_course)
+        document.session_changed.connect(self._follow_document)
+
+    def close(self) -> None:
+        """Wait for the thread; safe to call twice."""
+        self._checking.close()
+
+    def _follow(self, state: str) -> None:
+        if state == "running" and self._last is None:
+            self._checking.leave()
+
+    def _look(self, frame: "Frame") -> None:
+        if not self._control.busy:  # a preview
+            return
+        last, self._last = self._last, frame
+        if last is None:  # what came before was no run yet
+            self._rested_at = monotonic()
+            return
+        if self._checking.busy or QThread.idealThreadCount() < 2:
+            return
+        if last.snapshot.stage != frame.snapshot.stage:
+            self._check(last)
+        elif monotonic() - self._rested_at > max(_REST, _RESTS * self._cost):
+            self._check(frame)
+
+    def _check(self, frame: "Frame") -> None:
+        self._began = monotonic()
+        seconds = float(frame.times[-1]) if frame.times.size else 0.0
+        heights = frame.snapshot.control_points
+        suspect = Suspect(frame.session, heights, moment(frame), seconds)
+        self._checking.begin(suspect, _RAYS, threads=1)
+
+    def _finish(self) -> None:
+        result, frame = self._document.session.result, self._last
+        self._last, self._result = None, result
+        self._tell()
+        if result is not None and frame is not None:
+            self._end = Suspect(
+                self._document.session, result.control_points, result.iterations, result.seconds
+            )
+            self._checking.begin(self._end)
+
+    def _take(self, suspect: Suspect, found: "Validation") -> None:
+        self._latest = check = Verified(suspect.iterations, suspect.seconds, found.loss_corrected)
+        moments = self._control.moments
+        if suspect is self._end and self._result is not None:
+            self._document.verified.note(self._result, found)  # also while its run is undone
+            moments.add_later_check(check, self._result, self._document.session)
+        else:
+            self._rested_at = monotonic()
+            self._cost = self._rested_at - self._began
+            moments.add_check(check)
+        self._text = f"verified {verified_error(found)} at {suspect.iterations}"
+        self._tell()
+        self.checked.emit(suspect, found)
+
+    def _follow_course(self) -> None:
+        """While a run goes on, say nothing of what is not of its course: see `Moments.add`."""
+        if self._control.busy and self._latest not in self._control.moments.checks:
+            self._text = ""
+            self._tell()
+
+    def _follow_document(self, session: "Session") -> None:
+        """Leave the check of a lens of another design; one that is undone may come back."""
+        if self._end is not None and not look_alike(self._end.session, session):
+            self._checking.leave()
+        self._tell()
+
+    def _tell(self) -> None:
+        """A hand at the lens makes another of it; taking that back brings the figures back."""
+        same = self._control.busy or self._document.session.result is self._result
+        self.figures_changed.emit(self._text if same else "")

@@ -1,0 +1,148 @@
+"""The course of a run: frames that a person can go back to, and what checks said on the way."""
+
+import weakref
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, Signal
+
+from ui.views.view import look_alike
+from workbench.design.snapshot import Array, Result
+
+if TYPE_CHECKING:
+    from ui.shown.frame import Frame
+    from workbench.files.session import Session
+    from workbench.pictures.loss import Verified
+
+_BUDGET = 64 << 20  # bytes of the frames of one course
+_COURSES = 2  # as large as that are kept
+
+
+@dataclass
+class _Kept:
+    """The course that led to a result, told by the result's loss curve."""
+
+    losses: weakref.ref[Array]
+    frames: "tuple[Frame, ...]"
+    gap: int
+    checks: "tuple[Verified, ...]"
+
+
+class Moments(QObject):
+    """Frames of a run and of those that continue it, first and latest always among them.
+
+    When they take too much memory every second one is dropped, and from then on frames are kept
+    half as often: the course is told evenly, however long it is.
+
+    A course is kept with the result that it led to, as long as that lives, and `show` brings it
+    back: undoing a run takes its course away, and redoing it brings the course back.
+
+    Parameters
+    ----------
+    budget : int
+        Bytes that the frames of a course may take.
+    """
+
+    changed = Signal()
+
+    def __init__(self, parent: QObject | None = None, budget: int = _BUDGET) -> None:
+        super().__init__(parent)
+        self._budget = budget
+        self._frames: list[Frame] = []
+        self._gap = 1  # iterations between frames, at least
+        self._checks: tuple[Verified, ...] = ()
+        self._kept: list[_Kept] = []
+
+    @property
+    def frames(self) -> "Sequence[Frame]":
+        """In the order of their iterations."""
+        return self._frames
+
+    @property
+    def checks(self) -> "tuple[Verified, ...]":
+        """What checks said of lenses of this course, in the order in which they ended."""
+        return self._checks
+
+    def add(self, frame: "Frame") -> None:
+        """Keep the latest frame; what came later in an earlier course is forgotten."""
+        frames, at = self._frames, moment(frame)
+        while frames and moment(frames[-1]) >= at:
+            frames.pop()
+        if not frames:
+            self._gap = 1
+        self._checks = _until(at, self._checks)
+        # The last one gives way, unless it is far enough from the one before it.
+        if len(frames) > 1 and moment(frames[-1]) - moment(frames[-2]) < self._gap:
+            frames.pop()
+        frames.append(frame)
+        while len(frames) > 2 and sum(map(_size, frames)) > self._budget:
+            self._gap *= 2
+            frames[:] = [*frames[:-1:2], frames[-1]]
+        self.changed.emit()
+
+    def add_check(self, check: "Verified") -> None:
+        """Keep what a check says of a lens of the course on show."""
+        self._checks += (check,)
+        self.changed.emit()
+
+    def add_later_check(self, check: "Verified", result: Result, session: "Session") -> None:
+        """Keep what a check says of the lens of a result, whatever the session shows by now."""
+        kept = self._of(result)
+        if kept is not None:
+            kept.checks += (check,)
+            self.show(session)
+
+    def keep(self, result: Result) -> None:
+        """Keep the course on show as the one that led to a result."""
+        self._keep(result.losses, tuple(self._frames), self._checks)
+
+    def branch(self, frame: "Frame") -> None:
+        """Keep the course on show up to one of its frames, which becomes a result."""
+        at = moment(frame)
+        before = (each for each in self._frames if moment(each) < at)
+        self._keep(frame.losses, (*before, frame), _until(at, self._checks))
+
+    def show(self, session: "Session") -> None:
+        """Go to the course of a session's result; to none where none was kept."""
+        kept = None if session.result is None else self._of(session.result)
+        frames, checks = ((), ()) if kept is None else (kept.frames, kept.checks)
+        if frames and not look_alike(frames[0].session, session):
+            frames = ()  # the lens is the same, but its frames are of another scene
+        if (*frames,) != (*self._frames,) or checks != self._checks:
+            self._frames, self._checks = list(frames), checks
+            self._gap = 1 if kept is None else kept.gap
+            self.changed.emit()
+
+    def _of(self, result: Result) -> _Kept | None:
+        return next((kept for kept in self._kept if kept.losses() is result.losses), None)
+
+    def _keep(
+        self, losses: Array, frames: "tuple[Frame, ...]", checks: "tuple[Verified, ...]"
+    ) -> None:
+        self._kept.append(_Kept(weakref.ref(losses), frames, self._gap, checks))
+        self._save_memory()
+
+    def _save_memory(self) -> None:
+        """Forget the courses of results that are gone, and the frames of the oldest others."""
+        self._kept = [kept for kept in self._kept if kept.losses() is not None]
+        sizes: dict[int, int] = {}  # courses share frames
+        for kept in reversed(self._kept):
+            sizes |= {id(frame): _size(frame) for frame in kept.frames}
+            if sum(sizes.values()) > _COURSES * self._budget:
+                kept.frames = ()
+
+
+def moment(frame: "Frame") -> int:
+    """Iterations before a frame, those of a continued run included."""
+    return int(frame.losses.size)
+
+
+def _until(at: int, checks: "tuple[Verified, ...]") -> "tuple[Verified, ...]":
+    return tuple(check for check in checks if check.iteration <= at)
+
+
+def _size(frame: "Frame") -> int:
+    snapshot, paths = frame.snapshot, frame.paths
+    arrays = (snapshot.control_points, snapshot.irradiance, frame.surface, frame.losses)
+    return sum(array.nbytes for array in (*arrays, paths.points, paths.weight))

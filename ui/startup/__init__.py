@@ -1,0 +1,1 @@
+"""What happens once, when the program starts: display, slow libraries, unexpected errors."""

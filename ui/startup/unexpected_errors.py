@@ -1,0 +1,111 @@
+"""Defects that nobody caught: told once in the window, with all that a report of them needs.
+
+1. An error in a slot or in a handler of events ends that slot, not the program: Qt's loop goes on.
+2. A view that fails fails at every frame. Each kind, by its type and the line that raised it, is
+   told once and printed every time.
+3. Errors of other threads and messages of Qt come from anywhere; signals bring them to the window.
+4. Each is written down in the file of `workbench.defects`, which the sentence names.
+"""
+
+import logging
+import sys
+import threading
+import traceback
+from collections.abc import Callable
+from types import TracebackType
+
+from PySide6.QtCore import (
+    QMessageLogContext,
+    QObject,
+    QtMsgType,
+    Signal,
+    qInstallMessageHandler,
+    qVersion,
+)
+
+from ui.threads.failure import LOG
+from workbench.defects import details, unexpected
+
+# The 3D view asks for its format when a context is there already, which serves it as well.
+_HARMLESS = "Setting a new default format"
+_SERIOUS = (QtMsgType.QtWarningMsg, QtMsgType.QtCriticalMsg, QtMsgType.QtFatalMsg)
+
+
+class Trouble(QObject):
+    """Takes the hooks of Python and Qt over until `close`.
+
+    Attributes
+    ----------
+    happened : Signal(str, str)
+        An error of a new kind as a sentence, and its details.
+    qt_said : Signal(str)
+        A warning of Qt's that was not heard before.
+    logged : Signal(str)
+        The details of an error that was told by who began the work; see `ui.threads.failure`.
+    """
+
+    happened = Signal(str, str)
+    qt_said = Signal(str)
+    logged = Signal(str)
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._known: set[tuple[str, str]] = set()
+        self._heard: set[str] = set()
+        self._hooks = sys.excepthook, threading.excepthook
+        sys.excepthook = self._report
+        threading.excepthook = self._report_thread
+        self._qt_handler = qInstallMessageHandler(self._hear)
+        self._relay = _Relay(self.logged.emit)
+        LOG.addHandler(self._relay)
+
+    def close(self) -> None:
+        """Give the hooks back."""
+        sys.excepthook, threading.excepthook = self._hooks
+        qInstallMessageHandler(self._qt_handler)
+        LOG.removeHandler(self._relay)
+
+    def _report(
+        self, kind: type[BaseException], error: BaseException, trace: TracebackType | None
+    ) -> None:
+        traceback.print_exception(kind, error, trace)
+        if not issubclass(kind, Exception):  # the end of the program, not a defect
+            return
+        known = kind.__name__, _place(trace)
+        if known in self._known:
+            return
+        self._known.add(known)
+        self.happened.emit(
+            f"Something went wrong that should not: {unexpected(error)}. "
+            "Your work is still here: save it.",
+            f"Qt {qVersion()}\n{details(error)}",
+        )
+
+    def _report_thread(self, arguments: threading.ExceptHookArgs) -> None:
+        if arguments.exc_value is not None:
+            self._report(arguments.exc_type, arguments.exc_value, arguments.exc_traceback)
+
+    def _hear(self, kind: QtMsgType, context: QMessageLogContext, text: str) -> None:
+        print(text, file=sys.stderr)
+        if kind in _SERIOUS and text not in self._heard and not text.startswith(_HARMLESS):
+            self._heard.add(text)
+            self.qt_said.emit(f"Qt: {text}")
+
+
+def _place(trace: TracebackType | None) -> str:
+    """The line that raised."""
+    frames = traceback.extract_tb(trace)
+    return f"{frames[-1].filename}:{frames[-1].lineno}" if frames else ""
+
+
+class _Relay(logging.Handler):
+    """Prints what is logged, and gives it to the window."""
+
+    def __init__(self, tell: Callable[[str], None]) -> None:
+        super().__init__()
+        self._tell = tell
+
+    def emit(self, record: logging.LogRecord) -> None:
+        text = self.format(record)
+        print(text, file=sys.stderr)
+        self._tell(text)

@@ -1,0 +1,106 @@
+"""One sentence over the 3D scene, until it is read and closed."""
+
+from collections.abc import Callable, Sequence
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QAccessible, QAccessibleEvent
+from PySide6.QtWidgets import (
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QSizePolicy,
+    QStyle,
+    QToolButton,
+    QWidget,
+)
+
+from ui.widgets import theme
+from ui.widgets.native import make_native
+
+Offer = tuple[str, Callable[[], object]]
+"""What a button beside a message says, and what it does."""
+
+
+class MessageBar(QFrame):
+    """Shows failures and notes without stopping anybody; hidden while there is nothing to say.
+
+    Attributes
+    ----------
+    buttons : list of QPushButton
+        What the message offers, in its order.
+    said : Signal(str)
+        Each of them as it is shown.
+    """
+
+    said = Signal(str)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setAutoFillBackground(True)
+        make_native(self)
+        self._icon = QLabel()
+        self._text = QLabel()
+        self._text.setWordWrap(True)
+        self._text.setTextFormat(Qt.TextFormat.PlainText)
+        self._text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self._text.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        self.buttons: list[QPushButton] = []
+        close = QToolButton()
+        close.setText("✕")
+        close.setAutoRaise(True)
+        close.setToolTip("Close this message")
+        close.setAccessibleName("Close this message")
+        close.clicked.connect(self.clear)
+        self._row = row = QHBoxLayout(self)
+        row.setContentsMargins(10, 6, 6, 6)
+        row.addWidget(self._icon, 0, Qt.AlignmentFlag.AlignTop)
+        row.addWidget(self._text, 1)
+        row.addWidget(close, 0, Qt.AlignmentFlag.AlignTop)
+        self.hide()
+
+    @property
+    def text(self) -> str:
+        """What it says; empty while hidden."""
+        return self._text.text()
+
+    def warn(self, text: str, *offers: Offer) -> None:
+        """Say what went wrong, and what to do."""
+        self._show("warning", QStyle.StandardPixmap.SP_MessageBoxWarning, text, offers)
+
+    def note(self, text: str, *offers: Offer) -> None:
+        """Say something good to know."""
+        self._show("note", QStyle.StandardPixmap.SP_MessageBoxInformation, text, offers)
+
+    def clear(self) -> None:
+        """Say nothing any more."""
+        self._set_buttons(())
+        self._text.clear()
+        self.hide()
+
+    def _show(
+        self, kind: str, icon: QStyle.StandardPixmap, text: str, offers: Sequence[Offer]
+    ) -> None:
+        self._set_buttons(offers)
+        self.setObjectName(kind)
+        theme.restyle(self)
+        side = self.style().pixelMetric(QStyle.PixelMetric.PM_SmallIconSize)
+        self._icon.setPixmap(self.style().standardIcon(icon).pixmap(side, side))
+        self._text.setText(text)
+        self.setAccessibleName(text)
+        self.show()
+        self.raise_()
+        QAccessible.updateAccessibility(QAccessibleEvent(self, QAccessible.Event.Alert))
+        self.said.emit(text)
+
+    def _set_buttons(self, offers: Sequence[Offer]) -> None:
+        for button in self.buttons:
+            button.hide()
+            button.deleteLater()  # its own click may have led here
+        self.buttons = []
+        for words, act in offers:
+            button = QPushButton(words)
+            button.clicked.connect(lambda _=False, act=act: act())
+            self._row.insertWidget(self._row.count() - 1, button, 0, Qt.AlignmentFlag.AlignTop)
+            self.buttons.append(button)

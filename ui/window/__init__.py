@@ -1,0 +1,1 @@
+"""What a window is made of: its docks, its layout, the parts that are loaded late."""

@@ -1,0 +1,161 @@
+"""What a window gets once its libraries are there: runner, views, and all that works with them.
+
+Importing this takes the seconds that these libraries take.
+"""
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, QSettings, Signal
+
+from ui.check.check import Check
+from ui.check.figures import CheckFigures
+from ui.commands.colour_choice import keep_colours
+from ui.commands.table import COMMANDS
+from ui.files.plots import Plots
+from ui.files.scene_pictures import ScenePictures
+from ui.lens.tools import LensTools
+from ui.notices.postponed_edits import Postponed
+from ui.notices.shortfall import ShortfallNotice
+from ui.run.control import RunControl
+from ui.run.log import RunLog
+from ui.run.runs import Runs
+from ui.views.views import Views
+from ui.window.production import Production
+
+if TYPE_CHECKING:
+    from ui.main_window import MainWindow
+    from ui.shown.frame import Frame
+
+
+class Bench(QObject):
+    """Makes these things and connects them with each other and with the window.
+
+    Parameters
+    ----------
+    window : MainWindow
+        Its docks get the views, and its commands something to do.
+    settings : QSettings
+        Where choices are kept for the next start.
+
+    Attributes
+    ----------
+    state_changed : Signal()
+        The run has begun, halted or ended.
+    """
+
+    state_changed = Signal()
+
+    def __init__(self, window: "MainWindow", settings: QSettings) -> None:
+        super().__init__(window)
+        self._window = window
+        document, workspace, messages = window.document, window.workspace, window.messages
+        self.control = RunControl(document, self)
+        self.views = views = Views(self)
+        self.check = Check(self)
+        self.figures = CheckFigures(settings, window.commands["check"])
+        self.runs = Runs(document, self.control, views.loss, self)
+        self.production = production = Production(settings, self)
+        plots = views.plots() | production.plots()
+        self.plots = Plots(plots, document, messages, window.dialogs, window)
+        self.tools = LensTools(document, self.control, views.scene, self)
+        self.postponed = Postponed(window.forms, self.control, messages, self)
+        self._pictures = ScenePictures(views.scene, document, messages, window.dialogs, window)
+        RunLog(document, self.control, window.log.add)
+        begin = (window.commands[name].trigger for name in ("start", "continue"))
+        ShortfallNotice(document, self.control, messages, *begin)
+        docked = {
+            **views.docked,
+            **production.panes,
+            "check": self.figures,
+            "runs": self.runs.table,
+        }
+        workspace.raise_curtain(views.scene, docked)
+        workspace.docks["derivative"].visibilityChanged.connect(views.derivative.uncover)
+        workspace.docks["focus"].visibilityChanged.connect(views.focus.uncover)
+        workspace.docks["manufacture"].visibilityChanged.connect(production.manufacture.look)
+        views.link.drawn.connect(lambda _: workspace.show_dock("section"))
+        views.follow(document, self.control)
+        production.follow(document, self.control, views.look_back)
+        views.scene.let_go.connect(window.commands["turn"].trigger)
+        self._connect_run()
+        self._connect_check()
+        self._connect_commands()
+        keep_colours(settings, window.commands)
+        self.runs.refused.connect(messages.warn)
+        self.tools.said.connect(messages.note)
+        production.tolerances.failed.connect(messages.warn)
+        production.tolerances.save_asked.connect(
+            lambda: self.plots.choose_and_save_plot("tolerances")
+        )
+
+    @property
+    def state(self) -> str:
+        """See `Runner.state`."""
+        return self.control.runner.state
+
+    def allow(self, look: bool, go_on: bool) -> None:
+        """Whether one may look back at the run now, and go on from what is seen."""
+        self.views.look_back.allow(look=look, go_on=go_on)
+        self.production.allow(resting=look)
+
+    def close(self) -> None:
+        """End all threads and free what VTK holds; safe to call twice."""
+        engines = (self.control, self.check, self.plots, self.runs, self.production)
+        for part in (*engines, self.views, self.tools):
+            part.close()
+
+    def _connect_run(self) -> None:
+        control, status, look_back = self.control, self._window.status, self.views.look_back
+        runner = control.runner
+        for shows in (runner.frame_ready, look_back.looked):
+            shows.connect(self.check.show_frame)
+            shows.connect(self._show_frame)
+        runner.unshown.connect(self.check.show_nothing)
+        runner.unshown.connect(status.show_nothing)
+        runner.failed.connect(self._window.messages.warn)
+        runner.waiting.connect(self._window.tell_waiting)
+        runner.state_changed.connect(self.state_changed)
+        self.runs.check.figures_changed.connect(status.show_verified)
+        look_back.went_on.connect(
+            lambda frame: self._window.begin(lambda: control.go_on_from(frame))
+        )
+
+    def _connect_check(self) -> None:
+        check, figures, window = self.check, self.figures, self._window
+        check.use_rays(figures.rays)
+        figures.rays_chosen.connect(check.use_rays)
+        check.figures_changed.connect(figures.follow)
+        check.checked.connect(figures.show_check)
+        check.checked.connect(lambda: window.workspace.show_dock("check"))
+        check.checked.connect(self.runs.note_check)
+        check.figures_changed.connect(window.status.show_check)
+        check.under_way_changed.connect(self._reword_check)
+        check.told.connect(window.log.add)
+        check.failed.connect(window.messages.warn)
+
+    def _connect_commands(self) -> None:
+        commands, control, begin = self._window.commands, self.control, self._window.begin
+        self.plots.offer([commands[name] for name in self.plots.slots()])
+        commands.connect(
+            {
+                "start": lambda: begin(control.start),
+                "continue": lambda: begin(control.go_on),
+                "pause": control.toggle_pause,
+                "stop": control.runner.stop,
+                "check": self.check.toggle,
+                **self.views.slots(),
+                **self.runs.slots(),
+                **self.plots.slots(),
+                **self.tools.slots(),
+                **self._pictures.slots(),
+            }
+        )
+        commands.connect_toggles(self.views.toggles())
+        commands.connect_choices(self.views.choices())
+
+    def _show_frame(self, frame: "Frame") -> None:
+        self._window.status.show_frame(frame, self.control.busy)
+
+    def _reword_check(self, under_way: bool) -> None:
+        text = "Cancel &check" if under_way else COMMANDS["check"].text
+        self._window.commands["check"].setText(text)

@@ -1,0 +1,182 @@
+"""Where forms and views stand in the window, before and after the views are there."""
+
+from collections.abc import Mapping
+
+from PySide6.QtCore import QModelIndex, QPersistentModelIndex, Qt, QTimer
+from PySide6.QtGui import QUndoStack
+from PySide6.QtWidgets import (
+    QDockWidget,
+    QFrame,
+    QGridLayout,
+    QLabel,
+    QMainWindow,
+    QStackedWidget,
+    QStyledItemDelegate,
+    QStyleOptionViewItem,
+    QUndoView,
+    QWidget,
+)
+
+from ui.commands.panes import PANES
+from ui.panels.forms import Forms
+from ui.widgets.log_view import LogView
+from ui.widgets.message_bar import MessageBar
+
+_FRAME = 2  # pixels around the 3D scene, which tell whether it has the keyboard
+
+# Shares of the window for forms, images and what stands below the 3D scene.
+_FORMS_SHARE = 0.25
+_IMAGES_SHARE = 0.27
+_BELOW_SHARE = 0.24
+
+
+class Workspace:
+    """Docks around the 3D scene; the views come later, because their libraries load slowly.
+
+    Parameters
+    ----------
+    window : QMainWindow
+        Gets docks and a central widget.
+    forms : Forms
+        Stands at the left.
+    messages : MessageBar
+        Lies over the 3D scene, at its top.
+    steps : QUndoStack
+        What was done, listed in a dock; a click goes back or forth to that step.
+    log : LogView
+        Stands behind the loss.
+    """
+
+    def __init__(
+        self,
+        window: QMainWindow,
+        forms: Forms,
+        messages: MessageBar,
+        steps: QUndoStack,
+        log: LogView,
+    ) -> None:
+        self._window = window
+        self._stage = QStackedWidget()
+        self._curtain = QLabel("Loading the 3D scene…", alignment=Qt.AlignmentFlag.AlignCenter)
+        self._stage.addWidget(self._curtain)
+        centre = QFrame()
+        centre.setObjectName("centre")  # for the style sheet
+        # One over the other: a message that comes or goes leaves the picture as it is.
+        over = QGridLayout(centre)
+        over.setContentsMargins(*4 * [_FRAME])
+        over.addWidget(self._stage, 0, 0)
+        over.addWidget(messages, 0, 0, Qt.AlignmentFlag.AlignTop)
+        window.setCentralWidget(centre)
+        window.setCorner(Qt.Corner.BottomLeftCorner, Qt.DockWidgetArea.LeftDockWidgetArea)
+        window.setCorner(Qt.Corner.BottomRightCorner, Qt.DockWidgetArea.RightDockWidgetArea)
+        self.docks = {
+            name: self._dock(name, pane.title, pane.area)
+            for name, pane in PANES.items()
+            if pane.area is not None
+        }
+        self.history = QUndoView(steps)
+        self.history.setEmptyLabel("As opened")
+        self.history.setItemDelegate(_Capitalised(self.history))
+        self.history.setToolTip("A click goes back or forth to that step")
+        there: dict[str, QWidget] = {"design": forms, "history": self.history, "log": log}
+        self._waiting = self.docks.keys() - there.keys()
+        for name, dock in self.docks.items():
+            curtain = QLabel("Loading…", alignment=Qt.AlignmentFlag.AlignCenter)
+            dock.setWidget(there.get(name, curtain))
+        self._stack()
+        # A dock that comes between others gets no more than it cannot do without.
+        shown = self.docks["target"].toggleViewAction().toggled
+        shown.connect(lambda shown: QTimer.singleShot(0, window, self._share) if shown else None)
+
+    def arrange(self) -> None:
+        """Share the window out among the docks."""
+        docks, width, height = self.docks, self._window.width(), self._window.height()
+        self._window.resizeDocks(
+            [docks["design"], docks["irradiance"]],
+            [int(_FORMS_SHARE * width), int(_IMAGES_SHARE * width)],
+            Qt.Orientation.Horizontal,
+        )
+        self._window.resizeDocks(
+            [docks["irradiance"], docks["error"]], [1, 1], Qt.Orientation.Vertical
+        )
+        self._window.resizeDocks(
+            [docks["loss"]], [int(_BELOW_SHARE * height)], Qt.Orientation.Vertical
+        )
+        self._window.resizeDocks([docks["loss"], docks["light"]], [3, 2], Qt.Orientation.Horizontal)
+
+    def raise_curtain(self, scene_view: QWidget, others: Mapping[str, QWidget]) -> None:
+        """Put the views where the placeholders stand.
+
+        Parameters
+        ----------
+        scene_view : QWidget
+            For the middle.
+        others : mapping of str to QWidget
+            For each dock that has but a placeholder, by name.
+
+        Raises
+        ------
+        ValueError
+            If these docks and the names are not the same.
+        """
+        if self._waiting != others.keys():
+            wrong = sorted(self._waiting ^ others.keys())
+            raise ValueError(f"no dock, or nothing for it: {wrong}")
+        self._stage.addWidget(scene_view)
+        self._stage.setCurrentWidget(scene_view)
+        for name, view in others.items():
+            placeholder = self.docks[name].widget()
+            self.docks[name].setWidget(view)
+            placeholder.deleteLater()
+        self._curtain.setText("The 3D scene is hidden. View > 3D scene shows it again.")
+
+    def show_dock(self, name: str) -> None:
+        """Show a dock in front of those that share its place."""
+        self.docks[name].show()
+        self.docks[name].raise_()
+
+    def show_scene_view(self, shown: bool) -> None:
+        """Show the 3D scene, or nothing in its place (which costs nothing while a run goes on)."""
+        self._stage.setCurrentIndex(1 if shown else 0)
+
+    def _stack(self) -> None:
+        """Put docks behind and beside each other as `PANES` says, and hide what is not shown."""
+        # Tabs of docks that are shown leave bars behind, which lie about until Qt deletes them.
+        for name, dock in self.docks.items():
+            dock.setVisible(PANES[name].shown and not PANES[name].behind)
+        for name, dock in self.docks.items():
+            if PANES[name].right_of:
+                beside = self.docks[PANES[name].right_of]
+                self._window.splitDockWidget(beside, dock, Qt.Orientation.Horizontal)
+            if PANES[name].behind:
+                front = self.docks[PANES[name].behind]
+                self._window.tabifyDockWidget(front, dock)
+                dock.setVisible(PANES[name].shown)
+                front.raise_()
+
+    def _share(self) -> None:
+        """Give both images of light as much room, where the target has hardly any."""
+        images = [self.docks["irradiance"], self.docks["target"]]
+        widths = [image.width() for image in images]
+        if widths[1] < widths[0] / 2:
+            half = sum(widths) // 2  # less would make both as narrow as they can be
+            self._window.resizeDocks(images, [half, half], Qt.Orientation.Horizontal)
+
+    def _dock(self, name: str, title: str, area: Qt.DockWidgetArea) -> QDockWidget:
+        dock = QDockWidget(title, self._window)
+        dock.setObjectName(name)
+        self._window.addDockWidget(area, dock)
+        # Qt shows a tab of the menu's choice behind the other.
+        dock.toggleViewAction().triggered.connect(lambda shown: dock.raise_() if shown else None)
+        return dock
+
+
+class _Capitalised(QStyledItemDelegate):
+    """Begins each line with a capital; the undo menu has the same texts amid a sentence."""
+
+    def initStyleOption(
+        self, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex
+    ) -> None:
+        super().initStyleOption(option, index)
+        text = option.text
+        option.text = text[:1].upper() + text[1:]
