@@ -42,17 +42,17 @@ def make(folder: Path) -> None:
 
 def _work(window: MainWindow) -> None:
     """Two runs, a check, a sample of tolerances, and a line across the image."""
-    bench, scene = window.bench, window.document.session.scene
-    assert bench is not None
+    loaded, scene = window.loaded, window.document.session.scene
+    assert loaded is not None
     run = scene.run.model_copy(update={"iterations": _ITERATIONS})
     window.document.edit(scene.model_copy(update={"run": run}), "iterations", "")
     for _ in range(2):
         design(window)
     checked = QEventLoop()
-    bench.check.checked.connect(checked.quit)
+    loaded.check.checked.connect(checked.quit)
     window.commands["check"].trigger()
     checked.exec()
-    start = bench.production.tolerances.form.begin
+    start = loaded.production.tolerances.form.begin
     start.click()
     settle(_SAMPLING)
     start.click()

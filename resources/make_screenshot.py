@@ -46,9 +46,9 @@ def open_window(example: str, size: QSize) -> MainWindow:
 
 def design(window: MainWindow) -> None:
     """Run the design to its end."""
-    assert window.bench.control is not None
+    assert window.loaded.control is not None
     done = QEventLoop()
-    window.bench.control.ended.connect(done.quit, Qt.ConnectionType.SingleShotConnection)
+    window.loaded.control.ended.connect(done.quit, Qt.ConnectionType.SingleShotConnection)
     window.start()
     done.exec()
     settle()

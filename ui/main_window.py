@@ -10,34 +10,27 @@ from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QKeyEvent, Q
 from PySide6.QtWidgets import QMainWindow
 
 from resources import EXAMPLES, Example
-from ui.commands.actions import Commands
 from ui.commands.availability import Situation
 from ui.commands.pane_focus import Panes
 from ui.commands.table import NEW
 from ui.document.document import ENDING, Document
 from ui.files.actions import Answer, FileActions
-from ui.files.dialogs import FileDialogs
 from ui.files.exporter import Exporter
 from ui.files.gallery import Gallery
 from ui.files.recent import RecentFiles
 from ui.files.reporter import Reporter
 from ui.help.help import TITLE, Help
 from ui.notices.carried_lens import CarriedLens
-from ui.notices.refused_fields import RefusedFields
 from ui.notices.target_image import TargetImage
 from ui.notices.unit_change import UnitChange
-from ui.panels.forms import Forms
 from ui.panels.target import IMAGE_FILES
 from ui.run.lens_on_show import LensOnShow
-from ui.run.status import RunStatus
-from ui.widgets.log_view import LogView
-from ui.widgets.message_bar import MessageBar
+from ui.window.early_parts import EarlyParts
 from ui.window.layout import Layout
 from ui.window.view_state import ViewState
-from ui.window.workspace import Workspace
 
 if TYPE_CHECKING:
-    from ui.window.loaded_parts import Bench
+    from ui.window.loaded_parts import LoadedParts
 
 _STATES = {
     "loading": "Loading…",
@@ -46,10 +39,6 @@ _STATES = {
     "paused": "Paused",
     "stopping": "Stopping…",
 }
-_COMPILING = (
-    "The run waits for its tracing kernels: they are compiled once after installing, "
-    "for about half a minute"
-)
 _READ_MS = 6000  # a sentence in the status bar
 
 
@@ -68,7 +57,9 @@ class MainWindow(QMainWindow):
 
     Attributes
     ----------
-    bench : Bench, optional
+    early : EarlyParts
+        Commands, forms, docks, messages.
+    loaded : LoadedParts, optional
         Runner, views and what works with them, between `build` and the end.
     painted, built, closed : Signal()
         It can be seen, has its views, is gone.
@@ -89,14 +80,9 @@ class MainWindow(QMainWindow):
         super().__init__()
         self.document = document
         document.setParent(self)  # so that it goes after all that listens to it
-        self.commands = Commands(self)
-        self.messages = MessageBar()
-        self.log = LogView()
-        self.messages.said.connect(self.log.add)
-        self.forms = Forms(document)
-        self.forms.told.connect(self.log.add)
-        self.forms.file_refused.connect(self.messages.warn)
-        self._refused = RefusedFields(self.forms, self.messages, self)
+        self.early = early = EarlyParts(self, document, settings)
+        self.commands, self.messages, self.log = early.commands, early.messages, early.log
+        self.forms, self.workspace, self.status = early.forms, early.workspace, early.status
         self.forms.image_asked.connect(self._choose_image)
         CarriedLens(document, self.messages, self).told.connect(self.log.add)
         UnitChange(document, self.messages, self)
@@ -105,11 +91,10 @@ class MainWindow(QMainWindow):
         steps.forgot.connect(
             lambda count: self.log.add(f"Oldest steps ({count}) forgotten: too much memory to undo")
         )
-        self.workspace = Workspace(self, self.forms, self.messages, steps, self.log)
         self._settings = settings
         self._recent = RecentFiles(settings)
         self._lens = LensOnShow(document, self)
-        self.dialogs = dialogs = FileDialogs(document, settings, self)
+        self.dialogs = dialogs = early.dialogs
         lens, messages = self._lens, self.messages
         self.files = FileActions(document, lens, self._recent, messages, dialogs, self)
         self.exporter = Exporter(document, lens, messages, dialogs, self)
@@ -118,8 +103,7 @@ class MainWindow(QMainWindow):
         self.help = Help(self, self.commands, self._panes, self.messages)
         self._layout = Layout(self, self.workspace, settings)
         self._view_state = ViewState(self.commands, self._layout, self.log.add)
-        self.status = RunStatus(self.statusBar())
-        self.bench: Bench | None = None
+        self.loaded: LoadedParts | None = None
         self._leaving = False  # whatever would be lost
         self._to_open: Path | None = None  # as soon as the run has ended
         self._closing = False  # as soon as the run has ended
@@ -132,30 +116,21 @@ class MainWindow(QMainWindow):
 
     def build(self) -> None:
         """Add runner and views; imports what they stand on."""
-        from ui.window.loaded_parts import Bench
+        from ui.window.loaded_parts import LoadedParts
 
-        self.bench = bench = Bench(self, self._settings)
-        bench.state_changed.connect(self._show_state)
-        bench.state_changed.connect(self._show_recent)
-        bench.control.ended.connect(self._end_run)
-        self._lens.follow(bench.control)
-        self._view_state.attach(bench.views.scene)
+        self.loaded = loaded = LoadedParts(self.early, self._settings, self)
+        loaded.state_changed.connect(self._show_state)
+        loaded.state_changed.connect(self._show_recent)
+        loaded.control.ended.connect(self._end_run)
+        self._lens.follow(loaded.control)
+        self._view_state.attach(loaded.views.scene)
         self._show_state()
         self.built.emit()
 
     def start(self) -> None:
         """Design the lens from its start."""
-        if self.bench is not None:
-            self.begin(self.bench.control.start)
-
-    def begin(self, begin: Callable[[], None]) -> None:
-        """Begin a run, unless something that was typed is refused."""
-        self.forms.commit()
-        if self.forms.refused:
-            self._refused.tell()
-        else:
-            self.messages.clear()
-            begin()
+        if self.loaded is not None:
+            self.early.begin(self.loaded.control.start)
 
     def discard_and_close(self) -> None:
         """Close without a question, a run and unsaved changes lost."""
@@ -178,9 +153,9 @@ class MainWindow(QMainWindow):
             dock.hide()  # one that floats does not go with the window
         self.exporter.close()
         self.reporter.close()
-        if self.bench is not None:
-            self.bench.close()
-            self.bench = None  # nothing can be started any more
+        if self.loaded is not None:
+            self.loaded.close()
+            self.loaded = None  # nothing can be started any more
         super().closeEvent(event)
         self.closed.emit()
 
@@ -212,8 +187,8 @@ class MainWindow(QMainWindow):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Escape that nothing else has taken cancels a check."""
-        if event.key() == Qt.Key.Key_Escape and self.bench is not None:
-            self.bench.check.cancel()
+        if event.key() == Qt.Key.Key_Escape and self.loaded is not None:
+            self.loaded.check.cancel()
         else:
             super().keyPressEvent(event)
 
@@ -224,7 +199,7 @@ class MainWindow(QMainWindow):
 
     @property
     def _busy(self) -> bool:
-        return self.bench is not None and self.bench.control.busy
+        return self.loaded is not None and self.loaded.control.busy
 
     def _may_close(self) -> bool:
         self.forms.commit()
@@ -240,8 +215,8 @@ class MainWindow(QMainWindow):
         if not self._busy:  # it ended while the question stood
             return self.files.save()
         self._closing = True
-        assert self.bench is not None  # or nothing would be under way
-        self.bench.control.runner.stop()
+        assert self.loaded is not None  # or nothing would be under way
+        self.loaded.control.runner.stop()
         return False
 
     def _end_run(self) -> None:
@@ -251,16 +226,16 @@ class MainWindow(QMainWindow):
             if not (self.files.save() and self.close()):
                 self.stayed.emit()
             return
-        if self.bench is not None:
-            self.bench.postponed.make()
+        if self.loaded is not None:
+            self.loaded.postponed.make()
         path, self._to_open = self._to_open, None
         if path is not None:
             self.files.open(path)
 
     def _stop_and_open(self, path: Path) -> None:
-        if self.bench is not None and self._busy:
+        if self.loaded is not None and self._busy:
             self._to_open = path
-            self.bench.control.runner.stop()
+            self.loaded.control.runner.stop()
         else:  # it has ended since
             self.files.open(path)
 
@@ -319,8 +294,8 @@ class MainWindow(QMainWindow):
             return
         if self.forms.refused:
             self.messages.note("Saved with the last valid value of each marked field.")
-        elif self.forms.postponed_edits and self.bench is not None:
-            self.bench.postponed.remind("Saved with the task that the run works on.")
+        elif self.forms.postponed_edits and self.loaded is not None:
+            self.loaded.postponed.remind("Saved with the task that the run works on.")
 
     def _tell_saved(self, sentence: str) -> None:
         self.log.add(sentence)
@@ -330,14 +305,6 @@ class MainWindow(QMainWindow):
         path = self.dialogs.to_open("image", "Target image", IMAGE_FILES)
         if path is not None:
             self.forms.choose_image(path)
-
-    def tell_waiting(self, waiting: bool) -> None:
-        """Say why a run shows nothing yet, until it does."""
-        if waiting:
-            self.log.add(_COMPILING)
-            self.statusBar().showMessage(_COMPILING)
-        else:
-            self.statusBar().clearMessage()
 
     def _take_along(self, take: Callable[[], None]) -> None:
         self.forms.commit()
@@ -362,7 +329,7 @@ class MainWindow(QMainWindow):
         stack, commands = self.document.undo_stack, self.commands
         session = self.document.session
         now = Situation(
-            state="loading" if self.bench is None else self.bench.state,
+            state="loading" if self.loaded is None else self.loaded.state,
             has_lens=session.control_points is not None,
             lens=self._lens.text,
             can_undo=stack.canUndo(),
@@ -377,8 +344,8 @@ class MainWindow(QMainWindow):
         commands["pause"].setChecked(now.state == "paused")
         self.forms.set_running(not now.editable, paused=now.state == "paused")
         self.workspace.history.setEnabled(now.editable)
-        if self.bench is not None:
-            self.bench.allow(look=now.resting, go_on=now.state == "idle")
+        if self.loaded is not None:
+            self.loaded.allow(look=now.resting, go_on=now.state == "idle")
         ended = "" if session.result is None else session.result.ended
         resting = now.state == "idle" and ended
         self.status.show_state(ended[0].upper() + ended[1:] if resting else _STATES[now.state])

@@ -159,7 +159,7 @@ class Windows(QObject):
     def _build_all(self) -> None:
         self._warm = True
         for window in self._recoveries:
-            if window.bench is None:
+            if window.loaded is None:
                 window.build()
 
     def _build_if_warm(self) -> None:
@@ -167,8 +167,8 @@ class Windows(QObject):
             self._build_all()
 
     def _follow(self, window: MainWindow) -> None:
-        if window.bench is not None:
-            self._recoveries[window].follow(window.bench.control)
+        if window.loaded is not None:
+            self._recoveries[window].follow(window.loaded.control)
 
     def _other_with(self, window: MainWindow, path: Path) -> MainWindow | None:
         """The window beside ``window`` whose design lives in a file."""

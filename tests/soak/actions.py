@@ -171,9 +171,9 @@ def poke(window: MainWindow, rng: Random, folder: Path) -> str:
 
 def poke_scene(window: MainWindow, rng: Random, folder: Path) -> str:
     """The same in the 3D view: with its tools, lens and source are in the way."""
-    if window.bench is None or not window.bench.views.scene.isVisible():
+    if window.loaded is None or not window.loaded.views.scene.isVisible():
         return "no 3D view"
-    inner = [w for w in window.bench.views.scene.findChildren(QWidget) if w.isVisible()]
+    inner = [w for w in window.loaded.views.scene.findChildren(QWidget) if w.isVisible()]
     return _poke(rng.choice(inner), rng) if inner else "no 3D view"
 
 

@@ -205,7 +205,7 @@ def rows(turns: dict[str, list[Turn]]) -> list[Row]:
 def drag(window: MainWindow, seen: str, seconds: float) -> DragRow:
     """Take hold of the middle of the lens and move it to and fro along the axis."""
     window.commands["sculpt"].trigger()
-    view, image = window.bench.views.scene, window.bench.views.docked["irradiance"]
+    view, image = window.loaded.views.scene, window.loaded.views.docked["irradiance"]
     drawn = [count_drawings(each) for each in (view, image)]
     wait(_SETTLING)
     n_u, n_v = window.document.session.scene.lens.control_points
@@ -286,13 +286,13 @@ def main() -> None:
         window.resize(1600, 1000)
         window.show()
         window.build()
-        while window.bench.views.scene.frame is None or window.bench.views.scene.lens is None:
+        while window.loaded.views.scene.frame is None or window.loaded.views.scene.lens is None:
             wait(0.2)
         dragged = [drag(window, "as opened", options.seconds)]
         all_docks(window)
         dragged.append(drag(window, "all docks", options.seconds))
         frames: list = []
-        window.bench.control.runner.frame_ready.connect(frames.append)
+        window.loaded.control.runner.frame_ready.connect(frames.append)
         window.start()
         while not frames:
             wait(0.2)

@@ -133,7 +133,7 @@ class Monkey(QObject):
 
     def _play(self) -> Generator[int, None, None]:
         """All that it does, with the milliseconds to wait after each step."""
-        yield from self._wait(lambda: windows() and windows()[0].bench is not None)
+        yield from self._wait(lambda: windows() and windows()[0].loaded is not None)
         yield from self._rest()
         end, next_rest = self._began + self._seconds, time.monotonic() + REST_SECONDS
         while time.monotonic() < end:
@@ -172,7 +172,7 @@ class Monkey(QObject):
             window.close()
         yield from self._wait(lambda: len(windows()) == 1)
         (window,) = windows()
-        yield from self._wait(lambda: window.bench is not None)
+        yield from self._wait(lambda: window.loaded is not None)
         yield from self._still(window)
         window.showNormal()
         window.commands["new_tophat"].trigger()
@@ -194,10 +194,10 @@ class Monkey(QObject):
         """Stop what the window does."""
 
         def busy() -> bool:
-            return isValid(window) and window.bench is not None and window.bench.control.busy
+            return isValid(window) and window.loaded is not None and window.loaded.control.busy
 
         if busy():
-            window.bench.control.runner.stop()
+            window.loaded.control.runner.stop()
             yield from self._wait(lambda: not busy())
 
     def _wait(self, condition) -> Generator[int, None, None]:

@@ -33,7 +33,7 @@ def window(display, open_window):
 @pytest.mark.parametrize("shown", [True, False], ids=["3D shown", "3D hidden"])
 def test_the_window_answers_during_a_run(shown, window, latency_probe, qtbot, capsys, request):
     frames = []
-    window.bench.control.runner.frame_ready.connect(frames.append)
+    window.loaded.control.runner.frame_ready.connect(frames.append)
     window.commands["scene_view"].setChecked(shown)
     window.start()
     qtbot.waitUntil(lambda: bool(frames), timeout=60_000)
@@ -43,8 +43,8 @@ def test_the_window_answers_during_a_run(shown, window, latency_probe, qtbot, ca
     qtbot.wait(int(1000 * _SECONDS))
     latency_probe.stop()
     steps = frames[-1].snapshot.iteration - begun
-    with qtbot.waitSignal(window.bench.control.ended):
-        window.bench.control.runner.stop()
+    with qtbot.waitSignal(window.loaded.control.ended):
+        window.loaded.control.runner.stop()
     assert steps > 0
     with capsys.disabled():
         report = latency_probe.report(request.node.callspec.id)

@@ -90,7 +90,7 @@ def drop(window, path):
 
 
 def wait_for_idle(window, qtbot):
-    qtbot.waitUntil(lambda: window.bench.control.runner.state == "idle", timeout=60_000)
+    qtbot.waitUntil(lambda: window.loaded.control.runner.state == "idle", timeout=60_000)
 
 
 def test_the_title_tells_name_and_changes(window, tmp_path):
@@ -273,7 +273,7 @@ def test_damaged_settings_leave_the_recent_files_that_are_named(settings):
 
 
 def test_a_message_leaves_the_picture_where_it_is(built):
-    scene = built.bench.views.scene
+    scene = built.loaded.views.scene
     place = scene.mapTo(built, scene.rect().topLeft()), scene.size()
     built.messages.note("Something good to know")
     QApplication.processEvents()
@@ -319,7 +319,7 @@ def test_nothing_can_be_started_while_libraries_load(window):
 
 
 def test_a_run_leaves_its_result_as_one_step(built, qtbot):
-    with qtbot.waitSignal(built.bench.control.ended, timeout=60_000):
+    with qtbot.waitSignal(built.loaded.control.ended, timeout=60_000):
         built.commands["start"].trigger()
         assert not built.commands["open"].isEnabled()
         assert not built.commands["undo"].isEnabled()
@@ -327,7 +327,7 @@ def test_a_run_leaves_its_result_as_one_step(built, qtbot):
     assert result.iterations == 2
     assert built.isWindowModified()
     assert built.commands["undo"].text() == "&Undo design run"
-    with qtbot.waitSignal(built.bench.control.ended, timeout=60_000):
+    with qtbot.waitSignal(built.loaded.control.ended, timeout=60_000):
         built.commands["continue"].trigger()
     assert built.document.session.result.iterations == 4
     built.commands["undo"].trigger()
@@ -355,14 +355,14 @@ def test_a_run_keeps_its_design_from_recent_files(built, qtbot, tmp_path):
 
 
 def test_a_saved_run_goes_on_after_it_is_opened(built, qtbot, tmp_path):
-    with qtbot.waitSignal(built.bench.control.ended, timeout=60_000):
+    with qtbot.waitSignal(built.loaded.control.ended, timeout=60_000):
         built.commands["start"].trigger()
     path = tmp_path / "run.freeform"
     built.document.save(path)
     built.commands["new_flame"].trigger()
     assert not built.commands["continue"].isEnabled()
     built.files.open(path)
-    with qtbot.waitSignal(built.bench.control.ended, timeout=60_000):
+    with qtbot.waitSignal(built.loaded.control.ended, timeout=60_000):
         built.commands["continue"].trigger()
     assert built.document.session.result.iterations == 4
 
@@ -371,10 +371,10 @@ def test_pause_and_stop(built, qtbot):
     built.document.edit(small_session(100_000).scene, "many iterations", "run.iterations")
     built.commands["start"].trigger()
     built.commands["pause"].trigger()
-    assert built.bench.control.runner.state == "paused"
+    assert built.loaded.control.runner.state == "paused"
     assert built.commands["pause"].isChecked()
     built.commands["pause"].trigger()
-    assert built.bench.control.runner.state == "running"
+    assert built.loaded.control.runner.state == "running"
     assert not built.commands["pause"].isChecked()
     built.commands["stop"].trigger()
     wait_for_idle(built, qtbot)
@@ -384,7 +384,7 @@ def test_pause_and_stop(built, qtbot):
 def test_a_refused_field_holds_the_start(built):
     edit(built, "far")
     built.commands["start"].trigger()
-    assert built.bench.control.runner.state == "idle"
+    assert built.loaded.control.runner.state == "idle"
     assert built.messages.text.startswith("Screen at z: 'far' is not a number")
 
 
@@ -419,11 +419,11 @@ def test_a_cancelled_close_lets_the_run_go_on(built, qtbot, answers):
     built.commands["start"].trigger()
     answers.append(CANCEL)
     assert not built.close()
-    assert built.bench.control.runner.state == "running"
+    assert built.loaded.control.runner.state == "running"
 
 
 def test_the_camera_turns_to_an_axis_and_back(built, qtbot):
-    view = built.bench.views.scene
+    view = built.loaded.views.scene
     qtbot.waitUntil(lambda: view._picture is not None, timeout=20_000)
     camera = view._plotter.camera
     before = camera.direction
@@ -435,7 +435,7 @@ def test_the_camera_turns_to_an_axis_and_back(built, qtbot):
 
 
 def test_the_3d_scene_can_be_hidden(built):
-    view = built.bench.views.scene
+    view = built.loaded.views.scene
     assert view.isVisible()
     built.commands["scene_view"].trigger()
     assert not view.isVisible()

@@ -16,11 +16,11 @@ def open_start_close(session, settings, qtbot):
     window = MainWindow(Document(session, "top hat"), settings)
     window.show()
     window.build()
-    with qtbot.waitSignal(window.bench.control.runner.frame_ready):
+    with qtbot.waitSignal(window.loaded.control.runner.frame_ready):
         window.start()
     window.discard_and_close()
     assert not window.isVisible()
-    assert window.bench is None
+    assert window.loaded is None
     window.deleteLater()
 
 

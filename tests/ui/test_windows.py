@@ -110,7 +110,7 @@ def test_quit_waits_for_a_run_whose_lens_shall_be_saved(
     monkeypatch.setattr(first.files, "ask_for_name", lambda: path)
     windows._build_all()
     first.start()
-    qtbot.waitUntil(lambda: first.bench.control.runner.state == "running", timeout=60_000)
+    qtbot.waitUntil(lambda: first.loaded.control.runner.state == "running", timeout=60_000)
     answers += [SAVE]
     second.commands["quit"].trigger()
     assert open_windows(windows) == [first, second]
@@ -125,7 +125,7 @@ def test_quit_is_over_when_a_lens_cannot_be_saved(windows, two, asked, monkeypat
     monkeypatch.setattr(first.files, "ask_for_name", lambda: None)
     windows._build_all()
     first.start()
-    qtbot.waitUntil(lambda: first.bench.control.runner.state == "running", timeout=60_000)
+    qtbot.waitUntil(lambda: first.loaded.control.runner.state == "running", timeout=60_000)
     answers += [SAVE]
     with qtbot.waitSignal(first.stayed, timeout=60_000):
         second.commands["quit"].trigger()

@@ -2,11 +2,10 @@
 
 from typing import TYPE_CHECKING
 
-import numpy as np
 from PySide6.QtCore import QObject, Signal
 
 from ui.check.checking import RAYS, Checking, Suspect, verified_error
-from ui.views.view import look_alike
+from ui.shown.frame import same_lens
 
 if TYPE_CHECKING:
     from ui.shown.frame import Frame
@@ -107,9 +106,3 @@ class Check(QObject):
         self._checking.leave()
         self.figures_changed.emit("")
         self.under_way_changed.emit(False)
-
-
-def same_lens(one: "Frame", other: "Frame") -> bool:
-    """Whether two frames show the same lens for the same task."""
-    alike = look_alike(one.session, other.session)
-    return alike and np.array_equal(one.snapshot.control_points, other.snapshot.control_points)

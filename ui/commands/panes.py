@@ -58,6 +58,6 @@ PANES = {
 }
 """By name, in the order in which menus list them and the focus goes.
 
-What a dock holds is made where its libraries are loaded: see `Workspace.raise_curtain`, which
+What a dock holds is made where its libraries are loaded: see `Workspace.put_views`, which
 refuses a table and widgets that do not agree.
 """

@@ -11,10 +11,10 @@ from PySide6.QtCore import QSettings, QTimer
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QWidget
 
-from ui.check.check import same_lens
 from ui.manufacture.face_map import FaceMap
 from ui.manufacture.figures import Figures
 from ui.manufacture.limits import LimitFields
+from ui.shown.frame import same_lens
 from ui.threads.background import Background
 from ui.widgets.side_by_side import Beside
 from workbench.analysis.manufacture import Manufacture, SurfaceMaps, manufacture, surface_maps

@@ -7,7 +7,8 @@ from PySide6.QtCore import QObject, QTimer, Signal
 from ui.document.document import Document
 from ui.run.kept import with_run
 from ui.run.runner import Runner
-from ui.shown.frame_history import Moments, moment
+from ui.shown.frame import iterations_before
+from ui.shown.frame_history import FrameHistory
 from workbench.design.snapshot import Result
 
 if TYPE_CHECKING:
@@ -40,7 +41,7 @@ class RunControl(QObject):
         super().__init__(parent)
         self._document = document
         self.runner = Runner(self)
-        self.moments = Moments(self)
+        self.history = FrameHistory(self)
         self.runner.frame_ready.connect(self._keep)
         self.runner.finished.connect(self._finish)
         self._preview = QTimer(self, singleShot=True, interval=_PREVIEW_MS)
@@ -64,8 +65,8 @@ class RunControl(QObject):
 
     def go_on_from(self, frame: "Frame") -> None:
         """Go on from the lens as it was at some moment of the run."""
-        self.moments.branch(frame)
-        self._document.set_result(frame.result(), f"return to iteration {moment(frame)}")
+        self.history.branch(frame)
+        self._document.set_result(frame.result(), f"return to iteration {iterations_before(frame)}")
         self.go_on()
 
     def toggle_pause(self) -> None:
@@ -99,16 +100,16 @@ class RunControl(QObject):
 
     def _keep(self, frame: "Frame") -> None:
         if self.busy:  # a preview is no moment of a run
-            self.moments.add(frame)
+            self.history.add(frame)
 
     def _follow(self, session: "Session") -> None:
         """The course on show is that of the lens on show."""
         if not self.busy:
-            self.moments.show(session)
+            self.history.show(session)
 
     def _finish(self, result: Result | None) -> None:
         if result is not None:
-            self.moments.keep(result)
+            self.history.keep(result)
             session, given_way = with_run(self._document.session, result)
             self._document.change(session, "design run")
             for run in given_way:

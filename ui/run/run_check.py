@@ -8,8 +8,7 @@ from PySide6.QtCore import QObject, QThread, Signal
 from ui.check.checking import Checking, Suspect, verified_error
 from ui.document.document import Document
 from ui.run.control import RunControl
-from ui.shown.frame_history import moment
-from ui.views.view import look_alike
+from ui.shown.frame import iterations_before, same_task
 from workbench.pictures.loss import Verified
 
 if TYPE_CHECKING:
@@ -64,7 +63,7 @@ class RunCheck(QObject):
         control.runner.state_changed.connect(self._follow)
         control.runner.frame_ready.connect(self._look)
         control.ended.connect(self._finish)
-        control.moments.changed.connect(self._follow_course)
+        control.history.changed.connect(self._follow_course)
         document.session_changed.connect(self._follow_document)
 
     def close(self) -> None:
@@ -93,7 +92,7 @@ class RunCheck(QObject):
         self._began = monotonic()
         seconds = float(frame.times[-1]) if frame.times.size else 0.0
         heights = frame.snapshot.control_points
-        suspect = Suspect(frame.session, heights, moment(frame), seconds)
+        suspect = Suspect(frame.session, heights, iterations_before(frame), seconds)
         self._checking.begin(suspect, _RAYS, threads=1)
 
     def _finish(self) -> None:
@@ -108,27 +107,27 @@ class RunCheck(QObject):
 
     def _take(self, suspect: Suspect, found: "Validation") -> None:
         self._latest = check = Verified(suspect.iterations, suspect.seconds, found.loss_corrected)
-        moments = self._control.moments
+        history = self._control.history
         if suspect is self._end and self._result is not None:
             self._document.verified.note(self._result, found)  # also while its run is undone
-            moments.add_later_check(check, self._result, self._document.session)
+            history.add_later_check(check, self._result, self._document.session)
         else:
             self._rested_at = monotonic()
             self._cost = self._rested_at - self._began
-            moments.add_check(check)
+            history.add_check(check)
         self._text = f"verified {verified_error(found)} at {suspect.iterations}"
         self._tell()
         self.checked.emit(suspect, found)
 
     def _follow_course(self) -> None:
-        """While a run goes on, say nothing of what is not of its course: see `Moments.add`."""
-        if self._control.busy and self._latest not in self._control.moments.checks:
+        """While a run goes on, say nothing of what is not of its course: see `FrameHistory.add`."""
+        if self._control.busy and self._latest not in self._control.history.checks:
             self._text = ""
             self._tell()
 
     def _follow_document(self, session: "Session") -> None:
         """Leave the check of a lens of another design; one that is undone may come back."""
-        if self._end is not None and not look_alike(self._end.session, session):
+        if self._end is not None and not same_task(self._end.session, session):
             self._checking.leave()
         self._tell()
 

@@ -1,4 +1,4 @@
-"""Kept runs and checks of runs: between the document, the runs that end, the table and the plot."""
+"""Kept runs and checks of runs: between the document, the runs that end, and the table."""
 
 from collections.abc import Callable
 from typing import TYPE_CHECKING
@@ -17,12 +17,11 @@ from workbench.files.session import KeptRun
 from workbench.pictures.loss import Course
 
 if TYPE_CHECKING:
-    from ui.views.loss_view import LossView
     from workbench.analysis.validation import Validation
 
 
 class Runs(QObject):
-    """Shows the kept runs, draws those that are marked, and does what is asked with them.
+    """Shows the kept runs, tells which are marked, and does what is asked with them.
 
     Parameters
     ----------
@@ -30,8 +29,6 @@ class Runs(QObject):
         Whose runs.
     control : RunControl
         While a run of it goes on, none is changed.
-    loss : LossView
-        Draws the runs, and what checks say.
 
     Attributes
     ----------
@@ -39,17 +36,18 @@ class Runs(QObject):
         For a dock.
     check : RunCheck
         Of the run that goes on.
+    compared : Signal(list of Course)
+        Other runs shall be drawn beside this one.
     refused : Signal(str)
         Why something was not done.
     """
 
+    compared = Signal(object)
     refused = Signal(str)
 
-    def __init__(
-        self, document: Document, control: RunControl, loss: "LossView", parent: QObject
-    ) -> None:
+    def __init__(self, document: Document, control: RunControl, parent: QObject) -> None:
         super().__init__(parent)
-        self._document, self._control, self._loss = document, control, loss
+        self._document, self._control = document, control
         self._drawn: list[KeptRun] = []
         self.table = table = RunTable(self._verified_error)
         self.check = RunCheck(document, control, self)
@@ -113,7 +111,7 @@ class Runs(QObject):
         runs = [run for run in self.table.marked if run is not drawn]
         if runs != self._drawn:
             self._drawn = runs
-            self._loss.show_runs(
+            self.compared.emit(
                 [Course(run.name, run.result.losses, run.result.times()) for run in runs]
             )
 

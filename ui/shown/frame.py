@@ -101,3 +101,22 @@ def some_rays(paths: "RayPaths", count: int) -> "RayPaths":
         chosen[step // 2 :: step, step // 2 :: step] = True
     kept = chosen.ravel()
     return type(paths)(paths.points[kept], paths.weight[kept], paths.on_screen[kept])
+
+
+def same_task(one: "Session", other: "Session") -> bool:
+    """Whether pictures of both differ in nothing but the state of the run."""
+    if one is other:
+        return True
+    same = one.scene.model_copy(update={"run": other.scene.run}) == other.scene
+    return same and one.target is other.target
+
+
+def same_lens(one: Frame, other: Frame) -> bool:
+    """Whether two frames show the same lens for the same task."""
+    alike = same_task(one.session, other.session)
+    return alike and np.array_equal(one.snapshot.control_points, other.snapshot.control_points)
+
+
+def iterations_before(frame: Frame) -> int:
+    """Iterations before a frame, those of a continued run included."""
+    return int(frame.losses.size)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
-from ui.views.view import look_alike
+from ui.shown.frame import iterations_before, same_task
 from workbench.design.snapshot import Array, Result
 
 if TYPE_CHECKING:
@@ -29,7 +29,7 @@ class _Kept:
     checks: "tuple[Verified, ...]"
 
 
-class Moments(QObject):
+class FrameHistory(QObject):
     """Frames of a run and of those that continue it, first and latest always among them.
 
     When they take too much memory every second one is dropped, and from then on frames are kept
@@ -66,14 +66,17 @@ class Moments(QObject):
 
     def add(self, frame: "Frame") -> None:
         """Keep the latest frame; what came later in an earlier course is forgotten."""
-        frames, at = self._frames, moment(frame)
-        while frames and moment(frames[-1]) >= at:
+        frames, at = self._frames, iterations_before(frame)
+        while frames and iterations_before(frames[-1]) >= at:
             frames.pop()
         if not frames:
             self._gap = 1
         self._checks = _until(at, self._checks)
         # The last one gives way, unless it is far enough from the one before it.
-        if len(frames) > 1 and moment(frames[-1]) - moment(frames[-2]) < self._gap:
+        if (
+            len(frames) > 1
+            and iterations_before(frames[-1]) - iterations_before(frames[-2]) < self._gap
+        ):
             frames.pop()
         frames.append(frame)
         while len(frames) > 2 and sum(map(_size, frames)) > self._budget:
@@ -99,15 +102,15 @@ class Moments(QObject):
 
     def branch(self, frame: "Frame") -> None:
         """Keep the course on show up to one of its frames, which becomes a result."""
-        at = moment(frame)
-        before = (each for each in self._frames if moment(each) < at)
+        at = iterations_before(frame)
+        before = (each for each in self._frames if iterations_before(each) < at)
         self._keep(frame.losses, (*before, frame), _until(at, self._checks))
 
     def show(self, session: "Session") -> None:
         """Go to the course of a session's result; to none where none was kept."""
         kept = None if session.result is None else self._of(session.result)
         frames, checks = ((), ()) if kept is None else (kept.frames, kept.checks)
-        if frames and not look_alike(frames[0].session, session):
+        if frames and not same_task(frames[0].session, session):
             frames = ()  # the lens is the same, but its frames are of another scene
         if (*frames,) != (*self._frames,) or checks != self._checks:
             self._frames, self._checks = list(frames), checks
@@ -131,11 +134,6 @@ class Moments(QObject):
             sizes |= {id(frame): _size(frame) for frame in kept.frames}
             if sum(sizes.values()) > _COURSES * self._budget:
                 kept.frames = ()
-
-
-def moment(frame: "Frame") -> int:
-    """Iterations before a frame, those of a continued run included."""
-    return int(frame.losses.size)
 
 
 def _until(at: int, checks: "tuple[Verified, ...]") -> "tuple[Verified, ...]":

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QLabel
 
-from ui.check.check import same_lens
+from ui.shown.frame import same_lens
 from ui.tolerances.form import ToleranceForm
 from ui.tolerances.sampling import Sample, Sampling
 from ui.tolerances.spread_view import SpreadView

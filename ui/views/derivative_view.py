@@ -12,10 +12,10 @@ from PySide6.QtCore import QSignalBlocker, QTimer, Signal
 from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSpinBox, QWidget
 
+from ui.shown.frame import same_task
 from ui.threads.latest import Latest
 from ui.views.derivatives import Question, derivative
 from ui.views.plot_view import PlotView
-from ui.views.view import look_alike
 from ui.views.while_seen import WhileSeen
 from workbench.pictures.derivative import DerivativeImage
 
@@ -81,7 +81,7 @@ class DerivativeView(PlotView, WhileSeen):
 
     def show_frame(self, frame: "Frame") -> None:
         """Take note of another lens."""
-        if self._frame is None or not look_alike(self._frame.session, frame.session):
+        if self._frame is None or not same_task(self._frame.session, frame.session):
             self._map = None
             self._offer(frame.session.scene.lens.control_points)
         super().show_frame(frame)

@@ -15,10 +15,10 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSlider, QWidget
 
 from ui.check.checking import verified_error
 from ui.check.focusing import Focusing, Question
+from ui.shown.frame import same_task
 from ui.views.focus_curve import FocusCurveView
 from ui.views.image_link import ImageLink
 from ui.views.light_image_view import LightImageView
-from ui.views.view import look_alike
 from ui.views.while_seen import WhileSeen
 from workbench.analysis.focus import screen_at
 
@@ -88,7 +88,7 @@ class FocusView(LightImageView, WhileSeen):
 
     def show_frame(self, frame: "Frame") -> None:
         """Take note of another lens."""
-        if self._frame is None or not look_alike(self._frame.session, frame.session):
+        if self._frame is None or not same_task(self._frame.session, frame.session):
             self._forget()
         super().show_frame(frame)
         self._want()

@@ -7,7 +7,7 @@ from PySide6.QtCore import QSignalBlocker, QSize, Qt, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSlider, QWidget
 
-from ui.shown.frame_history import moment
+from ui.shown.frame import iterations_before
 
 if TYPE_CHECKING:
     from ui.shown.frame import Frame
@@ -89,4 +89,4 @@ class LookBack(QWidget):
         self.looked.emit(self._frame)
 
     def _tell(self) -> None:
-        self._text.setText(f"iteration {moment(self._frame)}" if self._frames else "")
+        self._text.setText(f"iteration {iterations_before(self._frame)}" if self._frames else "")

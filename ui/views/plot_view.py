@@ -6,8 +6,9 @@ from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
 
+from ui.shown.frame import same_task
 from ui.views.canvas import Canvas
-from ui.views.view import View, look_alike
+from ui.views.view import View
 from workbench.pictures.data import Column, shown_data
 
 if TYPE_CHECKING:
@@ -97,7 +98,7 @@ class PlotView(View):
 
     def _draw(self, session: "Session", frame: "Frame | None") -> None:
         anew = frame is None or self._anew
-        if anew or self._shown is None or not look_alike(self._shown, session):
+        if anew or self._shown is None or not same_task(self._shown, session):
             self._canvas.animate(self._begin(self._canvas.begin(), session))
             self._anew = False
         self._shown = session

@@ -24,11 +24,11 @@ from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QCloseEvent, QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import QGridLayout, QLabel, QSizePolicy, QWidget
 
-from ui.shown.frame import some_rays
+from ui.shown.frame import same_task, some_rays
 from ui.views.tools.hand import Hand
 from ui.views.tools.steer import steer
 from ui.views.tools.tool import Pointer, Tool
-from ui.views.view import View, look_alike
+from ui.views.view import View
 from ui.widgets.native import make_native
 from workbench.design.limits import bounded
 from workbench.pictures.images import LIGHT
@@ -300,7 +300,7 @@ class SceneView(View):
             return
         if self._plotter is None:
             self._open_plotter()
-        if frame is None or self._shown is None or not look_alike(self._shown, session):
+        if frame is None or self._shown is None or not same_task(self._shown, session):
             self._begin(session)
         self._shown = session
         self._place_camera(session)
@@ -314,7 +314,7 @@ class SceneView(View):
 
     def _place_camera(self, session: "Session") -> None:
         """Stand where it was asked for, as soon as the design is there that this was said of."""
-        latest = self._session is None or look_alike(session, self._session)
+        latest = self._session is None or same_task(session, self._session)
         if self._placement is not None and self._picture is not None and latest:
             self._picture.camera.place(self._placement)
             self._placement = None

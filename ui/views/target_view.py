@@ -5,8 +5,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 import numpy.typing as npt
 
+from ui.shown.frame import same_task
 from ui.views.light_image_view import LightImageView
-from ui.views.view import look_alike
 from workbench.pictures.images import target_irradiance
 
 if TYPE_CHECKING:
@@ -22,7 +22,7 @@ class TargetView(LightImageView):
         """Take note of another target; frames of a run have the same one."""
         before, self._frame = self._frame, frame
         self._untraced = False
-        if before is None or not look_alike(before.session, frame.session):
+        if before is None or not same_task(before.session, frame.session):
             self._ask()
 
     def _shown_values(self, frame: "Frame") -> npt.NDArray[np.float64]:

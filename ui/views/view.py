@@ -90,11 +90,3 @@ class View(QWidget):
 
     def _recolour(self) -> None:
         """Take colours from the palette."""
-
-
-def look_alike(one: "Session", other: "Session") -> bool:
-    """Whether pictures of both differ in nothing but the state of the run."""
-    if one is other:
-        return True
-    same = one.scene.model_copy(update={"run": other.scene.run}) == other.scene
-    return same and one.target is other.target

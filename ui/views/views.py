@@ -23,8 +23,8 @@ from ui.views.target_view import TargetView
 from ui.views.view import View
 
 if TYPE_CHECKING:
-    from ui.document.document import Document
-    from ui.run.control import RunControl
+    from ui.shown.frame_history import FrameHistory
+    from ui.shown.shown_lens import ShownLens
 
 
 class Views(QObject):
@@ -66,17 +66,13 @@ class Views(QObject):
         self.derivative.chosen.connect(self.scene.mark)
         self.scene.picked.connect(self.derivative.choose)
 
-    def follow(self, document: "Document", control: "RunControl") -> None:
-        """Show a document, its runs, and the moments of them that a person looks back at."""
+    def follow(self, shown: "ShownLens", history: "FrameHistory") -> None:
+        """Show what is shown; look-back slider and loss curve show the history of the run."""
         for view in (self.scene, *self.docked.values()):
-            view.show_design(document.session)
-            document.session_changed.connect(view.show_design)
-            control.runner.frame_ready.connect(view.show_frame)
-            control.runner.unshown.connect(view.show_nothing)
-            self.look_back.looked.connect(view.show_frame)
-        moments = control.moments
-        moments.changed.connect(lambda: self.look_back.show_frames(moments.frames))
-        moments.changed.connect(lambda: self.loss.show_verified(moments.checks))
+            shown.add(view)
+        self.look_back.looked.connect(shown.frame_changed)
+        history.changed.connect(lambda: self.look_back.show_frames(history.frames))
+        history.changed.connect(lambda: self.loss.show_verified(history.checks))
 
     def plots(self) -> dict[str, PlotView]:
         """Those that are drawn on axes, by the names of their docks."""

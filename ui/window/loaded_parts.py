@@ -19,20 +19,21 @@ from ui.notices.shortfall import ShortfallNotice
 from ui.run.control import RunControl
 from ui.run.log import RunLog
 from ui.run.runs import Runs
+from ui.shown.shown_lens import ShownLens
 from ui.views.views import Views
 from ui.window.production import Production
 
 if TYPE_CHECKING:
-    from ui.main_window import MainWindow
     from ui.shown.frame import Frame
+    from ui.window.early_parts import EarlyParts
 
 
-class Bench(QObject):
-    """Makes these things and connects them with each other and with the window.
+class LoadedParts(QObject):
+    """Makes these things and connects them with each other and with the window's early parts.
 
     Parameters
     ----------
-    window : MainWindow
+    early : EarlyParts
         Its docks get the views, and its commands something to do.
     settings : QSettings
         Where choices are kept for the next start.
@@ -45,23 +46,24 @@ class Bench(QObject):
 
     state_changed = Signal()
 
-    def __init__(self, window: "MainWindow", settings: QSettings) -> None:
-        super().__init__(window)
-        self._window = window
-        document, workspace, messages = window.document, window.workspace, window.messages
+    def __init__(self, early: "EarlyParts", settings: QSettings, parent: QObject) -> None:
+        super().__init__(parent)
+        self._early = early
+        document, workspace, messages = early.document, early.workspace, early.messages
         self.control = RunControl(document, self)
+        self.shown = shown = ShownLens(document, self)
         self.views = views = Views(self)
         self.check = Check(self)
-        self.figures = CheckFigures(settings, window.commands["check"])
-        self.runs = Runs(document, self.control, views.loss, self)
+        self.figures = CheckFigures(settings, early.commands["check"])
+        self.runs = Runs(document, self.control, self)
         self.production = production = Production(settings, self)
         plots = views.plots() | production.plots()
-        self.plots = Plots(plots, document, messages, window.dialogs, window)
+        self.plots = Plots(plots, document, messages, early.dialogs, self)
         self.tools = LensTools(document, self.control, views.scene, self)
-        self.postponed = Postponed(window.forms, self.control, messages, self)
-        self._pictures = ScenePictures(views.scene, document, messages, window.dialogs, window)
-        RunLog(document, self.control, window.log.add)
-        begin = (window.commands[name].trigger for name in ("start", "continue"))
+        self.postponed = Postponed(early.forms, self.control, messages, self)
+        self._pictures = ScenePictures(views.scene, document, messages, early.dialogs, self)
+        RunLog(document, self.control, early.log.add)
+        begin = (early.commands[name].trigger for name in ("start", "continue"))
         ShortfallNotice(document, self.control, messages, *begin)
         docked = {
             **views.docked,
@@ -69,18 +71,18 @@ class Bench(QObject):
             "check": self.figures,
             "runs": self.runs.table,
         }
-        workspace.raise_curtain(views.scene, docked)
+        workspace.put_views(views.scene, docked)
         workspace.docks["derivative"].visibilityChanged.connect(views.derivative.uncover)
         workspace.docks["focus"].visibilityChanged.connect(views.focus.uncover)
         workspace.docks["manufacture"].visibilityChanged.connect(production.manufacture.look)
         views.link.drawn.connect(lambda _: workspace.show_dock("section"))
-        views.follow(document, self.control)
-        production.follow(document, self.control, views.look_back)
-        views.scene.let_go.connect(window.commands["turn"].trigger)
+        views.follow(shown, self.control.history)
+        production.follow(shown)
+        views.scene.let_go.connect(early.commands["turn"].trigger)
         self._connect_run()
         self._connect_check()
         self._connect_commands()
-        keep_colours(settings, window.commands)
+        keep_colours(settings, early.commands)
         self.runs.refused.connect(messages.warn)
         self.tools.said.connect(messages.note)
         production.tolerances.failed.connect(messages.warn)
@@ -105,36 +107,38 @@ class Bench(QObject):
             part.close()
 
     def _connect_run(self) -> None:
-        control, status, look_back = self.control, self._window.status, self.views.look_back
+        control, early, shown = self.control, self._early, self.shown
         runner = control.runner
-        for shows in (runner.frame_ready, look_back.looked):
-            shows.connect(self.check.show_frame)
-            shows.connect(self._show_frame)
-        runner.unshown.connect(self.check.show_nothing)
-        runner.unshown.connect(status.show_nothing)
-        runner.failed.connect(self._window.messages.warn)
-        runner.waiting.connect(self._window.tell_waiting)
+        runner.frame_ready.connect(shown.frame_changed)
+        runner.unshown.connect(shown.emptied)
+        shown.frame_changed.connect(self.check.show_frame)
+        shown.frame_changed.connect(self._show_frame)
+        shown.emptied.connect(self.check.show_nothing)
+        shown.emptied.connect(early.status.show_nothing)
+        runner.failed.connect(early.messages.warn)
+        runner.waiting.connect(early.show_waiting)
         runner.state_changed.connect(self.state_changed)
-        self.runs.check.figures_changed.connect(status.show_verified)
-        look_back.went_on.connect(
-            lambda frame: self._window.begin(lambda: control.go_on_from(frame))
+        self.runs.check.figures_changed.connect(early.status.show_verified)
+        self.runs.compared.connect(self.views.loss.show_runs)
+        self.views.look_back.went_on.connect(
+            lambda frame: early.begin(lambda: control.go_on_from(frame))
         )
 
     def _connect_check(self) -> None:
-        check, figures, window = self.check, self.figures, self._window
+        check, figures, early = self.check, self.figures, self._early
         check.use_rays(figures.rays)
         figures.rays_chosen.connect(check.use_rays)
         check.figures_changed.connect(figures.follow)
         check.checked.connect(figures.show_check)
-        check.checked.connect(lambda: window.workspace.show_dock("check"))
+        check.checked.connect(lambda: early.workspace.show_dock("check"))
         check.checked.connect(self.runs.note_check)
-        check.figures_changed.connect(window.status.show_check)
+        check.figures_changed.connect(early.status.show_check)
         check.under_way_changed.connect(self._reword_check)
-        check.told.connect(window.log.add)
-        check.failed.connect(window.messages.warn)
+        check.told.connect(early.log.add)
+        check.failed.connect(early.messages.warn)
 
     def _connect_commands(self) -> None:
-        commands, control, begin = self._window.commands, self.control, self._window.begin
+        commands, control, begin = self._early.commands, self.control, self._early.begin
         self.plots.offer([commands[name] for name in self.plots.slots()])
         commands.connect(
             {
@@ -154,8 +158,8 @@ class Bench(QObject):
         commands.connect_choices(self.views.choices())
 
     def _show_frame(self, frame: "Frame") -> None:
-        self._window.status.show_frame(frame, self.control.busy)
+        self._early.status.show_frame(frame, self.control.busy)
 
     def _reword_check(self, under_way: bool) -> None:
         text = "Cancel &check" if under_way else COMMANDS["check"].text
-        self._window.commands["check"].setText(text)
+        self._early.commands["check"].setText(text)

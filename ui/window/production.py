@@ -8,9 +8,7 @@ from ui.manufacture.pane import ManufacturePane
 from ui.tolerances.pane import TolerancePane
 
 if TYPE_CHECKING:
-    from ui.document.document import Document
-    from ui.run.control import RunControl
-    from ui.views.look_back import LookBack
+    from ui.shown.shown_lens import ShownLens
     from ui.views.plot_view import PlotView
 
 
@@ -37,14 +35,10 @@ class Production(QObject):
         """Their pictures, by the names of their docks."""
         return {"manufacture": self.manufacture.map, "tolerances": self.tolerances.plot}
 
-    def follow(self, document: "Document", control: "RunControl", look_back: "LookBack") -> None:
-        """Show the lenses of a document, of its runs, and of moments that are looked back at."""
+    def follow(self, shown: "ShownLens") -> None:
+        """Tell both panes of what is shown."""
         for pane in (self.manufacture, self.tolerances):
-            pane.show_design(document.session)
-            document.session_changed.connect(pane.show_design)
-            control.runner.frame_ready.connect(pane.show_frame)
-            control.runner.unshown.connect(pane.show_nothing)
-            look_back.looked.connect(pane.show_frame)
+            shown.add(pane)
 
     def allow(self, resting: bool) -> None:
         """Whether the lens on show stays as it is until somebody asks for another."""

@@ -104,7 +104,7 @@ class Workspace:
         )
         self._window.resizeDocks([docks["loss"], docks["light"]], [3, 2], Qt.Orientation.Horizontal)
 
-    def raise_curtain(self, scene_view: QWidget, others: Mapping[str, QWidget]) -> None:
+    def put_views(self, scene_view: QWidget, others: Mapping[str, QWidget]) -> None:
         """Put the views where the placeholders stand.
 
         Parameters

@@ -33,7 +33,7 @@ def few_rays(monkeypatch):
 def window(display, open_window, designed, qtbot):
     window = open_window(designed)
     window.build()
-    qtbot.waitUntil(lambda: window.bench.check._shown is not None, timeout=60_000)
+    qtbot.waitUntil(lambda: window.loaded.check._shown is not None, timeout=60_000)
     return window
 
 
@@ -80,7 +80,7 @@ def test_they_are_forgotten_with_the_lens(window, few_rays, qtbot):
     scene, stack = window.document.session.scene, window.document.undo_stack
     run = scene.run.model_copy(update={"iterations": 17})
     window.document.edit(scene.model_copy(update={"run": run}), "run", "")
-    qtbot.waitUntil(lambda: window.bench.check._shown.session.scene.run.iterations == 17)
+    qtbot.waitUntil(lambda: window.loaded.check._shown.session.scene.run.iterations == 17)
     assert figures(window).startswith("checked")  # it is the same lens
     move_screen(window.document, 7)
     qtbot.waitUntil(lambda: not figures(window), timeout=60_000)
@@ -120,7 +120,7 @@ def test_a_second_order_cancels_it(window, gate, qtbot):
     check.trigger()
     assert figures(window) == "" and check.text() == "&Check lens"
     gate.release(1)  # the step that it was in
-    qtbot.waitUntil(lambda: not window.bench.check._checking._latest._background.busy)
+    qtbot.waitUntil(lambda: not window.loaded.check._checking._latest._background.busy)
     assert len(gate.left) == 1
     assert "Check with" not in window.log.toPlainText()
     check.trigger()
@@ -130,7 +130,7 @@ def test_a_second_order_cancels_it(window, gate, qtbot):
 
 
 def test_escape_cancels_it_once_no_tool_needs_the_key(window, gate, qtbot):
-    scene = window.bench.views.scene
+    scene = window.loaded.views.scene
     qtbot.waitUntil(lambda: scene._plotter is not None, timeout=30_000)
     window.commands["lock"].trigger()
     window.commands["check"].trigger()
@@ -140,7 +140,7 @@ def test_escape_cancels_it_once_no_tool_needs_the_key(window, gate, qtbot):
     qtbot.keyClick(scene._plotter, Qt.Key.Key_Escape)
     assert figures(window) == "" and window.commands["check"].text() == "&Check lens"
     gate.release(1)  # the step that it was in
-    qtbot.waitUntil(lambda: not window.bench.check._checking._latest._background.busy)
+    qtbot.waitUntil(lambda: not window.loaded.check._checking._latest._background.busy)
     assert len(gate.left) == 1
 
 
@@ -176,7 +176,7 @@ def test_why_there_are_no_figures_is_said(window, monkeypatch, qtbot):
 
 
 def test_closing_in_the_midst_of_a_check(window, gate, qtbot):
-    check = window.bench.check
+    check = window.loaded.check
     window.commands["check"].trigger()
     qtbot.waitUntil(lambda: len(gate.begun) == 1)
     gate.release(1)
@@ -189,13 +189,13 @@ def test_closing_in_the_midst_of_a_check(window, gate, qtbot):
 
 
 def test_no_check_while_a_run_goes_on(window, as_run, qtbot):
-    window.bench.control.runner._generate = as_run(100_000, pause=0.01)
+    window.loaded.control.runner._generate = as_run(100_000, pause=0.01)
     window.commands["start"].trigger()
     assert not window.commands["check"].isEnabled()
     window.commands["pause"].trigger()
     assert window.commands["check"].isEnabled()
     window.commands["stop"].trigger()
-    qtbot.waitUntil(lambda: not window.bench.control.busy, timeout=60_000)
+    qtbot.waitUntil(lambda: not window.loaded.control.busy, timeout=60_000)
 
 
 @pytest.fixture

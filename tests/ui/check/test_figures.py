@@ -108,17 +108,17 @@ def window(display, open_window, designed, found, monkeypatch, qtbot):
     window = open_window(designed)
     window.asked = asked
     window.build()
-    qtbot.waitUntil(lambda: window.bench.check._shown is not None, timeout=60_000)
+    qtbot.waitUntil(lambda: window.loaded.check._shown is not None, timeout=60_000)
     return window
 
 
 def test_a_check_brings_the_dock_with_its_figures(window, found, qtbot):
-    dock, figures = window.workspace.docks["check"], window.bench.figures
+    dock, figures = window.workspace.docks["check"], window.loaded.figures
     assert not dock.isVisible()
     window.commands["check"].trigger()
     qtbot.waitUntil(lambda: figures.text != "", timeout=60_000)
     qtbot.waitUntil(lambda: not figures._table.visibleRegion().isEmpty())
-    own = window.bench.check._shown.snapshot.irradiance
+    own = window.loaded.check._shown.snapshot.irradiance
     told = named(check_rows(found, relative_l2(found.irradiance, own)))
     assert told.items() <= rows(figures).items()
     assert figures._hint.isHidden()
@@ -128,10 +128,10 @@ def test_a_check_brings_the_dock_with_its_figures(window, found, qtbot):
 
 
 def test_other_rays_are_for_another_check_of_the_same_lens(window, qtbot):
-    figures, check = window.bench.figures, window.commands["check"]
+    figures, check = window.loaded.figures, window.commands["check"]
     for rays in (1_000_000, 64_000_000):
         figures._rays.setCurrentIndex(figures._rays.findData(rays))
         check.trigger()
-        qtbot.waitUntil(lambda: not window.bench.check._checking.busy, timeout=60_000)
+        qtbot.waitUntil(lambda: not window.loaded.check._checking.busy, timeout=60_000)
         check.trigger()  # nothing more to find out
     assert window.asked == [1_000_000, 64_000_000]

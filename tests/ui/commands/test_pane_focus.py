@@ -112,10 +112,10 @@ def test_each_dock_gets_something_to_hold_and_nothing_is_without_a_dock(window):
     workspace = window.workspace
     views = {name: QWidget() for name in PANES.keys() - {"scene", "design", "history", "log"}}
     with pytest.raises(ValueError, match=r"\['runs'\]"):
-        workspace.raise_curtain(QWidget(), {k: v for k, v in views.items() if k != "runs"})
+        workspace.put_views(QWidget(), {k: v for k, v in views.items() if k != "runs"})
     with pytest.raises(ValueError, match=r"\['ghost'\]"):
-        workspace.raise_curtain(QWidget(), {**views, "ghost": QWidget()})
-    workspace.raise_curtain(QWidget(), views)
+        workspace.put_views(QWidget(), {**views, "ghost": QWidget()})
+    workspace.put_views(QWidget(), views)
     assert all(workspace.docks[name].widget() is view for name, view in views.items())
 
 
@@ -127,7 +127,7 @@ def test_at_first_each_dock_is_where_the_table_says(window):
 
 def test_commands_look_at_lens_and_screen(display, window, qtbot):
     window.build()
-    scene = window.bench.views.scene
+    scene = window.loaded.views.scene
     qtbot.waitUntil(lambda: scene.camera() is not None, timeout=60_000)
     for name, keys in (("screen", "Ctrl+2"), ("lens", "Ctrl+1")):
         assert window.commands[f"{name}_view"].shortcut().toString() == keys

@@ -24,8 +24,8 @@ def test_there_is_a_command_for_each_choice_of_colours():
 def test_colours_reach_all_views_and_the_next_window(window, settings, qtbot):
     assert window.commands["colours_inferno"].isChecked()
     window.commands["colours_cividis"].trigger()
-    assert window.bench.views.link.colours == window.bench.views.scene._colours == "cividis"
-    irradiance = window.bench.views.docked["irradiance"]
+    assert window.loaded.views.link.colours == window.loaded.views.scene._colours == "cividis"
+    irradiance = window.loaded.views.docked["irradiance"]
     qtbot.waitUntil(lambda: not irradiance.empty, timeout=30_000)
     shown = irradiance._image.artists[0]
     qtbot.waitUntil(lambda: shown.get_cmap().name == "cividis")
@@ -48,7 +48,7 @@ def test_colours_that_are_not_known_are_left_out(settings, qtbot):
 
 
 def test_the_plot_on_show_is_copied_by_a_key(window, qtbot):
-    view = window.bench.views.docked["irradiance"]
+    view = window.loaded.views.docked["irradiance"]
     qtbot.waitUntil(lambda: not view.empty, timeout=30_000)
     QGuiApplication.clipboard().clear()
     keys = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier
@@ -58,11 +58,11 @@ def test_the_plot_on_show_is_copied_by_a_key(window, qtbot):
 
 
 def test_a_line_that_is_drawn_brings_its_cross_section(window, qtbot):
-    dock, link = window.workspace.docks["section"], window.bench.views.link
+    dock, link = window.workspace.docks["section"], window.loaded.views.link
     assert not dock.isVisible()
     link.drawn.emit(((-0.5, 0.0), (0.5, 0.25)))
     qtbot.waitUntil(dock.isVisible)
     assert link.line == ((-0.5, 0.0), (0.5, 0.25))
-    section = window.bench.views.docked["section"]
+    section = window.loaded.views.docked["section"]
     qtbot.waitUntil(lambda: not section.empty, timeout=30_000)
     assert section._curves._axes.get_xlabel() == "distance (cm)"

@@ -242,7 +242,7 @@ def test_the_lens_of_a_run_is_kept_before_it_ends(display, window, tmp_path, qtb
     window.document.edit(scene.model_copy(update={"run": run}), "run", "")
     recovery = Recovery(window.document, tmp_path / "recovery", window)
     recovery.start()
-    recovery.follow(window.bench.control)
+    recovery.follow(window.loaded.control)
     window.start()
     qtbot.waitUntil(lambda: recovery._frame is not None, timeout=60_000)
     frame = recovery._frame
@@ -250,8 +250,8 @@ def test_the_lens_of_a_run_is_kept_before_it_ends(display, window, tmp_path, qtb
     found = read_session(recovery._file).result
     assert found.iterations >= frame.snapshot.iteration
     np.testing.assert_array_equal(found.losses, recovery._kept.result.losses)
-    window.bench.control.runner.stop()
-    qtbot.waitUntil(lambda: not window.bench.control.busy, timeout=60_000)
+    window.loaded.control.runner.stop()
+    qtbot.waitUntil(lambda: not window.loaded.control.busy, timeout=60_000)
     assert recovery._frame is None
     recovery._join()
     ended = read_session(recovery._file).result

@@ -593,7 +593,7 @@ def test_in_the_window(display, make_session, open_window, tmp_path, drag, qtbot
     """Commands, all views and the run, from a drag to what goes on from it."""
     window = open_window(make_session({"run.iterations": 3}))
     window.build()
-    view, commands, document = window.bench.views.scene, window.commands, window.document
+    view, commands, document = window.loaded.views.scene, window.commands, window.document
     qtbot.waitUntil(lambda: view.frame is not None and view.lens is not None, timeout=60_000)
     commands["sculpt"].trigger()
     qtbot.waitUntil(lambda: view.net._shown)
@@ -602,16 +602,16 @@ def test_in_the_window(display, make_session, open_window, tmp_path, drag, qtbot
     held.release()
     qtbot.waitUntil(lambda: document.session.result is not None, timeout=20_000)
     shaped = document.session.control_points
-    for shows in window.bench.views.docked.values():
+    for shows in window.loaded.views.docked.values():
         assert (shows._frame.snapshot.control_points == shaped).all()
     qtbot.keyClick(view._plotter, Qt.Key.Key_Escape)
     assert commands["turn"].isChecked()
 
     frames = []
-    window.bench.control.runner.frame_ready.connect(frames.append)
+    window.loaded.control.runner.frame_ready.connect(frames.append)
     commands["continue"].trigger()
     assert not commands["lock_all"].isEnabled()
-    qtbot.waitUntil(lambda: window.bench.control.runner.state == "idle", timeout=60_000)
+    qtbot.waitUntil(lambda: window.loaded.control.runner.state == "idle", timeout=60_000)
     assert document.session.result.iterations > 0
     np.testing.assert_allclose(frames[0].snapshot.control_points, shaped, atol=0.05)
 

@@ -56,7 +56,7 @@ class Watch:
 
 @pytest.mark.timeout(0)
 def test_the_lens_follows_the_hand(window, latency_probe, qtbot, capsys):
-    view, irradiance = window.bench.views.scene, window.bench.views.docked["irradiance"]
+    view, irradiance = window.loaded.views.scene, window.loaded.views.docked["irradiance"]
     qtbot.waitUntil(lambda: view.frame is not None and view.lens is not None, timeout=60_000)
     window.commands["sculpt"].trigger()
     qtbot.waitUntil(lambda: view.net._shown and not view._dated, timeout=60_000)
@@ -67,7 +67,7 @@ def test_the_lens_follows_the_hand(window, latency_probe, qtbot, capsys):
         for when in asked:
             when[float(heights.max())] = time.perf_counter()
 
-    window.bench.tools._tools["sculpt"].shaped.connect(note)
+    window.loaded.tools._tools["sculpt"].shaped.connect(note)
     ((x, y),) = view.sight.pixels(view.net.places[32, 32][None])
     place = QPointF(x, view._plotter.height() - 1 - y)
 

@@ -8,19 +8,19 @@ from tests.ui.hands import editor, enter
 def test_the_field_is_named_until_it_is_corrected(window, qtbot):
     begun = []
     enter(qtbot, window.forms, "screen.z", "0.1")
-    window.begin(lambda: begun.append(1))
+    window.early.begin(lambda: begun.append(1))
     assert window.messages.text.startswith("Screen at z: 0.1 may touch the lens")
     assert "Correct it, or press Esc" in window.messages.text and not begun
     enter(qtbot, window.forms, "screen.z", "6")
     assert window.messages.text == ""
-    window.begin(lambda: begun.append(1))
+    window.early.begin(lambda: begun.append(1))
     assert begun == [1]
 
 
 def test_of_several_fields_the_next_one_is_named(window, qtbot):
     enter(qtbot, window.forms, "screen.z", "far")
     enter(qtbot, window.forms, "run.seed", "x")
-    window.begin(lambda: None)
+    window.early.begin(lambda: None)
     assert window.messages.text.startswith("Screen at z: 'far' is not a number")
     assert "(1 more refused)" in window.messages.text
     enter(qtbot, window.forms, "screen.z", "6")
@@ -31,7 +31,7 @@ def test_of_several_fields_the_next_one_is_named(window, qtbot):
 
 def test_another_message_stays_when_the_field_is_corrected(window, qtbot):
     enter(qtbot, window.forms, "screen.z", "far")
-    window.begin(lambda: None)
+    window.early.begin(lambda: None)
     window.messages.note("Something else")
     enter(qtbot, window.forms, "screen.z", "6")
     assert window.messages.text == "Something else"

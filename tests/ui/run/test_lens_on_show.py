@@ -27,7 +27,7 @@ def running(built, qtbot):
     run = scene.run.model_copy(update={"iterations": 100_000})
     built.document.edit(scene.model_copy(update={"run": run}), "run", "")
     built.start()
-    runner = built.bench.control.runner
+    runner = built.loaded.control.runner
     qtbot.waitUntil(lambda: runner.best is not None and runner.best.iterations > 2, timeout=60_000)
     return built
 
@@ -45,8 +45,8 @@ def carried(open_window, designed, qtbot):
 
 
 def stop(window, qtbot):
-    window.bench.control.runner.stop()
-    qtbot.waitUntil(lambda: not window.bench.control.busy, timeout=60_000)
+    window.loaded.control.runner.stop()
+    qtbot.waitUntil(lambda: not window.loaded.control.busy, timeout=60_000)
 
 
 def test_a_run_can_be_saved_with_its_best_lens_so_far(running, qtbot, tmp_path, monkeypatch):
@@ -56,7 +56,7 @@ def test_a_run_can_be_saved_with_its_best_lens_so_far(running, qtbot, tmp_path, 
     running.commands["save"].trigger()
     saved = read_session(path)
     assert saved.result.iterations > 2
-    assert running.bench.control.busy and running.document.dirty
+    assert running.loaded.control.busy and running.document.dirty
     assert "with the best lens so far" in running.statusBar().currentMessage()
     stop(running, qtbot)
     running.document.undo_stack.undo()  # the run
@@ -65,7 +65,7 @@ def test_a_run_can_be_saved_with_its_best_lens_so_far(running, qtbot, tmp_path, 
 
 
 def test_the_best_lens_so_far_has_the_least_loss(running):
-    best = running.bench.control.runner.best
+    best = running.loaded.control.runner.best
     assert best.loss <= best.losses.min()
 
 
@@ -111,11 +111,11 @@ def test_a_report_says_which_task_its_lens_was_designed_for(carried, qtbot, tmp_
 
 def test_an_edit_waits_for_the_run_or_stops_it(running, qtbot):
     enter(qtbot, running.forms, "screen.z", "7")
-    assert running.document.session.scene.screen.z == 5 and running.bench.control.busy
+    assert running.document.session.scene.screen.z == 5 and running.loaded.control.busy
     assert "Waits for the end of the run: change of screen at z." in running.messages.text
     stop_and_apply, _ = running.messages.buttons
     assert stop_and_apply.text() == "Stop and apply"
-    with qtbot.waitSignal(running.bench.control.ended, timeout=60_000):
+    with qtbot.waitSignal(running.loaded.control.ended, timeout=60_000):
         stop_and_apply.click()
     assert running.document.session.scene.screen.z == 7
     assert not running.messages.isVisible()
@@ -168,7 +168,7 @@ def test_a_design_dropped_during_a_run_is_opened_after_it(
     path = tmp_path / "other.json"
     path.write_text(session.scene.model_copy(update={"unit": "inch"}).to_json())
     drop(running, path)
-    assert running.bench.control.busy and running.document.session.scene.unit != "inch"
+    assert running.loaded.control.busy and running.document.session.scene.unit != "inch"
     monkeypatch.setattr(QMessageBox, "question", lambda *_: QMessageBox.StandardButton.Discard)
     (stop_and_open,) = running.messages.buttons
     stop_and_open.click()

@@ -85,8 +85,8 @@ def window(display, window):
 
 
 def run_with(window, qtbot, generate):
-    window.bench.control.runner._generate = generate
-    with qtbot.waitSignal(window.bench.control.ended, timeout=60_000):
+    window.loaded.control.runner._generate = generate
+    with qtbot.waitSignal(window.loaded.control.ended, timeout=60_000):
         window.commands["start"].trigger()
 
 
@@ -101,7 +101,7 @@ def test_a_run_tells_its_phases_and_its_trace_once(window, snapshots, as_seen_ru
         update={"run": scene.run.model_copy(update={"stages": (Stage(iterations=1),)})}
     )
     window.document.edit(stages, "stages", "")
-    run = as_seen_run(window.bench.control.runner, 3, staged)
+    run = as_seen_run(window.loaded.control.runner, 3, staged)
     run_with(window, qtbot, run)
     assert sentences(window.log) == [
         "Run begins: small, method auto",
@@ -115,12 +115,12 @@ def test_a_run_tells_its_phases_and_its_trace_once(window, snapshots, as_seen_ru
 
 
 def test_pausing_and_stopping_are_told(window, as_run, qtbot):
-    window.bench.control.runner._generate = as_run(100_000, pause=0.01)
+    window.loaded.control.runner._generate = as_run(100_000, pause=0.01)
     window.commands["start"].trigger()
-    qtbot.waitUntil(lambda: window.bench.control.moments.frames != [], timeout=60_000)
+    qtbot.waitUntil(lambda: window.loaded.control.history.frames != [], timeout=60_000)
     window.commands["pause"].trigger()
     window.commands["pause"].trigger()
-    with qtbot.waitSignal(window.bench.control.ended, timeout=60_000):
+    with qtbot.waitSignal(window.loaded.control.ended, timeout=60_000):
         window.commands["stop"].trigger()
     told = [re.sub(r" (at|after) iteration.*", "", text) for text in sentences(window.log)]
     assert told == [

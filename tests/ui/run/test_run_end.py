@@ -20,8 +20,8 @@ def state(window):
 
 
 def run(window, qtbot, generate):
-    window.bench.control.runner._generate = generate
-    with qtbot.waitSignal(window.bench.control.ended, timeout=60_000):
+    window.loaded.control.runner._generate = generate
+    with qtbot.waitSignal(window.loaded.control.ended, timeout=60_000):
         window.commands["start"].trigger()
 
 
@@ -40,23 +40,23 @@ def test_a_stop_and_a_failure_are_reasons(window, snapshots, as_run, qtbot):
 
     run(window, qtbot, fails)
     assert state(window) == "Failed: the loss is not finite"
-    window.bench.control.runner._generate = as_run(100_000, pause=0.01)
+    window.loaded.control.runner._generate = as_run(100_000, pause=0.01)
     window.commands["start"].trigger()
     assert state(window) == "Designing…"
-    qtbot.waitUntil(lambda: window.bench.control.moments.frames != [], timeout=60_000)
-    with qtbot.waitSignal(window.bench.control.ended, timeout=60_000):
+    qtbot.waitUntil(lambda: window.loaded.control.history.frames != [], timeout=60_000)
+    with qtbot.waitSignal(window.loaded.control.ended, timeout=60_000):
         window.commands["stop"].trigger()
     assert state(window) == "Stopped"
 
 
 def test_a_paused_run_is_nowhere_called_running(window, as_run, qtbot):
-    window.bench.control.runner._generate = as_run(100_000, pause=0.01)
+    window.loaded.control.runner._generate = as_run(100_000, pause=0.01)
     window.commands["start"].trigger()
     assert window.forms._hint.text() == "The design is running. Changes wait until it ends."
     window.commands["pause"].trigger()
     assert state(window) == "Paused"
     assert window.forms._hint.text() == "The design is paused. Changes wait until it ends."
-    with qtbot.waitSignal(window.bench.control.ended, timeout=60_000):
+    with qtbot.waitSignal(window.loaded.control.ended, timeout=60_000):
         window.commands["stop"].trigger()
 
 

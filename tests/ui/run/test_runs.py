@@ -45,7 +45,7 @@ def checks(monkeypatch):
 @pytest.fixture
 def window(display, window, checks, as_seen_run):
     window.build()
-    window.bench.control.runner._generate = as_seen_run(window.bench.control.runner, 6)
+    window.loaded.control.runner._generate = as_seen_run(window.loaded.control.runner, 6)
     window.workspace.docks["runs"].show()
     window.workspace.docks["runs"].raise_()
     return window
@@ -54,9 +54,9 @@ def window(display, window, checks, as_seen_run):
 @pytest.fixture
 def run(window, qtbot):
     def do(command="start"):
-        with qtbot.waitSignal(window.bench.control.ended, timeout=60_000):
+        with qtbot.waitSignal(window.loaded.control.ended, timeout=60_000):
             window.commands[command].trigger()
-        qtbot.waitUntil(lambda: not window.bench.runs.check._checking.busy)
+        qtbot.waitUntil(lambda: not window.loaded.runs.check._checking.busy)
 
     return do
 
@@ -70,7 +70,7 @@ def two_runs(window, run):
 
 
 def table(window):
-    return window.bench.runs.table.table
+    return window.loaded.runs.table.table
 
 
 def names(window):
@@ -103,7 +103,7 @@ def test_runs_stay_while_the_design_changes(two_runs):
 
 
 def test_a_check_mark_draws_the_loss_of_another_run(two_runs, qtbot):
-    loss = two_runs.bench.views.loss
+    loss = two_runs.loaded.views.loss
     for row in (0, 1):
         table(two_runs).item(row, 0).setCheckState(Qt.CheckState.Checked)
     # The lens on show is drawn anyway.
@@ -116,13 +116,13 @@ def test_a_check_mark_draws_the_loss_of_another_run(two_runs, qtbot):
 def test_the_run_before_is_drawn_beside_the_one_that_goes_on(window, run, as_run, qtbot):
     run()
     table(window).item(0, 0).setCheckState(Qt.CheckState.Checked)
-    assert window.bench.views.loss._runs == ()
-    window.bench.control.runner._generate = as_run(100_000, pause=0.01)
+    assert window.loaded.views.loss._runs == ()
+    window.loaded.control.runner._generate = as_run(100_000, pause=0.01)
     window.commands["start"].trigger()
-    assert [course.name for course in window.bench.views.loss._runs] == ["Run 1: auto, 12 × 10"]
-    assert not window.bench.runs.table._restore.isEnabled()
+    assert [course.name for course in window.loaded.views.loss._runs] == ["Run 1: auto, 12 × 10"]
+    assert not window.loaded.runs.table._restore.isEnabled()
     window.commands["stop"].trigger()
-    qtbot.waitUntil(lambda: not window.bench.control.busy, timeout=60_000)
+    qtbot.waitUntil(lambda: not window.loaded.control.busy, timeout=60_000)
 
 
 def test_a_run_is_given_another_name_by_keyboard(two_runs, qtbot):
@@ -176,7 +176,7 @@ def test_going_back_to_a_run(two_runs, qtbot):
     document = two_runs.document
     first = document.session.runs[0]
     table(two_runs).selectRow(0)
-    qtbot.mouseClick(two_runs.bench.runs.table._restore, Qt.MouseButton.LeftButton)
+    qtbot.mouseClick(two_runs.loaded.runs.table._restore, Qt.MouseButton.LeftButton)
     assert document.session.scene is first.scene and document.session.scene.screen.z == 5.0
     assert document.session.result is first.result
     assert document.undo_stack.undoText() == "return to Run 1: auto, 12 × 10"
@@ -215,7 +215,7 @@ def test_kept_runs_travel_with_the_file(two_runs, tmp_path):
     assert [table(two_runs).item(row, 0).font().bold() for row in (0, 1)] == [False, True]
     assert [texts(two_runs, row)[1] for row in (0, 1)] == ["1.25 %", "1.25 %"]
     session = two_runs.document.session
-    two_runs.bench.runs.note_check(Suspect(session, session.control_points), found(0.03))
+    two_runs.loaded.runs.note_check(Suspect(session, session.control_points), found(0.03))
     assert not two_runs.document.dirty  # a check is no edit
     assert [texts(two_runs, row)[1] for row in (0, 1)] == ["1.25 %", "3.00 %"]
     two_runs.document.save(path)
@@ -230,10 +230,10 @@ def test_the_lens_of_a_run_is_checked_at_its_end(window, run, checks, qtbot):
     assert heights is result.control_points and rays == 4_000_000 and threads is None
     assert window.status._verified.text() == "verified 1.25 % at 6"
     assert texts(window, 0)[1] == "1.25 %"
-    (point,) = window.bench.views.loss._verified
+    (point,) = window.loaded.views.loss._verified
     assert (point.iteration, point.loss) == (6, 0.1)
     move_screen(window.document, 7)
-    assert window.status._verified.text() == "" and window.bench.views.loss._verified == ()
+    assert window.status._verified.text() == "" and window.loaded.views.loss._verified == ()
     assert texts(window, 0)[1] == "1.25 %"
 
 
@@ -252,16 +252,16 @@ def test_a_run_is_checked_while_it_goes_on(window, as_run, checks, monkeypatch, 
     monkeypatch.setattr("ui.run.run_check._REST", 0.0)
     monkeypatch.setattr("ui.run.run_check._RESTS", 0.0)
     monkeypatch.setattr("ui.run.run_check.QThread.idealThreadCount", lambda: 2)
-    window.bench.control.runner._generate = as_run(100_000, pause=0.01)
+    window.loaded.control.runner._generate = as_run(100_000, pause=0.01)
     window.commands["start"].trigger()
-    qtbot.waitUntil(lambda: len(window.bench.views.loss._verified) >= 2, timeout=60_000)
+    qtbot.waitUntil(lambda: len(window.loaded.views.loss._verified) >= 2, timeout=60_000)
     assert {(rays, threads) for _, rays, threads in checks.asked} == {(1_000_000, 1)}
     assert window.status._verified.text().startswith("verified 1.25 % at ")
     window.commands["stop"].trigger()
-    qtbot.waitUntil(lambda: not window.bench.control.busy, timeout=60_000)
+    qtbot.waitUntil(lambda: not window.loaded.control.busy, timeout=60_000)
     qtbot.waitUntil(lambda: checks.asked[-1][1] == 4_000_000)
-    qtbot.waitUntil(lambda: not window.bench.runs.check._checking.busy)
-    seen = [point.iteration for point in window.bench.views.loss._verified]
+    qtbot.waitUntil(lambda: not window.loaded.runs.check._checking.busy)
+    seen = [point.iteration for point in window.loaded.views.loss._verified]
     assert seen == sorted(seen) and seen[0] > 0
 
 
@@ -277,11 +277,11 @@ def test_a_stage_is_checked_at_its_end(window, snapshots, as_seen_run, checks, m
     scene = window.document.session.scene
     run = scene.run.model_copy(update={"stages": (Stage(iterations=4),)})
     window.document.edit(scene.model_copy(update={"run": run}), "stages", "")
-    runner = window.bench.control.runner
+    runner = window.loaded.control.runner
     runner._generate = as_seen_run(runner, 7, staged)
-    with qtbot.waitSignal(window.bench.control.ended, timeout=60_000):
+    with qtbot.waitSignal(window.loaded.control.ended, timeout=60_000):
         window.commands["start"].trigger()
-    qtbot.waitUntil(lambda: not window.bench.runs.check._checking.busy)
+    qtbot.waitUntil(lambda: not window.loaded.runs.check._checking.busy)
     assert [(rays, threads) for _, rays, threads in checks.asked] == [
         (1_000_000, 1),
         (4_000_000, None),
@@ -293,10 +293,10 @@ def test_one_core_alone_is_the_runs(window, as_run, checks, monkeypatch, qtbot):
     monkeypatch.setattr("ui.run.run_check._REST", 0.0)
     monkeypatch.setattr("ui.run.run_check._RESTS", 0.0)
     monkeypatch.setattr("ui.run.run_check.QThread.idealThreadCount", lambda: 1)
-    window.bench.control.runner._generate = as_run(20, pause=0.01)
-    with qtbot.waitSignal(window.bench.control.ended, timeout=60_000):
+    window.loaded.control.runner._generate = as_run(20, pause=0.01)
+    with qtbot.waitSignal(window.loaded.control.ended, timeout=60_000):
         window.commands["start"].trigger()
-    qtbot.waitUntil(lambda: not window.bench.runs.check._checking.busy)
+    qtbot.waitUntil(lambda: not window.loaded.runs.check._checking.busy)
     assert [rays for _, rays, _ in checks.asked] == [4_000_000]
 
 
@@ -311,7 +311,7 @@ def test_a_check_of_another_task_is_not_that_of_the_run(window, run, checks):
         session.target,
     )
     assert moved.start is session.result.control_points
-    window.bench.runs.note_check(Suspect(moved, moved.start), found(0.5))
+    window.loaded.runs.note_check(Suspect(moved, moved.start), found(0.5))
     assert texts(window, 0)[1] == "1.25 %"
-    window.bench.runs.note_check(Suspect(replace(session, runs=()), moved.start), found(0.5))
+    window.loaded.runs.note_check(Suspect(replace(session, runs=()), moved.start), found(0.5))
     assert texts(window, 0)[1] == "50.00 %"

@@ -6,7 +6,8 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from ui.shown.frame_history import Moments, moment
+from ui.shown.frame import iterations_before
+from ui.shown.frame_history import FrameHistory
 from workbench.pictures.loss import Verified
 
 EARLY, LATE = Verified(1, 0.1, 0.5), Verified(3, 0.3, 0.25)
@@ -27,13 +28,13 @@ def task(make_scene):
 def run(task):
     """Adds frames and checks, and gives the session with the result that they lead to."""
 
-    def do(moments, iterations, size=1000, checks=()):
+    def do(history, iterations, size=1000, checks=()):
         for at in range(iterations + 1):
-            moments.add(frame(task, at, size))
+            history.add(frame(task, at, size))
         for check in checks:
-            moments.add_check(check)
+            history.add_check(check)
         result = Fake(losses=np.zeros(iterations))
-        moments.keep(result)
+        history.keep(result)
         return Fake(scene=task.scene, target=task.target, result=result)
 
     return do
@@ -49,70 +50,70 @@ def frame(session, at, size):
     )
 
 
-def shown(moments):
-    return [moment(each) for each in moments.frames]
+def shown(history):
+    return [iterations_before(each) for each in history.frames]
 
 
 def test_moments_and_checks_follow_the_result(task, run):
-    moments = Moments()
-    first = run(moments, 3, checks=[EARLY, LATE])
-    second = run(moments, 2)
-    assert shown(moments) == [0, 1, 2] and moments.checks == ()
-    moments.show(first)
-    assert shown(moments) == [0, 1, 2, 3] and moments.checks == (EARLY, LATE)
-    moments.show(task)
-    assert shown(moments) == [] and moments.checks == ()
-    moments.show(second)
-    assert shown(moments) == [0, 1, 2]
+    history = FrameHistory()
+    first = run(history, 3, checks=[EARLY, LATE])
+    second = run(history, 2)
+    assert shown(history) == [0, 1, 2] and history.checks == ()
+    history.show(first)
+    assert shown(history) == [0, 1, 2, 3] and history.checks == (EARLY, LATE)
+    history.show(task)
+    assert shown(history) == [] and history.checks == ()
+    history.show(second)
+    assert shown(history) == [0, 1, 2]
 
 
 def test_a_branch_keeps_what_came_before_it(run):
-    moments = Moments()
-    session = run(moments, 3, checks=[EARLY, LATE])
-    middle = moments.frames[2]
-    moments.branch(middle)
+    history = FrameHistory()
+    session = run(history, 3, checks=[EARLY, LATE])
+    middle = history.frames[2]
+    history.branch(middle)
     session.result = SimpleNamespace(losses=middle.losses)
-    moments.show(session)
-    assert shown(moments) == [0, 1, 2] and moments.checks == (EARLY,)
+    history.show(session)
+    assert shown(history) == [0, 1, 2] and history.checks == (EARLY,)
 
 
 def test_a_later_check_belongs_to_the_result_that_it_is_of(run):
-    moments = Moments()
-    first, second = run(moments, 3), run(moments, 2)
-    moments.show(second)
-    moments.add_later_check(LATE, first.result, second)
-    assert moments.checks == ()
-    moments.show(first)
-    assert moments.checks == (LATE,)
+    history = FrameHistory()
+    first, second = run(history, 3), run(history, 2)
+    history.show(second)
+    history.add_later_check(LATE, first.result, second)
+    assert history.checks == ()
+    history.show(first)
+    assert history.checks == (LATE,)
 
 
 def test_a_lens_that_was_shaped_by_hand_keeps_the_course(run):
-    moments = Moments()
-    session = run(moments, 3)
+    history = FrameHistory()
+    session = run(history, 3)
     session.result = SimpleNamespace(losses=session.result.losses)
-    moments.show(session)
-    assert shown(moments) == [0, 1, 2, 3]
+    history.show(session)
+    assert shown(history) == [0, 1, 2, 3]
 
 
 def test_frames_of_another_scene_are_not_shown_and_checks_stay_those_of_the_lens(run, make_scene):
-    moments = Moments()
-    session = run(moments, 3, checks=[EARLY])
+    history = FrameHistory()
+    session = run(history, 3, checks=[EARLY])
     session.scene = make_scene({"unit": "mm"})
-    moments.show(session)
-    assert shown(moments) == [] and moments.checks == (EARLY,)
+    history.show(session)
+    assert shown(history) == [] and history.checks == (EARLY,)
 
 
 def test_memory_of_all_courses_is_bounded(run):
-    moments = Moments(budget=9_000)
-    sessions = [run(moments, 3, size=2000) for _ in range(3)]
+    history = FrameHistory(budget=9_000)
+    sessions = [run(history, 3, size=2000) for _ in range(3)]
     for session, at in zip(sessions, ([], [0, 1, 2, 3], [0, 1, 2, 3]), strict=True):
-        moments.show(session)
-        assert shown(moments) == at
+        history.show(session)
+        assert shown(history) == at
 
 
 def test_courses_of_results_that_are_gone_are_forgotten(run):
-    moments = Moments()
-    course = weakref.ref(run(moments, 3).result)
-    lost = weakref.ref(moments.frames[2])
-    run(moments, 1)
+    history = FrameHistory()
+    course = weakref.ref(run(history, 3).result)
+    lost = weakref.ref(history.frames[2])
+    run(history, 1)
     assert course() is None and lost() is None

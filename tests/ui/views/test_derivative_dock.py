@@ -64,7 +64,7 @@ def test_closing_in_the_midst_of_a_computation(window, monkeypatch, qtbot):
 
 def seen_at(window, index):
     """Where a control point is seen in the 3D view, as Qt counts."""
-    view = window.bench.views.scene
+    view = window.loaded.views.scene
     renderer = view._plotter.renderer
     renderer.SetWorldPoint(*view._net._places[index], 1.0)
     renderer.WorldToDisplay()
@@ -77,7 +77,7 @@ def seen_at(window, index):
 def picking(window, qtbot):
     """The window with its derivative dock open and the control points on show."""
     window.workspace.docks["derivative"].toggleViewAction().trigger()
-    view, derivative = window.bench.views.scene, window.bench.views.derivative
+    view, derivative = window.loaded.views.scene, window.loaded.views.derivative
     qtbot.waitUntil(lambda: view._net is not None and view._net._marked == (6, 5), timeout=60_000)
     return view, derivative
 
@@ -124,7 +124,7 @@ def test_with_the_dock_closed_there_is_nothing_to_pick(window, picking, qtbot):
 def test_an_example_of_a_map_shows_the_dock(window, qtbot):
     window.document.undo_stack.setClean()
     window.commands["new_derivative-degree3-filter3"].trigger()
-    dock, view = window.workspace.docks["derivative"], window.bench.views.derivative
+    dock, view = window.workspace.docks["derivative"], window.loaded.views.derivative
     qtbot.waitUntil(lambda: not dock.visibleRegion().isEmpty())
     qtbot.waitUntil(lambda: view.index == (4, 4), timeout=60_000)
     window.commands["new_tophat"].trigger()

@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 
-from ui.shown.frame_history import Moments, moment
+from ui.shown.frame import iterations_before
+from ui.shown.frame_history import FrameHistory
 
 pytestmark = pytest.mark.usefixtures("kernels")
 
@@ -20,71 +21,74 @@ def frame(at, size=1000):
     return SimpleNamespace(losses=losses, surface=surface, snapshot=snapshot, paths=paths)
 
 
-def kept(moments):
-    return [moment(each) for each in moments.frames]
+def kept(history):
+    return [iterations_before(each) for each in history.frames]
 
 
 def test_few_frames_are_all_kept():
-    moments = Moments()
+    history = FrameHistory()
     for at in range(5):
-        moments.add(frame(at))
-    assert kept(moments) == [0, 1, 2, 3, 4]
+        history.add(frame(at))
+    assert kept(history) == [0, 1, 2, 3, 4]
 
 
 def test_many_frames_stay_within_the_budget_and_tell_the_course_evenly():
-    moments = Moments(budget=1_000_000)
+    history = FrameHistory(budget=1_000_000)
     for at in range(3000):
-        moments.add(frame(at, size=100_000 - 8 * at))
-        found = kept(moments)
+        history.add(frame(at, size=100_000 - 8 * at))
+        found = kept(history)
         assert found[0] == 0 and found[-1] == at
-        assert sum(each.surface.nbytes + 8 * moment(each) for each in moments.frames) <= 1_000_000
+        assert (
+            sum(each.surface.nbytes + 8 * iterations_before(each) for each in history.frames)
+            <= 1_000_000
+        )
     gaps = np.diff(found[:-1])
     assert len(found) >= 5
     assert gaps.max() <= 2 * gaps.min()
 
 
 def test_another_course_from_an_earlier_moment_replaces_the_later_ones():
-    moments = Moments()
+    history = FrameHistory()
     for at in (0, 3, 6, 9, 5, 7):
-        moments.add(frame(at))
-    assert kept(moments) == [0, 3, 5, 7]
-    moments.add(frame(0))
-    assert kept(moments) == [0]
+        history.add(frame(at))
+    assert kept(history) == [0, 3, 5, 7]
+    history.add(frame(0))
+    assert kept(history) == [0]
 
 
 @pytest.fixture
 def window(display, window, as_seen_run):
     window.build()
-    window.bench.control.runner._generate = as_seen_run(window.bench.control.runner, 12)
+    window.loaded.control.runner._generate = as_seen_run(window.loaded.control.runner, 12)
     return window
 
 
 @pytest.fixture
 def designed(window, qtbot):
     """The window after a run, of which at least the first and last moment are kept."""
-    with qtbot.waitSignal(window.bench.control.ended, timeout=60_000):
+    with qtbot.waitSignal(window.loaded.control.ended, timeout=60_000):
         window.commands["start"].trigger()
-        assert not window.bench.views.look_back._slider.isEnabled()
-    qtbot.waitUntil(lambda: window.bench.views.look_back.isVisible())
+        assert not window.loaded.views.look_back._slider.isEnabled()
+    qtbot.waitUntil(lambda: window.loaded.views.look_back.isVisible())
     return window
 
 
 def test_the_slider_shows_an_earlier_lens(designed, qtbot):
     look_back, loss = (
-        designed.bench.views.look_back,
+        designed.loaded.views.look_back,
         designed.workspace.docks["irradiance"].widget(),
     )
-    frames = designed.bench.control.moments.frames
+    frames = designed.loaded.control.history.frames
     qtbot.wait(300)  # the preview of the result comes after the run
     look_back._slider.setFocus()
     qtbot.keyClick(look_back._slider, Qt.Key.Key_Home)
     qtbot.waitUntil(lambda: loss._frame is frames[0])
-    assert look_back._text.text() == f"iteration {moment(frames[0])}"
+    assert look_back._text.text() == f"iteration {iterations_before(frames[0])}"
     assert designed.document.session.result.iterations == 12
 
 
 def test_where_there_is_little_room_the_text_gives_way(designed, qtbot):
-    look_back = designed.bench.views.look_back
+    look_back = designed.loaded.views.look_back
     least = look_back.minimumSizeHint().width()
     for width, told in ((2 * least, True), (least, False), (2 * least, True)):
         look_back.resize(width, look_back.height())
@@ -94,25 +98,28 @@ def test_where_there_is_little_room_the_text_gives_way(designed, qtbot):
 
 
 def test_the_design_goes_on_from_an_earlier_lens(designed, qtbot):
-    look_back, first = designed.bench.views.look_back, designed.bench.control.moments.frames[0]
+    look_back, first = designed.loaded.views.look_back, designed.loaded.control.history.frames[0]
     look_back._slider.setValue(0)
-    with qtbot.waitSignal(designed.bench.control.ended, timeout=60_000):
+    with qtbot.waitSignal(designed.loaded.control.ended, timeout=60_000):
         qtbot.mouseClick(look_back._button, Qt.MouseButton.LeftButton)
         np.testing.assert_array_equal(
             designed.document.session.result.control_points, first.snapshot.control_points
         )
     stack = designed.document.undo_stack
     texts = [stack.text(k) for k in range(stack.count())]
-    assert texts == ["design run", f"return to iteration {moment(first)}", "design run"]
-    assert designed.document.session.result.iterations == moment(first) + 12
-    assert moment(designed.bench.control.moments.frames[-1]) == moment(first) + 12
+    assert texts == ["design run", f"return to iteration {iterations_before(first)}", "design run"]
+    assert designed.document.session.result.iterations == iterations_before(first) + 12
+    assert (
+        iterations_before(designed.loaded.control.history.frames[-1])
+        == iterations_before(first) + 12
+    )
 
 
 def test_an_edit_forgets_the_course(designed, qtbot):
     scene = designed.document.session.scene
     designed.document.edit(scene.model_copy(update={"unit": "mm"}), "unit", "unit")
-    assert designed.bench.control.moments.frames == []
-    assert not designed.bench.views.look_back.isVisible()
+    assert designed.loaded.control.history.frames == []
+    assert not designed.loaded.views.look_back.isVisible()
 
 
 def test_the_list_of_steps_can_be_jumped_in(designed, qtbot):
@@ -133,22 +140,22 @@ def test_the_list_of_steps_can_be_jumped_in(designed, qtbot):
 
 
 def test_steps_are_not_jumped_in_while_a_run_goes_on(window, qtbot):
-    with qtbot.waitSignal(window.bench.control.ended, timeout=60_000):
+    with qtbot.waitSignal(window.loaded.control.ended, timeout=60_000):
         window.commands["start"].trigger()
         assert not window.workspace.history.isEnabled()
     assert window.workspace.history.isEnabled()
 
 
 def test_undoing_a_run_takes_its_course_away_and_redoing_it_brings_it_back(designed, qtbot):
-    views, moments = designed.bench.views, designed.bench.control.moments
+    views, history = designed.loaded.views, designed.loaded.control.history
     qtbot.waitUntil(lambda: views.loss._verified != ())
-    frames, verified = list(moments.frames), views.loss._verified
+    frames, verified = list(history.frames), views.loss._verified
     assert designed.status._verified.text()
     designed.commands["undo"].trigger()
     assert not views.look_back.isVisible() and views.loss._verified == ()
     assert designed.status._verified.text() == ""
     designed.commands["redo"].trigger()
-    assert views.look_back.isVisible() and list(moments.frames) == frames
+    assert views.look_back.isVisible() and list(history.frames) == frames
     assert views.loss._verified == verified and designed.status._verified.text()
 
 
@@ -165,33 +172,33 @@ def test_a_check_that_ends_after_its_run_was_undone_comes_back_with_it(window, q
         )
 
     monkeypatch.setattr("workbench.analysis.validation.validating", validating)
-    bench = window.bench
-    with qtbot.waitSignal(bench.control.ended, timeout=60_000):
+    loaded = window.loaded
+    with qtbot.waitSignal(loaded.control.ended, timeout=60_000):
         window.commands["start"].trigger()
     window.commands["undo"].trigger()
     allowed.set()
-    qtbot.waitUntil(lambda: not bench.runs.check._checking.busy)
-    assert bench.views.loss._verified == () and window.status._verified.text() == ""
+    qtbot.waitUntil(lambda: not loaded.runs.check._checking.busy)
+    assert loaded.views.loss._verified == () and window.status._verified.text() == ""
     window.commands["redo"].trigger()
-    (point,) = bench.views.loss._verified
+    (point,) = loaded.views.loss._verified
     assert (point.iteration, point.loss) == (12, 0.1)
     assert window.status._verified.text() == "verified 1.25 % at 12"
-    assert bench.runs.table.table.item(0, 1).text() == "1.25 %"
+    assert loaded.runs.table.table.item(0, 1).text() == "1.25 %"
 
 
 def test_undoing_a_second_run_shows_the_course_of_the_first(designed, qtbot):
-    moments = designed.bench.control.moments
-    with qtbot.waitSignal(designed.bench.control.ended, timeout=60_000):
+    history = designed.loaded.control.history
+    with qtbot.waitSignal(designed.loaded.control.ended, timeout=60_000):
         designed.commands["continue"].trigger()
-    assert moment(moments.frames[-1]) == 24
+    assert iterations_before(history.frames[-1]) == 24
     designed.commands["undo"].trigger()
-    assert moment(moments.frames[-1]) == 12
+    assert iterations_before(history.frames[-1]) == 12
     designed.commands["redo"].trigger()
-    assert moment(moments.frames[-1]) == 24
+    assert iterations_before(history.frames[-1]) == 24
 
 
 def test_undoing_an_edit_brings_the_course_back(designed):
     scene = designed.document.session.scene
     designed.document.edit(scene.model_copy(update={"unit": "mm"}), "unit", "unit")
     designed.commands["undo"].trigger()
-    assert designed.bench.views.look_back.isVisible()
+    assert designed.loaded.views.look_back.isVisible()

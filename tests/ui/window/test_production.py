@@ -9,12 +9,12 @@ pytestmark = pytest.mark.usefixtures("kernels")
 def window(display, open_window, designed, qtbot):
     window = open_window(designed)
     window.build()
-    qtbot.waitUntil(lambda: window.bench.production.tolerances._frame is not None, timeout=60_000)
+    qtbot.waitUntil(lambda: window.loaded.production.tolerances._frame is not None, timeout=60_000)
     return window
 
 
 def test_the_dock_shows_what_a_shop_asks(window, qtbot):
-    pane = window.bench.production.manufacture
+    pane = window.loaded.production.manufacture
     qtbot.wait(400)
     assert pane._found is None and not window.workspace.docks["manufacture"].isVisible()
     window.commands["go_manufacture"].trigger()
@@ -24,7 +24,7 @@ def test_the_dock_shows_what_a_shop_asks(window, qtbot):
 
 
 def test_nothing_is_computed_behind_another_tab(window, qtbot):
-    docks, pane = window.workspace.docks, window.bench.production.manufacture
+    docks, pane = window.workspace.docks, window.loaded.production.manufacture
     window.commands["go_manufacture"].trigger()
     docks["tolerances"].show()
     docks["tolerances"].raise_()
@@ -38,7 +38,7 @@ def test_nothing_is_computed_behind_another_tab(window, qtbot):
 
 
 def test_the_window_closes_in_the_midst_of_a_sample(window, qtbot):
-    pane = window.bench.production.tolerances
+    pane = window.loaded.production.tolerances
     window.commands["go_tolerances"].trigger()
     pane.toggle()
     qtbot.waitUntil(lambda: pane._sample.nominal is not None, timeout=60_000)

@@ -51,7 +51,7 @@ def test_colours_of_a_design_are_not_those_of_the_next_window(open_window, setti
     save(window, path)
     window.commands["colours_gray"].trigger()
     assert window.files.open(path)
-    assert window.bench.views.link.colours == window.bench.views.scene._colours == "viridis"
+    assert window.loaded.views.link.colours == window.loaded.views.scene._colours == "viridis"
     assert settings.value("view/colours") == "gray"
 
 
@@ -59,7 +59,7 @@ def test_the_camera_comes_back_with_the_design(display, open_window, tmp_path, q
     path = tmp_path / "mine.freeform"
     window = open_window()
     window.build()
-    scene = window.bench.views.scene
+    scene = window.loaded.views.scene
     qtbot.waitUntil(lambda: scene.camera() is not None and scene.frame is not None, timeout=60_000)
     assert scene.camera() == {"fitted": ""}
     placement = {
