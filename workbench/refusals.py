@@ -2,7 +2,7 @@
 
 from typing import Any, get_args
 
-from pydantic import BaseModel, Discriminator, ValidationError
+from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
 
 from workbench.errors import LONGEST_QUOTE, Refused, shown
@@ -15,6 +15,7 @@ _SENTENCES = {
     "less_than": "{input} is too large; must be less than {lt:.10g}",
     "less_than_equal": "{input} is too large; at most {le:.10g}",
     "literal_error": "{input} is not available; allowed: {expected}",
+    "even": "{input} is even; an odd number is needed",
     "finite_number": "{input} is not finite; a finite number is needed",
     "float_type": "{input} is not a number; a number is needed",
     "int_type": "{input} is not a whole number; a whole number is needed",
@@ -26,21 +27,6 @@ _SENTENCES = {
     "model_type": "{input} is not an object; an object with named fields is needed",
     "model_attributes_type": "{input} is not an object; an object with named fields is needed",
 }
-
-
-def told_by(field: str, *tags: str, otherwise: str | None = None) -> Discriminator:
-    """Choose a member of a union by the value of ``field``, ``otherwise`` if it is left out."""
-
-    def tag(value: object) -> str | None:
-        given = value.get(field) if isinstance(value, dict) else getattr(value, field, None)
-        return otherwise if given is None else str(given)
-
-    return Discriminator(
-        tag,
-        custom_error_type="unknown_kind",
-        # In the message, not in a context: a dictionary would make the annotation unhashable.
-        custom_error_message=f"{field}: {', '.join(map(repr, tags))}",
-    )
 
 
 def refusal(error: ValidationError, model: type[BaseModel], whole: str = "scene") -> Refused:

@@ -9,7 +9,6 @@ from workbench.design.parametrisation import (
     as_bytes,
     available_memory,
     check_memory,
-    learning_rate,
     link_count,
     memory_bytes,
     parameter_count,
@@ -112,10 +111,10 @@ def test_bytes_are_said_in_three_digits(count, text):
 
 
 def test_a_learning_rate_left_out_suits_the_parametrisation(paper_scene):
-    rates = {kind: learning_rate(paper_scene(kind).run) for kind in ("none", "sparse", "dense")}
+    rates = {kind: paper_scene(kind).run.rate for kind in ("none", "sparse", "dense")}
     assert rates["dense"] < rates["none"]
     assert all(rate > 0 for rate in rates.values())
-    assert learning_rate(PaperRun(parametrisation="dense", learning_rate=0.25)) == 0.25
+    assert PaperRun(parametrisation="dense", learning_rate=0.25).rate == 0.25
 
 
 def test_a_rate_left_out_stays_left_out_in_the_file(paper_scene):

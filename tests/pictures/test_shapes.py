@@ -1,7 +1,6 @@
 import numpy as np
 
 from workbench.pictures import shapes
-from workbench.scene import GridSource
 
 
 def plane(m_u, m_v, slope=0.0):
@@ -61,21 +60,6 @@ def test_net_lines_hold_the_rim():
 def test_outline_has_rim_foot_and_upright_edges():
     lines = shapes.wall_lines(3, 2)
     np.testing.assert_array_equal(lines[:10], [3, 0, 1, 2, 2, 3, 5, 2, 0, 3])
-
-
-def grid(points, half_width=(2.0, 1.0)):
-    return GridSource(kind="grid", center=(1.0, 0.0, -3.0), half_width=half_width, points=points)
-
-
-def test_grid_points_reach_the_rim_of_the_source():
-    found = shapes.source_points(grid((3, 2)), (25, 25))
-    expected = [[x, y, -3] for x in (-1, 1, 3) for y in (-1, 1)]
-    np.testing.assert_allclose(found, expected)
-
-
-def test_many_grid_points_are_thinned_over_the_same_extent():
-    found = shapes.source_points(grid((401, 1)), (5, 5))
-    np.testing.assert_allclose(found, [[x, 0, -3] for x in (-1, 0, 1, 2, 3)])
 
 
 def test_rays_from_far_away_begin_on_their_way():

@@ -8,7 +8,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from tests.scenes import changed
-from workbench.analysis.tracing.trace import Trace
+from workbench.analysis.tracing import Trace
 from workbench.errors import Refused
 from workbench.scene import Scene
 
@@ -81,6 +81,12 @@ def test_a_unit_that_makes_numbers_too_large_or_too_small_is_refused(make_scene,
     scene = Scene.from_data(scene.scaled(Fraction(factor)).to_data())
     with pytest.raises(Refused, match="cannot be computed with"):
         scene.in_unit(unit)
+
+
+def test_a_length_that_a_unit_cannot_hold_is_refused(make_scene):
+    scene = make_scene({"unit": "mm", "screen.half_width": [5e-324, 1.0]})
+    with pytest.raises(Refused, match="too small"):
+        scene.in_unit("m")
 
 
 @settings(max_examples=15, suppress_health_check=[HealthCheck.function_scoped_fixture])

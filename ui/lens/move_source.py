@@ -12,7 +12,7 @@ from PySide6.QtCore import QObject, Qt, Signal
 from ui.views.keys import ARROWS
 from ui.views.tools.tool import Pointer
 from workbench.pictures.source_handles import Handle, moved
-from workbench.scene import CollimatedSource, PointSource, Source, of_points
+from workbench.scene import Source
 
 if TYPE_CHECKING:
     from ui.views.scene_view import SceneView
@@ -78,18 +78,20 @@ class MoveSource(QObject):
     def hint(self) -> str:
         """What can be done with it, in a line."""
         source = self._view.source
-        if source is None or isinstance(source, CollimatedSource):
+        if source is None or source.place is None:
             return "Collimated light comes from everywhere: choose another source to move it"
         text = (
             "Drag the source across, Ctrl: along z; or use arrows, Page Up and Page Down; "
             "Shift: finely; Esc: back. "
         )
-        if isinstance(source, PointSource):
-            return text + f"It is at {_words(source.position)} {self._view.unit}"
-        return (
-            f"{text}Corners: its size. Middle at {_words(source.center)}, "
-            f"half-width {_words(source.half_width)} {self._view.unit}"
+        if len(source.corners):
+            text += "Corners: its size. "
+        lengths = (
+            f"{field.title} {_words(getattr(source, field.name))}"
+            for field in source.fields()
+            if field.measure.power == 1
         )
+        return f"{text}{', '.join(lengths)} {self._view.unit}"
 
     def press(self, at: Pointer) -> bool:
         """Take hold of the source or a corner of it."""
@@ -102,18 +104,18 @@ class MoveSource(QObject):
     def drag(self, at: Pointer) -> None:
         """Take it where the pointer goes, in its plane or along the axis."""
         drag, sight = self._drag, self._view.sight
-        if drag is None or drag.at is None or sight is None:
+        if drag is None or drag.at is None or drag.before.place is None or sight is None:
             return
-        source = of_points(drag.before)  # no other has handles
-        middle = source.position if isinstance(source, PointSource) else source.center
+        middle = np.add(drag.before.place, drag.by)
         to = _ALONG if at.along and drag.handle == "middle" else _ACROSS
         gone = (at.x - drag.at.x, at.y - drag.at.y)
         drag.at = at
-        self._move(drag, sight.movement(np.array(middle) + drag.by, to, gone) @ to, at.fine)
+        self._move(drag, sight.movement(middle, to, gone) @ to, at.fine)
 
     def press_key(self, key: int) -> None:
         """Take hold of the source, wherever the pointer is."""
-        if not isinstance(self._view.source, CollimatedSource):
+        source = self._view.source
+        if source is not None and source.place is not None:
             self._begin("middle")
 
     def repeat_key(self, key: int, fine: bool) -> None:

@@ -9,13 +9,13 @@ from ui.panels.fields import LENGTH, Changes, ChoiceRow, NumberRow, Row
 from ui.panels.optional import OptionalRow
 from ui.panels.panel import Panel
 from workbench.design.parametrisation import (
-    LEARNING_RATES,
     as_bytes,
     memory_bytes,
     parameter_count,
 )
 from workbench.files.session import Session
 from workbench.scene import RunSettings, Scene
+from workbench.scene.run import LEARNING_RATES
 
 METHODS = [("auto", "Automatic"), ("paper", "As in the paper")]
 RATE_TIP = "Step of the optimiser. Too large and the loss jumps, too small and it creeps."

@@ -10,8 +10,8 @@ from ui.panels.panel import Panel
 from ui.panels.run import METHODS, RATE_TIP
 from ui.panels.source import source_rows
 from ui.panels.stage_list import StageListRow
-from workbench.design.parametrisation import LEARNING_RATES
 from workbench.files.session import Session
+from workbench.scene.run import LEARNING_RATES
 
 _AS_THE_SCENE = "As the scene"
 

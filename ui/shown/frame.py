@@ -79,7 +79,7 @@ def make_frame(session: "Session", snapshot: "Snapshot", history: "History") -> 
     from workbench.optics.paths import ray_paths
 
     scene, heights = session.scene, snapshot.control_points
-    source = scene.parts()[snapshot.stage].source
+    source = scene.source_of(snapshot.stage)
     lit = scene.model_copy(update={"source": source})
     return Frame(
         session=session,

@@ -7,7 +7,6 @@ import torch
 
 from workbench.design.loss import check_finite, check_gradient, check_light, paper_loss, share
 from workbench.design.networks import build
-from workbench.design.parametrisation import learning_rate
 from workbench.design.room import Room
 from workbench.design.smoothness import Smoothness
 from workbench.design.step import Step
@@ -39,7 +38,7 @@ def paper_steps(room: Room, settings: PaperRun) -> Generator[Step, None, NoRetur
     rest = free.rest
     if start is not None:
         rest = free.parameters(start) - shift().detach()
-    optimiser = torch.optim.Adam(shift.parameters(), lr=learning_rate(settings), fused=True)
+    optimiser = torch.optim.Adam(shift.parameters(), lr=settings.rate, fused=True)
     while True:
         shaped = free.heights(rest + shift())
         # The light's gradient ends at the heights, where it is checked; the network's begins.

@@ -16,10 +16,6 @@ _COPIES = 4
 # Where the system does not say how much memory is there: what any desktop has.
 _USUAL_MEMORY = 4 << 30
 
-# Steps of Adam after which top hats of 24² to 64² control points were best, from all starts: the
-# more links a neuron has, the farther one step of all of them carries it.
-LEARNING_RATES = {"none": 3e-3, "sparse": 1e-3, "dense": 1e-4}
-
 
 def parameter_count(scene: Scene) -> int:
     """How many numbers a run optimises.
@@ -93,11 +89,6 @@ def as_bytes(count: float) -> str:
             return f"{count:.3g} {unit}"
         count /= 1000
     return f"{count:.3g} TB"
-
-
-def learning_rate(settings: PaperRun) -> float:
-    """Step of Adam: as set, or what suits the parametrisation."""
-    return settings.learning_rate or LEARNING_RATES[settings.parametrisation]
 
 
 def _parametrisation(scene: Scene) -> str:

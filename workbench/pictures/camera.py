@@ -10,8 +10,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from workbench.pictures import shapes
-from workbench.scene import CollimatedSource, Scene
+from workbench.scene import Scene
 
 Array = npt.NDArray[np.float64]
 
@@ -263,8 +262,6 @@ def _half_height(camera: Any) -> float:
 def in_view(scene: Scene) -> bool:
     """Whether the source stands where a picture can show it together with the lens."""
     source, lens = scene.source, scene.lens
-    if isinstance(source, CollimatedSource):
-        return False
     width = 2 * max(*lens.half_width, *scene.screen.half_width)
     reach = _FARTHEST * max(scene.screen.z - lens.entrance_z, width)
     return lens.entrance_z - source.nearest_z <= reach
@@ -273,7 +270,7 @@ def in_view(scene: Scene) -> bool:
 def start_z(scene: Scene) -> float:
     """Where rays begin to be drawn."""
     source, lens = scene.source, scene.lens
-    if isinstance(source, CollimatedSource):
+    if source.place is None:
         return lens.entrance_z - 0.5 * max(lens.half_width)
     if in_view(scene):
         return source.nearest_z
@@ -286,7 +283,7 @@ def space(scene: Scene) -> Array:
     before = lens.entrance_z - 0.5 * max(lens.half_width)
     corners = [_corners(lens.half_width, before), _corners(screen.half_width, screen.z)]
     if in_view(scene):
-        corners.append(shapes.source_points(source, (2, 2)))
+        corners.append(source.seen((2, 2)))
     return np.concatenate(corners)
 
 

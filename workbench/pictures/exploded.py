@@ -4,10 +4,12 @@ What is drawn is another scene: its screen and its source are shrunk towards the
 lens, each as a whole. Rays keep where they meet the lens, and end at the same place of the image.
 """
 
+import math
+
 import numpy as np
 import numpy.typing as npt
 
-from workbench.scene import CollimatedSource, PointSource, Scene, Source
+from workbench.scene import Scene, Source
 
 Array = npt.NDArray[np.float64]
 
@@ -59,23 +61,16 @@ def _drawn_screen_z(scene: Scene) -> float:
 
 
 def _source_scale(scene: Scene) -> float:
-    source = scene.source
-    if isinstance(source, CollimatedSource):
-        return 1.0
-    away = scene.lens.entrance_z - source.nearest_z
-    return min(1.0, _TO_SOURCE * _lens_width(scene) / away)
+    away = scene.lens.entrance_z - scene.source.nearest_z
+    return 1.0 if math.isinf(away) else min(1.0, _TO_SOURCE * _lens_width(scene) / away)
 
 
 def _drawn_source(scene: Scene) -> Source:
     source, scale = scene.source, _source_scale(scene)
-    if isinstance(source, CollimatedSource):
+    if source.place is None:
         return source
-    place = source.position if isinstance(source, PointSource) else source.center
-    near = tuple(_nearer(np.array(place), scene.lens.entrance_z, scale).tolist())
-    if isinstance(source, PointSource):
-        return source.model_copy(update={"position": near})
-    x, y = source.half_width
-    return source.model_copy(update={"center": near, "half_width": (scale * x, scale * y)})
+    x, y, z = _nearer(np.array(source.place), scene.lens.entrance_z, scale).tolist()
+    return source.placed((x, y, z)).shrunk(scale)
 
 
 def _nearer(places: Array, entrance_z: float, scale: float) -> Array:

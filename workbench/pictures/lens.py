@@ -27,7 +27,7 @@ from workbench.pictures import shapes
 from workbench.pictures.camera import FittedCamera, in_view, start_z
 from workbench.pictures.exploded import explode_paths, exploded
 from workbench.pictures.images import LIGHT, full_scale, to_colours
-from workbench.scene import PointSource, Scene, Source
+from workbench.scene import Scene, Source
 
 if TYPE_CHECKING:
     from workbench.optics.paths import RayPaths
@@ -265,11 +265,11 @@ class LensPicture:
         self._source.SetVisibility(shown)
         if not shown:
             return
-        places = shapes.source_points(source, _SOURCE_POINTS)
+        places = source.seen(_SOURCE_POINTS)
         if not np.array_equal(places, self._places.points):
             self._places.points = places
             self._places.verts = np.insert(np.arange(len(places)), np.arange(len(places)), 1)
-        self._source.prop.point_size = 14.0 if isinstance(source, PointSource) else 4.0
+        self._source.prop.point_size = 14.0 if len(places) == 1 else 4.0
 
     def _place_rays(self, paths: "RayPaths", lit: Scene) -> None:
         count = len(paths.weight)

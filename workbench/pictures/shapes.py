@@ -6,8 +6,6 @@ Cells are flat lists as pyvista takes them: (n, i_1, ..., i_n, n, ...).
 import numpy as np
 import numpy.typing as npt
 
-from workbench.scene import CollimatedSource, PointSource, Source
-
 Array = npt.NDArray[np.float64]
 Cells = npt.NDArray[np.int64]
 
@@ -98,21 +96,6 @@ def wall_lines(m_u: int, m_v: int) -> Cells:
         lines += [rim, rim[[0, -1]] + count, np.array([first, first + count])]
         first += 2 * count
     return polylines(lines)
-
-
-def source_points(source: Source, most: tuple[int, int]) -> Array:
-    """Points of a source, spread over the same extent where a grid has more than ``most``.
-
-    Returns
-    -------
-    ndarray, shape (n, 3)
-    """
-    if isinstance(source, CollimatedSource):
-        return np.zeros((0, 3))
-    if isinstance(source, PointSource):
-        return source.positions
-    x, y = (min(pair) for pair in zip(source.points, most, strict=True))
-    return source.model_copy(update={"points": (x, y)}).positions
 
 
 def begun_at(start: Array, entrance: Array, z: float) -> Array:

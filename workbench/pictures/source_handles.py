@@ -5,10 +5,9 @@ from typing import Any, Literal
 import numpy as np
 import numpy.typing as npt
 
-from workbench.pictures import shapes
 from workbench.pictures.dots import Dots
 from workbench.pictures.sight import Sight
-from workbench.scene import CollimatedSource, GridSource, PointSource, Source
+from workbench.scene import Source
 
 Array = npt.NDArray[np.float64]
 Handle = Literal["middle"] | int
@@ -40,7 +39,10 @@ class SourceHandles:
     def show(self, source: Source | None) -> None:
         """Show the handles of a source; collimated light has none."""
         self._source = source
-        self._dots.place(np.zeros((0, 3)) if source is None else _handles(source))
+        if source is None or source.place is None:
+            self._dots.place(np.zeros((0, 3)))
+        else:
+            self._dots.place(np.vstack([source.corners, source.place]))
 
     def recolour(self, dark: bool) -> None:
         """Change between the dark and the light ground."""
@@ -49,16 +51,16 @@ class SourceHandles:
     def pick(self, x: float, y: float) -> Handle | None:
         """What is under a place in the window, pixels from the lower left; None for nothing."""
         source = self._source
-        if source is None or isinstance(source, CollimatedSource):
+        if source is None:
             return None
-        if isinstance(source, GridSource):
-            corner = self._nearest(shapes.source_points(source, (2, 2)), x, y)
-            if corner is not None and max(source.points) > 1:
-                return corner
-        inside = self._nearest(shapes.source_points(source, _INSIDE), x, y)
-        return None if inside is None else "middle"
+        corner = self._nearest(source.corners, x, y)
+        if corner is not None:
+            return corner
+        return None if self._nearest(source.seen(_INSIDE), x, y) is None else "middle"
 
     def _nearest(self, points: Array, x: float, y: float) -> int | None:
+        if not len(points):
+            return None
         away = np.hypot(*(self._sight.pixels(points) - (x, y)).T)
         return int(away.argmin()) if away.min() <= _REACH else None
 
@@ -68,7 +70,7 @@ def moved(source: Source, handle: Handle, by: Array, digits: int) -> Source:
 
     Parameters
     ----------
-    source : PointSource or GridSource
+    source : Source
         The source before.
     handle : Handle
         What was dragged: a corner widens or narrows a grid on both sides of its middle.
@@ -77,28 +79,9 @@ def moved(source: Source, handle: Handle, by: Array, digits: int) -> Source:
     digits : int
         Decimals that the new lengths have.
     """
-    if isinstance(source, CollimatedSource):
+    if source.place is None:
         return source
-    if isinstance(source, PointSource):
-        return source.model_copy(update={"position": _rounded(source.position + by, digits)})
     if handle == "middle":
-        return source.model_copy(update={"center": _rounded(source.center + by, digits)})
-    corner = shapes.source_points(source, (2, 2))[handle] + by
-    wide = _rounded(np.abs(corner - source.center), digits)
-    # Along an axis with a single point there is nothing to widen.
-    axes = zip(wide, source.half_width, source.points, strict=False)
-    return source.model_copy(
-        update={"half_width": tuple(new if count > 1 else old for new, old, count in axes)}
-    )
-
-
-def _rounded(lengths: Array, digits: int) -> tuple[float, ...]:
-    return tuple((np.round(lengths, digits) + 0.0).tolist())  # without -0
-
-
-def _handles(source: Source) -> Array:
-    """Corners of a grid and its middle; a point is its own handle."""
-    if isinstance(source, GridSource):
-        corners = shapes.source_points(source, (2, 2))
-        return np.vstack([corners, source.center])
-    return shapes.source_points(source, (1, 1))
+        x, y, z = (np.round(np.add(source.place, by), digits) + 0.0).tolist()  # without -0
+        return source.placed((x, y, z))
+    return source.widened(source.corners[handle] + by, digits)

@@ -1,58 +1,38 @@
 """All fields of a scene with their units."""
 
-import re
 from collections.abc import Iterator
 from typing import Any
 
 from workbench.report.content import Row
-from workbench.scene import Part, Scene, dimension_of
+from workbench.scene import FieldDescription, Part, Scene
 
-_UNITS = {
-    "lens.wavelength_um": "µm",
-    "filter.size": "pixels",
-    "filter.alpha": "per pixel²",
-    "target.padding": "of the screen",
-    "target.blur": "pixels",
-    "target.height": "of the screen's smaller width",
-    "target.radius": "of the screen's smaller half-width",
-}
-_PLACES = {"lens.height_range", "source.position", "source.center"}  # others are sizes
-_POWERS = {1: ""}  # what stands behind the unit of length
 _FILE = {"format", "version"}
-_STAGE = re.compile(r"run\.stages\[\d+\]\.")
 
 
 def scene_rows(scene: Scene) -> tuple[Row, ...]:
-    """A row for each field that has a value, in the order of the scene file."""
-    rows = []
-    for path, value, power in _fields(scene, ""):
-        if path in _FILE:
-            continue
-        field = _STAGE.sub("", path)
-        unit = f"{scene.unit}{_POWERS[power]}" if power else _UNITS.get(field, "")
-        text = f"{_text(value, field)} {unit}".rstrip()
-        if path == "lens.refractive_index" and isinstance(value, str):
-            text = f"{value} (n = {scene.lens.index:.5f})"
-        rows.append(Row(path, text))
-    return tuple(rows)
+    """A row for each field that has a value, those of a kind before those of all kinds."""
+    return tuple(_rows(scene, "", scene.unit))
 
 
-def _fields(part: Part, path: str) -> Iterator[tuple[str, Any, int]]:
-    """Paths, values and powers of the unit of length, as deep as there are names."""
-    for name, field in type(part).model_fields.items():
-        value, place = getattr(part, name), f"{path}.{name}" if path else name
+def _rows(part: Part, path: str, unit: str) -> Iterator[Row]:
+    """Rows of a part, as deep as there are names."""
+    remarks = part.remarks()
+    for field in part.fields():
+        value, place = getattr(part, field.name), f"{path}{field.name}"
         if isinstance(value, Part):
-            yield from _fields(value, place)
-        elif isinstance(value, tuple) and value and isinstance(value[0], Part):
+            yield from _rows(value, f"{place}.", unit)
+        elif field.listed:
             for number, each in enumerate(value):
-                yield from _fields(each, f"{place}[{number}]")
-        elif value not in (None, ()):
-            yield place, value, dimension_of(field)
+                yield from _rows(each, f"{place}[{number}].", unit)
+        elif value is not None and place not in _FILE:
+            text = f"{_text(value, field)} {field.measure.words_in(unit)}".rstrip()
+            remark = remarks.get(field.name)
+            yield Row(place, f"{text} ({remark})" if remark else text)
 
 
-def _text(value: Any, field: str) -> str:
+def _text(value: Any, field: FieldDescription) -> str:
     if isinstance(value, tuple):
-        between = ", " if field in _PLACES else " × "
+        between = " × " if field.between == "×" else ", "
         return between.join(_text(each, field) for each in value)
     if isinstance(value, bool):
         return "yes" if value else "no"

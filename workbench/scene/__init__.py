@@ -4,8 +4,10 @@ Field by field this is the scene file (``*.json``), so a scene that exists is a 
 possible: whatever cannot be built, traced or made is refused here, with the path of the field.
 """
 
+from workbench.scene.fields import LENGTH, FieldDescription, Measure
+from workbench.scene.kinds import Kinds
 from workbench.scene.lens import Base, FlatBase, Lens, SphereBase
-from workbench.scene.part import NonNegative, Part, Positive, dimension_of
+from workbench.scene.part import NonNegative, Part, Positive
 from workbench.scene.run import AutoRun, PaperRun, Run, RunSettings, Stage
 from workbench.scene.screen import BoxFilter, Filter, GaussianFilter, Screen
 from workbench.scene.source import (
@@ -28,12 +30,14 @@ from workbench.scene.target import (
 from workbench.scene.task import Scene, Unit
 
 __all__ = [
+    "LENGTH",
     "AutoRun",
     "BallTarget",
     "Base",
     "BoxFilter",
     "CollimatedSource",
     "ExactMethod",
+    "FieldDescription",
     "Filter",
     "Finish",
     "FlameTarget",
@@ -41,7 +45,9 @@ __all__ = [
     "GaussianFilter",
     "GridSource",
     "ImageTarget",
+    "Kinds",
     "Lens",
+    "Measure",
     "MeshMethod",
     "NonNegative",
     "PaperRun",
@@ -58,6 +64,5 @@ __all__ = [
     "Target",
     "TopHatTarget",
     "Unit",
-    "dimension_of",
     "of_points",
 ]

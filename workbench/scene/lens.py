@@ -1,30 +1,39 @@
 """The lens: a flat entrance face, a B-spline exit face over a base."""
 
 import math
-from collections.abc import Callable
-from typing import Annotated, Any, Literal, Self
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import numpy as np
 import numpy.typing as npt
-from pydantic import Field, Tag, field_validator, model_validator
+from pydantic import ConfigDict, Field, field_validator
 
 from workbench import materials
 from workbench.errors import Refused, shown
-from workbench.refusals import told_by
 from workbench.scene import limits
-from workbench.scene.part import LENGTH, NonNegative, Part, Positive
+from workbench.scene.fields import LENGTH, RANGE, Measure, about
+from workbench.scene.kinds import Kinds
+from workbench.scene.part import NonNegative, Part, Positive
+
+if TYPE_CHECKING:
+    from workbench.scene.task import Scene
 
 Degree = Annotated[int, Field(ge=1, le=7)]
 LARGEST_NET = 1024
 """Control points along an axis, at most."""
 NetSize = Annotated[int, Field(ge=2, le=LARGEST_NET)]
+_BaseHeight = Annotated[
+    float, LENGTH, about("Base at z", "Where the base crosses the optical axis.")
+]
 
 
 class FlatBase(Part):
-    """Plane f(x, y) = height."""
+    """A plane across the axis."""
+
+    model_config = ConfigDict(title="Flat")
 
     shape: Literal["flat"] = "flat"
-    height: Annotated[float, LENGTH]
+    height: _BaseHeight
 
     def height_at(self, x: npt.ArrayLike, y: npt.ArrayLike) -> npt.NDArray[np.float64]:
         """Height f(x, y) of the base, scene units; x and y broadcast."""
@@ -35,14 +44,33 @@ class FlatBase(Part):
         """Lowest and highest value over the aperture."""
         return self.height, self.height
 
+    def check_within(self, half_width: tuple[float, float]) -> None:
+        """Refuse nothing: it suits any lens."""
+
 
 class SphereBase(Part):
-    """Spherical cap; "concave" rises towards the rim, "convex" falls."""
+    """A spherical cap that rises or falls towards the rim."""
+
+    model_config = ConfigDict(title="Sphere")
 
     shape: Literal["sphere"] = "sphere"
-    height: Annotated[float, LENGTH]
-    radius: Annotated[Positive, LENGTH]
-    form: Literal["concave", "convex"] = "concave"
+    height: _BaseHeight
+    radius: Annotated[
+        Positive,
+        LENGTH,
+        about(
+            "Base radius", "Radius of curvature of the base; more than the lens's half-diagonal."
+        ),
+    ]
+    form: Annotated[
+        Literal["concave", "convex"],
+        about("Base form", "Concave rises towards the rim, convex falls."),
+    ] = "concave"
+
+    @classmethod
+    def begun(cls, scene: "Scene") -> dict[str, Any]:
+        """Shallow enough for any lens that a flat base was good for."""
+        return {"radius": float(f"{10 * math.hypot(*scene.lens.half_width):.2g}")}
 
     def height_at(self, x: npt.ArrayLike, y: npt.ArrayLike) -> npt.NDArray[np.float64]:
         """Height f(x, y) of the base, scene units; x and y broadcast."""
@@ -56,12 +84,18 @@ class SphereBase(Part):
         rim = float(self.height_at(*half_width))
         return min(rim, self.height), max(rim, self.height)
 
+    def check_within(self, half_width: tuple[float, float]) -> None:
+        """Refuse a radius that is no number beside the lens, or does not span it."""
+        limits.check_lengths([("lens.base.radius", self.radius)], half_width, limits.FAR)
+        if self.radius <= math.hypot(*half_width):
+            raise Refused(
+                "lens.base.radius",
+                f"{self.radius:g} does not span the lens; "
+                f"more than its half-diagonal {math.hypot(*half_width):g}",
+            )
 
-Base = FlatBase | SphereBase
-BaseField = Annotated[
-    Annotated[FlatBase, Tag("flat")] | Annotated[SphereBase, Tag("sphere")],
-    told_by("shape", "flat", "sphere", otherwise="flat"),
-]
+
+Base = Annotated[FlatBase | SphereBase, Kinds("shape", default="flat")]
 
 
 def _relative(factor: float) -> Callable[[dict[str, Any]], float]:
@@ -79,26 +113,86 @@ def _thinnest(data: dict[str, Any]) -> float:
 class Lens(Part):
     """Flat entrance face and B-spline exit face over a rectangle.
 
-    ``control_points`` and ``degree`` are (along x, along y). ``height_range`` is the offset from
-    the base that a control height may take; left out, a run takes what its task needs.
     ``max_thickness`` and ``min_thickness`` are counted from the entrance face to the exit face, and
-    hold in any case. Other defaults scale with the lens.
+    hold in any case. Defaults scale with the lens.
     """
 
-    half_width: Annotated[tuple[Positive, Positive], LENGTH]
-    entrance_z: Annotated[float, LENGTH] = 0.0
-    refractive_index: float | str
-    wavelength_um: Positive | None = None
-    degree: tuple[Degree, Degree] = (3, 3)
-    control_points: tuple[NetSize, NetSize]
-    base: BaseField = Field(
+    half_width: Annotated[
+        tuple[Positive, Positive],
+        LENGTH,
+        about("Half width", "Half of the lens's extent along x and y. All of it is lit."),
+    ]
+    entrance_z: Annotated[
+        float,
+        LENGTH,
+        about("Entrance at z", "Where the flat entrance face stands on the optical axis."),
+    ] = 0.0
+    refractive_index: Annotated[
+        float | str,
+        about(
+            "Material", "What the lens is made of: a catalogue material, or an index of your own."
+        ),
+    ]
+    wavelength_um: Annotated[
+        Positive | None,
+        Measure("µm"),
+        about("Wavelength", "Vacuum wavelength at which the material's index is taken."),
+    ] = None
+    degree: Annotated[
+        tuple[Degree, Degree],
+        about(
+            "Degree",
+            "Polynomial degree of the exit face's B-spline along x and y. 3 gives smooth "
+            "curvature.",
+        ),
+    ] = (3, 3)
+    control_points: Annotated[
+        tuple[NetSize, NetSize],
+        about(
+            "Control points",
+            "Number of control points along x and y. More of them draw finer detail and take "
+            "longer.",
+        ),
+    ]
+    base: Annotated[
+        Base,
+        about(
+            "Base",
+            "The shape of the exit face before the design; heights are counted from it.",
+        ),
+    ] = Field(
         default_factory=lambda data: FlatBase(
             height=data.get("entrance_z", 0.0) + _relative(0.5)(data)
         )
     )
-    height_range: Annotated[tuple[float, float] | None, LENGTH] = None
-    max_thickness: Annotated[Positive | None, LENGTH] = None
-    min_thickness: Annotated[NonNegative, LENGTH] = Field(default_factory=_thinnest)
+    height_range: Annotated[
+        tuple[float, float] | None,
+        LENGTH,
+        RANGE,
+        about(
+            "Height range",
+            "How far the exit face may be from the base. Automatic takes what the task needs, "
+            "between the thinnest and the thickest lens that is allowed.",
+        ),
+    ] = None
+    max_thickness: Annotated[
+        Positive | None,
+        LENGTH,
+        about(
+            "Max. thickness",
+            "The exit face is at most this far from the entrance face: the thickness of the stock "
+            "that the part is made of. Left empty, any will do.",
+        ),
+    ] = None
+    min_thickness: Annotated[
+        NonNegative,
+        LENGTH,
+        about(
+            "Min. thickness",
+            "The exit face stays at least this far above the entrance face, so that the part can "
+            "be made.",
+        ),
+    ] = Field(default_factory=_thinnest)
 
     @field_validator("refractive_index", mode="before")
     @classmethod
@@ -116,24 +210,9 @@ class Lens(Part):
             )
         return value
 
-    @model_validator(mode="after")
-    def _computable(self) -> Self:
-        limits.check_width(self.half_width)
-        heights = [
-            ("lens.entrance_z", self.entrance_z),
-            ("lens.base.height", self.base.height),
-            *((f"lens.height_range[{end}]", z) for end, z in enumerate(self.height_range or ())),
-            ("lens.max_thickness", self.max_thickness or 0.0),
-            ("lens.min_thickness", self.min_thickness),
-        ]
-        limits.check_lengths(heights, self.half_width, limits.HEIGHT)
-        if isinstance(self.base, SphereBase):
-            radius = [("lens.base.radius", self.base.radius)]
-            limits.check_lengths(radius, self.half_width, limits.FAR)
-        return self
-
-    @model_validator(mode="after")
-    def _possible(self) -> Self:
+    def check(self) -> None:
+        """Refuse what cannot be computed with, and what cannot be made."""
+        self._check_lengths()
         for axis in (0, 1):
             count, degree = self.control_points[axis], self.degree[axis]
             if count < degree + 1:
@@ -144,12 +223,7 @@ class Lens(Part):
         if not self.index > 1:
             raise Refused("lens.refractive_index", f"{self.index:g}; greater than 1 is needed")
         limits.check_index(self.index)
-        if isinstance(self.base, SphereBase) and self.base.radius <= math.hypot(*self.half_width):
-            raise Refused(
-                "lens.base.radius",
-                f"{self.base.radius:g} does not span the lens; "
-                f"more than its half-diagonal {math.hypot(*self.half_width):g}",
-            )
+        self.base.check_within(self.half_width)
         if self.floor >= self.ceiling:
             raise Refused(
                 "lens.max_thickness",
@@ -158,7 +232,23 @@ class Lens(Part):
             )
         if self.height_range is not None:
             self._check_range(*self.height_range)
-        return self
+
+    def _check_lengths(self) -> None:
+        """Refuse lengths beside which the digits of the lens's shape are lost."""
+        limits.check_width(self.half_width)
+        heights = [
+            ("lens.entrance_z", self.entrance_z),
+            ("lens.base.height", self.base.height),
+            *((f"lens.height_range[{end}]", z) for end, z in enumerate(self.height_range or ())),
+            ("lens.max_thickness", self.max_thickness or 0.0),
+            ("lens.min_thickness", self.min_thickness),
+        ]
+        limits.check_lengths(heights, self.half_width, limits.HEIGHT)
+
+    def remarks(self) -> Mapping[str, str]:
+        """The index of a named material."""
+        named = isinstance(self.refractive_index, str)
+        return {"refractive_index": f"n = {self.index:.5f}"} if named else {}
 
     def _check_range(self, low: float, high: float) -> None:
         """Refuse a height range that leaves a control point nowhere to be."""

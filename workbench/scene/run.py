@@ -1,92 +1,207 @@
 """How the lens is searched for."""
 
-from typing import Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
-from pydantic import Field, Tag
+from pydantic import ConfigDict
 
-from workbench.refusals import told_by
+from workbench.errors import Refused
+from workbench.scene.fields import LENGTH, Choices, Fallback, ForMethod, about
+from workbench.scene.kinds import Kinds
 from workbench.scene.lens import NetSize
-from workbench.scene.part import LENGTH, Part, Positive
-from workbench.scene.screen import FilterField
-from workbench.scene.source import SourceField
+from workbench.scene.part import Part, Positive
+from workbench.scene.screen import Filter
+from workbench.scene.source import Source
+
+if TYPE_CHECKING:
+    from workbench.scene.task import Scene
+
+_AUTO, _PAPER = "Automatic", "As in the paper"
+_RATE = "Step of the optimiser. Too large and the loss jumps, too small and it creeps."
+# Steps of Adam after which top hats of 24² to 64² control points were best, from all starts: the
+# more links a neuron has, the farther one step of all of them carries it.
+LEARNING_RATES = {"none": 3e-3, "sparse": 1e-3, "dense": 1e-4}
 
 
 class Stage(Part):
-    """A part of the run, before the scene itself is run, with some things different.
+    """A part of the run, before the scene itself is run, with some things different."""
 
-    Attributes
-    ----------
-    iterations : int
-        Upper limit of this stage; counted within those of the whole run.
-    source, filter : optional
-        In place of the scene's.
-    control_points : tuple[int, int], optional
-        A coarser net; the lens is carried on to the next net by knot insertion.
-    method : str, optional
-        "auto" or "paper", the latter with the plain settings if the scene's method is another.
-    learning_rate : float, optional
-        For the paper's method.
-    """
-
-    iterations: Annotated[int, Field(ge=1, le=1_000_000)]
-    source: SourceField | None = None
-    filter: FilterField | None = None
-    control_points: tuple[NetSize, NetSize] | None = None
-    method: Literal["auto", "paper"] | None = None
-    learning_rate: Positive | None = None
+    iterations: Annotated[
+        int,
+        about(
+            "Iterations",
+            "Upper limit of iterations of this stage. They count within those of the run; what "
+            "all stages leave is for the scene itself.",
+            ge=1,
+            le=1_000_000,
+        ),
+    ]
+    method: Annotated[
+        Literal["auto", "paper"] | None,
+        Choices((("auto", _AUTO), ("paper", _PAPER))),
+        about("Method", "How the lens is searched for in this stage."),
+    ] = None
+    learning_rate: Annotated[
+        Positive | None,
+        ForMethod("paper"),
+        Fallback("run.rate"),
+        about("Learning rate", f"{_RATE} Left empty, it is that of the scene."),
+    ] = None
+    control_points: Annotated[
+        tuple[NetSize, NetSize] | None,
+        Fallback("lens.control_points"),
+        about(
+            "Control points",
+            "Numbers of control points along x and y in this stage. A coarse net moves light over "
+            "long distances soon; the next stage goes on with the same surface on a finer one. "
+            "Left empty, they are the lens's.",
+        ),
+    ] = None
+    source: Annotated[Source | None, about("Source", "Where the light comes from.")] = None
+    filter: Annotated[
+        Filter | None, about("Image filter", "How a ray's light is shared among pixels.")
+    ] = None
 
 
 class RunSettings(Part):
-    """What every design run has: an upper limit of iterations, a seed, where it computes.
+    """What every design run has.
 
     ``stages`` come first; the scene as it stands is run for the iterations that they leave.
-
-    Attributes
-    ----------
-    smoothness : float, optional
-        Weight of the exit face's bending energy, to be added to the square of the image's relative
-        error; none if left out. It has no unit.
-    min_radius : float, optional
-        Smallest radius of curvature that the exit face may have, concave or convex, scene units;
-        any if left out.
     """
 
-    iterations: Annotated[int, Field(ge=0, le=1_000_000)] = 300
-    stages: tuple[Stage, ...] = ()
-    seed: Annotated[int, Field(ge=0, lt=2**63)] = 0
-    device: Literal["cpu", "cuda"] = "cpu"
-    smoothness: Positive | None = None
-    min_radius: Annotated[Positive | None, LENGTH] = None
+    iterations: Annotated[
+        int,
+        about(
+            "Iterations",
+            "Upper limit of iterations. Automatic may stop sooner, when nothing improves.",
+            ge=0,
+            le=1_000_000,
+        ),
+    ] = 300
+    stages: Annotated[
+        tuple[Stage, ...],
+        about("Stages", "What the run goes through before the scene as it stands."),
+    ] = ()
+    smoothness: Annotated[
+        Positive | None,
+        about(
+            "Smoothness",
+            "Weight of the exit face's bending energy beside the square of the image's error; it "
+            "has no unit. 0.001 calms ripples, 0.01 costs sharpness. Left empty, the face may "
+            "bend as it likes.",
+        ),
+    ] = None
+    min_radius: Annotated[
+        Positive | None,
+        LENGTH,
+        about(
+            "Smallest radius",
+            "Smallest radius of curvature that the exit face may have, in hollows and on humps: "
+            "that of the tool. A run that has settled keeps to it; dark edges get softer. Left "
+            "empty, any will do.",
+        ),
+    ] = None
+    seed: Annotated[
+        int,
+        about(
+            "Seed",
+            "Start of the random numbers; the same seed repeats the same run.",
+            ge=0,
+            lt=2**63,
+        ),
+    ] = 0
+    device: Annotated[
+        Literal["cpu", "cuda"],
+        Choices((("cpu", "Processor"), ("cuda", "Graphics card (CUDA)"))),
+        about("Computes on", "The graphics card needs a CUDA device and a PyTorch built for it."),
+    ] = "cpu"
+
+    @property
+    def rate(self) -> float:
+        """Step of the optimiser of the paper's method."""
+        return LEARNING_RATES["none"]
 
 
 class AutoRun(RunSettings):
-    """The best this program knows; may stop before ``iterations`` when nothing improves."""
+    """The best that this program knows; it may stop before all iterations are done."""
+
+    model_config = ConfigDict(title=_AUTO)
 
     method: Literal["auto"] = "auto"
 
+    @classmethod
+    def begun(cls, scene: "Scene") -> dict[str, Any]:
+        """The scene's stages; there is no learning rate in those that follow this method."""
+        stages = scene.run.stages
+        return {
+            "stages": tuple(
+                stage if stage.method else stage.model_copy(update={"learning_rate": None})
+                for stage in stages
+            )
+        }
+
 
 class PaperRun(RunSettings):
-    """Adam on the control heights through tanh, or through a network, as in the paper.
+    """The published method, for comparison: Adam on control heights, or through a network."""
 
-    Attributes
-    ----------
-    parametrisation : str
-        What is optimised: "none", one number per control height; "sparse" or "dense", the
-        weights and biases of a network that puts the heights out.
-    start : str
-        Those numbers before the first step: "zeros", "uniform" on ±1e-4, or "random".
-    learning_rate : float, optional
-        Step of Adam; left out, the one that suits the parametrisation.
-    """
+    model_config = ConfigDict(title=_PAPER)
 
     method: Literal["paper"] = "paper"
-    parametrisation: Literal["none", "sparse", "dense"] = "none"
-    start: Literal["zeros", "uniform", "random"] = "zeros"
-    learning_rate: Positive | None = None
+    parametrisation: Annotated[
+        Literal["none", "sparse", "dense"],
+        Choices(
+            (
+                ("none", "Control heights"),
+                ("sparse", "Sparse network"),
+                ("dense", "Dense network"),
+            )
+        ),
+        about(
+            "Optimises",
+            "What the optimiser moves: one number per control height, or the weights of a network "
+            "that puts the heights out. In a sparse network the neurons of control points that "
+            "share a piece of the face are linked, in a dense one all are.",
+        ),
+    ] = "none"
+    start: Annotated[
+        Literal["zeros", "uniform", "random"],
+        Choices((("zeros", "Flat"), ("uniform", "Faint noise"))),
+        about(
+            "Start",
+            "Parameters before the first iteration: all zero, in ±0.0001, or drawn from the seed "
+            "so that the lens is crooked. A network that starts with zeros behaves as if there "
+            "were none.",
+        ),
+    ] = "zeros"
+    learning_rate: Annotated[
+        Positive | None,
+        Fallback("run.rate"),
+        about("Learning rate", f"{_RATE} Left empty, it is the one that suits what is optimised."),
+    ] = None
+
+    @property
+    def rate(self) -> float:
+        """Step of the optimiser: as set, or what suits what is optimised."""
+        return self.learning_rate or LEARNING_RATES[self.parametrisation]
 
 
-Run = AutoRun | PaperRun
-RunField = Annotated[
-    Annotated[AutoRun, Tag("auto")] | Annotated[PaperRun, Tag("paper")],
-    told_by("method", "auto", "paper", otherwise="auto"),
-]
+Run = Annotated[AutoRun | PaperRun, Kinds("method", default="auto", title="Method")]
+
+
+def during(run: Run, stage: Stage) -> Run:
+    """Settings of a run in one of its stages.
+
+    Raises
+    ------
+    Refused
+        If the stage has a setting that its method does not have.
+    """
+    changes = {name: getattr(run, name) for name in RunSettings.model_fields}
+    changes |= {"iterations": stage.iterations, "stages": ()}
+    if stage.method not in (None, run.method):
+        # Settings of the one method mean nothing to the other.
+        run = PaperRun() if stage.method == "paper" else AutoRun()
+    if stage.learning_rate is not None:
+        if "learning_rate" not in type(run).model_fields:
+            raise Refused("run.learning_rate", "unknown field; the automatic method has none")
+        changes["learning_rate"] = stage.learning_rate
+    return run.model_copy(update=changes)

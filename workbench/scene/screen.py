@@ -1,23 +1,38 @@
 """The screen, and how rays become an image on it."""
 
 import math
-from typing import Annotated, Any, Literal, Self
+from typing import Annotated, Any, ClassVar, Literal
 
-from pydantic import Field, Tag, model_validator
+from pydantic import AfterValidator, ConfigDict, Field
+from pydantic_core import PydanticCustomError
 
-from workbench.errors import Refused
-from workbench.refusals import told_by
-from workbench.scene.part import LENGTH, Part, Positive
+from workbench.scene.fields import LENGTH, Measure, about
+from workbench.scene.kinds import Kinds
+from workbench.scene.part import Part, Positive
 
 PixelCount = Annotated[int, Field(ge=1, le=4096)]
 
 
 class Screen(Part):
-    """Plane at ``z`` centred on the axis; ``pixels`` are (along x, along y)."""
+    """Plane across the axis, centred on it."""
 
-    z: Annotated[float, LENGTH]
-    half_width: Annotated[tuple[Positive, Positive], LENGTH]
-    pixels: tuple[PixelCount, PixelCount]
+    z: Annotated[
+        float,
+        LENGTH,
+        about("At z", "Where the screen stands on the optical axis; beyond the lens."),
+    ]
+    half_width: Annotated[
+        tuple[Positive, Positive],
+        LENGTH,
+        about("Half width", "Half of the screen's extent along x and y. The target fills it."),
+    ]
+    pixels: Annotated[
+        tuple[PixelCount, PixelCount],
+        about(
+            "Pixels",
+            "Pixels along x and y in which the light is counted and compared with the target.",
+        ),
+    ]
 
     def to_pixels(self, x: Any, y: Any) -> tuple[Any, Any]:
         """Continuous image coordinates (column, row) of points on the screen.
@@ -45,29 +60,47 @@ class Screen(Part):
         return 4 * math.prod(self.half_width) / math.prod(self.pixels)
 
 
+def _odd(size: int) -> int:
+    if size % 2 == 0:
+        raise PydanticCustomError("even", "is even")
+    return size
+
+
+FilterSize = Annotated[int, Field(ge=1, le=99), AfterValidator(_odd)]
+
+
 class BoxFilter(Part):
     """Every ray counts fully in the pixel that it hits."""
 
+    model_config = ConfigDict(title="Box")
+
     kind: Literal["box"] = "box"
+    # As a Gaussian that is no wider than a pixel.
+    size: ClassVar[tuple[int, int]] = (1, 1)
+    alpha: ClassVar[float] = 0.0
 
 
 class GaussianFilter(Part):
-    """Truncated Gaussian over ``size`` = (ν_x, ν_y) pixels; ``alpha`` per pixel²."""
+    """Light falls off over some pixels, so that a design feels where in a pixel a ray lands."""
+
+    model_config = ConfigDict(title="Gaussian")
 
     kind: Literal["gaussian"] = "gaussian"
-    size: tuple[Annotated[int, Field(ge=1, le=99)], Annotated[int, Field(ge=1, le=99)]] = (3, 3)
-    alpha: Annotated[float, Field(ge=1e-6, le=1e6)] = 1.0
+    size: Annotated[
+        tuple[FilterSize, FilterSize],
+        Measure("px", "pixels"),
+        about("Size", "Pixels along x and y that one ray reaches; odd numbers."),
+    ] = (3, 3)
+    alpha: Annotated[
+        float,
+        Measure("px⁻²", "per pixel²"),
+        about(
+            "Alpha",
+            "How fast the Gaussian falls: exp(−alpha · distance²). Small is wide.",
+            ge=1e-6,
+            le=1e6,
+        ),
+    ] = 1.0
 
-    @model_validator(mode="after")
-    def _odd(self) -> Self:
-        for axis, size in enumerate(self.size):
-            if size % 2 == 0:
-                raise Refused(f"filter.size[{axis}]", f"{size} is even; an odd number is needed")
-        return self
 
-
-Filter = GaussianFilter | BoxFilter
-FilterField = Annotated[
-    Annotated[GaussianFilter, Tag("gaussian")] | Annotated[BoxFilter, Tag("box")],
-    told_by("kind", "gaussian", "box", otherwise="gaussian"),
-]
+Filter = Annotated[GaussianFilter | BoxFilter, Kinds("kind", default="gaussian")]

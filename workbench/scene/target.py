@@ -1,57 +1,118 @@
-"""The wished image."""
+"""The wanted image."""
 
 from typing import Annotated, Literal
 
-from pydantic import Field, Tag
+from pydantic import ConfigDict
 
-from workbench.refusals import told_by
+from workbench.scene.fields import Measure, about
+from workbench.scene.kinds import Kinds
 from workbench.scene.part import Part
 
 
 class Finish(Part):
-    """What is done to every target: black border, blur, inversion.
+    """What is done to every target: black border, blur, inversion."""
 
-    ``padding`` is the black border on each side as a fraction of the screen, ``blur`` the
-    standard deviation of a Gaussian in screen pixels.
-    """
+    padding: Annotated[
+        float,
+        Measure("of width", "of the screen"),
+        about(
+            "Padding",
+            "Black border on each side as a fraction of the screen; it keeps light away from the "
+            "edge.",
+            ge=0,
+            lt=0.5,
+        ),
+    ] = 0.0
+    blur: Annotated[
+        float,
+        Measure("px", "pixels"),
+        about(
+            "Blur",
+            "Standard deviation of a Gaussian over the target. Soft edges are easier for a smooth "
+            "lens.",
+            ge=0,
+            le=1000,
+        ),
+    ] = 0.0
+    invert: Annotated[bool, about("Invert", "Swap bright and dark.")] = False
 
-    padding: Annotated[float, Field(ge=0, lt=0.5)] = 0.0
-    blur: Annotated[float, Field(ge=0, le=1000)] = 0.0
-    invert: bool = False
+    @property
+    def file(self) -> str | None:
+        """The image file; None for a built-in shape."""
+        return None
 
 
 class ImageTarget(Finish):
-    """An image file; a relative path starts at the scene file's folder."""
+    """Bright pixels get much light, black ones and transparent ones none."""
 
-    image: Annotated[str, Field(min_length=1)]
+    model_config = ConfigDict(title="Image file")
+
+    image: Annotated[
+        str,
+        about(
+            "Image",
+            "Image file; bright pixels get much light, black ones and transparent ones none. "
+            "Where all that is drawn is black, as in many a logo on a transparent ground, the "
+            "drawing itself gets the light. It is fitted into the screen with its aspect kept. "
+            "A relative path starts at the scene file's folder.",
+            min_length=1,
+        ),
+    ]
+
+    @property
+    def file(self) -> str | None:
+        """The image file."""
+        return self.image
+
+
+_Radius = Annotated[
+    float,
+    Measure("of half width", "of the screen's smaller half-width"),
+    about(
+        "Radius",
+        "Radius of the shape as a fraction of the screen's smaller half-width.",
+        gt=0,
+        le=1,
+    ),
+]
 
 
 class TopHatTarget(Finish):
-    """Uniform disc; ``radius`` as a fraction of the smaller screen half-width."""
+    """A uniform disc."""
+
+    model_config = ConfigDict(title="Top hat")
 
     builtin: Literal["tophat"] = "tophat"
-    radius: Annotated[float, Field(gt=0, le=1)] = 0.6
+    radius: _Radius = 0.6
 
 
 class FlameTarget(Finish):
-    """Flame-like logo on black; ``height`` as a fraction of the smaller screen width."""
+    """A flame-like logo on black."""
+
+    model_config = ConfigDict(title="Flame")
 
     builtin: Literal["flame"] = "flame"
-    height: Annotated[float, Field(gt=0, le=1)] = 0.85
+    height: Annotated[
+        float,
+        Measure("of width", "of the screen's smaller width"),
+        about(
+            "Height",
+            "Height of the shape as a fraction of the screen's smaller width.",
+            gt=0,
+            le=1,
+        ),
+    ] = 0.85
 
 
 class BallTarget(Finish):
-    """Faceted ball in several greys; ``radius`` as a fraction of the smaller half-width."""
+    """A faceted ball in several greys."""
+
+    model_config = ConfigDict(title="Ball")
 
     builtin: Literal["ball"] = "ball"
-    radius: Annotated[float, Field(gt=0, le=1)] = 0.8
+    radius: _Radius = 0.8
 
 
-Target = ImageTarget | TopHatTarget | FlameTarget | BallTarget
-TargetField = Annotated[
-    Annotated[ImageTarget, Tag("image")]
-    | Annotated[TopHatTarget, Tag("tophat")]
-    | Annotated[FlameTarget, Tag("flame")]
-    | Annotated[BallTarget, Tag("ball")],
-    told_by("builtin", "tophat", "flame", "ball", otherwise="image"),
+Target = Annotated[
+    ImageTarget | TopHatTarget | FlameTarget | BallTarget, Kinds("builtin", default="image")
 ]

@@ -1,0 +1,20 @@
+"""What sources say of themselves."""
+
+import numpy as np
+
+from workbench.scene import GridSource
+
+
+def grid(points, half_width=(2.0, 1.0)):
+    return GridSource(kind="grid", center=(1.0, 0.0, -3.0), half_width=half_width, points=points)
+
+
+def test_grid_points_reach_the_rim_of_the_source():
+    found = grid((3, 2)).seen((25, 25))
+    expected = [[x, y, -3] for x in (-1, 1, 3) for y in (-1, 1)]
+    np.testing.assert_allclose(found, expected)
+
+
+def test_many_grid_points_are_thinned_over_the_same_extent():
+    found = grid((401, 1)).seen((5, 5))
+    np.testing.assert_allclose(found, [[x, 0, -3] for x in (-1, 0, 1, 2, 3)])

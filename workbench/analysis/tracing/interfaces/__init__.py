@@ -1,5 +1,0 @@
-"""What a face does to the light that meets it: a file for each kind."""
-
-from workbench.analysis.tracing.interfaces.dielectric import DielectricBoundary
-
-__all__ = ["DielectricBoundary"]

@@ -1,0 +1,220 @@
+"""What a field of the scene says of itself, so that nobody else has to know it.
+
+``about`` gives title, tip and limits, and marks say the rest:
+``z: Annotated[float, LENGTH, about("At z", "Where the screen stands.")]``. Rows of forms and
+reports, conversions of units and the JSON Schema follow from them.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from types import NoneType
+from typing import Annotated, Any, Literal, TypeVar, get_args, get_origin
+
+import annotated_types
+from pydantic import BaseModel, Field, GetJsonSchemaHandler
+from pydantic.fields import FieldInfo
+from pydantic_core import CoreSchema
+
+_SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
+def about(title: str, tip: str, **limits: Any) -> Any:
+    """Title, tip and limits of a field.
+
+    Parameters
+    ----------
+    title : str
+        What a person reads before it.
+    tip : str
+        What it is, and why one would change it.
+    **limits
+        As of `pydantic.Field`: ``gt``, ``ge``, ``lt``, ``le``, ``min_length``.
+    """
+    return Field(title=title, description=tip, **limits)
+
+
+@dataclass(frozen=True)
+class Measure:
+    """Mark of a field: what its numbers are measured in.
+
+    Attributes
+    ----------
+    sign : str
+        Stands behind the number.
+    words : str
+        Says the same by itself; the sign, if it is left out.
+    power : int
+        Of the scene's unit of length; then there is no sign.
+    """
+
+    sign: str = ""
+    words: str = ""
+    power: int = 0
+
+    def sign_in(self, unit: str) -> str:
+        """The sign in a scene with a unit of length."""
+        if not self.power:
+            return self.sign
+        return unit if self.power == 1 else f"{unit}{str(self.power).translate(_SUPERSCRIPTS)}"
+
+    def words_in(self, unit: str) -> str:
+        """The words in a scene with a unit of length."""
+        return self.words or self.sign_in(unit)
+
+    def __get_pydantic_json_schema__(
+        self, core_schema: CoreSchema, handler: GetJsonSchemaHandler
+    ) -> dict[str, Any]:
+        return {**handler(core_schema), "unit": self.words_in("length")}
+
+
+LENGTH = Measure(power=1)
+
+
+@dataclass(frozen=True)
+class Between:
+    """Mark of a field with several numbers: what stands between them; × if it is left out."""
+
+    text: str
+
+
+PLACE, RANGE = Between(","), Between("to")
+
+
+@dataclass(frozen=True)
+class Choices:
+    """Mark of a field with a few values: what a person reads for each; its name, if left out."""
+
+    titles: tuple[tuple[str, str], ...]
+
+
+@dataclass(frozen=True)
+class ForMethod:
+    """Mark of a field that counts with one method of the run only."""
+
+    method: str
+
+
+@dataclass(frozen=True)
+class Fallback:
+    """Mark of a field that may be left out: where in the scene that is which counts instead."""
+
+    path: str
+
+
+Mark = TypeVar("Mark")
+
+
+@dataclass(frozen=True)
+class FieldDescription:
+    """A field of a part, as forms, reports and conversions need it.
+
+    Attributes
+    ----------
+    name : str
+        In the file.
+    title : str
+        What a person reads.
+    tip : str
+        What it is, and why one would change it.
+    type : object
+        Of its values, without None.
+    optional : bool
+        Whether it may be left out for no value.
+    marks : tuple
+        Limits, and marks of this module.
+    """
+
+    name: str
+    title: str
+    tip: str
+    type: Any
+    optional: bool
+    marks: tuple[object, ...]
+
+    def mark(self, kind: type[Mark]) -> Mark | None:
+        """The mark of a kind; None without one."""
+        return next((mark for mark in self.marks if isinstance(mark, kind)), None)
+
+    @property
+    def measure(self) -> Measure:
+        """What its numbers are measured in."""
+        return self.mark(Measure) or Measure()
+
+    @property
+    def between(self) -> str:
+        """What stands between its numbers."""
+        mark = self.mark(Between)
+        return mark.text if mark else "×"
+
+    @cached_property
+    def number(self) -> type[float] | type[int] | None:
+        """The type of its number, or of each of its numbers; None if it has none."""
+        items = get_args(self.type) if get_origin(self.type) is tuple else (self.type,)
+        bare = _unmarked(items[0])[0]
+        return bare if bare in (float, int) else None
+
+    @property
+    def count(self) -> int:
+        """How many values stand side by side."""
+        return len(get_args(self.type)) if get_origin(self.type) is tuple else 1
+
+    @property
+    def listed(self) -> bool:
+        """Whether it holds any number of parts of the scene."""
+        return Ellipsis in get_args(self.type)
+
+    @property
+    def choices(self) -> tuple[tuple[str, str], ...]:
+        """Its values and what a person reads for each; none if there are not just a few."""
+        if get_origin(self.type) is not Literal:
+            return ()
+        mark = self.mark(Choices)
+        titles: dict[str, str] = dict(mark.titles) if mark else {}
+        values = get_args(self.type)
+        return tuple((value, titles.get(value, str(value).capitalize())) for value in values)
+
+    @property
+    def parts(self) -> tuple[type[BaseModel], ...]:
+        """What stands there, if it is a part of the scene: each kind that it may be of."""
+        members = (self.type, *get_args(self.type))
+        return tuple(m for m in members if isinstance(m, type) and issubclass(m, BaseModel))
+
+    @property
+    def limits(self) -> str:
+        """Between which numbers it lies, as a sentence; empty where one end is open."""
+        item = get_args(self.type)[0] if get_origin(self.type) is tuple else self.type
+        marks = (*self.marks, *_unmarked(item)[1])
+        low = [f"From {m.ge}" for m in marks if isinstance(m, annotated_types.Ge)]
+        low += [f"Above {m.gt}" for m in marks if isinstance(m, annotated_types.Gt)]
+        high = [f"to {m.le}" for m in marks if isinstance(m, annotated_types.Le)]
+        high += [f"to below {m.lt}" for m in marks if isinstance(m, annotated_types.Lt)]
+        return f"{low[0]} {high[0]}." if low and high else ""
+
+
+def describe(name: str, field: FieldInfo) -> FieldDescription:
+    """What a field of a pydantic model says of itself."""
+    bare, marks = _unmarked(field.annotation)
+    members = [member for member in get_args(bare) if member is not NoneType]
+    optional = NoneType in get_args(bare)
+    if optional and len(members) == 1:
+        bare, inner = _unmarked(members[0])
+        marks += inner
+    title = field.title or name.replace("_", " ").capitalize()
+    return FieldDescription(
+        name, title, field.description or "", bare, optional, (*field.metadata, *marks)
+    )
+
+
+def _unmarked(hint: Any) -> tuple[Any, tuple[object, ...]]:
+    """A type without its marks, and these."""
+    if get_origin(hint) is not Annotated:
+        return hint, ()
+    bare, *marks = get_args(hint)
+    return bare, tuple(_flat(marks))
+
+
+def _flat(marks: list[Any]) -> Iterator[object]:
+    """Marks, with those that pydantic keeps together in one of its own."""
+    for mark in marks:
+        yield from mark.metadata if isinstance(mark, FieldInfo) else (mark,)

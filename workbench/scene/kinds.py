@@ -1,0 +1,86 @@
+"""Parts of the scene of which there are several kinds."""
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, TypeVar, get_args
+
+from pydantic import GetCoreSchemaHandler
+from pydantic_core import CoreSchema, core_schema
+
+from workbench.scene.part import Part
+
+if TYPE_CHECKING:
+    from workbench.scene.task import Scene
+
+AnyPart = TypeVar("AnyPart", bound=Part)
+
+
+@dataclass(frozen=True)
+class Kinds:
+    """Mark of a union of parts: a field of theirs tells which kind one is of.
+
+    The union is the one list of the kinds: files, forms and refusals follow it.
+
+    Attributes
+    ----------
+    field : str
+        Its name; a literal in each kind but, perhaps, the default.
+    default : str, optional
+        The kind where the field is left out.
+    title : str
+        What a person reads for the field.
+    """
+
+    field: str
+    default: str | None = None
+    title: str = "Kind"
+
+    def name_of(self, kind: type[Part]) -> str:
+        """What the field of a kind holds."""
+        found = kind.model_fields.get(self.field)
+        return str(get_args(found.annotation)[0] if found else self.default)
+
+    def __get_pydantic_core_schema__(
+        self, source: Any, handler: GetCoreSchemaHandler
+    ) -> CoreSchema:
+        members = get_args(source)
+        told = [self.name_of(member) for member in members if self.field in member.model_fields]
+        return core_schema.tagged_union_schema(
+            {self.name_of(member): handler.generate_schema(member) for member in members},
+            self._tag,
+            custom_error_type="unknown_kind",
+            custom_error_message=f"{self.field}: {', '.join(map(repr, told))}",
+        )
+
+    def _tag(self, value: object) -> str | None:
+        field = self.field
+        given = value.get(field) if isinstance(value, dict) else getattr(value, field, None)
+        return self.default if given is None else str(given)
+
+    def exchanged(self, before: Part, kind: type[AnyPart], scene: "Scene") -> AnyPart:
+        """A part of another kind, as like the one before as it can be.
+
+        Parameters
+        ----------
+        before : Part
+            What is not by default there stays, as far as both kinds say the same of it.
+        kind : type[Part]
+            The kind of the new one.
+        scene : Scene
+            Where the new one begins; see `Part.begun`.
+        """
+        there = {field.name: field for field in before.fields()}
+        usual = {name: field.default for name, field in type(before).model_fields.items()}
+        kept = {
+            field.name: value
+            for field in kind.fields()
+            if there.get(field.name) == field
+            and (value := getattr(before, field.name)) != usual[field.name]
+        }
+        if self.field in kind.model_fields:
+            kept[self.field] = self.name_of(kind)
+        return kind.model_validate(kept | kind.begun(scene))
+
+
+def title_of(kind: type[Part]) -> str:
+    """What a person reads for a kind."""
+    return kind.model_config.get("title") or kind.__name__
