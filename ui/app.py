@@ -49,12 +49,15 @@ def main(arguments: list[str] | None = None) -> int:
     from PySide6.QtCore import QSettings, QStandardPaths
 
     from ui.startup.unexpected_errors import Trouble
+    from ui.threads.garbage import GarbageCollector
     from ui.windows import Windows
 
     beside_settings = QStandardPaths.StandardLocation.AppConfigLocation
     folder = Path(QStandardPaths.writableLocation(beside_settings)) / "recovery"
     settings = QSettings()
+    garbage = GarbageCollector(application)
     windows, trouble = Windows(settings, folder), Trouble()
+    windows.loaded.connect(garbage.keep_what_is_there)
     trouble.happened.connect(windows.tell_trouble)
     trouble.qt_said.connect(windows.log)
     trouble.logged.connect(windows.log_details)
@@ -65,6 +68,7 @@ def main(arguments: list[str] | None = None) -> int:
     windows.wait()
     trouble.close()
     signals.close()
+    garbage.close()
     return status
 
 

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QObject, QPoint, QSettings, Qt, QTimer
+from PySide6.QtCore import QObject, QPoint, QSettings, Qt, QTimer, Signal
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QApplication
 
@@ -29,7 +29,14 @@ class Windows(QObject):
         What all windows remember.
     folder : Path
         Of the recovery files.
+
+    Attributes
+    ----------
+    loaded : Signal()
+        The slow libraries are imported; views are about to be built.
     """
+
+    loaded = Signal()
 
     def __init__(self, settings: QSettings, folder: Path) -> None:
         super().__init__()
@@ -37,7 +44,8 @@ class Windows(QObject):
         self._recoveries: dict[MainWindow, Recovery] = {}
         self._warm_up = WarmUp()
         self._warm = False  # whether views can be built without holding the windows up
-        self._warm_up.done.connect(self._build_all)
+        self._warm_up.done.connect(self.loaded)
+        self.loaded.connect(self._build_all)
         self._quitting = self._leaving = False
 
     def open(self) -> MainWindow:

@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 from scipy.interpolate import BSpline
 
-from workbench.analysis.pose import Pose
 from workbench.analysis.surface_noise import with_noise
 from workbench.analysis.tolerances import (
     Distribution,
@@ -14,6 +13,7 @@ from workbench.analysis.tolerances import (
     draw,
     perturbed,
 )
+from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.validation import validate
 from workbench.errors import Refused
 from workbench.geometry.surface import ControlNet

@@ -5,9 +5,9 @@ import threading
 import numpy as np
 import pytest
 
-from workbench.analysis.cells import BATCHES
 from workbench.analysis.focus import focus_series
-from workbench.analysis.ray_limit import MOST_RAYS
+from workbench.analysis.tracing.ray_limit import MOST_RAYS
+from workbench.analysis.tracing.sources.cells import BATCHES
 from workbench.analysis.validation import validate, validating
 from workbench.errors import Refused
 
@@ -41,7 +41,7 @@ def test_the_steps_lead_to_what_validate_finds(lens, threads):
 
 
 def test_a_check_that_is_left_traces_no_further(lens, monkeypatch):
-    from workbench.analysis.tracing import Trace
+    from workbench.analysis.tracing.trace import Trace
 
     traced, trace = [], Trace._batch
     monkeypatch.setattr(

@@ -7,7 +7,8 @@ import pytest
 import torch
 from scipy.interpolate import make_interp_spline
 
-from workbench.analysis import cells, tracing
+from workbench.analysis.tracing import trace
+from workbench.analysis.tracing.sources import cells
 from workbench.analysis.validation import validate
 from workbench.errors import RunFailed
 from workbench.geometry.surface import ControlNet
@@ -223,7 +224,7 @@ class TestRays:
 
     def test_memory_does_not_grow_with_the_rays(self, make_scene, monkeypatch):
         monkeypatch.setattr(cells, "_AT_ONCE", 2048)
-        monkeypatch.setattr(tracing, "_MOST_THREADS", 1)  # as many overlap each time
+        monkeypatch.setattr(trace, "_MOST_THREADS", 1)  # as many overlap each time
         scene = make_scene()
         validate(scene, uniform(scene), np.full((12, 10), 0.5), 1)  # imports
         peaks = []
@@ -242,14 +243,14 @@ class TestRays:
         validate(scene, target, np.full((12, 10), 0.5), 1)
         peak = tracemalloc.get_traced_memory()[1]
         tracemalloc.stop()
-        threads = min(os.cpu_count(), tracing._MOST_THREADS)
+        threads = min(os.cpu_count(), trace._MOST_THREADS)
         assert peak < (threads + 2) * target.nbytes + 30e6  # those of a batch each, their sum
 
     def test_few_threads_hold_images_that_are_very_large(self, make_scene, monkeypatch):
-        monkeypatch.setattr(tracing, "_LARGEST_IMAGES", 32 * 32 * 8)
+        monkeypatch.setattr(trace, "_LARGEST_IMAGES", 32 * 32 * 8)
         asked = []
-        pool = tracing.ThreadPoolExecutor
-        monkeypatch.setattr(tracing, "ThreadPoolExecutor", lambda n: asked.append(n) or pool(n))
+        pool = trace.ThreadPoolExecutor
+        monkeypatch.setattr(trace, "ThreadPoolExecutor", lambda n: asked.append(n) or pool(n))
         scene = make_scene()
         validate(scene, uniform(scene), np.full((12, 10), 0.5), 1)
         assert asked == [1, 1]

@@ -8,7 +8,7 @@ import sys
 
 import pytest
 
-from workbench.analysis.ray_limit import MOST_RAYS
+from workbench.analysis.tracing.ray_limit import MOST_RAYS
 from workbench.design.run import run
 from workbench.design.snapshot import History
 from workbench.files.session import Session, write_session

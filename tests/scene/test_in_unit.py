@@ -8,7 +8,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from tests.scenes import changed
-from workbench.analysis.tracing import Trace
+from workbench.analysis.tracing.trace import Trace
 from workbench.errors import Refused
 from workbench.scene import Scene
 

@@ -18,6 +18,7 @@ from ui.document.document import Document
 from ui.main_window import MainWindow
 from ui.panels.forms import Forms
 from ui.shown.frame import make_frame
+from ui.threads.garbage import GarbageCollector
 from workbench.design.snapshot import History, Snapshot
 from workbench.files.session import Session
 from workbench.optics.ledger import Ledger
@@ -35,6 +36,15 @@ def libraries_stay():
     if not gc.get_freeze_count():  # a session within a test is to leave nothing
         gc.collect()
         gc.freeze()
+
+
+@pytest.fixture(scope="session", autouse=True)
+def garbage_in_the_thread_of_the_window(qapp):
+    """As in the program: else a run's thread deletes the Qt objects of tests that are over."""
+    collector = GarbageCollector(qapp)
+    yield
+    collector.close()
+    collector.deleteLater()
 
 
 @pytest.fixture(scope="session")

@@ -9,8 +9,8 @@ import numpy.typing as npt
 
 from workbench.analysis.metrics import product, relative_l2, root
 from workbench.analysis.mitsuba import MitsubaScene
-from workbench.analysis.tracing import Watch, part_of, unwatched
 from workbench.analysis.validation import through_focus
+from workbench.analysis.watch import Watch, part_of, unwatched
 from workbench.errors import RunFailed
 from workbench.geometry.body import check_body
 from workbench.scene import Scene
@@ -102,7 +102,7 @@ def cross_check(
     seed : int
         The same seed gives the same rays.
     watch : callable
-        Is told the part that is done.
+        Called with the part that is done.
 
     Raises
     ------

@@ -8,8 +8,8 @@ import numpy as np
 import numpy.typing as npt
 
 from workbench.analysis.metrics import relative_l2
-from workbench.analysis.tracing import Watch, part_of, unwatched
 from workbench.analysis.validation import through_focus
+from workbench.analysis.watch import Watch, part_of, unwatched
 from workbench.scene import Scene
 
 Array = npt.NDArray[np.float64]
@@ -85,7 +85,7 @@ def focus_series(
     distances : sequence of float
         z of each screen; as large as the scene's.
     watch : callable
-        Is told the part that is done.
+        Called with the part that is done.
 
     Yields
     ------

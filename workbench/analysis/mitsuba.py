@@ -14,7 +14,7 @@ import numpy as np
 import numpy.typing as npt
 
 from workbench import system_libraries
-from workbench.analysis.tracing import Watch, unwatched
+from workbench.analysis.watch import Watch, unwatched
 from workbench.errors import Refused
 from workbench.geometry.surface import ControlNet
 from workbench.optics.cap import covering_caps
@@ -93,7 +93,7 @@ class MitsubaScene:
         seed : int
             The same seed gives the same paths.
         watch : callable
-            Is told the part that is done.
+            Called with the part that is done.
 
         Returns
         -------

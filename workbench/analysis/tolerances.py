@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from workbench.analysis.pose import Pose
 from workbench.analysis.surface_noise import FINEST, with_noise
+from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.validation import validate
 from workbench.errors import Refused, RunFailed
 from workbench.scene import Scene

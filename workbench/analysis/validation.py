@@ -1,9 +1,9 @@
 """An independent check of a lens: fresh random rays, another tracer, the untouched target.
 
-Nothing of the optimiser's path is used: the face's polynomials come from `scipy.interpolate`,
-refraction from the angles at it, intersections from false position, the image from counting rays
-in pixels, all in float64. A lens that is fitted to the optimiser's fixed ray grid or to its
-smoothing filter is found out here.
+Nothing of the optimiser's path is used, see `workbench.analysis.tracing`: the face's polynomials
+come from `scipy.interpolate`, refraction from the part of a ray along the face, intersections from
+false position, the image from counting rays in pixels, all in float64. A lens that is fitted to the
+optimiser's fixed ray grid or to its smoothing filter is found out here.
 """
 
 import math
@@ -15,10 +15,12 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from workbench.analysis.cells import BATCHES
 from workbench.analysis.metrics import Quality, paper_loss, product, relative_l2, root
-from workbench.analysis.pose import Pose
-from workbench.analysis.tracing import Tally, Trace, Watch, added, unwatched
+from workbench.analysis.tracing.pose import Pose
+from workbench.analysis.tracing.sources.cells import BATCHES
+from workbench.analysis.tracing.trace import Trace, added
+from workbench.analysis.tracing.train import Tally
+from workbench.analysis.watch import Watch, unwatched
 from workbench.errors import RunFailed
 from workbench.optics.ledger import Ledger
 from workbench.scene import Scene
@@ -139,7 +141,7 @@ def validate(
     threads : int, optional
         How many trace; as many as there are cores by default.
     watch : callable
-        Is told the part that is done.
+        Called with the part that is done.
 
     Raises
     ------
@@ -201,7 +203,7 @@ def validating(
         del batch  # large images must not wait for the next ones
         yield trace.part * first_part
     assert total is not None
-    ledger = total.ledger()
+    ledger = _ledger(total)
     if ledger.on_screen == 0:
         raise RunFailed("no light of this lens reaches the screen, so there is no image to judge")
     irradiance = total.flux.reshape(target.shape)
@@ -252,7 +254,7 @@ def through_focus(
     distances : sequence of float
         z of each screen.
     watch : callable
-        Is told the part that is done.
+        Called with the part that is done.
 
     Returns
     -------
@@ -290,6 +292,16 @@ def with_screen_at(scene: Scene, z: float) -> Scene:
     data = scene.to_data()
     data["screen"]["z"] = z
     return Scene.from_data(data)
+
+
+def _ledger(tally: Tally) -> Ledger:
+    """The account of all light, as parts of what was emitted."""
+    return Ledger(
+        emitted=1.0,
+        on_screen=float(tally.flux.sum()) / tally.emitted,
+        off_screen=float(tally.beside.sum()) / tally.emitted,
+        **{name: flux / tally.emitted for name, flux in tally.lost.items()},
+    )
 
 
 def _another(seed: int) -> int:

@@ -3,8 +3,9 @@ import csv
 import numpy as np
 import pytest
 
-from workbench.analysis.face import Face
-from workbench.analysis.face_kernels import PASSES
+from workbench.analysis.tracing.elements import TracedRays
+from workbench.analysis.tracing.interfaces import DielectricBoundary
+from workbench.analysis.tracing.surfaces import SplineFace
 from workbench.analysis.validation import validate
 from workbench.files.export.rays import write_rays
 
@@ -25,6 +26,13 @@ def gentle(make_design, rng):
     return make
 
 
+def meet(design, places):
+    """Rays along the axis, and where they meet the exit face."""
+    start = np.column_stack([places, np.zeros(len(places))])
+    rays = TracedRays(start, np.array([[0.0, 0.0, 1.0]]), np.ones(len(places)))
+    return rays, SplineFace(design.scene.lens, design.heights, "left_side").meet(rays)
+
+
 def test_collimated_light_by_another_tracer(gentle, write):
     design = gentle({"kind": "collimated", "rays": [48, 32]})
     path, deviation = write(write_rays, design, "lens.rays.csv")
@@ -34,20 +42,18 @@ def test_collimated_light_by_another_tracer(gentle, write):
     assert head == ["x [cm]", "y [cm]", "z [cm]", "cos x", "cos y", "cos z", "flux"]
     across, up = (np.arange(48) + 0.5) / 24 - 1, 0.7 * ((np.arange(32) + 0.5) / 16 - 1)
     places = np.stack(np.meshgrid(across, up, indexing="ij"), axis=-1).reshape(-1, 2)
-    face = Face(design.scene.lens, design.heights)
-    height = face.height(places)
-    (*at, d_x, d_y, d_z, reflectance), fate = face.follow(
-        places, np.tile([0.0, 0.0, 1.0], (len(places), 1))
-    )
-    assert (fate == PASSES).all()
+    rays, crossings = meet(design, places)
+    behind, lost = DielectricBoundary(1.5, 1.0, "fresnel_exit").turn(rays, crossings)
+    assert crossings.missed == lost["total_reflection"] == 0
+    at, (d_x, d_y, d_z) = behind.position.T, behind.direction.T
     path = (5.0 - at[2]) / d_z
     assert x == pytest.approx(at[0] + d_x * path, abs=1e-12)
     assert y == pytest.approx(at[1] + d_y * path, abs=1e-12)
     assert (z == 5.0).all()
-    way = np.column_stack([x - places[:, 0], y - places[:, 1], 5.0 - height])
+    way = np.column_stack([x - places[:, 0], y - places[:, 1], 5.0 - at[2]])
     way /= np.linalg.norm(way, axis=1, keepdims=True)
     assert np.column_stack([cos_x, cos_y, cos_z]) == pytest.approx(way, abs=1e-12)
-    assert flux == pytest.approx(0.96 * (1 - reflectance) / len(places), rel=1e-9)
+    assert flux == pytest.approx(0.96 * behind.flux / len(places), rel=1e-9)
 
 
 def test_light_of_a_point(gentle, write):
@@ -59,12 +65,11 @@ def test_light_of_a_point(gentle, write):
     assert flux.sum() == pytest.approx(ledger.on_screen + ledger.off_screen, rel=0.01)
     assert np.linalg.norm(cosines, axis=0) == pytest.approx(1, abs=1e-12)
     # Back from the screen they meet the face within the aperture.
-    face = Face(design.scene.lens, design.heights)
     back = np.full(len(x), 4.5)
     for _ in range(20):
         places = np.column_stack(
             [c - back * cos / cosines[2] for c, cos in ((x, cosines[0]), (y, cosines[1]))]
         )
         inside = np.clip(places, [-1.0, -0.7], [1.0, 0.7])
-        back = z - face.height(inside)
+        back = z - meet(design, inside)[1].position[:, 2]
     assert places == pytest.approx(inside, abs=1e-9)

@@ -235,11 +235,10 @@ def test_work_that_cannot_be_removed_is_offered_again(document, keeping, monkeyp
     work.remove()
 
 
-def test_the_lens_of_a_run_is_kept_before_it_ends(display, window, tmp_path, qtbot):
+def test_the_lens_of_a_run_is_kept_before_it_ends(display, window, make_scene, tmp_path, qtbot):
     window.build()
-    scene = window.document.session.scene
-    run = scene.run.model_copy(update={"iterations": 100_000})
-    window.document.edit(scene.model_copy(update={"run": run}), "run", "")
+    scene = make_scene({"run.method": "paper", "run.iterations": 100_000})
+    window.document.edit(scene, "run", "")
     recovery = Recovery(window.document, tmp_path / "recovery", window)
     recovery.start()
     recovery.follow(window.loaded.control)

@@ -21,11 +21,11 @@ def built(window):
 
 
 @pytest.fixture
-def running(built, qtbot):
+def running(built, make_scene, qtbot):
     """A window with a long run that has a best lens already."""
-    scene = built.document.session.scene
-    run = scene.run.model_copy(update={"iterations": 100_000})
-    built.document.edit(scene.model_copy(update={"run": run}), "run", "")
+    # The paper's method takes all its iterations; the other one ends as soon as nothing is gained.
+    scene = make_scene({"run.method": "paper", "run.iterations": 100_000})
+    built.document.edit(scene, "run", "")
     built.start()
     runner = built.loaded.control.runner
     qtbot.waitUntil(lambda: runner.best is not None and runner.best.iterations > 2, timeout=60_000)

@@ -4,7 +4,7 @@ import argparse
 import math
 from contextlib import suppress
 
-from workbench.analysis.ray_limit import MOST_RAYS
+from workbench.analysis.tracing.ray_limit import MOST_RAYS
 
 _MOST_DISTANCES = 1000
 

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from workbench.analysis.cones import covering_cones
+from workbench.analysis.tracing.sources.cones import covering_cones
 from workbench.optics.cap import covering_caps
 
 

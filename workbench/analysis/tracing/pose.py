@@ -28,20 +28,16 @@ class Pose:
     decentre: tuple[float, float] = (0.0, 0.0)
 
     def to_lens(self, points: Array, entrance_z: float) -> Array:
-        """Points of shape (m, 3) as the lens sees them."""
-        pivot = np.array([0.0, 0.0, entrance_z])
-        turned = self._inverse(points - pivot - np.array([*self.decentre, 0.0]))
-        return np.asarray(turned + pivot)
+        """Points (m, 3) of the scene as the lens sees them, from the middle of its entrance."""
+        return self._inverse(points - np.array([*self.decentre, entrance_z]))
 
     def axis(self) -> Array:
         """The unit vector +z as the lens sees it, shape (3,)."""
         return self._inverse(np.array([0.0, 0.0, 1.0]))
 
     def to_scene(self, entrance_z: float) -> tuple[Array, Array]:
-        """Matrix (3, 3) and vector (3,) that take points of the lens into the scene."""
-        pivot = np.array([0.0, 0.0, entrance_z])
-        turn = self._rotation().as_matrix()
-        return turn, pivot + np.array([*self.decentre, 0.0]) - turn @ pivot
+        """Matrix (3, 3) and vector (3,) that take points back: the reverse of `to_lens`."""
+        return self._rotation().as_matrix(), np.array([*self.decentre, entrance_z])
 
     def _rotation(self) -> Rotation:
         return Rotation.from_rotvec([*self.tilt, 0.0])

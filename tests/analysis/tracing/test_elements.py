@@ -1,0 +1,122 @@
+"""The elements of the check, one by one."""
+
+import math
+
+import numpy as np
+import pytest
+
+from workbench.analysis.tracing.elements import Crossings, TracedRays
+from workbench.analysis.tracing.interfaces import DielectricBoundary
+from workbench.analysis.tracing.pose import Pose
+from workbench.analysis.tracing.receivers import PlaneDetector
+from workbench.analysis.tracing.surfaces import FlatFace, SplineFace
+
+UP = np.array([[0.0, 0.0, 1.0]])
+
+
+def inclined(degrees):
+    angle = math.radians(degrees)
+    return np.array([[math.sin(angle), 0.0, math.cos(angle)]])
+
+
+def at(*places):
+    return np.array(places, dtype=float)
+
+
+class TestFlatFace:
+    face = FlatFace(2.0, (1.0, 0.5), "missed_lens")
+
+    def test_rays_are_taken_to_its_plane(self):
+        rays = TracedRays(at([0, 0, 0], [0.5, 0, 1]), inclined(-10), np.ones(2))
+        met = self.face.meet(rays)
+        assert met.position[:, 2] == pytest.approx(2)
+        assert met.position[:, 0] == pytest.approx(
+            [-2 * math.tan(math.radians(10)), 0.5 - 0.176327]
+        )
+        assert met.normal == pytest.approx(UP)
+        assert met.missed == 0
+
+    def test_light_beside_its_outline_and_going_down_is_missed(self):
+        places = at([0, 0, 0], [1.1, 0, 0], [0, -0.6, 0], [0, 0, 0])
+        directions = np.vstack([UP, UP, UP, -UP])
+        met = self.face.meet(TracedRays(places, directions, np.array([1.0, 2.0, 3.0, 4.0])))
+        assert met.flux == pytest.approx([1, 0, 0, 0])
+        assert met.missed == 9
+
+
+class TestSplineFace:
+    def test_rays_from_any_height_meet_the_same_place(self, make_scene, rng):
+        scene = make_scene()
+        face = SplineFace(scene.lens, 0.5 + 0.05 * rng.random((12, 10)), "left_side")
+        direction = inclined(12)
+        start = np.column_stack([rng.uniform(-0.5, 0.5, (50, 2)), np.zeros(50)])
+        later = start + 0.3 * direction / direction[0, 2]
+        first, second = (
+            face.meet(TracedRays(each, direction, np.ones(50))) for each in (start, later)
+        )
+        assert first.missed == second.missed == 0
+        assert second.position == pytest.approx(first.position, abs=1e-12)
+        assert second.normal == pytest.approx(first.normal, abs=1e-10)
+
+    def test_light_through_the_side_is_missed(self, make_scene):
+        scene = make_scene()
+        face = SplineFace(scene.lens, np.full((12, 10), 0.5), "left_side")
+        rays = TracedRays(at([0, 0, 0], [0.99, 0, 0]), inclined(30), np.array([1.0, 2.0]))
+        met = face.meet(rays)
+        assert met.flux == pytest.approx([1, 0])
+        assert met.missed == 2
+
+
+class TestDielectricBoundary:
+    @pytest.mark.parametrize(("before", "behind"), [(1.0, 1.5), (1.5, 1.0)])
+    def test_snell_and_schlick(self, before, behind):
+        inside = math.asin(math.sin(math.radians(25)) * before / behind)
+        crossings = Crossings(at([0, 0, 0]), UP, np.array([2.0]), 0.0)
+        rays = TracedRays(at([0, 0, 0]), inclined(25), np.array([2.0]))
+        behind_it, lost = DielectricBoundary(before, behind, "fresnel_exit").turn(rays, crossings)
+        assert behind_it.direction == pytest.approx(inclined(math.degrees(inside)), abs=1e-15)
+        thinner = math.cos(math.radians(25) if before < behind else inside)
+        reflectance = 0.04 + 0.96 * (1 - thinner) ** 5
+        assert lost == pytest.approx({"total_reflection": 0, "fresnel_exit": 2 * reflectance})
+        assert behind_it.flux == pytest.approx([2 * (1 - reflectance)])
+
+    @pytest.mark.parametrize("degrees", [10.0, 60.0])  # the second is reflected totally
+    def test_one_direction_for_all_rays_is_as_good_as_one_for_each(self, degrees, rng):
+        boundary, flux = DielectricBoundary(1.5, 1.0, "fresnel_exit"), rng.random(20)
+        place = rng.random((20, 3))
+        alike, lost = boundary.turn(
+            TracedRays(place, inclined(degrees), flux), Crossings(place, UP, flux, 0.0)
+        )
+        each, lost_by_each = boundary.turn(
+            TracedRays(place, inclined(degrees).repeat(20, axis=0), flux),
+            Crossings(place, UP.repeat(20, axis=0), flux, 0.0),
+        )
+        assert lost == pytest.approx(lost_by_each, rel=1e-12)
+        assert alike.flux == pytest.approx(each.flux, rel=1e-12)
+        assert sum(lost.values()) + alike.flux.sum() == pytest.approx(flux.sum())
+        if degrees < 40:
+            assert np.broadcast_to(alike.direction, (20, 3)) == pytest.approx(each.direction)
+
+    def test_rays_without_flux_are_not_followed(self):
+        crossings = Crossings(
+            at([0, 0, 0], [np.nan] * 3), np.vstack([UP, np.nan * UP]), at(1, 0), 0.0
+        )
+        rays = TracedRays(at([0, 0, 0], [np.nan] * 3), inclined(10), at(1, 1))
+        behind, lost = DielectricBoundary(1.0, 1.5, "fresnel_entrance").turn(rays, crossings)
+        assert behind.flux[1] == 0
+        assert sum(lost.values()) + behind.flux.sum() == pytest.approx(1)
+
+
+def test_a_plane_counts_flux_in_its_pixels_and_beside(make_scene):
+    scene = make_scene({"screen.pixels": [2, 2]})
+    detector = PlaneDetector(scene.screen, at(5.0, 8.0), scene.lens, Pose())
+    flux, beside = np.zeros((detector.images, detector.pixels)), np.zeros(2)
+    # The first is upper left on both; the second leaves the farther screen.
+    rays = TracedRays(
+        at([-0.5, 0.5, 0], [0.3, -0.5, 0], [0, 0, 0]),
+        np.vstack([UP, at([0.1, 0, math.sqrt(0.99)]), -UP]),
+        at(1.0, 2.0, 4.0),
+    )
+    detector.count(rays, flux, beside)
+    assert flux.tolist() == [[1, 0, 0, 2], [1, 0, 0, 0]]
+    assert beside.tolist() == [4, 6]

@@ -1,0 +1,131 @@
+"""What the elements of the check do, and the rays that go from one to the next.
+
+All of them count x, y and z as the lens does, from the middle of its entrance face. Directions and
+normals may have one row that stands for all rays.
+"""
+
+from collections.abc import Iterator, Mapping
+from typing import NamedTuple, Protocol
+
+import numpy as np
+import numpy.typing as npt
+
+Array = npt.NDArray[np.float64]
+
+
+class TracedRays(NamedTuple):
+    """Some rays; a ray that is lost stays among them, with no flux, and is not followed.
+
+    Attributes
+    ----------
+    position : ndarray, shape (m, 3)
+        Where they are, scene units.
+    direction : ndarray, shape (m, 3) or (1, 3)
+        Unit vectors.
+    flux : ndarray, shape (m,)
+        Flux of each, in any unit.
+    """
+
+    position: Array
+    direction: Array
+    flux: Array
+
+    def split(self, size: int) -> Iterator["TracedRays"]:
+        """The same rays, at most ``size`` of them at a time."""
+        alike = len(self.direction) == 1
+        for first in range(0, len(self.flux), size):
+            some = slice(first, first + size)
+            direction = self.direction if alike else self.direction[some]
+            yield TracedRays(self.position[some], direction, self.flux[some])
+
+
+class Crossings(NamedTuple):
+    """Where rays meet a face.
+
+    Attributes
+    ----------
+    position : ndarray, shape (m, 3)
+        Places on the face; anything for rays without flux.
+    normal : ndarray, shape (m, 3) or (1, 3)
+        Unit normals there, to the side to which the light goes.
+    flux : ndarray, shape (m,)
+        Flux of each ray that meets the face, and 0 for the others.
+    missed : float
+        Flux of the rays that do not meet it.
+    """
+
+    position: Array
+    normal: Array
+    flux: Array
+    missed: float
+
+
+class RandomSource(Protocol):
+    """Draws rays.
+
+    Attributes
+    ----------
+    rays : int
+        How many there are in all batches together.
+    """
+
+    rays: int
+
+    def batch(self, number: int) -> Iterator[TracedRays]:
+        """The rays of one of the batches, some at a time."""
+        ...
+
+
+class Face(Protocol):
+    """A surface that rays meet.
+
+    Attributes
+    ----------
+    missed : str
+        Name in the light account of light that does not meet it.
+    """
+
+    missed: str
+
+    def meet(self, rays: TracedRays) -> Crossings:
+        """Where rays meet it."""
+        ...
+
+
+class Boundary(Protocol):
+    """What a face does to the light that meets it."""
+
+    def turn(
+        self, rays: TracedRays, crossings: Crossings
+    ) -> tuple[TracedRays, Mapping[str, float]]:
+        """The light that goes on, and the flux that is lost, by its names in the light account."""
+        ...
+
+
+class Detector(Protocol):
+    """Counts rays in pixels, in one image or in several.
+
+    Attributes
+    ----------
+    images : int
+        How many images there are.
+    pixels : int
+        Pixels of each.
+    """
+
+    images: int
+    pixels: int
+
+    def count(self, rays: TracedRays, flux: Array, beside: Array) -> None:
+        """Add rays to images.
+
+        Parameters
+        ----------
+        rays : TracedRays
+            The rays.
+        flux : ndarray, shape (images, pixels)
+            Flux in the pixels, along the rows.
+        beside : ndarray, shape (images,)
+            Flux that meets none of them.
+        """
+        ...

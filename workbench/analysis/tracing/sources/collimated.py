@@ -1,0 +1,34 @@
+"""Parallel light."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from workbench.analysis.tracing.elements import TracedRays
+from workbench.analysis.tracing.pose import Pose
+from workbench.analysis.tracing.sources.cells import Cells
+from workbench.scene import CollimatedSource, Lens
+
+
+class CollimatedLight:
+    """Parallel light along +z; a `RandomSource`.
+
+    It has no edge: it fills the entrance face however that stands. The parameters are those of
+    `random_source`.
+    """
+
+    def __init__(
+        self, source: CollimatedSource, lens: Lens, pose: Pose, rays: int, seed: int
+    ) -> None:
+        self._half_width = r_x, r_y = lens.half_width
+        self._direction = pose.axis()[None, :]
+        self._cells = Cells(rays, r_x / r_y, seed)
+        self.rays = self._cells.count
+
+    def batch(self, number: int) -> Iterator[TracedRays]:
+        """Rays that begin on the entrance face; see `RandomSource.batch`."""
+        r_x, r_y = self._half_width
+        for a, b in self._cells.batch(number):
+            position = np.zeros((len(a), 3))
+            position[:, 0], position[:, 1] = (a * 2 - 1) * r_x, (b * 2 - 1) * r_y
+            yield TracedRays(position, self._direction, np.ones(len(a)))

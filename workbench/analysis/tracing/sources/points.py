@@ -1,0 +1,48 @@
+"""Light of one point, or of a grid of points that stands for an extended source."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from workbench.analysis.tracing.elements import TracedRays
+from workbench.analysis.tracing.pose import Pose
+from workbench.analysis.tracing.sources.cells import Cells
+from workbench.analysis.tracing.sources.cone_kernels import emit
+from workbench.analysis.tracing.sources.cones import Cones, covering_cones
+from workbench.scene import GridSource, Lens, PointSource
+
+
+class PointLight:
+    """Light into the cones that just cover the entrance face; a `RandomSource`.
+
+    All points have the same intensity, so those that see the face larger emit more. The parameters
+    are those of `random_source`.
+    """
+
+    def __init__(
+        self, source: PointSource | GridSource, lens: Lens, pose: Pose, rays: int, seed: int
+    ) -> None:
+        self._seed = seed
+        # Flux goes with the cosine to this; even light has none.
+        lambertian = source.emission == "lambertian"
+        self._upwards = pose.axis() if lambertian else np.zeros(3)
+        points = pose.to_lens(source.positions, lens.entrance_z)
+        cones = covering_cones(points, lens.half_width, 0.0)
+        # In one order of memory always, or the loops would be compiled for each.
+        self._cones = Cones(*map(np.ascontiguousarray, cones))
+        self._cells = Cells(rays, 1.0, seed)
+        self.rays = self._cells.count
+
+    def batch(self, number: int) -> Iterator[TracedRays]:
+        """Rays that begin in the plane of the entrance face; see `RandomSource.batch`.
+
+        A point may be so far that only the first digits of a way from there would be right.
+        """
+        cones = len(self._cones.axis)
+        shuffle = np.random.default_rng([self._seed, 100 + number])
+        for a, b in self._cells.batch(number):
+            # As many rays from each point as from any other, but for one.
+            from_point = shuffle.permutation(len(a)) + shuffle.integers(cones)
+            rays = TracedRays(np.empty((len(a), 3)), np.empty((len(a), 3)), np.empty(len(a)))
+            emit(self._cones, from_point % cones, a, b, self._upwards, *rays)
+            yield rays

@@ -1,0 +1,127 @@
+"""Random rays through a lens in batches, by as many threads as there are cores.
+
+What each batch finds depends on the seed alone, and batches are handed out in order. Whoever waits
+for one gets control back now and then, and may leave at any time: many rays take minutes.
+"""
+
+import os
+from collections.abc import Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor, wait
+from threading import Event
+
+import numpy as np
+
+from workbench.analysis.tracing.elements import Array
+from workbench.analysis.tracing.pose import Pose
+from workbench.analysis.tracing.ray_limit import MOST_RAYS
+from workbench.analysis.tracing.sources.cells import BATCHES
+from workbench.analysis.tracing.train import OpticalTrain, Tally
+from workbench.errors import Refused
+from workbench.geometry.body import check_body
+from workbench.scene import Scene
+
+_OFTEN = 0.1  # seconds after which whoever waits for a batch gets control back
+_MOST_THREADS = 8
+# Each has the images of a batch at hand, which may be large: bytes for all of them together.
+_LARGEST_IMAGES = 1 << 28
+
+
+class Trace:
+    """Random rays through a lens.
+
+    One ray starts at a random place in each of ``rays`` equal cells of the entrance face, or in a
+    random direction in each of as many equal cells of a point's cone. Memory does not grow with
+    them.
+
+    Parameters
+    ----------
+    scene : Scene
+        Lens, source and screen; filter and run settings play no part.
+    control_points : ndarray, shape (n_u, n_v)
+        Heights z of the exit face's control points, scene units.
+    rays : int
+        Rays to trace at least; rounded up to whole batches of a grid.
+    seed : int
+        The same seed gives the same rays.
+    pose : Pose
+        How the lens stands.
+    distances : sequence of float, optional
+        Where screens are, z of the k planes; the scene's alone by default.
+
+    Attributes
+    ----------
+    rays : int
+        Rays traced.
+
+    Raises
+    ------
+    Refused
+        If there are more rays than `MOST_RAYS`, the lens is no body, or passes one of the screens.
+    """
+
+    def __init__(
+        self,
+        scene: Scene,
+        control_points: Array,
+        rays: int,
+        seed: int,
+        pose: Pose | None = None,
+        distances: Sequence[float] | None = None,
+    ) -> None:
+        if rays > MOST_RAYS:
+            raise Refused("rays", f"{rays} are too many; at most {MOST_RAYS}")
+        pose = Pose() if pose is None else pose
+        planes = np.array([scene.screen.z] if distances is None else distances)
+        check_body(scene, control_points, min(planes, default=scene.screen.z))
+        self._train = OpticalTrain.of(scene, control_points, rays, seed, pose, planes)
+        self.rays = self._train.source.rays
+        self._traced = [0] * BATCHES  # rays of each batch up to now
+
+    @property
+    def part(self) -> float:
+        """The part of the rays that is traced."""
+        return sum(self._traced) / self.rays
+
+    def batches(self, threads: int | None = None) -> Iterator[Tally | None]:
+        """Trace; yields each of the `BATCHES` batches, and None now and then before one is done.
+
+        Parameters
+        ----------
+        threads : int, optional
+            How many trace; as many as there are cores by default. Fewer do if images are large.
+        """
+        detector = self._train.detector
+        room = max(_LARGEST_IMAGES // (8 * detector.images * detector.pixels), 1)
+        threads = min(threads or os.cpu_count() or 1, _MOST_THREADS, room)
+        left = Event()
+        with ThreadPoolExecutor(threads) as pool:
+            try:
+                # Not all at once: images that wait take memory.
+                for first in range(0, BATCHES, threads):
+                    numbers = range(first, min(first + threads, BATCHES))
+                    some = [pool.submit(self._batch, number, left) for number in numbers]
+                    while some:
+                        if wait(some[:1], _OFTEN).done:
+                            yield some.pop(0).result()
+                        else:
+                            yield None
+            finally:
+                left.set()
+
+    def _batch(self, number: int, left: Event) -> Tally:
+        tally = Tally(self._train.detector.images, self._train.detector.pixels)
+        self._traced[number] = 0
+        for rays in self._train.source.batch(number):
+            if left.is_set():  # nobody takes this batch
+                break
+            self._train.walk(rays, tally)
+            self._traced[number] += len(rays.flux)
+        return tally
+
+
+def added(total: Tally | None, batch: Tally | None) -> Tally | None:
+    """The light of a batch and of those before, as far as there are any."""
+    if total is None or batch is None:
+        return total or batch
+    total.add(batch)
+    return total

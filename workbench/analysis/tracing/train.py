@@ -1,0 +1,126 @@
+"""The optical train of a scene, the sequence of elements that its light passes, and the walk."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from workbench.analysis.tracing.elements import (
+    Array,
+    Boundary,
+    Detector,
+    Face,
+    RandomSource,
+    TracedRays,
+)
+from workbench.analysis.tracing.interfaces import DielectricBoundary
+from workbench.analysis.tracing.pose import Pose
+from workbench.analysis.tracing.receivers import PlaneDetector
+from workbench.analysis.tracing.sources import random_source
+from workbench.analysis.tracing.surfaces import FlatFace, SplineFace
+from workbench.scene import Scene
+
+# Rays followed together: what is made of them on the way stays within the cache.
+_AT_ONCE = 1 << 13
+
+
+class Tally:
+    """Where the light of some rays went, in any unit.
+
+    Parameters
+    ----------
+    images, pixels : int
+        How many images there are, and the pixels of each.
+
+    Attributes
+    ----------
+    flux : ndarray, shape (images, pixels)
+        Flux in the pixels, along the rows.
+    beside : ndarray, shape (images,)
+        Flux that went beside each image.
+    emitted : float
+        Flux of the source.
+    lost : dict[str, float]
+        Flux that was lost on the way, by its names in the light account.
+    """
+
+    def __init__(self, images: int, pixels: int) -> None:
+        self.flux, self.beside = np.zeros((images, pixels)), np.zeros(images)
+        self.emitted = 0.0
+        self.lost: dict[str, float] = {}
+
+    def add(self, other: "Tally") -> None:
+        """Take in the light of other rays."""
+        self.flux += other.flux
+        self.beside += other.beside
+        self.emitted += other.emitted
+        for name, flux in other.lost.items():
+            self.lose(name, flux)
+
+    def lose(self, name: str, flux: float) -> None:
+        """Add to a loss."""
+        self.lost[name] = self.lost.get(name, 0.0) + flux
+
+
+class OpticalTrain:
+    """Source, faces and receiver in the order in which light meets them.
+
+    Parameters
+    ----------
+    source : RandomSource
+        The source.
+    faces : sequence of (Face, Boundary)
+        Faces, and what each does to light.
+    detector : Detector
+        Where light is counted.
+
+    Attributes
+    ----------
+    source, faces, detector
+        As they were given.
+    """
+
+    def __init__(
+        self,
+        source: RandomSource,
+        faces: Sequence[tuple[Face, Boundary]],
+        detector: Detector,
+    ) -> None:
+        self.source, self.faces, self.detector = source, faces, detector
+
+    @classmethod
+    def of(
+        cls,
+        scene: Scene,
+        control_points: Array,
+        rays: int,
+        seed: int,
+        pose: Pose,
+        planes: Array,
+    ) -> "OpticalTrain":
+        """The train of a scene; for the parameters see `Trace`."""
+        lens, n = scene.lens, scene.lens.index
+        entrance = FlatFace(0.0, lens.half_width, "missed_lens")
+        exit_face = SplineFace(lens, control_points, "left_side")
+        return cls(
+            random_source(scene.source, lens, pose, rays, seed),
+            (
+                (entrance, DielectricBoundary(1.0, n, "fresnel_entrance")),
+                (exit_face, DielectricBoundary(n, 1.0, "fresnel_exit")),
+            ),
+            PlaneDetector(scene.screen, planes, lens, pose),
+        )
+
+    def walk(self, rays: TracedRays, tally: Tally) -> None:
+        """Follow rays from the source to the receiver, and add their light to a tally."""
+        tally.emitted += float(rays.flux.sum())
+        for some in rays.split(_AT_ONCE):
+            self._follow(some, tally)
+
+    def _follow(self, rays: TracedRays, tally: Tally) -> None:
+        for face, boundary in self.faces:
+            crossings = face.meet(rays)
+            rays, lost = boundary.turn(rays, crossings)
+            tally.lose(face.missed, crossings.missed)
+            for name, flux in lost.items():
+                tally.lose(name, flux)
+        self.detector.count(rays, tally.flux, tally.beside)
