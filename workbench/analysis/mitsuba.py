@@ -14,11 +14,11 @@ import numpy as np
 import numpy.typing as npt
 
 from workbench import system_libraries
+from workbench.analysis.mitsuba_lights import mitsuba_lights
 from workbench.analysis.watch import Watch, unwatched
 from workbench.errors import Refused
 from workbench.geometry.surface import ControlNet
-from workbench.optics.cap import covering_caps
-from workbench.scene import CollimatedSource, Scene
+from workbench.scene import Scene
 
 Array = npt.NDArray[np.float64]
 Indices = npt.NDArray[np.uint32]
@@ -29,14 +29,10 @@ _VARIANT = "scalar_rgb"
 _CELLS = 1024
 # Segments of the way: source, entrance face, exit face, screen, camera.
 _SEGMENTS = 4
-# In half-widths of the lens: how far the baffle reaches and how far before the lens light starts.
-_BAFFLE, _BEFORE = 1000.0, 0.1
+# In half-widths of the lens: how far the baffle goes.
+_BAFFLE = 1000.0
 # Distance of the camera over the half-width of the screen.
 _AWAY = 4.0
-# A disk so much smaller than its distance stands for a point with Lambert's law.
-_DISK = 1e-4
-# Mitsuba's spots fade at their rims, here beyond the cone.
-_FADE = 1e-3
 # Paths of a pass, at least one for each pixel: an interruption waits for one of them.
 _AT_ONCE = 1 << 17
 _BLACK = {"type": "diffuse", "reflectance": {"type": "rgb", "value": 0.0}}
@@ -69,7 +65,7 @@ class MitsubaScene:
             )
         # Mitsuba counts in single precision and has thresholds made for lengths of about 1.
         self._scene, self._unit = scene, max(scene.lens.half_width)
-        lights, self._emitted = self._lights()
+        lights, self._emitted = mitsuba_lights(mi, scene.source, scene.lens, self._unit)
         self._pixel_area = scene.screen.pixel_area / self._unit**2
         self._rendered: Any = mi.load_dict(
             {
@@ -114,45 +110,6 @@ class MitsubaScene:
         # Scattered evenly into the half-sphere.
         irradiance = math.pi / passes * radiance
         return np.asarray(irradiance * self._pixel_area / self._emitted)
-
-    def _lights(self) -> tuple[dict[str, Any], float]:
-        """Emitters, and the flux that they emit towards the lens."""
-        mi, scene = self._mi, self._scene
-        even = {"type": "rgb", "value": 1.0}
-        r_x, r_y = (r / self._unit for r in scene.lens.half_width)
-        z = scene.lens.entrance_z / self._unit
-        to = mi.ScalarTransform4f
-        if isinstance(scene.source, CollimatedSource):
-            place = to().translate([0, 0, z - _BEFORE]).scale([r_x, r_y, 1])
-            sheet = {"type": "directionalarea", "radiance": even}
-            return {"light": {"type": "rectangle", "to_world": place, "emitter": sheet}}, (
-                4 * r_x * r_y
-            )
-        lights, emitted = {}, 0.0
-        points = scene.source.positions / self._unit
-        caps = covering_caps(points, (r_x, r_y), z)
-        for number, (point, axis, versine) in enumerate(zip(points, *caps[:2], strict=True)):
-            if scene.source.emission == "uniform":
-                angle = math.degrees(2 * math.asin(math.sqrt(versine / 2)))
-                lights[f"light{number}"] = {
-                    "type": "spot",
-                    "to_world": to().look_at(point, point + axis, [1, 0, 0]),
-                    "intensity": even,
-                    "beam_width": angle,
-                    "cutoff_angle": angle * (1 + _FADE),
-                }
-                emitted += 2 * math.pi * versine
-            else:
-                radius = _DISK * (z - point[2])
-                lights[f"light{number}"] = {
-                    "type": "disk",
-                    "to_world": to().translate(point).scale([radius, radius, 1]),
-                    "emitter": {"type": "area", "radiance": even},
-                }
-                # Area of the disk times the projected solid angle of the cone.
-                sine2 = versine * (2 - versine)
-                emitted += math.pi * radius**2 * math.pi * sine2 * axis[2]
-        return lights, emitted
 
     def _body(self, control_points: Array) -> dict[str, Any]:
         """Both faces of the lens, and walls that swallow what leaves by the sides."""

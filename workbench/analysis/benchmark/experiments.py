@@ -18,7 +18,7 @@ from workbench.design.run import run
 from workbench.design.snapshot import History, Result
 from workbench.errors import Refused, RunFailed
 from workbench.optics.kernels import ready
-from workbench.scene import AutoRun, Scene
+from workbench.scene import Scene
 
 Array = npt.NDArray[np.float64]
 
@@ -228,14 +228,12 @@ def tables(found: Sequence[Design | Derivative]) -> tuple[Table, ...]:
 
 def _methods(name: str) -> Iterator[tuple[Example, str]]:
     example = Example.of(name)
-    if not isinstance(example.scene.run, AutoRun):
-        yield example, "paper"
-        return
     run = example.scene.run
-    stages = [stage.model_dump(mode="json", exclude_none=True) for stage in run.stages]
-    paper = {"method": "paper", "iterations": _PAPER_ITERATIONS, "stages": stages}
-    yield Example.of(name, run=paper), "paper"
-    yield example, "auto"
+    if run.method != "paper":
+        stages = [stage.model_dump(mode="json", exclude_none=True) for stage in run.stages]
+        paper = {"method": "paper", "iterations": _PAPER_ITERATIONS, "stages": stages}
+        yield Example.of(name, run=paper), "paper"
+    yield example, run.method
 
 
 def _limited(example: Example, iterations: int | None) -> Example:

@@ -1,5 +1,6 @@
 """What is saved by leaving out what a scene does not need: each with and without."""
 
+import math
 from collections.abc import Callable, Iterator
 
 import numpy as np
@@ -10,7 +11,7 @@ from workbench.analysis.benchmark.examples import Example, Tell, wavy
 from workbench.analysis.benchmark.kernels import Descent, rays_of
 from workbench.design.wide_image import WideImage
 from workbench.optics.plan import Plan
-from workbench.scene import CollimatedSource, GaussianFilter
+from workbench.scene import GaussianFilter
 
 _SECONDS = 10.0  # for each question
 
@@ -25,8 +26,7 @@ def measurements(iterations: int | None, tell: Tell) -> Iterator[Measured]:
 def _entrance_and_search() -> list[Variant]:
     """Collimated light by its own path, and as the light of a point far away."""
     parallel = Example.of("flame")
-    source, lens = parallel.scene.source, parallel.scene.lens
-    assert isinstance(source, CollimatedSource)
+    lens = parallel.scene.lens
     # Of the light in a cone around a square, 2/π meets the square.
     rays = round(rays_of(parallel.scene) * 3.1416 / 2)
     far = [0.0, 0.0, lens.entrance_z - 1e5 * max(lens.half_width)]
@@ -89,12 +89,11 @@ def _pixels() -> list[Variant]:
     """The image of a run, as wide as its light falls and as wide as it could ever fall."""
     example = Example.of("flame")
     scene, heights = example.scene, torch.as_tensor(wavy(example.scene)).requires_grad_()
-    assert isinstance(scene.source, CollimatedSource)
-    samples = scene.source.rays
+    samples = math.isqrt(rays_of(scene))
 
     def descent(reach: tuple[float, float]) -> Callable[[], object]:
         none = (False, False)
-        image = WideImage(scene, example.target, GaussianFilter(), samples, none, reach)
+        image = WideImage(scene, example.target, GaussianFilter(), (samples, samples), none, reach)
 
         def once() -> object:
             return torch.autograd.grad(image.compare(heights)[0].square().sum(), [heights])

@@ -1,0 +1,83 @@
+"""The light of a scene in Mitsuba: a function for each kind of source, and a row in ``_LIGHTS``."""
+
+import math
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from workbench.analysis.tracing.sources.cones import covering_cones
+from workbench.scene import CollimatedSource, GridSource, Lens, PointSource, Source
+
+# In half-widths of the lens: how far before it parallel light starts.
+_BEFORE = 0.1
+# A disk so much smaller than its distance stands for a point with Lambert's law.
+_DISK = 1e-4
+# Mitsuba's spots fade at their rims, here beyond the cone.
+_FADE = 1e-3
+_EVEN = {"type": "rgb", "value": 1.0}
+
+Lights = tuple[dict[str, Any], float]
+
+
+def mitsuba_lights(mi: Any, source: Source, lens: Lens, unit: float) -> Lights:
+    """Emitters by name, and the flux that they emit towards the lens.
+
+    Parameters
+    ----------
+    mi : module
+        Mitsuba.
+    source : Source
+        The source.
+    lens : Lens
+        Gives the entrance face.
+    unit : float
+        What counts as 1 in Mitsuba, scene units.
+    """
+    return _LIGHTS[type(source)](mi, source, lens, unit)
+
+
+def _sheet(mi: Any, source: CollimatedSource, lens: Lens, unit: float) -> Lights:
+    """Parallel light from a rectangle as large as the lens."""
+    r_x, r_y = (r / unit for r in lens.half_width)
+    place = mi.ScalarTransform4f().translate([0, 0, lens.entrance_z / unit - _BEFORE])
+    sheet = {"type": "directionalarea", "radiance": _EVEN}
+    light = {"type": "rectangle", "to_world": place.scale([r_x, r_y, 1]), "emitter": sheet}
+    return {"light": light}, 4 * r_x * r_y
+
+
+def _points(mi: Any, source: PointSource | GridSource, lens: Lens, unit: float) -> Lights:
+    """A light for each point, into the cone that just covers the lens."""
+    r_x, r_y = (r / unit for r in lens.half_width)
+    z, to = lens.entrance_z / unit, mi.ScalarTransform4f
+    lights, emitted = {}, 0.0
+    points = source.positions / unit
+    cones = covering_cones(points, (r_x, r_y), z)
+    cases = zip(points, cones.axis, cones.versine, strict=True)
+    for number, (point, axis, versine) in enumerate(cases):
+        if source.emission == "uniform":
+            angle = math.degrees(2 * math.asin(math.sqrt(versine / 2)))
+            lights[f"light{number}"] = {
+                "type": "spot",
+                "to_world": to().look_at(point, point + axis, [1, 0, 0]),
+                "intensity": _EVEN,
+                "beam_width": angle,
+                "cutoff_angle": angle * (1 + _FADE),
+            }
+            emitted += 2 * math.pi * versine
+        else:
+            radius = _DISK * (z - point[2])
+            lights[f"light{number}"] = {
+                "type": "disk",
+                "to_world": to().translate(point).scale([radius, radius, 1]),
+                "emitter": {"type": "area", "radiance": _EVEN},
+            }
+            # Area of the disk times the projected solid angle of the cone.
+            sine2 = versine * (2 - versine)
+            emitted += math.pi * radius**2 * math.pi * sine2 * axis[2]
+    return lights, emitted
+
+
+_LIGHTS: Mapping[type, Callable[[Any, Any, Lens, float], Lights]] = {
+    CollimatedSource: _sheet,
+    PointSource: _points,
+    GridSource: _points,
+}
