@@ -7,7 +7,7 @@ import torch
 from tests.optics.gradients import check_both_modes
 from workbench.design.snapshot import frozen
 from workbench.geometry.surface import ControlNet
-from workbench.optics.collimated import CollimatedRays
+from workbench.optics.path import Path
 from workbench.optics.paths import ray_paths
 from workbench.optics.plan import Plan
 from workbench.optics.refraction import refract
@@ -26,13 +26,11 @@ def wavy(scene, rng, amplitude=0.02):
 @pytest.mark.parametrize("dtype", DTYPES)
 def test_a_flat_plate_does_not_deviate(make_scene, dtype):
     scene = make_scene()
-    hits = CollimatedRays(scene, ControlNet.of(scene.lens), scene.source.rays, dtype=dtype).trace(
-        flat(scene)
-    )
+    arrival = Path.of(scene, ControlNet.of(scene.lens), dtype).walk({"exit": flat(scene)})
     centres = (np.arange(64) + 0.5) / 32 - 1
-    assert np.abs(hits.x.numpy() - centres[:, None]).max() < 1e-6
-    assert np.abs(hits.y.numpy() - centres[None, :]).max() < 1e-6
-    assert hits.weight.sum().item() == pytest.approx(0.96**2, rel=1e-5)
+    assert np.abs(arrival.x.numpy() - centres[:, None]).max() < 1e-6
+    assert np.abs(arrival.y.numpy() - centres[None, :]).max() < 1e-6
+    assert arrival.rays.flux.sum().item() == pytest.approx(0.96**2, rel=1e-5)
 
 
 def test_a_plano_hyperbolic_lens_focuses_to_one_point(make_scene):
@@ -49,19 +47,17 @@ def test_a_plano_hyperbolic_lens_focuses_to_one_point(make_scene):
     sites = (x + 1) / 2, (y + 1) / 2
     basis = net.grid(*sites)
     heights = np.linalg.solve(basis.along_x, np.linalg.solve(basis.along_y.T, (0.6 + w).T).T)
-    hits = CollimatedRays(scene, net, scene.source.rays, dtype=torch.float64).trace(
-        torch.as_tensor(heights)
-    )
-    assert hits.passes.all()
-    assert hits.x.abs().max() < 1e-7
-    assert hits.y.abs().max() < 1e-7
+    arrival = Path.of(scene, net, torch.float64).walk({"exit": torch.as_tensor(heights)})
+    assert arrival.rays.alive.all()
+    assert arrival.x.abs().max() < 1e-7
+    assert arrival.y.abs().max() < 1e-7
 
 
-def test_the_short_formula_is_snells_law(make_scene, rng):
+def test_the_walk_follows_snells_law(make_scene, rng):
     scene = make_scene({"lens.refractive_index": 1.7})
     heights = wavy(scene, rng)
     net = ControlNet.of(scene.lens)
-    hits = CollimatedRays(scene, net, scene.source.rays, dtype=torch.float64).trace(heights)
+    arrival = Path.of(scene, net, torch.float64).walk({"exit": heights})
     t = (np.arange(64) + 0.5) / 64
     z, slope_x, slope_y = (torch.as_tensor(a) for a in net.grid(t, t).evaluate(heights.numpy()))
     length = (1 + slope_x**2 + slope_y**2).sqrt()
@@ -70,9 +66,9 @@ def test_the_short_formula_is_snells_law(make_scene, rng):
     path = (scene.screen.z - z) / out.direction[2]
     x = torch.as_tensor(2 * t - 1)[:, None] + path * out.direction[0]
     y = torch.as_tensor(2 * t - 1)[None, :] + path * out.direction[1]
-    assert torch.equal(hits.passes, out.passes)
-    assert (hits.x - x)[out.passes].abs().max() < 1e-11
-    assert (hits.y - y)[out.passes].abs().max() < 1e-11
+    assert torch.equal(arrival.rays.alive, out.passes)
+    assert (arrival.x - x)[out.passes].abs().max() < 1e-11
+    assert (arrival.y - y)[out.passes].abs().max() < 1e-11
 
 
 @pytest.mark.parametrize("unit", [1e-6, 1e-3, 1e3, 1e6])
@@ -173,11 +169,9 @@ def test_paths_end_where_the_trace_does(make_scene, rng):
     scene = make_scene({"source.rays": [5, 4]})
     heights = wavy(scene, rng)
     paths = ray_paths(scene, heights.numpy(), (5, 4))
-    hits = CollimatedRays(
-        scene, ControlNet.of(scene.lens), scene.source.rays, dtype=torch.float64
-    ).trace(heights)
+    arrival = Path.of(scene, ControlNet.of(scene.lens), torch.float64).walk({"exit": heights})
     assert paths.points.shape == (20, 4, 3)
-    assert paths.points[:, 3, 0] == pytest.approx(hits.x.numpy().ravel())
+    assert paths.points[:, 3, 0] == pytest.approx(arrival.x.numpy().ravel())
     assert paths.points[:, 3, 2] == pytest.approx(scene.screen.z)
     assert paths.points[:, 1, 2] == pytest.approx(scene.lens.entrance_z)
     assert (paths.weight > 0.9).all()

@@ -2,10 +2,15 @@
 
 import numpy as np
 import pytest
+import torch
 
+from tests.optics.rays import bundle, with_rays
+from workbench.geometry.surface import ControlNet
 from workbench.optics.cap import covering_caps
-from workbench.optics.emission import Rays, emit, enter
-from workbench.scene import GridSource, PointSource
+from workbench.optics.emission import emit
+from workbench.optics.intersection import Bundle
+from workbench.optics.path import Path
+from workbench.scene import AutoRun, GridSource, PointSource, Scene, Screen
 
 POINT = PointSource(kind="point", position=(0.4, -0.2, -3.0), rays=1 << 16)
 GRID = GridSource(
@@ -84,10 +89,23 @@ def test_the_same_seed_repeats_and_another_draw_differs(lens, sampling):
     assert not np.isin(first, emit(source, lens, seed=2).direction).any()
 
 
+def path_of(source, lens):
+    screen = Screen(z=5.0, half_width=(1.0, 1.0), pixels=(8, 8))
+    scene = Scene.model_construct(lens=lens, source=source, screen=screen, run=AutoRun())
+    return Path.of(scene, ControlNet.of(lens), torch.float64)
+
+
+def entered(source, lens):
+    """Rays behind the entrance face as lines, and the light that was lost, by name."""
+    path = path_of(source, lens)
+    lost = {name: part.item() for name, part in path.lost.items()}
+    return Bundle(*(part.numpy() for part in Bundle.of(path.rays))), lost
+
+
 class TestEntrance:
     def test_snells_law_by_angles(self, lens):
         rays = emit(POINT, lens, seed=0)
-        inside = enter(rays, lens)
+        inside, lost = entered(POINT, lens)
         path = (lens.entrance_z + 3.0) / rays.direction[:, 2:]
         x, y = (POINT.position + rays.direction * path).T[:2]
         meets = (np.abs(x) <= 1.0) & (np.abs(y) <= 0.8)
@@ -100,21 +118,21 @@ class TestEntrance:
         assert np.arctan2(inside.slope_y, inside.slope_x) == pytest.approx(azimuth, abs=1e-9)
         reflectance = 0.04 + 0.96 * (1 - np.cos(outer)) ** 5
         assert inside.flux == pytest.approx(rays.flux[meets] * (1 - reflectance), rel=1e-12)
-        assert inside.missed == pytest.approx((~meets).mean(), abs=1e-12)
-        assert inside.flux.sum() + inside.missed + inside.reflected == pytest.approx(1, abs=1e-12)
+        assert lost["missed_lens"] == pytest.approx((~meets).mean(), abs=1e-12)
+        assert inside.flux.sum() + sum(lost.values()) == pytest.approx(1, abs=1e-12)
 
     def test_rays_that_never_get_there_miss(self, lens):
         directions = np.array([[0, 0, -1.0], [1, 0, 0], [0, 0, 1.0]])
-        crossing = np.array([[0, 0], [np.inf, 0], [0, 0]])
-        inside = enter(Rays(crossing, directions, np.full(3, 1 / 3)), lens)
-        assert len(inside.x) == 1
-        assert inside.missed == pytest.approx(2 / 3)
+        crossing = np.array([[0, 0, 0], [np.inf, 0, 0], [0, 0, 0]])
+        path = with_rays(path_of(POINT, lens), bundle(crossing, directions, np.full(3, 1 / 3)))
+        assert len(path.rays.flux) == 1
+        assert path.lost["missed_lens"].item() == pytest.approx(2 / 3)
 
     def test_rays_that_graze_the_face_stay_finite(self, lens):
         near = POINT.model_copy(update={"position": (0.3, 0.2, -1e-9), "rays": 10_000})
-        inside = enter(emit(near, lens, seed=0), lens)
-        for part in (inside.x, inside.y, inside.slope_x, inside.slope_y, inside.flux):
+        inside, lost = entered(near, lens)
+        for part in inside:
             assert np.isfinite(part).all()
         # No ray in the lens is flatter than at the critical angle.
         assert np.hypot(inside.slope_x, inside.slope_y).max() <= 1 / np.sqrt(1.5**2 - 1) + 1e-12
-        assert inside.flux.sum() + inside.missed + inside.reflected == pytest.approx(1, abs=1e-12)
+        assert inside.flux.sum() + sum(lost.values()) == pytest.approx(1, abs=1e-12)

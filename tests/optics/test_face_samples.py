@@ -19,11 +19,10 @@ from tests.optics.points import (
 from workbench.analysis.validation import validate
 from workbench.geometry.surface import ControlNet
 from workbench.optics.cap import covering_caps
-from workbench.optics.collimated import CollimatedRays
-from workbench.optics.face_samples import FaceSamples
 from workbench.optics.irradiance import reconstruct
+from workbench.optics.path import Path
 from workbench.optics.plan import Plan
-from workbench.optics.point import PointRays
+from workbench.optics.reference import Reference
 
 BESIDE = POINT | {"position": [2.0, -1.3, -1.0]}
 NEAR = POINT | {"position": [0.2, 0.0, -0.01]}
@@ -31,9 +30,15 @@ ALL = {"point": POINT, "grid": GRID, "beside": BESIDE, "near": NEAR}
 SOURCES = pytest.mark.parametrize("source", ALL.values(), ids=ALL.keys())
 
 
-def image_of(rays, heights, scene):
-    hits = rays.trace(heights)
-    return reconstruct(hits.x, hits.y, hits.weight, scene.screen, scene.filter).double()
+def light_of(scene, heights, samples=None, dtype=torch.float64):
+    """The light of a lens before it becomes an image, by samples or by rays that search."""
+    path = Path.of(scene, ControlNet.of(scene.lens), dtype, samples=samples)
+    return Reference(path).arrival(heights)
+
+
+def image_of(arrival, scene):
+    flux = arrival.rays.flux
+    return reconstruct(arrival.x, arrival.y, flux, scene.screen, scene.filter).double()
 
 
 def distance(image, other):
@@ -44,8 +49,8 @@ def distance(image, other):
 def test_an_oval_of_equal_paths_brings_all_light_to_one_point(make_scene, dtype):
     scene = make_scene({"source": POINT | {"position": [0, 0, -OVAL_DISTANCE]}, **OVAL})
     net = ControlNet.of(scene.lens)
-    hits = FaceSamples(scene, net, (40, 50), dtype).trace(oval(net))
-    arrives = (hits.weight > 0).numpy()
+    hits = light_of(scene, oval(net), (40, 50), dtype)
+    arrives = (hits.rays.flux > 0).numpy()
     assert arrives.mean() > 0.8  # steep corners reflect it
     accuracy = 1e-6 if dtype == torch.float64 else 3e-5
     assert hits.x[arrives].abs().max() < accuracy
@@ -74,33 +79,32 @@ def test_images_are_those_of_rays_that_search_for_the_face(make_scene, source, e
     scene = make_scene(
         {"source": source | rays, "screen.half_width": [4, 4], "screen.pixels": [8, 8]}
     )
-    net, heights = ControlNet.of(scene.lens), smooth(scene)
-    searched = PointRays(scene, net, dtype=torch.float64)
-    image = image_of(searched, heights, scene)
+    heights = smooth(scene)
+    searched = light_of(scene, heights)
+    image = image_of(searched, scene)
     # Down to the noise of these rays; among themselves samples agree better.
-    samples = FaceSamples(scene, net, (200, 200), torch.float64)
-    fine = image_of(samples, heights, scene)
-    coarse = image_of(FaceSamples(scene, net, (5, 5), torch.float64), heights, scene)
+    samples = light_of(scene, heights, (200, 200))
+    fine = image_of(samples, scene)
+    coarse = image_of(light_of(scene, heights, (5, 5)), scene)
     noise = 0.015 if grid else 0.008
     assert distance(fine, image) < noise < distance(coarse, image)
-    finer = image_of(FaceSamples(scene, net, (410, 390), torch.float64), heights, scene)
+    finer = image_of(light_of(scene, heights, (410, 390)), scene)
     assert distance(fine, finer) < 2e-3
-    assert samples.missed_lens == pytest.approx(searched.missed_lens, abs=1e-3)
-    assert samples.fresnel_entrance == pytest.approx(searched.fresnel_entrance, abs=2e-4)
-    left = searched.trace(heights).left_side.item()
-    assert samples.trace(heights).left_side.item() == pytest.approx(left, abs=2e-3)
+    for name, close in (("missed_lens", 1e-3), ("fresnel_entrance", 2e-4), ("left_side", 2e-3)):
+        expected = searched.lost[name].item()
+        assert samples.lost[name].item() == pytest.approx(expected, abs=close)
 
 
 def test_light_from_very_far_is_collimated(make_scene):
     far = make_scene({"source": POINT | {"position": [0, 0, -2e4]}})
     parallel = make_scene({"source": {"kind": "collimated", "rays": [90, 80]}})
-    net, heights = ControlNet.of(far.lens), smooth(far)
-    hits = FaceSamples(far, net, (90, 80), torch.float64).trace(heights)
-    others = CollimatedRays(parallel, net, parallel.source.rays, dtype=torch.float64).trace(heights)
-    assert torch.equal(hits.passes, others.passes)
+    heights = smooth(far)
+    hits, others = light_of(far, heights, (90, 80)), light_of(parallel, heights)
+    assert torch.equal(hits.rays.alive, others.rays.alive)
     assert (hits.x - others.x).abs().max() < 1e-3
     assert (hits.y - others.y).abs().max() < 1e-3
-    ratio = hits.weight / hits.weight.sum() * others.weight.sum() / others.weight
+    flux, parallel_flux = hits.rays.flux, others.rays.flux
+    ratio = flux / flux.sum() * parallel_flux.sum() / parallel_flux
     assert (ratio - 1).abs().max() < 1e-3
 
 
@@ -192,31 +196,6 @@ def test_forward_mode_agrees_with_reverse_mode(make_scene, rng, source):
     scene = make_scene({"source": source})
     plan = Plan(scene, samples=(40, 40), dtype=torch.float64)
     check_both_modes(plan, smooth(scene), rng)
-
-
-class TestFolds:
-    def test_a_face_that_folds_over_is_not_valid(self, make_scene):
-        scene = make_scene({"source": NEAR})
-        samples = FaceSamples(scene, ControlNet.of(scene.lens), (50, 50), torch.float64)
-        assert samples.valid(smooth(scene))
-        assert not samples.valid(smooth(scene, 1.0) + 1)
-        assert not samples.valid(smooth(scene) - 0.5)  # at the entrance face
-
-    @pytest.mark.parametrize("source", [POINT, GRID, NEAR], ids=["point", "grid", "near"])
-    def test_a_valid_face_meets_all_light_once(self, make_scene, rng, source):
-        """Where it is valid, no more light meets the face than enters the lens."""
-        scene = make_scene({"source": source})
-        samples = FaceSamples(scene, ControlNet.of(scene.lens), (150, 150), torch.float64)
-        found = set()
-        for amplitude in np.geomspace(0.01, 3, 12):
-            noise = torch.as_tensor(rng.uniform(-1, 1, size=scene.lens.control_points))
-            heights = amplitude * noise
-            hits = samples.trace(heights - heights.min() + 0.3)
-            dark = (hits.arriving == 0).any().item()
-            valid = samples.valid(heights - heights.min() + 0.3)
-            found.add(valid)
-            assert not (valid and dark)
-        assert found == {False, True}
 
 
 THIN = {

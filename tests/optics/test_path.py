@@ -5,6 +5,7 @@ import pytest
 import torch
 
 from tests.optics.points import GRID, INDEX, POINT, smooth
+from tests.optics.rays import Given, bundle
 from workbench.geometry.surface import ControlNet
 from workbench.optics.interfaces import Passed, Refraction
 from workbench.optics.path import Path, Step
@@ -16,21 +17,6 @@ COLLIMATED = {"kind": "collimated", "rays": [40, 30]}
 SOURCES = pytest.mark.parametrize(
     "source", [COLLIMATED, POINT, GRID], ids=["collimated", "point", "grid"]
 )
-
-
-class Beam:
-    """An emitter of given rays."""
-
-    def __init__(self, *places):
-        self._places = torch.tensor(places, dtype=torch.float64)
-
-    def rays(self, seed):
-        x, z = self._places.unbind(1)
-        zero, one = torch.zeros_like(x), torch.ones_like(x)
-        return RayBundle((x, zero, z), (zero, zero, one), one / len(x), one.bool())
-
-    def towards(self, x, y):
-        raise AssertionError("nobody looks at it")
 
 
 class Unchanged:
@@ -70,9 +56,9 @@ def test_lost_rays_stay_in_the_bundle_without_flux(make_scene):
 def test_light_beside_the_first_face_is_named_as_that_face_says(make_scene):
     plate = Plane("front", 0.0, (1.0, 1.0))
     path = Path(
-        Beam((0.5, -2.0), (3.0, -2.0)),
+        Given(bundle([[0.5, 0, -2], [3, 0, -2]], [[0, 0, 1], [0, 0, 1]], [0.5, 0.5])),
         [Step(plate, Refraction(1.0, INDEX, "front_reflection"), "beside")],
-        PlaneReceiver(4.0),
+        PlaneReceiver(make_scene().screen, 0.0),
         datum=0.0,
         seed=0,
         dtype=torch.float64,

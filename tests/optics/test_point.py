@@ -18,10 +18,10 @@ from tests.optics.points import (
     oval,
     smooth,
 )
+from tests.optics.rays import Given, bundle, with_rays
 from workbench.geometry.surface import ControlNet
-from workbench.optics.emission import InLens, Rays, enter
+from workbench.optics.path import Path
 from workbench.optics.plan import Plan
-from workbench.optics.point import PointRays
 
 HEAD_ON = 0.04
 SOURCES = pytest.mark.parametrize("source", [POINT, GRID], ids=["point", "grid"])
@@ -34,8 +34,13 @@ def towards(scene, origin, count=40):
     x, y = (c.ravel() for c in np.meshgrid(place, place, indexing="ij"))
     direction = np.column_stack([x, y, np.full(len(x), lens.entrance_z)]) - origin
     direction /= np.linalg.norm(direction, axis=1, keepdims=True)
-    rays = Rays(np.column_stack([x, y]), direction, np.full(len(x), 1 / len(x)))
-    return x, y, enter(rays, lens)
+    places = np.column_stack([x, y, np.full(len(x), lens.entrance_z)])
+    return x, y, bundle(places, direction, np.full(len(x), 1 / len(x)))
+
+
+def walked(scene, rays, heights, dtype=torch.float64):
+    """Given rays at the receiver."""
+    return with_rays(Path.of(scene, ControlNet.of(scene.lens), dtype), rays).walk({"exit": heights})
 
 
 def parts(ledger):
@@ -48,8 +53,8 @@ def test_an_oval_of_equal_paths_brings_all_light_to_one_point(make_scene, dtype)
     scene = make_scene({"source": POINT, **OVAL})
     net = ControlNet.of(scene.lens)
     _, _, rays = towards(scene, np.array([0, 0, -OVAL_DISTANCE]))
-    hits = PointRays(scene, net, rays, dtype=dtype).trace(oval(net))
-    arrives = (hits.weight > 0).numpy()
+    hits = walked(scene, rays, oval(net), dtype)
+    arrives = (hits.rays.flux > 0).numpy()
     assert arrives.mean() > 0.9
     accuracy = 1e-6 if dtype == torch.float64 else 3e-5
     assert hits.x[arrives].abs().max() < accuracy
@@ -61,16 +66,14 @@ class TestFlatPlate:
         scene = make_scene({"source": POINT})
         origin = np.array([0, 0, -2.0])
         x, y, rays = towards(scene, origin)
-        net = ControlNet.of(scene.lens)
-        flat = torch.full(net.shape, 0.5, dtype=torch.float64)
-        hits = PointRays(scene, net, rays, dtype=torch.float64).trace(flat)
+        hits = walked(scene, rays, torch.full((12, 10), 0.5, dtype=torch.float64))
         radius = np.hypot(x, y)
         outer = np.arctan2(radius, 2.0)
         inner = np.arcsin(np.sin(outer) / INDEX)
         reach = radius + 0.5 * np.tan(inner) + 4.5 * np.tan(outer)
         assert torch.hypot(hits.x, hits.y).numpy() == pytest.approx(reach, abs=1e-12)
         share = 0.96 * (1 - (1 - np.cos(outer)) ** 5)  # Schlick, the same at both faces
-        assert hits.weight.numpy() == pytest.approx(share**2 / len(x), rel=1e-12)
+        assert hits.rays.flux.numpy() == pytest.approx(share**2 / len(x), rel=1e-12)
 
     @pytest.mark.parametrize(("emission", "power"), [("uniform", 3), ("lambertian", 4)])
     def test_irradiance_falls_with_a_power_of_the_cosine(self, make_scene, emission, power):
@@ -102,17 +105,13 @@ def test_a_spherical_lens_focuses_where_the_lens_maker_says(make_scene):
     # Behind the entrance face the object seems n times as far; the exit face adds (n − 1)/R.
     vergence = -INDEX / (INDEX * distance + thickness) + (INDEX - 1) / radius
     image = thickness + 1 / vergence
-    crossings = []
+    path, crossings = Path.of(scene, net, torch.float64), []
     for aperture in (0.01, 0.02, 0.4):
-        x = np.array([aperture])
         direction = np.array([[aperture, 0, distance]]) / np.hypot(aperture, distance)
-        rays = enter(Rays(np.array([[aperture, 0]]), direction, np.ones(1)), scene.lens)
-        hits = PointRays(scene, net, rays, dtype=torch.float64).trace(control)
-        few = PointRays(scene, net, rays, dtype=torch.float64)
-        depth = few.depths(control).numpy()
-        start = x + rays.slope_x * depth
-        slope = (hits.x.numpy() - start) / (60.0 - depth)
-        crossings.append(float((depth - start / slope)[0]))
+        rays = bundle([[aperture, 0, 0]], direction, [1])
+        (_, (start, _, depth)), hits = path.follow(rays, {"exit": control})
+        slope = (hits.x - start) / (60.0 - depth)
+        crossings.append((depth - start / slope).item())
     paraxial = (4 * crossings[0] - crossings[1]) / 3  # without the term of second order
     assert paraxial == pytest.approx(image, rel=1e-4)
     assert crossings[2] < image * 0.99  # undercorrected spherical aberration
@@ -215,6 +214,15 @@ def test_redrawn_rays_are_others_of_the_same_light(make_scene):
     assert torch.equal(again.trace(heights).flux, second)
 
 
+def in_glass(scene, positions, directions, dtype):
+    """The path of rays that start behind the entrance face."""
+    path = Path.of(scene, ControlNet.of(scene.lens), dtype)
+    rays = bundle(
+        np.array(positions), np.array(directions), np.full(len(positions), 1 / len(positions))
+    )
+    return Path(Given(rays), path.shaped, path.receiver, path.datum, 0, dtype)
+
+
 class TestHardCases:
     def gradient_of(self, plan, heights):
         heights = heights.clone().requires_grad_()
@@ -253,37 +261,33 @@ class TestHardCases:
     @pytest.mark.parametrize("dtype", DTYPES)
     def test_rays_that_graze_the_face(self, make_scene, dtype):
         scene = make_scene({"source": POINT, "lens.degree": [2, 2], "lens.control_points": [3, 3]})
-        net = ControlNet.of(scene.lens)
         # Z = 0.5 + x². Its tangent at x = 0.5 has slope 1 and comes from the entrance at x = −0.25.
         control = torch.tensor([[1.5], [-0.5], [1.5]], dtype=torch.float64).repeat(1, 3)
         lift = np.array([0.0, 1e-12, 1e-6, -1e-12, -1e-6])
-        rays = InLens(
-            np.full(5, -0.25) + lift, np.zeros(5), np.ones(5), np.zeros(5), np.full(5, 0.2), 0, 0
-        )
-        trace = PointRays(scene, net, rays, dtype=dtype)
+        places = np.column_stack([-0.25 + lift, np.zeros(5), np.zeros(5)])
+        path = in_glass(scene, places, [[0.5**0.5, 0, 0.5**0.5]] * 5, dtype)
         control.requires_grad_()
-        hits = trace.trace(control)
-        assert not hits.weight.any()  # a grazing ray is totally reflected, or leaves by the side
-        lost = hits.left_side + (hits.arriving * ~hits.passes).sum()
+        hits = path.walk({"exit": control})
+        # A grazing ray is totally reflected, or leaves by the side.
+        assert not hits.rays.flux.any()
+        lost = hits.lost["left_side"] + hits.lost["total_reflection"]
         assert lost.item() == pytest.approx(1, rel=1e-6)
-        (gradient,) = torch.autograd.grad(hits.weight.sum(), control)
+        (gradient,) = torch.autograd.grad(hits.rays.flux.sum(), control)
         assert torch.isfinite(gradient).all()
 
     @pytest.mark.parametrize("dtype", DTYPES)
     def test_every_ray_lost(self, make_scene, dtype):
         scene = make_scene({"lens.half_width": [0.1, 0.1], "source": POINT})
-        net = ControlNet.of(scene.lens)
         # Rays that all leave through the side, and rays that all miss the entrance face.
-        aside = InLens(
-            *(np.full(9, c) for c in (0.05, 0.0, 0.8, 0.1, 1 / 9)), missed=0, reflected=0
-        )
-        hits = PointRays(scene, net, aside, dtype=dtype).trace(smooth(scene))
-        assert hits.left_side.item() == pytest.approx(1, rel=1e-6)
-        assert not hits.weight.any()
+        aside = np.array([0.8, 0.1, 1]) / np.linalg.norm([0.8, 0.1, 1])
+        hits = in_glass(scene, [[0.05, 0, 0]] * 9, [aside] * 9, dtype).walk({"exit": smooth(scene)})
+        assert hits.lost["left_side"].item() == pytest.approx(1, rel=1e-6)
+        assert not hits.rays.flux.any()
         assert torch.isinf(hits.x).all()
-        none = InLens(*(np.empty(0) for _ in range(5)), missed=1.0, reflected=0.0)
-        hits = PointRays(scene, net, none, dtype=dtype).trace(smooth(scene))
-        assert hits.left_side == 0
+        rays = bundle([[5.0, 0, 0]] * 9, [[0, 0, 1.0]] * 9, [1 / 9] * 9)
+        hits = walked(scene, rays, smooth(scene), dtype)
+        assert hits.lost["missed_lens"].item() == pytest.approx(1, rel=1e-12)
+        assert hits.lost["left_side"] == 0
         assert len(hits.x) == 0
 
     @pytest.mark.parametrize("dtype", DTYPES)

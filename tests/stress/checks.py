@@ -10,15 +10,12 @@ import pytest
 import torch
 
 from tests.stress.scenes import Case
-from tests.stress.walk import WalkTracer
 from workbench.geometry.surface import ControlNet
-from workbench.optics.collimated import CollimatedRays
-from workbench.optics.face_samples import FaceSamples
 from workbench.optics.kernels.collimated import FusedCollimatedRays
 from workbench.optics.kernels.face import FusedFaceSamples
 from workbench.optics.kernels.point import FusedPointRays
 from workbench.optics.light import Tracer
-from workbench.optics.point import PointRays
+from workbench.optics.path import Path
 from workbench.optics.reference import Reference
 from workbench.scene import CollimatedSource, ExactMethod, PointSource, Scene, Screen, Source
 
@@ -46,25 +43,21 @@ def ways(case: Case, dtype: torch.dtype) -> dict[str, list[Make]]:
     """Ways to trace a case, the reference first and then others of the same rays."""
     scene = case.scene
     net, source = ControlNet.of(scene.lens), scene.source
-    if isinstance(source, CollimatedSource):
-        return {
-            "collimated": [
-                lambda scene: Reference(CollimatedRays(scene, net, scene.source.rays, dtype)),
-                lambda scene: FusedCollimatedRays(scene, net, source.rays, dtype=dtype),
-                lambda scene: WalkTracer(scene, net, dtype),
-            ]
-        }
+
+    def path(scene: Scene, samples: tuple[int, int] | None = None) -> Path:
+        return Path.of(scene, net, dtype, samples=samples)
+
     search: list[Make] = [
-        lambda scene: Reference(PointRays(scene, net, dtype=dtype)),
-        lambda scene: WalkTracer(scene, net, dtype),
+        lambda scene: Reference(path(scene)),
+        lambda scene: FusedPointRays(path(scene)),
     ]
-    if isinstance(source.intersection, ExactMethod):
-        search.append(
-            lambda scene: FusedPointRays(PointRays(scene, net, dtype=dtype), scene, net, dtype)
-        )
+    if isinstance(source, CollimatedSource):
+        return {"collimated": [*search, lambda scene: FusedCollimatedRays(path(scene))]}
+    if not isinstance(source.intersection, ExactMethod):
+        search.pop()
     samples: list[Make] = [
-        lambda scene: Reference(FaceSamples(scene, net, case.samples, dtype)),
-        lambda scene: FusedFaceSamples(scene, net, case.samples, dtype=dtype),
+        lambda scene: Reference(path(scene, case.samples)),
+        lambda scene: FusedFaceSamples(path(scene, case.samples)),
     ]
     return {source.intersection.method: search, "samples": samples}
 
@@ -79,9 +72,8 @@ def see(tracer: Tracer, scene: Scene, heights: torch.Tensor, cotangent: torch.Te
         (found,) = torch.autograd.grad(weighed, leaf, allow_unused=True)
         gradient = gradient if found is None else found
     flux = light.flux.detach().double().numpy()
-    before = tracer.missed_lens + tracer.fresnel_entrance
-    total = sum(light[1:]) + before
-    return Seen(flux, gradient.numpy(), np.array(light[1:]), total)
+    parts = np.array([light.on_screen, *(light.lost[name] for name in sorted(light.lost))])
+    return Seen(flux, gradient.numpy(), parts, parts.sum())
 
 
 def sane(seen: Seen, dtype: torch.dtype) -> None:

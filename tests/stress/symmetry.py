@@ -3,12 +3,14 @@
 import numpy as np
 import torch
 
+from tests.optics.rays import with_rays
 from tests.stress.checks import Make, Seen, as_near_as_rounding, see, ways
 from tests.stress.scenes import Case
 from workbench.geometry.surface import ControlNet
-from workbench.optics.emission import emit, enter
-from workbench.optics.point import PointRays
+from workbench.optics.path import Path
+from workbench.optics.rays import Vector
 from workbench.optics.reference import Reference
+from workbench.optics.sources import emitter_of
 from workbench.scene import CollimatedSource, ExactMethod, Scene
 
 
@@ -66,15 +68,21 @@ def _searching(scene: Scene, dtype: torch.dtype, axis: int | None) -> Make:
     source = scene.source.model_copy(update={"intersection": ExactMethod()})
 
     def make(there: Scene) -> Reference:
-        rays = enter(emit(source, there.lens, there.run.seed), there.lens)
-        if axis == 0:
-            rays = rays._replace(x=-rays.x, slope_x=-rays.slope_x)
-        elif axis == 1:
-            rays = rays._replace(y=-rays.y, slope_y=-rays.slope_y)
         there = there.model_copy(update={"source": source})
-        return Reference(PointRays(there, ControlNet.of(there.lens), rays, dtype))
+        path = Path.of(there, ControlNet.of(there.lens), dtype)
+        rays = emitter_of(source, there.lens).rays(there.run.seed)
+        if axis is not None:
+            rays = rays._replace(
+                position=_flipped(rays.position, axis), direction=_flipped(rays.direction, axis)
+            )
+        return Reference(with_rays(path, rays))
 
     return make
+
+
+def _flipped(vector: Vector, axis: int) -> Vector:
+    x, y, z = vector
+    return (-x, y, z) if axis == 0 else (x, -y, z)
 
 
 def check_units(case: Case, dtype: torch.dtype) -> None:

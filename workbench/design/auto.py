@@ -31,7 +31,7 @@ from workbench.design.step import Step
 from workbench.design.waves import Waves
 from workbench.design.wide_image import WideImage
 from workbench.optics.plan import device_of
-from workbench.scene import GridSource, PointSource, Scene
+from workbench.scene import Scene
 
 Array = npt.NDArray[np.float64]
 
@@ -180,15 +180,10 @@ def _mirrored(
     scene: Scene, target: Array, start: Array | None, locked: Mask | None = None
 ) -> tuple[bool, bool]:
     """Whether target, source, first lens and locks are their own mirror images in x, in y."""
-    source = scene.source
-    x, y = 0.0, 0.0
-    if isinstance(source, PointSource):
-        x, y, _ = source.position
-    elif isinstance(source, GridSource):
-        x, y, _ = source.center
     nets = [net for net in (start, locked) if net is not None]
-    return x == 0 and _even(target, 1) and all(_even(net, 0) for net in nets), (
-        y == 0 and _even(target, 0) and all(_even(net, 1) for net in nets)
+    in_x, in_y = scene.source.mirrored
+    return in_x and _even(target, 1) and all(_even(net, 0) for net in nets), (
+        in_y and _even(target, 0) and all(_even(net, 1) for net in nets)
     )
 
 

@@ -10,7 +10,7 @@ from torch import Tensor
 from workbench.design.heights import Mask
 from workbench.design.wide_image import WideImage
 from workbench.optics.plan import Plan
-from workbench.scene import CollimatedSource, GaussianFilter, GridSource, Scene, Source
+from workbench.scene import GaussianFilter, Scene
 
 Array = npt.NDArray[np.float64]
 
@@ -82,7 +82,6 @@ def image_of(
     reach, mirrored, locked
         As for `WideImage`; see `reach_of`.
     """
-    wanted = _samples(scene.source)
     rays = phase.rays * _MIRRORED_RAYS ** sum(mirrored)
     per_axis = [
         max(
@@ -91,7 +90,7 @@ def image_of(
             least if phase is SHARPEST else 0,
         )
         for pixels, count, least in zip(
-            scene.screen.pixels, scene.lens.control_points, wanted, strict=True
+            scene.screen.pixels, scene.lens.control_points, scene.source.samples, strict=True
         )
     ]
     # An even number can be halved by symmetry.
@@ -103,11 +102,3 @@ def image_of(
 def reach_of(scene: Scene, heights: Tensor) -> tuple[float, float]:
     """How far from the axis, along x and y, the light of a lens falls; scene units."""
     return Plan(scene, samples=_FEW_RAYS).reach(heights)
-
-
-def _samples(source: Source) -> tuple[int, int]:
-    """Rays along each axis that a source asks for."""
-    if isinstance(source, CollimatedSource):
-        return source.rays
-    count = source.rays * (math.prod(source.points) if isinstance(source, GridSource) else 1)
-    return math.isqrt(count), math.isqrt(count)

@@ -1,7 +1,4 @@
-"""Rays of point sources and grids of them, and what the entrance face makes of these rays.
-
-None of it depends on the control heights: it is computed once for a set of rays, in float64.
-"""
+"""Rays of point sources and grids of them."""
 
 from typing import NamedTuple
 
@@ -32,32 +29,6 @@ class Rays(NamedTuple):
     crossing: Array
     direction: Array
     flux: Array
-
-
-class InLens(NamedTuple):
-    """Rays just behind the entrance face, those that met it alone.
-
-    Attributes
-    ----------
-    x, y : ndarray, shape (m,)
-        Where they crossed the face, scene units.
-    slope_x, slope_y : ndarray, shape (m,)
-        dx/dz and dy/dz in the lens.
-    flux : ndarray, shape (m,)
-        Flux of each that was refracted.
-    missed : float
-        Flux of the source that passed the face by.
-    reflected : float
-        Flux reflected at the face.
-    """
-
-    x: Array
-    y: Array
-    slope_x: Array
-    slope_y: Array
-    flux: Array
-    missed: float
-    reflected: float
 
 
 def emit(source: PointSource | GridSource, lens: Lens, seed: int, draw: int = 0) -> Rays:
@@ -112,32 +83,6 @@ def emit(source: PointSource | GridSource, lens: Lens, seed: int, draw: int = 0)
     if not flux.any():  # a few rays may all go backwards: they miss the lens
         flux = np.ones_like(flux)
     return Rays(crossing.reshape(-1, 2), direction.reshape(-1, 3), flux.ravel() / flux.sum())
-
-
-def enter(rays: Rays, lens: Lens) -> InLens:
-    """Refract rays at the flat entrance face."""
-    cos = rays.direction[:, 2]
-    x, y = rays.crossing.T
-    r_x, r_y = lens.half_width
-    meets = (cos > 0) & (np.abs(x) <= r_x) & (np.abs(y) <= r_y)
-
-    x, y, cos, flux = x[meets], y[meets], cos[meets], rays.flux[meets]
-    n = lens.index
-    # The tangential part of the direction shrinks by n; what is left makes the new cosine.
-    tangential = rays.direction[meets, :2] / n
-    cos_inside = np.sqrt(1 - np.square(tangential).sum(axis=1))
-    head_on = ((n - 1) / (n + 1)) ** 2
-    transmittance = (1 - head_on) * (1 - (1 - cos) ** 5)  # Schlick; air is the thinner medium
-    refracted = flux * transmittance
-    return InLens(
-        x,
-        y,
-        tangential[:, 0] / cos_inside,
-        tangential[:, 1] / cos_inside,
-        refracted,
-        missed=float(rays.flux.sum() - flux.sum()),
-        reflected=float(flux.sum() - refracted.sum()),
-    )
 
 
 def _perpendicular(axis: Array) -> tuple[Array, Array]:

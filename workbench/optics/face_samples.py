@@ -1,16 +1,60 @@
 """Light of points by samples of the exit face: no ray has to search for it."""
 
+from collections.abc import Mapping
+from typing import NamedTuple
+
 import numpy as np
 import torch
 from torch import Tensor
 
-from workbench.geometry.bounds import derivative_range
 from workbench.geometry.surface import ControlNet, GridBasis
+from workbench.optics.arrival import Arrival
 from workbench.optics.glass import Glass
-from workbench.optics.hits import Hits
-from workbench.optics.lattice import Array, Axis, make_lattice
-from workbench.optics.refraction import refract, schlick_transmittance
-from workbench.scene import Scene, of_points
+from workbench.optics.interfaces import Refraction
+from workbench.optics.lattice import make_lattice
+from workbench.optics.path import Path, Step
+from workbench.optics.rays import RayBundle
+from workbench.optics.sources import PointEmitter
+from workbench.optics.surfaces import BSplineSurface, Meeting, Plane
+
+
+class SampledFace(NamedTuple):
+    """Elements of a path whose exit face is sampled.
+
+    Attributes
+    ----------
+    emitter : PointEmitter
+        The light.
+    samples : tuple[int, int]
+        Samples along x and y; the points of a grid share them.
+    missed, reflected : str
+        Names of light that is lost before and at the entrance face.
+    net : ControlNet
+        Where the control heights of the exit face sit.
+    exit : Step
+        The exit face.
+    """
+
+    emitter: PointEmitter
+    samples: tuple[int, int]
+    missed: str
+    reflected: str
+    net: ControlNet
+    exit: Step
+
+    @classmethod
+    def of(cls, path: Path) -> "SampledFace | None":
+        """Light of points of which samples are wanted, a flat face and a B-spline; else None."""
+        match path.emitter, path.steps:
+            case (
+                PointEmitter(samples=(_, _) as samples) as emitter,
+                (
+                    Step(Plane(), Refraction(reflected=reflected), missed),
+                    Step(BSplineSurface(net=net)) as exit_face,
+                ),
+            ):
+                return cls(emitter, samples, missed, reflected, net, exit_face)
+        return None
 
 
 class FaceSamples:
@@ -18,14 +62,10 @@ class FaceSamples:
 
     Parameters
     ----------
-    scene : Scene
-        The scene; source kind "point" or "grid".
-    net : ControlNet
-        Where the control heights sit.
-    samples : tuple[int, int]
-        Samples along x and y; the points of a grid share them.
-    dtype, device
-        Float type and device of the trace.
+    face : SampledFace
+        What is sampled.
+    path : Path
+        The path of the light.
 
     Notes
     -----
@@ -46,25 +86,21 @@ class FaceSamples:
     times larger, so they stay in the middles.
     """
 
-    emitted = 1.0
+    note = "samples on the exit face: no ray has to search for it"
 
-    def __init__(
-        self,
-        scene: Scene,
-        net: ControlNet,
-        samples: tuple[int, int],
-        dtype: torch.dtype = torch.float32,
-        device: torch.device | str = "cpu",
-    ) -> None:
-        source = of_points(scene.source)
-        self._scene, self._net, self.screen = scene, net, scene.screen
-        lattice = self.lattice = make_lattice(source, scene.lens, samples)
-        self.missed_lens, self.fresnel_entrance = lattice.missed, lattice.reflected
+    def __init__(self, face: SampledFace, path: Path) -> None:
+        lens, source = face.emitter.lens, face.emitter.source
+        lattice = make_lattice(source, lens, face.samples)
+        self._exit, self._receiver = face.exit, path.receiver
+        self._before = {face.missed: lattice.missed, face.reflected: lattice.reflected}
+        # Near the mean height of the surface float32 keeps the digits that make its shape.
+        self._level, self._thickness = lens.base.height, lens.base.height - lens.entrance_z
+        self._entrance = lens.entrance_z - path.datum
 
         def constant(values: np.ndarray) -> Tensor:
-            return torch.as_tensor(values, dtype=dtype, device=device).contiguous()
+            return torch.as_tensor(values, dtype=path.dtype, device=path.device).contiguous()
 
-        basis = net.grid(lattice.x.t, lattice.y.t)
+        basis = face.net.grid(lattice.x.t, lattice.y.t)
         self._basis = GridBasis(
             constant(basis.along_x),
             constant(basis.slope_x),
@@ -75,8 +111,7 @@ class FaceSamples:
         self._y = constant(lattice.y.place)[None, :]
         self._away_x = constant(lattice.x.away)[:, None]
         self._away_y = constant(lattice.y.away)[None, :]
-        lambertian = source.emission == "lambertian"
-        self._glass = Glass(lattice.distance, scene.lens.index, lambertian)
+        self._glass = Glass(lattice.distance, lens.index, source.emission == "lambertian")
         self._area = constant(lattice.x.width)[:, None], constant(lattice.y.width)
         # Flux per area right before the points, but for Fresnel's loss.
         self._brightest = lattice.intensity / lattice.distance**2
@@ -86,19 +121,12 @@ class FaceSamples:
             if axis.reach.any()
         ]
 
-    def trace(self, heights: Tensor) -> Hits:
-        """Follow the light from the exit face to the screen plane.
-
-        Parameters
-        ----------
-        heights : Tensor, shape (n_u, n_v)
-            Control heights, float64 or the trace's float type.
-        """
-        lens, screen = self._scene.lens, self._scene.screen
-        # Near the mean height of the surface float32 keeps the digits that make its shape.
-        level = lens.base.height
-        z, face_x, face_y = self._basis.evaluate((heights - level).to(self._x.dtype))
-        depth = z + (level - lens.entrance_z)
+    def walk(self, heights: Mapping[str, Tensor]) -> Arrival:
+        """Follow the light from the exit face to the receiver; see `Path.walk`."""
+        surface, interface, missed = self._exit
+        above = (heights[surface.name] - self._level).to(self._x.dtype)
+        z, face_x, face_y = self._basis.evaluate(above)
+        depth = z + self._thickness
         inside = depth > 0
         depth = torch.where(inside, depth, 0.0)
 
@@ -116,58 +144,16 @@ class FaceSamples:
         flux = torch.where(met, flux, 0.0)
 
         length = (slope_x.square() + slope_y.square() + 1).rsqrt()
-        face = (face_x.square() + face_y.square() + 1).rsqrt()
-        out = refract(
-            (slope_x * length, slope_y * length, length),
-            (-face_x * face, -face_y * face, face),
-            lens.index,
-        )
-        out_x, out_y, out_z = out.direction
-        # A face that folds light back, or sideways for ever, sends it past any screen.
-        onward = out_z > 1e-6
-        path = ((screen.z - level) - z) / torch.where(onward, out_z, 1)
-        reaches = met & out.passes & onward
-        weight = flux * schlick_transmittance(out.cos_out, lens.index)
-        entered = self.emitted - self.missed_lens - self.fresnel_entrance
-        arriving = flux.detach()
-        return Hits(
-            x=torch.where(reaches, self._x + out_x * path, torch.inf),
-            y=torch.where(reaches, self._y + out_y * path, torch.inf),
-            weight=torch.where(met & out.passes, weight, 0.0),
-            arriving=arriving,
-            passes=out.passes,
+        lean_back = (face_x.square() + face_y.square() + 1).rsqrt()
+        place = self._x, self._y, depth + self._entrance
+        normal = -face_x * lean_back, -face_y * lean_back, lean_back
+        rays = RayBundle(place, (slope_x * length, slope_y * length, length), flux, met)
+        passed = interface.turn(rays, Meeting(place, normal, met))
+        with torch.no_grad():
+            lost = {name: part.sum(dtype=torch.float64) for name, part in passed.lost.items()}
+            for name, before in self._before.items():
+                lost[name] = flux.new_tensor(before, dtype=torch.float64)
             # What entered and did not come to the face; with the error of the sum over samples.
-            left_side=entered - arriving.sum(dtype=torch.float64),
-        )
-
-    def valid(self, heights: Tensor) -> bool:
-        """Whether all light meets the face once: surely so, by bounds of the slopes.
-
-        Otherwise samples stand for light that has met the face before, where it folds over.
-        """
-        depth = heights.detach().double().cpu().numpy() - self._scene.lens.entrance_z
-        if depth.min() <= 0:
-            return False
-        rise: float | Array = 0.0  # of the face along the light, at most, span by span
-        for axis, samples in enumerate((self.lattice.x, self.lattice.y)):
-            face = derivative_range(self._net, depth, (1 - axis, axis))
-            light = self._light_slopes(samples, axis, depth.min())
-            shape = (-1, 1) if axis == 0 else (1, -1)
-            rise = rise + np.max([a.reshape(shape) * b for a in light for b in face], axis=0)
-        return bool(np.max(rise) < 1)
-
-    def _light_slopes(self, samples: Axis, axis: int, lowest: float) -> tuple[Array, Array]:
-        """The most and least that the light's slope can be along x or y, span by span.
-
-        It is the way from the point over its apparent depth, unless that is steeper than light
-        that enters at grazing incidence.
-        """
-        n, half_width = self._scene.lens.index, self._net.half_width[axis]
-        spans = self._net.shape[axis] - self._net.degree[axis]
-        edges = np.linspace(-half_width, half_width, spans + 1)
-        centre = samples.place - samples.away
-        ways = edges[:-1] - centre.max(), edges[1:] - centre.min()
-        steepest, depth = (n * n - 1) ** -0.5, n * self.lattice.distance + lowest
-        low, high = ((way / depth).clip(-steepest, steepest) for way in ways)
-        # A point's depth seems larger from aside: down to no slope at all.
-        return np.minimum(low, 0), np.maximum(high, 0)
+            entered = 1 - sum(self._before.values())
+            lost[missed] = entered - flux.sum(dtype=torch.float64)
+        return Arrival(*self._receiver.places(passed.rays), passed.rays, lost)

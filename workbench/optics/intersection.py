@@ -19,6 +19,7 @@ import torch
 from torch import Tensor
 
 from workbench.geometry.patches import Patches
+from workbench.optics.rays import RayBundle
 
 # Newton's method needs some four steps; where it has not come to rest after these, bisection does.
 _NEWTON_STEPS, _BISECTIONS = 20, 60
@@ -29,13 +30,22 @@ _FALLS = 0.1
 
 
 class Bundle(NamedTuple):
-    """Rays behind the entrance face, all of shape (m,): start, slopes dx/dz, dy/dz, flux."""
+    """Rays as lines, all of shape (m,): where they cross z = 0, slopes dx/dz, dy/dz, and flux."""
 
     x: Tensor
     y: Tensor
     slope_x: Tensor
     slope_y: Tensor
     flux: Tensor
+
+    @classmethod
+    def of(cls, rays: RayBundle) -> "Bundle":
+        """The lines of rays to +z."""
+        (x, y, z), (d_x, d_y, d_z) = rays.position, rays.direction
+        slope_x, slope_y = d_x / d_z, d_y / d_z
+        lines = x - slope_x * z, y - slope_y * z, slope_x, slope_y, rays.flux
+        shape = (lines[0] + lines[1]).shape  # parallel light has one direction for all
+        return cls(*(part.expand(shape) for part in lines))
 
 
 class Met(NamedTuple):

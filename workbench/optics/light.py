@@ -1,6 +1,6 @@
 """What every way to trace a lens gives, be it reference or kernel."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping
 from typing import NamedTuple, Protocol
 
 from torch import Tensor
@@ -9,50 +9,30 @@ from workbench.scene import Filter, Screen
 
 
 class Light(NamedTuple):
-    """The image of a lens, and the light that was lost on the way from the exit face.
+    """The image of a lens, and where the rest of the light went.
 
     Attributes
     ----------
     flux : Tensor, shape (n_y, n_x)
         Flux in each pixel, row 0 at +y; differentiable.
-    on_screen, off_screen : float
-        Flux of the rays that hit the scene's screen, and of those that go beside it. A
-        reconstruction filter spreads some of it over the rim; the account is of rays.
-    total_reflection, fresnel_exit : float
-        Flux reflected at the exit face, totally or where the rest was refracted.
-    left_side : float
-        Flux that left the lens through its side.
+    on_screen : float
+        Flux of the rays that hit the scene's screen. A reconstruction filter spreads some of it
+        over the rim; the account is of rays.
+    lost : mapping of str to float
+        Flux of all other rays, by its name in the light account.
     """
 
     flux: Tensor
     on_screen: float
-    off_screen: float
-    total_reflection: float
-    fresnel_exit: float
-    left_side: float
-
-
-def sum_of(lights: Sequence[Light]) -> Light:
-    """The light of several sets of rays."""
-    return Light(*(sum(each[1:], each[0]) for each in zip(*lights, strict=True)))
+    lost: Mapping[str, float]
 
 
 class Tracer(Protocol):
     """Traces one set of rays through lens after lens."""
 
     @property
-    def emitted(self) -> float:
-        """Flux of the source."""
-        ...
-
-    @property
-    def missed_lens(self) -> float:
-        """Flux that passes the entrance face by."""
-        ...
-
-    @property
-    def fresnel_entrance(self) -> float:
-        """Flux reflected at the entrance face."""
+    def notes(self) -> list[str]:
+        """What is special about it, in words."""
         ...
 
     def image(self, heights: Tensor, screen: Screen, filter: Filter) -> Light:

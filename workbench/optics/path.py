@@ -1,11 +1,10 @@
 """The way of the light: the sequence of elements that a scene makes, and the walk along it.
 
 The walk is plain torch, in any float type, on any device, differentiable forward and backward. It
-follows the rays that are drawn and written to files, and tests hold all other tracers to it.
+is the reference: tests hold all other tracers to it, and where there is no other it does the work.
 """
 
 from collections.abc import Mapping, Sequence
-from functools import cached_property
 from typing import NamedTuple
 
 import torch
@@ -16,9 +15,9 @@ from workbench.optics.arrival import Arrival
 from workbench.optics.interfaces import Interface, Refraction
 from workbench.optics.rays import RayBundle, Vector
 from workbench.optics.receivers import PlaneReceiver
-from workbench.optics.sources import Emitter, emitter_of
+from workbench.optics.sources import Emitter, Samples, emitter_of
 from workbench.optics.surfaces import BSplineSurface, Plane, Surface
-from workbench.scene import MeshMethod, Scene
+from workbench.scene import Scene
 
 
 class Step(NamedTuple):
@@ -60,8 +59,10 @@ class Path:
 
     Attributes
     ----------
-    emitter, steps, receiver, datum
+    emitter, steps, receiver, datum, dtype, device
         As they were given.
+    shaped : tuple of Step
+        Those of the steps that depend on control heights: the first freeform face and all behind.
     """
 
     def __init__(
@@ -75,9 +76,10 @@ class Path:
         device: torch.device | str = "cpu",
     ) -> None:
         self.emitter, self.steps, self.receiver, self.datum = emitter, tuple(steps), receiver, datum
-        self._seed, self._dtype, self._device = seed, dtype, device
+        self.dtype, self.device, self._seed, self._draw = dtype, device, seed, 0
         fixed = next((i for i, step in enumerate(steps) if step.surface.freeform), len(steps))
-        self._fixed, self._shaped = self.steps[:fixed], self.steps[fixed:]
+        self._fixed, self.shaped = self.steps[:fixed], self.steps[fixed:]
+        self._known_rays: _Known | None = None
 
     @classmethod
     def of(
@@ -86,19 +88,18 @@ class Path:
         net: ControlNet,
         dtype: torch.dtype = torch.float32,
         device: torch.device | str = "cpu",
+        samples: Samples | None = None,
     ) -> "Path":
-        """The path of a scene, with control heights on a net."""
-        lens, n = scene.lens, scene.lens.index
-        emitter, how = emitter_of(scene.source, lens), scene.source.intersection
-        datum = lens.base.height if emitter.along_axis else lens.entrance_z
-        subdivisions = how.subdivisions if isinstance(how, MeshMethod) else None
+        """The path of a scene, with control heights on a net; ``samples`` as for `emitter_of`."""
+        lens, n, source = scene.lens, scene.lens.index, scene.source
+        datum = lens.base.height if source.along_axis else lens.entrance_z
         entrance = Plane("entrance", lens.entrance_z - datum, lens.half_width)
-        exit_face = BSplineSurface("exit", net, datum, dtype, device, subdivisions)
+        exit_face = BSplineSurface("exit", net, datum, dtype, device, source.subdivisions)
         steps = (
             Step(entrance, Refraction(1.0, n, "fresnel_entrance"), "missed_lens"),
             Step(exit_face, Refraction(n, 1.0, "fresnel_exit"), "left_side"),
         )
-        receiver = PlaneReceiver(scene.screen.z - datum)
+        emitter, receiver = emitter_of(source, lens, samples), PlaneReceiver(scene.screen, datum)
         return cls(emitter, steps, receiver, datum, scene.run.seed, dtype, device)
 
     @property
@@ -111,6 +112,11 @@ class Path:
         """Flux lost before the first freeform face, by name; see `Arrival.lost`."""
         return dict(self._known.lost)
 
+    def redraw(self) -> None:
+        """Take another set of the source's rays."""
+        self._draw += 1
+        self._known_rays = None
+
     def walk(self, heights: Mapping[str, Tensor]) -> Arrival:
         """Follow the source's rays to the receiver.
 
@@ -119,7 +125,7 @@ class Path:
         heights : mapping of str to Tensor
             Control heights (n_u, n_v) of each freeform surface by name, scene units.
         """
-        rays, lost, _ = _through(self._shaped, self.rays, heights)
+        rays, lost, _ = _through(self.shaped, self.rays, heights)
         return Arrival(*self.receiver.places(rays), rays, _added(self.lost, lost))
 
     def follow(
@@ -145,13 +151,18 @@ class Path:
         on_faces = [_lifted(place, self.datum) for place in places]
         return on_faces, Arrival(*self.receiver.places(rays), rays, lost)
 
-    @cached_property
+    @property
     def _known(self) -> "_Known":
-        rays = self.emitter.rays(self._seed)
+        if self._known_rays is None:
+            self._known_rays = self._before_heights()
+        return self._known_rays
+
+    def _before_heights(self) -> "_Known":
+        rays = self.emitter.rays(self._seed, self._draw)
         rays = rays._replace(position=_lifted(rays.position, -self.datum))
         rays, lost, _ = _through(self._fixed, rays, {})
-        on_device = {name: flux.to(self._device) for name, flux in lost.items()}
-        return _Known(_cast(_living(rays), self._dtype, self._device), on_device)
+        on_device = {name: flux.to(self.device) for name, flux in lost.items()}
+        return _Known(_cast(_living(rays), self.dtype, self.device), on_device)
 
 
 class _Known(NamedTuple):

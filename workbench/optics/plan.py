@@ -10,16 +10,13 @@ from torch import Tensor
 from workbench.compiled import unkept
 from workbench.errors import Refused
 from workbench.geometry.surface import ControlNet
-from workbench.optics.face_samples import FaceSamples
 from workbench.optics.kernels import ready
-from workbench.optics.kernels.collimated import FusedCollimatedRays
-from workbench.optics.kernels.face import FusedFaceSamples
 from workbench.optics.kernels.locked import Mask
 from workbench.optics.ledger import Ledger
 from workbench.optics.light import Tracer
+from workbench.optics.path import Path
 from workbench.optics.precision import precision_of
-from workbench.optics.reference import Reference
-from workbench.optics.ways import Options, way_of
+from workbench.optics.ways import Ways
 from workbench.scene import BoxFilter, Filter, Scene, Screen
 
 _NEARLY_ALL = 0.999
@@ -91,8 +88,9 @@ class Plan:
             self._fine = dtype == torch.float64
         self._dtype, self._device = dtype, device_of(scene)
         self._fused = fused and self._device.type == "cpu"
-        options = Options(net, dtype, self._device, samples, mirrored, locked)
-        self._way = way_of(scene, options)
+        self._redrawn = scene.source.redrawn
+        path = Path.of(scene, net, dtype, self._device, samples)
+        self._ways = Ways(path, mirrored, locked)
 
     def trace(self, heights: Tensor) -> Traced:
         """Image and ledger of a lens.
@@ -102,36 +100,22 @@ class Plan:
         heights : Tensor, shape (n_u, n_v)
             Control heights, scene units.
         """
-        tracer = self._tracer()
-        light = tracer.image(heights, self._screen, self._filter)
-        ledger = Ledger(
-            emitted=tracer.emitted,
-            on_screen=light.on_screen,
-            off_screen=light.off_screen,
-            missed_lens=tracer.missed_lens,
-            left_side=light.left_side,
-            total_reflection=light.total_reflection,
-            fresnel_entrance=tracer.fresnel_entrance,
-            fresnel_exit=light.fresnel_exit,
-        )
-        return Traced(light.flux, ledger)
+        light = self._tracer().image(heights, self._screen, self._filter)
+        return Traced(light.flux, Ledger(1.0, light.on_screen, **light.lost))
 
     @property
     def notes(self) -> tuple[str, ...]:
         """What was chosen for this scene and what is left out, in words, for a run's log."""
         precision = str(self._dtype).removeprefix("torch.")
-        tracer = self._tracer()
-        if isinstance(tracer, Reference):
-            notes = [f"reference in torch on {self._device.type}, {precision}"]
-        else:
+        if self._compiled():
             threads = torch.get_num_threads()
             notes = [f"fused kernels, {threads} thread{'s' * (threads > 1)}, {precision}"]
-        notes += self._way.notes
-        if isinstance(tracer, FusedCollimatedRays | FusedFaceSamples) and any(tracer.mirrored):
-            part = "a quarter" if all(tracer.mirrored) else "half"
-            notes.append(f"mirror symmetry: {part} of the rays")
-        if isinstance(tracer, FusedCollimatedRays) and tracer.traced < 1:
-            notes.append(f"locked control points: {tracer.traced:.0%} of the rays after the first")
+        else:
+            notes = [f"reference in torch on {self._device.type}, {precision}"]
+        notes += self._tracer().notes
+        if self._ways.kind is None:
+            faces = ", ".join(step.surface.kind for step in self._ways.path.steps)
+            notes.append(f"no kernel for this path ({faces}): by the reference alone")
         if self._fine:
             notes.append("float64: float32 would move light by a part of a pixel")
         if isinstance(self._filter, BoxFilter):
@@ -140,17 +124,19 @@ class Plan:
 
     def next_iteration(self) -> None:
         """Take new rays, if the source is to have fresh ones for each iteration."""
-        self._way.redraw()
+        if self._redrawn:
+            self._ways.path.redraw()
 
     def reach(self, heights: Tensor) -> tuple[float, float]:
         """How far from the axis, along x and y, nearly all light on the screen plane falls."""
         with torch.no_grad():
-            hits = self._way.reference().rays.trace(heights)
-        lands = (hits.weight > 0) & hits.x.isfinite()
+            x, y, rays, _ = self._ways.reference.arrival(heights)
+        lands = (rays.flux > 0) & x.isfinite()
         if not lands.any():
             return 0.0, 0.0
-        x, y = (c[lands].abs().double().cpu().numpy() for c in (hits.x, hits.y))
-        return float(np.quantile(x, _NEARLY_ALL)), float(np.quantile(y, _NEARLY_ALL))
+        from_axis = (c[lands].abs().double().cpu().numpy() for c in (x, y))
+        far_x, far_y = (float(np.quantile(c, _NEARLY_ALL)) for c in from_axis)
+        return far_x, far_y
 
     def on(self, screen: Screen) -> "Plan":
         """The same rays, with the image of another part of the same plane.
@@ -163,24 +149,20 @@ class Plan:
 
     def flux(self, heights: Tensor) -> Tensor:
         """The image alone, for `torch.func` transforms such as jvp: always by the reference."""
-        return self._way.reference().flux(heights, self._screen, self._filter)
-
-    def valid(self, heights: Tensor) -> bool:
-        """Whether the way of tracing is surely right for a lens; see `FaceSamples.valid`."""
-        rays = self._way.reference().rays
-        return not isinstance(rays, FaceSamples) or rays.valid(heights)
+        return self._ways.reference.flux(heights, self._screen, self._filter)
 
     def _tracer(self) -> Tracer:
-        """The kernel, or the reference; see `workbench.optics.kernels.ready`."""
-        needs = self._way.kernel_name
-        if self._fused and needs is not None and ready.obtain(needs, self._dtype):
-            return self._way.kernel()
-        return self._way.reference()
+        return self._ways.kernel if self._compiled() else self._ways.reference
+
+    def _compiled(self) -> bool:
+        """Whether the kernel does the work; see `workbench.optics.kernels.ready`."""
+        kind = self._ways.kind
+        return self._fused and kind is not None and ready.obtain(kind.name, self._dtype)
 
     def _defects(self) -> list[str]:
         """What makes traces or starts slower than they should be."""
-        notes, needs = [], self._way.kernel_name
-        error = ready.failure(needs, self._dtype) if self._fused and needs is not None else None
+        notes, kind = [], self._ways.kind
+        error = ready.failure(kind.name, self._dtype) if self._fused and kind is not None else None
         if error is not None:
             notes.append(
                 f"the kernel could not be compiled ({type(error).__name__}: {error}), so this run "

@@ -22,7 +22,7 @@ change of the heights by all of their range changes the loss by more than 1e-5 o
 import torch
 
 from workbench.geometry.surface import ControlNet
-from workbench.scene import CollimatedSource, Scene
+from workbench.scene import Scene
 
 # In pixels: the image is good to 1e-3 of its light up to here, the gradient to a few per cent.
 _TOLERABLE = 0.01
@@ -61,7 +61,7 @@ def shift_of(scene: Scene, net: ControlNet | None = None) -> float:
         )
     )
     level, steepest = lens.base.height, 0.0
-    if not isinstance(scene.source, CollimatedSource):
+    if not scene.source.along_axis:
         level = min(level, lens.entrance_z)  # rays that search for the face count from there
         steepest = (lens.index**2 - 1) ** -0.5
     largest = max(abs(low - level), abs(high - level))

@@ -6,61 +6,50 @@ The fused kernels are held to it by tests; where there is no kernel, it does the
 import torch
 from torch import Tensor
 
-from workbench.optics.collimated import CollimatedRays
-from workbench.optics.face_samples import FaceSamples
+from workbench.optics.arrival import Arrival
+from workbench.optics.face_samples import FaceSamples, SampledFace
 from workbench.optics.irradiance import reconstruct
 from workbench.optics.light import Light
-from workbench.optics.point import PointRays
+from workbench.optics.path import Path
 from workbench.scene import Filter, Screen
 
 
 class Reference:
-    """A `workbench.optics.light.Tracer` of rays that know how to find the screen.
+    """A `workbench.optics.light.Tracer` that walks along a path.
 
     Parameters
     ----------
-    rays : CollimatedRays, PointRays or FaceSamples
-        The rays.
+    path : Path
+        The path; where samples of its exit face are wanted, light starts there.
+
+    Attributes
+    ----------
+    notes : list of str
+        What is special about it, in words.
     """
 
-    def __init__(self, rays: CollimatedRays | PointRays | FaceSamples) -> None:
-        self.rays = rays
+    def __init__(self, path: Path) -> None:
+        self._path, face = path, SampledFace.of(path)
+        self._walk = path.walk if face is None else FaceSamples(face, path).walk
+        self.notes = [] if face is None else [FaceSamples.note]
 
-    @property
-    def emitted(self) -> float:
-        """Flux of the source."""
-        return self.rays.emitted
-
-    @property
-    def missed_lens(self) -> float:
-        """Flux that passes the entrance face by."""
-        return self.rays.missed_lens
-
-    @property
-    def fresnel_entrance(self) -> float:
-        """Flux reflected at the entrance face."""
-        return self.rays.fresnel_entrance
+    def arrival(self, heights: Tensor) -> Arrival:
+        """The light of a lens at the receiver, before it becomes an image."""
+        return self._walk({self._path.shaped[0].surface.name: heights})
 
     def image(self, heights: Tensor, screen: Screen, filter: Filter) -> Light:
         """Trace a lens; see `workbench.optics.light.Tracer`."""
-        hits = self.rays.trace(heights)
-        flux = reconstruct(hits.x, hits.y, hits.weight, screen, filter)
+        x, y, rays, lost = self.arrival(heights)
+        image = reconstruct(x, y, rays.flux, screen, filter)
         with torch.no_grad():
-            lands = self.rays.screen.contains(hits.x, hits.y)
-            return Light(
-                flux,
-                on_screen=_sum(hits.weight * lands),
-                off_screen=_sum(hits.weight * ~lands),
-                total_reflection=_sum(hits.arriving * ~hits.passes),
-                fresnel_exit=_sum((hits.arriving - hits.weight) * hits.passes),
-                left_side=hits.left_side.item(),
+            lands = self._path.receiver.screen.contains(x, y)
+            on_screen, off_screen = (
+                (rays.flux * part).sum(dtype=torch.float64) for part in (lands, ~lands)
             )
+            lost = lost | {"off_screen": off_screen}
+        return Light(image, on_screen.item(), {name: flux.item() for name, flux in lost.items()})
 
     def flux(self, heights: Tensor, screen: Screen, filter: Filter) -> Tensor:
         """The image alone, for `torch.func` transforms, which no sums survive as numbers."""
-        hits = self.rays.trace(heights)
-        return reconstruct(hits.x, hits.y, hits.weight, screen, filter)
-
-
-def _sum(flux: Tensor) -> float:
-    return float(flux.sum(dtype=torch.float64))
+        x, y, rays, _ = self.arrival(heights)
+        return reconstruct(x, y, rays.flux, screen, filter)

@@ -117,6 +117,34 @@ class AnySource(Part):
         """Its middle, scene units."""
         return None
 
+    along_axis: ClassVar[bool] = False
+    """Whether all its rays go along +z."""
+
+    @property
+    def samples(self) -> tuple[int, int]:
+        """Rays along x and y that it asks for, at least."""
+        return 1, 1
+
+    @property
+    def mirrored(self) -> tuple[bool, bool]:
+        """Whether its light is surely its own mirror image in x, in y."""
+        return False, False
+
+    @property
+    def point(self) -> "PointSource | None":
+        """The point that stands for it in rough plans; None if it has no place."""
+        return None if self.place is None else PointSource(kind="point", position=self.place)
+
+    @property
+    def redrawn(self) -> bool:
+        """Whether each iteration of the paper's method has rays of its own."""
+        return False
+
+    @property
+    def subdivisions(self) -> tuple[int, int] | None:
+        """Of each knot span, where its rays meet triangles in place of the B-spline itself."""
+        return None
+
     @property
     def nearest_z(self) -> float:
         """Where it comes closest to the lens, scene units."""
@@ -167,8 +195,17 @@ class CollimatedSource(AnySource):
             "longer; at least two per pixel and axis are good.",
         ),
     ] = (512, 512)
-    # Along the axis a ray meets the face right before it: there is nothing to choose.
-    intersection: ClassVar[ExactMethod] = ExactMethod()
+    along_axis: ClassVar[bool] = True
+
+    @property
+    def samples(self) -> tuple[int, int]:
+        """Its rays."""
+        return self.rays
+
+    @property
+    def mirrored(self) -> tuple[bool, bool]:
+        """It is the same everywhere."""
+        return True, True
 
 
 class PointSource(AnySource):
@@ -206,6 +243,31 @@ class PointSource(AnySource):
     def begun(cls, scene: "Scene") -> dict[str, Any]:
         """Where the scene's source is."""
         return {"position": scene.source.place or _in_front(scene.lens)}
+
+    @property
+    def samples(self) -> tuple[int, int]:
+        """As many as a grid of its rays has along x and y."""
+        return math.isqrt(self.rays), math.isqrt(self.rays)
+
+    @property
+    def mirrored(self) -> tuple[bool, bool]:
+        """Where it is on the axis."""
+        return self.position[0] == 0, self.position[1] == 0
+
+    @property
+    def point(self) -> Self:
+        """It is one."""
+        return self
+
+    @property
+    def redrawn(self) -> bool:
+        """As its field says."""
+        return self.fresh
+
+    @property
+    def subdivisions(self) -> tuple[int, int] | None:
+        """Those of its triangle mesh."""
+        return self.intersection.subdivisions
 
     @property
     def place(self) -> Place:
@@ -291,6 +353,32 @@ class GridSource(AnySource):
         x, y = scene.lens.half_width
         place = scene.source.place or _in_front(scene.lens)
         return {"center": place, "half_width": (x / 2, y / 2), "points": (25, 25)}
+
+    @property
+    def samples(self) -> tuple[int, int]:
+        """As many as a grid of all its rays has along x and y."""
+        count = self.rays * math.prod(self.points)
+        return math.isqrt(count), math.isqrt(count)
+
+    @property
+    def mirrored(self) -> tuple[bool, bool]:
+        """Where its middle is on the axis."""
+        return self.center[0] == 0, self.center[1] == 0
+
+    @property
+    def point(self) -> PointSource:
+        """Its middle."""
+        return PointSource(kind="point", position=self.center, emission=self.emission)
+
+    @property
+    def redrawn(self) -> bool:
+        """As its field says."""
+        return self.fresh
+
+    @property
+    def subdivisions(self) -> tuple[int, int] | None:
+        """Those of its triangle mesh."""
+        return self.intersection.subdivisions
 
     @property
     def place(self) -> Place:

@@ -8,9 +8,10 @@ import pytest
 import torch
 
 from workbench import compiled
-from workbench.optics import point, ways
+from workbench.optics import ways
 from workbench.optics.kernels import ready
 from workbench.optics.plan import Plan
+from workbench.optics.surfaces import BSplineSurface
 
 
 def lens(scene, seed=3):
@@ -140,9 +141,8 @@ def test_a_run_on_kernels_never_makes_the_reference(make_scene, monkeypatch, sou
 
     scene = make_scene(source)
     plan = Plan(scene, samples=samples)
-    monkeypatch.setattr(point._Search, "of", refuse)
-    monkeypatch.setattr(ways, "CollimatedRays", refuse)
-    monkeypatch.setattr(ways, "FaceSamples", refuse)
+    monkeypatch.setattr(ways, "Reference", refuse)
+    monkeypatch.setattr(BSplineSurface, "meet", refuse)
     assert plan.trace(lens(scene)).ledger.on_screen > 0
     plan.next_iteration()
     with pytest.raises(AssertionError, match="was made"), ready.held_back():

@@ -9,6 +9,7 @@ from workbench.optics.kernels import collimated
 from workbench.optics.kernels.collimated import FusedCollimatedRays
 from workbench.optics.kernels.grid import make_axis, middles
 from workbench.optics.kernels.locked import count, split
+from workbench.optics.path import Path
 from workbench.optics.plan import Plan
 
 NET = ControlNet((12, 10), (3, 2), (1.0, 2.0))
@@ -111,9 +112,8 @@ def test_image_and_gradient_are_those_of_the_full_trace(scene, rng, dtype, mirro
 def test_still_rays_are_traced_for_the_first_lens_alone(scene, rng, monkeypatch):
     locked = np.ones((12, 10), bool)
     locked[:3, :3] = False
-    tracer = FusedCollimatedRays(
-        scene, ControlNet.of(scene.lens), (96, 80), dtype=torch.float64, locked=locked
-    )
+    path = Path.of(scene, ControlNet.of(scene.lens), torch.float64, samples=(96, 80))
+    tracer = FusedCollimatedRays(path, locked=locked)
     traced = []
     loops = collimated.LOOPS
 

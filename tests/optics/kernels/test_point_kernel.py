@@ -4,10 +4,12 @@ import numpy as np
 import pytest
 import torch
 
+from tests.optics.kernels.twins import account
 from workbench.geometry.surface import ControlNet
+from workbench.optics.intersection import Bundle
 from workbench.optics.kernels.point import FusedPointRays
+from workbench.optics.path import Path
 from workbench.optics.plan import Plan
-from workbench.optics.point import PointRays
 from workbench.optics.reference import Reference
 
 POINT = {"kind": "point", "position": [0, 0, -5.0], "rays": 6000}
@@ -21,13 +23,8 @@ GRADIENT = {torch.float64: 1e-10, torch.float32: 1e-3}
 
 
 def twins(scene, dtype=torch.float64):
-    net = ControlNet.of(scene.lens)
-    rays = PointRays(scene, net, dtype=dtype)
-    return Reference(rays), FusedPointRays(rays, scene, net, dtype)
-
-
-def account(light):
-    return np.array(light[1:])
+    path = Path.of(scene, ControlNet.of(scene.lens), dtype)
+    return Reference(path), FusedPointRays(path)
 
 
 def differences(scene, tracers, heights, rng):
@@ -46,8 +43,9 @@ def differences(scene, tracers, heights, rng):
         ((other - one).norm() / one.norm().clamp_min(1e-9)).item()
         for one, other in ([light.flux.detach() for light in lights], gradients)
     )
-    lost = np.abs(account(lights[0]) - account(lights[1])).max()
-    return image, gradient, float(lost)
+    one, other = map(account, lights)
+    assert one.keys() == other.keys()
+    return image, gradient, max(abs(one[name] - other[name]) for name in one)
 
 
 def same(scene, tracers, heights, rng, dtype):
@@ -129,7 +127,7 @@ def test_warm_starts_while_rays_move_from_patch_to_patch(make_scene, rng, dtype)
 def test_rays_are_sorted_again_and_none_is_lost_or_doubled(make_scene, rng):
     scene = make_scene({"source": ASIDE, "lens.control_points": [40, 32]})
     _, fused = twins(scene)
-    drawn = fused._rays.bundle
+    drawn = Bundle.of(fused._path.rays)
     orders = []
     for share in np.linspace(0, 1, 12):
         height = (0.3 + 0.5 * share) * torch.ones(40, 32, dtype=torch.float64)

@@ -10,6 +10,11 @@ def lens(scene, seed, amplitude):
     return torch.tensor(scene.lens.base.height + amplitude * noise)
 
 
+def account(light):
+    """Where all light went, by name."""
+    return {"on_screen": light.on_screen, **light.lost}
+
+
 def with_gradient(tracer, heights, scene, cotangent):
     """Light, and the gradient of the weighed image; zeros where no light depends on the lens."""
     leaf = heights.clone().requires_grad_()

@@ -20,10 +20,10 @@ from workbench.design.limits import HeightLimits, bounded
 from workbench.design.transport.back_and_forth import Transport
 from workbench.design.transport.face import SlopeFit
 from workbench.geometry.surface import ControlNet
-from workbench.optics.collimated import CollimatedRays
-from workbench.optics.face_samples import FaceSamples
 from workbench.optics.glass import Glass
-from workbench.scene import CollimatedSource, GridSource, PointSource, Scene
+from workbench.optics.path import Path
+from workbench.optics.reference import Reference
+from workbench.scene import Scene
 
 Array = npt.NDArray[np.float64]
 
@@ -104,29 +104,26 @@ class _Light:
     """Light on the exit face: its flux in each cell, and its direction from inside."""
 
     def __init__(self, scene: Scene, net: ControlNet, cells: int) -> None:
-        source = scene.source
         r_x, r_y = scene.lens.half_width
         middle = 2 * (np.arange(cells) + 0.5) / cells - 1
         self.x, self.y = (middle * r_x)[:, None], (middle * r_y)[None, :]
         self._entrance_z = scene.lens.entrance_z
         self._glass: Glass | None = None
-        self._rays: CollimatedRays | FaceSamples
-        if isinstance(source, CollimatedSource):
-            self._rays = CollimatedRays(scene, net, (cells, cells), torch.float64)
-            return
-        if isinstance(source, GridSource):
-            source = PointSource(kind="point", position=source.center, emission=source.emission)
-            scene = scene.model_copy(update={"source": source})
-        x, y, z = source.position
-        self._away_x, self._away_y = self.x - x, self.y - y
-        self._glass = Glass(self._entrance_z - z, scene.lens.index, source.emission == "lambertian")
-        self._rays = FaceSamples(scene, net, (cells, cells), torch.float64)
+        point = scene.source.point
+        if point is not None:
+            scene = scene.model_copy(update={"source": point})
+            x, y, z = point.position
+            self._away_x, self._away_y = self.x - x, self.y - y
+            lambertian = point.emission == "lambertian"
+            self._glass = Glass(self._entrance_z - z, scene.lens.index, lambertian)
+        path = Path.of(scene, net, torch.float64, samples=(cells, cells))
+        self._reference = Reference(path)
 
     def flux(self, heights: Array) -> Array:
         """Flux that leaves the face, in each cell."""
         with torch.no_grad():
-            weight = self._rays.trace(torch.as_tensor(heights)).weight
-        return np.asarray(weight.numpy(), dtype=np.float64)
+            flux = self._reference.arrival(torch.as_tensor(heights)).rays.flux
+        return np.asarray(flux.numpy(), dtype=np.float64)
 
     def direction(self, z: Array) -> tuple[Array, Array, Array]:
         """Unit vectors at places of the face with heights z."""

@@ -18,6 +18,13 @@ class Refraction:
     reflected : str
         Name in the light account of what is reflected where the rest is refracted.
 
+    Attributes
+    ----------
+    ratio : float
+        Index before the face over that behind it.
+    reflected : str
+        As given.
+
     Notes
     -----
     Flux by Schlick's approximation, in the angle on the thinner side; total reflection takes all
@@ -25,18 +32,17 @@ class Refraction:
     """
 
     def __init__(self, before: float, behind: float, reflected: str) -> None:
-        self._ratio = before / behind
-        self._reflected = reflected
+        self.ratio, self.reflected = before / behind, reflected
 
     def turn(self, rays: RayBundle, meeting: Meeting) -> Passed:
         """The refracted light; see `Interface.turn`."""
-        out = refract(rays.direction, meeting.normal, self._ratio)
-        leaves_denser = self._ratio > 1
+        out = refract(rays.direction, meeting.normal, self.ratio)
+        leaves_denser = self.ratio > 1
         cos_thin = out.cos_out if leaves_denser else out.cos_in
-        index = self._ratio if leaves_denser else 1 / self._ratio
+        index = self.ratio if leaves_denser else 1 / self.ratio
         flux = torch.where(meeting.met, rays.flux, 0.0)
         passes = meeting.met & out.passes
         transmitted = torch.where(passes, flux * schlick_transmittance(cos_thin, index), 0.0)
         lost = {"total_reflection": flux * ~out.passes}
-        lost[self._reflected] = (flux - transmitted) * out.passes
+        lost[self.reflected] = (flux - transmitted) * out.passes
         return Passed(RayBundle(meeting.position, out.direction, transmitted, passes), lost)

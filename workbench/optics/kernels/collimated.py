@@ -1,10 +1,15 @@
-"""Collimated light in one pass from control heights to the image: `optics.collimated`'s twin.
+"""Collimated light in one pass from control heights to the image.
+
+The bundle is parallel to z and meets the flat entrance face at a right angle, so it goes straight
+on and can start on the exit face (de Koning et al. 2023, section 2.2): no entrance refraction, no
+intersection, and slopes on a tensor grid by small matrix products.
 
 The loops are those of `workbench.optics.kernels.rows`. Nothing is kept for the way back: it
 traces the same rays again, which costs less than memory.
 """
 
-from typing import Any
+from collections.abc import Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -12,54 +17,58 @@ import torch
 from torch import Tensor
 
 from workbench.geometry.surface import ControlNet
+from workbench.optics.interfaces import Refraction
 from workbench.optics.kernels.collimated_trace import LOOPS, Optics
+from workbench.optics.kernels.exit_face import ExitFace
 from workbench.optics.kernels.function import Sums, kind_of, trace
 from workbench.optics.kernels.grid import make_axis, middles
 from workbench.optics.kernels.locked import Mask, Rays, count, split
-from workbench.optics.kernels.passes import GridPasses
+from workbench.optics.kernels.passes import GridPasses, note_of
 from workbench.optics.kernels.spread import Spread, make_canvases, make_spread, pad
-from workbench.optics.light import Light, sum_of
+from workbench.optics.light import Light
+from workbench.optics.path import Path, Step
 from workbench.optics.refraction import normal_reflectance
-from workbench.scene import Filter, GaussianFilter, Scene, Screen
+from workbench.optics.sources import CollimatedEmitter
+from workbench.optics.surfaces import Plane
+from workbench.scene import Filter, GaussianFilter, Screen
 
 AnyArray = npt.NDArray[np.floating[Any]]
 
 
 class FusedCollimatedRays:
-    """A tensor grid of rays; the same rays as `workbench.optics.collimated.CollimatedRays`.
+    """A tensor grid of rays; a `workbench.optics.light.Tracer`.
 
     Parameters
     ----------
-    scene : Scene
-        The scene; the source is collimated.
-    net : ControlNet
-        Where the control heights sit.
-    samples : tuple[int, int]
-        Numbers of rays along x and y.
+    path : Path
+        One that `matches`.
     mirrored : tuple[bool, bool]
         Whether heights, lens and locks are mirror images of themselves in x, in y: then the rays
         of one half are traced alone, if their number is even.
     locked : ndarray of bool, shape (n_u, n_v), optional
         Control points whose heights are the same in all lenses to come; rays that see none of the
         others are traced for the first lens alone.
-    dtype : torch.dtype
-        Float type of the trace.
     """
 
-    emitted = 1.0
-    missed_lens = 0.0
+    name = "collimated"
+
+    @staticmethod
+    def matches(path: Path) -> bool:
+        """Whether it traces what the walk along a path does."""
+        return _ParallelLens.of(path) is not None
 
     def __init__(
         self,
-        scene: Scene,
-        net: ControlNet,
-        samples: tuple[int, int],
+        path: Path,
         mirrored: tuple[bool, bool] = (False, False),
-        dtype: torch.dtype = torch.float32,
         locked: Mask | None = None,
     ) -> None:
-        self._dtype = dtype
-        kind = self._kind = kind_of(dtype)
+        lens = _ParallelLens.of(path)
+        if lens is None:
+            raise TypeError("the kernel for collimated light does not match this path")
+        net, samples, n = lens.face.net, lens.samples, lens.face.ratio
+        self._face, self._dtype = lens.face, path.dtype
+        kind = self._kind = kind_of(path.dtype)
         self.mirrored = tuple(
             wanted and along % 2 == 0 for wanted, along in zip(mirrored, samples, strict=True)
         )
@@ -68,36 +77,71 @@ class FusedCollimatedRays:
             for axis, (along, halved) in enumerate(zip(samples, self.mirrored, strict=True))
         )
         self._moving, self._still = split((across, up), locked)
-        self._still_light: tuple[Screen, Filter, Light] | None = None
+        self._still_light: tuple[Screen, Filter, Tensor, Sums] | None = None
         self.traced = count(self._moving) / count((across, up))
-        self._level = scene.lens.base.height
-        self._screen = scene.screen
-        n = scene.lens.index
-        self.fresnel_entrance = normal_reflectance(n) * self.emitted
-        arriving = (self.emitted - self.fresnel_entrance) / (samples[0] * samples[1])
+        self._level, self._screen = path.datum, path.receiver.screen
+        reflected = normal_reflectance(n)
+        self._before = {lens.missed: 0.0, lens.reflected: reflected}
+        arriving = (1 - reflected) / (samples[0] * samples[1])
         self._optics = Optics(
             kind(n),
             kind(n * n - 1),
-            kind(scene.screen.z - self._level),
+            kind(path.receiver.z),
             kind(16 * np.finfo(kind).eps),
             kind(arriving),
             kind(arriving * (1 - normal_reflectance(n))),
         )
 
+    @property
+    def notes(self) -> list[str]:
+        """See `workbench.optics.light.Tracer`."""
+        notes = ["collimated light: entrance refraction and intersection left out"]
+        notes += note_of(self.mirrored)
+        if self.traced < 1:
+            notes.append(f"locked control points: {self.traced:.0%} of the rays after the first")
+        return notes
+
     def image(self, heights: Tensor, screen: Screen, filter: Filter) -> Light:
         """Trace a lens; see `workbench.optics.light.Tracer`."""
         spread = make_spread(screen, filter, self._kind, self._screen)
-        light = trace(heights, self._level, self._dtype, _Passes(self, self._moving, spread))
-        if not self._still:
-            return light
-        if self._still_light is None or self._still_light[:2] != (screen, filter):
-            with torch.no_grad():
-                parts = [
-                    trace(heights, self._level, self._dtype, _Passes(self, rays, spread))
-                    for rays in self._still
-                ]
-            self._still_light = screen, filter, sum_of(parts)
-        return sum_of([light, self._still_light[2]])
+
+        def traced(rays: Rays) -> tuple[Tensor, Sums]:
+            return trace(heights, self._level, self._dtype, _Passes(self, rays, spread))
+
+        flux, sums = traced(self._moving)
+        if self._still:
+            if self._still_light is None or self._still_light[:2] != (screen, filter):
+                with torch.no_grad():
+                    parts = [traced(rays) for rays in self._still]
+                self._still_light = screen, filter, *_together(parts)
+            flux, sums = _together([(flux, sums), self._still_light[2:]])
+        return self._face.light(flux, sums, self._before)
+
+
+class _ParallelLens(NamedTuple):
+    """What the kernel is for: parallel light, a flat face across it and a B-spline."""
+
+    samples: tuple[int, int]
+    missed: str
+    reflected: str
+    face: ExitFace
+
+    @classmethod
+    def of(cls, path: Path) -> "_ParallelLens | None":
+        face = ExitFace.of(path)
+        match path.emitter, path.steps:
+            case (
+                CollimatedEmitter(count=count),
+                (Step(Plane(), Refraction(reflected=reflected), missed), _),
+            ) if face is not None:
+                return cls(count, missed, reflected, face)
+        return None
+
+
+def _together(parts: Sequence[tuple[Tensor, Sums]]) -> tuple[Tensor, Sums]:
+    """The light of several sets of rays."""
+    images, sums = zip(*parts, strict=True)
+    return sum(images[1:], images[0]), Sums(*map(sum, zip(*sums, strict=True)))
 
 
 def compile_for(dtype: torch.dtype) -> None:
@@ -142,5 +186,5 @@ class _Passes(GridPasses):
             on_screen,
             off_screen=beside,
             total_reflection=self._flux - passed,
-            fresnel_exit=passed - on_screen - beside,
+            reflected=passed - on_screen - beside,
         )

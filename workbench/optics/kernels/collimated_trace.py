@@ -54,7 +54,9 @@ class Optics(NamedTuple):
 def _refract(light, spread, i, j, lanes, t):  # type: ignore[no-untyped-def]
     """Where rays hit, and their flux; says how many are refracted.
 
-    The formulas are those of `optics.collimated`.
+    Snell's law with d = (0, 0, 1) and N = (−z_x, −z_y, 1)/s, s² = 1 + k, k = z_x² + z_y², leaves
+    one root: q = s cos θ_t = √(1 − (n² − 1) k); per unit of z the refracted ray moves sideways by
+    (z_x, z_y) (n² − 1) / (1 + n q).
     """
     columns, rows, optics = light
     place, row = columns[i:], rows[j]

@@ -11,17 +11,21 @@ import torch
 from torch import Tensor
 
 from workbench.geometry.surface import ControlNet
+from workbench.optics.face_samples import FaceSamples, SampledFace
 from workbench.optics.glass import Glass
+from workbench.optics.kernels.exit_face import ExitFace
 from workbench.optics.kernels.face_numbers import Across, Optics, Up
 from workbench.optics.kernels.face_trace import LOOPS
-from workbench.optics.kernels.function import Sums, trace
+from workbench.optics.kernels.function import Sums, kind_of, trace
 from workbench.optics.kernels.grid import make_axis, middles
-from workbench.optics.kernels.passes import GridPasses
+from workbench.optics.kernels.locked import Mask
+from workbench.optics.kernels.passes import GridPasses, note_of
 from workbench.optics.kernels.spread import Spread, make_canvases, make_spread, pad
 from workbench.optics.lattice import make_lattice
 from workbench.optics.light import Light
+from workbench.optics.path import Path
 from workbench.optics.refraction import normal_reflectance
-from workbench.scene import Filter, GaussianFilter, Scene, Screen, of_points
+from workbench.scene import Filter, GaussianFilter, Screen
 
 AnyArray = npt.NDArray[np.floating[Any]]
 
@@ -31,34 +35,37 @@ class FusedFaceSamples:
 
     Parameters
     ----------
-    scene : Scene
-        The scene; source kind "point" or "grid".
-    net : ControlNet
-        Where the control heights sit.
-    samples : tuple[int, int]
-        Samples along x and y; the points of a grid share them.
+    path : Path
+        One that `matches`.
     mirrored : tuple[bool, bool]
         Whether heights, lens and source are mirror images of themselves in x, in y: then the
         samples of one half are traced alone, if their number is even.
-    dtype : torch.dtype
-        Float type of the trace.
+    locked : ndarray of bool, shape (n_u, n_v), optional
+        Control points whose heights stay; no use is made of that.
     """
 
-    emitted = 1.0
+    name = "face"
+
+    @staticmethod
+    def matches(path: Path) -> bool:
+        """Whether it traces what the reference makes of a path."""
+        return SampledFace.of(path) is not None and ExitFace.of(path) is not None
 
     def __init__(
         self,
-        scene: Scene,
-        net: ControlNet,
-        samples: tuple[int, int],
+        path: Path,
         mirrored: tuple[bool, bool] = (False, False),
-        dtype: torch.dtype = torch.float32,
+        locked: Mask | None = None,
     ) -> None:
-        source, lens = of_points(scene.source), scene.lens
-        lattice = make_lattice(source, lens, samples)
-        self.missed_lens, self.fresnel_entrance = lattice.missed, lattice.reflected
-        self._dtype, self._screen = dtype, scene.screen
-        kind = self._kind = torch.zeros(0, dtype=dtype).numpy().dtype.type
+        sampled, face = SampledFace.of(path), ExitFace.of(path)
+        if sampled is None or face is None:
+            raise TypeError("the kernel for samples does not match this path")
+        source, lens, net = sampled.emitter.source, sampled.emitter.lens, face.net
+        lattice = make_lattice(source, lens, sampled.samples)
+        self._face = face
+        self._before = {sampled.missed: lattice.missed, sampled.reflected: lattice.reflected}
+        self._dtype, self._screen = path.dtype, path.receiver.screen
+        kind = self._kind = kind_of(path.dtype)
         counts = len(lattice.x.place), len(lattice.y.place)
         self.mirrored = tuple(
             wanted and count % 2 == 0 for wanted, count in zip(mirrored, counts, strict=True)
@@ -103,17 +110,23 @@ class FusedFaceSamples:
             kind(lattice.distance**2),
             kind(lambertian),
             kind(self._lift),
-            kind(scene.screen.z - self._level),
+            kind(self._screen.z - self._level),
             kind(16 * np.finfo(kind).eps),
             kind(passing),
             near=bool((n * n - 1) ** 0.5 * self._widest > apparent),
             rims=bool(x.reach.any() or y.reach.any()),
         )
 
+    @property
+    def notes(self) -> list[str]:
+        """See `workbench.optics.light.Tracer`."""
+        return [FaceSamples.note, *note_of(self.mirrored)]
+
     def image(self, heights: Tensor, screen: Screen, filter: Filter) -> Light:
         """Trace a lens; see `workbench.optics.light.Tracer`."""
         spread = make_spread(screen, filter, self._kind, self._screen)
-        return trace(heights, self._level, self._dtype, _Passes(self, spread))
+        light = trace(heights, self._level, self._dtype, _Passes(self, spread))
+        return self._face.light(*light, self._before)
 
     def steps(self, heights: AnyArray) -> int:
         """Steps of Newton's method for a lens of heights above the level."""
@@ -123,7 +136,7 @@ class FusedFaceSamples:
 
 def compile_for(dtype: torch.dtype) -> None:
     """Compile the kernels for a float type by tracing a few samples."""
-    kind = torch.zeros(0, dtype=dtype).numpy().dtype.type
+    kind = kind_of(dtype)
     net = ControlNet((2, 2), (1, 1), (1.0, 1.0))
     bases = tuple(make_axis(net, axis, middles(2, False), kind) for axis in (0, 1))
     pair, one = np.ones(2, kind), kind(1)
@@ -157,12 +170,11 @@ class _Passes(GridPasses):
     def account(self, sums: list[float]) -> Sums:
         """See `GridPasses`."""
         on_screen, beside, met, passed = sums
-        samples = self._samples
-        entered = samples.emitted - samples.missed_lens - samples.fresnel_entrance
+        entered = 1 - sum(self._samples._before.values())
         return Sums(
             on_screen,
             off_screen=beside,
             total_reflection=met - passed,
-            fresnel_exit=passed - on_screen - beside,
-            left_side=entered - met,
+            reflected=passed - on_screen - beside,
+            missed=entered - met,
         )

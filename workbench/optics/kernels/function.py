@@ -8,19 +8,17 @@ import torch
 from torch import Tensor
 from torch.autograd.function import once_differentiable
 
-from workbench.optics.light import Light
-
 AnyArray = npt.NDArray[np.floating[Any]]
 
 
 class Sums(NamedTuple):
-    """Light that is not in the image: the parts of `Light` beside its flux."""
+    """Flux that met the exit face and reached the screen, or passed it by, or what else it did."""
 
     on_screen: float
     off_screen: float
     total_reflection: float
-    fresnel_exit: float
-    left_side: float = 0.0
+    reflected: float
+    missed: float = 0.0
 
 
 class Passes(Protocol):
@@ -40,7 +38,7 @@ def kind_of(dtype: torch.dtype) -> type[np.floating[Any]]:
     return np.float32 if dtype == torch.float32 else np.float64
 
 
-def trace(heights: Tensor, level: float, dtype: torch.dtype, passes: Passes) -> Light:
+def trace(heights: Tensor, level: float, dtype: torch.dtype, passes: Passes) -> tuple[Tensor, Sums]:
     """Run a kernel so that torch can differentiate its image.
 
     Parameters
@@ -53,10 +51,15 @@ def trace(heights: Tensor, level: float, dtype: torch.dtype, passes: Passes) -> 
         Float type of the kernel.
     passes : Passes
         The kernel and its adjoint.
+
+    Returns
+    -------
+    tuple of Tensor and Sums
+        Flux in each pixel, shape (n_y, n_x), differentiable; and the sums.
     """
     sums: list[Sums] = []
     flux = _Trace.apply((heights - level).to(dtype), passes, sums)  # type: ignore[no-untyped-call]
-    return Light(flux, *sums[0])
+    return flux, sums[0]
 
 
 class _Trace(torch.autograd.Function):

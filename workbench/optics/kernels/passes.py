@@ -16,6 +16,13 @@ from workbench.optics.kernels.spread import Spread, add_up, make_canvases, pad
 AnyArray = npt.NDArray[np.floating[Any]]
 
 
+def note_of(mirrored: tuple[bool, ...]) -> list[str]:
+    """What mirror symmetry leaves out, in words."""
+    if not any(mirrored):
+        return []
+    return [f"mirror symmetry: {'a quarter' if all(mirrored) else 'half'} of the rays"]
+
+
 class GridPasses(ABC):
     """The trace of one tensor grid of rays onto one screen, and its adjoint.
 

@@ -1,11 +1,11 @@
-"""Light of point sources in one pass from control heights to the image: `optics.point`'s twin.
+"""Rays in any direction to +z, from the exit face to the image in one pass.
 
 Rays are kept sorted by the patch of the exit face in which they met the last lens, and their
 depths there are where the search starts for the next one. When many have moved to other patches,
 they are sorted again.
 """
 
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 import numpy.typing as npt
@@ -13,8 +13,11 @@ import torch
 from torch import Tensor
 
 from workbench.geometry.surface import ControlNet
+from workbench.optics.intersection import Bundle
 from workbench.optics.kernels import threads
+from workbench.optics.kernels.exit_face import ExitFace
 from workbench.optics.kernels.function import Sums, kind_of, trace
+from workbench.optics.kernels.locked import Mask
 from workbench.optics.kernels.point_face import Face, heights_cotangent, make_table
 from workbench.optics.kernels.point_order import Sorted, arrange
 from workbench.optics.kernels.point_trace import (
@@ -32,8 +35,8 @@ from workbench.optics.kernels.point_trace import (
 from workbench.optics.kernels.point_trace import trace as trace_rays
 from workbench.optics.kernels.spread import Spread, add_up, make_canvases, make_spread, pad
 from workbench.optics.light import Light
-from workbench.optics.point import PointRays
-from workbench.scene import Filter, GaussianFilter, Scene, Screen
+from workbench.optics.path import Path
+from workbench.scene import Filter, GaussianFilter, Screen
 
 AnyArray = npt.NDArray[np.floating[Any]]
 
@@ -42,53 +45,54 @@ _INTERRUPTION = 2
 
 
 class FusedPointRays:
-    """The rays of a `PointRays` on the CPU, also after these were drawn anew.
+    """The rays of a path on the CPU, also after these were drawn anew.
+
+    Whatever emits them, and whatever they pass before the exit face: the walk follows them there.
 
     Parameters
     ----------
-    rays : PointRays
-        The rays; intersection method "exact".
-    scene : Scene
-        Their scene.
-    net : ControlNet
-        Where the control heights sit.
-    dtype : torch.dtype
-        Float type of the trace, that of the rays.
+    path : Path
+        One that `matches`.
+    mirrored, locked
+        What else is known of the lenses; no use is made of that.
     """
 
-    emitted = 1.0
+    name = "point"
+    notes: ClassVar[list[str]] = []
+
+    @staticmethod
+    def matches(path: Path) -> bool:
+        """Whether it traces what the walk along a path does."""
+        face = ExitFace.of(path)
+        return face is not None and not face.mesh
 
     def __init__(
-        self, rays: PointRays, scene: Scene, net: ControlNet, dtype: torch.dtype = torch.float32
+        self,
+        path: Path,
+        mirrored: tuple[bool, bool] = (False, False),
+        locked: Mask | None = None,
     ) -> None:
-        self._rays = rays
-        self._dtype, self._screen = dtype, scene.screen
-        self._level = scene.lens.entrance_z
-        self.kind = kind_of(dtype)
-        self.face = Face(net, dtype)
-        self.glass = make_glass(scene, self.kind)
+        face = ExitFace.of(path)
+        if face is None:
+            raise TypeError("the kernel for rays that search does not match this path")
+        self._path, self._exit = path, face
+        self.kind = kind_of(path.dtype)
+        self.face = Face(face.net, path.dtype)
+        self.glass = make_glass(face.ratio, path.receiver.z, self.kind)
         self._sorted: Sorted | None = None
-
-    @property
-    def missed_lens(self) -> float:
-        """Flux of the source that passed the entrance face by."""
-        return self._rays.missed_lens
-
-    @property
-    def fresnel_entrance(self) -> float:
-        """Flux reflected at the entrance face."""
-        return self._rays.fresnel_entrance
 
     def image(self, heights: Tensor, screen: Screen, filter: Filter) -> Light:
         """Trace a lens; see `workbench.optics.light.Tracer`."""
-        spread = make_spread(screen, filter, self.kind, self._screen)
-        return trace(heights, self._level, self._dtype, _Passes(self, spread))
+        path = self._path
+        spread = make_spread(screen, filter, self.kind, path.receiver.screen)
+        light = trace(heights, path.datum, path.dtype, _Passes(self, spread))
+        return self._exit.light(*light, {name: part.item() for name, part in path.lost.items()})
 
     def ready(self, level: float) -> Sorted:
         """The rays, sorted for a lens much like the last one, or for a plate of some height."""
-        drawn, known = self._rays.bundle, self._sorted
+        drawn, known = self._path.rays, self._sorted
         if known is None or known.drawn is not drawn:
-            bundle = np.stack([part.numpy() for part in drawn])
+            bundle = np.stack([part.flatten().numpy() for part in Bundle.of(drawn)])
             depths = np.full(bundle.shape[1], level, self.kind)
             return arrange(self.face.net, drawn, bundle, depths)
         if known.interruptions * _INTERRUPTION > len(known.depths):

@@ -46,7 +46,6 @@ from workbench.optics.kernels.point_patches import (
 from workbench.optics.kernels.spread import BATCH, gather, scatter, workspace
 from workbench.optics.kernels.taps import FAST
 from workbench.optics.refraction import normal_reflectance
-from workbench.scene import Scene
 
 # Sums that a trace returns: flux on the screen, beside it, totally reflected, reflected by Fresnel,
 # left through the side; and the number of runs of rays that began in the same patch.
@@ -76,10 +75,8 @@ class Glass(NamedTuple):
     distance: np.floating[Any]
 
 
-def make_glass(scene: Scene, kind: type[np.floating[Any]]) -> Glass:
-    """Prepare a scene for kernels of a float type."""
-    index = scene.lens.index
-    distance = scene.screen.z - scene.lens.entrance_z
+def make_glass(index: float, distance: float, kind: type[np.floating[Any]]) -> Glass:
+    """Prepare a lens of some index, and a screen at some distance, for kernels of a float type."""
     passing, critical = 1 - normal_reflectance(index), 16 * float(np.finfo(kind).eps)
     numbers = (index, 1 - index**2, passing, critical, distance)
     return Glass(*(kind(number) for number in numbers))

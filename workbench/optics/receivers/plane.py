@@ -4,6 +4,7 @@ import torch
 from torch import Tensor
 
 from workbench.optics.rays import RayBundle
+from workbench.scene import Screen
 
 # A face that folds light back, or sideways for ever, sends it past any screen.
 _ONWARD = 1e-6
@@ -14,18 +15,27 @@ class PlaneReceiver:
 
     Parameters
     ----------
+    screen : Screen
+        The part of the plane on which light is wanted.
+    datum : float
+        z of the scene from which the path counts z.
+
+    Attributes
+    ----------
+    screen : Screen
+        As given.
     z : float
-        Where it is, counted from the datum of the path.
+        Where the plane is, counted from the datum.
     """
 
-    def __init__(self, z: float) -> None:
-        self._z = z
+    def __init__(self, screen: Screen, datum: float) -> None:
+        self.screen, self.z = screen, screen.z - datum
 
     def places(self, rays: RayBundle) -> tuple[Tensor, Tensor]:
         """Where (x, y) rays hit the plane, scene units; infinite for those that never do."""
         (x, y, z), (d_x, d_y, d_z) = rays.position, rays.direction
         onward = d_z > _ONWARD
-        way = (self._z - z) / torch.where(onward, d_z, 1.0)
+        way = (self.z - z) / torch.where(onward, d_z, 1.0)
         hits = rays.alive & onward
         return (
             torch.where(hits, x + d_x * way, torch.inf),

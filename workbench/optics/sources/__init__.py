@@ -13,25 +13,23 @@ from workbench.optics.sources.collimated import CollimatedEmitter
 from workbench.optics.sources.points import PointEmitter
 from workbench.scene import CollimatedSource, GridSource, Lens, PointSource, Source
 
+__all__ = ["CollimatedEmitter", "Emitter", "PointEmitter", "Samples", "emitter_of"]
+
+Samples = tuple[int, int]
+
 
 class Emitter(Protocol):
-    """Emits rays.
+    """Emits rays."""
 
-    Attributes
-    ----------
-    along_axis : bool
-        Whether all rays go along +z: the entrance face then leaves them as they are.
-    """
-
-    along_axis: bool
-
-    def rays(self, seed: int) -> RayBundle:
+    def rays(self, seed: int, draw: int = 0) -> RayBundle:
         """Rays of the source, in float64; their flux adds up to 1.
 
         Parameters
         ----------
         seed : int
             The same seed gives the same rays.
+        draw : int
+            Number of the set of rays; where they are drawn at random, each is another one.
         """
         ...
 
@@ -46,13 +44,22 @@ class Emitter(Protocol):
         ...
 
 
-_EMITTERS: Mapping[type, Callable[[Any, Lens], Emitter]] = {
+_EMITTERS: Mapping[type, Callable[[Any, Lens, Samples | None], Emitter]] = {
     CollimatedSource: CollimatedEmitter,
     PointSource: PointEmitter,
     GridSource: PointEmitter,
 }
 
 
-def emitter_of(source: Source, lens: Lens) -> Emitter:
-    """The element that emits the light of a source towards a lens."""
-    return _EMITTERS[type(source)](source, lens)
+def emitter_of(source: Source, lens: Lens, samples: Samples | None = None) -> Emitter:
+    """The element that emits the light of a source towards a lens.
+
+    Parameters
+    ----------
+    source, lens
+        The light and its aperture.
+    samples : tuple[int, int], optional
+        Numbers along x and y that are wanted in place of the source's own rays. A source whose
+        rays are drawn at random keeps them.
+    """
+    return _EMITTERS[type(source)](source, lens, samples)

@@ -17,18 +17,25 @@ class CollimatedEmitter:
         How many rays.
     lens : Lens
         Gives the entrance face.
+    samples : tuple[int, int], optional
+        Rays along x and y; those of the source by default.
+
+    Attributes
+    ----------
+    count : tuple[int, int]
+        Rays along x and y.
     """
 
-    along_axis = True
+    def __init__(
+        self, source: CollimatedSource, lens: Lens, samples: tuple[int, int] | None = None
+    ) -> None:
+        self.count, self._lens = samples or source.rays, lens
 
-    def __init__(self, source: CollimatedSource, lens: Lens) -> None:
-        self._count, self._lens = source.rays, lens
-
-    def rays(self, seed: int) -> RayBundle:
-        """The same rays for every seed; see `Emitter.rays`."""
+    def rays(self, seed: int, draw: int = 0) -> RayBundle:
+        """The same rays for every seed and draw; see `Emitter.rays`."""
         x, y = (
             torch.as_tensor(((np.arange(m) + 0.5) / m * 2 - 1) * r)
-            for m, r in zip(self._count, self._lens.half_width, strict=True)
+            for m, r in zip(self.count, self._lens.half_width, strict=True)
         )
         return _along_axis(x[:, None], y[None, :], self._lens.entrance_z)
 

@@ -21,23 +21,33 @@ class PointEmitter:
         Where the points are, and how they emit.
     lens : Lens
         Gives the entrance face.
+    samples : tuple[int, int], optional
+        Of the exit face along x and y; see `workbench.optics.face_samples`.
+
+    Attributes
+    ----------
+    source, lens, samples
+        As given.
     """
 
-    along_axis = False
+    def __init__(
+        self,
+        source: PointSource | GridSource,
+        lens: Lens,
+        samples: tuple[int, int] | None = None,
+    ) -> None:
+        self.source, self.lens, self.samples = source, lens, samples
 
-    def __init__(self, source: PointSource | GridSource, lens: Lens) -> None:
-        self._source, self._lens = source, lens
-
-    def rays(self, seed: int) -> RayBundle:
+    def rays(self, seed: int, draw: int = 0) -> RayBundle:
         """Rays drawn by the seed; see `Emitter.rays`."""
-        rays = emit(self._source, self._lens, seed)
-        onto_face = np.column_stack([rays.crossing, np.full(len(rays.flux), self._lens.entrance_z)])
+        rays = emit(self.source, self.lens, seed, draw)
+        onto_face = np.column_stack([rays.crossing, np.full(len(rays.flux), self.lens.entrance_z)])
         return _bundle(onto_face, rays.direction, rays.flux)
 
     def towards(self, x: Tensor, y: Tensor) -> RayBundle:
         """Rays from the middle of the source and its corners in turn; see `Emitter.towards`."""
-        corners = _middle_and_corners(self._source)
-        place = np.column_stack([x, y, np.full(len(x), self._lens.entrance_z)])
+        corners = np.vstack([self.source.place, self.source.corners])
+        place = np.column_stack([x, y, np.full(len(x), self.lens.entrance_z)])
         origin = corners[np.arange(len(place)) % len(corners)]
         direction = place - origin
         direction /= np.linalg.norm(direction, axis=1, keepdims=True)
@@ -52,11 +62,3 @@ def _bundle(origin: Array, direction: Array, flux: Array) -> RayBundle:
 def _vector(rows: Array) -> Vector:
     x, y, z = torch.as_tensor(rows).unbind(1)
     return x.contiguous(), y.contiguous(), z.contiguous()
-
-
-def _middle_and_corners(source: PointSource | GridSource) -> Array:
-    """A point's place, or those of a grid's middle and corners, shape (n, 3)."""
-    if isinstance(source, GridSource):
-        corners = source.model_copy(update={"points": (2, 2)}).positions
-        return np.vstack([source.center, corners])
-    return source.positions

@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from typing import Protocol
 
+import numpy as np
 import torch
 from torch import Tensor
 
@@ -31,6 +32,11 @@ class BSplineSurface:
         Of each knot span along x and y: rays then meet triangles, as in the paper, in place of the
         B-spline itself.
 
+    Attributes
+    ----------
+    net, subdivisions
+        As given.
+
     Notes
     -----
     Rays that stay the same for lens after lens are told by being the same object: what depends on
@@ -49,9 +55,9 @@ class BSplineSurface:
         subdivisions: tuple[int, int] | None = None,
     ) -> None:
         self.name = name
-        self._net, self._datum = net, datum
-        self._dtype, self._device = dtype, device
-        self._subdivisions = subdivisions
+        self.kind = "B-spline" if subdivisions is None else "triangle mesh"
+        self.net, self.subdivisions = net, subdivisions
+        self._datum, self._dtype, self._device = datum, dtype, device
         self._met_before: tuple[RayBundle, _Way] | None = None
 
     def meet(self, rays: RayBundle, heights: Mapping[str, Tensor]) -> Meeting:
@@ -66,8 +72,8 @@ class BSplineSurface:
         x, y, _ = rays.position
         along_axis = not any(d.count_nonzero() for d in rays.direction[:2])
         if along_axis and x.ndim == 2 and x.shape[1] == 1 and y.shape[0] == 1:
-            return _AlongAxis(rays, self._net, self._dtype, self._device)
-        return _Searching(rays, self._net, self._dtype, self._device, self._subdivisions)
+            return _AlongAxis(rays, self.net, self._dtype, self._device)
+        return _Searching(rays, self.net, self._dtype, self._device, self.subdivisions)
 
 
 class _Way(Protocol):
@@ -87,11 +93,12 @@ class _AlongAxis:
         self._rays = rays
         x, y, _ = rays.position
         r_x, r_y = net.half_width
-        u, v = (x[:, 0].cpu().double() / r_x + 1) / 2, (y[0].cpu().double() / r_y + 1) / 2
+        # By lists: values that were made within a `torch.func` transform have no storage.
+        u, v = ((np.array(c.tolist()) / r + 1) / 2 for c, r in ((x[:, 0], r_x), (y[0], r_y)))
         self._basis = GridBasis(
             *(
                 torch.as_tensor(part, dtype=dtype, device=device).contiguous()
-                for part in vars(net.grid(u.numpy(), v.numpy())).values()
+                for part in vars(net.grid(u, v)).values()
             )
         )
 
@@ -113,14 +120,7 @@ class _Searching:
         subdivisions: tuple[int, int] | None,
     ) -> None:
         self._rays = rays
-        (x, y, z), (d_x, d_y, d_z) = rays.position, rays.direction
-        # Lines are given by where they cross the plane of the datum.
-        slope_x, slope_y = d_x / d_z, d_y / d_z
-        lines = x - slope_x * z, y - slope_y * z, slope_x, slope_y, rays.flux
-        count = (
-            lines[0] + lines[1] + slope_x + slope_y
-        ).shape  # rays along the axis may have one direction for all
-        self._lines = Bundle(*(part.expand(count) for part in lines))
+        self._lines = Bundle.of(rays)
         self._patches = Patches(net, dtype, device)
         self._intersection: ExactIntersection | MeshIntersection
         if subdivisions is not None:

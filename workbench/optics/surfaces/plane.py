@@ -20,21 +20,27 @@ class Plane:
         Where it is, counted from the datum of the path.
     half_width : tuple[float, float]
         Half-widths of its outline, scene units.
+
+    Attributes
+    ----------
+    z, half_width
+        As given.
     """
 
+    kind = "plane"
     freeform = False
 
     def __init__(self, name: str, z: float, half_width: tuple[float, float]) -> None:
         self.name = name
-        self._z, self._half_width = z, half_width
+        self.z, self.half_width = z, half_width
 
     def meet(self, rays: RayBundle, heights: Mapping[str, Tensor]) -> Meeting:
         """Where rays meet the plane; see `Surface.meet`."""
         (x, y, z), (d_x, d_y, d_z) = rays.position, rays.direction
         forward = d_z > 0
-        way = torch.where(forward, (self._z - z) / torch.where(forward, d_z, 1.0), 0.0)
+        way = torch.where(forward, (self.z - z) / torch.where(forward, d_z, 1.0), 0.0)
         x, y = x + way * d_x, y + way * d_y
-        r_x, r_y = self._half_width
+        r_x, r_y = self.half_width
         met = rays.alive & forward & (x.abs() <= r_x) & (y.abs() <= r_y)
         zero, one = torch.zeros_like(d_z), torch.ones_like(d_z)
-        return Meeting((x, y, torch.full_like(d_z, self._z)), (zero, zero, one), met)
+        return Meeting((x, y, torch.full_like(d_z, self.z)), (zero, zero, one), met)

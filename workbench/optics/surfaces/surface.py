@@ -33,12 +33,15 @@ class Surface(Protocol):
     ----------
     name : str
         What its heights are called; one name for each surface of a path.
+    kind : str
+        What it is, in words.
     freeform : bool
         Whether it depends on control heights; rays before the first such surface stay as they are
         during a run.
     """
 
     name: str
+    kind: str
     freeform: bool
 
     def meet(self, rays: RayBundle, heights: Mapping[str, Tensor]) -> Meeting:

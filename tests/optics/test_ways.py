@@ -1,0 +1,115 @@
+"""Which compiled special case serves a path, and that the walk serves all others."""
+
+import numpy as np
+import pytest
+import torch
+
+from tests.optics.kernels.twins import account
+from tests.optics.points import GRID, POINT, smooth
+from tests.optics.rays import Given, bundle
+from workbench.geometry.surface import ControlNet
+from workbench.optics.interfaces import Passed
+from workbench.optics.kernels.collimated import FusedCollimatedRays
+from workbench.optics.kernels.face import FusedFaceSamples
+from workbench.optics.kernels.point import FusedPointRays
+from workbench.optics.path import Path
+from workbench.optics.rays import RayBundle
+from workbench.optics.reference import Reference
+from workbench.optics.surfaces import Plane
+from workbench.optics.ways import Ways
+
+COLLIMATED = {"kind": "collimated", "rays": [40, 30]}
+MESH = POINT | {"intersection": {"method": "mesh"}}
+
+
+class Unchanged:
+    """An interface that lets all light pass straight on."""
+
+    def turn(self, rays, meeting):
+        flux = torch.where(meeting.met, rays.flux, 0.0)
+        return Passed(RayBundle(meeting.position, rays.direction, flux, meeting.met), {})
+
+
+def path_of(scene, samples=None):
+    return Path.of(scene, ControlNet.of(scene.lens), torch.float64, samples=samples)
+
+
+def changed(path, emitter=None, steps=None):
+    return Path(
+        emitter or path.emitter, steps or path.steps, path.receiver, path.datum, 0, path.dtype
+    )
+
+
+def kind(path):
+    return Ways(path, (False, False), None).kind
+
+
+@pytest.mark.parametrize(
+    ("source", "samples", "expected"),
+    [
+        (COLLIMATED, None, FusedCollimatedRays),
+        (COLLIMATED, (20, 20), FusedCollimatedRays),
+        (POINT, None, FusedPointRays),
+        (GRID, None, FusedPointRays),
+        (MESH, None, None),
+        (POINT, (20, 20), FusedFaceSamples),
+        (GRID, (20, 20), FusedFaceSamples),
+        (MESH, (20, 20), FusedFaceSamples),
+    ],
+)
+def test_the_special_case_follows_from_the_elements(make_scene, source, samples, expected):
+    assert kind(path_of(make_scene({"source": source}), samples)) is expected
+
+
+@pytest.mark.parametrize("source", [COLLIMATED, POINT], ids=["collimated", "point"])
+def test_no_kernel_stands_for_an_interface_that_it_does_not_know(make_scene, source):
+    scene = make_scene({"source": source})
+    path = path_of(scene)
+    entrance, exit_face = path.steps
+    window = changed(path, steps=[entrance, exit_face._replace(interface=Unchanged())])
+    assert kind(window) is None
+    # Without refraction at the exit, light keeps its direction: more of it passes the screen by.
+    light = Reference(window).image(smooth(scene), scene.screen, scene.filter)
+    assert "fresnel_exit" not in light.lost
+    assert sum(account(light).values()) == pytest.approx(1, abs=1e-12)
+
+
+def test_another_step_before_the_exit_face_needs_no_other_kernel(make_scene):
+    scene = make_scene({"source": POINT})
+    path = path_of(scene)
+    entrance, exit_face = path.steps
+    pane = entrance._replace(surface=Plane("pane", 0.1, (0.5, 0.5)), interface=Unchanged())
+    stopped = changed(path, steps=[entrance, pane._replace(missed="stop"), exit_face])
+    assert kind(stopped) is FusedPointRays
+    lights = [
+        tracer(stopped).image(smooth(scene), scene.screen, scene.filter)
+        for tracer in (FusedPointRays, Reference)
+    ]
+    assert torch.allclose(lights[0].flux, lights[1].flux, rtol=0, atol=1e-12)
+    assert account(lights[0]) == pytest.approx(account(lights[1]), abs=1e-12)
+    assert lights[0].lost["stop"] > 0.1
+
+
+def test_light_of_an_emitter_that_no_kernel_knows_is_traced_by_the_one_that_takes_any_rays(
+    make_scene, rng
+):
+    scene = make_scene({"source": COLLIMATED})
+    places = np.column_stack([*rng.uniform(-0.7, 0.7, (2, 500)), np.full(500, -1.0)])
+    tilted = np.array([0.1, -0.05, 1.0]) / np.linalg.norm([0.1, -0.05, 1.0])
+    rays = bundle(places, np.tile(tilted, (500, 1)), np.full(500, 1 / 500))
+    path = changed(path_of(scene), emitter=Given(rays))
+    assert kind(path) is FusedPointRays
+    lights = [
+        tracer(path).image(smooth(scene), scene.screen, scene.filter)
+        for tracer in (FusedPointRays, Reference)
+    ]
+    assert torch.allclose(lights[0].flux, lights[1].flux, rtol=0, atol=1e-12)
+    assert account(lights[0]) == pytest.approx(account(lights[1]), abs=1e-12)
+
+
+@pytest.mark.parametrize("kernel", [FusedCollimatedRays, FusedFaceSamples])
+def test_a_kernel_refuses_a_path_that_it_does_not_match(make_scene, kernel):
+    path = path_of(make_scene({"source": POINT}))
+    assert not kernel.matches(path)
+    with pytest.raises(TypeError, match="does not match"):
+        kernel(path)

@@ -1,0 +1,61 @@
+"""The face to which all kernels follow light, and what they say of the light there."""
+
+from collections.abc import Mapping
+from typing import NamedTuple
+
+from torch import Tensor
+
+from workbench.geometry.surface import ControlNet
+from workbench.optics.interfaces import Refraction
+from workbench.optics.kernels.function import Sums
+from workbench.optics.light import Light
+from workbench.optics.path import Path, Step
+from workbench.optics.surfaces import BSplineSurface
+
+
+class ExitFace(NamedTuple):
+    """A B-spline that refracts light towards the receiver.
+
+    Attributes
+    ----------
+    net : ControlNet
+        Where its control heights sit.
+    mesh : bool
+        Whether triangles stand for it.
+    ratio : float
+        Refractive index before it over that behind it, above 1.
+    missed, reflected : str
+        Names of light that does not meet it, and that it reflects where the rest is refracted.
+    """
+
+    net: ControlNet
+    mesh: bool
+    ratio: float
+    missed: str
+    reflected: str
+
+    @classmethod
+    def of(cls, path: Path) -> "ExitFace | None":
+        """The only face of a path that depends on heights; None where that is no such face."""
+        match path.shaped:
+            case (
+                Step(
+                    BSplineSurface(net=net, subdivisions=subdivisions),
+                    Refraction(ratio=ratio, reflected=reflected),
+                    missed,
+                ),
+            ) if ratio > 1:
+                return cls(net, subdivisions is not None, ratio, missed, reflected)
+        return None
+
+    def light(self, flux: Tensor, sums: Sums, before: Mapping[str, float]) -> Light:
+        """An image, and the account of its light; ``before`` is lost before this face, by name."""
+        lost = dict(before)
+        for name, part in (
+            ("off_screen", sums.off_screen),
+            ("total_reflection", sums.total_reflection),
+            (self.reflected, sums.reflected),
+            (self.missed, sums.missed),
+        ):
+            lost[name] = lost.get(name, 0.0) + part
+        return Light(flux, sums.on_screen, lost)
