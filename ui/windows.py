@@ -44,7 +44,8 @@ class Windows(QObject):
         self._recoveries: dict[MainWindow, Recovery] = {}
         self._warm_up = WarmUp()
         self._warm = False  # whether views can be built without holding the windows up
-        self._warm_up.done.connect(self.loaded)
+        self._warm_up.imported.connect(self.loaded)
+        self._warm_up.failed.connect(self.log)
         self.loaded.connect(self._build_all)
         self._quitting = self._leaving = False
 

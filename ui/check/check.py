@@ -1,11 +1,14 @@
 """Checks the lens on show when a person asks for it."""
 
+from functools import partial
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
-from ui.check.checking import RAYS, Checking, Suspect, verified_error
+from ui.check.checking import RAYS, Suspect, check, verified_error
 from ui.shown.frame import same_lens
+from ui.threads.background import Background
+from ui.threads.failure import sentence_of
 
 if TYPE_CHECKING:
     from ui.shown.frame import Frame
@@ -41,10 +44,10 @@ class Check(QObject):
         self._shown: Frame | None = None
         self._asked: Frame | None = None  # whose check goes on, or whose figures are shown
         self._rays = self._asked_rays = RAYS
-        self._checking = Checking(self)
-        self._checking.came_on.connect(self._tell_progress)
-        self._checking.checked.connect(self._take)
-        self._checking.failed.connect(self._give_up)
+        self._background = Background("check", self)
+        self._background.progressed.connect(self._tell_progress)
+        self._background.done.connect(self._take)
+        self._background.failed.connect(self._give_up)
 
     def show_frame(self, frame: "Frame") -> None:
         """Take note of the lens that is shown."""
@@ -63,7 +66,7 @@ class Check(QObject):
 
     def toggle(self) -> None:
         """Check the lens on show, unless that is done; while it is under way, cancel it."""
-        if self._checking.busy:
+        if self._background.busy:
             self._forget()
         elif self._shown is not None and (self._asked is None or self._asked_rays != self._rays):
             self._asked, self._asked_rays = self._shown, self._rays
@@ -71,21 +74,22 @@ class Check(QObject):
             self.under_way_changed.emit(True)
             session, shot = self._shown.session, self._shown.snapshot
             suspect = Suspect(session, shot.control_points, irradiance=shot.irradiance)
-            self._checking.begin(suspect, self._rays)
+            self._background.begin(partial(check, suspect, self._rays, None), suspect)
 
     def cancel(self) -> None:
         """Leave the check, if one is under way."""
-        if self._checking.busy:
+        if self._background.busy:
             self._forget()
 
     def close(self) -> None:
         """Leave the check and wait for its thread; safe to call twice."""
-        self._checking.close()
+        self._background.close()
 
     def _tell_progress(self, suspect: Suspect, part: float) -> None:
         self.figures_changed.emit(f"checking… {100 * part:.0f} %")
 
-    def _take(self, suspect: Suspect, found: "Validation", difference: float) -> None:
+    def _take(self, suspect: Suspect, outcome: "tuple[Validation, float]") -> None:
+        found, difference = outcome
         self.figures_changed.emit(f"checked: error {verified_error(found)}")
         self.under_way_changed.emit(False)
         self.checked.emit(suspect, found, difference)
@@ -97,12 +101,12 @@ class Check(QObject):
             f"{100 * found.efficiency:.1f} % on the screen"
         )
 
-    def _give_up(self, suspect: Suspect, sentence: str) -> None:
+    def _give_up(self, suspect: Suspect, error: Exception) -> None:
         self._forget()
-        self.failed.emit(sentence)
+        self.failed.emit(sentence_of(error, "check"))
 
     def _forget(self) -> None:
         self._asked = None
-        self._checking.leave()
+        self._background.cancel()
         self.figures_changed.emit("")
         self.under_way_changed.emit(False)

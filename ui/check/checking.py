@@ -1,15 +1,12 @@
-"""Independent traces of lenses in a thread: the latest that was asked for, and no other."""
+"""Independent traces of lenses, for threads."""
 
 from dataclasses import dataclass
-from functools import partial
-from threading import Event
 from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
-from PySide6.QtCore import QObject, Signal
 
-from ui.threads.latest import Latest
+from ui.threads.background import Task
 from workbench.design.session import verified_error as verified_error  # to be had from here, too
 
 if TYPE_CHECKING:
@@ -47,73 +44,41 @@ class Suspect:
     irradiance: Array | None = None
 
 
-class Checking(QObject):
-    """One check at a time. Another one, or leaving it, ends it within a moment.
+def check(
+    suspect: Suspect, rays: int, threads: int | None, task: Task
+) -> "tuple[Validation, float | None] | None":
+    """Check a lens; meant for a thread. Reports the part that is done.
 
     Parameters
     ----------
-    parent : QObject
-        The owner.
+    suspect : Suspect
+        The lens.
+    rays : int
+        How many are traced.
+    threads : int, optional
+        How many trace them; by default as many as there are cores.
+    task : Task
+        Ends the check within a moment.
 
-    Attributes
-    ----------
-    came_on : Signal(Suspect, float)
-        The part of its check that is done.
-    checked : Signal(Suspect, Validation, float or None)
-        What the check says, and the relative L2 difference to the optimiser's own image.
-    failed : Signal(Suspect, str)
-        Why it says nothing.
+    Returns
+    -------
+    found : Validation
+        What the check says.
+    difference : float or None
+        Relative L2 difference to the optimiser's own image.
     """
+    # Late: what it stands on is slow to import.
+    from workbench.analysis.metrics import relative_l2
+    from workbench.analysis.validation import validating
 
-    came_on = Signal(object, float)
-    checked = Signal(object, object, object)
-    failed = Signal(object, str)
-
-    _stepped = Signal(object, float)
-
-    def __init__(self, parent: QObject) -> None:
-        super().__init__(parent)
-        self._latest = Latest("check", self)
-        self._latest.answered.connect(lambda suspect, found: self.checked.emit(suspect, *found))
-        self._latest.failed.connect(self.failed)
-        self._stepped.connect(self._tell)
-
-    @property
-    def busy(self) -> bool:
-        """Whether a check is under way that was not left."""
-        return self._latest.busy
-
-    def begin(self, suspect: Suspect, rays: int = RAYS, threads: int = 0) -> None:
-        """Check a lens with so many rays, in so many threads; 0 for as many as there are cores."""
-        self._latest.ask(suspect, partial(self._check, suspect, rays, threads or None))
-
-    def leave(self) -> None:
-        """Tell nothing more of the check that is under way."""
-        self._latest.forget()
-
-    def close(self) -> None:
-        """Leave the check and wait for the thread; safe to call twice."""
-        self._latest.close()
-
-    def _check(
-        self, suspect: Suspect, rays: int, threads: int | None, left: Event
-    ) -> "tuple[Validation, float | None] | None":
-        # Late: what it stands on is slow to import.
-        from workbench.analysis.metrics import relative_l2
-        from workbench.analysis.validation import validating
-
-        scene, target = suspect.session.scene, suspect.session.target
-        steps = validating(scene, target, suspect.control_points, rays, threads=threads)
-        while not left.is_set():
-            try:
-                self._stepped.emit(suspect, next(steps))
-            except StopIteration as end:
-                found: Validation = end.value
-                own = suspect.irradiance
-                return found, None if own is None else relative_l2(found.irradiance, own)
-        steps.close()
-        return None
-
-    def _tell(self, suspect: Suspect, part: float) -> None:
-        if self._latest.wants(suspect):
-            self.came_on.emit(suspect, part)
+    scene, target = suspect.session.scene, suspect.session.target
+    steps = validating(scene, target, suspect.control_points, rays, threads=threads)
+    while not task.stopped:
+        try:
+            task.report(next(steps))
+        except StopIteration as end:
+            found: Validation = end.value
+            own = suspect.irradiance
+            return found, None if own is None else relative_l2(found.irradiance, own)
+    steps.close()
+    return None

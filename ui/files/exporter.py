@@ -1,5 +1,6 @@
 """Takes the lens and its light to files for other programs."""
 
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -8,7 +9,8 @@ from PySide6.QtCore import QObject
 from ui.document.document import Document
 from ui.files.dialogs import FileDialogs
 from ui.run.lens_on_show import NO_LENS, LensOnShow
-from ui.threads.background import Background
+from ui.threads.background import Background, Task
+from ui.threads.failure import sentence_of
 from ui.widgets.message_bar import MessageBar
 from workbench.files.export.formats import FORMATS, Format
 
@@ -43,12 +45,13 @@ class Exporter(QObject):
         super().__init__(parent)
         self._document = document
         self._lens = lens
-        self._what = ""  # of the file under way
         self._messages = messages
         self._dialogs = dialogs
         self._background = Background("export", self)
         self._background.done.connect(self._tell)
-        self._background.failed.connect(messages.warn)
+        self._background.failed.connect(
+            lambda _, error: messages.warn(sentence_of(error, "export"))
+        )
 
     def choose_and_export(self) -> None:
         """Ask for a file and write it; the ending of its name tells the format."""
@@ -65,9 +68,8 @@ class Exporter(QObject):
         if session is None:
             self._messages.note(NO_LENS)
             return
-        self._what = self._lens.text
         self._messages.note(f"{path.name} is being written…")
-        self._background.begin(lambda: _write(session, path))
+        self._background.begin(partial(_write, session, path), self._lens.text)
 
     def ask_for_name(self) -> Path | None:
         """Ask for a file; a name without an ending gets that of the chosen format."""
@@ -79,11 +81,11 @@ class Exporter(QObject):
         """Let the file under way be written. Safe to call twice."""
         self._background.close()
 
-    def _tell(self, written: "Written") -> None:
-        self._messages.note(f"{written.sentence}; {self._what}")
+    def _tell(self, lens: str, written: "Written") -> None:
+        self._messages.note(f"{written.sentence}; {lens}")
 
 
-def _write(session: "Session", path: Path) -> "Written":
+def _write(session: "Session", path: Path, task: Task) -> "Written":
     # Late: torch comes with it, and the window shows before that.
     from workbench.files.export.write import export
 

@@ -13,7 +13,8 @@ from PySide6.QtGui import QAction, QGuiApplication, QImage
 
 from ui.document.document import Document
 from ui.files.dialogs import FileDialogs
-from ui.threads.background import Background
+from ui.threads.background import Background, Task
+from ui.threads.failure import sentence_of
 from ui.widgets.message_bar import MessageBar
 from workbench.errors import Refused
 from workbench.files.atomic import replacing
@@ -64,8 +65,8 @@ class Plots(QObject):
         self._dialogs = dialogs
         self._last = next(iter(plots))
         self._background = Background("plot", self)
-        self._background.done.connect(lambda path: messages.note(f"{path} is written."))
-        self._background.failed.connect(messages.warn)
+        self._background.done.connect(lambda path, _: messages.note(f"{path} is written."))
+        self._background.failed.connect(lambda _, error: messages.warn(sentence_of(error, "plot")))
         for name, plot in plots.items():
             plot.touched.connect(partial(self._touch, name))
 
@@ -150,12 +151,11 @@ class Plots(QObject):
             self._messages.note("One plot is still being written; save the next after it.")
             return
 
-        def work() -> Path:
+        def work(task: Task) -> None:
             with replacing(path) as file:
                 write_table(file, [c.values for c in columns], _header(columns), delimiter=",")
-            return path
 
-        self._background.begin(work)  # of a large image it takes seconds
+        self._background.begin(work, path)  # of a large image it takes seconds
 
 
 def _header(columns: "list[Column]") -> str:

@@ -6,10 +6,10 @@
 3. A run hands its result over at its end. Until then the lens of its latest frame is kept.
 """
 
-import threading
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 from uuid import uuid4
@@ -18,6 +18,8 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from ui.document.document import ENDING, Document
 from ui.files.left_behind import About, about_of, lock_of
+from ui.threads.background import Background, Task
+from ui.threads.failure import sentence_of
 from workbench.errors import Refused
 from workbench.files.session import Session, write_session
 
@@ -62,7 +64,8 @@ class Recovery(QObject):
         self._lock = lock_of(self._file)
         self._frame: Frame | None = None
         self._kept: Session | None = None
-        self._writer: threading.Thread | None = None
+        self._background = Background("recovery", self, finish_first=True)
+        self._background.failed.connect(self._give_up)
         self._told = self._closed = False
         self._timer = QTimer(self, interval=every_ms)
         self._timer.timeout.connect(self.keep)
@@ -97,18 +100,16 @@ class Recovery(QObject):
         control.ended.connect(end)
 
     def keep(self) -> None:
-        """Write what is not saved, unless that is under way or done; remove what is saved."""
-        if self._writer is not None and self._writer.is_alive():
-            return
+        """Write what is not saved, unless that is done; remove what is saved."""
         session = self._unsaved()
         if session is None:
-            self._remove()
+            if not self._background.running:
+                self._remove()
         elif session is not self._kept:
             self._kept = session
             work = replace(self._document.verified.complete(session), view=self.look())
             about = self._about(ended=False)
-            self._writer = threading.Thread(target=self._write, args=(work, about), name="recovery")
-            self._writer.start()
+            self._background.begin(partial(_write, work, about, self._file))
 
     def close(self, leave: bool = False) -> None:
         """End keeping; safe to call twice.
@@ -122,7 +123,7 @@ class Recovery(QObject):
             return
         self._closed = True
         self._timer.stop()
-        self._join()
+        self._background.finish()
         if leave:
             if self.keep_now():
                 with suppress(Refused):  # then the next start speaks of a crash, that is all
@@ -133,9 +134,8 @@ class Recovery(QObject):
 
     def keep_now(self) -> bool:
         """Keep, and wait until that is done; whether anything is kept."""
-        self._join()
         self.keep()
-        self._join()
+        self._background.finish()
         return self._kept is not None
 
     def _unsaved(self) -> Session | None:
@@ -148,13 +148,9 @@ class Recovery(QObject):
         document = self._document
         return About(document.name, document.path, document.fingerprint, ended)
 
-    def _write(self, session: Session, about: About) -> None:
-        try:
-            about.write(about_of(self._file))
-            write_session(session, self._file)
-        except Refused as refused:
-            self._kept = None
-            self._tell(str(refused))
+    def _give_up(self, _: None, error: Exception) -> None:
+        self._kept = None
+        self._tell(sentence_of(error, "recovery"))
 
     def _tell(self, reason: str) -> None:
         if not self._told:
@@ -169,7 +165,7 @@ class Recovery(QObject):
             except OSError as error:  # the next start offers what is there
                 self._tell(f"{file}: {error.strerror or error}")
 
-    def _join(self) -> None:
-        if self._writer is not None:
-            self._writer.join()
-            self._writer = None
+
+def _write(session: Session, about: About, file: Path, task: Task) -> None:
+    about.write(about_of(file))
+    write_session(session, file)

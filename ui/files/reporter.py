@@ -8,10 +8,10 @@
 
 import shutil
 import sys
+from functools import partial
 from pathlib import Path
 from subprocess import DEVNULL, PIPE, Popen, TimeoutExpired
 from tempfile import TemporaryDirectory
-from threading import Event
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
@@ -19,7 +19,8 @@ from PySide6.QtCore import QObject
 from ui.document.document import ENDING, Document
 from ui.files.dialogs import FileDialogs
 from ui.run.lens_on_show import NO_LENS, LensOnShow
-from ui.threads.background import Background
+from ui.threads.background import Background, Task
+from ui.threads.failure import sentence_of
 from ui.widgets.message_bar import MessageBar
 from workbench.errors import RunFailed
 from workbench.files.atomic import check_writable, replacing
@@ -60,10 +61,11 @@ class Reporter(QObject):
         super().__init__(parent)
         self._document, self._lens = document, lens
         self._messages, self._dialogs = messages, dialogs
-        self._cancelled = Event()
         self._background = Background("report", self)
         self._background.done.connect(self._tell)
-        self._background.failed.connect(messages.warn)
+        self._background.failed.connect(
+            lambda _, error: messages.warn(sentence_of(error, "report"))
+        )
 
     def choose_and_report(self) -> None:
         """Ask for a file and write it; the ending of its name tells the format."""
@@ -83,14 +85,14 @@ class Reporter(QObject):
         if found is None:
             self._messages.note(NO_LENS)
             return
-        document, self._cancelled = self._document, Event()
-        session, cancelled = document.verified.complete(found), self._cancelled
+        document = self._document
+        session = document.verified.complete(found)
         name = document.suggested_path.stem
         self._messages.note(
             f"{path.name} is being written, with a check of {self._lens.text}…",
             ("Cancel", self.cancel),
         )
-        self._background.begin(lambda: _write(session, name, path, cancelled))
+        self._background.begin(partial(_write, session, name, path))
 
     def ask_for_name(self) -> Path | None:
         """Ask for a file; a name without an ending gets that of the chosen format."""
@@ -99,18 +101,17 @@ class Reporter(QObject):
 
     def cancel(self) -> None:
         """Write none after all."""
-        self._cancelled.set()
+        self._background.stop()
 
     def close(self) -> None:
         """Cancel the report under way. Safe to call twice."""
-        self.cancel()
         self._background.close()
 
-    def _tell(self, path: Path | None) -> None:
+    def _tell(self, _: None, path: Path | None) -> None:
         self._messages.note("No report is written." if path is None else f"{path} is written.")
 
 
-def _write(session: "Session", name: str, path: Path, cancelled: Event) -> Path | None:
+def _write(session: "Session", name: str, path: Path, task: Task) -> Path | None:
     """Write a report; None if it was cancelled."""
     # Late: torch comes with it, and the window shows before that.
     from workbench.files.session import write_session
@@ -120,14 +121,14 @@ def _write(session: "Session", name: str, path: Path, cancelled: Event) -> Path 
     with TemporaryDirectory() as folder:
         lens, report = Path(folder, f"{name}{ENDING}"), Path(folder, f"report{path.suffix}")
         write_session(session, lens)
-        if not _run([*_COMMAND, str(lens), str(report)], cancelled):
+        if not _run([*_COMMAND, str(lens), str(report)], task):
             return None
         with replacing(path) as file, report.open("rb") as source:
             shutil.copyfileobj(source, file)
     return path
 
 
-def _run(command: list[str], cancelled: Event) -> bool:
+def _run(command: list[str], task: Task) -> bool:
     """Let a command do its work; False if it was cancelled.
 
     Raises
@@ -137,7 +138,7 @@ def _run(command: list[str], cancelled: Event) -> bool:
     """
     with Popen(command, stdin=DEVNULL, stdout=DEVNULL, stderr=PIPE, encoding="utf-8") as process:
         while True:
-            if cancelled.is_set():
+            if task.stopped:
                 process.kill()
                 return False
             try:

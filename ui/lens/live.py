@@ -6,15 +6,17 @@
 """
 
 from dataclasses import dataclass
+from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
-import torch
-from PySide6.QtCore import QObject, QThread, Signal
+from PySide6.QtCore import QObject, Signal
 
 from ui.shown.frame import Frame, make_frame
-from ui.threads.background import Background
+from ui.threads.background import Background, Task
+from ui.threads.cores import leave_core_for_window
+from ui.threads.failure import sentence_of
 from workbench.design.evaluation import Evaluator
 from workbench.design.snapshot import History
 from workbench.optics.kernels.ready import without_waiting
@@ -62,38 +64,26 @@ class LiveLens(QObject):
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
-        self._background = Background("trace of the lens", self)
-        self._background.done.connect(self._take)
+        self._background = Background("trace of the lens", self, finish_first=True)
+        self._background.done.connect(self.traced)
         self._background.failed.connect(self._give_up)
-        self._waiting: Draft | None = None
-        self._asked: Draft | None = None
         self._evaluator: Evaluator | None = None
 
     def show(self, draft: Draft) -> None:
         """Trace a draft as soon as the one before is traced."""
-        self._waiting = draft
-        self._next()
+        self._background.begin(partial(self._trace, draft), draft)
 
     def forget(self) -> None:
         """Trace no more; the draft under way is not told of."""
-        self._waiting = self._asked = None
+        self._background.cancel()
 
     def close(self) -> None:
         """Wait for the thread; safe to call twice."""
-        self.forget()
         self._background.close()
 
-    def _next(self) -> None:
-        if self._waiting is None or self._background.busy:
-            return
-        self._asked, self._waiting = self._waiting, None
-        draft = self._asked
-        self._background.begin(lambda: self._trace(draft))
-
-    def _trace(self, draft: Draft) -> Frame:
+    def _trace(self, draft: Draft, task: Task) -> Frame:
         """Meant for the thread, which alone touches the evaluator."""
-        # As for runs: one core stays the window's.
-        torch.set_num_threads(max(1, QThread.idealThreadCount() - 1))
+        leave_core_for_window()
         session, heights = draft.session, draft.heights
         scene, locked = session.scene, session.locked
         with without_waiting():
@@ -102,14 +92,6 @@ class LiveLens(QObject):
             snapshot = self._evaluator.snapshot(heights, draft.earlier)
         return make_frame(session, snapshot, History(draft.earlier))
 
-    def _take(self, frame: Frame) -> None:
-        draft, self._asked = self._asked, None
-        if draft is not None:
-            self.traced.emit(draft, frame)
-        self._next()
-
-    def _give_up(self, sentence: str) -> None:
-        draft, self._asked = self._asked, None
-        if draft is not None and self._waiting is None:
-            self.failed.emit(sentence)
-        self._next()
+    def _give_up(self, draft: Draft, error: Exception) -> None:
+        if not self._background.busy:  # else a later draft is traced
+            self.failed.emit(sentence_of(error, "trace of the lens"))

@@ -15,7 +15,8 @@ from ui.manufacture.face_map import FaceMap
 from ui.manufacture.figures import Figures
 from ui.manufacture.limits import LimitFields
 from ui.shown.frame import same_lens
-from ui.threads.background import Background
+from ui.threads.background import Background, Task
+from ui.threads.failure import sentence_of
 from ui.widgets.side_by_side import Beside
 from workbench.analysis.manufacture import Manufacture, SurfaceMaps, manufacture, surface_maps
 from workbench.geometry.surface import even_counts
@@ -64,7 +65,9 @@ class ManufacturePane(Beside):
         self._rest.timeout.connect(self._compute)
         self._background = Background("look at the face", self)
         self._background.done.connect(self._take)
-        self._background.failed.connect(self._figures.say)
+        self._background.failed.connect(
+            lambda _, error: figures.say(sentence_of(error, "look at the face"))
+        )
         self._fields.changed.connect(self.map.show_limits)
 
     def show_design(self, session: "Session") -> None:
@@ -127,13 +130,13 @@ class ManufacturePane(Beside):
             return
         lens, heights = frame.session.scene.lens, frame.snapshot.control_points
 
-        def work() -> _Found:
+        def work(task: Task) -> _Found:
             maps = surface_maps(lens, heights, even_counts(lens.half_width, _PLACES))
             return _Found(frame, manufacture(lens, heights), maps)
 
         self._background.begin(work)
 
-    def _take(self, found: _Found) -> None:
+    def _take(self, _: None, found: _Found) -> None:
         if self._frame is None:
             return
         if same_lens(found.frame, self._frame):

@@ -1,14 +1,17 @@
 """What an independent check says of a run while it goes on, and of what it led to."""
 
+from functools import partial
 from time import monotonic
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QThread, Signal
 
-from ui.check.checking import Checking, Suspect, verified_error
+from ui.check.checking import RAYS, Suspect, check, verified_error
 from ui.document.document import Document
 from ui.run.control import RunControl
 from ui.shown.frame import iterations_before, same_task
+from ui.threads.background import Background
+from ui.threads.failure import sentence_of
 from workbench.pictures.loss import Verified
 
 if TYPE_CHECKING:
@@ -17,7 +20,7 @@ if TYPE_CHECKING:
     from workbench.design.snapshot import Result
     from workbench.files.session import Session
 
-_RAYS = 1_000_000  # enough to tell an error from the next
+_FEW_RAYS = 1_000_000  # enough to tell an error from the next
 _REST = 5.0  # seconds between checks, at least
 _RESTS = 19.0  # seconds of rest for each second of a check: 5 % of one core
 _GUESS = 0.5  # seconds that the first one takes
@@ -43,10 +46,13 @@ class RunCheck(QObject):
         design is another lens.
     checked : Signal(Suspect, Validation)
         One of them.
+    failed : Signal(str)
+        Why a check came to nothing.
     """
 
     figures_changed = Signal(str)
     checked = Signal(object, object)
+    failed = Signal(str)
 
     def __init__(self, document: Document, control: RunControl, parent: QObject) -> None:
         super().__init__(parent)
@@ -58,8 +64,11 @@ class RunCheck(QObject):
         self._latest: Verified | None = None  # which the text is of
         self._end: Suspect | None = None  # the lens of the run that ended last
         self._result: Result | None = None  # that it is of
-        self._checking = Checking(self)
-        self._checking.checked.connect(self._take)
+        self._background = Background("check of the run", self)
+        self._background.done.connect(self._take)
+        self._background.failed.connect(
+            lambda _, error: self.failed.emit(sentence_of(error, "check of the run"))
+        )
         control.runner.state_changed.connect(self._follow)
         control.runner.frame_ready.connect(self._look)
         control.ended.connect(self._finish)
@@ -68,11 +77,11 @@ class RunCheck(QObject):
 
     def close(self) -> None:
         """Wait for the thread; safe to call twice."""
-        self._checking.close()
+        self._background.close()
 
     def _follow(self, state: str) -> None:
         if state == "running" and self._last is None:
-            self._checking.leave()
+            self._background.cancel()
 
     def _look(self, frame: "Frame") -> None:
         if not self._control.busy:  # a preview
@@ -81,7 +90,7 @@ class RunCheck(QObject):
         if last is None:  # what came before was no run yet
             self._rested_at = monotonic()
             return
-        if self._checking.busy or QThread.idealThreadCount() < 2:
+        if self._background.busy or QThread.idealThreadCount() < 2:
             return
         if last.snapshot.stage != frame.snapshot.stage:
             self._check(last)
@@ -93,7 +102,7 @@ class RunCheck(QObject):
         seconds = float(frame.times[-1]) if frame.times.size else 0.0
         heights = frame.snapshot.control_points
         suspect = Suspect(frame.session, heights, iterations_before(frame), seconds)
-        self._checking.begin(suspect, _RAYS, threads=1)
+        self._background.begin(partial(check, suspect, _FEW_RAYS, 1), suspect)
 
     def _finish(self) -> None:
         result, frame = self._document.session.result, self._last
@@ -103,18 +112,21 @@ class RunCheck(QObject):
             self._end = Suspect(
                 self._document.session, result.control_points, result.iterations, result.seconds
             )
-            self._checking.begin(self._end)
+            self._background.begin(partial(check, self._end, RAYS, None), self._end)
 
-    def _take(self, suspect: Suspect, found: "Validation") -> None:
-        self._latest = check = Verified(suspect.iterations, suspect.seconds, found.loss_corrected)
+    def _take(self, suspect: Suspect, outcome: "tuple[Validation, None]") -> None:
+        found, _ = outcome
+        self._latest = verified = Verified(
+            suspect.iterations, suspect.seconds, found.loss_corrected
+        )
         history = self._control.history
         if suspect is self._end and self._result is not None:
             self._document.verified.note(self._result, found)  # also while its run is undone
-            history.add_later_check(check, self._result, self._document.session)
+            history.add_later_check(verified, self._result, self._document.session)
         else:
             self._rested_at = monotonic()
             self._cost = self._rested_at - self._began
-            history.add_check(check)
+            history.add_check(verified)
         self._text = f"verified {verified_error(found)} at {suspect.iterations}"
         self._tell()
         self.checked.emit(suspect, found)
@@ -128,7 +140,7 @@ class RunCheck(QObject):
     def _follow_document(self, session: "Session") -> None:
         """Leave the check of a lens of another design; one that is undone may come back."""
         if self._end is not None and not same_task(self._end.session, session):
-            self._checking.leave()
+            self._background.cancel()
         self._tell()
 
     def _tell(self) -> None:

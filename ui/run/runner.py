@@ -1,10 +1,12 @@
 """Runs designs in a thread of their own and shows the window what comes of them."""
 
+from functools import partial
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, QThread, QTimer, Signal, Slot
+from PySide6.QtCore import QObject, QTimer, Signal
 
-from ui.run.worker import Generate, Job, Worker
+from ui.run.worker import Generate, Job, work
+from ui.threads.background import Background
 from ui.threads.failure import sentence_of
 from workbench.design.snapshot import Result
 
@@ -16,7 +18,7 @@ _FRAME_MS = 66  # 15 Hz
 
 
 class Runner(QObject):
-    """Owns the worker's thread; lives in the window's.
+    """Runs one job at a time in the background.
 
     While a run is on, `preview` does nothing, since its frames are the lens as it stands. A
     preview does not count as a run: the state stays "idle", and a run or another preview replaces
@@ -52,8 +54,6 @@ class Runner(QObject):
     unshown = Signal(object)
     waiting = Signal(bool)
 
-    _job_given = Signal(object)
-
     def __init__(self, parent: QObject | None = None, generate: Generate | None = None) -> None:
         super().__init__(parent)
         self._generate = generate
@@ -61,8 +61,10 @@ class Runner(QObject):
         self._waiting = False
         self._job: Job | None = None
         self._best: Result | None = None
-        self._thread: QThread | None = None
-        self._worker: Worker | None = None
+        self._background = Background("run", self)
+        self._background.progressed.connect(self._wait)
+        self._background.done.connect(self._end)
+        self._background.failed.connect(self._end)
         self._timer = QTimer(self, interval=_FRAME_MS)
         self._timer.timeout.connect(self._take_frame)
 
@@ -128,19 +130,14 @@ class Runner(QObject):
     def shutdown(self) -> None:
         """Stop and wait for the thread; nothing is emitted about the run any more."""
         self._drop_job()
-        if self._thread is not None:
-            self._thread.quit()
-            self._thread.wait()
-        self._thread = self._worker = None
+        self._background.close()
         self._set_state("idle")
 
     def _give(self, job: Job) -> None:
         self._drop_job()
-        if self._thread is None:
-            self._start_thread()
         self._job = job
         self._timer.start()
-        self._job_given.emit(job)
+        self._background.begin(partial(work, job), job)
 
     def _drop_job(self) -> None:
         self._set_waiting(False)
@@ -149,15 +146,7 @@ class Runner(QObject):
         if self._job is not None:
             self._job.gate.stop()
             self._job = None
-
-    def _start_thread(self) -> None:
-        self._thread = QThread()
-        self._worker = Worker()
-        self._worker.moveToThread(self._thread)
-        self._worker.ended.connect(self._end)
-        self._worker.waits.connect(self._wait)
-        self._job_given.connect(self._worker.work)
-        self._thread.start()
+            self._background.cancel()
 
     def _take_frame(self) -> None:
         if self._job is None:
@@ -168,24 +157,19 @@ class Runner(QObject):
             self._set_waiting(False)
             self.frame_ready.emit(frame)
 
-    @Slot(object, object, object)
-    def _end(self, job: Job, result: Result | None, error: Exception | None) -> None:
-        if job is not self._job:  # replaced in the meantime
-            return
+    def _end(self, job: Job, error: Exception | None) -> None:
         self._take_frame()
         self._drop_job()
         self._set_state("idle")
         if error is not None:
             self.failed.emit(sentence_of(error, "run"))
         if not job.preview:
-            self.finished.emit(result)
+            self.finished.emit(job.history.result())
         elif error is not None:
             self.unshown.emit(job.session)
 
-    @Slot(object)
-    def _wait(self, job: Job) -> None:
-        if job is self._job:
-            self._set_waiting(True)
+    def _wait(self) -> None:
+        self._set_waiting(True)
 
     def _set_waiting(self, waiting: bool) -> None:
         if waiting != self._waiting:

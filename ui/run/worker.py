@@ -12,10 +12,10 @@ from dataclasses import dataclass, field
 from threading import Condition
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, QThread, Signal, Slot
-
 from ui.run.mailbox import Mailbox
 from ui.shown.frame import Array, Frame, make_frame
+from ui.threads.background import Task
+from ui.threads.cores import leave_core_for_window
 from workbench.design.session import Mask
 from workbench.design.snapshot import History, Result, Snapshot
 
@@ -86,6 +86,8 @@ class Job:
         Holds and stops it.
     mailbox, best : Mailbox
         For the latest frame, and for the best lens of the run up to it.
+    history : History
+        What the run has led to so far; the worker's alone until it is done.
     """
 
     session: "Session"
@@ -95,81 +97,74 @@ class Job:
     gate: Gate = field(default_factory=Gate)
     mailbox: Mailbox[Frame] = field(default_factory=Mailbox)
     best: Mailbox[Result] = field(default_factory=Mailbox)
+    history: History = field(init=False)
+
+    def __post_init__(self) -> None:
+        earlier = self.session.result if self.continue_run else None
+        object.__setattr__(self, "history", History(earlier))
 
 
-class Worker(QObject):
-    """Does jobs one after the other in the thread that it was moved to."""
+def work(job: Job, task: Task) -> None:
+    """Do a job; meant for a thread. Reports that it has to wait for what it traces with."""
+    if job.preview:
+        _show(job)
+    else:
+        _run(job, task)
 
-    # The job; its result or None; what went wrong, or None.
-    ended = Signal(object, object, object)
-    # The job, which has to wait for what it traces with.
-    waits = Signal(object)
 
-    @Slot(object)
-    def work(self, job: Job) -> None:
-        """Do a job and tell how it ended."""
-        history = History(job.session.result if job.continue_run else None)
-        failure: Exception | None = None
+def _run(job: Job, task: Task) -> None:
+    gate, unseen = job.gate, None
+    if job.generate is None and not _ready():
+        task.report("waits")
+    snapshots = job.history.follow(_snapshots(job))
+    try:
+        for snapshot in snapshots:
+            unseen = snapshot
+            if gate.held or job.mailbox.empty:
+                _post(job, snapshot)
+                unseen = None
+            if not gate.passes():
+                break
+    finally:
+        snapshots.close()
+        if unseen is not None:
+            _post(job, unseen)
+
+
+def _show(job: Job) -> None:
+    result = job.session.result
+    if job.gate.stopped:
+        return
+    if result is not None:
+        snapshot = _as_snapshot(result, job.session.scene.run)
+    else:
+        from workbench.optics.kernels.ready import without_waiting
+
+        snapshots = _snapshots(job)
         try:
-            if job.preview:
-                self._show(job)
-            else:
-                self._run(job, history)
-        except Exception as error:  # of any kind: it has to reach the person
-            failure = error
-        self.ended.emit(job, history.result(), failure)
-
-    def _run(self, job: Job, history: History) -> None:
-        gate, unseen = job.gate, None
-        if job.generate is None and not _ready():
-            self.waits.emit(job)
-        snapshots = history.follow(self._snapshots(job))
-        try:
-            for snapshot in snapshots:
-                unseen = snapshot
-                if gate.held or job.mailbox.empty:
-                    _post(job, snapshot, history)
-                    unseen = None
-                if not gate.passes():
-                    break
+            with without_waiting():
+                snapshot = next(snapshots)
         finally:
             snapshots.close()
-            if unseen is not None:
-                _post(job, unseen, history)
-
-    def _show(self, job: Job) -> None:
-        result = job.session.result
-        if job.gate.stopped:
-            return
-        if result is not None:
-            snapshot = _as_snapshot(result, job.session.scene.run)
-        else:
-            from workbench.optics.kernels.ready import without_waiting
-
-            snapshots = self._snapshots(job)
-            try:
-                with without_waiting():
-                    snapshot = next(snapshots)
-            finally:
-                snapshots.close()
-        job.mailbox.put(make_frame(job.session, snapshot, History(result)))
-
-    def _snapshots(self, job: Job) -> Generator[Snapshot, None, str]:
-        # A preview of a lens without figures of this task is the first one of a run from there, and
-        # locked control points are those of the lens that is there, however the run begins.
-        session, locked = job.session, job.session.locked
-        locks = locked is not None and locked.any()
-        start = session.control_points if job.continue_run or job.preview or locks else None
-        generate = job.generate or _engine()
-        return (yield from generate(session.scene, session.target, start, locked))
+    job.mailbox.put(make_frame(job.session, snapshot, History(result)))
 
 
-def _post(job: Job, snapshot: Snapshot, history: History) -> None:
+def _snapshots(job: Job) -> Generator[Snapshot, None, str]:
+    # A preview of a lens without figures of this task is the first one of a run from there, and
+    # locked control points are those of the lens that is there, however the run begins.
+    session, locked = job.session, job.session.locked
+    locks = locked is not None and locked.any()
+    start = session.control_points if job.continue_run or job.preview or locks else None
+    generate = job.generate or _engine()
+    return (yield from generate(session.scene, session.target, start, locked))
+
+
+def _post(job: Job, snapshot: Snapshot) -> None:
     """Leave a frame of a run, after the best lens up to it: whoever sees the one has the other."""
-    best = history.result()
+    best = job.history.result()
     if best is not None:
         job.best.put(best)
-    job.mailbox.put(make_frame(job.session, snapshot, history))
+    job.mailbox.put(make_frame(job.session, snapshot, job.history))
 
 
 def _ready() -> bool:
@@ -181,13 +176,9 @@ def _ready() -> bool:
 
 def _engine() -> Generate:
     # Late: torch comes with it, and the window shows before that.
-    import torch
-
     from workbench.design.run import run
 
-    # For this thread alone. One core stays the window's: threads that wait for each other at
-    # every step are slower, not faster, when one of them has to give way to drawing.
-    torch.set_num_threads(max(1, QThread.idealThreadCount() - 1))
+    leave_core_for_window()
     return run
 
 

@@ -1,40 +1,53 @@
 """Imports the slow libraries, and gets the kernels ready, while the window is already there."""
 
 import importlib
-import threading
 
 from PySide6.QtCore import QObject, Signal
+
+from ui.threads.background import Background, Task
+from ui.threads.failure import sentence_of
 
 # All that the views and the runner stand on, without Qt, which is for the window's thread alone.
 _SLOW = ("workbench.pictures.lens", "workbench.pictures.style", "workbench.design.run")
 
 
 class WarmUp(QObject):
-    """Imports in a thread of its own; a library that fails is reported when it is really needed."""
+    """Imports in a thread of its own.
 
-    done = Signal()
+    Attributes
+    ----------
+    imported : Signal()
+        The libraries are there; one that failed fails again where it is needed.
+    failed : Signal(str)
+        Why libraries or kernels could not be made ready.
+    """
+
+    imported = Signal()
+    failed = Signal(str)
 
     def __init__(self) -> None:
         super().__init__()
-        self._ending = threading.Event()
-        self._thread = threading.Thread(target=self._run, name="warm-up")
+        self._background = Background("warm-up", self)
+        self._background.progressed.connect(self.imported)
+        self._background.failed.connect(
+            lambda _, error: self.failed.emit(sentence_of(error, "start"))
+        )
 
     def start(self) -> None:
         """Begin importing."""
-        self._thread.start()
+        self._background.begin(_warm_up)
 
     def wait(self) -> None:
         """Let the imports end; a process that ends in the midst of one may crash."""
-        self._ending.set()
-        if self._thread.ident is not None:
-            self._thread.join()
+        self._background.close()
 
-    def _run(self) -> None:
-        try:
-            for module in _SLOW:
-                importlib.import_module(module)
-            from workbench.analysis.kernels import compile_all
-        finally:
-            self.done.emit()  # queued: the receiver lives in the window's thread
-        # From disk in a moment, or anew in half a minute; runs that begin before wait for it.
-        compile_all(lambda: not self._ending.is_set())
+
+def _warm_up(task: Task) -> None:
+    try:
+        for module in _SLOW:
+            importlib.import_module(module)
+        from workbench.analysis.kernels import compile_all
+    finally:
+        task.report(None)
+    # From disk in a moment, or anew in half a minute; runs that begin before wait for it.
+    compile_all(lambda: not task.stopped)

@@ -1,79 +1,183 @@
-"""One piece of work at a time, in a thread of its own."""
+"""Work in threads of its own, so that the window answers meanwhile.
+
+1. One thread at a time works for a `Background`. Of the requests that come meanwhile the latest is
+   next, and the others never begin.
+2. Whatever is told is told in the window's thread; of work that was cancelled, nothing is.
+3. An error is told as the exception itself, with its traceback; see `sentence_of`.
+"""
 
 import threading
 from collections.abc import Callable
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from ui.threads.failure import sentence_of
+
+class Task:
+    """Work that was asked for, as its thread sees it.
+
+    Parameters
+    ----------
+    work : Callable
+        Does it; gets the task.
+    request : object
+        What was asked.
+    report : Callable
+        Takes the task and a value to the window's thread.
+    """
+
+    def __init__(
+        self, work: "Work", request: object, report: Callable[["Task", object], object]
+    ) -> None:
+        self.request = request
+        self.wanted = True
+        self.result: object = None
+        self.error: Exception | None = None
+        self._work, self._report = work, report
+        self._stopped = threading.Event()
+
+    @property
+    def stopped(self) -> bool:
+        """Whether the work shall end soon."""
+        return self._stopped.is_set()
+
+    def stop(self) -> None:
+        """Ask the work to end soon."""
+        self._stopped.set()
+
+    def report(self, value: object) -> None:
+        """Tell how far the work is; meant for its thread."""
+        self._report(self, value)
+
+    def run(self) -> None:
+        """Do the work; meant for its thread."""
+        try:
+            self.result = self._work(self)
+        except Exception as error:  # of any kind: it has to reach the person
+            self.error = error
+
+
+Work = Callable[[Task], object]
 
 
 class Background(QObject):
-    """Does work that would hold the window up.
+    """Does the latest work that was asked for, and tells what came of it.
 
     Parameters
     ----------
     name : str
-        What the work is, for the thread and for the sentence of an unexpected failure.
+        Of the thread.
+    finish_first : bool
+        Finish and tell work that has begun before that of a later request begins; otherwise a
+        later request cancels it.
 
     Attributes
     ----------
-    done : Signal(object)
-        What the work returned.
-    failed : Signal(str)
-        Why it came to nothing, in one sentence.
+    progressed : Signal(object, object)
+        A request, and what the work on it reports.
+    done : Signal(object, object)
+        A request, and what the work on it returned.
+    failed : Signal(object, Exception)
+        A request, and what ended the work on it.
     """
 
-    done = Signal(object)
-    failed = Signal(str)
+    progressed = Signal(object, object)
+    done = Signal(object, object)
+    failed = Signal(object, object)
 
-    _ended = Signal(object, object)
+    # From the thread. These are queued: their receivers live in the window's thread.
+    _reported = Signal(object, object)
+    _ended = Signal(object)
 
-    def __init__(self, name: str, parent: QObject) -> None:
+    def __init__(self, name: str, parent: QObject | None, *, finish_first: bool = False) -> None:
         super().__init__(parent)
-        self._name = name
+        self._name, self._finish_first = name, finish_first
+        self._next: Task | None = None
+        self._task: Task | None = None  # in the thread
         self._thread: threading.Thread | None = None
+        self._reported.connect(self._pass_on)
         self._ended.connect(self._end)
 
     @property
     def busy(self) -> bool:
-        """Whether work has begun whose end has not been told."""
-        return self._thread is not None
+        """Whether something is still to be told."""
+        return self._next is not None or (self._task is not None and self._task.wanted)
 
-    def begin(self, work: Callable[[], object]) -> None:
-        """Begin work.
+    @property
+    def running(self) -> bool:
+        """Whether a thread is at work, be it on what nobody wants any more."""
+        return self._task is not None
 
-        Raises
-        ------
-        RuntimeError
-            If other work is under way.
+    @property
+    def stopping(self) -> bool:
+        """Whether the work of which something is still to be told was asked to end."""
+        return self._task is not None and self._task.wanted and self._task.stopped
+
+    def begin(self, work: Work, request: object = None) -> None:
+        """Do some work, now or as soon as the thread is free.
+
+        Parameters
+        ----------
+        work : Callable
+            Is called in the thread with its `Task`, which says when it shall end sooner.
+        request : object
+            Is told with the outcome.
         """
-        if self.busy:
-            raise RuntimeError(f"the {self._name} is under way already")
-        self._thread = threading.Thread(target=self._run, args=(work,), name=self._name)
-        self._thread.start()
+        if not self._finish_first:
+            self.cancel()
+        self._next = Task(work, request, self._reported.emit)
+        if self._task is None:
+            self._begin_next()
+
+    def stop(self) -> None:
+        """Ask the work to end soon; what it returns is told."""
+        self._next = None
+        if self._task is not None:
+            self._task.stop()
+
+    def cancel(self) -> None:
+        """Ask the work to end soon, and tell nothing more of it."""
+        self.stop()
+        if self._task is not None:
+            self._task.wanted = False
+
+    def finish(self) -> None:
+        """Wait for all work and tell what came of it before returning."""
+        while self._task is not None:
+            self._end(self._task)
 
     def close(self) -> None:
-        """Wait for the work; nothing is told any more. Safe to call twice."""
+        """Cancel the work and wait for the thread; safe to call twice."""
+        self.cancel()
+        self._join()
+
+    def _begin_next(self) -> None:
+        self._task, self._next = self._next, None
+        if self._task is not None:
+            self._thread = threading.Thread(target=self._run, args=(self._task,), name=self._name)
+            self._thread.start()
+
+    def _run(self, task: Task) -> None:
+        task.run()
+        self._ended.emit(task)
+
+    def _join(self) -> None:
         if self._thread is not None:
             self._thread.join()
-            self._thread = None
-
-    def _run(self, work: Callable[[], object]) -> None:
-        try:
-            result = work()
-        except Exception as error:  # of any kind: it has to reach the person
-            self._ended.emit(None, error)  # queued: the receiver lives in the window's thread
-        else:
-            self._ended.emit(result, None)
+        self._task = self._thread = None
 
     @Slot(object, object)
-    def _end(self, result: object, error: Exception | None) -> None:
-        if self._thread is None:  # closed, with this already under way
+    def _pass_on(self, task: Task, value: object) -> None:
+        if task is self._task and task.wanted:
+            self.progressed.emit(task.request, value)
+
+    @Slot(object)
+    def _end(self, task: Task) -> None:
+        if task is not self._task:  # told or closed before this came
             return
-        self._thread.join()
-        self._thread = None
-        if error is not None:
-            self.failed.emit(sentence_of(error, self._name))
-        else:
-            self.done.emit(result)
+        self._join()
+        if task.wanted and task.error is None:
+            self.done.emit(task.request, task.result)
+        elif task.wanted:
+            self.failed.emit(task.request, task.error)
+        if self._task is None:  # else whoever was told has begun other work
+            self._begin_next()

@@ -1,19 +1,23 @@
 """The dock that perturbs the lens on show and tells what becomes of its image."""
 
+from functools import partial
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QLabel
 
 from ui.shown.frame import same_lens
+from ui.threads.background import Background
+from ui.threads.failure import sentence_of
 from ui.tolerances.form import ToleranceForm
-from ui.tolerances.sampling import Sample, Sampling
+from ui.tolerances.sampling import Sample, trace_sample
 from ui.tolerances.spread_view import SpreadView
 from ui.widgets.side_by_side import Beside
 from workbench.analysis.tolerances import Distribution
 
 if TYPE_CHECKING:
     from ui.shown.frame import Frame
+    from workbench.analysis.tolerances import Perturbed
     from workbench.files.session import Session
 
 _RAYS = 1_000_000  # for each lens, as on the command line
@@ -47,10 +51,10 @@ class TolerancePane(Beside):
         self._frame: Frame | None = None
         self._sample: Sample | None = None
         self._resting = True
-        self._sampling = Sampling(self)
-        self._sampling.came_on.connect(self._follow)
-        self._sampling.ended.connect(self._follow)
-        self._sampling.failed.connect(self._give_up)
+        self._background = Background("sample of tolerances", self)
+        self._background.progressed.connect(self._take)
+        self._background.done.connect(self._follow)
+        self._background.failed.connect(self._give_up)
         form.toggled.connect(self.toggle)
         form.save_asked.connect(self.save_asked)
         self._offer()
@@ -77,33 +81,38 @@ class TolerancePane(Beside):
 
     def toggle(self) -> None:
         """Perturb the lens on show; while that is under way, make do with what there is."""
-        if self._sampling.busy:
-            self._sampling.leave()
+        if self._background.busy:
+            self._background.stop()
             self._offer()
         elif self._frame is not None and self.form.accepted():
             if not self.form.within.any:
                 self.told.setText("Nothing is off: give a tilt, a decentre or another tolerance.")
                 return
-            self._sample = Sample(self._frame, self.form.within, self.form.lenses, self.form.seed)
-            self._sampling.begin(self._sample, _RAYS)
+            sample = Sample(self._frame, self.form.within, self.form.lenses, self.form.seed)
+            self._sample = sample
+            self._background.begin(partial(trace_sample, sample, _RAYS), sample)
             self._offer()
 
     def close_thread(self) -> None:
         """Leave the sample and wait for its thread; safe to call twice."""
-        self._sampling.close()
+        self._background.close()
+
+    def _take(self, sample: Sample, each: "Perturbed") -> None:
+        sample.add(each)
+        self._follow(sample)
 
     def _follow(self, sample: Sample) -> None:
         self.plot.show_sample(sample)
         self._offer()
 
-    def _give_up(self, sentence: str) -> None:
+    def _give_up(self, sample: Sample, error: Exception) -> None:
         self._sample = None
         self._offer()
-        self.failed.emit(sentence)
+        self.failed.emit(sentence_of(error, "sample of tolerances"))
 
     def _offer(self) -> None:
         """Tell what can be done now, and of which lens the figures are."""
-        busy, sample = self._sampling.busy, self._sample
+        busy, sample = self._background.busy, self._sample
         begin = self.form.begin
         begin.setText("Cancel" if busy else "Start")
         begin.setToolTip(
@@ -112,7 +121,7 @@ class TolerancePane(Beside):
             else "Perturb the lens on show at random, and trace each lens with fresh rays"
         )
         possible = self._resting and self._frame is not None
-        begin.setEnabled(not self._sampling.left if busy else possible)
+        begin.setEnabled(not self._background.stopping if busy else possible)
         self.form.save.setEnabled(sample is not None and sample.shown)
         self.told.setText(self._figures(busy))
 

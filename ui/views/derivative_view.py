@@ -13,7 +13,8 @@ from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSpinBox, QWidget
 
 from ui.shown.frame import same_task
-from ui.threads.latest import Latest
+from ui.threads.background import Background
+from ui.threads.failure import sentence_of
 from ui.views.derivatives import Question, derivative
 from ui.views.plot_view import PlotView
 from ui.views.while_seen import WhileSeen
@@ -47,9 +48,9 @@ class DerivativeView(PlotView, WhileSeen):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._latest = Latest("derivative map", self)
-        self._latest.answered.connect(self._take)
-        self._latest.failed.connect(self._give_up)
+        self._background = Background("derivative map", self)
+        self._background.done.connect(self._take)
+        self._background.failed.connect(self._give_up)
         self._map: DerivativeMap | None = None
         self._rest = QTimer(self, singleShot=True, interval=_REST_MS)
         self._rest.timeout.connect(self._ask_for_map)
@@ -77,7 +78,7 @@ class DerivativeView(PlotView, WhileSeen):
     def close_thread(self) -> None:
         """Wait for the last computation; nothing is computed any more. Safe to call twice."""
         self._rest.stop()
-        self._latest.close()
+        self._background.close()
 
     def show_frame(self, frame: "Frame") -> None:
         """Take note of another lens."""
@@ -121,14 +122,14 @@ class DerivativeView(PlotView, WhileSeen):
 
     def _want(self) -> None:
         """The map on show is not of this lens or point any more."""
-        self._latest.forget()
+        self._background.cancel()
         if self._seen():
             self._sum.setText("Computed when the lens rests…")
             self._rest.start()
             self.chosen.emit(self.index)
 
     def _want_nothing(self) -> None:
-        self._latest.forget()
+        self._background.cancel()
         self._rest.stop()
         self.chosen.emit(None)
 
@@ -137,7 +138,7 @@ class DerivativeView(PlotView, WhileSeen):
         assert frame is not None
         question = Question(frame.session.scene, frame.snapshot.control_points, self.index)
         self._sum.setText("Computing…")
-        self._latest.ask(question, partial(derivative, question))
+        self._background.begin(partial(derivative, question), question)
 
     def _take(self, question: Question, found: "DerivativeMap") -> None:
         self._map = found
@@ -145,10 +146,10 @@ class DerivativeView(PlotView, WhileSeen):
         self._sum.setText(_sum(found, question.scene.unit))
         self._ask()
 
-    def _give_up(self, question: Question, sentence: str) -> None:
+    def _give_up(self, question: Question, error: Exception) -> None:
         self._map = None
         self._place.clear()
-        self._sum.setText(sentence)
+        self._sum.setText(sentence_of(error, "derivative map"))
         self._ask()
 
     def _why_empty(self, frame: "Frame | None") -> str:

@@ -5,11 +5,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
-from PySide6.QtCore import QThread
+
+from ui.threads.background import Task
+from ui.threads.cores import leave_core_for_window
 
 if TYPE_CHECKING:
-    from threading import Event
-
     from workbench.analysis.derivatives import DerivativeMap
     from workbench.scene import Scene
 
@@ -33,13 +33,10 @@ class Question:
     index: tuple[int, int]
 
 
-def derivative(question: Question, left: "Event") -> "DerivativeMap":
-    """The map of a question, in the thread of whom it is asked; see `Latest.ask`."""
+def derivative(question: Question, task: Task) -> "DerivativeMap":
+    """The map of a question; meant for a thread."""
     # Late: torch comes with it, and the window shows before that.
-    import torch
-
     from workbench.analysis.derivatives import irradiance_derivative
 
-    # For this thread alone; a core stays the window's.
-    torch.set_num_threads(max(1, QThread.idealThreadCount() - 1))
+    leave_core_for_window()
     return irradiance_derivative(question.scene, question.control_points, question.index)

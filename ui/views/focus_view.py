@@ -5,6 +5,7 @@
    few rays at once, and with many when it stays.
 """
 
+from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -13,20 +14,23 @@ from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QCloseEvent, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSlider, QWidget
 
-from ui.check.checking import verified_error
-from ui.check.focusing import Focusing, Question
+from ui.check.focusing import Question, trace_through_focus
 from ui.shown.frame import same_task
+from ui.threads.background import Background
+from ui.threads.failure import sentence_of
 from ui.views.focus_curve import FocusCurveView
 from ui.views.image_link import ImageLink
 from ui.views.light_image_view import LightImageView
 from ui.views.while_seen import WhileSeen
 from workbench.analysis.focus import screen_at
+from workbench.design.session import verified_error
 
 if TYPE_CHECKING:
     from ui.shown.frame import Frame
     from workbench.analysis.validation import Validation
     from workbench.files.session import Session
 
+_TRACE = "trace through focus"
 _REST_MS = 250  # longer than between two frames of a run
 _FEW, _MANY = 200_000, 4_000_000  # rays
 _NEAREST, _SCREEN, _FARTHEST = 500, 1000, 1500  # of the way from lens to screen, per mille
@@ -42,10 +46,11 @@ class FocusView(LightImageView, WhileSeen):
 
     def __init__(self, link: ImageLink | None = None, parent: QWidget | None = None) -> None:
         super().__init__(link, parent)
-        self._image_of, self._curve_of = Focusing(self), Focusing(self)
-        self._image_of.found.connect(self._take)
-        self._image_of.failed.connect(lambda _, sentence: self._tell(sentence))
-        self._curve_of.found.connect(self._take_error)
+        self._image_of, self._curve_of = Background(_TRACE, self), Background(_TRACE, self)
+        self._image_of.progressed.connect(self._take)
+        self._curve_of.progressed.connect(self._take_error)
+        for traces in (self._image_of, self._curve_of):
+            traces.failed.connect(lambda _, error: self._tell(sentence_of(error, _TRACE)))
         self._light: npt.NDArray[np.float64] | None = None  # as far as it is traced
         self._rest = QTimer(self, singleShot=True, interval=_REST_MS)
         self._rest.timeout.connect(self._trace_anew)
@@ -124,14 +129,14 @@ class FocusView(LightImageView, WhileSeen):
 
     def _want_nothing(self) -> None:
         self._rest.stop()
-        self._image_of.forget()
-        self._curve_of.forget()
+        self._image_of.cancel()
+        self._curve_of.cancel()
 
     def _forget(self) -> None:
         """What is known is of another design, and so is what is being traced."""
         self._light = None
-        self._image_of.forget()
-        self._curve_of.forget()
+        self._image_of.cancel()
+        self._curve_of.cancel()
 
     def _slide(self) -> None:
         if self._seen():
@@ -147,9 +152,11 @@ class FocusView(LightImageView, WhileSeen):
         lens = frame.session, frame.snapshot.control_points
         self._curve.mark(self.z)
         self._tell("tracing…")
-        self._image_of.ask(Question(*lens, ((self.z, _FEW), (self.z, _MANY))))
+        question = Question(*lens, ((self.z, _FEW), (self.z, _MANY)))
+        self._image_of.begin(partial(trace_through_focus, question), question)
 
-    def _take(self, question: Question, z: float, found: "Validation | None") -> None:
+    def _take(self, question: Question, traced: "tuple[float, Validation | None]") -> None:
+        _, found = traced
         if found is None:
             self._light = np.zeros_like(question.session.target)
             self._tell("no light arrives there")
@@ -175,7 +182,7 @@ class FocusView(LightImageView, WhileSeen):
         self._canvas.setVisible(roomy or not self._more.isChecked())
 
     def _trace_curve(self) -> None:
-        self._curve_of.forget()
+        self._curve_of.cancel()
         frame = self._frame
         if frame is None or not self._more.isChecked():
             return
@@ -185,9 +192,11 @@ class FocusView(LightImageView, WhileSeen):
         self._curve.begin(frame.session, (places[0], places[-1]))
         self._curve.mark(self.z)
         lens = frame.session, frame.snapshot.control_points
-        self._curve_of.ask(Question(*lens, tuple((z, _CURVE_RAYS) for z in places)))
+        question = Question(*lens, tuple((z, _CURVE_RAYS) for z in places))
+        self._curve_of.begin(partial(trace_through_focus, question), question)
 
-    def _take_error(self, question: Question, z: float, found: "Validation | None") -> None:
+    def _take_error(self, question: Question, traced: "tuple[float, Validation | None]") -> None:
+        z, found = traced
         self._curve.add(z, 1.0 if found is None else found.relative_l2_corrected)
 
     def _z_of(self, part: int) -> float:

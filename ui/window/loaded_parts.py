@@ -118,6 +118,7 @@ class LoadedParts(QObject):
         runner.failed.connect(early.messages.warn)
         runner.waiting.connect(early.show_waiting)
         runner.state_changed.connect(self.state_changed)
+        self.runs.check.failed.connect(early.log.add)
         self.runs.check.figures_changed.connect(early.status.show_verified)
         self.runs.compared.connect(self.views.loss.show_runs)
         self.views.look_back.went_on.connect(

@@ -120,7 +120,7 @@ def test_a_second_order_cancels_it(window, gate, qtbot):
     check.trigger()
     assert figures(window) == "" and check.text() == "&Check lens"
     gate.release(1)  # the step that it was in
-    qtbot.waitUntil(lambda: not window.loaded.check._checking._latest._background.busy)
+    qtbot.waitUntil(lambda: not window.loaded.check._background.running)
     assert len(gate.left) == 1
     assert "Check with" not in window.log.toPlainText()
     check.trigger()
@@ -140,7 +140,7 @@ def test_escape_cancels_it_once_no_tool_needs_the_key(window, gate, qtbot):
     qtbot.keyClick(scene._plotter, Qt.Key.Key_Escape)
     assert figures(window) == "" and window.commands["check"].text() == "&Check lens"
     gate.release(1)  # the step that it was in
-    qtbot.waitUntil(lambda: not window.loaded.check._checking._latest._background.busy)
+    qtbot.waitUntil(lambda: not window.loaded.check._background.running)
     assert len(gate.left) == 1
 
 
@@ -184,7 +184,7 @@ def test_closing_in_the_midst_of_a_check(window, gate, qtbot):
     next_step.start()
     window.discard_and_close()
     next_step.join()
-    assert not check._checking._latest._background.busy
+    assert not check._background.running
     assert gate.left == gate.begun
 
 

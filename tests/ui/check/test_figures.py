@@ -132,6 +132,6 @@ def test_other_rays_are_for_another_check_of_the_same_lens(window, qtbot):
     for rays in (1_000_000, 64_000_000):
         figures._rays.setCurrentIndex(figures._rays.findData(rays))
         check.trigger()
-        qtbot.waitUntil(lambda: not window.loaded.check._checking.busy, timeout=60_000)
+        qtbot.waitUntil(lambda: not window.loaded.check._background.busy, timeout=60_000)
         check.trigger()  # nothing more to find out
     assert window.asked == [1_000_000, 64_000_000]

@@ -46,7 +46,7 @@ def held(monkeypatch):
     """An export that goes on until it is let."""
     release = threading.Event()
 
-    def write(session, path):
+    def write(session, path, task):
         assert release.wait(30)
         return SimpleNamespace(sentence="written")
 
@@ -74,7 +74,7 @@ def test_closing_waits_for_the_file(window, held, tmp_path):
     window.exporter.export(tmp_path / "one.stl")
     threading.Timer(0.1, held.set).start()
     window.discard_and_close()
-    assert held.is_set() and not window.exporter._background.busy
+    assert held.is_set() and not window.exporter._background.running
 
 
 def test_without_a_lens_there_is_nothing_to_export(window):

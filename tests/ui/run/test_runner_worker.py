@@ -1,12 +1,14 @@
 """The worker without its thread: jobs done on the spot."""
 
 import dataclasses
+from functools import partial
 
 import numpy as np
 import pytest
 
 from ui.run import worker as worker_module
-from ui.run.worker import Job, Worker
+from ui.run.worker import Job
+from ui.threads.background import Task
 from workbench.errors import Refused, RunFailed
 
 
@@ -15,13 +17,10 @@ def work():
     """Does a job and returns its result and its failure."""
 
     def do(job, generate):
-        ends, job = [], dataclasses.replace(job, generate=generate)
-        worker = Worker()
-        worker.ended.connect(lambda *end: ends.append(end))
-        worker.work(job)
-        ((ended, result, error),) = ends
-        assert ended is job
-        return result, error
+        job = dataclasses.replace(job, generate=generate)
+        task = Task(partial(worker_module.work, job), job, print)
+        task.run()
+        return job.history.result(), task.error
 
     return do
 

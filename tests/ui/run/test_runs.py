@@ -56,7 +56,7 @@ def run(window, qtbot):
     def do(command="start"):
         with qtbot.waitSignal(window.loaded.control.ended, timeout=60_000):
             window.commands[command].trigger()
-        qtbot.waitUntil(lambda: not window.loaded.runs.check._checking.busy)
+        qtbot.waitUntil(lambda: not window.loaded.runs.check._background.busy)
 
     return do
 
@@ -260,7 +260,7 @@ def test_a_run_is_checked_while_it_goes_on(window, as_run, checks, monkeypatch, 
     window.commands["stop"].trigger()
     qtbot.waitUntil(lambda: not window.loaded.control.busy, timeout=60_000)
     qtbot.waitUntil(lambda: checks.asked[-1][1] == 4_000_000)
-    qtbot.waitUntil(lambda: not window.loaded.runs.check._checking.busy)
+    qtbot.waitUntil(lambda: not window.loaded.runs.check._background.busy)
     seen = [point.iteration for point in window.loaded.views.loss._verified]
     assert seen == sorted(seen) and seen[0] > 0
 
@@ -281,7 +281,7 @@ def test_a_stage_is_checked_at_its_end(window, snapshots, as_seen_run, checks, m
     runner._generate = as_seen_run(runner, 7, staged)
     with qtbot.waitSignal(window.loaded.control.ended, timeout=60_000):
         window.commands["start"].trigger()
-    qtbot.waitUntil(lambda: not window.loaded.runs.check._checking.busy)
+    qtbot.waitUntil(lambda: not window.loaded.runs.check._background.busy)
     assert [(rays, threads) for _, rays, threads in checks.asked] == [
         (1_000_000, 1),
         (4_000_000, None),
@@ -296,7 +296,7 @@ def test_one_core_alone_is_the_runs(window, as_run, checks, monkeypatch, qtbot):
     window.loaded.control.runner._generate = as_run(20, pause=0.01)
     with qtbot.waitSignal(window.loaded.control.ended, timeout=60_000):
         window.commands["start"].trigger()
-    qtbot.waitUntil(lambda: not window.loaded.runs.check._checking.busy)
+    qtbot.waitUntil(lambda: not window.loaded.runs.check._background.busy)
     assert [rays for _, rays, _ in checks.asked] == [4_000_000]
 
 

@@ -24,31 +24,21 @@ def test_a_refusal_is_a_sentence_and_no_defect(logged, error):
     assert not logged
 
 
-def divided_by_nothing():
+def divided_by_nothing(task):
     return 1 / 0
 
 
 def test_a_defect_in_a_thread_reaches_person_log_and_file(qtbot, qapp, logged, capsys):
-    background, said = Background("export", qapp), []
-    background.failed.connect(said.append)
+    background, failures = Background("export", qapp), []
+    background.failed.connect(lambda _, error: failures.append(error))
     background.begin(divided_by_nothing)
-    qtbot.waitUntil(lambda: bool(said))
+    qtbot.waitUntil(lambda: bool(failures))
     background.deleteLater()
-    assert said == [
+    assert isinstance(failures[0], ZeroDivisionError)
+    assert sentence_of(failures[0], "export") == (
         "The export ended with an unexpected ZeroDivisionError: division by zero "
         f"(details are in {file()})"
-    ]
+    )
     (details,) = logged
     for text in (details, file().read_text(), capsys.readouterr().err):
         assert "Traceback" in text and "in divided_by_nothing" in text
-
-
-def test_work_does_not_begin_while_other_work_is_under_way(qtbot, qapp):
-    background, done = Background("export", qapp), []
-    background.done.connect(done.append)
-    background.begin(lambda: 1)
-    with pytest.raises(RuntimeError, match="the export is under way already"):
-        background.begin(lambda: 2)
-    qtbot.waitUntil(lambda: bool(done))
-    background.deleteLater()
-    assert done == [1]

@@ -50,7 +50,7 @@ def sample(pane, qtbot, lenses=4):
     """Have lenses traced."""
     enter(pane, qtbot, "lenses", f"{lenses}")
     qtbot.mouseClick(pane.form.begin, Qt.MouseButton.LeftButton)
-    qtbot.waitUntil(lambda: not pane._sampling.busy, timeout=60_000)
+    qtbot.waitUntil(lambda: not pane._background.busy, timeout=60_000)
 
 
 def test_the_figures_are_those_of_the_engine(pane, session, frame, qtbot):
@@ -84,7 +84,7 @@ def test_what_is_not_possible_is_refused_beside_its_field(pane, qtbot):
         row = enter(pane, qtbot, path, text)
         assert word in row.refusal, path
         pane.toggle()
-        assert not pane._sampling.busy
+        assert not pane._background.busy
         qtbot.keyClick(row.editors[path], Qt.Key.Key_Escape)
         assert not row.refusal
 
@@ -93,7 +93,7 @@ def test_nothing_off_is_nothing_to_trace(pane, qtbot):
     for path in ("tilt", "decentre", "index", "distance", "surface[0]"):
         enter(pane, qtbot, path, "0")
     pane.toggle()
-    assert not pane._sampling.busy and pane.told.text().startswith("Nothing is off")
+    assert not pane._background.busy and pane.told.text().startswith("Nothing is off")
 
 
 def test_whoever_cancels_keeps_the_lenses_so_far(pane, qtbot):
@@ -103,7 +103,7 @@ def test_whoever_cancels_keeps_the_lenses_so_far(pane, qtbot):
     qtbot.waitUntil(lambda: len(pane._sample.others) > 2, timeout=60_000)
     pane.toggle()
     assert not pane.form.begin.isEnabled()
-    qtbot.waitUntil(lambda: not pane._sampling.busy, timeout=60_000)
+    qtbot.waitUntil(lambda: not pane._background.busy, timeout=60_000)
     assert pane.form.begin.text() == "Start" and pane.form.begin.isEnabled()
     traced = len(pane._sample.others)
     assert 2 < traced < 50000 and pane.told.text().startswith(f"{traced} of 50000 lenses: ")
@@ -163,7 +163,7 @@ def test_closing_in_the_midst_of_a_sample(pane, qtbot):
     enter(pane, qtbot, "lenses", "50000")
     pane.toggle()
     pane.close_thread()
-    assert not pane._sampling.busy
+    assert not pane._background.busy
 
 
 def test_another_unit_converts_what_was_asked_for(pane, session, qtbot):

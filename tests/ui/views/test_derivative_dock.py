@@ -42,7 +42,7 @@ def test_nothing_is_computed_behind_another_tab(window, qtbot):
     qtbot.waitUntil(lambda: dock.visibleRegion().isEmpty())
     view._boxes[0].setValue(2)
     qtbot.wait(400)
-    assert not view._latest.busy and not view._rest.isActive()
+    assert not view._background.busy and not view._rest.isActive()
     assert view._map.index[0] != 2
     dock.raise_()
     qtbot.waitUntil(lambda: view._map.index[0] == 2, timeout=60_000)
@@ -59,7 +59,7 @@ def test_closing_in_the_midst_of_a_computation(window, monkeypatch, qtbot):
     window.workspace.docks["derivative"].toggleViewAction().trigger()
     qtbot.waitUntil(begun.is_set, timeout=60_000)
     window.discard_and_close()
-    assert not window.workspace.docks["derivative"].widget()._latest._background.busy
+    assert not window.workspace.docks["derivative"].widget()._background.running
 
 
 def seen_at(window, index):

@@ -228,4 +228,4 @@ def test_closing_leaves_what_is_being_traced(view, monkeypatch, qtbot):
     view.close()
     assert len(left) == 2
     for focusing in (view._image_of, view._curve_of):
-        assert not focusing._latest._background.busy
+        assert not focusing.running

@@ -177,7 +177,7 @@ def test_a_check_that_ends_after_its_run_was_undone_comes_back_with_it(window, q
         window.commands["start"].trigger()
     window.commands["undo"].trigger()
     allowed.set()
-    qtbot.waitUntil(lambda: not loaded.runs.check._checking.busy)
+    qtbot.waitUntil(lambda: not loaded.runs.check._background.busy)
     assert loaded.views.loss._verified == () and window.status._verified.text() == ""
     window.commands["redo"].trigger()
     (point,) = loaded.views.loss._verified

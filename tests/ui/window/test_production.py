@@ -43,4 +43,4 @@ def test_the_window_closes_in_the_midst_of_a_sample(window, qtbot):
     pane.toggle()
     qtbot.waitUntil(lambda: pane._sample.nominal is not None, timeout=60_000)
     window.discard_and_close()
-    assert not pane._sampling.busy
+    assert not pane._background.busy

@@ -1,0 +1,147 @@
+"""Work in a thread: what is told, what is cancelled, what ends."""
+
+import threading
+
+import pytest
+from PySide6.QtCore import QThread
+
+from ui.threads.background import Background
+from workbench.errors import Refused
+
+
+@pytest.fixture
+def asked():
+    asked = Asked()
+    yield asked
+    asked.end()
+
+
+@pytest.fixture
+def queued():
+    """Requests that let the one before finish first."""
+    queued = Asked(finish_first=True)
+    yield queued
+    queued.end()
+
+
+class Asked:
+    """Requests that are answered backwards, one each time the gate is released."""
+
+    def __init__(self, **options):
+        self.gate = threading.Semaphore(0)
+        self.begun, self.told, self.progress, self.threads = [], [], [], []
+        self.background = Background("turning round", None, **options)
+        self.background.progressed.connect(lambda *told: self.progress.append(told))
+        self.background.done.connect(self._hear)
+        self.background.failed.connect(self._hear)
+
+    def ask(self, request):
+        def turn_round(task):
+            self.begun.append((request, task))
+            task.report(f"{request}?")
+            assert self.gate.acquire(timeout=20)
+            if request == "bad":
+                raise Refused("run.seed", "no")
+            return request[::-1]
+
+        self.background.begin(turn_round, request)
+
+    def end(self):
+        self.gate.release(5)  # of a test that failed
+        self.background.close()
+
+    def _hear(self, request, outcome):
+        self.told.append((request, outcome))
+        self.threads.append(QThread.currentThread())
+
+
+def test_an_answer_comes_with_its_request_in_the_windows_thread(asked, qtbot, qapp):
+    asked.ask("abc")
+    assert asked.background.busy and asked.background.running
+    asked.gate.release()
+    qtbot.waitUntil(lambda: bool(asked.told))
+    assert asked.progress == [("abc", "abc?")]
+    assert asked.told == [("abc", "cba")] and asked.threads == [qapp.thread()]
+    assert not asked.background.busy and not asked.background.running
+
+
+def test_only_the_latest_is_told_and_those_between_never_begin(asked, qtbot):
+    for request in "abcde":
+        asked.ask(request * 2)
+    qtbot.waitUntil(lambda: bool(asked.begun))
+    assert asked.begun[0][1].stopped
+    asked.gate.release(2)
+    qtbot.waitUntil(lambda: bool(asked.told))
+    assert [request for request, _ in asked.begun] == ["aa", "ee"]
+    assert asked.told == [("ee", "ee")] and asked.progress == [("ee", "ee?")]
+    assert not asked.begun[1][1].stopped
+
+
+def test_work_that_finishes_first_is_told_before_the_latest(queued, qtbot):
+    for request in "abcde":
+        queued.ask(request * 2)
+    queued.gate.release(2)
+    qtbot.waitUntil(lambda: len(queued.told) == 2)
+    assert queued.told == [("aa", "aa"), ("ee", "ee")]
+    assert not queued.begun[0][1].stopped
+
+
+def test_a_failure_is_told_as_the_exception_and_another_request_can_follow(asked, qtbot):
+    asked.gate.release(2)
+    asked.ask("bad")
+    qtbot.waitUntil(lambda: bool(asked.told))
+    ((request, error),) = asked.told
+    assert request == "bad" and isinstance(error, Refused) and str(error) == "run.seed: no"
+    assert error.__traceback__.tb_next.tb_frame.f_code.co_name == "turn_round"
+    asked.ask("good")
+    qtbot.waitUntil(lambda: len(asked.told) == 2)
+    assert asked.told[1] == ("good", "doog")
+
+
+@pytest.mark.parametrize("request_", ["abc", "bad"])
+def test_nothing_is_told_of_cancelled_work(asked, qtbot, request_):
+    asked.ask(request_)
+    asked.background.cancel()
+    assert not asked.background.busy and asked.background.running
+    asked.gate.release()
+    qtbot.waitUntil(lambda: not asked.background.running)
+    assert asked.begun[0][1].stopped
+    assert asked.told == [] and asked.progress == []
+
+
+def test_what_stopped_work_returns_is_told(asked, qtbot):
+    asked.ask("abc")
+    assert not asked.background.stopping
+    asked.background.stop()
+    assert asked.background.stopping and asked.background.busy
+    asked.gate.release()
+    qtbot.waitUntil(lambda: bool(asked.told))
+    assert asked.begun[0][1].stopped and asked.told == [("abc", "cba")]
+    assert not asked.background.stopping
+
+
+def test_finishing_waits_and_tells_at_once(queued):
+    queued.gate.release(2)
+    queued.ask("abc")
+    queued.ask("def")
+    queued.background.finish()
+    assert queued.told == [("abc", "cba"), ("def", "fed")]
+
+
+def test_work_that_is_begun_by_whoever_is_told_takes_the_place_of_what_waits(queued, qtbot):
+    queued.gate.release(3)
+    queued.background.done.connect(lambda request, _: request == "a" and queued.ask("c"))
+    queued.ask("a")
+    queued.ask("b")
+    qtbot.waitUntil(lambda: not queued.background.running)
+    assert [request for request, _ in queued.told] == ["a", "c"]
+
+
+def test_closing_waits_and_tells_nothing(asked, qtbot):
+    asked.ask("abc")
+    asked.gate.release()
+    asked.background.close()
+    asked.background.close()
+    assert "turning round" not in {thread.name for thread in threading.enumerate()}
+    qtbot.wait(50)
+    assert asked.told == []
