@@ -1,3 +1,33 @@
-"""The engine of the Freeform Lens Workbench: everything but the window."""
+"""The engine of the Freeform Lens Workbench: everything but the window.
+
+Other programs find what they may rely on in `workbench.api`, and can take it from here.
+"""
+
+from importlib import import_module
+from typing import Any
 
 __version__ = "0.1.0"
+
+__all__ = [
+    "DesignRun",
+    "Refused",
+    "Result",
+    "RunFailed",
+    "Scene",
+    "Session",
+    "Snapshot",
+    "Validation",
+    "Written",
+    "begin",
+    "check",
+    "export",
+    "load",
+    "save",
+]
+
+
+def __getattr__(name: str) -> Any:
+    # Late: the program's own parts import this package, and want little of it.
+    if name in __all__:
+        return getattr(import_module("workbench.api"), name)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

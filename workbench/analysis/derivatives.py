@@ -74,6 +74,19 @@ def irradiance_derivative(
     Refused
         If there is no such control point, or if the filter gives pixels that jump instead of
         changing smoothly as rays move.
+
+    Examples
+    --------
+    A control point moves light, and makes none:
+
+    >>> import numpy as np
+    >>> from resources import path
+    >>> from workbench.files.session import open_design
+    >>> scene = open_design(path("examples", "derivative-degree3-filter3.json")).scene
+    >>> plate = np.full(scene.lens.control_points, scene.lens.base.height)
+    >>> found = irradiance_derivative(scene, plate, (4, 4))
+    >>> abs(found.sum) < 1e-12 < found.map.max().item()
+    True
     """
     _check(scene, index)
     plan = Plan(scene, dtype=dtype)

@@ -153,6 +153,16 @@ def manufacture(lens: Lens, control_points: Array) -> Manufacture:
         The lens.
     control_points : ndarray, shape (n_u, n_v)
         Control heights, scene units.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from workbench.scene import Lens
+    >>> lens = Lens(half_width=(1, 1), refractive_index=1.5, control_points=(8, 8))
+    >>> wedge = np.linspace(0.5, 0.7, 8)[:, None] * np.ones(8)
+    >>> found = manufacture(lens, wedge)
+    >>> round(found.thinnest.value, 12), round(found.thickest.value, 12)
+    (0.5, 0.7)
     """
     net = ControlNet.of(lens)
     parts_x, parts_y = (

@@ -10,12 +10,12 @@ from pathlib import Path
 from workbench.cli.interruption import Interrupted, Interruption
 from workbench.cli.keeping import Keeper
 from workbench.cli.progress import Progress
+from workbench.design.design_run import DesignRun
 from workbench.design.picture import why_not_kept
-from workbench.design.snapshot import History, Result
+from workbench.design.snapshot import Result
 from workbench.files.atomic import check_writable
 from workbench.files.figures import Figures
 from workbench.files.session import is_session, open_design
-from workbench.scene import Scene
 
 
 def design(path: Path, output: Path, iterations: int | None, seconds: float, as_json: bool) -> None:
@@ -46,35 +46,31 @@ def design(path: Path, output: Path, iterations: int | None, seconds: float, as_
     session = open_design(path)
     if not is_session(path) and (said := why_not_kept(session.scene, session.picture)):
         print(said, file=sys.stderr)
-    scene = session.scene if iterations is None else _with_iterations(session.scene, iterations)
+    run = DesignRun(session, iterations)
+    session = run.session
     check_writable(output)
-    history = History(session.result)
-    keeper = Keeper(output, lambda result: replace(session, scene=scene, result=result))
+    keeper = Keeper(output, lambda result: replace(session, result=result))
     _tell_left_behind(keeper, path)
     with Interruption() as interruption:
         # Threads of the tracer that wait must sleep: spinning, they take the cores from each other.
         os.environ.setdefault("OMP_WAIT_POLICY", "PASSIVE")
-        from workbench.design.run import run  # late: torch takes seconds to import
-
-        start = session.control_points
         try:
-            snapshots = history.follow(run(scene, session.target, start, session.locked))
-            with closing(Progress(seconds)) as progress, closing(snapshots):
+            with closing(Progress(seconds)) as progress, closing(iter(run)) as snapshots:
                 for snapshot in snapshots:
                     progress.show(snapshot)
-                    keeper.keep(history)
+                    keeper.keep(run.history)
                     if interruption.asked or snapshot.seconds >= seconds:
                         break
         finally:
             interruption.settle()
-            result = history.result()
+            result = run.history.result()
             if result is not None:
                 keeper.finish(result)
     if result is not None:
         _print(result, as_json)
         if result.shortfall is not None:
             shortfall = result.shortfall
-            print(f"{shortfall.sentence(scene.unit)}: {shortfall.cure}", file=sys.stderr)
+            print(f"{shortfall.sentence(session.scene.unit)}: {shortfall.cure}", file=sys.stderr)
     if interruption.asked:
         raise Interrupted(interruption.asked, f"interrupted; the best lens so far is in {output}")
 
@@ -87,12 +83,6 @@ def _tell_left_behind(keeper: Keeper, path: Path) -> None:
             file=sys.stderr,
             flush=True,
         )
-
-
-def _with_iterations(scene: Scene, iterations: int) -> Scene:
-    data = scene.to_data()
-    data["run"]["iterations"] = iterations
-    return Scene.from_data(data)
 
 
 def _print(result: Result, as_json: bool) -> None:

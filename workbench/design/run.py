@@ -60,6 +60,17 @@ def run(
         If the scene or one of its stages cannot be run here; before any of them is.
     RunFailed
         If the run cannot go on; the snapshots up to then stay good.
+
+    Examples
+    --------
+    >>> from resources import path
+    >>> from workbench.files.session import open_design
+    >>> task = open_design(path("examples", "tophat-none-zeros.json"))
+    >>> for snapshot in run(task.scene, task.target):
+    ...     if snapshot.iteration == 2:
+    ...         break
+    >>> snapshot.control_points.shape == task.scene.lens.control_points
+    True
     """
     parts = scene.parts()
     finished = ControlNet.of(scene.lens)

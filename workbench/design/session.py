@@ -121,6 +121,15 @@ class Session:
     picture : bytes, optional
         Content of the target's image file as it was drawn, at most
         `workbench.design.picture.LARGEST_PICTURE` bytes; none for a built-in shape.
+
+    Examples
+    --------
+    >>> from resources import path
+    >>> from workbench.files.session import open_design
+    >>> session = open_design(path("examples", "tophat.json"))
+    >>> in_inches = session.in_unit("inch")
+    >>> round(in_inches.scene.screen.z * 2.54, 6) == session.scene.screen.z
+    True
     """
 
     scene: Scene

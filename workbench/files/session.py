@@ -71,6 +71,14 @@ def write_session(session: Session, path: Path) -> str:
     Refused
         If it cannot be written, or would be too large to be read again; what was at ``path``
         before is still there.
+
+    Examples
+    --------
+    >>> from resources import path
+    >>> fingerprint = write_session(
+    ...     open_design(path("examples", "tophat.json")), Path("tophat.freeform"))
+    >>> read_session(Path("tophat.freeform")).scene.screen.pixels
+    (256, 256)
     """
     text = _header(session, path).model_dump_json(indent=2, exclude_none=True).encode()
     if len(text) > LARGEST_TEXT:

@@ -24,7 +24,24 @@ MOST_STAGES = 100
 
 
 class Scene(Part):
-    """A whole design task. Only lens, source, screen and target are required."""
+    """A whole design task. Only lens, source, screen and target are required.
+
+    Examples
+    --------
+    >>> scene = Scene.from_data({
+    ...     "lens": {"half_width": [1, 1], "refractive_index": 1.5, "control_points": [64, 64]},
+    ...     "source": {"kind": "point", "position": [0, 0, -4]},
+    ...     "screen": {"z": 5, "half_width": [1, 1], "pixels": [128, 128]},
+    ...     "target": {"builtin": "tophat"},
+    ... })
+    >>> scene.source.emission, scene.run.method
+    ('uniform', 'auto')
+    >>> Scene.from_data(scene.to_data()) == scene
+    True
+    >>> Scene.from_data(scene.to_data() | {"unit": "parsec"})
+    Traceback (most recent call last):
+    workbench.errors.Refused: unit: 'parsec' is not available; allowed: 'mm', 'cm', 'm' or 'inch'
+    """
 
     format: Literal["freeform-scene"] = "freeform-scene"
     version: Literal[1] = 1

@@ -6,7 +6,9 @@ import numpy as np
 import numpy.typing as npt
 
 from workbench.defects import unexpected
-from workbench.design.snapshot import History, Result
+from workbench.design.design_run import DesignRun
+from workbench.design.session import Session, result_of
+from workbench.design.snapshot import Result
 from workbench.errors import Refused, RunFailed
 from workbench.scene import Scene
 
@@ -67,16 +69,14 @@ def _design(task: Task, threads: int | None) -> Done:
 
     from workbench.analysis.validation import validate
     from workbench.design.kernels import compile_all
-    from workbench.design.run import run
 
     if threads is not None:
         torch.set_num_threads(threads)
     compile_all()  # which is no part of any run's time
-    history = History()
-    for _ in history.follow(run(task.scene, task.target)):
+    run = DesignRun(Session(task.scene, task.target))
+    for _ in run:
         pass
-    result = history.result()
-    assert result is not None  # a run begins with a snapshot
+    result = result_of(run.session)
     check = validate(
         task.scene, task.target, result.control_points, task.rays, threads=threads
     ).to_data()

@@ -1,0 +1,127 @@
+"""The public Python interface: the page, its examples, and the lines that the README shows."""
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import workbench
+from resources import EXAMPLES
+from workbench import DesignRun, Refused, Scene, api, begin, check, export, load, save
+
+ROOT = Path(__file__).parents[1]
+
+
+def test_the_package_offers_what_the_page_lists():
+    assert workbench.__all__ == api.__all__
+    for name in api.__all__:
+        assert getattr(workbench, name) is getattr(api, name)
+    with pytest.raises(ImportError, match="cannot import name 'unheard_of' from 'workbench'"):
+        from workbench import unheard_of  # noqa: F401
+
+
+def test_importing_the_package_loads_nothing_slow_and_the_page_no_torch():
+    script = (
+        "import sys, workbench; first = set(sys.modules); from workbench import load; "
+        "slow = {'torch', 'pyvista', 'matplotlib', 'PySide6'} & set(sys.modules); "
+        "print({'numpy', 'pydantic', 'numba', 'workbench.api'} & first, slow)"
+    )
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True)
+    assert done.stdout == "set() set()\n", done.stderr
+
+
+def test_the_lines_of_the_readme_run_as_they_stand(tmp_path, monkeypatch, capsys):
+    section = (ROOT / "README.md").read_text().split("\n## From Python\n")[1]
+    (lines,) = re.findall(r"```python\n(.*?)```", section.split("\n## ")[0], re.DOTALL)
+    for number, fewer in (("=300", "=2"), ("16_000_000", "1_000_000")):
+        assert lines.count(number) == 1
+        lines = lines.replace(number, fewer)
+    (tmp_path / "resources").symlink_to(ROOT / "resources")
+    monkeypatch.chdir(tmp_path)
+    exec(compile(lines, "README.md", "exec"), {})
+    *snapshots, error = capsys.readouterr().out.splitlines()
+    assert [line.split()[0] for line in snapshots] == ["0", "1", "2"]
+    assert re.fullmatch(r"error \d+\.\d\d%, 92\.\d% on the screen", error)
+    made = {file.name: file.stat().st_size for file in tmp_path.glob("flame.*")}
+    assert set(made) == {"flame.step", "flame.stl", "flame.freeform"} and min(made.values()) > 1000
+    assert load("flame.freeform").result.iterations == 2
+
+
+@pytest.fixture
+def session(make_scene):
+    return begin(make_scene())
+
+
+class TestDesignRun:
+    def test_a_second_loop_goes_on_from_the_best_lens(self, session):
+        run = DesignRun(session, iterations=3)
+        first = [snapshot.iteration for snapshot in run]
+        best = run.session.result
+        again = iter(run)
+        snapshot = next(again)
+        again.close()
+        assert first == [0, 1, 2, 3]
+        assert np.array_equal(snapshot.control_points, best.control_points)
+        assert run.session.result.iterations == 3
+        assert run.session.result.ended == "stopped"
+
+    def test_leaving_the_loop_keeps_the_best_lens_so_far(self, session):
+        run = DesignRun(session)
+        assert run.session is session
+        for snapshot in run:
+            if snapshot.iteration == 1:
+                break
+        assert run.session.result.iterations == 1
+        assert run.session.result.ended == "stopped"
+
+    def test_locked_control_points_keep_their_heights(self, session):
+        locked = np.zeros((12, 10), dtype=bool)
+        locked[:3] = True
+        start = np.full((12, 10), 0.5)
+        begun = type(session)(session.scene, session.target, start=start, locked=locked)
+        run = DesignRun(begun, iterations=4)
+        *_, last = run
+        assert (last.control_points[:3] == 0.5).all()
+        assert (last.control_points[3:] != 0.5).any()
+
+    def test_impossible_iterations_are_refused(self, session):
+        with pytest.raises(Refused, match=r"run\.iterations"):
+            DesignRun(session, iterations=-1)
+
+
+def test_it_finds_what_the_commands_find(session, tmp_path, capsys):
+    """One implementation: the lens, the check and the files are those of the command line."""
+    from workbench.cli import main
+
+    scene, one, other = (
+        tmp_path / "scene.json",
+        tmp_path / "one.freeform",
+        tmp_path / "other.freeform",
+    )
+    scene.write_text(session.scene.to_json())
+    run = DesignRun(load(scene), iterations=2)
+    for _ in run:
+        pass
+    save(run.session, one)
+    assert main(["design", str(scene), "-o", str(other), "--iterations", "2"]) == 0
+    assert np.array_equal(load(one).control_points, load(other).control_points)
+    export(load(one), tmp_path / "one.obj")
+    assert main(["export", str(other), str(tmp_path / "other.obj")]) == 0
+    assert (tmp_path / "one.obj").read_text() == (tmp_path / "other.obj").read_text()
+    capsys.readouterr()
+    assert main(["validate", str(other), "--rays", "10000", "--json"]) == 0
+    assert f'"relative_l2": {check(load(one), rays=10_000).relative_l2},' in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("work", [check, lambda session: export(session, "lens.step")])
+def test_a_session_without_a_lens_is_refused(session, work):
+    with pytest.raises(Refused, match="holds no lens yet"):
+        work(session)
+
+
+def test_shipped_examples_open():
+    for example in EXAMPLES[:3]:
+        assert isinstance(load(str(example.file)).scene, Scene)

@@ -1,0 +1,200 @@
+"""What other Python programs may rely on; everything else may change without notice.
+
+All of it can be had from `workbench` itself, and loads when it is first asked for.
+
+Examples
+--------
+A lens, designed, looked at on the way, checked with other rays than the design's, exported, saved:
+
+>>> from workbench import DesignRun, check, export, load, save
+>>> from resources import path
+>>> run = DesignRun(load(path("examples", "tophat-none-zeros.json")), iterations=2)
+>>> for snapshot in run:
+...     print(snapshot.iteration, snapshot.irradiance.shape)
+0 (256, 256)
+1 (256, 256)
+2 (256, 256)
+>>> lens = run.session
+>>> found = check(lens, rays=1_000_000)
+>>> found.efficiency == found.ledger.on_screen
+True
+>>> [written.format for written in export(lens, "lens.step", "lens.dat")]
+['STEP solid', 'OpticStudio grid sag']
+>>> save(lens, "lens.freeform")
+"""
+
+from os import PathLike
+from pathlib import Path
+
+from workbench.analysis.validation import Validation, validate
+from workbench.design.design_run import DesignRun
+from workbench.design.session import Session, result_of
+from workbench.design.snapshot import Result, Snapshot
+from workbench.design.task import begin as begin_in
+from workbench.errors import Refused, RunFailed
+from workbench.files.export.write import Written
+from workbench.files.export.write import export as write_files
+from workbench.files.session import open_design, write_session
+from workbench.scene import Scene
+
+__all__ = [
+    "DesignRun",
+    "Refused",
+    "Result",
+    "RunFailed",
+    "Scene",
+    "Session",
+    "Snapshot",
+    "Validation",
+    "Written",
+    "begin",
+    "check",
+    "export",
+    "load",
+    "save",
+]
+
+File = str | PathLike[str]
+
+
+def load(path: File) -> Session:
+    """Open a session, or a scene file together with its target.
+
+    Raises
+    ------
+    Refused
+        If a file cannot be read or what it says is not possible.
+
+    Examples
+    --------
+    >>> from resources import path
+    >>> session = load(path("examples", "tophat.json"))
+    >>> session.scene.lens.control_points, session.target.shape
+    ((192, 192), (256, 256))
+    """
+    return open_design(Path(path))
+
+
+def begin(scene: Scene, folder: File = ".") -> Session:
+    """A session without a lens for a scene, whose target is drawn.
+
+    Parameters
+    ----------
+    scene : Scene
+        The design task.
+    folder : path
+        Where a relative path of the target's image starts.
+
+    Raises
+    ------
+    Refused
+        If the target cannot be drawn.
+
+    Examples
+    --------
+    >>> scene = Scene.from_data({
+    ...     "unit": "cm",
+    ...     "lens": {"half_width": [1, 1], "refractive_index": 1.5, "control_points": [64, 64]},
+    ...     "source": {"kind": "point", "position": [0, 0, -4]},
+    ...     "screen": {"z": 5, "half_width": [1, 1], "pixels": [128, 128]},
+    ...     "target": {"builtin": "tophat"},
+    ... })
+    >>> begin(scene).target.shape
+    (128, 128)
+
+    A target of one's own, any brightness, row 0 at +y:
+
+    >>> import numpy as np
+    >>> ring = np.hypot(*np.mgrid[-1:1:128j, -1:1:128j])
+    >>> session = Session(scene, np.exp(-(((ring - 0.5) / 0.1) ** 2)))
+    """
+    return begin_in(scene, Path(folder))
+
+
+def check(session: Session, rays: int = 4_000_000, seed: int = 1) -> Validation:
+    """Trace the lens of a session by an independent tracer, with random rays.
+
+    Parameters
+    ----------
+    session : Session
+        A session with a lens.
+    rays : int
+        Rays to trace at least.
+    seed : int
+        The same seed gives the same rays.
+
+    Raises
+    ------
+    Refused
+        If the session has no lens, it is no body, or there are too many rays.
+    RunFailed
+        If no light reaches the screen.
+
+    Examples
+    --------
+    >>> from resources import path
+    >>> run = DesignRun(load(path("examples", "tophat-none-zeros.json")), iterations=1)
+    >>> for snapshot in run:
+    ...     pass
+    >>> found = check(run.session, rays=1_000_000)
+    >>> low, high = found.relative_l2_corrected_interval
+    >>> low <= found.relative_l2_corrected <= high
+    True
+    """
+    lens = result_of(session).control_points
+    return validate(session.scene, session.target, lens, rays, seed)
+
+
+def export(session: Session, *files: File, chord_error: float | None = None) -> list[Written]:
+    """Write the lens of a session and its light.
+
+    Parameters
+    ----------
+    session : Session
+        A session with a lens.
+    *files : path
+        Files to write; their endings tell the formats.
+    chord_error : float, optional
+        How far a mesh may be from the exit face, scene units; 1e-4 of the larger half-width of
+        the lens by default.
+
+    Returns
+    -------
+    list of Written
+        What is in each file, and how far from the design.
+
+    Raises
+    ------
+    Refused
+        If the session has no lens, it is no body, an ending tells no format, or a file cannot be
+        written.
+
+    Examples
+    --------
+    >>> from resources import path
+    >>> run = DesignRun(load(path("examples", "tophat-none-zeros.json")), iterations=1)
+    >>> for snapshot in run:
+    ...     pass
+    >>> written, = export(run.session, "lens.stl", chord_error=1e-3)
+    >>> written.deviation.kind, written.deviation.size < 1e-3
+    ('chord error', True)
+    """
+    return list(write_files(session, [Path(file) for file in files], chord_error))
+
+
+def save(session: Session, path: File) -> None:
+    """Write a session file.
+
+    Raises
+    ------
+    Refused
+        If it cannot be written; what was at ``path`` before is still there.
+
+    Examples
+    --------
+    >>> from resources import path
+    >>> save(load(path("examples", "tophat.json")), "tophat.freeform")
+    >>> load("tophat.freeform").result is None
+    True
+    """
+    write_session(session, Path(path))
