@@ -27,7 +27,7 @@ from ui.threads.failure import LOG
 from workbench.defects import details, unexpected
 
 # The 3D view asks for its format when a context is there already, which serves it as well.
-_HARMLESS = "Setting a new default format"
+_HARMLESS = "Warning: Setting a new default format"
 _SERIOUS = (QtMsgType.QtWarningMsg, QtMsgType.QtCriticalMsg, QtMsgType.QtFatalMsg)
 
 
@@ -86,8 +86,10 @@ class Trouble(QObject):
             self._report(arguments.exc_type, arguments.exc_value, arguments.exc_traceback)
 
     def _hear(self, kind: QtMsgType, context: QMessageLogContext, text: str) -> None:
+        if text.startswith(_HARMLESS):
+            return
         print(text, file=sys.stderr)
-        if kind in _SERIOUS and text not in self._heard and not text.startswith(_HARMLESS):
+        if kind in _SERIOUS and text not in self._heard:
             self._heard.add(text)
             self.qt_said.emit(f"Qt: {text}")
 

@@ -21,6 +21,7 @@ from ui.commands.panes import PANES
 from ui.panels.forms import Forms
 from ui.widgets.log_view import LogView
 from ui.widgets.message_bar import MessageBar
+from ui.widgets.native import Uncovered
 
 _FRAME = 2  # pixels around the 3D scene, which tell whether it has the keyboard
 
@@ -122,6 +123,7 @@ class Workspace:
         if self._waiting != others.keys():
             wrong = sorted(self._waiting ^ others.keys())
             raise ValueError(f"no dock, or nothing for it: {wrong}")
+        Uncovered(self._window)
         self._stage.addWidget(scene_view)
         self._stage.setCurrentWidget(scene_view)
         for name, view in others.items():

@@ -83,3 +83,13 @@ def test_qt_is_heard_once_for_each_sentence(trouble, capsys):
         qWarning(text)
     assert said == ["Qt: odd thing", "Qt: other thing"]
     assert capsys.readouterr().err.count("odd thing") == 2
+
+
+def test_a_warning_of_qt_that_means_nothing_is_not_printed(trouble, capsys):
+    heard = []
+    trouble.qt_said.connect(heard.append)
+    qWarning(
+        "Warning: Setting a new default format with a different version or profile after the "
+        "global shared context is created may cause issues with context sharing."
+    )
+    assert not heard and not capsys.readouterr().err
