@@ -6,10 +6,10 @@ from typing import Any
 
 from PySide6.QtCore import QObject, QSettings, Signal
 
-from ui.panels.edits import LENGTH, Edit, Typed
+from ui.panels.edits import Edit, Typed
 from ui.panels.optional import OptionalRow
 from workbench.analysis.manufacture_limits import Limits
-from workbench.scene import Scene
+from workbench.scene import LENGTH, Measure, Scene
 
 _ROWS = {
     "min_thickness": ("Thinnest", "The lens has to be as thick as this everywhere"),
@@ -48,8 +48,8 @@ class LimitFields(QObject):
                 name,
                 label,
                 f"{tip}. {_HINT}",
+                Measure("°") if name == _ANGLE else LENGTH,
                 partial(self._stand_in, name),
-                "°" if name == _ANGLE else LENGTH,
             )
             for name, (label, tip) in _ROWS.items()
         }

@@ -5,6 +5,7 @@ from PySide6.QtGui import QKeyEvent, QKeySequence, QResizeEvent, QWheelEvent
 from PySide6.QtWidgets import QComboBox, QLabel, QLineEdit, QSizePolicy
 
 from ui.panels.edits import Typed
+from workbench.scene import Measure
 
 
 class TextEditor(QLineEdit):
@@ -58,15 +59,15 @@ class TextEditor(QLineEdit):
 class NumberEditor(TextEditor):
     """A number as text, because spin boxes round and change under the mouse wheel."""
 
-    def __init__(self, unit: str, whole: bool, narrow: bool = False) -> None:
+    def __init__(self, measure: Measure, whole: bool, narrow: bool = False) -> None:
         super().__init__()
-        self._unit, self._whole = unit, whole
+        self._measure, self._whole = measure, whole
         seen = "0000" if narrow else "0000000"
         self.setMinimumWidth(self.fontMetrics().horizontalAdvance(seen))
 
     def typed(self, text: str) -> Typed:
         """What such a text is typed for."""
-        return Typed(text, self._unit, self._whole)
+        return Typed(text, self._measure, self._whole)
 
 
 class Chooser(QComboBox):

@@ -3,16 +3,15 @@
 import re
 from collections.abc import Iterable
 from dataclasses import dataclass
+from functools import cache
 from typing import Any
 
 from workbench.errors import Refused
 from workbench.quantity import read_number
-from workbench.scene import Scene, Unit
+from workbench.scene import Measure, Part, Scene, Unit
 
 _STEP = re.compile(r"[^.\[\]]+")
-
-
-LENGTH = "length"  # a unit that stands for the scene's own
+_NONE = Measure()
 
 
 @dataclass(frozen=True)
@@ -23,14 +22,14 @@ class Typed:
     ----------
     text : str
         As it was typed.
-    unit : str
-        Unit of the field; `LENGTH` for the scene's.
+    measure : Measure
+        What the field's numbers are measured in.
     whole : bool
         Whether only whole numbers make sense.
     """
 
     text: str
-    unit: str = ""
+    measure: Measure = _NONE
     whole: bool = False
 
     def number(self, unit: str) -> float | int:
@@ -41,7 +40,7 @@ class Typed:
         ValueError
             With what is wrong in one sentence.
         """
-        found = read_number(self.text, unit if self.unit == LENGTH else self.unit)
+        found = read_number(self.text, self.measure.sign_in(unit))
         try:
             return int(found) if self.whole and found.denominator == 1 else float(found)
         except OverflowError as error:
@@ -78,44 +77,61 @@ class Edit:
     waits: bool = True
 
 
-def value_at(data: dict[str, Any], path: str) -> Any:
-    """Value at a path of a scene's plain data; None where the scene has no such field."""
-    value: Any = data
-    for step in _STEP.findall(path):
-        if isinstance(value, list) and int(step) < len(value):
+def value_at(scene: Any, path: str) -> Any:
+    """Value at a path of a scene, or of plain data; None where there is no such field."""
+    value = scene
+    for step in _steps(path):
+        if isinstance(value, Part):
+            value = vars(value).get(step)  # its fields, and nothing else
+        elif isinstance(value, dict):
+            value = value.get(step)
+        elif isinstance(value, list | tuple) and int(step) < len(value):
             value = value[int(step)]
-        elif isinstance(value, dict) and step in value:
-            value = value[step]
         else:
             return None
     return value
 
 
-def has_place(data: dict[str, Any], edit: Edit) -> bool:
-    """Whether a scene, as plain data, has what the edit would change a part of."""
+def holder_of(scene: Any, path: str) -> tuple[Any, int | str]:
+    """What holds the value at a path, and the value's index or name there."""
+    *_, last = _steps(path)
+    holder = value_at(scene, path[: path.rindex(last)])
+    return holder, int(last) if isinstance(holder, list | tuple) else last
+
+
+@cache
+def _steps(path: str) -> tuple[str, ...]:
+    return tuple(_STEP.findall(path))
+
+
+def has_place(scene: Scene, edit: Edit) -> bool:
+    """Whether a scene has what the edit would change a part of."""
     for path in edit.changes:
-        place, last = _place(data, path)
-        if not (last < len(place) if isinstance(last, int) else isinstance(place, dict)):
+        holder, last = holder_of(scene, path)
+        if not (last < len(holder) if isinstance(last, int) else isinstance(holder, Part)):
             return False
     return True
 
 
 def edited_scene(scene: Scene, edits: Iterable[Edit]) -> Scene:
-    """The scene after some edits.
+    """The scene after some edits, which is written out and validated once for all of them.
 
     Raises
     ------
     Refused
         If that scene is impossible.
     """
-    data = scene.to_data()
+    data: dict[str, Any] = {}  # once there is a change
     for edit in edits:
         if edit.unit is not None:
-            data = Scene.from_data(data).in_unit(edit.unit).to_data()
+            scene = (Scene.from_data(data) if data else scene).in_unit(edit.unit)
+            data = {}
+        if edit.changes and not data:
+            data = scene.to_data()
         for path, value in edit.changes.items():
-            place, last = _place(data, path)
-            place[last] = _read(value, path, data["unit"])
-    return Scene.from_data(data)
+            holder, last = holder_of(data, path)
+            holder[last] = _read(value, path, data["unit"])
+    return Scene.from_data(data) if data else scene
 
 
 def _read(value: object, path: str, unit: str) -> object:
@@ -128,10 +144,3 @@ def _read(value: object, path: str, unit: str) -> object:
         return value.number(unit)
     except ValueError as error:
         raise Refused(path, f"{error}") from error
-
-
-def _place(data: dict[str, Any], path: str) -> tuple[Any, int | str]:
-    """What holds the value at a path, and the value's index or name there."""
-    *parents, last = _STEP.findall(path)
-    place: Any = value_at(data, ".".join(parents)) if parents else data
-    return place, int(last) if isinstance(place, list) else last

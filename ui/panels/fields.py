@@ -4,7 +4,7 @@ A row shows what the scene holds and tells of what a person asks for; it never j
 was refused stays as typed until it is corrected, or taken back with Escape.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Sequence, Set
 from typing import Any
 
 from PySide6.QtCore import Signal
@@ -18,11 +18,13 @@ from PySide6.QtWidgets import (
 )
 
 from ui.panels.editors import Chooser, NumberEditor, Refusal, TextEditor
-from ui.panels.edits import LENGTH as LENGTH  # to be had from here, too
-from ui.panels.edits import Edit, value_at
+from ui.panels.edits import Edit, holder_of, value_at
 from ui.widgets import theme
+from workbench.scene import Measure, Part
 
 Changes = dict[str, object]
+Condition = Callable[[Any], bool]
+_NONE = Measure()
 
 
 class Row(QWidget):
@@ -36,10 +38,8 @@ class Row(QWidget):
         What stands before the row.
     tip : str
         What the value is and why one would change it.
-    unit : str
-        Stands behind the editors; `LENGTH` for the scene's unit.
-    present : callable, optional
-        Whether a scene (as plain data) has such a value; by default whether the path exists.
+    measure : Measure
+        What stands behind the editors.
     """
 
     edited = Signal(object)
@@ -50,17 +50,15 @@ class Row(QWidget):
         path: str,
         label: str,
         tip: str,
-        unit: str = "",
-        present: Callable[[dict[str, Any]], bool] | None = None,
+        measure: Measure = _NONE,
     ) -> None:
         super().__init__()
-        self.path = path
+        self.path, self.measure = path, measure
         self.label = QLabel(label)
         self.name = label  # told apart from those of other panels by the panel
-        self._unit_kind = unit
-        self._present = present
+        self._conditions: list[Condition] = []
         self._unit = QLabel()
-        self._unit.setVisible(bool(unit))
+        self._unit.setVisible(measure != _NONE)
         self._refusal = Refusal()
         self._editors = QHBoxLayout()
         self._editors.addWidget(self._unit)
@@ -72,26 +70,21 @@ class Row(QWidget):
         for widget in (self.label, self):
             widget.setToolTip(f"<p>{tip}</p>")  # rich text, because only that wraps
 
-    @property
-    def is_length(self) -> bool:
-        """Whether its numbers are in the scene's unit."""
-        return self._unit_kind == LENGTH
+    def only_if(self, condition: Condition) -> None:
+        """Have the row only with scenes of which this holds."""
+        self._conditions.append(condition)
 
-    def present(self, data: dict[str, Any]) -> bool:
-        """Whether a scene, as plain data, has this field."""
-        if self._present is not None:
-            return self._present(data)
-        return value_at(data, self.path) is not None
+    def present(self, scene: Any) -> bool:
+        """Whether a scene has this field."""
+        return self._is_there(scene) and all(condition(scene) for condition in self._conditions)
 
-    def show_scene(self, data: dict[str, Any], pending: set[str]) -> None:
-        """Show what the scene holds, except where a refused edit still stands."""
-        if self._unit_kind:
-            self.set_unit(data["unit"] if self._unit_kind == LENGTH else self._unit_kind)
-
-    def set_unit(self, text: str) -> None:
-        """What stands behind the editors."""
-        self._unit.setText(text)
-        self._unit.setVisible(bool(text))
+    def show_scene(self, scene: Any, pending: Set[str]) -> None:
+        """Show what a scene, or plain data, holds, except where a refused edit still stands."""
+        part, name = holder_of(scene, self.path)
+        remarks = part.remarks() if isinstance(part, Part) else {}
+        unit = self.measure.sign_in(value_at(scene, "unit"))
+        self._unit.setText(remarks.get(str(name), unit))
+        self._unit.setVisible(bool(self._unit.text()))
 
     def commit(self) -> None:
         """Tell of text that is typed but not yet entered."""
@@ -118,6 +111,9 @@ class Row(QWidget):
     def refusal(self) -> str:
         """The text shown below the editors."""
         return self._refusal.text()
+
+    def _is_there(self, scene: Any) -> bool:
+        return value_at(scene, self.path) is not None
 
     def _add(self, widget: QWidget, stretch: int = 1) -> None:
         self._editors.insertWidget(self._editors.count() - 1, widget, stretch)
@@ -149,16 +145,14 @@ class NumberRow(Row):
         path: str,
         label: str,
         tip: str,
-        unit: str = "",
-        *,
+        measure: Measure = _NONE,
         between: str = "",
         count: int = 2,
         whole: bool = False,
-        present: Callable[[dict[str, Any]], bool] | None = None,
     ) -> None:
-        super().__init__(path, label, tip, unit, present)
+        super().__init__(path, label, tip, measure)
         paths = [f"{path}[{k}]" for k in range(count)] if between else [path]
-        self.editors = {p: NumberEditor(unit, whole, narrow=len(paths) > 2) for p in paths}
+        self.editors = {p: NumberEditor(measure, whole, narrow=len(paths) > 2) for p in paths}
         for number, (place, editor) in enumerate(self.editors.items()):
             if number:
                 self._add(QLabel(between), 0)
@@ -168,46 +162,47 @@ class NumberRow(Row):
             editor.committed.connect(lambda text, p=place: self._commit(p, text))
             editor.reverted.connect(lambda p=place: self.reverted.emit(p))
 
-    def show_scene(self, data: dict[str, Any], pending: set[str]) -> None:
+    def show_scene(self, scene: Any, pending: Set[str]) -> None:
         """Show the scene's numbers, short but exact."""
-        super().show_scene(data, pending)
+        super().show_scene(scene, pending)
         for path, editor in self.editors.items():
             if path not in pending:
-                editor.show_value(format(value_at(data, path), ".12g"))
+                editor.show_value(format(value_at(scene, path), ".12g"))
 
     def _commit(self, path: str, text: str) -> None:
         self._tell(path, {path: self.editors[path].typed(text)})
 
 
 class TextRow(Row):
-    """One line of text, with a button behind it that helps to find the text.
+    """One line of text, which a button behind it may help to find.
 
     Parameters
     ----------
     button_tip : str
-        What the button does.
+        What the button does; none if it is left out.
     """
 
     asked = Signal()
 
-    def __init__(self, path: str, label: str, tip: str, button_tip: str) -> None:
+    def __init__(self, path: str, label: str, tip: str, button_tip: str = "") -> None:
         super().__init__(path, label, tip)
         self.editor = TextEditor()
-        button = QToolButton()
-        button.setText("…")
-        button.setToolTip(button_tip)
-        button.setAccessibleName(button_tip)
-        button.clicked.connect(self.asked)
         self._add(self.editor)
-        self._add(button, 0)
+        if button_tip:
+            button = QToolButton()
+            button.setText("…")
+            button.setToolTip(button_tip)
+            button.setAccessibleName(button_tip)
+            button.clicked.connect(self.asked)
+            self._add(button, 0)
         self.editor.committed.connect(lambda text: self._tell(path, {path: text}))
         self.editor.reverted.connect(lambda: self.reverted.emit(path))
 
-    def show_scene(self, data: dict[str, Any], pending: set[str]) -> None:
+    def show_scene(self, scene: Any, pending: Set[str]) -> None:
         """Show the scene's text, its end first, which in a path says most."""
-        super().show_scene(data, pending)
+        super().show_scene(scene, pending)
         if self.path not in pending:
-            self.editor.show_value(value_at(data, self.path))
+            self.editor.show_value(value_at(scene, self.path))
             self.editor.end(False)
 
 
@@ -218,6 +213,8 @@ class ChoiceRow(Row):
     ----------
     choices : sequence of (str, str)
         What the scene calls it and what a person reads.
+    otherwise : str
+        What a person reads for no choice, where it may be left out.
     read : callable, optional
         The scene's choice; by default the value at the path.
     changes : callable, optional
@@ -230,27 +227,30 @@ class ChoiceRow(Row):
         label: str,
         tip: str,
         choices: Sequence[tuple[str, str]],
-        read: Callable[[dict[str, Any]], str] | None = None,
+        otherwise: str = "",
+        read: Callable[[Any], str] | None = None,
         changes: Callable[[str], Changes | None] | None = None,
     ) -> None:
         super().__init__(path, label, tip)
-        self._read = read or (lambda data: str(value_at(data, path)))
-        self._changes = changes or (lambda choice: {path: choice})
+        self._optional = bool(otherwise)
+        self._read = read or (lambda scene: str(value_at(scene, path) or ""))
+        self._changes = changes or (lambda choice: {path: choice or None})
         self.chooser = Chooser()
-        for value, text in choices:
+        for value, text in [("", otherwise), *choices] if otherwise else choices:
             self.chooser.addItem(text, value)
         self._add(self.chooser)
         self.chooser.activated.connect(self._choose)
 
-    def present(self, data: dict[str, Any]) -> bool:
-        """Whether a scene, as plain data, has this choice."""
-        return self._read(data) != "None"
-
-    def show_scene(self, data: dict[str, Any], pending: set[str]) -> None:
+    def show_scene(self, scene: Any, pending: Set[str]) -> None:
         """Show the scene's choice."""
-        super().show_scene(data, pending)
+        super().show_scene(scene, pending)
         if self.path not in pending:
-            self.chooser.setCurrentIndex(self.chooser.findData(self._read(data)))
+            self.chooser.setCurrentIndex(self.chooser.findData(self._read(scene)))
+
+    def _is_there(self, scene: Any) -> bool:
+        if self._optional:
+            return holder_of(scene, self.path)[0] is not None
+        return bool(self._read(scene))
 
     def _choose(self, index: int) -> None:
         changes = self._changes(self.chooser.itemData(index))
@@ -263,20 +263,14 @@ class ChoiceRow(Row):
 class CheckRow(Row):
     """Yes or no."""
 
-    def __init__(
-        self,
-        path: str,
-        label: str,
-        tip: str,
-        present: Callable[[dict[str, Any]], bool] | None = None,
-    ) -> None:
-        super().__init__(path, label, tip, present=present)
+    def __init__(self, path: str, label: str, tip: str) -> None:
+        super().__init__(path, label, tip)
         self.box = QCheckBox()
         self._add(self.box)
         self.box.clicked.connect(lambda checked: self._tell(path, {path: checked}))
 
-    def show_scene(self, data: dict[str, Any], pending: set[str]) -> None:
+    def show_scene(self, scene: Any, pending: Set[str]) -> None:
         """Show the scene's answer."""
-        super().show_scene(data, pending)
+        super().show_scene(scene, pending)
         if self.path not in pending:
-            self.box.setChecked(value_at(data, self.path))
+            self.box.setChecked(value_at(scene, self.path))

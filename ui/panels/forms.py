@@ -11,16 +11,16 @@ from ui.document.document import Document
 from ui.panels.edits import Edit, edited_scene, has_place
 from ui.panels.fields import Changes, ChoiceRow, Row
 from ui.panels.lens import LensPanel
-from ui.panels.light import FilterPanel, ScreenPanel
-from ui.panels.panel import Panel
+from ui.panels.panel import Panel, PartPanel
+from ui.panels.rows import Rows
 from ui.panels.run import RunPanel
-from ui.panels.source import SourcePanel
 from ui.panels.stages import StagesPanel
 from ui.panels.target import TargetPanel
 from workbench.errors import Refused
 from workbench.files.session import Session
-from workbench.scene import Scene
-from workbench.units import METRES
+from workbench.scene import FieldDescription, Scene
+
+_PANELS: dict[str, type[PartPanel]] = {"lens": LensPanel, "run": RunPanel}
 
 
 class Forms(QScrollArea):
@@ -66,17 +66,10 @@ class Forms(QScrollArea):
         self._hint.setObjectName("hint")
         self._hint.setWordWrap(True)
         self._hint.hide()
-        self._target = TargetPanel()
-        self.panels: list[Panel] = [
-            ScenePanel(),
-            self._target,
-            LensPanel(),
-            SourcePanel(),
-            ScreenPanel(),
-            FilterPanel(),
-            RunPanel(),
-            StagesPanel(),
-        ]
+        parts = {field.name: field for field in Scene.fields() if field.parts}
+        self._target = TargetPanel(parts.pop("target"))
+        made = (_PANELS.get(name, PartPanel)(field) for name, field in parts.items())
+        self.panels: list[Panel] = [ScenePanel(), self._target, *made, StagesPanel()]
         self._page = QWidget()
         column = QVBoxLayout(self._page)
         column.setContentsMargins(0, 0, 0, 0)
@@ -157,9 +150,10 @@ class Forms(QScrollArea):
         """Try an edit together with those that wait; keep it waiting if it is refused."""
         self._pending.pop(edit.path, None)
         waiting = [waiter.edit for waiter in self._pending.values()]
-        if self._try([*waiting, edit]) is None:
+        refused = self._try([*waiting, edit])
+        if refused is None:
             self._pending.clear()
-        elif refused := self._try([edit]):
+        elif not waiting or (refused := self._try([edit])):
             self._refuse(edit, refused)
         self._show()
 
@@ -234,17 +228,16 @@ class Forms(QScrollArea):
         session = self._session
         self._shown = self._document.session.scene
         self._show_hint()
-        data = session.scene.to_data()
         for panel in self.panels:
             panel.prepare(session)
-        present = [row for row in self._rows() if row.present(data)]
+        present = [row for row in self._rows() if row.present(session.scene)]
         self._pending = {
             path: waiting
             for path, waiting in self._pending.items()
-            if has_place(data, waiting.edit) and any(row.concerns(path) for row in present)
+            if has_place(session.scene, waiting.edit) and any(row.concerns(path) for row in present)
         }
         for panel in self.panels:
-            panel.show_session(session, set(self._pending))
+            panel.show_session(session, set(present), self._pending.keys())
         reasons: dict[Row, str] = {}
         refusals = []
         for path, waiting in self._pending.items():
@@ -287,18 +280,16 @@ class ScenePanel(Panel):
     """Bound to what concerns the whole scene."""
 
     def __init__(self) -> None:
+        rows = Rows(lambda: self.session.scene, {"unit": _unit_rows})
+        fields = [field for field in Scene.fields() if field.tip and not field.parts]
         super().__init__(
-            "Scene",
-            [
-                _UnitRow(
-                    "unit",
-                    "Unit",
-                    "Unit of every length in the scene. Another one converts them all: a lens of "
-                    "1 cm becomes one of 10 mm.",
-                    [(unit, unit) for unit in METRES],
-                )
-            ],
+            "Scene", [row for field in fields for row in rows.of_field(field, field.name)]
         )
+
+
+def _unit_rows(field: FieldDescription, path: str) -> list[Row]:
+    units = [(unit, unit) for unit, _ in field.choices]  # in small letters
+    return [_UnitRow(path, field.title, field.tip, units)]
 
 
 class _UnitRow(ChoiceRow):

@@ -1,10 +1,11 @@
-"""Rows for what may be left out of the scene: faintly, or by a word, they tell what then counts."""
+"""A row for what may be left out of the scene: faintly it tells what then counts."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Sequence, Set
 from typing import Any
 
-from ui.panels.edits import value_at
-from ui.panels.fields import Changes, ChoiceRow, NumberRow, Row
+from ui.panels.edits import holder_of, value_at
+from ui.panels.fields import NumberRow, Row
+from workbench.scene import Measure
 
 
 class OptionalRow(NumberRow):
@@ -13,7 +14,7 @@ class OptionalRow(NumberRow):
     Parameters
     ----------
     stand_in : callable
-        The numbers that count instead, of a scene as plain data, or words where none does; shown
+        The numbers that count instead, of a scene or plain data, or words where none does; shown
         faintly.
     """
 
@@ -22,34 +23,28 @@ class OptionalRow(NumberRow):
         path: str,
         label: str,
         tip: str,
-        stand_in: Callable[[dict[str, Any]], Sequence[float | str]],
-        unit: str = "",
-        *,
+        measure: Measure,
+        stand_in: Callable[[Any], Sequence[float | str]],
         between: str = "",
+        count: int = 2,
         whole: bool = False,
-        present: Callable[[dict[str, Any]], bool] | None = None,
     ) -> None:
-        super().__init__(
-            path,
-            label,
-            tip,
-            unit,
-            between=between,
-            whole=whole,
-            present=present or (lambda data: True),
-        )
+        super().__init__(path, label, tip, measure, between, count, whole)
         self._stand_in = stand_in
 
-    def show_scene(self, data: dict[str, Any], pending: set[str]) -> None:
+    def show_scene(self, scene: Any, pending: Set[str]) -> None:
         """Show the scene's numbers, or none, before what stands in for them."""
-        Row.show_scene(self, data, pending)
-        stand_ins = self._stand_in(data)
+        Row.show_scene(self, scene, pending)
+        stand_ins = self._stand_in(scene)
         for (path, editor), stand_in in zip(self.editors.items(), stand_ins, strict=True):
             faint = stand_in if isinstance(stand_in, str) else format(stand_in, "g")
             editor.setPlaceholderText(faint)
             if path not in pending:
-                value = value_at(data, path)
+                value = value_at(scene, path)
                 editor.show_value("" if value is None else format(value, ".12g"))
+
+    def _is_there(self, scene: Any) -> bool:
+        return holder_of(scene, self.path)[0] is not None
 
     def _commit(self, path: str, text: str) -> None:
         if not text.strip():
@@ -60,56 +55,3 @@ class OptionalRow(NumberRow):
             texts = [editor.text().strip() or text for editor in self.editors.values()]
             values = [e.typed(t) for e, t in zip(self.editors.values(), texts, strict=True)]
             self._tell(path, {self.path: values})
-
-
-class KindRow(ChoiceRow):
-    """The kind of a part of the scene.
-
-    Parameters
-    ----------
-    path : str
-        Where the part is; its kind is told by the field ``kind``.
-    begin : callable
-        A new part of a kind, as plain data.
-    otherwise : str
-        What a person reads for there being no such part, where it may be left out.
-    """
-
-    def __init__(
-        self,
-        path: str,
-        label: str,
-        tip: str,
-        kinds: Sequence[tuple[str, str]],
-        begin: Callable[[str], dict[str, object]],
-        otherwise: str = "",
-    ) -> None:
-        none = [("", otherwise)] if otherwise else []
-        super().__init__(
-            f"{path}.kind", label, tip, [*none, *kinds], read=self._read_kind, changes=self._change
-        )
-        self._part = path
-        self._begin = begin
-        self._shown = ""
-
-    def show_scene(self, data: dict[str, Any], pending: set[str]) -> None:
-        """Show the part's kind."""
-        super().show_scene(data, pending)
-        self._shown = self._read_kind(data)
-
-    def present(self, data: dict[str, Any]) -> bool:
-        """Always: there is a choice also where there is no part."""
-        return True
-
-    def concerns(self, path: str) -> bool:
-        """Whether a refusal of ``path`` belongs to this row; one of the whole part does."""
-        return path == self._part or super().concerns(path)
-
-    def _read_kind(self, data: dict[str, Any]) -> str:
-        kind = value_at(data, self.path)
-        return "" if kind is None else str(kind)
-
-    def _change(self, kind: str) -> Changes | None:
-        if kind == self._shown:
-            return None
-        return {self._part: self._begin(kind) if kind else None}

@@ -1,12 +1,14 @@
 """A panel: the rows of one part of the scene under a heading that folds them away."""
 
-from collections.abc import Sequence
+from collections.abc import Sequence, Set
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFormLayout, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
 from ui.panels.fields import Row
+from ui.panels.rows import Make, Rows
 from workbench.files.session import Session
+from workbench.scene import FieldDescription, Kinds
 
 
 class Panel(QWidget):
@@ -64,17 +66,15 @@ class Panel(QWidget):
     def prepare(self, session: Session) -> None:
         """Have the rows that a session needs."""
 
-    def show_session(self, session: Session, pending: set[str]) -> None:
-        """Show a session's values, except at paths whose refused edit still stands."""
+    def show_session(self, session: Session, present: Set[Row], pending: Set[str]) -> None:
+        """Show the rows that are present, except at paths whose refused edit still stands."""
         self._session = session
-        data = session.scene.to_data()
         for row in self.rows:
-            present = row.present(data)
-            if present:
-                row.show_scene(data, pending)
+            if row in present:
+                row.show_scene(session.scene, pending)
             else:
                 row.forget()  # before it is hidden, which enters what is typed
-            self._form.setRowVisible(row, present)
+            self._form.setRowVisible(row, row in present)
 
     def unfold(self, unfolded: bool) -> None:
         """Show or fold away the rows."""
@@ -107,3 +107,26 @@ class Panel(QWidget):
             for widget in (row.label, row):
                 widget.hide()
                 widget.deleteLater()
+
+
+class PartPanel(Panel):
+    """The rows of a part of the scene, as its fields say them.
+
+    Parameters
+    ----------
+    field : FieldDescription
+        The field of the scene that the part is in.
+    """
+
+    def __init__(self, field: FieldDescription) -> None:
+        rows, kinds = Rows(lambda: self.session.scene, self.own_rows()), field.mark(Kinds)
+        super().__init__(
+            field.title,
+            rows.of_kinds(field, kinds, field.name, kinds.title)
+            if kinds
+            else rows.of_part(field.parts[0], field.name),
+        )
+
+    def own_rows(self) -> dict[str, Make]:
+        """Fields whose rows show more than the fields say."""
+        return {}

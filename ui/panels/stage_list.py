@@ -8,11 +8,10 @@ from PySide6.QtWidgets import QHBoxLayout, QListWidget, QToolButton, QVBoxLayout
 from ui.panels.editors import Wrapped
 from ui.panels.edits import Edit
 from ui.panels.fields import Row
-from ui.panels.run import METHODS
 from workbench.scene import Stage
+from workbench.scene.kinds import title_of
 
 _MOST_SEEN = 6  # stages; more are scrolled to
-_KINDS = {"collimated": "collimated light", "point": "point source", "grid": "grid of points"}
 
 
 class StageListRow(Row):
@@ -27,7 +26,6 @@ class StageListRow(Row):
             "A run goes through these stages before the scene itself, each going on from the lens "
             "of the one before: from a point source to an extended one, say, or from a coarse "
             "net to a fine one.",
-            present=lambda data: True,
         )
         self._stages: tuple[Stage, ...] = ()
         self._left = 0
@@ -73,6 +71,9 @@ class StageListRow(Row):
     def concerns(self, path: str) -> bool:
         """Whether a refusal is about the stages as a whole; one stage has rows of its own."""
         return path == self.path
+
+    def _is_there(self, scene: Any) -> bool:
+        return True
 
     def show_stages(self, stages: tuple[Stage, ...], iterations: int) -> None:
         """Show the stages, and the iterations that they leave of all."""
@@ -142,11 +143,12 @@ def _summary(stage: Stage) -> str:
     """What makes a stage different, in one line."""
     parts = [_iterations(stage.iterations)]
     if stage.method is not None:
-        parts.append(dict(METHODS)[stage.method].lower())
+        (method,) = (field for field in Stage.fields() if field.name == "method")
+        parts.append(dict(method.choices)[stage.method].lower())
     if stage.control_points is not None:
         parts.append("net of {} × {}".format(*stage.control_points))
     if stage.source is not None:
-        parts.append(_KINDS[stage.source.kind])
+        parts.append(title_of(type(stage.source)).lower())
     if stage.filter is not None:
-        parts.append(f"{stage.filter.kind} filter")
+        parts.append(f"{title_of(type(stage.filter)).lower()} filter")
     return ", ".join(parts)

@@ -1,17 +1,11 @@
 """The stages of a run: a list of them, and the settings of the one that is chosen."""
 
-from typing import Any
-
-from ui.panels.edits import value_at
-from ui.panels.fields import ChoiceRow, NumberRow, Row
-from ui.panels.light import filter_rows
-from ui.panels.optional import OptionalRow
+from ui.panels.fields import Changes, ChoiceRow, Row
 from ui.panels.panel import Panel
-from ui.panels.run import METHODS, RATE_TIP
-from ui.panels.source import source_rows
+from ui.panels.rows import Rows
 from ui.panels.stage_list import StageListRow
 from workbench.files.session import Session
-from workbench.scene.run import LEARNING_RATES
+from workbench.scene import FieldDescription, Stage
 
 _AS_THE_SCENE = "As the scene"
 
@@ -47,59 +41,24 @@ class StagesPanel(Panel):
 
     def _rows_of(self, number: int) -> list[Row]:
         path = f"run.stages[{number}]"
+        rows = Rows(
+            lambda: self.session.scene.parts()[number],
+            {"method": self._method_rows},
+            _AS_THE_SCENE,
+            path,
+        )
+        return rows.of_part(Stage, path)
+
+    def _method_rows(self, field: FieldDescription, path: str) -> list[Row]:
+        """The automatic method has no learning rate."""
+        rate = f"{path.rpartition('.')[0]}.learning_rate"
+
+        def changes(choice: str) -> Changes:
+            made: Changes = {path: choice or None}
+            if (choice or self.session.scene.run.method) == "auto":
+                made[rate] = None
+            return made
+
         return [
-            NumberRow(
-                f"{path}.iterations",
-                "Iterations",
-                "Upper limit of iterations of this stage. They count within those of the run; "
-                "what all stages leave is for the scene itself.",
-                whole=True,
-            ),
-            ChoiceRow(
-                f"{path}.method",
-                "Method",
-                "How the lens is searched for in this stage.",
-                [("", _AS_THE_SCENE), *METHODS],
-                read=lambda data: value_at(data, f"{path}.method") or "",
-                changes=lambda choice: self._change_method(path, choice),
-            ),
-            OptionalRow(
-                f"{path}.learning_rate",
-                "Learning rate",
-                RATE_TIP + " Left empty, it is that of the scene.",
-                lambda data: [_rate(data)],
-                present=lambda data: _method(data, path) == "paper",
-            ),
-            OptionalRow(
-                f"{path}.control_points",
-                "Control points",
-                "Numbers of control points along x and y in this stage. A coarse net moves light "
-                "over long distances soon; the next stage goes on with the same surface on a "
-                "finer one. Left empty, they are the lens's.",
-                lambda data: data["lens"]["control_points"],
-                between="×",
-                whole=True,
-            ),
-            *source_rows(
-                f"{path}.source",
-                lambda: self.session.scene.parts()[number],
-                "Source",
-                _AS_THE_SCENE,
-            ),
-            *filter_rows(f"{path}.filter", "Image filter", _AS_THE_SCENE),
+            ChoiceRow(path, field.title, field.tip, field.choices, _AS_THE_SCENE, changes=changes)
         ]
-
-    def _change_method(self, path: str, choice: str) -> dict[str, object]:
-        changes: dict[str, object] = {f"{path}.method": choice or None}
-        if (choice or self.session.scene.run.method) == "auto":  # which has no learning rate
-            changes[f"{path}.learning_rate"] = None
-        return changes
-
-
-def _method(data: dict[str, Any], path: str) -> str:
-    return str(value_at(data, f"{path}.method") or data["run"]["method"])
-
-
-def _rate(data: dict[str, Any]) -> float:
-    run = data["run"]
-    return float(run.get("learning_rate", LEARNING_RATES[run.get("parametrisation", "none")]))

@@ -1,5 +1,7 @@
 """The wish: an image file or a built-in shape, and what is done to it."""
 
+from collections.abc import Set
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -9,21 +11,20 @@ from PySide6.QtGui import QImage, QPainter, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
 from ui.panels.edits import Edit
-from ui.panels.fields import Changes, CheckRow, ChoiceRow, NumberRow, TextRow
-from ui.panels.panel import Panel
+from ui.panels.fields import Row, TextRow
+from ui.panels.panel import PartPanel
+from ui.panels.rows import KindRow, Make
 from workbench.design.picture import LARGEST_PICTURE
 from workbench.files.session import Session
-from workbench.scene import Finish
+from workbench.scene import FieldDescription, Finish
 
 IMAGE_FILES = (
     "Images (*.png *.jpg *.jpeg *.svg *.bmp *.gif *.tif *.tiff *.webp *.pgm *.ppm *.jp2 *.tga "
     "*.npy);;All files (*)"
 )
 
-_WISH = "target.builtin"
 
-
-class TargetPanel(Panel):
+class TargetPanel(PartPanel):
     """Bound to ``scene.target``.
 
     Attributes
@@ -37,78 +38,24 @@ class TargetPanel(Panel):
     image_asked = Signal()
     image_again = Signal()
 
-    def __init__(self) -> None:
-        image = TextRow(
-            "target.image",
-            "Image",
-            "Image file; bright pixels get much light, black ones and transparent ones none. "
-            "Where all that is drawn is black, as in many a logo on a transparent ground, the "
-            "drawing itself gets the light. It is fitted into the screen with its aspect kept. The "
-            f"design keeps images of up to {LARGEST_PICTURE >> 20} MB.",
-            "Choose an image file",
-        )
-        super().__init__(
-            "Target",
-            [
-                ChoiceRow(
-                    _WISH,
-                    "Kind",
-                    "The image that the light shall draw on the screen. "
-                    "An image file can also be dropped onto the window.",
-                    [
-                        ("image", "Image file"),
-                        ("tophat", "Top hat"),
-                        ("flame", "Flame"),
-                        ("ball", "Ball"),
-                    ],
-                    read=lambda data: data["target"].get("builtin", "image"),
-                    changes=self._change_kind,
-                ),
-                image,
-                NumberRow(
-                    "target.radius",
-                    "Radius",
-                    "Radius of the shape as a fraction of the screen's smaller half-width.",
-                    "of half width",
-                ),
-                NumberRow(
-                    "target.height",
-                    "Height",
-                    "Height of the shape as a fraction of the screen's smaller width.",
-                    "of width",
-                ),
-                NumberRow(
-                    "target.padding",
-                    "Padding",
-                    "Black border on each side as a fraction of the screen; it keeps light "
-                    "away from the edge.",
-                    "of width",
-                ),
-                NumberRow(
-                    "target.blur",
-                    "Blur",
-                    "Standard deviation of a Gaussian over the target. Soft edges are "
-                    "easier for a smooth lens.",
-                    "px",
-                ),
-                CheckRow("target.invert", "Invert", "Swap bright and dark."),
-            ],
-        )
-        image.asked.connect(self.image_asked)
+    def __init__(self, field: FieldDescription) -> None:
+        dropped = "An image file can also be dropped onto the window."
+        super().__init__(replace(field, tip=f"{field.tip} {dropped}"))
+        for row in self.rows:
+            if isinstance(row, KindRow | TextRow):
+                row.asked.connect(lambda *_: self.image_asked.emit())
         self._thumbnail = Thumbnail()
         self._form.insertRow(0, self._thumbnail)
 
-    def show_session(self, session: Session, pending: set[str]) -> None:
+    def own_rows(self) -> dict[str, Make]:
+        """A file can be looked for."""
+        return {"image": _image_rows}
+
+    def show_session(self, session: Session, present: Set[Row], pending: Set[str]) -> None:
         """Show the target's settings and the image itself."""
-        super().show_session(session, pending)
+        super().show_session(session, present, pending)
         screen = session.scene.screen
         self._thumbnail.show_target(session.target, screen.half_width[0] / screen.half_width[1])
-
-    def _change_kind(self, choice: str) -> Changes | None:
-        if choice == "image":
-            self.image_asked.emit()
-            return None
-        return {"target": {"builtin": choice, **self._finish()}}
 
     def _finish(self) -> dict[str, object]:
         target = self.session.scene.target
@@ -122,6 +69,11 @@ class TargetPanel(Panel):
         target = {"image": str(path.absolute()), **self._finish()}
         edit = Edit("target.image", "change of target image", {"target": target}, waits=False)
         self.edited.emit(edit)
+
+
+def _image_rows(field: FieldDescription, path: str) -> list[Row]:
+    kept = f"The design keeps images of up to {LARGEST_PICTURE >> 20} MB."
+    return [TextRow(path, field.title, f"{field.tip} {kept}", "Choose an image file")]
 
 
 class Thumbnail(QWidget):

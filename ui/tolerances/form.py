@@ -7,10 +7,10 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QPushButton, QWidget
 
 from ui.panels.edits import Edit
-from ui.panels.fields import LENGTH, NumberRow
+from ui.panels.fields import NumberRow
 from workbench.analysis.tolerances import Tolerances
 from workbench.errors import Refused
-from workbench.scene import Scene, Unit
+from workbench.scene import LENGTH, Measure, Scene, Unit
 from workbench.units import ratio, times
 
 _MOST = 100_000  # lenses
@@ -39,7 +39,7 @@ class ToleranceForm(QWidget):
                 "tilt",
                 "Tilt",
                 "Largest angle between lens and optical axis; lenses are tilted evenly within it",
-                "°",
+                Measure("°"),
             ),
             NumberRow(
                 "decentre",
@@ -134,7 +134,7 @@ class ToleranceForm(QWidget):
         """Give the lengths for a scene in another unit."""
         factor = ratio(scene.unit, unit)
         for row in self._rows:
-            if row.is_length:
+            if row.measure.power:
                 value = self._data[row.path]
                 self._data[row.path] = (
                     [times(each, factor) for each in value]

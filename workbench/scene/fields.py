@@ -16,6 +16,7 @@ from pydantic import BaseModel, Field, GetJsonSchemaHandler
 from pydantic.fields import FieldInfo
 from pydantic_core import CoreSchema
 
+_FAR = 1e9  # a limit that nobody meets
 _SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
@@ -182,14 +183,22 @@ class FieldDescription:
 
     @property
     def limits(self) -> str:
-        """Between which numbers it lies, as a sentence; empty where one end is open."""
+        """Between which numbers it lies, as a sentence; empty where an end is open, or nearly."""
         item = get_args(self.type)[0] if get_origin(self.type) is tuple else self.type
         marks = (*self.marks, *_unmarked(item)[1])
-        low = [f"From {m.ge}" for m in marks if isinstance(m, annotated_types.Ge)]
-        low += [f"Above {m.gt}" for m in marks if isinstance(m, annotated_types.Gt)]
-        high = [f"to {m.le}" for m in marks if isinstance(m, annotated_types.Le)]
-        high += [f"to below {m.lt}" for m in marks if isinstance(m, annotated_types.Lt)]
-        return f"{low[0]} {high[0]}." if low and high else ""
+        low, high = "", ""
+        most: Any = 0
+        for mark in marks:
+            match mark:
+                case annotated_types.Ge(ge=end):
+                    low = f"From {end:.10g}"
+                case annotated_types.Gt(gt=end):
+                    low = f"Above {end:.10g}"
+                case annotated_types.Le(le=end):
+                    high, most = f"to {end:.10g}", end
+                case annotated_types.Lt(lt=end):
+                    high, most = f"to below {end:.10g}", end
+        return f"{low} {high}." if low and 0 < most < _FAR else ""
 
 
 def describe(name: str, field: FieldInfo) -> FieldDescription:

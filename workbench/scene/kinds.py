@@ -56,7 +56,7 @@ class Kinds:
         given = value.get(field) if isinstance(value, dict) else getattr(value, field, None)
         return self.default if given is None else str(given)
 
-    def exchanged(self, before: Part, kind: type[AnyPart], scene: "Scene") -> AnyPart:
+    def exchanged(self, before: Part, kind: type[AnyPart], scene: "Scene") -> AnyPart | None:
         """A part of another kind, as like the one before as it can be.
 
         Parameters
@@ -67,6 +67,11 @@ class Kinds:
             The kind of the new one.
         scene : Scene
             Where the new one begins; see `Part.begun`.
+
+        Returns
+        -------
+        Part, optional
+            None if it needs what only a person can give.
         """
         there = {field.name: field for field in before.fields()}
         usual = {name: field.default for name, field in type(before).model_fields.items()}
@@ -78,7 +83,14 @@ class Kinds:
         }
         if self.field in kind.model_fields:
             kept[self.field] = self.name_of(kind)
-        return kind.model_validate(kept | kind.begun(scene))
+        given = kept | kind.begun(scene)
+        needed = {name for name, field in kind.model_fields.items() if field.is_required()}
+        return None if needed - given.keys() else kind.model_validate(given)
+
+
+def summary_of(kind: type[Part]) -> str:
+    """What a kind is, in a sentence."""
+    return (kind.__doc__ or "").partition("\n\n")[0]
 
 
 def title_of(kind: type[Part]) -> str:

@@ -184,7 +184,7 @@ class AnySource(Part):
 class CollimatedSource(AnySource):
     """Parallel light along the optical axis that fills the entrance face."""
 
-    model_config = ConfigDict(title="Collimated")
+    model_config = ConfigDict(title="Collimated light")
 
     kind: Literal["collimated"]
     rays: Annotated[
@@ -211,7 +211,7 @@ class CollimatedSource(AnySource):
 class PointSource(AnySource):
     """Light from one point into the cone that just covers the entrance face."""
 
-    model_config = ConfigDict(title="Point")
+    model_config = ConfigDict(title="Point source")
 
     kind: Literal["point"]
     position: Annotated[

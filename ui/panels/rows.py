@@ -1,0 +1,233 @@
+"""Makes the rows of a part of the scene from what its fields say of themselves."""
+
+from collections.abc import Callable, Mapping, Sequence, Set
+from operator import attrgetter
+from typing import Any
+
+from PySide6.QtCore import Signal
+
+from ui.panels.edits import holder_of, value_at
+from ui.panels.fields import Changes, CheckRow, ChoiceRow, Condition, NumberRow, Row, TextRow
+from ui.panels.optional import OptionalRow
+from workbench.scene import FieldDescription, Kinds, Part, Scene
+from workbench.scene.fields import Fallback, ForMethod
+from workbench.scene.kinds import summary_of, title_of
+
+Make = Callable[[FieldDescription, str], list[Row]]
+
+
+class Rows:
+    """Makes rows.
+
+    Parameters
+    ----------
+    task : callable
+        The scene in which a part of another kind begins: a stage's own, if they are of one.
+    own : mapping of str to callable, optional
+        Makes the rows of fields that show more than they say, by name, from field and path.
+    otherwise : str
+        What a person reads for there being none of what may be left out.
+    stage : str
+        Path of the stage whose rows these are; empty for the scene itself.
+    """
+
+    def __init__(
+        self,
+        task: Callable[[], Scene],
+        own: Mapping[str, Make] | None = None,
+        otherwise: str = "",
+        stage: str = "",
+    ) -> None:
+        self._task, self._own, self._otherwise, self._stage = task, own or {}, otherwise, stage
+
+    def of_part(self, part: type[Part], path: str) -> list[Row]:
+        """Rows of a part at a path."""
+        return [
+            row for field in part.fields() for row in self.of_field(field, f"{path}.{field.name}")
+        ]
+
+    def of_field(self, field: FieldDescription, path: str) -> list[Row]:
+        """Rows of a field at a path."""
+        rows = self._own.get(field.name, self._of_field)(field, path)
+        if method := field.mark(ForMethod):
+            for row in rows:
+                row.only_if(lambda scene: self._method(scene) == method.method)
+        return rows
+
+    def of_kinds(
+        self, field: FieldDescription, kinds: Kinds, path: str, label: str = ""
+    ) -> list[Row]:
+        """The choice of a kind, and the rows of each kind that are there with it."""
+        choice = KindRow(
+            path,
+            label or field.title,
+            field,
+            kinds,
+            lambda kind: self._begun(kinds, kind, path),
+            self._otherwise if field.optional else "",
+        )
+        rows: list[Row] = [choice]
+        for own, having in _merged(field.parts):
+            if own.name != kinds.field:
+                for row in self.of_field(own, f"{path}.{own.name}"):
+                    row.only_if(_is_of(path, having))
+                    rows.append(row)
+        return rows
+
+    def _of_field(self, field: FieldDescription, path: str) -> list[Row]:
+        if kinds := field.mark(Kinds):
+            return self.of_kinds(field, kinds, path)
+        if field.listed:
+            return []  # their panel has rows for one of them
+        if field.parts:
+            return self.of_part(field.parts[0], path)
+        return [value_row(field, path, self._otherwise)]
+
+    def _begun(self, kinds: Kinds, kind: type[Part], path: str) -> Part | None:
+        task = self._task()
+        before = value_at(task, path.removeprefix(f"{self._stage}.") if self._stage else path)
+        return kinds.exchanged(before, kind, task)
+
+    def _method(self, scene: Scene) -> str:
+        own = value_at(scene, f"{self._stage}.method") if self._stage else None
+        return str(own or scene.run.method)
+
+
+def value_row(field: FieldDescription, path: str, otherwise: str = "") -> Row:
+    """The row of a field at a path that holds numbers, a choice, a yes or no, or text.
+
+    Parameters
+    ----------
+    field : FieldDescription
+        What it says of itself.
+    path : str
+        Where it is in the scene.
+    otherwise : str
+        What a person reads for no choice, where it may be left out.
+    """
+    label, tip = field.title, f"{field.tip} {field.limits}".rstrip()
+    if field.choices:
+        return ChoiceRow(path, label, tip, field.choices, otherwise if field.optional else "")
+    if field.type is bool:
+        return CheckRow(path, label, tip)
+    if field.number is None:
+        return TextRow(path, label, tip)
+    between = field.between if field.count > 1 else ""
+    numbers = (between, field.count, field.number is int)
+    if field.optional:
+        return OptionalRow(path, label, tip, field.measure, _stand_in(field), *numbers)
+    return NumberRow(path, label, tip, field.measure, *numbers)
+
+
+class KindRow(ChoiceRow):
+    """The kind of a part of the scene.
+
+    Parameters
+    ----------
+    part : str
+        Where the part is.
+    label : str
+        What stands before the row.
+    field : FieldDescription
+        What the part is, and of which kinds it may be.
+    kinds : Kinds
+        How they are told apart.
+    begin : callable
+        A new part of a kind; None if it needs what only a person can give.
+    otherwise : str
+        What a person reads for there being no such part, where it may be left out.
+
+    Attributes
+    ----------
+    asked : Signal(type)
+        A person wants a kind that needs what only a person can give.
+    """
+
+    asked = Signal(object)
+
+    def __init__(
+        self,
+        part: str,
+        label: str,
+        field: FieldDescription,
+        kinds: Kinds,
+        begin: Callable[[type[Part]], Part | None],
+        otherwise: str,
+    ) -> None:
+        self._part, self._kinds, self._begin = part, kinds, begin
+        self._named = {kinds.name_of(kind): kind for kind in field.parts}
+        super().__init__(
+            f"{part}.{kinds.field}",
+            label,
+            " ".join([field.tip, *map(_sentence, field.parts)]),
+            [(name, title_of(kind)) for name, kind in self._named.items()],
+            otherwise,
+            read=self._read_kind,
+            changes=self._change,
+        )
+        self._shown = ""
+
+    def show_scene(self, scene: Any, pending: Set[str]) -> None:
+        """Show the part's kind."""
+        super().show_scene(scene, pending)
+        self._shown = self._read_kind(scene)
+
+    def concerns(self, path: str) -> bool:
+        """Whether a refusal of ``path`` belongs to this row; one of the whole part does."""
+        return path == self._part or super().concerns(path)
+
+    def _is_there(self, scene: Any) -> bool:
+        return holder_of(scene, self._part)[0] is not None
+
+    def _read_kind(self, scene: Any) -> str:
+        part = value_at(scene, self._part)
+        return "" if part is None else self._kinds.name_of(type(part))
+
+    def _change(self, name: str) -> Changes | None:
+        if name == self._shown:
+            return None
+        if not name:
+            return {self._part: None}
+        begun = self._begin(self._named[name])
+        if begun is None:
+            self.asked.emit(self._named[name])
+            return None
+        return {self._part: begun.model_dump(mode="json", exclude_none=True)}
+
+
+def _sentence(kind: type[Part]) -> str:
+    summary = summary_of(kind)
+    return f"{title_of(kind)}: {summary[0].lower()}{summary[1:]}"
+
+
+def _merged(kinds: Sequence[type[Part]]) -> list[tuple[FieldDescription, list[type[Part]]]]:
+    """Fields of all kinds, in an order that is each kind's own, and which have them.
+
+    What several of them have is one field: what is typed there stays when the kind changes.
+    """
+    merged: list[tuple[FieldDescription, list[type[Part]]]] = []
+    for kind in kinds:
+        place = 0
+        for field in kind.fields():
+            known = next((k for k, (other, _) in enumerate(merged) if other == field), None)
+            if known is None:
+                merged.insert(place, (field, [kind]))
+            else:
+                merged[known][1].append(kind)
+                place = known
+            place += 1
+    return merged
+
+
+def _is_of(path: str, kinds: Sequence[type[Part]]) -> Condition:
+    """Whether what a scene has at a path is of one of these kinds."""
+    return lambda scene: type(value_at(scene, path)) in kinds
+
+
+def _stand_in(field: FieldDescription) -> Callable[[Any], Sequence[float | str]]:
+    """What counts where a field is left empty."""
+    fallback = field.mark(Fallback)
+    if fallback is None:
+        return lambda scene: ["none"] * field.count
+    found = attrgetter(fallback.path)
+    return lambda scene: found(scene) if field.count > 1 else [found(scene)]
