@@ -4,7 +4,7 @@ import numpy as np
 import numpy.typing as npt
 from scipy.ndimage import convolve1d
 
-from workbench.scene import BoxFilter, Filter
+from workbench.scene import Filter
 
 Array = npt.NDArray[np.float64]
 
@@ -22,8 +22,6 @@ def expected_image(image: Array, filter: Filter) -> Array:
     filter : BoxFilter or GaussianFilter
         The reconstruction filter.
     """
-    if isinstance(filter, BoxFilter):
-        return image
     for axis, size in zip((1, 0), filter.size, strict=True):
         image = convolve1d(image, _mean_taps(filter.alpha, size), axis=axis, mode="constant")
     return np.asarray(image)

@@ -7,7 +7,7 @@ De Koning et al. (2023), section 2.3; Pharr, Jakob, Humphreys (2016), section 7.
 import torch
 from torch import Tensor
 
-from workbench.scene import BoxFilter, Filter, GaussianFilter, Screen
+from workbench.scene import Filter, Screen
 
 
 def reconstruct(x: Tensor, y: Tensor, weight: Tensor, screen: Screen, filter: Filter) -> Tensor:
@@ -30,8 +30,7 @@ def reconstruct(x: Tensor, y: Tensor, weight: Tensor, screen: Screen, filter: Fi
         Flux in each pixel, row 0 at +y.
     """
     n_x, n_y = screen.pixels
-    size = filter.size if isinstance(filter, GaussianFilter) else (1, 1)
-    margin = ((size[0] - 1) // 2, (size[1] - 1) // 2)
+    margin = ((filter.size[0] - 1) // 2, (filter.size[1] - 1) // 2)
     # Ghost pixels: a hit up to `margin` pixels beside the screen still lights its edge.
     columns, rows = n_x + 2 * margin[0], n_y + 2 * margin[1]
 
@@ -69,7 +68,7 @@ def _taps(offset: Tensor, filter: Filter, axis: int) -> list[Tensor | None]:
     e^(−α d²) − e^(−α (ν/2)²) is scaled by e^(α offset²), which cancels in the normalisation, so
     that neither a large α (all terms 0) nor a small one (all differences 0) leaves 0/0.
     """
-    if isinstance(filter, BoxFilter) or filter.size[axis] == 1:
+    if filter.size[axis] == 1:
         return [None]
     alpha, reach = filter.alpha, filter.size[axis] / 2
     taps = []

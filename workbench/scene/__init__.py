@@ -17,7 +17,6 @@ from workbench.scene.source import (
     MeshMethod,
     PointSource,
     Source,
-    of_points,
 )
 from workbench.scene.target import (
     BallTarget,
@@ -64,5 +63,4 @@ __all__ = [
     "Target",
     "TopHatTarget",
     "Unit",
-    "of_points",
 ]

@@ -450,19 +450,6 @@ class GridSource(AnySource):
 Source = Annotated[CollimatedSource | PointSource | GridSource, Kinds("kind")]
 
 
-def of_points(source: Source) -> PointSource | GridSource:
-    """A source as one of points.
-
-    Raises
-    ------
-    Refused
-        If it has none.
-    """
-    if not isinstance(source, PointSource | GridSource):
-        raise Refused("source.kind", f"{source.kind!r} is no light of points; 'point' or 'grid'")
-    return source
-
-
 def _in_front(lens: Lens) -> Place:
     """On the axis, far enough away for the lens to bend all its light."""
     return (0.0, 0.0, lens.entrance_z - _DISTANCE * max(lens.half_width))

@@ -1,6 +1,5 @@
 """What is saved by leaving out what a scene does not need: each with and without."""
 
-import math
 from collections.abc import Callable, Iterator
 
 import numpy as np
@@ -89,11 +88,10 @@ def _pixels() -> list[Variant]:
     """The image of a run, as wide as its light falls and as wide as it could ever fall."""
     example = Example.of("flame")
     scene, heights = example.scene, torch.as_tensor(wavy(example.scene)).requires_grad_()
-    samples = math.isqrt(rays_of(scene))
 
     def descent(reach: tuple[float, float]) -> Callable[[], object]:
-        none = (False, False)
-        image = WideImage(scene, example.target, GaussianFilter(), (samples, samples), none, reach)
+        samples, none = scene.source.samples, (False, False)
+        image = WideImage(scene, example.target, GaussianFilter(), samples, none, reach)
 
         def once() -> object:
             return torch.autograd.grad(image.compare(heights)[0].square().sum(), [heights])

@@ -15,7 +15,7 @@ import numpy.typing as npt
 
 from workbench.compiled import jit
 from workbench.optics.kernels.taps import FAST, Taps, fill_taps, make_taps
-from workbench.scene import Filter, GaussianFilter, Screen
+from workbench.scene import Filter, Screen
 
 AnyArray = npt.NDArray[np.floating[Any]]
 
@@ -91,8 +91,6 @@ def make_spread(
     screen : Screen, optional
         Which rays count as on the screen; those on the image by default.
     """
-    size = filter.size if isinstance(filter, GaussianFilter) else (1, 1)
-    alpha = filter.alpha if isinstance(filter, GaussianFilter) else 0.0
     r_x, r_y = image.half_width
     column_0, row_0 = image.to_pixels(0.0, 0.0)
     column_1, row_1 = image.to_pixels(r_x, r_y)
@@ -109,8 +107,8 @@ def make_spread(
         kind(top),
         kind(bottom),
         image.pixels,
-        make_taps(alpha, size[0], kind),
-        make_taps(alpha, size[1], kind),
+        make_taps(filter.alpha, filter.size[0], kind),
+        make_taps(filter.alpha, filter.size[1], kind),
     )
 
 
