@@ -16,7 +16,7 @@ A lens, designed, looked at on the way, checked with other rays than the design'
 2 (256, 256)
 >>> lens = run.session
 >>> found = check(lens, rays=1_000_000)
->>> found.efficiency == found.ledger.on_screen
+>>> found.efficiency == found.account.on_screen
 True
 >>> [written.format for written in export(lens, "lens.step", "lens.dat")]
 ['STEP solid', 'OpticStudio grid sag']

@@ -93,14 +93,14 @@ class TestTilt:
     def test_flux_through_a_tilted_plate(self, make_scene):
         scene = make_scene({"screen.half_width": [2.0, 2.0]})
         angle = math.radians(30)
-        ledger = validate(
+        account = validate(
             scene, np.ones((32, 32)), np.full((12, 10), 0.5), RAYS, pose=Pose(tilt=(angle, 0.0))
-        ).ledger
+        ).account
         reflectance = 0.04 + 0.96 * (1 - math.cos(angle)) ** 5
-        assert ledger.fresnel_entrance == pytest.approx(reflectance, rel=1e-9)
+        assert account.lost["fresnel_entrance"] == pytest.approx(reflectance, rel=1e-9)
         side = 0.25 * math.tan(math.asin(0.5 / INDEX))  # strip over the width of 2
-        assert ledger.left_side == pytest.approx((1 - reflectance) * side, rel=0.01)
-        assert ledger.fresnel_exit == pytest.approx(
+        assert account.lost["left_side"] == pytest.approx((1 - reflectance) * side, rel=0.01)
+        assert account.lost["fresnel_exit"] == pytest.approx(
             reflectance * (1 - reflectance) * (1 - side), rel=0.01
         )
 

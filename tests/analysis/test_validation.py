@@ -35,8 +35,8 @@ def uniform(scene):
     return np.ones((n_y, n_x))
 
 
-def parts(ledger):
-    data = ledger.to_data()
+def parts(account):
+    data = account.to_data()
     return data.pop("emitted"), data
 
 
@@ -50,19 +50,20 @@ class TestFlatLens:
         assert found.noise < 1e-12
         assert found.irradiance == pytest.approx((1 - HEAD_ON) ** 2 / 4, rel=1e-12)
 
-    def test_ledger(self, make_scene):
+    def test_account(self, make_scene):
         scene = make_scene()
-        ledger = validate(scene, uniform(scene), np.full((12, 10), 0.5), ALIGNED).ledger
-        assert ledger.on_screen == pytest.approx((1 - HEAD_ON) ** 2, rel=1e-12)
-        assert ledger.fresnel_entrance == pytest.approx(HEAD_ON, rel=1e-12)
-        assert ledger.fresnel_exit == pytest.approx(HEAD_ON * (1 - HEAD_ON), rel=1e-12)
-        assert ledger.off_screen == ledger.total_reflection == ledger.missed_lens == 0
+        account = validate(scene, uniform(scene), np.full((12, 10), 0.5), ALIGNED).account
+        assert account.on_screen == pytest.approx((1 - HEAD_ON) ** 2, rel=1e-12)
+        assert account.lost["fresnel_entrance"] == pytest.approx(HEAD_ON, rel=1e-12)
+        assert account.lost["fresnel_exit"] == pytest.approx(HEAD_ON * (1 - HEAD_ON), rel=1e-12)
+        for name in ("off_screen", "total_reflection", "missed_lens"):
+            assert account.lost[name] == 0
 
     def test_half_of_the_light_beside_a_narrow_screen(self, make_scene):
         scene = make_scene({"screen.half_width": [0.5, 1.0]})
         found = validate(scene, uniform(scene), np.full((12, 10), 0.5), ALIGNED)
         assert found.efficiency == pytest.approx((1 - HEAD_ON) ** 2 / 2, rel=1e-12)
-        assert found.ledger.off_screen == pytest.approx(found.ledger.on_screen, rel=1e-12)
+        assert found.account.lost["off_screen"] == pytest.approx(found.account.on_screen, rel=1e-12)
 
     def test_distance_to_a_target_by_hand(self, make_scene):
         scene = make_scene({"screen.pixels": [4, 2]})
@@ -97,10 +98,10 @@ class TestPrism:
         assert mean == pytest.approx(16 + towards * shift * 8, abs=0.02)
 
     def test_losses(self, make_scene, degree):
-        ledger = self.found(make_scene, degree, 0.3, -0.4).ledger
+        account = self.found(make_scene, degree, 0.3, -0.4).account
         refracted = math.asin(INDEX * math.sin(math.atan(0.5)))
         reflectance = HEAD_ON + (1 - HEAD_ON) * (1 - math.cos(refracted)) ** 5
-        assert ledger.fresnel_exit == pytest.approx((1 - HEAD_ON) * reflectance, rel=1e-9)
+        assert account.lost["fresnel_exit"] == pytest.approx((1 - HEAD_ON) * reflectance, rel=1e-9)
 
     def test_total_reflection(self, make_scene, degree):
         with pytest.raises(RunFailed, match="no light of this lens reaches the screen"):
@@ -133,11 +134,11 @@ class TestPlanoHyperbolicLens:
 
     def test_all_light_in_the_focus(self, make_scene):
         found = self.trace(make_scene, 5.0, 3e-6, [3, 3])
-        assert found.irradiance[1, 1] * 4e-12 == pytest.approx(found.ledger.on_screen, rel=1e-12)
-        assert found.ledger.off_screen == 0
+        assert found.irradiance[1, 1] * 4e-12 == pytest.approx(found.account.on_screen, rel=1e-12)
+        assert found.account.lost["off_screen"] == 0
 
     def test_losses(self, make_scene):
-        ledger = self.trace(make_scene, 5.0, 3e-6, [3, 3]).ledger
+        account = self.trace(make_scene, 5.0, 3e-6, [3, 3]).account
         node, share = np.polynomial.legendre.leggauss(60)
         x, y = node[:, None], node[None, :]
         t = self.sag(x, y)
@@ -148,7 +149,7 @@ class TestPlanoHyperbolicLens:
         normal /= np.linalg.norm(normal, axis=0)
         reflectance = HEAD_ON + (1 - HEAD_ON) * (1 - (ray * normal).sum(0)) ** 5
         mean = (reflectance * share[:, None] * share[None, :]).sum() / 4
-        assert ledger.fresnel_exit == pytest.approx((1 - HEAD_ON) * mean, rel=1e-6)
+        assert account.lost["fresnel_exit"] == pytest.approx((1 - HEAD_ON) * mean, rel=1e-6)
 
     def test_upside_down_behind_the_focus(self, make_scene):
         found = self.trace(make_scene, 5.0 + self.FOCUS, 2.0, [32, 32])
@@ -165,9 +166,9 @@ def rough(make_scene, rng):
     return scene, 0.5 + 0.3 * rng.random((12, 10))
 
 
-def test_the_ledger_adds_up(rough):
+def test_the_account_adds_up(rough):
     scene, heights = rough
-    emitted, where = parts(validate(scene, uniform(scene), heights, 100_000).ledger)
+    emitted, where = parts(validate(scene, uniform(scene), heights, 100_000).account)
     assert sum(where.values()) == pytest.approx(emitted, abs=1e-12)
     assert where.pop("missed_lens") == where.pop("left_side") == 0
     assert min(where.values()) > 1e-3
@@ -181,8 +182,8 @@ def test_the_optimisers_trace_agrees(rough):
         scene.model_copy(update={"source": source}), filter=BoxFilter(), dtype=torch.float64
     )
     traced = plan.trace(torch.tensor(heights))
-    for name, value in found.ledger.to_data().items():
-        assert value == pytest.approx(traced.ledger.to_data()[name], abs=2e-4)
+    for name, value in found.account.to_data().items():
+        assert value == pytest.approx(traced.account.to_data()[name], abs=2e-4)
     expected = traced.flux.numpy() / scene.screen.pixel_area
     error = np.linalg.norm(found.irradiance - expected) / np.linalg.norm(expected)
     assert error < 0.01

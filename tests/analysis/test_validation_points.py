@@ -39,12 +39,12 @@ def test_the_optimisers_trace_agrees(make_scene, heights, source, emission):
     )
     found = validate(scene, uniform(scene), heights, 1 << 16)
     traced = Plan(scene, filter=BoxFilter(), dtype=torch.float64).trace(torch.tensor(heights))
-    for name, value in found.ledger.to_data().items():
-        assert value == pytest.approx(traced.ledger.to_data()[name], abs=5e-3)
+    for name, value in found.account.to_data().items():
+        assert value == pytest.approx(traced.account.to_data()[name], abs=5e-3)
     expected = traced.flux.numpy() / scene.screen.pixel_area
     error = np.linalg.norm(found.irradiance - expected) / np.linalg.norm(expected)
     assert error < 0.06
-    emitted, *parts = found.ledger.to_data().values()
+    emitted, *parts = found.account.to_data().values()
     assert sum(parts) == pytest.approx(emitted, abs=1e-12)
 
 
@@ -63,9 +63,9 @@ def test_a_flat_plate_shifts_each_ray_by_its_own_angle(make_scene):
     slope = 0.8 / (5 + 4.5 + 0.5 / math.sqrt(1.5**2 + (1.5**2 - 1) * (0.8 / 10) ** 2))
     cap = 2 * math.pi * (1 - 5 / math.sqrt(27))
     part = 4 * math.asin(slope**2 / (1 + slope**2)) / cap
-    assert found.ledger.on_screen == pytest.approx(part * 0.96**2, rel=3e-3)
+    assert found.account.on_screen == pytest.approx(part * 0.96**2, rel=3e-3)
     hits = 4 * math.asin(1 / 26) / cap
-    assert 1 - found.ledger.missed_lens == pytest.approx(hits, rel=1e-3)
+    assert 1 - found.account.lost["missed_lens"] == pytest.approx(hits, rel=1e-3)
 
 
 @pytest.mark.parametrize("half_width", [(1.0, 1.0), (1.0, 0.01)], ids=["square", "slim"])
@@ -81,7 +81,7 @@ def test_light_from_far_becomes_parallel(make_scene, half_width, distance):
     parallel = validate(scene, uniform(scene), heights, 1 << 18)
     far = validate(make_scene(changes | {"source": source}), uniform(scene), heights, 1 << 18)
     # The face in the round cone, and what of its light comes to the screen.
-    caught = 1 - far.ledger.missed_lens
+    caught = 1 - far.account.lost["missed_lens"]
     part = 4 * math.prod(half_width) / (math.pi * math.hypot(*half_width) ** 2)
     assert caught == pytest.approx(part, rel=5e-3)
     spread = 5 / distance  # light from nearer is spread over more of the screen plane
@@ -99,7 +99,7 @@ def test_oblique_light_from_far_does_not_change_with_the_distance(make_scene, em
         scene = make_scene({"source": source, "screen.half_width": [3.0, 2.0]})
         found.append(validate(scene, uniform(scene), np.full((12, 10), 0.5), 1 << 14))
     near, far = found
-    assert far.ledger.to_data() == pytest.approx(near.ledger.to_data(), abs=1e-5)
+    assert far.account.to_data() == pytest.approx(near.account.to_data(), abs=1e-5)
     difference = abs(far.irradiance - near.irradiance).sum() / near.irradiance.sum()
     assert difference < 1e-3  # a few rays at the edges of pixels
 
@@ -121,7 +121,7 @@ def test_a_grid_is_the_sum_of_its_points_with_equal_intensity(make_scene, emissi
         away2 = (t[:, None] - x) ** 2 + t**2 + 0.36
         power = 4 if emission == "lambertian" else 3
         entering = (0.6 ** (power - 2) / away2 ** (power / 2)).sum()
-        flux = entering / (1 - found.ledger.missed_lens)
+        flux = entering / (1 - found.account.lost["missed_lens"])
         light, irradiance = light + flux, irradiance + flux * found.irradiance
     assert both.irradiance == pytest.approx(irradiance / light, rel=0.02, abs=1e-5)
 

@@ -3,9 +3,9 @@ import math
 
 import pytest
 
+from tests.accounts import account_of
 from workbench.cli import main
 from workbench.design.snapshot import Snapshot
-from workbench.optics.ledger import Ledger
 
 
 @pytest.fixture
@@ -51,7 +51,7 @@ def fake_run(monkeypatch, rng):
                     loss=1 / (i + 1),
                     control_points=rng.random(scene.lens.control_points),
                     irradiance=rng.random((n_y, n_x)),
-                    ledger=Ledger(1.0, 0.9, 0.0, 0.0, 0.0, 0.0, 0.04, 0.06),
+                    account=account_of(1.0, 0.9, 0.0, 0.0, 0.0, 0.0, 0.04, 0.06),
                     seconds=float(i),
                     best=True,
                 )

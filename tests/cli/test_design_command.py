@@ -38,8 +38,8 @@ class TestDone:
         assert figures["loss"] == result.loss
         assert figures["iterations"] == result.iterations == 10
         assert figures["seconds"] == result.seconds
-        assert figures["efficiency"] == result.ledger.efficiency
-        assert figures["ledger"] == result.ledger.to_data()
+        assert figures["efficiency"] == result.account.efficiency
+        assert figures["ledger"] == result.account.to_data()
         assert result.loss < result.losses[0]
         assert progress.splitlines()[0].startswith("0/10  loss ")
         assert (

@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from tests.accounts import account_of
 from workbench.cli.verbs.parser import Parser, add_verb
 from workbench.design.snapshot import Result
 from workbench.errors import Refused
 from workbench.files.scene import read_scene
 from workbench.files.session import KeptRun, Session, write_session
-from workbench.optics.ledger import Ledger
 
 
 @pytest.fixture
@@ -53,7 +53,7 @@ def result():
         losses=np.zeros(1),
         loss=0.1,
         seconds=1.0,
-        ledger=Ledger(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
+        account=account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
     )
 
 

@@ -2,9 +2,9 @@ import numpy as np
 import pytest
 import trimesh
 
+from tests.accounts import account_of
 from workbench.design.snapshot import Result
 from workbench.files.session import Session, write_session
-from workbench.optics.ledger import Ledger
 
 
 @pytest.fixture
@@ -17,7 +17,7 @@ def lens(make_scene, rng, tmp_path):
         losses=np.zeros(1),
         loss=0.1,
         seconds=1.0,
-        ledger=Ledger(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
+        account=account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
     )
     path = tmp_path / "lens.freeform"
     write_session(Session(scene, rng.random((32, 32)), result), path)

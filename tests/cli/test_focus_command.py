@@ -3,15 +3,15 @@ import json
 import numpy as np
 import pytest
 
+from tests.accounts import account_of
 from workbench.design.snapshot import Result
 from workbench.files.session import Session, write_session
-from workbench.optics.ledger import Ledger
 
 
 @pytest.fixture
 def lens(make_scene, tmp_path):
-    ledger = Ledger(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1)
-    flat = Result(np.full((12, 10), 0.5), np.ones((32, 32)), np.zeros(1), 0.1, 1.0, ledger)
+    account = account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1)
+    flat = Result(np.full((12, 10), 0.5), np.ones((32, 32)), np.zeros(1), 0.1, 1.0, account)
     path = tmp_path / "lens.freeform"
     write_session(Session(make_scene(), np.ones((32, 32)), flat), path)
     return path

@@ -5,10 +5,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from tests.accounts import account_of
 from workbench.design.snapshot import Result
 from workbench.files.session import Session, read_session, write_session
 from workbench.geometry.surface import ControlNet
-from workbench.optics.ledger import Ledger
 
 
 @pytest.fixture(autouse=True)
@@ -24,9 +24,9 @@ def bowl(make_scene, tmp_path):
     x, _ = ControlNet.of(scene.lens).positions
     heights = 0.5 + 0.2 * x[:, None] ** 2 + np.zeros((12, 10))
     image = np.ones((32, 32))
-    ledger = Ledger(1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    account = account_of(1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     path = tmp_path / "bowl.freeform"
-    write_session(Session(scene, image, Result(heights, image, np.ones(1), 1, 1, ledger)), path)
+    write_session(Session(scene, image, Result(heights, image, np.ones(1), 1, 1, account)), path)
     return path
 
 

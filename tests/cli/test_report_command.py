@@ -11,10 +11,10 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from tests.accounts import account_of
 from workbench.design.session import VerifiedError
 from workbench.design.snapshot import Result
 from workbench.files.session import KeptRun, Session, write_session
-from workbench.optics.ledger import Ledger
 from workbench.report.content import Picture, Report, Row, Section
 from workbench.report.pdf import write_pdf
 from workbench.targets import load_target
@@ -45,7 +45,7 @@ def lens(make_scene, tmp_path):
         losses=np.array([0.3, 0.2, 0.1]),
         loss=0.1,
         seconds=1.0,
-        ledger=Ledger(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
+        account=account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
     )
     checked = VerifiedError(0.0625, (0.06, 0.065))
     kept = KeptRun("first <try>", scene, target, result, checked)

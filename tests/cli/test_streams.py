@@ -9,9 +9,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from tests.accounts import account_of
 from workbench.design.snapshot import Result
 from workbench.files.session import Session, read_session, write_session
-from workbench.optics.ledger import Ledger
 
 FREEFORM = Path(sys.executable).with_name("freeform")
 BROKEN = "| (exec 0<&-; sleep 1)"
@@ -37,7 +37,7 @@ def lens(make_scene, tmp_path):
         losses=np.zeros(1),
         loss=0.1,
         seconds=1.0,
-        ledger=Ledger(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
+        account=account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
     )
     path = tmp_path / "lens.freeform"
     write_session(Session(make_scene(), np.ones((32, 32)), result), path)

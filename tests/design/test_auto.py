@@ -68,8 +68,8 @@ def test_light_of_points_comes_to_the_screen(make_scene, letter, kind):
         }
     scene = make_scene({"source": source, "lens.control_points": [24, 24]})
     found = best(scene, letter)
-    lost = found.ledger.off_screen + found.ledger.total_reflection
-    assert lost < 0.03 * found.ledger.on_screen
+    lost = found.account.lost["off_screen"] + found.account.lost["total_reflection"]
+    assert lost < 0.03 * found.account.on_screen
 
 
 def test_all_lenses_are_judged_by_the_sharpest_image(make_scene, letter):

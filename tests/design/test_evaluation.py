@@ -31,7 +31,7 @@ def test_a_lens_is_judged_as_by_its_run(make_scene, target, changes):
     assert found.loss == pytest.approx(continued.loss, rel=2e-2)
     lit = continued.irradiance.max()
     np.testing.assert_allclose(found.irradiance, continued.irradiance, atol=1e-2 * lit)
-    parts = found.ledger.to_data()
+    parts = found.account.to_data()
     assert sum(parts.values()) == pytest.approx(2 * parts["emitted"], rel=1e-5)
     assert found.control_points is not last.control_points
     assert not found.control_points.flags.writeable

@@ -70,7 +70,7 @@ def test_a_run_still_brings_the_image_closer(small, disc, locked):
     first, *others = run(scene, disc, None, locked)
     best = min(others, key=lambda snapshot: snapshot.loss)
     assert best.loss < 0.75 * first.loss
-    assert best.ledger.efficiency > 0.85
+    assert best.account.efficiency > 0.85
 
 
 @pytest.mark.parametrize("method", METHODS[:2], ids=str)

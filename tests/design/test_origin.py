@@ -5,10 +5,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from tests.accounts import account_of
 from workbench.design.origin import origin
 from workbench.design.session import KeptRun, Session
 from workbench.design.snapshot import Result
-from workbench.optics.ledger import Ledger
 
 
 @pytest.fixture
@@ -27,7 +27,7 @@ def designed(task):
         losses=np.array([2.0, 1.0]),
         loss=1.0,
         seconds=0.5,
-        ledger=Ledger(1.0, 0.9, 0.0, 0.0, 0.0, 0.0, 0.04, 0.06),
+        account=account_of(1.0, 0.9, 0.0, 0.0, 0.0, 0.0, 0.04, 0.06),
     )
     return replace(task, result=result, runs=(KeptRun("Run 1", task.scene, task.target, result),))
 

@@ -31,7 +31,7 @@ def test_the_first_snapshot_is_the_lens_before_any_step(scene, disc):
     first = next(run(scene, disc))
     assert first.iteration == 0 and first.iterations == 30
     assert first.control_points == pytest.approx(0.5, abs=1e-14)
-    assert first.ledger.efficiency == pytest.approx(0.96**2, rel=0.1)
+    assert first.account.efficiency == pytest.approx(0.96**2, rel=0.1)
     assert first.best
 
 
@@ -71,7 +71,7 @@ def test_every_lens_of_a_run_is_possible(make_scene, disc):
             assert snapshot.control_points.min() >= 0.49
             assert snapshot.control_points.max() <= 0.51
             assert np.isfinite(snapshot.irradiance).all()
-            emitted, *parts = snapshot.ledger.to_data().values()
+            emitted, *parts = snapshot.account.to_data().values()
             assert sum(parts) == pytest.approx(emitted, abs=2e-6)
 
 
@@ -89,7 +89,7 @@ def test_irradiance_is_flux_per_area(make_scene, disc, method):
     scene = make_scene({"run": method, "screen.half_width": [2.0, 2.0]})
     snapshot = next(run(scene, disc))
     flux = snapshot.irradiance.sum() * scene.screen.pixel_area
-    assert flux == pytest.approx(snapshot.ledger.on_screen, rel=1e-6)
+    assert flux == pytest.approx(snapshot.account.on_screen, rel=1e-6)
 
 
 def test_the_same_seed_repeats(make_scene, disc):
@@ -149,17 +149,17 @@ ASIDE = {
 def test_auto_judges_the_first_lens_of_transport_and_not_the_undesigned_one(make_scene, disc):
     # The plate sends no light to the screen.
     dark, *rest = run(make_scene(ASIDE | {"lens.height_range": None}), disc)
-    assert dark.ledger.on_screen == 0 and not dark.irradiance.any()
+    assert dark.account.on_screen == 0 and not dark.irradiance.any()
     assert dark.best and np.isfinite(dark.loss)
-    assert rest[0].best and rest[0].ledger.on_screen > 0.3
+    assert rest[0].best and rest[0].account.on_screen > 0.3
     assert rest[-1].loss < 0.2 * dark.loss
 
 
 def test_auto_goes_on_by_transport_from_a_lens_without_light(make_scene, disc):
     scene = make_scene(ASIDE | {"lens.height_range": None})
     dark, then, *_ = run(scene, disc, start=np.full((20, 20), 0.6))
-    assert dark.ledger.on_screen == 0 and (dark.control_points == 0.6).all()
-    assert then.ledger.on_screen > 0.3
+    assert dark.account.on_screen == 0 and (dark.control_points == 0.6).all()
+    assert then.account.on_screen > 0.3
 
 
 def test_auto_refuses_what_no_lens_in_the_range_can_do_and_says_what_is_needed(make_scene, disc):
@@ -223,6 +223,6 @@ def test_auto_calls_light_back_that_falls_beside_the_screen(make_scene, disc):
     scene = make_scene({"source": source, "run": {"method": "auto", "iterations": 40}})
     snapshots = list(run(scene, disc))
     first, last = snapshots[0], [s for s in snapshots if s.best][-1]
-    assert first.ledger.off_screen > 0.3
-    assert last.ledger.off_screen < 0.3 * first.ledger.off_screen
+    assert first.account.lost["off_screen"] > 0.3
+    assert last.account.lost["off_screen"] < 0.3 * first.account.lost["off_screen"]
     assert last.loss < 0.5 * first.loss

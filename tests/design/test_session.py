@@ -5,12 +5,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from tests.accounts import account_of
 from workbench.design.session import Session
 from workbench.design.shortfall import Shortfall
 from workbench.design.snapshot import Result
 from workbench.geometry.approximation import deviation
 from workbench.geometry.surface import ControlNet
-from workbench.optics.ledger import Ledger
 from workbench.scene import Scene
 
 
@@ -24,7 +24,7 @@ def session(make_scene, rng):
         losses=np.array([2.0, 1.0]),
         loss=1.0,
         seconds=0.5,
-        ledger=Ledger(1.0, 0.9, 0.0, 0.0, 0.0, 0.0, 0.04, 0.06),
+        account=account_of(1.0, 0.9, 0.0, 0.0, 0.0, 0.0, 0.04, 0.06),
     )
     return Session(scene, np.ones((n_y, n_x)), result)
 
@@ -184,7 +184,7 @@ def test_another_unit_keeps_the_lens_and_its_light(session):
     np.testing.assert_allclose(
         after.irradiance * pixels[1], before.irradiance * pixels[0], rtol=1e-14
     )
-    assert (after.loss, after.ledger) == (before.loss, before.ledger)
+    assert (after.loss, after.account) == (before.loss, before.account)
     assert not after.control_points.flags.writeable
     start = replace(session, result=None, start=before.control_points).in_unit("inch").start
     np.testing.assert_allclose(start, before.control_points / 2.54, rtol=1e-15)

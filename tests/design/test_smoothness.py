@@ -7,13 +7,13 @@ import pytest
 import torch
 
 import workbench.design.run as run_module
+from tests.accounts import account_of
 from workbench.analysis.manufacture import manufacture, surface_maps
 from workbench.design.run import run
 from workbench.design.smoothness import Smoothness
 from workbench.design.step import Step
 from workbench.errors import Refused
 from workbench.geometry.surface import ControlNet
-from workbench.optics.ledger import Ledger
 
 CPU = torch.device("cpu")
 DISC = (np.hypot(*np.meshgrid(np.linspace(-1, 1, 32), np.linspace(-1, 1, 32))) < 0.6).astype(float)
@@ -166,9 +166,9 @@ class TestRuns:
     def test_the_best_lens_is_told_by_its_merit(self, make_scene, monkeypatch):
         """A sharper lens with a smaller loss is not the best."""
         heights, flux = torch.zeros(12, 10), torch.ones(32, 32)
-        ledger = Ledger(1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+        account = account_of(1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
         steps = [
-            Step(loss, heights, flux, ledger, merit=merit)
+            Step(loss, heights, flux, account, merit=merit)
             for loss, merit in ((3.0, 3.0), (1.0, 9.0), (2.0, 2.5))
         ]
         monkeypatch.setattr(run_module, "_steps", lambda *task: iter(steps))

@@ -41,7 +41,7 @@ def assert_result(result, figures, arrays):
     np.testing.assert_array_equal(result.losses, arrays["loss"])
     for name in ("loss", "iterations", "seconds"):
         assert getattr(result, name) == figures[name]
-    told = result.ledger.to_data()
+    told = result.account.to_data()
     assert {name: told[name] for name in figures["ledger"]} == figures["ledger"]
 
 
@@ -83,7 +83,7 @@ def test_they_can_be_written_again_and_lose_nothing(name, tmp_path):
 def test_what_the_first_program_found():
     session = read_session(GOLDEN / "first.freeform")
     assert session.result.loss == 0.002639537211507559
-    assert session.result.ledger.left_side == 0
+    assert session.result.account.lost["left_side"] == 0
     assert session.result.stage_starts == ()
     assert (session.locked, session.runs, session.view, session.start) == (None, (), None, None)
 

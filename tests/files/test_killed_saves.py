@@ -9,11 +9,11 @@ from random import Random
 
 import pytest
 
+from tests.accounts import account_of
 from workbench.design.session import KeptRun, Session
 from workbench.design.snapshot import Result
 from workbench.files.export.write import export
 from workbench.files.session import read_session, write_session
-from workbench.optics.ledger import Ledger
 
 EXPORTS = ("lens.stl", "lens.obj", "lens.glb", "lens.height.npy", "lens.irradiance.csv")
 
@@ -28,7 +28,7 @@ def make_session(make_scene, rng):
             losses=rng.random(300),
             loss=0.25,
             seconds=2.0,
-            ledger=Ledger(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
+            account=account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
         )
         target = rng.random((pixels, pixels))
         runs = tuple(KeptRun(f"run {k}", scene, target, result) for k in range(kept))

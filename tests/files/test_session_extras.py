@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from tests.accounts import account_of
 from workbench.design.session import LONGEST_NAME, KeptRun, Session, VerifiedError
 from workbench.design.snapshot import Result
 from workbench.errors import Refused
@@ -14,7 +15,6 @@ from workbench.files import header
 from workbench.files import session as session_file
 from workbench.files.figures import Figures
 from workbench.files.session import read_session, write_session
-from workbench.optics.ledger import Ledger
 
 VIEW = {"camera": [1.5, None, True], "docks": {"state": "AAAA"}, "map": "viridis"}
 
@@ -29,7 +29,7 @@ def make_run(make_scene, rng):
             losses=rng.random(losses),
             loss=0.25,
             seconds=2.0,
-            ledger=Ledger(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
+            account=account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
         )
         return KeptRun(name, scene, rng.random(pixels[::-1]), result)
 
@@ -82,9 +82,9 @@ def assert_same(found, expected):
     np.testing.assert_array_equal(found.target, expected.target)
     for name in ("control_points", "irradiance", "losses"):
         np.testing.assert_array_equal(getattr(found.result, name), getattr(expected.result, name))
-    assert (found.result.loss, found.result.ledger) == (
+    assert (found.result.loss, found.result.account) == (
         expected.result.loss,
-        expected.result.ledger,
+        expected.result.account,
     )
 
 

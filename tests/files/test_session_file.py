@@ -9,6 +9,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from tests.accounts import account_of
 from workbench import __version__
 from workbench.design.shortfall import Shortfall
 from workbench.design.snapshot import Result
@@ -21,7 +22,6 @@ from workbench.files.session import (
     read_session,
     write_session,
 )
-from workbench.optics.ledger import Ledger
 
 ARRAYS = ["target.npy", "control_points.npy", "irradiance.npy", "loss.npy"]
 
@@ -35,7 +35,7 @@ def session(make_scene, rng):
         losses=rng.random(8),
         loss=1 / 3,
         seconds=2.1,
-        ledger=Ledger(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1 - 1e-17),
+        account=account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1 - 1e-17),
     )
     return Session(scene, rng.random((6, 7)), result)
 
@@ -108,7 +108,7 @@ class TestRoundTrip:
         assert same(again.result.losses, session.result.losses)
         assert again.result.loss == session.result.loss
         assert again.result.seconds == session.result.seconds
-        assert again.result.ledger == session.result.ledger
+        assert again.result.account == session.result.account
 
     def test_without_a_result(self, session, path):
         write_session(Session(session.scene, session.target), path)
@@ -163,7 +163,7 @@ def test_the_format_is_the_one_that_others_rely_on(session, path):
         "iterations": 8,
         "seconds": 2.1,
         "efficiency": 0.7,
-        "ledger": session.result.ledger.to_data(),
+        "ledger": session.result.account.to_data(),
     }
 
 
@@ -297,7 +297,7 @@ class TestRefused:
             "iterations": 10**11,
             "seconds": 1.0,
             "efficiency": 1.0,
-            "ledger": session.result.ledger.to_data(),
+            "ledger": session.result.account.to_data(),
         }
         path = forge_header({"result": figures})
         size = len(npy(session.result.losses)).to_bytes(4, "little")
@@ -412,7 +412,7 @@ class TestRefused:
         told = refused(forge_header({"result": figures | {name: value}}))
         assert told.startswith(f": session.json: result.{name}: ")
 
-    def test_an_unknown_part_of_the_ledger(self, session, path, forge_header):
+    def test_an_unknown_part_of_the_account(self, session, path, forge_header):
         write_session(session, path)
         figures = json.loads(entries_of(path)["session.json"])["result"]
         figures["ledger"]["lost"] = 0.0
@@ -477,8 +477,8 @@ def test_stages_of_a_run_are_kept(session, path):
     assert read_session(path).result.stages_left == 0
 
 
-def test_a_ledger_from_before_there_was_light_through_the_side(session, path, forge_header):
+def test_an_account_from_before_there_was_light_through_the_side(session, path, forge_header):
     write_session(session, path)
     figures = json.loads(entries_of(path)["session.json"])["result"]
     del figures["ledger"]["left_side"]
-    assert read_session(forge_header({"result": figures})).result.ledger.left_side == 0
+    assert read_session(forge_header({"result": figures})).result.account.lost["left_side"] == 0

@@ -6,11 +6,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from tests.accounts import account_of
 from workbench.design.session import KeptRun, Session
 from workbench.design.snapshot import Result
 from workbench.errors import Refused
 from workbench.files.session import read_session, write_session
-from workbench.optics.ledger import Ledger
 
 
 @pytest.fixture
@@ -22,7 +22,7 @@ def session(make_scene, rng):
         losses=rng.random(3),
         loss=0.25,
         seconds=2.0,
-        ledger=Ledger(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
+        account=account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
         seconds_at=np.array([1.0, 1.25, 2.0]),
         ended="stopped",
     )

@@ -3,6 +3,8 @@
 import pytest
 import torch
 
+from tests.accounts import account_of
+from workbench.optics.account import LOSSES, Account
 from workbench.optics.plan import Plan
 
 COLLIMATED = {"kind": "collimated", "rays": [64, 48]}
@@ -26,12 +28,12 @@ def test_a_plate_has_all_its_light_on_a_screen_that_just_holds_it(
     scene = make_scene(changes | {"filter": WIDE})
     heights = torch.full((12, 10), 0.5, dtype=torch.float64)
     traced = Plan(scene, dtype=dtype, fused=fused, samples=samples).trace(heights)
-    ledger = traced.ledger
-    assert ledger.off_screen == 0
-    met = (1 - ledger.missed_lens) * 0.96 - ledger.left_side
-    assert ledger.on_screen == pytest.approx(met * 0.96, rel=1e-3)
-    assert traced.flux.sum().item() < 0.9 * ledger.on_screen
-    emitted, *parts = ledger.to_data().values()
+    account = traced.account
+    assert account.lost["off_screen"] == 0
+    met = (1 - account.lost["missed_lens"]) * 0.96 - account.lost["left_side"]
+    assert account.on_screen == pytest.approx(met * 0.96, rel=1e-3)
+    assert traced.flux.sum().item() < 0.9 * account.on_screen
+    emitted, *parts = account.to_data().values()
     assert sum(parts) == pytest.approx(emitted, abs=1e-5 if dtype == torch.float32 else 1e-12)
 
 
@@ -43,6 +45,42 @@ def test_the_account_does_not_depend_on_the_filter(make_scene, rng, source, samp
     for filter in ({"kind": "box"}, WIDE):
         scene = make_scene({"source": source, "filter": filter})
         plan = Plan(scene, dtype=torch.float64, fused=fused, samples=samples)
-        accounts.append(plan.trace(heights).ledger.to_data())
+        accounts.append(plan.trace(heights).account.to_data())
     assert accounts[0]["off_screen"] > 0.01
     assert accounts[1] == pytest.approx(accounts[0], abs=1e-12)
+
+
+@WAYS
+@TWINS
+def test_scenes_of_version_1_have_the_keys_of_version_1(make_scene, source, samples, fused):
+    plan = Plan(make_scene({"source": source}), fused=fused, samples=samples)
+    account = plan.trace(torch.full((12, 10), 0.5, dtype=torch.float64)).account
+    assert list(account.to_data()) == [
+        "emitted",
+        "on_screen",
+        "off_screen",
+        "missed_lens",
+        "left_side",
+        "total_reflection",
+        "fresnel_entrance",
+        "fresnel_exit",
+    ]
+
+
+def test_losses_are_listed_in_one_order_wherever_they_were_found():
+    account = Account(0.5, {"fresnel_exit": 0.1, "off_screen": 0.4})
+    assert list(account.lost) == ["off_screen", "fresnel_exit"]
+
+
+def test_a_loss_of_which_nothing_is_said_is_refused():
+    with pytest.raises(KeyError, match="nothing is said in LOSSES of scattered"):
+        Account(0.5, {"scattered": 0.5})
+
+
+def test_parts_are_counted_in_what_was_emitted():
+    account = account_of(4.0, 1.0, 2.0, 0.0, 0.0, 0.0, 0.5, 0.5)
+    assert (account.efficiency, account.arrived) == (0.25, 3.0)
+
+
+def test_all_losses_say_what_they_are():
+    assert all(all(loss[:-1]) for loss in LOSSES.values())

@@ -97,16 +97,16 @@ def test_scaling_everything_leaves_the_image_alone(make_scene, scene_data, rng, 
 @pytest.mark.parametrize("amplitude", [0.0, 0.02, 0.2, 5.0])
 @pytest.mark.parametrize("kind", ["box", "gaussian"])
 @pytest.mark.parametrize("dtype", DTYPES)
-def test_the_ledger_adds_up_and_nothing_is_nan(make_scene, rng, amplitude, kind, dtype):
+def test_the_account_adds_up_and_nothing_is_nan(make_scene, rng, amplitude, kind, dtype):
     scene = make_scene({"filter": {"kind": kind}, "source.rays": [128, 100]})
     heights = wavy(scene, rng, amplitude).requires_grad_()
     traced = Plan(scene, dtype=dtype).trace(heights)
-    emitted, *parts = traced.ledger.to_data().values()
+    emitted, *parts = traced.account.to_data().values()
     assert emitted == 1
     assert min(parts) >= -1e-6
     assert sum(parts) == pytest.approx(1, abs=1e-12 if dtype == torch.float64 else 2e-6)
     if amplitude == 5.0:
-        assert traced.ledger.total_reflection > 0.5
+        assert traced.account.lost["total_reflection"] > 0.5
     traced.flux.square().sum().backward()
     assert torch.isfinite(heights.grad).all()
 
@@ -117,7 +117,7 @@ def test_all_light_totally_reflected_is_counted_not_nan(make_scene, dtype):
     x, _ = ControlNet.of(scene.lens).positions
     steep = torch.as_tensor(np.repeat((0.5 + 3 * x)[:, None], 4, axis=1)).requires_grad_()
     traced = Plan(scene, dtype=dtype).trace(steep)
-    assert traced.ledger.total_reflection == pytest.approx(0.96)
+    assert traced.account.lost["total_reflection"] == pytest.approx(0.96)
     assert traced.flux.sum() == 0
     traced.flux.sum().backward()
     assert not steep.grad.any()

@@ -128,22 +128,22 @@ def test_each_point_of_a_grid_gives_the_light_that_it_gives_alone(make_scene):
     part /= part.sum()
     expected = sum(p * one.flux for p, one in zip(part, alone, strict=True))
     assert distance(together.flux, expected) < 1e-3
-    for part, value in together.ledger.to_data().items():
-        mean = np.mean([one.ledger.to_data()[part] for one in alone])
+    for part, value in together.account.to_data().items():
+        mean = np.mean([one.account.to_data()[part] for one in alone])
         assert value == pytest.approx(mean, abs=2e-4)
 
 
 @SOURCES
 @pytest.mark.parametrize("amplitude", [0.0, 0.02, 0.2, 3.0])
 @pytest.mark.parametrize("dtype", DTYPES)
-def test_the_ledger_adds_up_and_nothing_is_nan(make_scene, rng, source, amplitude, dtype):
+def test_the_account_adds_up_and_nothing_is_nan(make_scene, rng, source, amplitude, dtype):
     scene = make_scene({"source": source, "lens.degree": [2, 3]})
     noise = torch.as_tensor(rng.uniform(-1, 1, size=scene.lens.control_points))
     heights = (3.0 + amplitude * noise).requires_grad_()
     for fused in (False, True):
         plan = Plan(scene, samples=(60, 50), dtype=dtype, fused=fused)
         traced = plan.trace(heights)
-        emitted, *where = traced.ledger.to_data().values()
+        emitted, *where = traced.account.to_data().values()
         assert sum(where) == pytest.approx(emitted, abs=1e-9 if dtype == torch.float64 else 3e-6)
         (gradient,) = torch.autograd.grad(traced.flux.square().sum(), heights)
         assert torch.isfinite(traced.flux).all()
@@ -159,9 +159,9 @@ def test_a_source_a_hair_in_front_or_far_aside(make_scene, dtype, position):
         traced = Plan(scene, samples=(65, 64), dtype=dtype, fused=fused).trace(heights)
         (gradient,) = torch.autograd.grad(traced.flux.sum(), heights)
         assert torch.isfinite(gradient).all()
-        ledger = traced.ledger
-        assert ledger.missed_lens + ledger.fresnel_entrance > 0.1
-        assert sum(ledger.to_data().values()) == pytest.approx(2, abs=3e-6)
+        account = traced.account
+        assert account.lost["missed_lens"] + account.lost["fresnel_entrance"] > 0.1
+        assert sum(account.to_data().values()) == pytest.approx(2, abs=3e-6)
 
 
 @pytest.mark.parametrize("degree", [(3, 3), (5, 3)])
@@ -226,4 +226,4 @@ def test_half_of_the_dense_samples_see_a_mirror_image(make_scene):
         for halved in ((False, False), (True, True))
     )
     assert distance(quarter.flux, whole.flux) < 1e-9
-    assert quarter.ledger.to_data() == pytest.approx(whole.ledger.to_data(), abs=1e-9)
+    assert quarter.account.to_data() == pytest.approx(whole.account.to_data(), abs=1e-9)

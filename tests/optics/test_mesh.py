@@ -298,7 +298,7 @@ def test_a_scene_chooses_its_mesh(make_scene):
     plain = Plan(plain_scene, dtype=torch.float64).trace(heights)
     assert not torch.equal(mesh.flux, plain.flux)
     assert (mesh.flux - plain.flux).abs().max() < 0.05 * plain.flux.max()
-    parts = mesh.ledger.to_data()
+    parts = mesh.account.to_data()
     assert math.isclose(parts.pop("emitted"), sum(parts.values()), rel_tol=1e-12)
 
 

@@ -43,8 +43,8 @@ def walked(scene, rays, heights, dtype=torch.float64):
     return with_rays(Path.of(scene, ControlNet.of(scene.lens), dtype), rays).walk({"exit": heights})
 
 
-def parts(ledger):
-    emitted, *where = ledger.to_data().values()
+def parts(account):
+    emitted, *where = account.to_data().values()
     return emitted, where
 
 
@@ -121,17 +121,17 @@ def test_a_spherical_lens_focuses_where_the_lens_maker_says(make_scene):
 @pytest.mark.parametrize("amplitude", [0.0, 0.02, 0.2, 3.0])
 @pytest.mark.parametrize("kind", ["box", "gaussian"])
 @pytest.mark.parametrize("dtype", DTYPES)
-def test_the_ledger_adds_up_and_nothing_is_nan(make_scene, rng, source, amplitude, kind, dtype):
+def test_the_account_adds_up_and_nothing_is_nan(make_scene, rng, source, amplitude, kind, dtype):
     scene = make_scene({"filter": {"kind": kind}, "source": source, "lens.degree": [2, 3]})
     noise = torch.as_tensor(rng.uniform(-1, 1, size=scene.lens.control_points))
     heights = (3.5 + amplitude * noise).requires_grad_()
     traced = Plan(scene, dtype=dtype).trace(heights)
-    emitted, where = parts(traced.ledger)
+    emitted, where = parts(traced.account)
     assert emitted == 1
     assert min(where) >= -1e-6
     assert sum(where) == pytest.approx(1, abs=1e-9 if dtype == torch.float64 else 3e-6)
     if amplitude == 3.0:
-        assert traced.ledger.total_reflection > 0.2
+        assert traced.account.lost["total_reflection"] > 0.2
     traced.flux.square().sum().backward()
     assert torch.isfinite(heights.grad).all()
 
@@ -180,7 +180,7 @@ def test_single_precision_is_enough(make_scene, dtype):
     assert (image - exact).norm() / exact.norm() < (1e-5 if dtype == torch.float32 else 1e-15)
 
 
-def test_a_mirrored_scene_gives_a_mirrored_ledger_and_shifted_rays_their_own(make_scene):
+def test_a_mirrored_scene_gives_a_mirrored_account_and_shifted_rays_their_own(make_scene):
     scene = make_scene({"source": POINT | {"rays": 1 << 17}, "screen.pixels": [4, 4]})
     mirrored = make_scene(
         {"source": POINT | {"rays": 1 << 17, "position": [-0.3, -0.2, -5]}, "screen.pixels": [4, 4]}
@@ -230,16 +230,16 @@ class TestHardCases:
         (gradient,) = torch.autograd.grad(traced.flux.sum(), heights)
         assert torch.isfinite(traced.flux).all()
         assert torch.isfinite(gradient).all()
-        emitted, where = parts(traced.ledger)
+        emitted, where = parts(traced.account)
         assert sum(where) == pytest.approx(emitted, abs=1e-5)
-        return traced.ledger
+        return traced.account
 
     @pytest.mark.parametrize("dtype", DTYPES)
     @pytest.mark.parametrize("position", [[0, 0, -1e-6], [0.999, -0.5, -1e-6], [40, 30, -0.01]])
     def test_a_source_a_hair_in_front_or_far_aside(self, make_scene, dtype, position):
         scene = make_scene({"source": POINT | {"position": position}})
-        ledger = self.gradient_of(Plan(scene, dtype=dtype), smooth(scene))
-        assert ledger.missed_lens + ledger.fresnel_entrance > 0.1
+        account = self.gradient_of(Plan(scene, dtype=dtype), smooth(scene))
+        assert account.lost["missed_lens"] + account.lost["fresnel_entrance"] > 0.1
 
     @pytest.mark.parametrize("dtype", DTYPES)
     @pytest.mark.parametrize("degree", [(1, 1), (1, 3), (3, 3)])
@@ -255,8 +255,8 @@ class TestHardCases:
         )
         heights = torch.linspace(0.4, 0.6, (degree[0] + 1) * (degree[1] + 1))
         heights = heights.view(scene.lens.control_points).double()
-        ledger = self.gradient_of(Plan(scene, dtype=dtype), heights)
-        assert ledger.missed_lens + ledger.left_side < 0.9999
+        account = self.gradient_of(Plan(scene, dtype=dtype), heights)
+        assert account.lost["missed_lens"] + account.lost["left_side"] < 0.9999
 
     @pytest.mark.parametrize("dtype", DTYPES)
     def test_rays_that_graze_the_face(self, make_scene, dtype):
@@ -297,6 +297,6 @@ class TestHardCases:
         )
         x, _ = ControlNet.of(scene.lens).positions
         steep = torch.as_tensor(np.repeat((0.5 + 3 * x)[:, None], 4, axis=1))
-        ledger = self.gradient_of(Plan(scene, dtype=dtype), steep)
-        assert ledger.total_reflection > 0.1
-        assert ledger.on_screen == ledger.off_screen == 0
+        account = self.gradient_of(Plan(scene, dtype=dtype), steep)
+        assert account.lost["total_reflection"] > 0.1
+        assert account.on_screen == account.lost["off_screen"] == 0

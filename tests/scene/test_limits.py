@@ -91,13 +91,13 @@ def test_at_the_limits_the_account_adds_up(make_scene, scale, distance, aside, i
         }
     )
     heights = torch.full((12, 10), 0.5 * scale, dtype=torch.float64)
-    accounts = [Plan(scene, samples=samples).trace(heights).ledger for samples in (None, (64, 64))]
+    accounts = [Plan(scene, samples=samples).trace(heights).account for samples in (None, (64, 64))]
     try:
-        accounts.append(validate(scene, np.ones((8, 8)), heights.numpy(), 4096).ledger)
+        accounts.append(validate(scene, np.ones((8, 8)), heights.numpy(), 4096).account)
     except RunFailed:  # light so flat that none comes to the screen
         assert aside > 0
-    for ledger in accounts:
-        emitted, *parts = ledger.to_data().values()
+    for account in accounts:
+        emitted, *parts = account.to_data().values()
         assert all(math.isfinite(part) for part in parts)
         assert sum(parts) == pytest.approx(emitted, abs=1e-5)
-        assert -1e-6 < ledger.efficiency < 1
+        assert -1e-6 < account.efficiency < 1

@@ -72,8 +72,8 @@ def see(tracer: Tracer, scene: Scene, heights: torch.Tensor, cotangent: torch.Te
         (found,) = torch.autograd.grad(weighed, leaf, allow_unused=True)
         gradient = gradient if found is None else found
     flux = light.flux.detach().double().numpy()
-    parts = np.array([light.on_screen, *(light.lost[name] for name in sorted(light.lost))])
-    return Seen(flux, gradient.numpy(), parts, parts.sum())
+    _, *parts = light.account.to_data().values()
+    return Seen(flux, gradient.numpy(), np.array(parts), sum(parts))
 
 
 def sane(seen: Seen, dtype: torch.dtype) -> None:

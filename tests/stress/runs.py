@@ -61,7 +61,7 @@ def check_run(case: Case, wish: str, monkeypatch: pytest.MonkeyPatch) -> str:
             assert np.isfinite(snapshot.irradiance).all()
             assert (snapshot.control_points >= lower).all()
             assert (snapshot.control_points <= upper).all()
-            light = snapshot.ledger.to_data()
+            light = snapshot.account.to_data()
             emitted = light.pop("emitted")
             largest = max(1, *map(abs, light.values()))
             assert sum(light.values()) == pytest.approx(emitted, abs=1e-5 * largest)

@@ -7,10 +7,10 @@ import threading
 import numpy as np
 import pytest
 
+from tests.accounts import account_of
 from workbench.design.snapshot import Result
 from workbench.errors import Refused
 from workbench.files.session import Session, read_session, write_session
-from workbench.optics.ledger import Ledger
 from workbench.sweep.cluster import Cluster
 from workbench.sweep.points import key_of, points
 from workbench.sweep.processes import Processes
@@ -58,9 +58,9 @@ class Here:
                 yield key, Failed("stopped at iteration 3: no light")
                 continue
             n_x, n_y = task.scene.screen.pixels
-            ledger = Ledger(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1)
+            account = account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1)
             heights = np.full(task.scene.lens.control_points, 0.5)
-            result = Result(heights, np.ones((n_y, n_x)), np.zeros(3), 0.1, 2.5, ledger)
+            result = Result(heights, np.ones((n_y, n_x)), np.zeros(3), 0.1, 2.5, account)
             yield key, Done(result, CHECK)
 
 

@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QSettings
 
+from tests.accounts import account_of
 from tests.ui.latency import LatencyProbe
 from tests.ui.leftovers import left_behind, living
 from ui.document.document import Document
@@ -21,7 +22,6 @@ from ui.shown.frame import make_frame
 from ui.threads.garbage import GarbageCollector
 from workbench.design.snapshot import History, Snapshot
 from workbench.files.session import Session
-from workbench.optics.ledger import Ledger
 from workbench.targets import load_target
 
 if sys.platform == "linux" and not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")):
@@ -120,7 +120,7 @@ def snapshots(session):
             loss=1.0 / (1 + iteration),
             control_points=np.full(scene.lens.control_points, 0.5 - 0.001 * iteration),
             irradiance=np.full((n_y, n_x), 0.25),
-            ledger=Ledger(1.0, 0.92, 0.0, 0.0, 0.0, 0.0, 0.04, 0.04),
+            account=account_of(1.0, 0.92, 0.0, 0.0, 0.0, 0.0, 0.04, 0.04),
             seconds=0.1 * iteration,
             best=True,
         )

@@ -141,9 +141,9 @@ class CheckFigures(QWidget):
     def show_check(self, suspect: Suspect, found: "Validation", difference: float) -> None:
         """Show what a check says."""
         # Late: what it stands on is slow to import, and is there after a check.
-        from workbench.report.figures import check_rows, ledger_rows
+        from workbench.report.figures import account_rows, check_rows
 
-        self._fill((*check_rows(found, difference), *ledger_rows(found.ledger)))
+        self._fill((*check_rows(found, difference), *account_rows(found.account)))
         self._table.setEnabled(True)
         self._table.show()
         self._copy.setEnabled(True)

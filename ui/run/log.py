@@ -81,5 +81,5 @@ class RunLog(QObject):
         self._tell(
             f"Run ended{why} after iteration {shot.iteration} of {shot.iterations}, "
             f"{clock(shot.seconds)}: last loss {shot.loss:.3e}, "
-            f"{100 * shot.ledger.efficiency:.1f} % on the screen"
+            f"{100 * shot.account.efficiency:.1f} % on the screen"
         )

@@ -175,7 +175,7 @@ class RunTable(QWidget):
             run.name,
             self._verified(run) or "–",
             f"{result.loss:.3e}",
-            f"{100 * result.ledger.efficiency:.1f} %",
+            f"{100 * result.account.efficiency:.1f} %",
             clock(result.seconds),
             f"{result.iterations}",
             f"{n_u} × {n_v}",

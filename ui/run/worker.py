@@ -189,7 +189,7 @@ def _as_snapshot(result: Result, run: "Run") -> Snapshot:
         loss=result.loss,
         control_points=result.control_points,
         irradiance=result.irradiance,
-        ledger=result.ledger,
+        account=result.account,
         seconds=result.seconds,
         best=True,
         stage=max(0, len(run.stages) - result.stages_left),

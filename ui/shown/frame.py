@@ -64,7 +64,7 @@ class Frame:
             losses=self.losses,
             loss=shot.loss,
             seconds=float(self.times[-1]) if self.times.size else shot.seconds,
-            ledger=shot.ledger,
+            account=shot.account,
             stage_starts=self.stage_starts,
             stages_left=shot.stages - 1 - shot.stage,
             seconds_at=self.times,

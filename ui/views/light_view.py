@@ -7,6 +7,7 @@ from PySide6.QtGui import QPainter, QPaintEvent, QPalette
 from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QWidget
 
 from ui.views.view import View
+from workbench.optics.account import LOSSES
 
 if TYPE_CHECKING:
     from ui.shown.frame import Frame
@@ -14,32 +15,7 @@ if TYPE_CHECKING:
 
 _PARTS = {
     "on_screen": ("On the screen", "Light that makes the image."),
-    "off_screen": (
-        "Beside the screen",
-        "Light that passes the lens and the screen by. A lens that sends much light here wastes "
-        "it, or has more than its surface can bend.",
-    ),
-    "missed_lens": (
-        "Missed the lens",
-        "Light of a point source that passes the entrance face by: its cone is round and just "
-        "covers the rectangular face.",
-    ),
-    "left_side": (
-        "Out of the side",
-        "Light that entered the lens so slanted that it meets a side wall before the exit face.",
-    ),
-    "total_reflection": (
-        "Totally reflected",
-        "Light that meets the exit face too steeply to leave the lens there.",
-    ),
-    "fresnel_entrance": (
-        "Reflected on entry",
-        "The part that the entrance face reflects of the light that it refracts.",
-    ),
-    "fresnel_exit": (
-        "Reflected on exit",
-        "The part that the exit face reflects of the light that it refracts.",
-    ),
+    **{name: (loss.title, loss.tip) for name, loss in LOSSES.items()},
 }
 _SUM = ("All parts", "The parts together; the account is complete when this is 100 %.")
 
@@ -72,8 +48,9 @@ class LightView(View):
             for line in (*self._rows.values(), self._sum):
                 line.clear()
             return
-        ledger = frame.snapshot.ledger
-        shares = {name: getattr(ledger, name) / ledger.emitted for name in _PARTS}
+        account = frame.snapshot.account
+        flux = account.to_data()
+        shares = {name: flux.get(name, 0.0) / account.emitted for name in _PARTS}
         for name, share in shares.items():
             self._rows[name].show_share(share)
         self._sum.show_share(sum(shares.values()))

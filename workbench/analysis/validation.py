@@ -22,7 +22,7 @@ from workbench.analysis.tracing.trace import Trace, added
 from workbench.analysis.tracing.train import Tally
 from workbench.analysis.watch import Watch, unwatched
 from workbench.errors import RunFailed
-from workbench.optics.ledger import Ledger
+from workbench.optics.account import Account
 from workbench.scene import Scene
 
 Array = npt.NDArray[np.float64]
@@ -58,7 +58,7 @@ class Validation:
         Where the lens's error lies: at least 95 % confidence.
     efficiency : float
         Part of the emitted flux that lands on the screen.
-    ledger : Ledger
+    account : Account
         Where the light went.
     quality : Quality
         Other figures of the image.
@@ -79,7 +79,7 @@ class Validation:
     relative_l2_corrected: float
     relative_l2_corrected_interval: Interval
     efficiency: float
-    ledger: Ledger
+    account: Account
     quality: Quality
     rays: int
     noise: float
@@ -102,7 +102,7 @@ class Validation:
             "relative_l2_corrected_interval": list(self.relative_l2_corrected_interval),
             **self.quality.to_data(),
             "efficiency": self.efficiency,
-            "ledger": self.ledger.to_data(),
+            "ledger": self.account.to_data(),
             "rays": self.rays,
             "noise": self.noise,
         }
@@ -161,7 +161,7 @@ def validate(
     >>> task = open_design(path("examples", "tophat.json"))
     >>> plate = np.full(task.scene.lens.control_points, 0.5)
     >>> found = validate(task.scene, task.target, plate, rays=100_000)
-    >>> round(found.ledger.fresnel_entrance, 12)
+    >>> round(found.account.lost["fresnel_entrance"], 12)
     0.04
     """
     steps = validating(scene, target, control_points, rays, seed, screen_z, pose, threads)
@@ -216,8 +216,8 @@ def validating(
         del batch  # large images must not wait for the next ones
         yield trace.part * first_part
     assert total is not None
-    ledger = _ledger(total)
-    if ledger.on_screen == 0:
+    account = _account(total)
+    if account.on_screen == 0:
         raise RunFailed("no light of this lens reaches the screen, so there is no image to judge")
     irradiance = total.flux.reshape(target.shape)
     irradiance /= total.emitted * scene.screen.pixel_area
@@ -241,8 +241,8 @@ def validating(
         relative_l2_interval=(max(error - _T * noise, 0.0), error + _T * noise),
         relative_l2_corrected=root(square),
         relative_l2_corrected_interval=(root(square - spread), root(square + spread)),
-        efficiency=ledger.efficiency,
-        ledger=ledger,
+        efficiency=account.efficiency,
+        account=account,
         quality=Quality.of(irradiance, target),
         rays=trace.rays,
         noise=noise,
@@ -307,13 +307,12 @@ def with_screen_at(scene: Scene, z: float) -> Scene:
     return Scene.from_data(data)
 
 
-def _ledger(tally: Tally) -> Ledger:
+def _account(tally: Tally) -> Account:
     """The account of all light, as parts of what was emitted."""
-    return Ledger(
-        emitted=1.0,
-        on_screen=float(tally.flux.sum()) / tally.emitted,
-        off_screen=float(tally.beside.sum()) / tally.emitted,
-        **{name: flux / tally.emitted for name, flux in tally.lost.items()},
+    lost = {"off_screen": float(tally.beside.sum()), **tally.lost}
+    return Account(
+        float(tally.flux.sum()) / tally.emitted,
+        {name: flux / tally.emitted for name, flux in lost.items()},
     )
 
 

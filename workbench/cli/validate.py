@@ -102,9 +102,7 @@ def _print(found: Validation, difference: float | None) -> None:
         "contrast": _or_dash(quality.contrast, ".5f"),
         "optimiser's image": _or_dash(difference, ".5f", "  (relative L2 difference to it)"),
         "rays": str(found.rays),
-        **{
-            name.replace("_", " "): f"{value:.5f}" for name, value in found.ledger.to_data().items()
-        },
+        **{name.replace("_", " "): f"{flux:.5f}" for name, flux in found.account.to_data().items()},
     }
     for name, value in lines.items():
         print(f"{name:<18}{value}")

@@ -85,7 +85,7 @@ class Evaluator:
             loss=step.loss,
             control_points=frozen(heights),
             irradiance=frozen(step.flux.cpu().double().numpy() / scene.screen.pixel_area),
-            ledger=step.ledger,
+            account=step.account,
             seconds=earlier.seconds if earlier else 0.0,
             best=True,
             stage=len(scene.run.stages),
@@ -95,10 +95,10 @@ class Evaluator:
 
     def _step_of_paper(self, heights: Tensor) -> Step:
         traced = self._plan.trace(heights)
-        check_light(traced.flux, traced.ledger)
+        check_light(traced.flux, traced.account)
         loss = paper_loss(traced.flux, self._wanted)
-        check_finite(loss, traced.ledger)
-        return Step(loss.item(), heights, traced.flux, traced.ledger, self._plan.notes)
+        check_finite(loss, traced.account)
+        return Step(loss.item(), heights, traced.flux, traced.account, self._plan.notes)
 
     def _tensor(self, heights: Array) -> Tensor:
         return torch.tensor(heights, dtype=torch.float64, device=self._device)

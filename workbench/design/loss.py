@@ -6,17 +6,7 @@ import torch
 from torch import Tensor
 
 from workbench.errors import RunFailed
-from workbench.optics.ledger import Ledger
-
-# Where light can go instead of to the screen, in words, and what brings it there.
-_WHERE = {
-    "off_screen": ("passes beside it", "a larger or a nearer screen catches it"),
-    "missed_lens": ("misses the lens", "a larger lens catches it"),
-    "left_side": ("leaves by the side", "a thinner lens or a source nearer to the axis keeps it"),
-    "total_reflection": ("is totally reflected", "a lower index or a flatter base lets it out"),
-    "fresnel_entrance": ("is reflected at the entrance", "a source nearer to the axis lets it in"),
-    "fresnel_exit": ("is reflected at the exit", "a lower index or a flatter base lets it out"),
-}
+from workbench.optics.account import LOSSES, Account
 
 
 def share(target: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
@@ -48,14 +38,14 @@ def paper_loss(flux: Tensor, target_share: Tensor) -> Tensor:
     return loss
 
 
-def check_light(flux: Tensor, ledger: Ledger) -> None:
+def check_light(flux: Tensor, account: Account) -> None:
     """Stop a run whose image has no light that it could move.
 
     Parameters
     ----------
     flux : Tensor
         Light in each pixel of the image that the run looks at.
-    ledger : Ledger
+    account : Account
         Where the light went.
 
     Raises
@@ -65,14 +55,13 @@ def check_light(flux: Tensor, ledger: Ledger) -> None:
     """
     if flux.sum() > 0:
         return
-    emitted = ledger.emitted
-    parts = {name: value / emitted for name, value in ledger.to_data().items() if name in _WHERE}
-    most = max(parts, key=lambda name: parts[name])
-    went = ", ".join(f"{part:.1%} {_WHERE[name][0]}" for name, part in parts.items() if part > 5e-4)
-    raise RunFailed(f"no light reaches the screen: of the emitted light {went}; {_WHERE[most][1]}")
+    parts = {LOSSES[name]: flux / account.emitted for name, flux in account.lost.items()}
+    most = max(parts, key=lambda loss: parts[loss])
+    went = ", ".join(f"{part:.1%} {loss.where}" for loss, part in parts.items() if part > 5e-4)
+    raise RunFailed(f"no light reaches the screen: of the emitted light {went}; {most.cure}")
 
 
-def check_finite(loss: Tensor, ledger: Ledger) -> None:
+def check_finite(loss: Tensor, account: Account) -> None:
     """Stop a run whose loss is not a number.
 
     Raises
@@ -81,7 +70,7 @@ def check_finite(loss: Tensor, ledger: Ledger) -> None:
         With how much light is on the screen.
     """
     if not torch.isfinite(loss):
-        part = ledger.efficiency
+        part = account.efficiency
         raise RunFailed(
             f"the loss is {loss.item()} although {part:.0%} of the light is on the screen"
         )

@@ -44,11 +44,11 @@ def paper_steps(room: Room, settings: PaperRun) -> Generator[Step, None, NoRetur
         # The light's gradient ends at the heights, where it is checked; the network's begins.
         heights = shaped.detach().requires_grad_()
         traced = plan.trace(heights)
-        check_light(traced.flux.detach(), traced.ledger)
+        check_light(traced.flux.detach(), traced.account)
         loss = paper_loss(traced.flux, wanted)
-        check_finite(loss, traced.ledger)
+        check_finite(loss, traced.account)
         flux = traced.flux.detach()
-        step = Step(loss.item(), heights.detach(), flux, traced.ledger, plan.notes)
+        step = Step(loss.item(), heights.detach(), flux, traced.account, plan.notes)
         if smoothness is not None:
             loss = smoothness.merit(loss, smoothness.penalty(heights))
             step = step._replace(merit=loss.item())

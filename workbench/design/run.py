@@ -115,7 +115,7 @@ def run(
                 loss=step.loss,
                 control_points=frozen(control_points),
                 irradiance=frozen(irradiance),
-                ledger=step.ledger,
+                account=step.account,
                 seconds=seconds,
                 best=best,
                 stage=stage,

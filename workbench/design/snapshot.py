@@ -7,7 +7,7 @@ import numpy as np
 import numpy.typing as npt
 
 from workbench.design.shortfall import Shortfall
-from workbench.optics.ledger import Ledger
+from workbench.optics.account import Account
 
 Array = npt.NDArray[np.float64]
 
@@ -28,7 +28,7 @@ class Snapshot:
         Heights z of the exit face's control points, scene units.
     irradiance : ndarray, shape (n_y, n_x)
         Flux per area on the screen, row 0 at +y.
-    ledger : Ledger
+    account : Account
         Where the light went.
     seconds : float
         Run time up to here.
@@ -49,7 +49,7 @@ class Snapshot:
     loss: float
     control_points: Array
     irradiance: Array
-    ledger: Ledger
+    account: Account
     seconds: float
     best: bool
     stage: int = 0
@@ -76,7 +76,7 @@ class Result:
         Loss of this lens.
     seconds : float
         Run time.
-    ledger : Ledger
+    account : Account
         Where the light of this lens goes.
     stages_left : int
         Stages that were still to come for this lens; 0 for one of the scene itself. Counted from
@@ -94,7 +94,7 @@ class Result:
     losses: Array
     loss: float
     seconds: float
-    ledger: Ledger
+    account: Account
     stage_starts: tuple[int, ...] = ()
     stages_left: int = 0
     seconds_at: Array | None = None
@@ -199,7 +199,7 @@ class History:
             losses=self.losses(),
             loss=self._best.loss,
             seconds=self._last.seconds + (self._earlier.seconds if self._earlier else 0.0),
-            ledger=self._best.ledger,
+            account=self._best.account,
             stage_starts=self.stage_starts(),
             stages_left=self._best.stages - 1 - self._best.stage,
             seconds_at=self.times(),

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 from torch import Tensor
 
-from workbench.optics.ledger import Ledger
+from workbench.optics.account import Account
 
 
 class Step(NamedTuple):
@@ -18,7 +18,7 @@ class Step(NamedTuple):
         Control heights of the finished net, no gradient.
     flux : Tensor, shape (n_y, n_x)
         Light in each pixel, no gradient.
-    ledger : Ledger
+    account : Account
         Where the light went.
     notes : tuple of str
         What was chosen for this lens's trace, and what was left out.
@@ -30,6 +30,6 @@ class Step(NamedTuple):
     loss: float
     heights: Tensor
     flux: Tensor
-    ledger: Ledger
+    account: Account
     notes: tuple[str, ...] = ()
     merit: float | None = None

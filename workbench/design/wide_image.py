@@ -12,7 +12,8 @@ from workbench.design.loss import check_finite, check_light, paper_loss, share
 from workbench.design.step import Step
 from workbench.geometry.surface import ControlNet
 from workbench.optics.filtered import expected_image
-from workbench.optics.plan import Plan, Traced, device_of
+from workbench.optics.light import Light
+from workbench.optics.plan import Plan, device_of
 from workbench.scene import GaussianFilter, Scene, Screen
 
 Array = npt.NDArray[np.float64]
@@ -80,9 +81,9 @@ class WideImage:
             If there is no light on the wide image, or the loss is not finite.
         """
         traced = self._plan.trace(heights)
-        check_light(traced.flux.detach(), traced.ledger)
+        check_light(traced.flux.detach(), traced.account)
         step = self._step(heights, traced)
-        error = traced.flux / (step.ledger.on_screen + step.ledger.off_screen) - self._wanted
+        error = traced.flux / step.account.arrived - self._wanted
         return error / self._scale, step
 
     def step(self, heights: Tensor) -> Step:
@@ -90,13 +91,13 @@ class WideImage:
         with torch.no_grad():
             return self._step(heights, self._plan.trace(heights))
 
-    def _step(self, heights: Tensor, traced: Traced) -> Step:
-        ledger = traced.ledger
+    def _step(self, heights: Tensor, traced: Light) -> Step:
+        account = traced.account
         flux = traced.flux.detach()[self._on_screen]
         loss = paper_loss(flux, self._wanted[self._on_screen])
-        check_finite(loss, ledger)
+        check_finite(loss, account)
         merit = None if flux.sum() > 0 else math.inf
-        return Step(loss.item(), heights.detach(), flux, ledger, self._plan.notes, merit)
+        return Step(loss.item(), heights.detach(), flux, account, self._plan.notes, merit)
 
 
 def _margin(reach: float, pixels: int) -> int:

@@ -125,7 +125,7 @@ def read_result(entries: Entries, folder: str, scene: Scene, figures: Figures) -
         losses=entries.array(folder + _LOSS, count),
         loss=figures.loss,
         seconds=figures.seconds,
-        ledger=figures.to_ledger(),
+        account=figures.ledger.to_account(),
         stage_starts=starts,
         stages_left=figures.stages_left or 0,
         seconds_at=entries.array(seconds, count) if seconds in entries else None,

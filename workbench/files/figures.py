@@ -1,14 +1,14 @@
 """The figures of a result, as they stand in JSON."""
 
 from dataclasses import asdict
-from typing import Annotated, Self
+from typing import TYPE_CHECKING, Annotated, Any, Self
 
-from pydantic import Field
+from pydantic import Field, SerializerFunctionWrapHandler, create_model, model_serializer
 
 from workbench.design.session import VerifiedError
 from workbench.design.shortfall import Cause, Interval, Shortfall
 from workbench.design.snapshot import Result
-from workbench.optics.ledger import Ledger
+from workbench.optics.account import LOSSES, Account
 from workbench.scene import NonNegative, Part, Positive
 
 # Far more than any source has, in any unit; sums and ratios of it stay finite.
@@ -21,17 +21,42 @@ LONGEST_REASON = 1000
 """Characters that are kept of why a run ended."""
 
 
-class LedgerFigures(Part):
-    """`Ledger` as JSON; parts may be negative by a rounding error."""
+class _AccountFigures(Part):
+    """`Account` as JSON; losses may be negative by a rounding error."""
 
     emitted: Annotated[Positive, Field(le=_MOST_FLUX)]
     on_screen: Flux
-    off_screen: Flux
-    missed_lens: Flux
-    left_side: Flux = 0.0  # which sessions of collimated light alone did not have
-    total_reflection: Flux
-    fresnel_entrance: Flux
-    fresnel_exit: Flux
+
+    @classmethod
+    def of(cls, account: Account) -> Self:
+        """The figures of an account."""
+        return cls(**account.to_data())
+
+    def to_account(self) -> Account:
+        """The account of all light."""
+        lost = self.model_dump()
+        return Account(lost.pop("on_screen"), emitted=lost.pop("emitted"), lost=lost)
+
+    @model_serializer(mode="wrap")
+    def _present(self, fields: SerializerFunctionWrapHandler) -> dict[str, float]:
+        """Without losses that its light does not know."""
+        return {name: flux for name, flux in fields(self).items() if flux is not None}
+
+
+def _loss_field(name: str) -> Any:
+    if name == "left_side":
+        return Flux, 0.0  # which sessions of collimated light alone did not have
+    return (Flux, ...) if LOSSES[name].always else (Flux | None, None)
+
+
+if TYPE_CHECKING:
+    AccountFigures = _AccountFigures
+else:
+    AccountFigures = create_model(
+        "AccountFigures",
+        __base__=_AccountFigures,
+        **{name: _loss_field(name) for name in LOSSES},
+    )
 
 
 class VerifiedFigures(Part):
@@ -70,7 +95,7 @@ class Figures(Part):
     iterations: Count
     seconds: NonNegative
     efficiency: float
-    ledger: LedgerFigures
+    ledger: AccountFigures
     stage_starts: tuple[int, ...] | None = None  # of a run in stages
     stages_left: Count | None = None  # of one that ended before the last
     ended: Annotated[str, Field(max_length=LONGEST_REASON)] | None = None  # why it did
@@ -84,14 +109,10 @@ class Figures(Part):
             loss=result.loss,
             iterations=result.iterations,
             seconds=result.seconds,
-            efficiency=result.ledger.efficiency,
-            ledger=LedgerFigures(**result.ledger.to_data()),
+            efficiency=result.account.efficiency,
+            ledger=AccountFigures.of(result.account),
             stage_starts=result.stage_starts or None,
             stages_left=result.stages_left or None,
             ended=result.ended[:LONGEST_REASON] or None,
             shortfall=None if short is None else ShortfallFigures.of(short),
         )
-
-    def to_ledger(self) -> Ledger:
-        """The account of all light."""
-        return Ledger(**self.ledger.model_dump())

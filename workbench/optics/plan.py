@@ -1,7 +1,6 @@
 """The plan of a trace: which steps a scene needs, and all that stays constant while it runs."""
 
 import copy
-from typing import NamedTuple
 
 import numpy as np
 import torch
@@ -12,29 +11,13 @@ from workbench.errors import Refused
 from workbench.geometry.surface import ControlNet
 from workbench.optics.kernels import ready
 from workbench.optics.kernels.locked import Mask
-from workbench.optics.ledger import Ledger
-from workbench.optics.light import Tracer
+from workbench.optics.light import Light, Tracer
 from workbench.optics.path import Path
 from workbench.optics.precision import precision_of
 from workbench.optics.ways import Ways
 from workbench.scene import BoxFilter, Filter, Scene, Screen
 
 _NEARLY_ALL = 0.999
-
-
-class Traced(NamedTuple):
-    """The image of a lens, and where its light went.
-
-    Attributes
-    ----------
-    flux : Tensor, shape (n_y, n_x)
-        Flux in each pixel, row 0 at +y; differentiable.
-    ledger : Ledger
-        The account of all light.
-    """
-
-    flux: Tensor
-    ledger: Ledger
 
 
 class Plan:
@@ -92,16 +75,15 @@ class Plan:
         path = Path.of(scene, net, dtype, self._device, samples)
         self._ways = Ways(path, mirrored, locked)
 
-    def trace(self, heights: Tensor) -> Traced:
-        """Image and ledger of a lens.
+    def trace(self, heights: Tensor) -> Light:
+        """Image and light account of a lens.
 
         Parameters
         ----------
         heights : Tensor, shape (n_u, n_v)
             Control heights, scene units.
         """
-        light = self._tracer().image(heights, self._screen, self._filter)
-        return Traced(light.flux, Ledger(1.0, light.on_screen, **light.lost))
+        return self._tracer().image(heights, self._screen, self._filter)
 
     @property
     def notes(self) -> tuple[str, ...]:

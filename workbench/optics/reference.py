@@ -6,6 +6,7 @@ The fused kernels are held to it by tests; where there is no kernel, it does the
 import torch
 from torch import Tensor
 
+from workbench.optics.account import Account
 from workbench.optics.arrival import Arrival
 from workbench.optics.face_samples import FaceSamples, SampledFace
 from workbench.optics.irradiance import reconstruct
@@ -47,7 +48,8 @@ class Reference:
                 (rays.flux * part).sum(dtype=torch.float64) for part in (lands, ~lands)
             )
             lost = lost | {"off_screen": off_screen}
-        return Light(image, on_screen.item(), {name: flux.item() for name, flux in lost.items()})
+        account = Account(on_screen.item(), {name: flux.item() for name, flux in lost.items()})
+        return Light(image, account)
 
     def flux(self, heights: Tensor, screen: Screen, filter: Filter) -> Tensor:
         """The image alone, for `torch.func` transforms, which no sums survive as numbers."""

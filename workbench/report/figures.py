@@ -6,19 +6,9 @@ from workbench.analysis.manufacture import Extreme, Manufacture
 from workbench.analysis.manufacture_limits import Limits, verdicts
 from workbench.analysis.tolerances import Distribution, Tolerances
 from workbench.analysis.validation import Validation
-from workbench.optics.ledger import Ledger
+from workbench.optics.account import LOSSES, Account
 from workbench.report.content import Row
 from workbench.scene import Scene
-
-_LEDGER = {
-    "on_screen": "on the screen",
-    "off_screen": "beside the screen",
-    "missed_lens": "missed the lens",
-    "left_side": "out of the side",
-    "total_reflection": "totally reflected",
-    "fresnel_entrance": "reflected on entry",
-    "fresnel_exit": "reflected on exit",
-}
 
 _STATES = {"met": "met", "broken": "not met", "open": "met where it was looked at"}
 
@@ -43,10 +33,13 @@ def check_rows(found: Validation, difference: float) -> tuple[Row, ...]:
     )
 
 
-def ledger_rows(ledger: Ledger) -> tuple[Row, ...]:
+def account_rows(account: Account) -> tuple[Row, ...]:
     """Where the light went, in parts of what was emitted."""
-    data = ledger.to_data()
-    return tuple(Row(name, percent(data[part] / ledger.emitted)) for part, name in _LEDGER.items())
+    lost = {LOSSES[name].title: flux / account.emitted for name, flux in account.lost.items()}
+    return (
+        Row("on the screen", percent(account.efficiency)),
+        *(Row(title[:1].lower() + title[1:], percent(part)) for title, part in lost.items()),
+    )
 
 
 def manufacture_rows(found: Manufacture, limits: Limits, unit: str) -> tuple[Row, ...]:

@@ -19,8 +19,8 @@ from workbench.geometry.surface import even_counts
 from workbench.pictures import report as pictures
 from workbench.report.content import Picture, Report, Row, Section
 from workbench.report.figures import (
+    account_rows,
     check_rows,
-    ledger_rows,
     manufacture_rows,
     percent,
     tolerance_rows,
@@ -88,7 +88,7 @@ def gather(
             note="Traced anew with fresh random rays, by other means than the optimiser's, against "
             "the untouched target. Relative L2 error = ‖I − T‖ / ‖T‖, both divided by their sum.",
         ),
-        Section("Light account", ledger_rows(found.ledger), note="Parts of the emitted light."),
+        Section("Light account", account_rows(found.account), note="Parts of the emitted light."),
         Section(
             "Light on the screen",
             pictures=(
@@ -163,5 +163,5 @@ def _kept(run: KeptRun) -> Row:
     return Row(
         run.name,
         f"loss {result.loss:.4g} after {result.iterations} iterations in {result.seconds:.1f} s, "
-        f"{percent(result.ledger.efficiency, 1)} on the screen{error}",
+        f"{percent(result.account.efficiency, 1)} on the screen{error}",
     )

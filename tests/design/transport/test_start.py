@@ -52,7 +52,7 @@ def test_the_light_is_near_its_place_at_once(make_scene, corner, source, base):
     seen = validate(scene, corner, heights, 200_000)
     before = validate(scene, corner, undesigned(scene.lens), 200_000)
     assert seen.relative_l2 < 0.35 < before.relative_l2
-    assert seen.ledger.off_screen < 0.01 and seen.ledger.total_reflection < 0.001
+    assert seen.account.lost["off_screen"] < 0.01 and seen.account.lost["total_reflection"] < 0.001
 
 
 def test_a_lens_twice_as_large_is_the_same_lens(make_scene, corner):

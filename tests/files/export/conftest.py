@@ -3,9 +3,9 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from tests.accounts import account_of
 from workbench.design.snapshot import Result
 from workbench.files.export.design import Design
-from workbench.optics.ledger import Ledger
 
 
 @pytest.fixture
@@ -24,7 +24,7 @@ def make_design(make_scene, rng):
             losses=np.zeros(1),
             loss=0.1,
             seconds=1.0,
-            ledger=Ledger(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
+            account=account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
         )
         return Design(scene, result, chord_error)
 

@@ -30,7 +30,7 @@ def test_a_plan_takes_the_kernel_and_gives_what_the_reference_gives(make_scene):
     scene = make_scene({"lens.base.height": 0.6})
     traced = [Plan(scene, dtype=torch.float64, fused=fused).trace(lens(scene)) for fused in (1, 0)]
     assert torch.allclose(traced[0].flux, traced[1].flux, rtol=0, atol=1e-13)
-    mine, theirs = (t.ledger.to_data() for t in traced)
+    mine, theirs = (t.account.to_data() for t in traced)
     assert mine == pytest.approx(theirs, abs=1e-13)
     assert Plan(scene).notes[0].startswith("fused kernels")
     assert Plan(scene, fused=False).notes[0].startswith("reference in torch on cpu, float32")
@@ -143,7 +143,7 @@ def test_a_run_on_kernels_never_makes_the_reference(make_scene, monkeypatch, sou
     plan = Plan(scene, samples=samples)
     monkeypatch.setattr(ways, "Reference", refuse)
     monkeypatch.setattr(BSplineSurface, "meet", refuse)
-    assert plan.trace(lens(scene)).ledger.on_screen > 0
+    assert plan.trace(lens(scene)).account.on_screen > 0
     plan.next_iteration()
     with pytest.raises(AssertionError, match="was made"), ready.held_back():
         plan.trace(lens(scene))
@@ -193,4 +193,4 @@ def test_the_same_rays_on_another_screen(make_scene):
     near, far = plan.trace(lens(scene)), plan.on(wide).trace(lens(scene))
     assert torch.allclose(far.flux[17:-17, 17:-17], near.flux[1:-1, 1:-1], atol=1e-13)
     # The account is of the scene's own screen, whatever part of its plane is looked at.
-    assert far.ledger.to_data() == pytest.approx(near.ledger.to_data(), abs=1e-13)
+    assert far.account.to_data() == pytest.approx(near.account.to_data(), abs=1e-13)

@@ -77,7 +77,7 @@ def seen(plan, heights, cotangent):
     heights = heights.clone().requires_grad_()
     traced = plan.trace(heights)
     (gradient,) = torch.autograd.grad((traced.flux * cotangent).sum(), heights)
-    return traced.flux.detach(), gradient, traced.ledger
+    return traced.flux.detach(), gradient, traced.account
 
 
 @pytest.mark.parametrize("dtype", [torch.float32, torch.float64])
@@ -98,14 +98,14 @@ def test_image_and_gradient_are_those_of_the_full_trace(scene, rng, dtype, mirro
         for axis in (0, 1):
             if mirrored[axis]:
                 heights = (heights + heights.flip(axis)) / 2
-        image, gradient, ledger = seen(some, heights, cotangent)
-        true_image, true_gradient, true_ledger = seen(full, heights, cotangent)
+        image, gradient, account = seen(some, heights, cotangent)
+        true_image, true_gradient, true_account = seen(full, heights, cotangent)
         assert (image - true_image).abs().sum() < close
         free = torch.as_tensor(~locked)
         error = (gradient - true_gradient)[free].norm() / true_gradient[free].norm()
         assert error < 20 * close
-        assert list(ledger.to_data().values()) == pytest.approx(
-            list(true_ledger.to_data().values()), abs=close
+        assert list(account.to_data().values()) == pytest.approx(
+            list(true_account.to_data().values()), abs=close
         )
 
 

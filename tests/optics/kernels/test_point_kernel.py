@@ -77,7 +77,7 @@ def face(scene, kind, rng):
     + [("steep", torch.float64)],
 )
 @pytest.mark.parametrize("source", [POINT, ASIDE, GRID], ids=["point", "aside", "grid"])
-def test_image_ledger_and_gradient_are_the_references(make_scene, rng, source, kind, dtype):
+def test_image_account_and_gradient_are_the_references(make_scene, rng, source, kind, dtype):
     scene = make_scene({"source": source, "filter": SMOOTH})
     same(scene, twins(scene, dtype), face(scene, kind, rng), rng, dtype)
 

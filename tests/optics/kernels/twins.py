@@ -12,7 +12,7 @@ def lens(scene, seed, amplitude):
 
 def account(light):
     """Where all light went, by name."""
-    return {"on_screen": light.on_screen, **light.lost}
+    return light.account.to_data()
 
 
 def with_gradient(tracer, heights, scene, cotangent):

@@ -7,12 +7,12 @@ import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 
+from tests.accounts import account_of
 from tests.ui.hands import move_screen
 from ui.check.checking import verified_error
 from workbench.analysis.metrics import Quality
 from workbench.analysis.validation import Validation, validating
 from workbench.errors import RunFailed
-from workbench.optics.ledger import Ledger
 
 pytestmark = pytest.mark.usefixtures("kernels")
 
@@ -209,7 +209,7 @@ def gate(session, monkeypatch):
         relative_l2_corrected=0.4,
         relative_l2_corrected_interval=(0.3, 0.5),
         efficiency=0.9,
-        ledger=Ledger(1.0, 0.9, 0.02, 0.0, 0.0, 0.0, 0.04, 0.04),
+        account=account_of(1.0, 0.9, 0.02, 0.0, 0.0, 0.0, 0.04, 0.04),
         quality=Quality(None, 0.8, 0.7, 0.6, None),
         rays=16,
         noise=0.001,

@@ -9,7 +9,7 @@ from ui.check.checking import Suspect
 from ui.check.figures import CheckFigures
 from workbench.analysis.metrics import relative_l2
 from workbench.analysis.validation import validate, validating
-from workbench.report.figures import check_rows, ledger_rows
+from workbench.report.figures import account_rows, check_rows
 
 pytestmark = pytest.mark.usefixtures("kernels")
 
@@ -43,7 +43,7 @@ def rows(figures):
 
 def test_all_figures_are_told_and_each_is_explained(figures, designed, found):
     figures.show_check(Suspect(designed, designed.result.control_points), found, 0.0321)
-    assert rows(figures) == named((*check_rows(found, 0.0321), *ledger_rows(found.ledger)))
+    assert rows(figures) == named((*check_rows(found, 0.0321), *account_rows(found.account)))
     told = rows(figures)
     assert told["Relative L2 error"] == f"{100 * found.relative_l2:.3f} %"
     assert told["Off the optimiser's image"] == "3.210 %"

@@ -2,11 +2,11 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from tests.accounts import account_of
 from ui.document.document import Document
 from workbench.design.snapshot import Result
 from workbench.errors import Refused
 from workbench.files.session import Session
-from workbench.optics.ledger import Ledger
 from workbench.scene import Scene
 from workbench.targets import load_target
 
@@ -31,7 +31,7 @@ def lens_result():
         losses=np.array([2.0, 1.0]),
         loss=1.0,
         seconds=0.5,
-        ledger=Ledger(1.0, 0.9, 0.0, 0.0, 0.0, 0.0, 0.04, 0.06),
+        account=account_of(1.0, 0.9, 0.0, 0.0, 0.0, 0.0, 0.04, 0.06),
     )
 
 

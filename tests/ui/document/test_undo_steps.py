@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QObject
 
+from tests.accounts import account_of
 from ui.document.undo_steps import Steps
 from workbench.design.snapshot import Result
 from workbench.files.session import KeptRun
-from workbench.optics.ledger import Ledger
 
 MEGABYTE = 1 << 20
 
@@ -23,7 +23,7 @@ def lens(megabytes=1):
         losses=np.zeros(3),
         loss=1.0,
         seconds=0.5,
-        ledger=Ledger(1.0, 0.9, 0.0, 0.0, 0.0, 0.0, 0.04, 0.06),
+        account=account_of(1.0, 0.9, 0.0, 0.0, 0.0, 0.0, 0.04, 0.06),
     )
 
 

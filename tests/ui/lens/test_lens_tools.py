@@ -161,8 +161,8 @@ def test_dragging_a_point_is_one_step_with_its_light(sculpting, drag, qtbot):
     assert result.iterations == 0 and 0 < result.loss < 1
     # Light and account are those of this lens.
     scene = document.session.scene
-    traced = Plan(scene).trace(torch.tensor(result.control_points)).ledger
-    assert result.ledger.to_data() == pytest.approx(traced.to_data(), abs=5e-3)
+    traced = Plan(scene).trace(torch.tensor(result.control_points)).account
+    assert result.account.to_data() == pytest.approx(traced.to_data(), abs=5e-3)
     # A filter spreads some light of the outer pixels over the rim.
     flux = result.irradiance.sum() * scene.screen.pixel_area
     assert flux == pytest.approx(traced.on_screen, rel=0.05)

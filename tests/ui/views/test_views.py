@@ -8,6 +8,7 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QColor, QPalette, QWheelEvent
 from PySide6.QtWidgets import QApplication, QMainWindow, QTabWidget
 
+from tests.accounts import account_of
 from ui.views import light_view
 from ui.views.error_view import ErrorView
 from ui.views.irradiance_view import IrradianceView
@@ -16,7 +17,7 @@ from ui.views.loss_view import LossView
 from ui.views.scene_view import SceneView
 from ui.views.turns import Turns, turns
 from workbench.files.session import Session
-from workbench.optics.ledger import Ledger
+from workbench.optics.account import LOSSES
 
 PLOTS = [IrradianceView, ErrorView, LossView]
 
@@ -321,10 +322,10 @@ def test_closed_scene_stays_closed(drawn_scene, frame, qtbot):
 
 def test_the_light_account_adds_up(frame, show, qtbot):
     view = show(LightView(), 380, 260)
-    ledger = Ledger(2.0, 1.0, 0.5, 0.1, 0.06, 0.0, 0.3, 0.04)
+    account = account_of(2.0, 1.0, 0.5, 0.1, 0.06, 0.0, 0.3, 0.04)
     one = frame(1)
     view.show_frame(
-        dataclasses.replace(one, snapshot=dataclasses.replace(one.snapshot, ledger=ledger))
+        dataclasses.replace(one, snapshot=dataclasses.replace(one.snapshot, account=account))
     )
     qtbot.waitUntil(lambda: view.texts()["All parts"] == "100.00 %")
     assert view.texts() == {
@@ -339,9 +340,8 @@ def test_the_light_account_adds_up(frame, show, qtbot):
     }
 
 
-def test_every_part_of_the_ledger_is_in_the_account(qtbot):
-    parts = [field.name for field in dataclasses.fields(Ledger) if field.name != "emitted"]
-    assert list(light_view._PARTS) == parts
+def test_every_part_of_the_account_is_in_the_account(qtbot):
+    assert list(light_view._PARTS) == ["on_screen", *LOSSES]
 
 
 def test_a_hidden_light_account_does_nothing(frame, draws, qtbot):

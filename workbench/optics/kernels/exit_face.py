@@ -6,6 +6,7 @@ from typing import NamedTuple
 from torch import Tensor
 
 from workbench.geometry.surface import ControlNet
+from workbench.optics.account import Account
 from workbench.optics.interfaces import Refraction
 from workbench.optics.kernels.function import Sums
 from workbench.optics.light import Light
@@ -58,4 +59,4 @@ class ExitFace(NamedTuple):
             (self.missed, sums.missed),
         ):
             lost[name] = lost.get(name, 0.0) + part
-        return Light(flux, sums.on_screen, lost)
+        return Light(flux, Account(sums.on_screen, lost))

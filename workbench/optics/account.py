@@ -1,0 +1,120 @@
+"""The account of all light: what is on the screen, and what is lost, by name.
+
+A new way to lose light is an entry in `LOSSES`, and its name where an element finds it. Dock,
+report, figures and files take all they say of it from here.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import NamedTuple
+
+
+class Loss(NamedTuple):
+    """What is said of a way to lose light.
+
+    Attributes
+    ----------
+    title, tip : str
+        Its name for people, and what it is.
+    where : str
+        Where such light goes, after "of the light, 10 %".
+    cure : str
+        What brings it to the screen, as a sentence without its end.
+    always : bool
+        Whether every account has it, and with that every file of version 1.
+    """
+
+    title: str
+    tip: str
+    where: str
+    cure: str
+    always: bool = False
+
+
+LOSSES: Mapping[str, Loss] = {
+    "off_screen": Loss(
+        "Beside the screen",
+        "Light that passes the lens and the screen by. A lens that sends much light here wastes "
+        "it, or has more than its surface can bend.",
+        "passes beside it",
+        "a larger or a nearer screen catches it",
+        always=True,
+    ),
+    "missed_lens": Loss(
+        "Missed the lens",
+        "Light of a point source that passes the entrance face by: its cone is round and just "
+        "covers the rectangular face.",
+        "misses the lens",
+        "a larger lens catches it",
+        always=True,
+    ),
+    "left_side": Loss(
+        "Out of the side",
+        "Light that entered the lens so slanted that it meets a side wall before the exit face.",
+        "leaves by the side",
+        "a thinner lens or a source nearer to the axis keeps it",
+        always=True,
+    ),
+    "total_reflection": Loss(
+        "Totally reflected",
+        "Light that meets the exit face too steeply to leave the lens there.",
+        "is totally reflected",
+        "a lower index or a flatter base lets it out",
+        always=True,
+    ),
+    "fresnel_entrance": Loss(
+        "Reflected on entry",
+        "The part that the entrance face reflects of the light that it refracts.",
+        "is reflected at the entrance",
+        "a source nearer to the axis lets it in",
+        always=True,
+    ),
+    "fresnel_exit": Loss(
+        "Reflected on exit",
+        "The part that the exit face reflects of the light that it refracts.",
+        "is reflected at the exit",
+        "a lower index or a flatter base lets it out",
+        always=True,
+    ),
+}
+"""All losses by name, in the order in which they are listed."""
+
+
+@dataclass(frozen=True)
+class Account:
+    """Where the emitted flux went; ``on_screen`` and all losses add up to ``emitted``.
+
+    Attributes
+    ----------
+    on_screen : float
+        Flux of rays that hit the screen. A reconstruction filter spreads some of it over the rim;
+        the account is of rays.
+    lost : mapping of str to float
+        Flux that was lost, by names in `LOSSES` and in their order.
+    emitted : float
+        Flux of the source.
+    """
+
+    on_screen: float
+    lost: Mapping[str, float]
+    emitted: float = 1.0
+
+    def __post_init__(self) -> None:
+        if unknown := self.lost.keys() - LOSSES.keys():
+            raise KeyError(f"nothing is said in LOSSES of {', '.join(sorted(unknown))}")
+        in_order = {name: self.lost[name] for name in LOSSES if name in self.lost}
+        object.__setattr__(self, "lost", in_order)
+
+    @property
+    def efficiency(self) -> float:
+        """Part of the emitted flux that lands on the screen."""
+        return self.on_screen / self.emitted
+
+    @property
+    def arrived(self) -> float:
+        """Flux of rays that came to the screen's plane, on the screen or beside it."""
+        return self.on_screen + self.lost["off_screen"]
+
+    def to_data(self) -> dict[str, float]:
+        """All its flux by name, for JSON."""
+        return {"emitted": self.emitted, "on_screen": self.on_screen, **self.lost}
