@@ -167,7 +167,7 @@ def test_a_failing_apt_get_shows_its_reason(monkeypatch, commands, apt_get, caps
     )
 
 
-def test_others_are_told_what_to_type(monkeypatch, commands, apt_get, capsys):
+def test_without_root_the_command_to_type_is_printed(monkeypatch, commands, apt_get, capsys):
     monkeypatch.setattr(os, "geteuid", lambda: 1000)
     monkeypatch.setattr(system_libraries, "missing", lambda _=(): [("libGL.so.1", "libgl1")])
     assert bootstrap.main([]) == 1

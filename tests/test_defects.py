@@ -28,13 +28,13 @@ def test_the_sentence_names_the_file_and_the_file_has_the_traceback(folder):
     assert "ValueError: at first" in text and text.rstrip().endswith("KeyError: 'odd'")
 
 
-def test_errors_follow_each_other_in_the_file(folder):
+def test_errors_are_appended_to_the_file(folder):
     for text in ("one", "two"):
         defects.unexpected(raised(text))
     assert (folder / "errors.log").read_text().count("Traceback (most recent call last)") == 2
 
 
-def test_old_errors_give_way(folder):
+def test_old_errors_are_dropped(folder):
     for number in range(12):
         defects.unexpected(raised(f"{number}" + 60_000 * "x"))
     files = sorted(folder.iterdir())

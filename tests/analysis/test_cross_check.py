@@ -89,7 +89,7 @@ class TestWithMitsuba:
         assert flux.sum() == pytest.approx(0.96**2, rel=0.005)
         assert flux.std() < 0.2 * flux.mean()
 
-    def test_another_lens_is_told_apart(self, make_scene, monkeypatch):
+    def test_another_lens_differs_beyond_the_noise(self, make_scene, monkeypatch):
         scene, dense = make_scene(), make_scene({"lens.refractive_index": 1.6})
         lens, target = self.lopsided(scene), np.ones((32, 32))
         trace = other.MitsubaScene(dense, lens)

@@ -73,7 +73,7 @@ def test_light_is_all_but_conserved_where_border_pixels_are_reached(make):
 
 
 @pytest.mark.parametrize("case", PAPER)
-def test_a_mountain_rises_from_a_valley(make, case):
+def test_the_map_is_positive_in_the_middle_and_negative_around_it(make, case):
     scene = make(case)
     found = irradiance_derivative(scene, flat(scene), MIDDLE).map
     # Even pixels and an even control point: the middle is where four pixels meet.
@@ -182,7 +182,7 @@ def test_a_point_that_is_not_there_is_refused(make, index, field):
     ("changes", "field"),
     [({"filter": {"kind": "box"}}, "filter.kind"), ({"filter.size": [3, 1]}, "filter.size[1]")],
 )
-def test_pixels_that_jump_are_refused(make_scene, changes, field):
+def test_filters_that_count_rays_by_pixel_are_refused(make_scene, changes, field):
     scene = make_scene(changes)
     with pytest.raises(Refused, match="no derivative") as caught:
         irradiance_derivative(scene, flat(scene), MIDDLE)

@@ -14,7 +14,7 @@ def attained(net, heights):
 
 
 @pytest.mark.parametrize("degree", [(2, 2), (3, 3), (4, 2), (5, 7)])
-def test_nothing_is_beyond_and_they_close_in(degree, rng):
+def test_bounds_hold_and_tighten_with_more_parts(degree, rng):
     net = ControlNet((9, 10), degree, (1.0, 0.7))
     heights = 0.02 * rng.random(net.shape)
     most = attained(net, heights)
@@ -43,7 +43,7 @@ def test_many_parts_are_looked_at_some_at_a_time(rng, monkeypatch):
 
 
 @pytest.mark.parametrize("degree", [(1, 1), (1, 3)])
-def test_planes_have_no_bends(degree):
+def test_planes_have_no_curvature(degree):
     net = ControlNet((5, 6), degree, (1.0, 1.0))
     x, y = net.positions
     slope, hollow, hump = shape_bounds(net, 0.3 * x[:, None] - 0.4 * y, (2, 2))

@@ -59,7 +59,7 @@ class TestDecentre:
         # Rays on a pixel's edge may fall to either side of it.
         assert np.abs(moved - shifted).sum() < 1e-3 * straight.sum()
 
-    def test_a_point_sees_itself_moved_back(self, make_scene, rng):
+    def test_decentring_the_lens_is_moving_the_point_back(self, make_scene, rng):
         heights = 0.5 + 0.05 * rng.random((12, 10))
         target, shift = np.ones((32, 32)), (2 / 16, -3 / 16)
         source = {"kind": "point", "position": [0.3, 0.1, -2.0]}
@@ -104,7 +104,7 @@ class TestTilt:
             reflectance * (1 - reflectance) * (1 - side), rel=0.01
         )
 
-    def test_the_lens_sees_the_rest_turned_the_other_way(self):
+    def test_the_scene_is_rotated_inversely_in_lens_coordinates(self):
         angle = 0.1
         pose = Pose(tilt=(0.0, angle))
         assert pose.to_lens(np.array([[0.0, 0.0, -2.0]]), 0.0)[0] == pytest.approx(
@@ -189,14 +189,14 @@ class TestDraw:
             assert 0.99 * most < max(values) <= most
             assert abs(np.mean(values)) < 0.05 * most
 
-    def test_the_seed_says_which(self):
+    def test_the_same_seed_draws_the_same_perturbations(self):
         first, same, other = (list(draw(self.ALL, 5, seed)) for seed in (1, 1, 2))
         assert first == same != other
         assert len({each.seed for each in first}) == 5
 
 
 class TestPerturbed:
-    def test_one_after_the_other(self, wide, rng):
+    def test_the_nominal_lens_comes_first_and_larger_shifts_err_more(self, wide, rng):
         heights = 0.5 + 0.02 * rng.random((12, 10))
         target = validate(wide, np.ones((64, 64)), heights, RAYS).irradiance
         within = Tolerances(decentre=0.2, surface=(1e-3, 0.5))

@@ -40,7 +40,7 @@ def test_the_steps_lead_to_what_validate_finds(lens, threads):
     assert found.to_data() == validate(*lens, RAYS).to_data()
 
 
-def test_a_check_that_is_left_traces_no_further(lens, monkeypatch):
+def test_closing_a_check_stops_tracing(lens, monkeypatch):
     from workbench.analysis.tracing.trace import Trace
 
     traced, trace = [], Trace._batch
@@ -56,7 +56,7 @@ def test_a_check_that_is_left_traces_no_further(lens, monkeypatch):
     assert threading.active_count() == before
 
 
-def test_a_batch_that_takes_minutes_is_left_too(lens):
+def test_closing_a_check_stops_within_a_batch(lens):
     before = threading.active_count()
     steps = validating(*lens, MOST_RAYS, threads=1)
     done = [next(steps) for _ in range(3)]
@@ -65,12 +65,12 @@ def test_a_batch_that_takes_minutes_is_left_too(lens):
     assert threading.active_count() == before
 
 
-def test_more_rays_than_anybody_waits_for_are_refused(lens):
+def test_too_many_rays_are_refused(lens):
     with pytest.raises(Refused, match=rf"rays: {MOST_RAYS + 1} are too many; at most {MOST_RAYS}"):
         validate(*lens, MOST_RAYS + 1)
 
 
-def test_who_watches_is_told_the_part_that_is_done(lens):
+def test_the_watch_is_called_with_the_part_that_is_done(lens):
     scene, target, heights = lens
     told = []
     validate(*lens, RAYS, watch=told.append)

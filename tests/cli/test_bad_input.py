@@ -123,7 +123,7 @@ class TestTarget:
     def test_missing(self, with_image):
         with_image("missing.png")
 
-    def test_what_a_terminal_would_obey_is_shown(self, refusal, scene_file, scene_data, out):
+    def test_control_characters_are_printed_escaped(self, refusal, scene_file, scene_data, out):
         scene_data["target"] = {"image": "a\x1b[2J\u202e.png"}
         scene_file.write_text(json.dumps(scene_data))
         told = refusal("design", scene_file, "-o", out)

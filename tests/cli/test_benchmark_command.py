@@ -99,7 +99,7 @@ def test_a_file_in_the_way_is_refused(freeform, fake_suite, tmp_path):
     assert limits == []
 
 
-def test_help_tells_every_benchmark(capsys):
+def test_help_lists_every_benchmark(capsys):
     from workbench.cli import main
 
     with pytest.raises(SystemExit):

@@ -47,7 +47,7 @@ class TestDone:
         )
         assert progress.splitlines()[-1].startswith("10/10  loss ")
 
-    def test_a_range_that_is_too_small_is_said_in_a_line_and_in_the_figures(
+    def test_a_too_small_height_range_is_reported_in_a_line_and_in_the_figures(
         self, freeform, scene_file, scene_data, out
     ):
         scene_data["lens"]["height_range"] = [-0.01, 0.01]
@@ -82,7 +82,7 @@ class TestDone:
         assert session.picture == drawing.encode()
         assert session.target[0, 0] == pytest.approx(1) and session.target[-1, -1] == 0
 
-    def test_an_image_too_large_to_keep_is_told_of(
+    def test_an_image_too_large_to_keep_is_reported(
         self, freeform, scene_file, scene_data, out, monkeypatch
     ):
         monkeypatch.setattr("workbench.design.picture.LARGEST_PICTURE", 100)
@@ -137,7 +137,9 @@ class TestDone:
         assert found.result.iterations == 0 and found.start is None
         np.testing.assert_allclose(found.result.control_points, heights, atol=1e-3)
 
-    def test_a_session_without_a_lens_is_begun(self, freeform, scene_file, out, fake_run):
+    def test_a_session_without_a_lens_is_designed_from_the_start(
+        self, freeform, scene_file, out, fake_run
+    ):
         fake_run({})
         freeform("design", scene_file, "-o", out)
         assert read_session(out).result.iterations == 10

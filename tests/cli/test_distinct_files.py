@@ -93,7 +93,7 @@ def test_the_session_is_not_replaced(refused, session, command):
 
 
 @pytest.mark.parametrize("command", PLOTS)
-def test_nor_by_a_link(refused, session, command):
+def test_the_session_is_not_replaced_through_a_link(refused, session, command):
     os.link(session, "hard.png")
     os.symlink(session, "soft.png")
     arguments = [part.format(session) for part in command]

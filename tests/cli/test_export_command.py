@@ -24,7 +24,7 @@ def lens(make_scene, rng, tmp_path):
     return path
 
 
-def test_a_line_per_file_tells_how_exact_it_is(freeform, lens, tmp_path):
+def test_a_line_per_file_states_its_deviation(freeform, lens, tmp_path):
     step, mesh = tmp_path / "a.step", tmp_path / "a.stl"
     status, printed, told = freeform("export", lens, step, mesh, "--chord-error", "0.001")
     assert (status, told) == (0, "")
@@ -65,7 +65,7 @@ def test_refused(freeform, lens, tmp_path, monkeypatch, arguments, reason):
     assert list(tmp_path.iterdir()) == [lens]
 
 
-def test_a_scene_holds_no_lens(freeform, scene_file, tmp_path):
+def test_a_scene_without_a_lens_is_refused(freeform, scene_file, tmp_path):
     status, _, told = freeform("export", scene_file, tmp_path / "a.step")
     assert status == 2
     assert "is no session" in told

@@ -33,7 +33,7 @@ def test_the_first_help_names_every_verb(help_of):
         assert f"\n  {name} " in told
 
 
-def test_the_version_is_told(capsys):
+def test_the_version_is_printed(capsys):
     from workbench import __version__
     from workbench.cli import main
 

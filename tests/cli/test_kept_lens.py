@@ -60,7 +60,7 @@ class TestSignals:
         assert last == f"freeform: interrupted; the best lens so far is in {out}"
 
     @pytest.mark.parametrize("number", SIGNALS)
-    def test_before_the_first_lens_one_is_waited_for(
+    def test_a_signal_before_the_first_lens_waits_for_that_lens(
         self, freeform, scene_file, out, fake_run, number
     ):
         fake_run({0: sent(number)})
@@ -100,7 +100,7 @@ class TestSignals:
         assert read_session(out).result.iterations == 4
 
     @pytest.mark.parametrize("number", SIGNALS)
-    def test_ignored_where_the_surroundings_ignore_it(
+    def test_a_signal_that_the_parent_ignores_is_ignored(
         self, freeform, scene_file, out, fake_run, number
     ):
         fake_run({4: sent(number)})
@@ -145,7 +145,9 @@ class TestRescue:
         assert out.read_bytes() == b"old"
         assert sorted(os.listdir(out.parent)) == ["elsewhere", "lens.freeform", "scene.json"]
 
-    def test_a_folder_that_goes_away_meanwhile(self, freeform, scene_file, tmp_path, fake_run):
+    def test_the_output_folder_is_removed_during_the_run(
+        self, freeform, scene_file, tmp_path, fake_run
+    ):
         folder = tmp_path / "folder"
         folder.mkdir()
         fake_run({6: lambda: shutil.rmtree(folder)})
@@ -155,7 +157,7 @@ class TestRescue:
         assert reason.endswith("cannot be written: its folder does not exist")
         assert read_session(place).result.iterations == 10
 
-    def test_where_the_temporary_folder_is_full_too_the_users_own_is_taken(
+    def test_the_home_folder_is_taken_where_the_temporary_one_is_full(
         self, freeform, scene_file, tmp_path, fake_run, elsewhere
     ):
         home, folder = tmp_path / "home", tmp_path / "folder"
@@ -172,7 +174,7 @@ class TestRescue:
         assert home in place.parents
         assert read_session(place).result.iterations == 10
 
-    def test_a_lens_that_cannot_be_kept_anywhere_is_told(
+    def test_a_lens_that_cannot_be_kept_anywhere_is_reported(
         self, freeform, scene_file, out, fake_run, monkeypatch, often
     ):
         fake_run({9: lambda: monkeypatch.setattr("os.fsync", full)})
@@ -201,14 +203,16 @@ class TestCheckpoint:
         assert seen[0].loss == 1 / 4
         assert sorted(os.listdir(out.parent)) == ["lens.freeform", "scene.json"]
 
-    def test_none_before_it_is_due(self, freeform, scene_file, out, fake_run, monkeypatch):
+    def test_no_checkpoint_is_written_before_it_is_due(
+        self, freeform, scene_file, out, fake_run, monkeypatch
+    ):
         monkeypatch.setattr(keeping, "_SECONDS", 1000.0)
         seen = []
         fake_run({9: lambda: seen.extend(os.listdir(out.parent))})
         assert freeform("design", scene_file, "-o", out)[0] == 0
         assert seen == ["scene.json"]
 
-    def test_what_an_earlier_run_has_left_stays_and_is_told(
+    def test_a_checkpoint_of_an_earlier_run_stays_and_is_reported(
         self, freeform, scene_file, out, fake_run
     ):
         left = out.with_name("lens.checkpoint.freeform")
@@ -237,7 +241,7 @@ class TestCheckpoint:
         assert len(set(left)) == 2  # names of their own
         assert not any(each.exists() for each in left)
 
-    def test_a_checkpoint_is_gone_on_from(self, freeform, scene_file, out, fake_run):
+    def test_a_checkpoint_can_be_continued(self, freeform, scene_file, out, fake_run):
         left = out.with_name("lens.checkpoint.freeform")
         fake_run({})
         assert freeform("design", scene_file, "-o", left)[0] == 0
@@ -247,7 +251,7 @@ class TestCheckpoint:
         assert read_session(out).result.iterations == 20
         assert left.exists()
 
-    def test_a_run_that_is_killed_leaves_it(self, endless, out):
+    def test_a_killed_run_leaves_its_checkpoint(self, endless, out):
         program = (
             "import sys, workbench.cli.keeping as keeping; keeping._SECONDS = 0.0; "
             "from workbench.cli import main; sys.exit(main(sys.argv[1:]))"
@@ -292,7 +296,7 @@ def test_other_commands_end_at_once(freeform, out, monkeypatch, number):
     assert (status, printed, told) == (128 + number, "", "freeform: interrupted\n")
 
 
-def test_ctrl_c_while_a_library_is_loaded_is_not_taken_for_its_absence(
+def test_ctrl_c_while_a_library_loads_is_not_reported_as_a_missing_library(
     freeform, scene_file, out, fake_run, tmp_path, monkeypatch
 ):
     (tmp_path / "mitsuba.py").write_text(

@@ -85,7 +85,9 @@ def test_the_least_thickness_of_the_scene_is_a_limit(freeform, moved):
     ("by", "flaw"),
     [(-10.3, "not above the entrance face at z = 0"), (4.4, "not before the screen at z = 5")],
 )
-def test_a_lens_that_is_no_body_is_looked_at_and_nothing_more(freeform, moved, by, flaw, tmp_path):
+def test_a_lens_that_is_no_body_has_figures_but_is_not_checked_or_exported(
+    freeform, moved, by, flaw, tmp_path
+):
     lens, solid = moved(by), tmp_path / "lens.step"
     status, printed, told = freeform("manufacture", lens)
     assert status == 1

@@ -147,7 +147,7 @@ def test_pictures_keep_no_shaders_where_a_full_disk_would_end_the_process(lens, 
     assert not list(caches.glob("mesa_shader_cache*"))
 
 
-def test_a_picture_that_cannot_be_written_is_told(freeform, lens, tmp_path):
+def test_a_picture_that_cannot_be_written_is_reported(freeform, lens, tmp_path):
     (tmp_path / "irradiance.png").mkdir()
     status, printed, told = freeform("pictures", lens, tmp_path)
     assert (status, printed) == (2, "")

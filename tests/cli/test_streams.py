@@ -46,7 +46,7 @@ def lens(make_scene, tmp_path):
 
 @pytest.mark.parametrize("command", ['"$1" --help', '"$1" design --help', '"$1" --version'])
 @pytest.mark.parametrize("reader", ["> /dev/full", BROKEN])
-def test_output_that_nobody_takes_is_one_line(command, reader):
+def test_a_broken_output_pipe_ends_with_one_line(command, reader):
     done = shell(f"{command} {reader}")
     assert done.returncode == 1
     assert done.stderr.startswith("freeform: standard output cannot be written: ")
@@ -76,14 +76,14 @@ def test_a_refusal_without_standard_error_is_not_printed_elsewhere(tmp_path):
     assert (done.returncode, done.stdout, done.stderr) == (2, "", "")
 
 
-def test_all_files_are_exported_though_nobody_reads_what_is_told(lens, tmp_path):
+def test_all_files_are_exported_when_output_is_closed(lens, tmp_path):
     done = shell(f'"$1" export {lens} a.stl b.obj c.ply {BROKEN}', tmp_path)
     assert done.returncode == 1
     assert done.stderr == "freeform: standard output cannot be written: Broken pipe\n"
     assert all((tmp_path / name).stat().st_size > 1000 for name in ("a.stl", "b.obj", "c.ply"))
 
 
-def test_a_run_goes_on_though_nobody_reads_its_progress(scene_file, tmp_path):
+def test_a_run_continues_when_its_progress_is_not_read(scene_file, tmp_path):
     done = shell(f'"$1" design {scene_file} -o out --json 2>&1 > figures {BROKEN}', tmp_path)
     assert (done.returncode, done.stderr) == (0, "")
     figures = json.loads((tmp_path / "figures").read_text())
@@ -91,7 +91,7 @@ def test_a_run_goes_on_though_nobody_reads_its_progress(scene_file, tmp_path):
 
 
 @pytest.mark.parametrize("encoding", ["ascii", "latin-1", "utf-16"])
-def test_what_the_encoding_of_the_output_lacks_is_written_otherwise(lens, encoding):
+def test_characters_missing_in_the_output_encoding_are_replaced(lens, encoding):
     done = subprocess.run(
         [FREEFORM, "manufacture", lens],
         capture_output=True,

@@ -78,7 +78,7 @@ class TestTable:
         assert head.split()[:2] == ["scene", "error"]
         assert [line.split()[0] for line in lines] == ["hat", "cap"]
 
-    def test_an_error_below_the_noise_is_said_to_be_that(
+    def test_an_error_below_the_noise_is_printed_as_a_bound(
         self, freeform, scene_file, folder, monkeypatch
     ):
         from workbench.analysis.validation import validate
@@ -178,7 +178,7 @@ linux = pytest.mark.skipif(sys.platform != "linux", reason="looks for processes 
 
 
 @linux
-def test_a_killed_sweep_goes_on_where_it_was(scene_file, folder):
+def test_a_killed_sweep_resumes_where_it_was(scene_file, folder):
     with start(scene_file, folder) as process:
         assert process.stderr.readline().startswith("1/4  hat run.seed=0 run.iterations=1: error")
         workers = children(process)

@@ -26,13 +26,13 @@ def letter():
     return image
 
 
-def test_its_first_own_lens_is_near_at_once(make_scene, letter):
+def test_the_first_iteration_reduces_the_loss_to_a_third(make_scene, letter):
     first, second, *_ = run(make_scene({"lens.control_points": [24, 24]}), letter)
     assert second.loss < 0.3 * first.loss
 
 
 @pytest.mark.parametrize("iterations", [1, 2, 5, 40])
-def test_it_takes_as_many_iterations_as_it_may(make_scene, letter, iterations):
+def test_a_run_takes_exactly_its_iterations(make_scene, letter, iterations):
     snapshots = list(run(make_scene({"run.iterations": iterations}), letter))
     assert [s.iteration for s in snapshots] == list(range(iterations + 1))
 
@@ -46,7 +46,7 @@ def test_symmetric_tasks_have_symmetric_lenses(make_scene):
         assert heights == pytest.approx(np.flip(heights, axis), abs=1e-12)
 
 
-def test_tasks_with_a_point_aside_are_not_called_symmetric(make_scene):
+def test_tasks_with_a_point_off_the_axis_are_not_mirrored(make_scene):
     point = {"kind": "point", "position": [0.2, 0.0, -5.0], "rays": 1000}
     scene = make_scene({"source": point})
     assert auto._mirrored(scene, np.ones((32, 32)), None) == (False, True)
@@ -56,7 +56,7 @@ def test_tasks_with_a_point_aside_are_not_called_symmetric(make_scene):
 
 
 @pytest.mark.parametrize("kind", ["point", "grid"])
-def test_light_of_points_comes_to_the_screen(make_scene, letter, kind):
+def test_light_of_points_reaches_the_screen(make_scene, letter, kind):
     source = {"kind": "point", "position": [0.1, 0.0, -5.0], "rays": 4096}
     if kind == "grid":
         source = {
@@ -104,6 +104,6 @@ def test_phases_share_the_iterations():
     assert sharp.iterations(300) == 300
 
 
-def test_the_largest_screen_has_room_beside_it(make_scene):
+def test_the_widened_image_may_exceed_the_largest_screen(make_scene):
     scene = make_scene({"screen.pixels": [4096, 1], "run.iterations": 1})
     assert [s.iteration for s in run(scene, np.ones((1, 4096)))] == [0, 1]

@@ -53,11 +53,11 @@ def test_locked_everywhere(make_scene, disc):
     assert ended(run(scene, disc, None, locked)) == "all control points are locked"
 
 
-def test_whoever_leaves_a_run_has_stopped_it(make_scene, disc):
+def test_leaving_a_run_is_recorded_as_stopped(make_scene, disc):
     assert ended(run(make_scene({}), disc), most=2) == "stopped"
 
 
-def test_a_failure_is_kept_and_goes_on_to_the_caller(make_scene, disc):
+def test_a_failure_is_recorded_and_raised(make_scene, disc):
     def failing():
         yield next(run(make_scene({}), disc))
         raise RunFailed("the loss is not finite")

@@ -65,7 +65,7 @@ def test_locked_control_points_save_rays_and_change_no_light(make_scene, target,
     assert any("of the rays after the first" in note for note in found.notes)
 
 
-def test_it_suits_lenses_that_keep_what_is_locked(make_scene, target):
+def test_an_evaluator_suits_lenses_with_its_own_locked_heights(make_scene, target):
     scene, flat = make_scene(), np.full((12, 10), 0.5)
     locked = np.zeros((12, 10), dtype=np.bool_)
     locked[2, 3] = True
@@ -79,7 +79,7 @@ def test_it_suits_lenses_that_keep_what_is_locked(make_scene, target):
     assert unlocked.suits(scene, moved)
 
 
-def test_it_goes_on_from_an_earlier_result(make_scene, scene_data, target):
+def test_a_snapshot_counts_on_from_an_earlier_result(make_scene, scene_data, target):
     scene = make_scene({"run.iterations": 4})
     history = History()
     for snapshot in run(scene, target):
@@ -95,7 +95,7 @@ def test_it_goes_on_from_an_earlier_result(make_scene, scene_data, target):
     assert (found.stage, found.stages) == (1, 2)
 
 
-def test_a_lens_that_lights_nothing_is_told(make_scene, target):
+def test_a_lens_that_lights_nothing_is_refused(make_scene, target):
     scene = make_scene({"screen.z": 500.0})
     steep = np.linspace(0.2, 0.8, 12)[:, None] * np.ones(10)
     with pytest.raises(RunFailed, match="no light reaches the screen"):

@@ -58,7 +58,7 @@ def test_no_parameters_leave_the_range_or_make_the_lens_too_thin(seed, size, bas
     assert surface.min() >= lens.entrance_z + thickness - 1e-12
 
 
-def test_heights_come_back_from_their_parameters(rng):
+def test_heights_are_recovered_from_their_parameters(rng):
     lens = lens_with(BASES[1])
     net = ControlNet.of(lens)
     free = HeightRange.of(lens, net)
@@ -66,7 +66,7 @@ def test_heights_come_back_from_their_parameters(rng):
     assert free.heights(free.parameters(heights)).numpy() == pytest.approx(heights, abs=1e-13)
 
 
-def test_heights_beyond_an_end_come_back_just_inside():
+def test_heights_beyond_the_range_are_clipped_just_inside():
     lens = lens_with(BASES[0])
     free = HeightRange.of(lens, ControlNet.of(lens))
     back = free.heights(free.parameters(np.full((9, 7), 99.0)))

@@ -22,12 +22,12 @@ def rosenbrock(x):
     return (100 * (x[1:] - x[:-1].square()).square() + (1 - x[:-1]).square()).sum()
 
 
-def test_it_finds_the_end_of_a_curved_valley():
+def test_the_minimum_of_a_curved_valley_is_found():
     points = list(islice(minimise(objective(rosenbrock), torch.zeros(6).double()), 200))
     assert (points[-1][0] - 1).abs().max() < 1e-6
 
 
-def test_it_never_goes_up(rng):
+def test_the_value_never_rises(rng):
     matrix = torch.as_tensor(rng.normal(size=(30, 30)))
     start = torch.as_tensor(rng.normal(size=30))
     found = islice(minimise(objective(lambda x: (matrix @ x).square().sum()), start), 100)
@@ -44,12 +44,12 @@ def test_the_scale_of_the_problem_does_not_matter(scale):
     assert list(found)[-1][1].value < 1e-3 * scale
 
 
-def test_it_stops_where_there_is_nothing_left_to_gain():
+def test_the_search_stops_at_the_minimum():
     at_rest = objective(lambda x: 0 * x.sum() + 3)
     assert len(list(islice(minimise(at_rest, torch.ones(3).double()), 50))) == 1
 
 
-def test_no_step_is_longer_than_its_reach():
+def test_no_step_is_longer_than_its_limit():
     points = [
         x for x, _ in islice(minimise(objective(rosenbrock), torch.zeros(6).double(), 0.01), 40)
     ]

@@ -106,7 +106,7 @@ def test_memory_is_known_with_and_without_the_kernels_account(monkeypatch, tmp_p
         (3.5e16, "3.5e+04 TB"),
     ],
 )
-def test_bytes_are_said_in_three_digits(count, text):
+def test_bytes_are_written_with_three_digits(count, text):
     assert as_bytes(count) == text
 
 

@@ -51,7 +51,7 @@ def lenses(scene, start=None):
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_a_net_has_as_many_parameters_as_foretold(make_scene, kind):
+def test_the_number_of_parameters_is_the_predicted_one(make_scene, kind):
     scene = paper(make_scene, parametrisation=kind)
     module = build(ControlNet.of(scene.lens), scene.run)
     assert sum(p.numel() for p in module.parameters()) == parameter_count(scene)
@@ -102,7 +102,7 @@ def test_a_net_is_three_layers_of_tanh_on_the_input_1(kind):
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_starts_are_drawn_as_they_should(kind):
+def test_starts_have_the_distributions_of_the_paper(kind):
     size = (40, 30)
     net = ControlNet(size, (3, 3), (1.0, 1.0))
 
@@ -126,7 +126,7 @@ def test_a_random_net_is_drawn_as_torch_does_but_for_the_scale_of_its_output(kin
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_random_lenses_are_equally_crooked(kind):
+def test_random_lenses_have_the_same_deviation_on_any_network(kind):
     module = build(NET, PaperRun(parametrisation=kind, start="random"))
     assert module().std().item() == pytest.approx(0.01, rel=1e-5)
 
@@ -224,7 +224,7 @@ def test_the_gradient_is_that_of_central_differences(make_scene, kind):
 
 
 @pytest.mark.parametrize("fresh", [False, True])
-def test_rays_are_drawn_anew_where_the_source_wants_it(make_scene, fresh):
+def test_a_source_with_fresh_rays_draws_them_each_iteration(make_scene, fresh):
     scene = make_scene(
         {
             "source": {"kind": "point", "position": [0, 0, -5], "rays": 2000, "fresh": fresh},

@@ -69,7 +69,7 @@ def test_a_name_that_no_file_can_have_gives_no_picture(make_scene, tmp_path):
     assert picture_of(make_scene({"target": {"image": "a\0b.png"}}), tmp_path) is None
 
 
-def test_a_file_that_is_gone_has_not_changed(session, image):
+def test_a_deleted_image_file_does_not_count_as_changed(session, image):
     image.unlink()
     assert not changed_on_disk(session.scene, session.picture)
     with pytest.raises(Refused, match="is not an existing file"):

@@ -63,7 +63,7 @@ def test_runs_by_either_method_take_an_automatic_range(make_scene, corner):
         assert shots[-1].shortfall is None
 
 
-def test_a_range_that_is_too_small_is_said_with_what_is_needed(make_scene, corner):
+def test_a_too_small_range_is_reported_with_the_range_that_is_needed(make_scene, corner):
     *_, last = run(make_scene(FREE | {"lens.height_range": [-0.05, 0.05]}), corner)
     short = last.shortfall
     first = Room(make_scene(FREE), corner).first
@@ -76,7 +76,7 @@ def test_a_range_that_is_large_enough_is_no_shortfall(make_scene, corner):
     assert all(shot.shortfall is None for shot in run(make_scene({}), np.ones((32, 32))))
 
 
-def test_stock_that_is_too_thin_is_said_with_the_thickness_that_is_needed(make_scene, corner):
+def test_too_thin_stock_is_reported_with_the_thickness_that_is_needed(make_scene, corner):
     stock = {"lens.max_thickness": 0.2, "lens.min_thickness": 0.1}
     *_, last = run(make_scene(FREE | stock), corner)
     short = last.shortfall
@@ -91,7 +91,7 @@ def test_stock_is_the_limit_even_where_a_range_is_given(make_scene, corner):
     assert last.shortfall.cause == "max_thickness"
 
 
-def test_a_run_that_goes_on_says_it_once_its_heights_are_at_their_ends(make_scene, corner):
+def test_a_continued_run_reports_a_shortfall_once_heights_are_at_their_limits(make_scene, corner):
     scene = make_scene(FREE | {"lens.height_range": [-0.05, 0.05]})
     first, *_ = run(scene, corner, start=np.full((24, 24), 0.5))
     assert first.shortfall is None

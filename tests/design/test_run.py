@@ -35,7 +35,7 @@ def test_the_first_snapshot_is_the_lens_before_any_step(scene, disc):
     assert first.best
 
 
-def test_a_run_says_how_it_is_traced(scene, disc):
+def test_snapshots_note_how_they_are_traced(scene, disc):
     assert next(run(scene, disc)).notes[0].startswith("fused kernels")
 
 
@@ -47,7 +47,7 @@ def test_a_run_repeats_whether_or_not_its_kernel_was_compiled_before(scene, disc
     np.testing.assert_array_equal(cold[-1].control_points, warm[-1].control_points)
 
 
-def test_a_run_brings_the_image_closer_to_the_wish(scene, disc):
+def test_a_run_brings_the_image_closer_to_the_target(scene, disc):
     snapshots = list(run(scene, disc))
     assert [s.iteration for s in snapshots] == list(range(31))
     assert min(s.loss for s in snapshots) < 0.6 * snapshots[0].loss
@@ -124,7 +124,7 @@ def test_no_iterations_show_the_undesigned_lens(make_scene, disc):
     assert len(list(run(make_scene({"run.iterations": 0}), disc))) == 1
 
 
-def test_a_run_without_light_says_where_all_of_it_went(make_scene, disc):
+def test_a_run_without_light_fails_with_its_light_account(make_scene, disc):
     # Four rays, none of them through the middle, where the tiny screen is.
     scene = make_scene(
         {"run": {"method": "paper"}, "source.rays": [2, 2], "screen.half_width": [1e-3, 1e-3]}
@@ -155,14 +155,16 @@ def test_auto_judges_the_first_lens_of_transport_and_not_the_undesigned_one(make
     assert rest[-1].loss < 0.2 * dark.loss
 
 
-def test_auto_goes_on_by_transport_from_a_lens_without_light(make_scene, disc):
+def test_auto_restarts_by_transport_from_a_lens_without_light(make_scene, disc):
     scene = make_scene(ASIDE | {"lens.height_range": None})
     dark, then, *_ = run(scene, disc, start=np.full((20, 20), 0.6))
     assert dark.account.on_screen == 0 and (dark.control_points == 0.6).all()
     assert then.account.on_screen > 0.3
 
 
-def test_auto_refuses_what_no_lens_in_the_range_can_do_and_says_what_is_needed(make_scene, disc):
+def test_auto_refuses_a_range_in_which_no_lens_has_light_and_states_what_is_needed(
+    make_scene, disc
+):
     aside = {"source": ASIDE["source"] | {"position": [20.0, 0.0, -5.0]}}
     scene = make_scene(ASIDE | aside | {"lens.height_range": [-1e-4, 1e-4]})
     with pytest.raises(RunFailed, match=r"no light .*; The lens needs .* is allowed: widen"):
@@ -218,7 +220,7 @@ def test_times_that_were_not_kept_are_spread_evenly(scene, disc):
     assert result.times().tolist() == [0.5, 1.0, 1.5, 2.0]
 
 
-def test_auto_calls_light_back_that_falls_beside_the_screen(make_scene, disc):
+def test_auto_moves_light_beside_the_screen_onto_it(make_scene, disc):
     source = {"kind": "point", "position": [0, 0, -5], "rays": 20_000}
     scene = make_scene({"source": source, "run": {"method": "auto", "iterations": 40}})
     snapshots = list(run(scene, disc))

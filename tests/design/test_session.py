@@ -148,7 +148,7 @@ def test_a_lens_moves_along_z_where_that_is_enough_to_be_within_its_limits(sessi
     assert other.start.max() < heights.max() - 0.01
 
 
-def test_another_outline_takes_the_lens_away(session):
+def test_another_outline_removes_the_lens(session):
     other = edited(session, lens__half_width=[1.0, 1.1])
     assert other.result is None and other.start is None and other.control_points is None
 
@@ -162,7 +162,7 @@ def test_locks_stay_with_their_control_points_wherever_these_are(session):
     assert edited(session, lens__control_points=finer_net).locked is None
 
 
-def test_a_start_stays_one_whatever_is_edited_back(session):
+def test_undoing_an_edit_by_hand_leaves_the_lens_a_start(session):
     moved = edited(session, screen__z=7.0)
     back = edited(moved, screen__z=session.scene.screen.z)
     assert back.result is None

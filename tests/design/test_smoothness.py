@@ -50,7 +50,7 @@ def quadratic(scene, r, s, t):
     return torch.as_tensor(height + bent)
 
 
-def test_nothing_is_there_that_nobody_asked_for(make_scene):
+def test_there_is_no_smoothness_term_by_default(make_scene):
     assert Smoothness.of(make_scene(), DISC, CPU) is None
 
 
@@ -63,7 +63,7 @@ def test_bending_energy_of_a_quadratic_face(make_scene, degree):
     assert energy.item() == pytest.approx((r**2 + 2 * s**2 + t**2) * 4 * 1.0 * 0.7, rel=1e-10)
 
 
-def test_the_base_itself_costs_nothing(make_scene):
+def test_the_base_itself_has_no_bending_energy(make_scene):
     base = {"shape": "sphere", "height": 0.5, "radius": 8.0}
     scene = make_scene({"lens.base": base, "run.smoothness": 1.0})
     x, y = ControlNet.of(scene.lens).positions
@@ -154,7 +154,7 @@ class TestRuns:
         assert tightest(scene, found.control_points) >= 0.99 * limit
         assert found.loss < 0.7 * next(run(scene, DISC)).loss
 
-    def test_smoothness_takes_bends_away(self, make_scene):
+    def test_smoothness_reduces_bending(self, make_scene):
         task = self.NET | {"run.iterations": 12}
         energies = []
         for weight in (1e-9, 1e-1):
@@ -163,7 +163,7 @@ class TestRuns:
             energies.append(smoothness_of(scene).bending(heights).item())
         assert energies[1] < 0.8 * energies[0]
 
-    def test_the_best_lens_is_told_by_its_merit(self, make_scene, monkeypatch):
+    def test_the_best_lens_is_chosen_by_its_merit(self, make_scene, monkeypatch):
         """A sharper lens with a smaller loss is not the best."""
         heights, flux = torch.zeros(12, 10), torch.ones(32, 32)
         account = account_of(1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)

@@ -102,7 +102,7 @@ def test_what_a_later_stage_cannot_do_is_refused_before_the_first(
     assert refused.value.path == path
 
 
-def test_the_lens_is_handed_on(make_scene, disc):
+def test_each_stage_begins_with_the_best_lens_before(make_scene, disc):
     stages = [{"iterations": 8, "control_points": [6, 6]}, {"iterations": 6, "source": POINT}]
     scene = make_scene({"run": {"iterations": 20, "stages": stages}, "lens.control_points": [9, 9]})
     snapshots = list(run(scene, disc))
@@ -116,7 +116,7 @@ def test_the_lens_is_handed_on(make_scene, disc):
     assert all(s.control_points.shape == (9, 9) for s in snapshots)
 
 
-def test_history_knows_where_stages_began(make_scene, disc):
+def test_history_records_where_stages_began(make_scene, disc):
     stages = [{"iterations": 3, "filter": {"size": [7, 7]}}]
     scene = make_scene({"run": {"iterations": 6, "stages": stages}})
     history = History()
@@ -133,7 +133,7 @@ def test_history_knows_where_stages_began(make_scene, disc):
     assert continued.result().stage_starts == (3, 6)
 
 
-def test_a_result_knows_the_stages_that_were_still_to_come(make_scene, disc):
+def test_a_result_counts_the_stages_that_are_left(make_scene, disc):
     stages = [{"iterations": 2}, {"iterations": 2}]
     scene = make_scene({"run": {"iterations": 6, "stages": stages}})
     history, left = History(), []

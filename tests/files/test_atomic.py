@@ -172,7 +172,7 @@ class TestRefused:
         assert path.read_bytes() == b"old"
 
 
-def test_asking_changes_nothing(tmp_path):
+def test_checking_that_a_file_is_writable_changes_nothing(tmp_path):
     check_writable(tmp_path / "new")
     assert os.listdir(tmp_path) == []
     (tmp_path / "old").write_bytes(b"old")
@@ -197,27 +197,27 @@ class TestLeftBehind:
         left.write_bytes(b"half")
         return left
 
-    def test_goes_with_the_next(self, left, target):
+    def test_a_leftover_is_removed_by_the_next_write(self, left, target):
         write(target, b"whole")
         assert os.listdir(target.parent) == ["file"]
         assert target.read_bytes() == b"whole"
 
-    def test_can_be_taken_away_without_writing(self, left, target):
+    def test_a_leftover_can_be_removed_without_writing(self, left, target):
         atomic.remove_left_behind(target.with_name("other"))
         assert left.exists()
         atomic.remove_left_behind(target)
         assert os.listdir(target.parent) == []
 
-    def test_goes_even_if_the_next_fails(self, left, target):
+    def test_a_leftover_is_removed_even_if_the_next_write_fails(self, left, target):
         with pytest.raises(ZeroDivisionError), replacing(target):
             raise ZeroDivisionError
         assert os.listdir(target.parent) == []
 
-    def test_stays_beside_other_files(self, left, target):
+    def test_a_leftover_stays_when_another_file_is_written(self, left, target):
         write(target.with_name("other"), b"other")
         assert left.read_bytes() == b"half"
 
-    def test_stays_while_it_is_written(self, target):
+    def test_a_file_that_is_being_written_is_no_leftover(self, target):
         with replacing(target) as slow:
             slow.write(b"slow")
             write(target, b"fast")
@@ -225,7 +225,7 @@ class TestLeftBehind:
         assert target.read_bytes() == b"slow"
         assert os.listdir(target.parent) == ["file"]
 
-    def test_a_file_that_is_taken_away_at_its_birth_is_made_anew(self, target, monkeypatch):
+    def test_a_temporary_file_that_is_removed_at_once_is_made_again(self, target, monkeypatch):
         born = []
         locked = atomic._locked
 

@@ -45,13 +45,13 @@ def assert_result(result, figures, arrays):
     assert {name: told[name] for name in figures["ledger"]} == figures["ledger"]
 
 
-def test_they_are_all_there():
+def test_all_golden_files_are_there():
     names = ["checked", "compared", "drawn", "first", "staged", "started"]
     assert [f"{name}.freeform" for name in names] == NAMES
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_they_open_with_all_that_is_in_them(name):
+def test_golden_files_open_with_all_their_content(name):
     session = read_session(GOLDEN / name)
     header, arrays = header_of(GOLDEN / name), arrays_of(GOLDEN / name)
     assert header["version"] == 1
@@ -67,7 +67,7 @@ def test_they_open_with_all_that_is_in_them(name):
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_they_can_be_written_again_and_lose_nothing(name, tmp_path):
+def test_golden_files_lose_nothing_when_written_again(name, tmp_path):
     session = read_session(GOLDEN / name)
     write_session(session, tmp_path / name)
     before, after = arrays_of(GOLDEN / name), arrays_of(tmp_path / name)
@@ -80,7 +80,7 @@ def test_they_can_be_written_again_and_lose_nothing(name, tmp_path):
     assert again.picture == session.picture
 
 
-def test_what_the_first_program_found():
+def test_figures_of_the_first_program():
     session = read_session(GOLDEN / "first.freeform")
     assert session.result.loss == 0.002639537211507559
     assert session.result.account.lost["left_side"] == 0
@@ -88,7 +88,7 @@ def test_what_the_first_program_found():
     assert (session.locked, session.runs, session.view, session.start) == (None, (), None, None)
 
 
-def test_what_a_run_in_stages_found():
+def test_figures_of_a_run_in_stages():
     session = read_session(GOLDEN / "staged.freeform")
     assert session.result.stage_starts == (3,)
     assert session.scene.run.stages[0].control_points == (4, 4)
@@ -102,7 +102,7 @@ def test_what_belongs_to_the_window():
     assert session.view == {"camera": [0.5, None, True], "colour map": "viridis"}
 
 
-def test_what_a_check_said():
+def test_figures_of_a_check():
     (run,) = read_session(GOLDEN / "checked.freeform").runs
     assert run.verified == (0.0125, (0.011, 0.014))
 

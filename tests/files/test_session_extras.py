@@ -141,7 +141,7 @@ class TestPicture:
         scene = session.scene.from_data(session.scene.to_data() | {"target": target})
         return replace(session, scene=scene, picture=b"\x89PNG, as it was")
 
-    def test_it_comes_back_and_other_programs_find_it(self, drawn, path):
+    def test_the_picture_is_read_again_and_stored_under_its_own_name(self, drawn, path):
         write_session(drawn, path)
         assert read_session(path).picture == drawn.picture
         with zipfile.ZipFile(path) as archive:
@@ -149,18 +149,18 @@ class TestPicture:
             assert archive.getinfo("target_image.png").compress_type == zipfile.ZIP_STORED
 
     @pytest.mark.parametrize("name", ["logo", "logo.", "x/logo.ä", "logo.a-b", "logo.longerthan8"])
-    def test_an_ending_that_is_none_is_left_out(self, drawn, path, name):
+    def test_an_odd_file_ending_is_left_out(self, drawn, path, name):
         scene = drawn.scene.from_data(drawn.scene.to_data() | {"target": {"image": "/" + name}})
         write_session(replace(drawn, scene=scene), path)
         assert read_session(path).picture == drawn.picture
         with zipfile.ZipFile(path) as archive:
             assert archive.namelist()[-1] == "target_image"
 
-    def test_one_of_a_builtin_shape_is_refused(self, forge):
+    def test_a_picture_beside_a_builtin_shape_is_refused(self, forge):
         told = refused(forge({"target_image.png": b"x"}))
         assert told == ": 'target_image.png': does not belong into this session"
 
-    def test_one_that_is_too_large_is_refused(self, drawn, path, monkeypatch):
+    def test_a_picture_that_is_too_large_is_refused(self, drawn, path, monkeypatch):
         write_session(drawn, path)
         monkeypatch.setattr(session_file, "LARGEST_PICTURE", len(drawn.picture) - 1)
         assert refused(path).startswith(": target_image.png: has 15 bytes; at most 14")
@@ -201,7 +201,7 @@ class TestNotWritten:
         assert len(read_session(path).runs) == header.MOST_RUNS
 
     @pytest.mark.parametrize("name", ["", "x" * (LONGEST_NAME + 1)])
-    def test_a_name_that_is_none(self, session, name):
+    def test_a_name_of_the_wrong_length_is_refused(self, session, name):
         with pytest.raises(Refused, match=f"name: .*{len(name)} characters; 1 to 100"):
             replace(session.runs[0], name=name)
 
@@ -251,14 +251,14 @@ class TestRefused:
         told = refused(forge({"locked.npy": path.with_suffix(".npy").read_bytes()}))
         assert told == ": locked.npy: holds float64; bool is needed"
 
-    def test_a_lock_that_is_half(self, session, forge, path):
+    def test_a_lock_that_is_neither_0_nor_1_is_refused(self, session, forge, path):
         np.save(path.with_suffix(".npy"), session.locked)
         content = path.with_suffix(".npy").read_bytes()
         told = refused(forge({"locked.npy": content[:-1] + b"\2"}))
         assert told.startswith(": locked.npy: holds a value that is neither 0 nor 1")
 
     @pytest.mark.parametrize("interval", [[0.1], [-0.1, 0.2], [0.1, None]])
-    def test_a_verified_error_that_is_none(self, forge, session, path, interval):
+    def test_an_impossible_verified_error_is_refused(self, forge, session, path, interval):
         write_session(session, path)
         with zipfile.ZipFile(path) as archive:
             runs = json.loads(archive.read("session.json"))["runs"]
@@ -267,7 +267,7 @@ class TestRefused:
         assert told.startswith(": session.json: runs[0].verified.relative_l2_corrected_interval")
 
     @pytest.mark.parametrize("starts", [[9], [-1], [3, 2], [10**30]])
-    def test_stages_that_began_when_there_was_no_run(self, forge, session, starts):
+    def test_stages_that_began_outside_the_run_are_refused(self, forge, session, starts):
         figures = Figures.of(session.result).model_dump(exclude_none=True)
         told = refused(forge(result=figures | {"stage_starts": starts}))
         assert told.startswith(": loss.npy: has 8 losses; stages cannot have begun after (")

@@ -187,13 +187,13 @@ class TestWithScene:
         assert again.scene == scene
         assert again.result is session.result
 
-    def test_another_task_drops_it(self, session, make_scene):
+    def test_another_task_removes_the_result(self, session, make_scene):
         scene = make_scene(
             {"lens.control_points": [5, 4], "screen.pixels": [7, 6], "screen.z": 6.0}
         )
         assert session.with_scene(scene, session.target).result is None
 
-    def test_another_image_drops_it(self, session):
+    def test_another_image_removes_the_result(self, session):
         assert session.with_scene(session.scene, session.target * 2).result is None
 
 
@@ -214,7 +214,7 @@ class TestOpenDesign:
         with pytest.raises(Refused, match=r"target\.image: .*missing\.png"):
             open_design(path)
 
-    def test_told_by_content(self, session, path, make_scene):
+    def test_sessions_and_scenes_are_distinguished_by_content(self, session, path, make_scene):
         write_session(session, path)
         assert is_session(path)
         path.write_bytes(path.read_bytes()[:30])

@@ -16,13 +16,13 @@ def test_a_plate_is_a_body(make_scene, plate):
 
 
 @pytest.mark.parametrize("height", [-9.8, 0.0, 1e-12, 5.0, 4000.0])
-def test_a_face_that_touches_or_passes_another_is_none(make_scene, plate, height):
+def test_a_face_that_touches_or_passes_another_is_refused(make_scene, plate, height):
     with pytest.raises(Refused, match="no body of glass") as refused:
         check_body(make_scene(), np.full_like(plate, height))
     assert f"z = {height:.5g} cm at x = " in str(refused.value)
 
 
-def test_the_place_is_told(make_scene, plate):
+def test_the_refusal_names_the_place(make_scene, plate):
     plate[11, 9] = -0.2  # the face passes through its corners
     with pytest.raises(Refused) as refused:
         check_body(make_scene(), plate)

@@ -39,7 +39,7 @@ class TestRange:
         )
 
     @pytest.mark.parametrize("parts", [(1, 1), (3, 2)])
-    def test_never_left(self, rng, shape, degree, order, parts):
+    def test_values_stay_within_the_bounds(self, rng, shape, degree, order, parts):
         net = ControlNet(shape, degree, (1.5, 0.7))
         heights = rng.normal(size=shape)
         low, high = derivative_range(net, heights, order, parts)
@@ -49,7 +49,7 @@ class TestRange:
         assert (low <= values.min(axis=2) + slack).all()
         assert (high >= values.max(axis=2) - slack).all()
 
-    def test_closes_in_with_the_square_of_the_parts(self, rng, shape, degree, order):
+    def test_the_bounds_tighten_with_the_square_of_the_parts(self, rng, shape, degree, order):
         net = ControlNet(shape, degree, (1.5, 0.7))
         heights = rng.normal(size=shape)
         gaps = []

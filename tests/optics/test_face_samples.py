@@ -152,7 +152,7 @@ def test_the_account_adds_up_and_nothing_is_nan(make_scene, rng, source, amplitu
 
 @pytest.mark.parametrize("dtype", DTYPES)
 @pytest.mark.parametrize("position", [[0, 0, -1e-6], [0.999, -0.5, -1e-6], [40, 30, -0.01]])
-def test_a_source_a_hair_in_front_or_far_aside(make_scene, dtype, position):
+def test_a_source_just_before_the_lens_or_far_off_the_axis(make_scene, dtype, position):
     scene = make_scene({"source": POINT | {"position": position}})
     heights = smooth(scene).requires_grad_()
     for fused in (False, True):

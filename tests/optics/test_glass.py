@@ -24,7 +24,7 @@ def forward(glass_index, distance, enters, depth):
     depth=st.floats(0.0, 10.0),
     enters=st.floats(0.0, 10.0),
 )
-def test_the_way_back_is_the_way_there(dtype, distance, index, depth, enters):
+def test_the_inverse_map_agrees_with_the_forward_map(dtype, distance, index, depth, enters):
     radius = forward(index, distance, enters, depth)
     radius2 = torch.tensor([radius**2], dtype=dtype)
     light = Glass(distance, index, False).light(radius2, torch.tensor([depth], dtype=dtype))

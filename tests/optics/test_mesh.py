@@ -171,7 +171,7 @@ def test_a_ray_is_lost_just_beyond_the_rim_alone(rng):
         assert torch.isfinite(met.depth).all()
 
 
-def test_rays_out_of_the_side_are_told():
+def test_rays_through_the_side_meet_nothing_but_have_a_depth():
     # They leave at half the height of a plate 1/2 high, on each of its sides.
     x, y = np.array([0.9375, -0.9375, 0, 0]), np.array([0, 0, 0.6875, -0.6875])
     slope_x, slope_y = np.array([0.25, -0.25, 0, 0]), np.array([0, 0, 0.25, -0.25])

@@ -236,7 +236,7 @@ class TestHardCases:
 
     @pytest.mark.parametrize("dtype", DTYPES)
     @pytest.mark.parametrize("position", [[0, 0, -1e-6], [0.999, -0.5, -1e-6], [40, 30, -0.01]])
-    def test_a_source_a_hair_in_front_or_far_aside(self, make_scene, dtype, position):
+    def test_a_source_just_before_the_lens_or_far_off_the_axis(self, make_scene, dtype, position):
         scene = make_scene({"source": POINT | {"position": position}})
         account = self.gradient_of(Plan(scene, dtype=dtype), smooth(scene))
         assert account.lost["missed_lens"] + account.lost["fresnel_entrance"] > 0.1

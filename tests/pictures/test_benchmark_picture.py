@@ -110,7 +110,7 @@ def test_the_page_shows_each_experiment(designs, derivative, tmp_path):
 
 
 @pytest.mark.parametrize("kept", ["designs", "derivative"])
-def test_the_page_does_with_what_is_there(kept, designs, derivative, tmp_path):
+def test_the_page_is_drawn_from_some_of_the_experiments(kept, designs, derivative, tmp_path):
     rows = [*designs] if kept == "designs" else [derivative]
     page(rows).savefig(tmp_path / "page.png", dpi=30)
     with Image.open(tmp_path / "page.png") as picture:

@@ -96,7 +96,7 @@ def test_a_coarse_net_is_shown_whole_with_its_lines(net, plotter):
     assert shown(net._points) == 0 and not net._threads.visibility
 
 
-def test_of_a_fine_net_what_is_near_the_brush(fine, plotter):
+def test_a_fine_net_is_shown_near_the_brush_alone(fine, plotter):
     assert shown(fine._points) == 0
     plotter.camera.zoom(20)
     fine.update(np.full((192, 192), 0.5))

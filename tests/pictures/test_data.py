@@ -30,7 +30,7 @@ def test_an_image_is_places_and_values_along_the_rows(scene, figure, rng):
     np.testing.assert_array_equal(values.values, image.ravel())
 
 
-def test_of_an_image_what_is_seen(scene, figure, rng):
+def test_an_image_is_copied_as_it_is_shown(scene, figure, rng):
     axes, image = figure.subplots(), rng.random((4, 8))
     IrradianceImage(axes, scene, np.ones((4, 8))).update(image)
     axes.set_xlim(0, 1)
@@ -57,7 +57,7 @@ def test_curves_of_the_same_places_share_them(scene, figure, rng):
     np.testing.assert_array_equal(columns[2].values, image[1])
 
 
-def test_runs_of_any_length_and_no_ornaments(figure):
+def test_runs_of_any_length_are_copied_without_decoration(figure):
     picture = LossPicture(figure.subplots())
     picture.compare([Course("other, coarse", np.array([5.0, 4.0, 3.0]), np.ones(3))])
     picture.update(np.array([2.0, 1.0]), 5, stage_starts=(1,))
@@ -69,6 +69,6 @@ def test_runs_of_any_length_and_no_ornaments(figure):
     np.testing.assert_array_equal(columns[3].values, [5, 4, 3])
 
 
-def test_curves_without_points_are_nothing(figure):
+def test_curves_without_points_are_left_out(figure):
     LossPicture(figure.subplots())
     assert shown_data(figure) == []

@@ -48,7 +48,7 @@ def test_scale_is_symmetric_and_no_wider_than_the_map(scene, axes):
     assert picture.artists[0].get_clim() == (-3.7, 3.7)
 
 
-def test_units_are_told(scene, axes):
+def test_units_are_labelled(scene, axes):
     DerivativeImage(axes, scene)
     (bar,) = axes.child_axes
     assert bar.get_ylabel() == "flux / cm² per cm"

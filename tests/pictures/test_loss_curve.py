@@ -73,7 +73,7 @@ def test_an_even_y_axis_begins_at_nothing(axes):
     assert axes.get_ylim() == (0, 5)
 
 
-def test_other_runs_are_told_apart_without_colour_and_fit_in(axes):
+def test_other_runs_differ_by_dashes_and_fit_in_the_limits(axes):
     picture = LossPicture(axes)
     one = Course("coarse net", np.array([9.0, 4.0, 0.3]), np.array([1.0, 2.0, 3.0]))
     picture.compare([one, one._replace(name="fine net")])

@@ -12,7 +12,7 @@ from workbench.pictures.tolerances import draw_errors, write_errors
 ERRORS = [0.3, 0.1, 0.2, 0.4]
 
 
-def test_each_lens_is_a_step():
+def test_the_distribution_has_a_step_for_each_lens():
     axes = Figure().subplots()
     draw_errors(axes, 0.05, ERRORS)
     curve, nominal, middle, most = axes.get_lines()
@@ -24,7 +24,7 @@ def test_each_lens_is_a_step():
     assert most.get_label() == "95 %: 38.50 %"
 
 
-def test_a_file():
+def test_a_file_is_written():
     file = io.BytesIO()
     write_errors(file, 0.05, ERRORS)
     assert Image.open(file).size == (900, 600)

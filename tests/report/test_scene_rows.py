@@ -37,7 +37,7 @@ def leaves(data, path=""):
         {"run": {"method": "paper", "learning_rate": 0.01}},
     ],
 )
-def test_none_is_left_out(make_scene, changes):
+def test_every_field_of_the_scene_has_a_row(make_scene, changes):
     scene = make_scene(changes)
     wanted = set(leaves(scene.to_data())) - {"format", "version", "run.stages"}
     assert wanted == set(rows(scene))

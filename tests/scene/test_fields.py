@@ -52,7 +52,7 @@ def test_the_schema_says_what_the_fields_say(part):
             assert said["unit"] == words
 
 
-def test_a_field_tells_its_limits():
+def test_a_field_states_its_limits():
     limits = {field.name: field.limits for field in (*Lens.fields(), *Stage.fields())}
     assert limits["degree"] == "From 1 to 7."
     assert limits["iterations"] == "From 1 to 1000000."
@@ -90,7 +90,7 @@ def test_a_measure_is_a_power_of_the_unit(power, sign):
 GRID = {"kind": "grid", "center": [0, 1, -3], "half_width": [0.3, 0.2], "points": [2, 3]}
 
 
-def test_another_kind_keeps_what_a_person_has_chosen(make_scene):
+def test_another_kind_keeps_the_fields_that_both_kinds_have(make_scene):
     scene = make_scene({"source": GRID | {"emission": "lambertian", "rays": 7}})
     kinds = next(field for field in Scene.fields() if field.name == "source").mark(Kinds)
     point = kinds.exchanged(scene.source, PointSource, scene)

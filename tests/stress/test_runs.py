@@ -29,7 +29,7 @@ def test_named_runs(wish, case, monkeypatch):
     assert not check_run(case, wish, monkeypatch)
 
 
-def test_a_run_without_any_light_says_why(monkeypatch):
+def test_a_run_without_any_light_fails_with_its_reason(monkeypatch):
     dark = plain(
         {"screen.half_width": [1e-9, 1e-9], "source": POINT, "lens.height_range": [-1e-9, 1e-9]}
     )

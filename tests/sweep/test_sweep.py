@@ -80,12 +80,12 @@ class TestPoints:
         ]
         assert found[3].name == "hat run.seed=1 screen.z=6"
 
-    def test_one_that_is_not_possible_is_kept_and_told(self, scene_file):
+    def test_an_impossible_point_is_kept_with_its_refusal(self, scene_file):
         bad, good = points([scene_file], [Variation("lens.control_points", (3, 12))])
         assert str(bad.scene).startswith("lens.control_points[0]: 3 is too few")
         assert good.scene.lens.control_points == (12, 12)
 
-    def test_none_that_is_possible(self, scene_file):
+    def test_a_sweep_without_a_possible_point_is_refused(self, scene_file):
         with pytest.raises(Refused, match=r"^run\.sed: unknown field"):
             points([scene_file], [Variation("run.sed", (1, 2))])
 
@@ -213,10 +213,10 @@ class TestWorkers:
         scene = make_scene({"run": {"method": "paper", "iterations": 1}})
         return Task(scene, np.ones((32, 32)), RAYS)
 
-    def test_whatever_goes_wrong_is_told(self, task):
+    def test_every_failure_is_reported(self, task):
         assert attempt(task._replace(target=np.zeros((3, 3)))).reason.startswith("unexpected ")
 
-    def test_processes_do_the_same_and_outlive_a_point_that_kills(self, task):
+    def test_processes_give_the_same_and_survive_a_killed_point(self, task):
         impossible = task._replace(target=np.zeros((3, 3)))
         with Processes(1, 1) as workers:
             workers._idle.append(workers._start())
@@ -230,7 +230,7 @@ class TestWorkers:
         assert np.array_equal(found[2].result.control_points, here.result.control_points)
         assert found[3].reason.startswith("unexpected ")
 
-    def test_a_process_that_was_killed_idle_is_told(self, task):
+    def test_a_process_that_was_killed_while_idle_is_reported(self, task):
         with Processes(1, 1) as workers:
             workers._idle.append(workers._start())
             (process,) = workers._all.values()
@@ -239,7 +239,7 @@ class TestWorkers:
             found = dict(workers.work(iter([(1, task._replace(target=np.ones((500, 500))))])))
         assert found == {1: Failed("its process ended with exit status -9")}
 
-    def test_a_cluster_does_the_same(self, task):
+    def test_a_cluster_gives_the_same(self, task):
         distributed = pytest.importorskip("distributed")
         with (
             distributed.LocalCluster(
@@ -254,7 +254,7 @@ class TestWorkers:
         assert found[2].reason.startswith("unexpected ")
         assert sorted(found) == [1, 2, 3, 4]
 
-    def test_a_cluster_that_is_of_no_use(self, monkeypatch):
+    def test_a_cluster_without_workers_or_of_another_version_is_refused(self, monkeypatch):
         distributed = pytest.importorskip("distributed")
         monkeypatch.setattr("workbench.sweep.cluster._SECONDS", 0.2)
         with distributed.LocalCluster(
@@ -269,7 +269,7 @@ class TestWorkers:
             with pytest.raises(Refused, match=r"dask: its workers have 1\.2; 99 is needed"):
                 Cluster(local.scheduler_address)
 
-    def test_a_cluster_that_is_not_there(self, monkeypatch):
+    def test_a_cluster_that_does_not_answer_is_refused(self, monkeypatch):
         pytest.importorskip("distributed")
         monkeypatch.setattr("workbench.sweep.cluster._SECONDS", 0.2)
         with pytest.raises(Refused, match=r"dask: 'tcp://127.0.0.1:9' cannot be reached"):

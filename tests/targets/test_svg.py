@@ -92,7 +92,7 @@ def test_files_that_it_links_to_are_not_drawn(save, tmp_path):
         ("", 'viewBox="0 0 x 1"', "cannot be drawn"),
     ],
 )
-def test_what_cannot_be_drawn_is_refused_and_ends_nothing(save, inside, outline, said):
+def test_a_drawing_that_cannot_be_rendered_is_refused_without_a_crash(save, inside, outline, said):
     path = save(inside, outline)
     with pytest.raises(Refused) as caught:
         read_image(path)

@@ -38,7 +38,7 @@ def test_a_descent_is_loss_and_gradient(make_example):
     np.testing.assert_allclose(gradient, leaf.grad.numpy(), atol=1e-15)
 
 
-def test_the_lens_moves_from_call_to_call_and_comes_back(make_example):
+def test_each_second_call_traces_the_same_lens(make_example):
     example = make_example()
     descent = Descent(example, wavy(example.scene), torch.float64)
     first, second, third = (descent()[1] for _ in range(3))
@@ -46,7 +46,7 @@ def test_the_lens_moves_from_call_to_call_and_comes_back(make_example):
     assert third == pytest.approx(first, rel=1e-12)
 
 
-def test_threads_are_as_before_in_the_end(make_example):
+def test_the_number_of_threads_is_restored(make_example):
     example = make_example()
     usual = torch.get_num_threads()
     one, *_ = Descent(example, wavy(example.scene), threads=1)()
@@ -100,7 +100,7 @@ def test_float32_is_near_float64_but_not_it(make_example, source):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("question", skips.SKIPS)
-def test_nothing_changes_by_a_skip(question):
+def test_a_skip_leaves_the_image_unchanged(question):
     for variant in skips.SKIPS[question]():
         # The rays of a point far away are others: their scatter stays.
         limit = 0.2 if "intersection" in question else 1e-3
@@ -108,7 +108,7 @@ def test_nothing_changes_by_a_skip(question):
 
 
 @pytest.mark.slow
-def test_every_question_has_an_answer(monkeypatch, told):
+def test_every_comparison_gives_rows(monkeypatch, told):
     for module in (kernels, skips):
         monkeypatch.setattr(module, "_SECONDS", 0.01)
     for rows in (list(kernels.measurements(None, told)), list(skips.measurements(None, told))):

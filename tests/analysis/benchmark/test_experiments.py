@@ -18,7 +18,7 @@ from workbench.analysis.validation import validate
 RAYS = 10_000
 
 
-def test_all_benchmarks_are_told_of():
+def test_every_listed_benchmark_is_in_the_suite():
     assert list(SUITE) == list(BENCHMARKS)
     assert DEFAULT in BENCHMARKS
 

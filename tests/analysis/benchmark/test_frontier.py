@@ -54,7 +54,7 @@ def test_errors_are_those_of_the_independent_check(scripted, told):
     assert told.lines[-1] == ("small, one", "verifying 4 of 4")
 
 
-def test_how_many_times_sooner(scripted, told):
+def test_speed_up_counts_from_the_slowest_method(scripted, told):
     slow = [(1.0, 0.02), (8.0, 0.0)]
     fast = [(0.5, 0.02), (1.0, 0.0), (2.0, 0.001)]
     never = [(0.5, 0.02)]
@@ -75,7 +75,7 @@ def test_every_method_runs_and_gets_better(effort, told):
         assert course.times[-1] == course.seconds
 
 
-def test_a_failure_is_told_and_the_rest_goes_on(scripted, told, monkeypatch):
+def test_a_failed_method_is_reported_and_the_others_run(scripted, told, monkeypatch):
     effort, _ = scripted({"fine": [(1.0, 0.0)]})
 
     def dark(example, iterations):
@@ -108,7 +108,7 @@ def test_time_to_an_error():
 
 
 @pytest.mark.parametrize("make", [frontier.quick, frontier.frontier])
-def test_efforts(make):
+def test_an_effort_limits_iterations_and_has_scenes(make):
     assert make(7).iterations == 7
     scenes = [example.name for example in make(None).examples]
     assert len(set(scenes)) == len(scenes) >= 2

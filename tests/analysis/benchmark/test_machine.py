@@ -8,7 +8,7 @@ import torch
 from workbench.analysis.benchmark.machine import Machine, PeakMemory
 
 
-def test_says_what_it_is():
+def test_the_machine_is_described_in_json_and_text():
     machine = Machine.here()
     data = machine.to_data()
     assert json.loads(json.dumps(data)) == data
@@ -22,7 +22,7 @@ def test_says_what_it_is():
 
 
 @pytest.mark.skipif(not os.path.exists("/proc/self/clear_refs"), reason="needs Linux")
-def test_peak_memory_forgets_what_was_before():
+def test_peak_memory_counts_from_its_last_reset():
     large = np.ones(40_000_000)  # 320 MB
     del large
     peak = PeakMemory()

@@ -26,7 +26,7 @@ def clock(monkeypatch):
     return clock
 
 
-def test_calls_take_turns():
+def test_calls_are_interleaved():
     order = []
     times = in_turns({name: lambda n=name: order.append(n) for name in "ab"}, rounds=4)
     assert order == ["a", "b"] * 5  # once to warm up

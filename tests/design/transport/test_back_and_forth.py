@@ -35,7 +35,7 @@ def test_a_square_shrinks_evenly():
 
 
 @pytest.mark.parametrize("target", ["pixel", "checkerboard", "line"])
-def test_extreme_wishes_get_finite_maps_into_the_light(target):
+def test_extreme_targets_get_finite_maps_into_the_light(target):
     wish = np.zeros((32, 32))
     if target == "pixel":
         wish[20, 9] = 1

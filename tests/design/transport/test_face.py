@@ -20,7 +20,7 @@ def test_a_face_comes_back_from_its_slopes(rng, shape, degree):
     assert np.ptp(found - heights) < 1e-6
 
 
-def test_a_whirl_has_no_face():
+def test_rotational_slopes_are_fitted_by_least_squares():
     net = ControlNet((12, 12), (3, 3), (1.0, 1.0))
     places = (np.arange(48) + 0.5) / 48
     x = 2 * places - 1

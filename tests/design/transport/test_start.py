@@ -39,7 +39,7 @@ def corner():
     ],
     ids=["flat", "convex"],
 )
-def test_the_light_is_near_its_place_at_once(make_scene, corner, source, base):
+def test_the_first_lens_sends_light_near_its_target(make_scene, corner, source, base):
     scene = make_scene(
         {
             "source": SOURCES[source],
@@ -82,7 +82,7 @@ def test_a_stretched_task_is_solved_as_well(make_scene, corner):
     assert validate(scene, corner, transport_start(scene, corner), 200_000).relative_l2 < 0.35
 
 
-def test_a_base_that_reflects_all_light_totally_is_left_for_a_plate(make_scene, corner):
+def test_a_base_with_total_reflection_is_replaced_by_a_plate(make_scene, corner):
     # At an index of 3 no light leaves a face steeper than 19.5°: here that is all but the middle,
     # where none arrives from a point so far aside.
     scene = make_scene(

@@ -69,6 +69,6 @@ def test_exact_for_degrees_2_and_3(make_design, write, degree):
     assert deviation.size < 1e-14
 
 
-def test_beyond_degree_3_the_error_is_told(make_design, write):
+def test_beyond_degree_3_the_error_is_reported(make_design, write):
     _, deviation = write(write_grid_sag, make_design({"lens.degree": [5, 7]}), "lens.dat")
     assert 1e-14 < deviation.size < 1e-4

@@ -47,7 +47,7 @@ class TestEveryFormat:
 
 
 @pytest.mark.parametrize("ending", [".stl", ".obj", ".ply"])
-def test_numbers_are_in_the_unit_that_the_head_tells(make_design, write, ending):
+def test_numbers_are_in_the_unit_that_the_header_states(make_design, write, ending):
     path, _ = write(WRITERS[ending], make_design({"unit": "inch"}, chord_error=0.01), f"a{ending}")
     assert b"freeform lens, unit inch" in path.read_bytes()[:200]
     assert load(path).extents[0] == pytest.approx(2.0, rel=1e-6)

@@ -83,13 +83,13 @@ def refit(design, target, write, shape):
     check(design, target, RectBivariateSpline(x, y, sag + thickness), shape)
 
 
-def test_files_that_others_fit(design, write):
+def test_splines_fitted_to_the_files_give_the_same_image(design, write):
     refit(*design, write, shape=(71, 65))  # knots elsewhere
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["flame", "photo", "flame-point"])
-def test_lenses_of_the_examples(name, write):
+def test_splines_fitted_to_files_of_the_examples_give_the_same_image(name, write):
     session = open_design(EXAMPLES / f"{name}.json")
     history = History()
     for snapshot in run(session.scene, session.target):

@@ -25,7 +25,7 @@ def farthest(design, face, rng):
 class TestChordError:
     @pytest.mark.parametrize("degree", [(1, 1), (1, 3), (3, 3), (2, 5)])
     @pytest.mark.parametrize("chord_error", [1e-2, 1e-3])
-    def test_kept_and_measured(self, make_design, rng, degree, chord_error):
+    def test_the_chord_error_is_kept_and_measured(self, make_design, rng, degree, chord_error):
         design = make_design({"lens.degree": list(degree)}, chord_error=chord_error)
         face = Tessellation.of(design)
         measured = face.chord_error(design)
@@ -65,7 +65,7 @@ class TestRefused:
         with pytest.raises(Refused, match=r"takes \d+ triangles, .*; about .* is possible"):
             Tessellation.of(make_design(chord_error=1e-9))
 
-    def test_what_is_said_to_be_possible_is(self, make_design):
+    def test_the_chord_error_that_a_refusal_suggests_is_possible(self, make_design):
         heights = make_design().heights
         with pytest.raises(Refused) as caught:
             Tessellation.of(make_design(heights=heights, chord_error=1e-7))

@@ -36,7 +36,7 @@ def test_a_plan_takes_the_kernel_and_gives_what_the_reference_gives(make_scene):
     assert Plan(scene, fused=False).notes[0].startswith("reference in torch on cpu, float32")
 
 
-def test_what_only_shows_a_lens_does_not_wait_for_a_kernel(make_scene, nothing_compiled):
+def test_a_preview_does_not_wait_for_a_kernel(make_scene, nothing_compiled):
     scene = make_scene()
     plan = Plan(scene)
     with ready.without_waiting():
@@ -60,7 +60,7 @@ def test_a_trace_waits_for_a_kernel_that_another_thread_compiles(make_scene, not
     assert notes[0].startswith("fused kernels")
 
 
-def test_who_waits_for_a_kernel_gets_it_before_the_rest_is_compiled(monkeypatch, nothing_compiled):
+def test_a_kernel_that_is_needed_is_compiled_before_the_rest(monkeypatch, nothing_compiled):
     order, first, goes_on = [], threading.Event(), threading.Event()
 
     def compiler(name):
@@ -92,7 +92,7 @@ def test_a_program_alone_compiles_what_it_needs_at_once(make_scene, nothing_comp
     assert ("collimated", torch.float64) in ready._ready
 
 
-def test_compiling_ahead_can_be_broken_off(nothing_compiled):
+def test_compiling_ahead_can_be_interrupted(nothing_compiled):
     ready.compile_all(lambda: False)
     assert not ready._ready
     answers = iter([True, False])
@@ -149,7 +149,7 @@ def test_a_run_on_kernels_never_makes_the_reference(make_scene, monkeypatch, sou
         plan.trace(lens(scene))
 
 
-def test_kernels_held_back_come_back(make_scene):
+def test_kernels_are_used_again_after_they_were_held_back(make_scene):
     plan = Plan(make_scene())
     with ready.held_back():
         assert not any("fused" in note for note in plan.notes)

@@ -168,7 +168,7 @@ def test_one_thread_gives_what_two_give(make_scene, rng):
     assert (gradients[0] - gradients[1]).norm() < 1e-12 * gradients[0].norm()
 
 
-def test_the_way_back_belongs_to_its_own_lens(make_scene, rng):
+def test_the_gradient_belongs_to_the_lens_of_its_own_trace(make_scene, rng):
     """Another trace, of another lens, between a trace and its way back changes nothing."""
     scene = make_scene({"source": POINT, "filter": SMOOTH})
     _, fused = twins(scene)
@@ -185,7 +185,7 @@ def test_the_way_back_belongs_to_its_own_lens(make_scene, rng):
 
 
 @pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf])
-def test_a_lens_of_no_shape_does_no_harm(make_scene, value):
+def test_heights_that_are_no_numbers_do_no_harm(make_scene, value):
     """Heights that are no numbers give a dark or senseless image, but neither crash nor hang."""
     scene = make_scene({"source": POINT})
     _, fused = twins(scene)

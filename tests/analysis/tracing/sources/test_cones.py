@@ -22,7 +22,7 @@ def test_on_the_axis_the_rim_goes_through_the_corners(half_width, distance):
 
 @pytest.mark.parametrize("half_width", [(1.0, 1.0), (1.0, 0.01), (0.3, 4.0)])
 @pytest.mark.parametrize("distance", [1e-2, 1.0, 1e2, 1e6, 1e12])
-def test_they_are_those_of_the_optimiser(half_width, distance, rng):
+def test_cones_equal_those_of_the_optimiser(half_width, distance, rng):
     aside = rng.uniform(-2, 2, (50, 2)) * max(1.0, distance)
     points = np.column_stack([aside, np.full(50, 0.5 - distance)])
     cones, caps = covering_cones(points, half_width, 0.5), covering_caps(points, half_width, 0.5)
