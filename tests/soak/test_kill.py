@@ -27,7 +27,7 @@ _SLACK = 10.0  # while all cores are busy
 _LIFE = (1.0, 40.0)  # seconds from start to kill
 
 
-def test_each_start_after_a_kill_has_the_work(tmp_path, kernels, capsys):
+def test_work_is_recovered_at_each_start_after_a_kill(tmp_path, kernels, capsys):
     rng = Random(_SEED)
     account, ages, works = tmp_path / "kept.log", [], 0
     account.touch()

@@ -19,7 +19,7 @@ _SECONDS = float(os.environ.get("MONKEY_SECONDS", "120"))
 _SEED = os.environ.get("MONKEY_SEED", "0")
 
 
-def test_a_monkey_finds_no_fault(tmp_path, kernels, capsys):
+def test_random_input_causes_no_problem(tmp_path, kernels, capsys):
     (tmp_path / "screen").mkdir()
     with virtual_screen(tmp_path / "screen") as screen:
         play = [sys.executable, "-X", "faulthandler", "-m", "tests.soak.monkey", tmp_path]

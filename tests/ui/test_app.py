@@ -25,7 +25,7 @@ def run(*arguments, **environment):
     )
 
 
-def test_the_version_is_told(capsys):
+def test_the_version_is_printed(capsys):
     with pytest.raises(SystemExit) as left:
         app.main(["--version"])
     assert left.value.code == 0

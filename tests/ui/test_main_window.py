@@ -93,7 +93,7 @@ def wait_for_idle(window, qtbot):
     qtbot.waitUntil(lambda: window.loaded.control.runner.state == "idle", timeout=60_000)
 
 
-def test_the_title_tells_name_and_changes(window, tmp_path):
+def test_the_title_shows_name_and_changes(window, tmp_path):
     assert window.windowTitle() == "small[*] - Freeform Lens Workbench"
     assert not window.isWindowModified()
     edit(window, 7)
@@ -157,7 +157,7 @@ def test_a_name_without_the_ending_is_not_written(window, tmp_path, monkeypatch)
     assert path.read_text() == "precious"
 
 
-def test_saving_where_nothing_can_be_written_is_said(window, tmp_path, monkeypatch):
+def test_a_save_that_fails_is_reported(window, tmp_path, monkeypatch):
     monkeypatch.setattr(window.files, "ask_for_name", lambda: tmp_path / "no" / "a.freeform")
     window.commands["save"].trigger()
     assert str(tmp_path / "no") in window.messages.text
@@ -227,7 +227,7 @@ def test_opening_asks_before_changes_are_lost(window, answers):
     assert window.document.name == "flame"
 
 
-def test_a_refused_file_is_said_and_changes_nothing(window, tmp_path):
+def test_a_refused_file_is_reported_and_changes_nothing(window, tmp_path):
     bad = tmp_path / "bad.freeform"
     bad.write_bytes(b"PK but no zip")
     session = window.document.session
@@ -251,7 +251,7 @@ def test_a_large_file_that_is_no_design_is_refused_without_being_read(
     assert "film.mp4: is no scene" in window.messages.text
 
 
-def test_recent_files_are_kept_and_struck_off_when_gone(window, tmp_path, settings):
+def test_recent_files_are_kept_and_removed_when_missing(window, tmp_path, settings):
     paths = [tmp_path / f"{number}.freeform" for number in range(12)]
     for path in paths:
         window.document.save(path)
@@ -381,14 +381,14 @@ def test_pause_and_stop(built, qtbot):
     assert built.document.session.result.iterations < 100_000
 
 
-def test_a_refused_field_holds_the_start(built):
+def test_a_refused_field_prevents_the_start(built):
     edit(built, "far")
     built.commands["start"].trigger()
     assert built.loaded.control.runner.state == "idle"
     assert built.messages.text.startswith("Screen at z: 'far' is not a number")
 
 
-def test_a_run_that_cannot_begin_is_said(built, qtbot, monkeypatch):
+def test_a_run_that_cannot_begin_is_reported(built, qtbot, monkeypatch):
     scene = built.document.session.scene
     run = scene.run.model_copy(update={"device": "cuda"})
     monkeypatch.setattr("torch.cuda.is_available", lambda: False)
@@ -414,7 +414,7 @@ def test_closing_during_a_run_stops_it(built, qtbot, answers, answer, saved, tmp
         assert read_session(path).result is not None
 
 
-def test_a_cancelled_close_lets_the_run_go_on(built, qtbot, answers):
+def test_a_cancelled_close_leaves_the_run_running(built, qtbot, answers):
     built.document.edit(small_session(100_000).scene, "many iterations", "run.iterations")
     built.commands["start"].trigger()
     answers.append(CANCEL)

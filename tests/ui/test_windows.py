@@ -86,7 +86,7 @@ def test_closing_one_leaves_the_others(windows, two, qtbot):
     assert open_windows(windows) == [first] and first.isVisible()
 
 
-def test_quit_asks_for_each(windows, two, asked):
+def test_quit_asks_for_each_window(windows, two, asked):
     first, second = two
     questions, answers = asked
     for window in two:
@@ -119,7 +119,7 @@ def test_quit_waits_for_a_run_whose_lens_shall_be_saved(
 
 
 @pytest.mark.usefixtures("kernels")
-def test_quit_is_over_when_a_lens_cannot_be_saved(windows, two, asked, monkeypatch, qtbot):
+def test_quit_is_cancelled_when_a_lens_cannot_be_saved(windows, two, asked, monkeypatch, qtbot):
     first, second = two
     _, answers = asked
     monkeypatch.setattr(first.files, "ask_for_name", lambda: None)
@@ -134,7 +134,7 @@ def test_quit_is_over_when_a_lens_cannot_be_saved(windows, two, asked, monkeypat
     assert open_windows(windows) == [second]
 
 
-def test_a_file_that_is_open_is_shown_where_it_is(windows, two, asked, tmp_path, qtbot):
+def test_opening_an_open_file_raises_its_window(windows, two, asked, tmp_path, qtbot):
     first, second = two
     _, answers = asked
     path = tmp_path / "mine.freeform"
@@ -147,7 +147,7 @@ def test_a_file_that_is_open_is_shown_where_it_is(windows, two, asked, tmp_path,
     assert first.files.open(path) and not first.document.dirty  # the window's own, anew
 
 
-def test_a_file_that_another_window_has_is_not_written_over(windows, two, tmp_path, monkeypatch):
+def test_a_file_open_in_another_window_is_not_overwritten(windows, two, tmp_path, monkeypatch):
     first, second = two
     path = tmp_path / "mine.freeform"
     first.document.save(path)
@@ -239,7 +239,7 @@ def test_a_given_file_is_opened_in_the_first_window(windows, session, tmp_path):
     assert "does not exist" in window.messages.text
 
 
-def test_trouble_is_told_where_a_person_works_and_can_be_copied(windows, two, qtbot):
+def test_an_error_is_shown_in_the_active_window_and_can_be_copied(windows, two, qtbot):
     first, second = two
     windows.tell_trouble("Something odd.", "all about it\n  line 3")
     assert second.messages.text == "Something odd." and not first.messages.isVisible()

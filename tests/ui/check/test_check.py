@@ -65,7 +65,7 @@ def test_the_figures_stand_beside_the_loss(window, few_rays, qtbot):
     assert f"{100 * found.efficiency:.1f} % on the screen" in log
 
 
-def test_an_error_that_hides_in_the_rays_has_a_bound():
+def test_an_error_below_the_scatter_of_the_rays_is_shown_as_a_bound():
     found = SimpleNamespace(
         relative_l2_corrected=0.004, relative_l2_corrected_interval=(0.0, 0.0123)
     )
@@ -74,7 +74,7 @@ def test_an_error_that_hides_in_the_rays_has_a_bound():
     assert verified_error(found) == "0.40 %"
 
 
-def test_they_are_forgotten_with_the_lens(window, few_rays, qtbot):
+def test_figures_go_when_the_lens_changes(window, few_rays, qtbot):
     window.commands["check"].trigger()
     qtbot.waitUntil(lambda: figures(window).startswith("checked"), timeout=60_000)
     scene, stack = window.document.session.scene, window.document.undo_stack
@@ -88,7 +88,7 @@ def test_they_are_forgotten_with_the_lens(window, few_rays, qtbot):
     assert stack.count() == 2
 
 
-def test_a_check_of_a_lens_that_changes_meanwhile_says_nothing(window, gate, qtbot):
+def test_a_check_shows_nothing_if_the_lens_changed_meanwhile(window, gate, qtbot):
     window.commands["check"].trigger()
     qtbot.waitUntil(lambda: len(gate.begun) == 1)
     move_screen(window.document, 7)
@@ -101,7 +101,7 @@ def test_a_check_of_a_lens_that_changes_meanwhile_says_nothing(window, gate, qtb
     assert window.log.toPlainText().count("Check with") == 1
 
 
-def test_how_far_it_is_is_told(window, gate, qtbot):
+def test_the_progress_of_a_check_is_shown(window, gate, qtbot):
     window.commands["check"].trigger()
     gate.release(1)
     qtbot.waitUntil(lambda: figures(window) == "checking… 25 %")
@@ -111,7 +111,7 @@ def test_how_far_it_is_is_told(window, gate, qtbot):
     qtbot.waitUntil(lambda: figures(window).startswith("checked"))
 
 
-def test_a_second_order_cancels_it(window, gate, qtbot):
+def test_the_command_again_cancels_the_check(window, gate, qtbot):
     check = window.commands["check"]
     check.trigger()
     assert check.text() == "Cancel &check"
@@ -129,7 +129,7 @@ def test_a_second_order_cancels_it(window, gate, qtbot):
     assert len(gate.begun) == 2 and len(gate.left) == 1
 
 
-def test_escape_cancels_it_once_no_tool_needs_the_key(window, gate, qtbot):
+def test_escape_cancels_the_check_where_no_tool_needs_the_key(window, gate, qtbot):
     scene = window.loaded.views.scene
     qtbot.waitUntil(lambda: scene._plotter is not None, timeout=30_000)
     window.commands["lock"].trigger()
@@ -144,7 +144,7 @@ def test_escape_cancels_it_once_no_tool_needs_the_key(window, gate, qtbot):
     assert len(gate.left) == 1
 
 
-def test_one_cancelled_and_begun_again_at_once(window, gate, qtbot):
+def test_a_cancelled_check_can_be_started_again_at_once(window, gate, qtbot):
     for _ in range(3):
         window.commands["check"].trigger()
     assert figures(window).startswith("checking…")
@@ -162,7 +162,7 @@ def test_a_lens_that_is_checked_is_not_checked_again(window, gate, qtbot):
     assert len(gate.begun) == 1
 
 
-def test_why_there_are_no_figures_is_said(window, monkeypatch, qtbot):
+def test_a_check_that_fails_shows_the_reason(window, monkeypatch, qtbot):
     def dark(*lens, threads):
         raise RunFailed("no light of this lens reaches the screen")
 
@@ -175,7 +175,7 @@ def test_why_there_are_no_figures_is_said(window, monkeypatch, qtbot):
     qtbot.waitUntil(lambda: "ZeroDivisionError" in window.messages.text, timeout=60_000)
 
 
-def test_closing_in_the_midst_of_a_check(window, gate, qtbot):
+def test_closing_the_window_ends_a_check(window, gate, qtbot):
     check = window.loaded.check
     window.commands["check"].trigger()
     qtbot.waitUntil(lambda: len(gate.begun) == 1)
@@ -188,7 +188,7 @@ def test_closing_in_the_midst_of_a_check(window, gate, qtbot):
     assert gate.left == gate.begun
 
 
-def test_no_check_while_a_run_goes_on(window, as_run, qtbot):
+def test_no_check_can_be_started_during_a_run(window, as_run, qtbot):
     window.loaded.control.runner._generate = as_run(100_000, pause=0.01)
     window.commands["start"].trigger()
     assert not window.commands["check"].isEnabled()

@@ -41,7 +41,7 @@ def rows(figures):
     return dict(line.split("\t") for line in figures.text.splitlines())
 
 
-def test_all_figures_are_told_and_each_is_explained(figures, designed, found):
+def test_all_figures_are_listed_and_explained(figures, designed, found):
     figures.show_check(Suspect(designed, designed.result.control_points), found, 0.0321)
     assert rows(figures) == named((*check_rows(found, 0.0321), *account_rows(found.account)))
     told = rows(figures)
@@ -54,7 +54,7 @@ def test_all_figures_are_told_and_each_is_explained(figures, designed, found):
     assert all(table.item(row, 1).toolTip() == tip for row, tip in enumerate(tips))
 
 
-def test_they_are_copied_with_tabs(figures, designed, found, qtbot):
+def test_figures_are_copied_separated_by_tabs(figures, designed, found, qtbot):
     assert not figures._copy.isEnabled()
     figures.show_check(Suspect(designed, designed.result.control_points), found, 0.0)
     clipboard = QGuiApplication.clipboard()
@@ -69,7 +69,7 @@ def test_they_are_copied_with_tabs(figures, designed, found, qtbot):
     assert clipboard.text() == figures.text
 
 
-def test_figures_of_the_lens_before_are_told_from_those_of_this(figures, designed, found):
+def test_figures_of_an_earlier_lens_are_marked(figures, designed, found):
     assert "F8" in figures._hint.text() and "before" not in figures._hint.text()
     figures.follow("checking… 5 %")
     assert figures._hint.text() == "Checking… 5 %"

@@ -26,7 +26,7 @@ def test_a_run_can_begin_only_when_there_is_none():
 
 
 @pytest.mark.parametrize("state", ["running", "paused", "stopping"])
-def test_nothing_takes_the_design_away_from_a_run(state):
+def test_commands_that_replace_the_design_are_disabled_during_a_run(state):
     changing = {"open", "gallery", "revert", "undo", "redo", "restore_run", "lock_all"}
     assert not changing & allowed(state=state)
     reasons = situation(state=state).reasons()
@@ -38,7 +38,7 @@ def test_a_run_can_be_saved(state):
     assert {"save", "save_as"} <= COMMANDS.keys() - situation(state=state).allows().keys()
 
 
-def test_a_run_that_ends_already_cannot_be_held():
+def test_a_run_that_is_stopping_cannot_be_paused():
     assert {"pause", "stop"} <= allowed(state="paused")
     assert not {"pause", "stop"} & allowed(state="stopping")
 
@@ -60,6 +60,6 @@ def test_export_and_report_take_any_lens_and_say_which():
         assert "no lens yet" in situation(has_lens=False, lens="").reasons()[command]
 
 
-def test_only_what_differs_from_its_file_goes_back_to_it():
+def test_revert_needs_unsaved_changes():
     assert "revert" in allowed()
     assert "revert" not in allowed(can_revert=False)

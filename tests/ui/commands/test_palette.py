@@ -22,7 +22,7 @@ def listed(palette):
     return [(item.text(0), item.text(1)) for item in palette._items()]
 
 
-def test_it_holds_every_command_of_the_menus_once(window, palette):
+def test_the_palette_has_every_command_of_the_menus_once(window, palette):
     actions = [action for _, action in window.commands.entries()]
     assert len(actions) == len(set(actions)) == len(palette._items())
     assert {window.commands[name] for name in ("save", "undo", "start", "about")} <= {*actions}
@@ -46,14 +46,14 @@ def test_what_begins_with_the_word_comes_first(palette, qtbot):
     assert names[:2] == ["File → Save", "File → Save as"]
 
 
-def test_enter_does_the_command(window, palette, qtbot):
+def test_enter_runs_the_command(window, palette, qtbot):
     qtbot.keyClicks(palette._field, "letter")
     qtbot.keyClick(palette._field, Qt.Key.Key_Return)
     assert window.document.name == "letter"
     qtbot.waitUntil(lambda: window.findChild(CommandPalette) is None)
 
 
-def test_arrows_choose_and_a_click_does(window, palette, qtbot):
+def test_arrows_choose_a_command_and_a_click_runs_it(window, palette, qtbot):
     dock = window.workspace.docks["derivative"]
     qtbot.keyClicks(palette._field, "view")
     tree = palette.findChild(QTreeWidget)
@@ -68,7 +68,7 @@ def test_arrows_choose_and_a_click_does(window, palette, qtbot):
     assert not dock.isHidden()
 
 
-def test_what_cannot_be_done_is_not(window, palette, qtbot):
+def test_disabled_commands_are_not_run(window, palette, qtbot):
     qtbot.keyClicks(palette._field, "undo")
     (item,) = palette._items()
     assert item.isDisabled()
@@ -78,7 +78,7 @@ def test_what_cannot_be_done_is_not(window, palette, qtbot):
     assert not palette.isVisible()
 
 
-def test_a_word_that_fits_nothing_leaves_nothing_to_do(palette, qtbot):
+def test_text_without_a_match_leaves_an_empty_list(palette, qtbot):
     qtbot.keyClicks(palette._field, "xyzzy")
     assert listed(palette) == []
     qtbot.keyClick(palette._field, Qt.Key.Key_Return)

@@ -16,13 +16,13 @@ def holds_focus(pane):
     return focused is not None and (pane is focused or pane.isAncestorOf(focused))
 
 
-def test_the_table_knows_every_pane_by_its_title(window):
+def test_the_table_lists_every_pane_by_its_title(window):
     titles = {name: dock.windowTitle() for name, dock in window.workspace.docks.items()}
     assert titles == {name: pane.title for name, pane in PANES.items() if name != "scene"}
 
 
 @pytest.mark.parametrize("name", [name for name in PANES if name != "scene"])
-def test_a_command_shows_a_dock_and_takes_the_keyboard_there(window, name, qtbot):
+def test_a_command_shows_a_dock_and_focuses_it(window, name, qtbot):
     window.workspace.docks[name].hide()
     window.commands[f"go_{name}"].trigger()
     dock = window.workspace.docks[name]
@@ -31,7 +31,7 @@ def test_a_command_shows_a_dock_and_takes_the_keyboard_there(window, name, qtbot
     assert dock.property("active") is True
 
 
-def test_keys_go_round_all_panes_that_can_be_seen(window, qtbot):
+def test_keys_cycle_the_focus_through_all_visible_panes(window, qtbot):
     window.commands["go_design"].trigger()
     docks = window.workspace.docks
     seen = {name for name, dock in docks.items() if not dock.visibleRegion().isEmpty()}
@@ -46,7 +46,7 @@ def test_keys_go_round_all_panes_that_can_be_seen(window, qtbot):
     assert holds_focus(window.commands.toolbar)
 
 
-def test_a_pane_gives_the_focus_back_to_the_field_that_had_it(window, qtbot):
+def test_a_pane_restores_the_focus_of_its_last_field(window, qtbot):
     field = editor(window.forms, "screen.z")
     field.setFocus()
     window.commands["go_log"].trigger()
@@ -108,7 +108,7 @@ def test_every_command_is_in_a_menu_and_with_it_in_the_palette(window):
     assert missing == []
 
 
-def test_each_dock_gets_something_to_hold_and_nothing_is_without_a_dock(window):
+def test_every_dock_has_a_widget_and_every_widget_a_dock(window):
     workspace = window.workspace
     views = {name: QWidget() for name in PANES.keys() - {"scene", "design", "history", "log"}}
     with pytest.raises(ValueError, match=r"\['runs'\]"):

@@ -94,7 +94,7 @@ def test_an_edit_after_saving_does_not_merge_into_what_was_saved(document, tmp_p
     assert not document.dirty
 
 
-def test_dirty_is_told_when_it_changes(document, tmp_path, qtbot):
+def test_a_signal_says_when_the_dirty_state_changes(document, tmp_path, qtbot):
     with qtbot.waitSignal(document.dirty_changed) as told:
         move_screen(document, 6)
     assert told.args == [True]
@@ -110,7 +110,7 @@ def test_another_screen_loads_the_target_for_its_pixels(document):
     assert document.session.target.shape == (10, 12)
 
 
-def test_an_image_that_is_gone_matters_only_where_it_is_read_again(document, tmp_path):
+def test_a_missing_image_is_refused_only_where_it_is_read_again(document, tmp_path):
     image = tmp_path / "wish.png"
     Image.fromarray(np.full((4, 4), 200, np.uint8)).save(image)
     scene = small_scene(target={"image": str(image)})
@@ -131,7 +131,7 @@ def test_a_relative_image_starts_beside_the_file(document, tmp_path):
     assert document.session.scene.target.image == str(tmp_path / "wish.png")
 
 
-def test_a_result_goes_with_another_lens_and_comes_back_by_undo(document):
+def test_another_lens_removes_the_result_and_undo_restores_it(document):
     document.set_result(lens_result(), "design run")
     document.edit(changed(document.session.scene, "run", seed=3), "change of seed", "run.seed")
     assert document.session.result is not None
@@ -197,7 +197,7 @@ def test_saving_where_nothing_can_be_written_keeps_the_design_dirty(document, tm
     assert document.path is None
 
 
-def test_typing_on_in_a_field_brings_back_what_its_first_value_had(document):
+def test_merged_edits_restore_the_result_of_the_first_value(document):
     document.set_result(lens_result(), "design run")
     move_screen(document, 6)
     assert document.session.result is None

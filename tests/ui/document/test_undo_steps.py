@@ -84,7 +84,7 @@ def test_a_step_to_another_image_costs_the_picture_before(walk):
     assert walk.steps.cost == pytest.approx(2 * MEGABYTE, abs=MEGABYTE / 8)
 
 
-def test_the_oldest_steps_are_forgotten_when_all_cost_too_much(walk):
+def test_the_oldest_steps_are_dropped_beyond_the_memory_limit(walk):
     forgotten = []
     walk.steps.forgot.connect(forgotten.append)
     sessions = [walk.go(f"run {number}", result=lens()) for number in range(12)]
@@ -102,7 +102,7 @@ def test_the_oldest_steps_are_forgotten_when_all_cost_too_much(walk):
         assert walk.now is sessions[number]
 
 
-def test_a_step_too_large_can_still_be_taken_back(walk):
+def test_a_step_larger_than_the_limit_can_be_undone(walk):
     walk.go("large", result=lens(20))
     walk.go("next", result=lens())
     assert walk.texts == ["next"]
@@ -110,7 +110,7 @@ def test_a_step_too_large_can_still_be_taken_back(walk):
     assert walk.now.result.irradiance.nbytes == 20 * MEGABYTE
 
 
-def test_what_was_saved_stays_clean_until_it_is_forgotten(walk):
+def test_the_saved_step_stays_clean_until_it_is_dropped(walk):
     for number in range(4):
         walk.go(f"run {number}", result=lens())
     walk.steps.setClean()
@@ -129,7 +129,7 @@ def test_what_was_saved_stays_clean_until_it_is_forgotten(walk):
     assert not walk.steps.canUndo() and not walk.steps.isClean()
 
 
-def test_forgetting_neither_merges_steps_nor_keeps_the_last_from_merging(walk):
+def test_dropping_steps_does_not_change_which_steps_merge(walk):
     walk.go("large", result=lens(4))
     walk.go("small", result=lens(1))
     walk.go("typed", "key", view={"a": 1})
@@ -143,7 +143,7 @@ def test_forgetting_neither_merges_steps_nor_keeps_the_last_from_merging(walk):
     assert walk.steps.count() == 4
 
 
-def test_the_origin_is_that_of_the_step_under_way(walk):
+def test_the_origin_is_that_of_the_current_step(walk):
     assert walk.steps.origin("key") is None
     before = walk.now
     walk.go("typed", "key", view={"a": 1})
@@ -154,7 +154,7 @@ def test_the_origin_is_that_of_the_step_under_way(walk):
     assert walk.steps.origin("key") is None
 
 
-def test_what_steps_that_became_one_have_passed_through_is_let_go(walk):
+def test_merged_undo_steps_release_arrays(walk):
     passed = weakref.ref(walk.go("drag", "drag 1", result=lens()))
     walk.go("drag", "drag 1", result=lens())
     walk.shown.clear()

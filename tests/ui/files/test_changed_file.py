@@ -83,7 +83,7 @@ def test_reload_shows_the_file_and_undo_brings_the_design_back(window, session, 
     assert read_session(path).scene.screen.z == 7
 
 
-def test_a_file_that_is_gone_is_not_brought_back_without_a_question(window, path, answers):
+def test_save_asks_before_a_deleted_file_is_written_again(window, path, answers):
     path.unlink()
     answers.append(Choice.CANCEL)
     assert not window.files.save()
@@ -111,7 +111,7 @@ def test_a_link_to_another_file_is_a_changed_one(window, session, tmp_path):
 
 
 @pytest.mark.usefixtures("answers")
-def test_own_saves_and_equal_content_ask_nothing(window, path):
+def test_own_saves_and_equal_content_need_no_question(window, path):
     assert window.files.save()
     move_screen(window.document, 8)
     assert window.files.save()
@@ -129,7 +129,7 @@ def test_a_file_opened_and_changed_since_is_asked_about(window, session, path, a
     assert not window.files.save()
 
 
-def test_what_cannot_be_read_is_not_written_over(window, path):
+def test_a_file_that_cannot_be_read_is_not_overwritten(window, path):
     path.unlink()
     path.mkdir()
     assert not window.files.save()
@@ -137,7 +137,9 @@ def test_what_cannot_be_read_is_not_written_over(window, path):
     assert window.messages.buttons[0].text() == "Save as…"
 
 
-def test_closing_does_not_lose_the_changed_file_either(window, session, path, answers, monkeypatch):
+def test_closing_asks_too_when_the_file_changed_on_disk(
+    window, session, path, answers, monkeypatch
+):
     write_elsewhere(session, path, 9)
     monkeypatch.setattr(QMessageBox, "question", lambda *_: QMessageBox.StandardButton.Save)
     answers.append(Choice.CANCEL)
@@ -176,7 +178,7 @@ def test_the_question_about_a_changed_file(window, path, word, choice):
     assert buttons == {"Overwrite", "Save as…", "Reload", "Cancel"}
 
 
-def test_the_question_about_a_file_that_is_gone(window, path):
+def test_the_question_about_a_deleted_file(window, path):
     seen = []
     press("Save there again", seen)
     assert changed.ask(path, OnDisk.GONE, window) is Choice.OVERWRITE
@@ -186,7 +188,7 @@ def test_the_question_about_a_file_that_is_gone(window, path):
     assert seen[1][1] == {"Save as…", "Cancel"}
 
 
-def test_saving_says_what_was_saved(window, path):
+def test_the_message_after_saving_names_the_file(window, path):
     window.commands["save"].trigger()
     said = window.statusBar().currentMessage()
     assert said.startswith("Saved mine.freeform, ") and said.endswith("kB")

@@ -23,7 +23,7 @@ def export(window, path, qtbot, monkeypatch):
 
 
 @pytest.mark.parametrize("name", ["lens.stl", "lens.dat", "lens.irradiance.npy"])
-def test_a_file_is_written_and_its_error_told(window, name, tmp_path, qtbot, monkeypatch):
+def test_a_file_is_written_and_its_deviation_shown(window, name, tmp_path, qtbot, monkeypatch):
     path = tmp_path / name
     export(window, path, qtbot, monkeypatch)
     assert path.stat().st_size > 0
@@ -34,7 +34,7 @@ def test_a_file_is_written_and_its_error_told(window, name, tmp_path, qtbot, mon
 
 
 @pytest.mark.parametrize("name", ["lens.docx", "no/lens.stl"])
-def test_what_cannot_be_written_is_said(window, name, tmp_path, qtbot, monkeypatch):
+def test_a_file_that_cannot_be_written_is_reported(window, name, tmp_path, qtbot, monkeypatch):
     export(window, tmp_path / name, qtbot, monkeypatch)
     assert str(tmp_path / name.split("/")[0]) in window.messages.text
     assert window.messages.objectName() == "warning"
@@ -55,7 +55,7 @@ def held(monkeypatch):
     release.set()
 
 
-def test_the_window_answers_meanwhile_and_takes_one_at_a_time(window, held, tmp_path, qtbot):
+def test_the_window_stays_responsive_and_exports_one_file_at_a_time(window, held, tmp_path, qtbot):
     ticks = []
     timer = QTimer(interval=5)
     timer.timeout.connect(lambda: ticks.append(1))
@@ -70,7 +70,7 @@ def test_the_window_answers_meanwhile_and_takes_one_at_a_time(window, held, tmp_
     qtbot.waitUntil(lambda: window.messages.text.startswith("written; the lens on show"))
 
 
-def test_closing_waits_for_the_file(window, held, tmp_path):
+def test_closing_waits_for_an_export(window, held, tmp_path):
     window.exporter.export(tmp_path / "one.stl")
     threading.Timer(0.1, held.set).start()
     window.discard_and_close()

@@ -55,7 +55,7 @@ def test_a_double_click_opens_it(window, gallery, qtbot):
     assert window.document.name == "photo"
 
 
-def test_escape_leaves_all_as_it_was(window, gallery, qtbot):
+def test_escape_changes_nothing(window, gallery, qtbot):
     session = window.document.session
     qtbot.keyClick(gallery, Qt.Key.Key_Escape)
     assert not gallery.isVisible()

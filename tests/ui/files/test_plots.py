@@ -83,7 +83,7 @@ def test_numbers_are_saved(plots, views, frame, tmp_path, qtbot):
     np.testing.assert_allclose(values, frame.snapshot.irradiance.ravel())
 
 
-def test_what_cannot_be_written_is_told(plots, tmp_path):
+def test_a_file_that_cannot_be_written_is_reported(plots, tmp_path):
     plots.save("loss", tmp_path / "missing" / "loss.png")
     assert "missing" in plots._messages.text
     plots.save("loss", tmp_path / "loss.bmp")
@@ -91,7 +91,7 @@ def test_what_cannot_be_written_is_told(plots, tmp_path):
     assert list(tmp_path.iterdir()) == []
 
 
-def test_a_plot_out_of_sight_gives_way_to_one_that_is_seen(plots, views):
+def test_a_hidden_plot_is_replaced_by_a_visible_one(plots, views):
     plots._touch("surface")
     views["surface"].hide()
     assert plots._current() == "irradiance"
@@ -101,7 +101,7 @@ def test_a_plot_out_of_sight_gives_way_to_one_that_is_seen(plots, views):
     assert "no plot to be seen" in plots._messages.text
 
 
-def test_the_keyboard_reaches_plots(plots, views, qtbot):
+def test_plots_are_chosen_by_keyboard(plots, views, qtbot):
     views["surface"]._canvas.setFocus(Qt.FocusReason.TabFocusReason)
     assert plots._current() == "surface"
 

@@ -63,7 +63,7 @@ def test_only_what_is_not_saved_is_kept(document, keeping, tmp_path):
     assert [file.suffix for file in recovery.folder.iterdir()] == [".lock"]
 
 
-def test_how_it_is_looked_at_is_kept_as_of_then(document, keeping):
+def test_the_view_is_kept_with_the_work(document, keeping):
     recovery = keeping()
     recovery.look = lambda: {"on": ["target_log"]}
     move_screen(document, 7)
@@ -71,7 +71,7 @@ def test_how_it_is_looked_at_is_kept_as_of_then(document, keeping):
     assert read_session(recovery._file).view == {"on": ["target_log"]}
 
 
-def test_it_is_kept_every_minute(document, keeping, qtbot):
+def test_work_is_kept_every_minute(document, keeping, qtbot):
     recovery = keeping()
     assert recovery._timer.isActive() and recovery._timer.interval() == 60_000
     move_screen(document, 7)
@@ -79,7 +79,7 @@ def test_it_is_kept_every_minute(document, keeping, qtbot):
     qtbot.waitUntil(lambda: bool(kept(recovery)))
 
 
-def test_what_is_kept_is_not_written_again(document, keeping):
+def test_unchanged_work_is_not_written_again(document, keeping):
     recovery = keeping()
     move_screen(document, 7)
     recovery.keep_now()
@@ -88,7 +88,7 @@ def test_what_is_kept_is_not_written_again(document, keeping):
     assert not kept(recovery)
 
 
-def test_closing_leaves_nothing(document, keeping):
+def test_closing_a_window_removes_its_recovery_file(document, keeping):
     recovery = keeping()
     move_screen(document, 7)
     recovery.keep_now()
@@ -96,7 +96,7 @@ def test_closing_leaves_nothing(document, keeping):
     assert list(recovery.folder.iterdir()) == []
 
 
-def test_a_signal_leaves_it_for_the_next_start(document, keeping):
+def test_a_signal_keeps_the_work_for_the_next_start(document, keeping):
     recovery = keeping()
     move_screen(document, 7)
     recovery.close(leave=True)
@@ -107,7 +107,7 @@ def test_a_signal_leaves_it_for_the_next_start(document, keeping):
     work.put_back()
 
 
-def test_what_a_kill_broke_off_goes_with_the_work(document, tmp_path):
+def test_temporary_files_of_a_kill_are_removed_with_the_work(document, tmp_path):
     file = tmp_path / "work.freeform"
     with replacing(file) as half:
         half.write(b"half")
@@ -134,7 +134,7 @@ def test_work_of_an_open_window_is_not_offered(document, keeping):
     assert list(recovery.folder.iterdir()) == []
 
 
-def test_name_and_file_come_back_unsaved(document, keeping, tmp_path):
+def test_recovered_work_has_its_name_and_file_and_is_unsaved(document, keeping, tmp_path):
     path = tmp_path / "mine.freeform"
     document.save(path)
     recovery = keeping()
@@ -178,7 +178,7 @@ def test_a_file_opened_after_a_recovery_is_not_modified(document, tmp_path):
     assert not document.dirty
 
 
-def test_damaged_words_about_work_leave_it_to_be_found(document, keeping):
+def test_work_with_a_damaged_description_is_still_found(document, keeping):
     recovery = keeping()
     move_screen(document, 7)
     recovery.keep_now()
@@ -189,7 +189,7 @@ def test_damaged_words_about_work_leave_it_to_be_found(document, keeping):
     work.remove()
 
 
-def test_a_full_disk_is_told_once(document, keeping, monkeypatch, qtbot):
+def test_a_full_disk_is_reported_once(document, keeping, monkeypatch, qtbot):
     def full(session, path):
         raise Refused(str(path), "No space left on device")
 
@@ -203,9 +203,7 @@ def test_a_full_disk_is_told_once(document, keeping, monkeypatch, qtbot):
     assert len(told) == 1 and "No space left" in told[0]
 
 
-def test_a_folder_that_cannot_be_changed_is_told_once_and_holds_nothing_up(
-    document, keeping, tmp_path, qtbot
-):
+def test_a_read_only_folder_is_reported_once_and_blocks_nothing(document, keeping, tmp_path, qtbot):
     (tmp_path / "recovery").write_text("no folder")  # removing in it fails for any user
     told = []
     recovery = Recovery(document, tmp_path / "recovery")
@@ -284,7 +282,9 @@ def test_the_question_has_three_answers(window, document, keeping, qtbot, button
     work.remove()
 
 
-def test_work_kept_when_the_system_ended_the_program_is_no_alarm(window, document, keeping, qtbot):
+def test_work_kept_at_the_end_of_a_session_opens_without_a_warning(
+    window, document, keeping, qtbot
+):
     recovery = keeping()
     move_screen(document, 7)
     recovery.close(leave=True)
@@ -305,7 +305,7 @@ def test_work_kept_when_the_system_ended_the_program_is_no_alarm(window, documen
     work.remove()
 
 
-def test_each_is_asked_about(document, keeping, monkeypatch):
+def test_each_recovered_work_is_offered(document, keeping, monkeypatch):
     works = []
     for z in (7, 8, 9, 10):
         recovery = keeping()
@@ -370,7 +370,7 @@ needs_display = pytest.mark.skipif(not os.environ.get("DISPLAY"), reason="needs 
 
 
 @needs_display
-def test_after_a_kill_the_work_is_found(tmp_path):
+def test_work_is_found_after_a_kill(tmp_path):
     assert first_line(BEGIN, signal.SIGKILL, tmp_path) == "True\n"
     (folder,) = tmp_path.rglob("recovery")
     (work,) = left_behind.find(folder)
@@ -382,7 +382,7 @@ def test_after_a_kill_the_work_is_found(tmp_path):
 
 @needs_display
 @pytest.mark.slow
-def test_after_a_kill_each_next_start_has_the_work(tmp_path):
+def test_work_is_found_at_every_start_after_a_kill(tmp_path):
     assert first_line(BEGIN, signal.SIGKILL, tmp_path) == "True\n"
     assert first_line(AGAIN, signal.SIGTERM, tmp_path) == "7.5 tophat True\n"
     assert first_line(AGAIN, signal.SIGKILL, tmp_path) == "7.5 tophat True\n"

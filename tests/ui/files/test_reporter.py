@@ -53,7 +53,7 @@ def test_the_command_asks_and_takes_the_session_as_it_is(window, monkeypatch, tm
     assert [each.name for each in tmp_path.iterdir() if each.suffix != ".ini"] == ["there.html"]
 
 
-def test_why_there_is_none_is_said(window, written, monkeypatch, tmp_path):
+def test_a_report_that_fails_shows_the_reason(window, written, monkeypatch, tmp_path):
     fail = "print('chatter', file=sys.stderr); sys.exit('freeform: no light of this lens')"
     monkeypatch.setattr(reporter, "_COMMAND", as_command(fail))
     path = tmp_path / "a.html"
@@ -87,7 +87,7 @@ def endless(monkeypatch):
     return begun
 
 
-def test_it_is_cancelled_from_its_message(window, endless, tmp_path, qtbot):
+def test_a_report_is_cancelled_from_its_message(window, endless, tmp_path, qtbot):
     path = tmp_path / "a.pdf"
     window.reporter.report(path)
     qtbot.waitUntil(lambda: len(endless) == 1, timeout=30_000)
@@ -100,7 +100,7 @@ def test_it_is_cancelled_from_its_message(window, endless, tmp_path, qtbot):
     assert len(endless) == 1 and not path.exists()
 
 
-def test_closing_ends_the_process(window, endless, tmp_path, qtbot):
+def test_closing_ends_the_process_of_the_report(window, endless, tmp_path, qtbot):
     window.reporter.report(tmp_path / "a.pdf")
     qtbot.waitUntil(lambda: len(endless) == 1, timeout=30_000)
     window.discard_and_close()

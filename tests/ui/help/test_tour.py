@@ -17,7 +17,7 @@ def bubble(window, qtbot):
     return bubble
 
 
-def test_it_goes_from_stop_to_stop_and_back_by_keyboard(window, bubble, qtbot):
+def test_the_tour_is_stepped_through_by_keyboard(window, bubble, qtbot):
     assert bubble._title.text() == STOPS[0].title
     assert not bubble.back.isEnabled() and bubble.on.hasFocus()
     titles = []
@@ -42,7 +42,7 @@ def test_it_goes_from_stop_to_stop_and_back_by_keyboard(window, bubble, qtbot):
     assert window.findChild(Bubble) is None
 
 
-def test_escape_ends_it_and_it_can_begin_again(window, bubble, qtbot):
+def test_escape_ends_the_tour_which_can_be_started_again(window, bubble, qtbot):
     gone = []
     bubble.destroyed.connect(lambda: gone.append(True))
     qtbot.keyClick(bubble.on, Qt.Key.Key_Escape)
@@ -51,7 +51,7 @@ def test_escape_ends_it_and_it_can_begin_again(window, bubble, qtbot):
     assert window.findChild(Bubble) is not None
 
 
-def test_it_stands_in_the_window_and_off_what_it_points_at(window, bubble, qtbot):
+def test_the_tour_lies_in_the_window_beside_what_it_explains(window, bubble, qtbot):
     for stop in STOPS:
         place = window.help._place(stop.place)
         qtbot.waitUntil(lambda s=stop: bubble._title.text() == s.title and bubble.on.hasFocus())
@@ -74,7 +74,7 @@ def test_hidden_docks_are_shown_for_their_stop_only(window, bubble, qtbot):
     assert not docks["history"].isVisible()
 
 
-def test_it_is_offered_once_and_never_forced(window, settings, qtbot):
+def test_the_tour_is_offered_once(window, settings, qtbot):
     window.help.offer_tour(settings)
     assert "tour" in window.messages.text.lower() and window.findChild(Bubble) is None
     qtbot.mouseClick(window.messages.buttons[0], Qt.MouseButton.LeftButton)

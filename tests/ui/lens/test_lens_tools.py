@@ -171,7 +171,7 @@ def test_dragging_a_point_is_one_step_with_its_light(sculpting, drag, qtbot):
     assert document.session.result is None
 
 
-def test_shift_moves_finely_and_esc_takes_back(sculpting, drag, qtbot):
+def test_shift_moves_finely_and_escape_undoes_the_drag(sculpting, drag, qtbot):
     bench, view = sculpting, sculpting.view
     held = drag(view, control_point(bench, (6, 5)))
     held.move(upwards(view, 0.2), Qt.KeyboardModifier.ShiftModifier)
@@ -281,7 +281,7 @@ def test_nothing_is_done_to_a_lens_that_is_not_shown_yet(sculpting, drag, qtbot)
     assert document.session.result is None
 
 
-def test_words_of_a_tool_leave_the_picture_as_it_is(bench, qtbot):
+def test_the_text_of_a_tool_does_not_change_the_picture(bench, qtbot):
     view = bench.view
     qtbot.waitUntil(lambda: view._plotter is not None, timeout=30_000)
     place = view._plotter.geometry()
@@ -338,7 +338,7 @@ def test_painting_locks_and_unlocks(bench, drag, qtbot):
     assert document.session.locked is None and view.locked is None
 
 
-def test_hands_off_while_a_run_goes_on(sculpting, drag, qtbot):
+def test_tools_are_disabled_during_a_run(sculpting, drag, qtbot):
     bench, view = sculpting, sculpting.view
     bench.control.start()
     bench.control.toggle_pause()
@@ -414,7 +414,7 @@ def test_a_corner_widens_the_grid_unless_exploded(at_bench, drag, qtbot):
     assert "to scale" in bench.said[-1]
 
 
-def test_keys_that_no_tool_takes_lead_the_camera(bench, qtbot):
+def test_keys_without_a_tool_move_the_camera(bench, qtbot):
     view, camera = bench.view, bench.view._plotter.camera
     fitted, scale = camera.position, camera.parallel_scale
     qtbot.keyClick(view._plotter, Qt.Key.Key_Right)
@@ -506,7 +506,7 @@ def test_a_held_key_is_one_step(sculpting, qtbot, as_repeats):
     assert document.session.result is None
 
 
-def test_esc_takes_a_held_key_back_and_lost_focus_lets_it_go(sculpting, qtbot):
+def test_escape_undoes_a_held_key_and_losing_the_focus_ends_it(sculpting, qtbot):
     bench, view, document = sculpting, sculpting.view, sculpting.document
     hold_key(view, Qt.Key.Key_PageDown, 3)
     qtbot.waitUntil(lambda: view.frame.snapshot.control_points.min() < 0.5, timeout=20_000)
@@ -572,7 +572,7 @@ def test_keys_move_the_source(at_bench, qtbot):
     assert document.undo_stack.index() == 2
 
 
-def test_projection_and_colours_of_rays_outlive_another_design(bench, qtbot):
+def test_projection_and_ray_colours_stay_for_another_design(bench, qtbot):
     view, document = bench.view, bench.document
     view.see_in_perspective(True)
     view.colour_rays(by_weight=True)
@@ -631,7 +631,7 @@ def test_in_the_window(display, make_session, open_window, tmp_path, drag, qtbot
     assert not file.exists() and "hidden" in window.messages.text
 
 
-def test_no_key_does_what_the_window_knows_nothing_of(bench, qtbot):
+def test_keys_of_the_3d_widget_itself_do_nothing(bench, qtbot):
     view = bench.view
     before = [actor.prop.style for actor in view._plotter.actors.values() if hasattr(actor, "prop")]
     position = view._plotter.camera_position

@@ -55,7 +55,7 @@ class Watch:
 
 
 @pytest.mark.timeout(0)
-def test_the_lens_follows_the_hand(window, latency_probe, qtbot, capsys):
+def test_the_lens_follows_a_drag_at_a_steady_rate(window, latency_probe, qtbot, capsys):
     view, irradiance = window.loaded.views.scene, window.loaded.views.docked["irradiance"]
     qtbot.waitUntil(lambda: view.frame is not None and view.lens is not None, timeout=60_000)
     window.commands["sculpt"].trigger()

@@ -73,7 +73,7 @@ def test_rounding_is_neither_slope_nor_sag(pane, session, frames, qtbot):
     assert (shown["steepest"].text(), shown["sag_range"].text()) == ("0°", "0 cm")
 
 
-def test_before_the_first_map_it_says_that_one_comes(settings, session, show, qtbot):
+def test_a_text_stands_for_the_map_until_there_is_one(settings, session, show, qtbot):
     pane = ManufacturePane(settings)
     qtbot.addWidget(pane, before_close_func=lambda pane: pane.close_thread())
     pane.show_design(session)
@@ -81,7 +81,7 @@ def test_before_the_first_map_it_says_that_one_comes(settings, session, show, qt
     qtbot.waitUntil(lambda: pane.map._hint.text() == pane.map._WAITING)
 
 
-def test_limits_are_judged_by_word_and_shown_on_the_map(pane, qtbot):
+def test_limits_are_judged_in_words_and_hatched_on_the_map(pane, qtbot):
     own = pane._fields.limits.min_thickness
     assert own > 0 and states(pane)["thinnest"] == "✓ met"  # the design's own, unless told
     assert not any(text for key, text in states(pane).items() if key != "thinnest")
@@ -106,7 +106,7 @@ def test_a_limit_may_have_a_unit_and_be_worked_out(pane, qtbot):
     assert pane._fields.limits.max_slope == 20
 
 
-def test_a_limit_that_is_none_is_refused_and_taken_back(pane, qtbot):
+def test_an_impossible_limit_is_refused_and_escape_restores_it(pane, qtbot):
     before = pane._fields.limits
     editor = enter(pane, qtbot, "max_thickness", "-1")
     row = pane._fields.rows["max_thickness"]
@@ -130,7 +130,7 @@ def test_limits_are_kept_for_each_unit(pane, settings, session, make_scene, qtbo
     assert other._fields.limits.max_thickness is None
 
 
-def test_it_follows_the_lens_when_that_rests(pane, bowl, monkeypatch, qtbot):
+def test_figures_follow_the_lens_when_it_stops_changing(pane, bowl, monkeypatch, qtbot):
     pane.allow(resting=False)
     pane.show_frame(bowl(0.1))
     assert "lens before" in pane._figures.told.text()
@@ -143,7 +143,7 @@ def test_it_follows_the_lens_when_that_rests(pane, bowl, monkeypatch, qtbot):
     assert pane._figures.told.text() == "" and pane._figures.found["steepest"].isEnabled()
 
 
-def test_nothing_is_computed_for_nobody(pane, bowl, monkeypatch, qtbot):
+def test_nothing_is_computed_while_hidden(pane, bowl, monkeypatch, qtbot):
     pane.hide()
     monkeypatch.setattr(pane._background, "begin", lambda work: pytest.fail("computed"))
     pane.show_frame(bowl(0.1))
@@ -156,7 +156,7 @@ def test_without_a_lens_there_are_no_figures(pane, session, qtbot):
     assert not any(label.text() for label in pane._figures.found.values())
 
 
-def test_closing_in_the_midst_of_a_computation(pane, bowl, qtbot):
+def test_closing_the_window_ends_a_computation(pane, bowl, qtbot):
     pane.show_frame(bowl(0.1))
     qtbot.waitUntil(lambda: pane._background.busy, timeout=10_000)
     pane.close_thread()

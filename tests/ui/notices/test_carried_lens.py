@@ -69,7 +69,7 @@ def test_a_net_that_cannot_hold_the_lens_asks(desk, qtbot):
     assert desk.document.session is after
 
 
-def test_both_numbers_of_a_net_are_one_change_of_mind(desk, qtbot):
+def test_changing_both_numbers_of_a_net_asks_once(desk, qtbot):
     before = desk.document.session
     enter(qtbot, desk.forms, "lens.control_points[0]", "20")
     enter(qtbot, desk.forms, "lens.control_points[1]", "19")
@@ -95,7 +95,7 @@ def test_a_coarser_net_has_no_exact_one_to_offer(desk, qtbot):
     assert desk.messages.text == ""
 
 
-def test_another_task_is_told_once(desk, qtbot):
+def test_a_lens_of_another_task_is_reported_once(desk, qtbot):
     for z in ("6", "7", "8"):
         enter(qtbot, desk.forms, "screen.z", z)
         desk.document.undo_stack.setClean()  # steps of their own
@@ -129,13 +129,13 @@ def test_a_lens_that_exceeds_its_new_range_is_changed_and_the_window_says_by_how
     assert f"changed by up to {moved:.2g} cm" in desk.messages.text
 
 
-def test_run_settings_are_no_matter_for_the_lens(desk, qtbot):
+def test_run_settings_keep_the_lens(desk, qtbot):
     enter(qtbot, desk.forms, "run.iterations", "77")
     assert desk.log == [] and desk.messages.text == ""
     assert desk.document.session.result is not None
 
 
-def test_another_task_is_told_once_of_all_edits_of_a_step(desk, qtbot):
+def test_a_lens_of_another_task_is_reported_once_for_merged_edits(desk, qtbot):
     z = desk.document.session.scene.screen.z
     for beyond in (1, 2, 3):
         enter(qtbot, desk.forms, "screen.z", f"{z + beyond}")

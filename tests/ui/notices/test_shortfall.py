@@ -60,7 +60,7 @@ def press(desk, qtbot):
     qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
 
 
-def test_a_range_that_is_too_small_is_said_and_widened_with_the_lens_kept(desk, qtbot):
+def test_a_too_small_range_is_reported_and_can_be_widened_keeping_the_lens(desk, qtbot):
     desk.fall_short(NARROW)
     design(desk, qtbot)
     assert desk.messages.text == "The lens needs ±2.2 cm; ±0.3 cm is allowed."
@@ -77,7 +77,7 @@ def test_a_range_that_is_too_small_is_said_and_widened_with_the_lens_kept(desk, 
     assert desk.begun == ["anew", "from the lens"]
 
 
-def test_undo_takes_the_wider_range_back_and_says_again_what_is_missing(desk, qtbot):
+def test_undo_restores_the_range_and_its_notice(desk, qtbot):
     desk.fall_short(NARROW)
     design(desk, qtbot)
     press(desk, qtbot)
@@ -89,7 +89,7 @@ def test_undo_takes_the_wider_range_back_and_says_again_what_is_missing(desk, qt
     assert desk.messages.text == ""
 
 
-def test_it_is_said_during_the_run_which_can_be_stopped_to_widen(desk, qtbot):
+def test_the_notice_comes_during_the_run_and_can_stop_it(desk, qtbot):
     desk.fall_short(NARROW, iterations=10_000, pause=0.01)
     desk.control.start()
     qtbot.waitUntil(lambda: "The run goes on within these limits" in desk.messages.text)
@@ -101,7 +101,7 @@ def test_it_is_said_during_the_run_which_can_be_stopped_to_widen(desk, qtbot):
     assert offers(desk) == ["Start over", "Continue"]
 
 
-def test_stock_that_is_too_thin_is_said_with_its_own_cure(desk, qtbot):
+def test_too_thin_stock_is_reported_with_its_own_cure(desk, qtbot):
     desk.fall_short(THIN)
     design(desk, qtbot)
     assert desk.messages.text == (
@@ -111,13 +111,13 @@ def test_stock_that_is_too_thin_is_said_with_its_own_cure(desk, qtbot):
     assert offers(desk) == []
 
 
-def test_nothing_is_said_of_a_lens_within_its_limits(desk, qtbot):
+def test_there_is_no_notice_for_a_lens_within_its_limits(desk, qtbot):
     desk.fall_short(None)
     design(desk, qtbot)
     assert desk.messages.text == ""
 
 
-def test_a_later_run_says_it_anew(desk, qtbot):
+def test_a_later_run_reports_it_again(desk, qtbot):
     desk.fall_short(NARROW)
     design(desk, qtbot)
     desk.messages.clear()

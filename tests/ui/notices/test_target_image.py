@@ -28,7 +28,7 @@ def saved(make_scene, image, tmp_path):
     return path
 
 
-def test_a_design_whose_image_is_gone_can_be_padded_and_blurred(window, saved, image, qtbot):
+def test_a_design_with_a_missing_image_can_be_padded_and_blurred(window, saved, image, qtbot):
     image.unlink()
     assert window.files.open(saved)
     assert window.messages.text == ""
@@ -40,7 +40,7 @@ def test_a_design_whose_image_is_gone_can_be_padded_and_blurred(window, saved, i
     assert session.target.sum() < before.sum() and not window.forms.refused
 
 
-def test_a_changed_file_is_read_again_if_a_person_wants_that(window, saved, image, qtbot):
+def test_a_changed_file_is_read_again_on_request(window, saved, image, qtbot):
     Image.fromarray(255 - LETTER).save(image)
     assert window.files.open(saved)
     before = window.document.session
@@ -55,9 +55,7 @@ def test_a_changed_file_is_read_again_if_a_person_wants_that(window, saved, imag
     assert window.document.session is before
 
 
-def test_a_file_that_changes_meanwhile_is_told_of_at_the_next_edit_of_the_target(
-    window, saved, image, qtbot
-):
+def test_a_changed_file_is_reported_at_the_next_edit_of_the_target(window, saved, image, qtbot):
     window.files.open(saved)
     Image.fromarray(255 - LETTER).save(image)
     enter(qtbot, window.forms, "screen.z", "7")
@@ -77,7 +75,7 @@ def test_the_same_image_chosen_again_is_read_again(window, saved, image):
     assert "is not an existing file" in row(window.forms, "target.image").refusal
 
 
-def test_an_image_that_is_too_large_to_keep_is_told_of(window, image, monkeypatch):
+def test_an_image_too_large_to_keep_is_reported(window, image, monkeypatch):
     monkeypatch.setattr(picture, "LARGEST_PICTURE", image.stat().st_size - 1)
     window.forms.choose_image(image)
     assert window.document.session.picture is None

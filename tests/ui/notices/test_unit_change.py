@@ -23,7 +23,7 @@ def test_the_lens_is_converted_and_stays_the_result(window, designed):
     assert window.messages.text == ""
 
 
-def test_the_numbers_are_kept_if_a_person_wants_that(window, designed, qtbot):
+def test_the_numbers_are_kept_on_request(window, designed, qtbot):
     choose(window.forms, "unit", "mm")
     qtbot.mouseClick(window.messages.buttons[0], Qt.MouseButton.LeftButton)
     session = window.document.session

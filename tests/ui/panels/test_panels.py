@@ -240,7 +240,7 @@ def test_a_sphere_brings_its_fields(forms, document, qtbot):
 
 
 @pytest.mark.parametrize("elsewhere", [False, True])
-def test_text_typed_into_a_field_that_goes_is_dropped(forms, document, qtbot, elsewhere):
+def test_text_typed_into_a_field_that_disappears_is_dropped(forms, document, qtbot, elsewhere):
     collimated, told = document.session, []
     forms.told.connect(told.append)
     choose(forms, "source.kind", "grid")
@@ -282,7 +282,7 @@ def test_another_filter_has_other_fields(forms, document):
     assert not row(forms, "filter.alpha", visible=False).isVisible()
 
 
-def test_another_wish_keeps_its_finish(forms, document, qtbot):
+def test_another_kind_of_target_keeps_its_finish(forms, document, qtbot):
     choose(forms, "target.builtin", "ball")
     target = document.session.scene.target
     assert (target.builtin, target.blur) == ("ball", 1.0)

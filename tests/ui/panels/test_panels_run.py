@@ -79,7 +79,7 @@ def test_a_learning_rate_may_be_left_empty(forms, document, qtbot):
 @pytest.mark.parametrize(
     ("path", "unit"), [("run.smoothness", ""), ("run.min_radius", "cm")], ids=["weight", "radius"]
 )
-def test_bends_are_free_unless_asked(forms, document, qtbot, path, unit, method):
+def test_limits_of_curvature_may_be_left_empty(forms, document, qtbot, path, unit, method):
     choose(forms, "run.method", method)
     typed, field = editor(forms, path), path.removeprefix("run.")
     assert (typed.text(), typed.placeholderText()) == ("", "none")

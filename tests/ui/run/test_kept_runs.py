@@ -31,7 +31,7 @@ def names(session):
     return [run.name for run in session.runs]
 
 
-def test_a_run_is_kept_with_its_task_under_a_name_that_tells_it(session, result):
+def test_a_run_is_kept_with_its_task_and_a_descriptive_name(session, result):
     after, given_way = with_run(session, result)
     assert after.result is result and given_way == []
     (run,) = after.runs
@@ -54,7 +54,7 @@ def test_a_run_without_an_iteration_is_not_kept(session, history):
     assert after.runs == () and after.result is not None
 
 
-def test_the_oldest_that_nobody_named_gives_way_first(session, large):
+def test_the_oldest_unnamed_run_is_dropped_first(session, large):
     for _ in range(3):
         session, _ = with_run(session, large(100))
     session = renamed(session, session.runs[0], "first")
@@ -97,7 +97,7 @@ def test_restoring_brings_task_and_lens_back(session, result, make_scene):
     assert restored(other, run).locked is None
 
 
-def test_a_name_that_is_none_is_refused(session, result):
+def test_an_empty_or_too_long_name_is_refused(session, result):
     session, _ = with_run(session, result)
     for name in ("", 101 * "x"):
         with pytest.raises(Refused, match=r"characters; 1 to 100"):

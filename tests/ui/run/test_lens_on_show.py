@@ -175,7 +175,7 @@ def test_a_design_dropped_during_a_run_is_opened_after_it(
     qtbot.waitUntil(lambda: running.document.session.scene.unit == "inch", timeout=60_000)
 
 
-def test_a_dropped_file_that_is_no_image_is_said_and_marks_nothing(window, tmp_path):
+def test_a_dropped_file_that_is_no_image_is_reported_without_marking_a_field(window, tmp_path):
     text = tmp_path / "notes.txt"
     text.write_text("no image")
     drop(window, text)

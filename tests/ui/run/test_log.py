@@ -30,7 +30,7 @@ def test_each_line_has_the_time_of_day(qtbot):
     assert text == "one sentence"
 
 
-def test_the_oldest_lines_give_way(qtbot):
+def test_the_oldest_lines_are_dropped(qtbot):
     log = LogView()
     qtbot.addWidget(log)
     for number in range(2500):
@@ -90,7 +90,7 @@ def run_with(window, qtbot, generate):
         window.commands["start"].trigger()
 
 
-def test_a_run_tells_its_phases_and_its_trace_once(window, snapshots, as_seen_run, qtbot):
+def test_a_run_logs_its_phases_and_its_trace_once(window, snapshots, as_seen_run, qtbot):
     def staged(iteration, iterations):
         notes = ("reference",) if iteration < 3 else ("fused kernels", "box filter")
         shot = snapshots(iteration, iterations)
@@ -114,7 +114,7 @@ def test_a_run_tells_its_phases_and_its_trace_once(window, snapshots, as_seen_ru
     ]
 
 
-def test_pausing_and_stopping_are_told(window, as_run, qtbot):
+def test_pausing_and_stopping_are_logged(window, as_run, qtbot):
     window.loaded.control.runner._generate = as_run(100_000, pause=0.01)
     window.commands["start"].trigger()
     qtbot.waitUntil(lambda: window.loaded.control.history.frames != [], timeout=60_000)
@@ -144,7 +144,7 @@ def test_a_failure_stands_in_the_log_when_its_message_is_closed(window, snapshot
     assert "none.freeform" in sentences(window.log)[-1]
 
 
-def test_the_dock_is_hidden_until_it_is_asked_for(window, qtbot):
+def test_the_dock_is_hidden_at_first(window, qtbot):
     dock = window.workspace.docks["log"]
     assert dock.isHidden()
     dock.toggleViewAction().trigger()

@@ -49,7 +49,7 @@ def test_a_stop_and_a_failure_are_reasons(window, snapshots, as_run, qtbot):
     assert state(window) == "Stopped"
 
 
-def test_a_paused_run_is_nowhere_called_running(window, as_run, qtbot):
+def test_a_paused_run_is_shown_as_paused_everywhere(window, as_run, qtbot):
     window.loaded.control.runner._generate = as_run(100_000, pause=0.01)
     window.commands["start"].trigger()
     assert window.forms._hint.text() == "The design is running. Changes wait until it ends."

@@ -115,7 +115,7 @@ def test_stop_wakes_a_paused_run(session, gated, start_runner, qtbot):
     assert heard.states == ["running", "paused", "stopping", "idle"]
 
 
-def test_orders_out_of_season_do_nothing(session, as_run, start_runner, qtbot):
+def test_pause_resume_and_stop_do_nothing_without_a_run(session, as_run, start_runner, qtbot):
     runner, heard = start_runner(as_run(1))
     for order in (runner.pause, runner.resume, runner.stop):
         order()
@@ -136,7 +136,7 @@ def test_second_start_is_an_error(session, gated, start_runner):
     gated.allowed.release(2)
 
 
-def test_failure_is_told_before_the_end(session, snapshots, start_runner, qtbot):
+def test_a_failure_is_signalled_before_the_end(session, snapshots, start_runner, qtbot):
     def run(scene, target, start=None, locked=None):
         yield snapshots(0)
         raise RunFailed("the loss is not finite")
@@ -188,7 +188,7 @@ def test_start_replaces_a_preview(session, gated, start_runner, qtbot):
     assert len(heard.results) == 1
 
 
-def test_failed_preview_tells_why(session, start_runner, qtbot):
+def test_a_failed_preview_reports_its_reason(session, start_runner, qtbot):
     def run(scene, target, start=None, locked=None):
         raise RunFailed("no light")
         yield
@@ -229,7 +229,7 @@ def test_runs_again_after_a_shutdown(session, as_run, start_runner, qtbot):
     assert heard.results[0].iterations == 2
 
 
-def test_a_preview_that_fails_says_of_what_there_is_no_picture(session, start_runner, qtbot):
+def test_a_failed_preview_names_what_cannot_be_shown(session, start_runner, qtbot):
     def broken(scene, target, start=None, locked=None):
         raise RunFailed("no light at all")
         yield
@@ -243,7 +243,7 @@ def test_a_preview_that_fails_says_of_what_there_is_no_picture(session, start_ru
         runner.start(session, continue_run=False)
 
 
-def test_a_run_waits_for_its_kernels_and_says_so(
+def test_a_run_that_waits_for_its_kernels_signals_it(
     start_runner, session, kernels, monkeypatch, qtbot
 ):
     """Its first lens is traced by them already: as if they had been ready."""

@@ -25,7 +25,7 @@ def work():
     return do
 
 
-def test_makes_only_frames_that_somebody_asks_for(session, as_run, work, monkeypatch):
+def test_frames_are_made_only_when_the_mailbox_is_empty(session, as_run, work, monkeypatch):
     made = []
     make_frame = worker_module.make_frame
 
@@ -175,7 +175,7 @@ def test_rays_come_from_the_source_of_the_stage(
     assert (len(starts) == 1) is (shown == "point")
 
 
-def test_a_lens_to_start_from_is_traced_for_its_preview_and_gone_on_from(session, as_run, work):
+def test_a_start_lens_is_traced_for_its_preview_and_continued(session, as_run, work):
     heights = np.full(session.scene.lens.control_points, 0.47)
     moved = dataclasses.replace(session, start=heights)
     starts = []

@@ -207,7 +207,7 @@ def test_commands_without_a_choice_say_what_is_missing(two_runs):
     assert "Choose one run" in two_runs.messages.text
 
 
-def test_kept_runs_travel_with_the_file(two_runs, tmp_path):
+def test_kept_runs_are_saved_with_the_file(two_runs, tmp_path):
     path = tmp_path / "two.freeform"
     two_runs.document.save(path)
     two_runs.document.open(path)
@@ -289,7 +289,7 @@ def test_a_stage_is_checked_at_its_end(window, snapshots, as_seen_run, checks, m
     assert checks.asked[0][0][0, 0] == 0.5 - 0.003  # the last lens of the first stage
 
 
-def test_one_core_alone_is_the_runs(window, as_run, checks, monkeypatch, qtbot):
+def test_no_check_runs_beside_a_run_on_one_core(window, as_run, checks, monkeypatch, qtbot):
     monkeypatch.setattr("ui.run.run_check._REST", 0.0)
     monkeypatch.setattr("ui.run.run_check._RESTS", 0.0)
     monkeypatch.setattr("ui.run.run_check.QThread.idealThreadCount", lambda: 1)

@@ -87,7 +87,7 @@ def test_a_later_check_belongs_to_the_result_that_it_is_of(run):
     assert history.checks == (LATE,)
 
 
-def test_a_lens_that_was_shaped_by_hand_keeps_the_course(run):
+def test_a_lens_shaped_by_hand_keeps_the_course(run):
     history = FrameHistory()
     session = run(history, 3)
     session.result = SimpleNamespace(losses=session.result.losses)
@@ -111,7 +111,7 @@ def test_memory_of_all_courses_is_bounded(run):
         assert shown(history) == at
 
 
-def test_courses_of_results_that_are_gone_are_forgotten(run):
+def test_courses_of_dropped_results_are_dropped(run):
     history = FrameHistory()
     course = weakref.ref(run(history, 3).result)
     lost = weakref.ref(history.frames[2])

@@ -39,7 +39,7 @@ def meet(kind=ValueError, text="odd"):
         sys.excepthook(kind, error, error.__traceback__)
 
 
-def test_an_error_is_told_with_all_that_a_report_needs(told, capsys):
+def test_an_error_is_shown_with_all_that_a_report_needs(told, capsys):
     meet()
     ((sentence, details),) = told
     assert "ValueError: odd" in sentence and "save it" in sentence
@@ -48,7 +48,7 @@ def test_an_error_is_told_with_all_that_a_report_needs(told, capsys):
     assert "ValueError: odd" in capsys.readouterr().err
 
 
-def test_a_kind_is_told_once_and_printed_each_time(told, capsys):
+def test_a_kind_of_error_is_shown_once_and_printed_each_time(told, capsys):
     for text in ("one", "two"):
         meet(text=text)
     meet(KeyError)
@@ -76,7 +76,7 @@ def test_slots_handlers_and_threads_may_fail_and_the_loop_goes_on(told, qtbot, c
     assert any("painting" in sentence for sentence, _ in told)
 
 
-def test_qt_is_heard_once_for_each_sentence(trouble, capsys):
+def test_a_message_of_qt_is_shown_once_and_printed_each_time(trouble, capsys):
     said = []
     trouble.qt_said.connect(said.append)
     for text in ("odd thing", "odd thing", "other thing"):

@@ -29,7 +29,7 @@ def test_kernels_are_made_ready_after_the_libraries(warmed_up):
     assert warmed_up(("json",)) == ([True], ["imported"])
 
 
-def test_a_library_that_cannot_be_imported_is_told_and_the_window_is_built(warmed_up):
+def test_a_library_that_cannot_be_imported_is_reported_and_the_window_is_built(warmed_up):
     compiled, (first, sentence) = warmed_up(("no_such_library",))
     assert compiled == [] and first == "imported"
     assert "unexpected ModuleNotFoundError: No module named 'no_such_library'" in sentence

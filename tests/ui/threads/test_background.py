@@ -55,7 +55,7 @@ class Asked:
         self.threads.append(QThread.currentThread())
 
 
-def test_an_answer_comes_with_its_request_in_the_windows_thread(asked, qtbot, qapp):
+def test_results_arrive_with_their_request_in_the_main_thread(asked, qtbot, qapp):
     asked.ask("abc")
     assert asked.background.busy and asked.background.running
     asked.gate.release()
@@ -65,7 +65,7 @@ def test_an_answer_comes_with_its_request_in_the_windows_thread(asked, qtbot, qa
     assert not asked.background.busy and not asked.background.running
 
 
-def test_only_the_latest_is_told_and_those_between_never_begin(asked, qtbot):
+def test_only_the_latest_request_is_answered_and_earlier_ones_never_begin(asked, qtbot):
     for request in "abcde":
         asked.ask(request * 2)
     qtbot.waitUntil(lambda: bool(asked.begun))
@@ -77,7 +77,7 @@ def test_only_the_latest_is_told_and_those_between_never_begin(asked, qtbot):
     assert not asked.begun[1][1].stopped
 
 
-def test_work_that_finishes_first_is_told_before_the_latest(queued, qtbot):
+def test_finished_work_is_reported_before_the_latest(queued, qtbot):
     for request in "abcde":
         queued.ask(request * 2)
     queued.gate.release(2)
@@ -86,7 +86,7 @@ def test_work_that_finishes_first_is_told_before_the_latest(queued, qtbot):
     assert not queued.begun[0][1].stopped
 
 
-def test_a_failure_is_told_as_the_exception_and_another_request_can_follow(asked, qtbot):
+def test_a_failure_arrives_as_its_exception_and_another_request_can_follow(asked, qtbot):
     asked.gate.release(2)
     asked.ask("bad")
     qtbot.waitUntil(lambda: bool(asked.told))
@@ -99,7 +99,7 @@ def test_a_failure_is_told_as_the_exception_and_another_request_can_follow(asked
 
 
 @pytest.mark.parametrize("request_", ["abc", "bad"])
-def test_nothing_is_told_of_cancelled_work(asked, qtbot, request_):
+def test_cancelled_work_reports_nothing(asked, qtbot, request_):
     asked.ask(request_)
     asked.background.cancel()
     assert not asked.background.busy and asked.background.running
@@ -109,7 +109,7 @@ def test_nothing_is_told_of_cancelled_work(asked, qtbot, request_):
     assert asked.told == [] and asked.progress == []
 
 
-def test_what_stopped_work_returns_is_told(asked, qtbot):
+def test_stopped_work_reports_what_it_returns(asked, qtbot):
     asked.ask("abc")
     assert not asked.background.stopping
     asked.background.stop()
@@ -120,7 +120,7 @@ def test_what_stopped_work_returns_is_told(asked, qtbot):
     assert not asked.background.stopping
 
 
-def test_finishing_waits_and_tells_at_once(queued):
+def test_finishing_waits_and_reports_at_once(queued):
     queued.gate.release(2)
     queued.ask("abc")
     queued.ask("def")
@@ -128,7 +128,7 @@ def test_finishing_waits_and_tells_at_once(queued):
     assert queued.told == [("abc", "cba"), ("def", "fed")]
 
 
-def test_work_that_is_begun_by_whoever_is_told_takes_the_place_of_what_waits(queued, qtbot):
+def test_work_begun_by_a_receiver_replaces_waiting_work(queued, qtbot):
     queued.gate.release(3)
     queued.background.done.connect(lambda request, _: request == "a" and queued.ask("c"))
     queued.ask("a")
@@ -137,7 +137,7 @@ def test_work_that_is_begun_by_whoever_is_told_takes_the_place_of_what_waits(que
     assert [request for request, _ in queued.told] == ["a", "c"]
 
 
-def test_closing_waits_and_tells_nothing(asked, qtbot):
+def test_closing_waits_and_reports_nothing(asked, qtbot):
     asked.ask("abc")
     asked.gate.release()
     asked.background.close()

@@ -28,7 +28,7 @@ def divided_by_nothing(task):
     return 1 / 0
 
 
-def test_a_defect_in_a_thread_reaches_person_log_and_file(qtbot, qapp, logged, capsys):
+def test_a_defect_in_a_thread_is_shown_logged_and_written(qtbot, qapp, logged, capsys):
     background, failures = Background("export", qapp), []
     background.failed.connect(lambda _, error: failures.append(error))
     background.begin(divided_by_nothing)

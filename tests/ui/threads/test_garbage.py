@@ -56,7 +56,7 @@ def test_a_working_thread_deletes_no_timer_of_the_window(collector, qtbot):
     assert set(deleted_in) == {threading.main_thread()}
 
 
-def test_what_is_kept_is_searched_no_more(collector):
+def test_objects_that_stay_are_not_searched_again(collector):
     frozen = gc.get_freeze_count()
     kept = [[] for _ in range(1000)]
     collector.keep_what_is_there()
@@ -68,7 +68,7 @@ def test_what_is_kept_is_searched_no_more(collector):
         gc.freeze()  # as the tests of the window had it
 
 
-def test_closed_it_leaves_the_garbage_to_python(collector):
+def test_closing_restores_the_collector_of_python(collector):
     assert not gc.isenabled()
     collector.close()
     assert gc.isenabled()

@@ -89,14 +89,14 @@ def test_what_is_not_possible_is_refused_beside_its_field(pane, qtbot):
         assert not row.refusal
 
 
-def test_nothing_off_is_nothing_to_trace(pane, qtbot):
+def test_without_a_tolerance_nothing_is_traced(pane, qtbot):
     for path in ("tilt", "decentre", "index", "distance", "surface[0]"):
         enter(pane, qtbot, path, "0")
     pane.toggle()
     assert not pane._background.busy and pane.told.text().startswith("Nothing is off")
 
 
-def test_whoever_cancels_keeps_the_lenses_so_far(pane, qtbot):
+def test_cancelling_keeps_the_lenses_so_far(pane, qtbot):
     enter(pane, qtbot, "lenses", "50000")
     pane.toggle()
     assert pane.form.begin.text() == "Cancel"
@@ -109,7 +109,7 @@ def test_whoever_cancels_keeps_the_lenses_so_far(pane, qtbot):
     assert 2 < traced < 50000 and pane.told.text().startswith(f"{traced} of 50000 lenses: ")
 
 
-def test_the_figures_say_when_the_lens_is_another(pane, session, frame, frames, qtbot):
+def test_figures_of_an_earlier_lens_are_marked(pane, session, frame, frames, qtbot):
     sample(pane, qtbot)
     pane.show_frame(frames(5))
     assert pane.told.text().endswith("these are of the one before.")
@@ -119,13 +119,13 @@ def test_the_figures_say_when_the_lens_is_another(pane, session, frame, frames, 
     assert "changed" in pane.told.text() and not pane.form.begin.isEnabled()
 
 
-def test_only_a_lens_that_rests_is_perturbed(pane):
+def test_nothing_is_perturbed_during_a_run(pane):
     assert pane.form.begin.isEnabled()
     pane.allow(resting=False)
     assert not pane.form.begin.isEnabled()
 
 
-def test_a_failure_is_told(pane, monkeypatch, qtbot):
+def test_a_failure_is_reported(pane, monkeypatch, qtbot):
     def fail(*_):
         raise RunFailed("no light reaches the screen")
         yield
@@ -159,14 +159,14 @@ def test_plot_and_figures_can_be_saved(pane, session, settings, tmp_path: Path, 
     assert "decentre x [cm]" in rows[0]
 
 
-def test_closing_in_the_midst_of_a_sample(pane, qtbot):
+def test_closing_the_window_ends_a_sample(pane, qtbot):
     enter(pane, qtbot, "lenses", "50000")
     pane.toggle()
     pane.close_thread()
     assert not pane._background.busy
 
 
-def test_another_unit_converts_what_was_asked_for(pane, session, qtbot):
+def test_another_unit_converts_the_tolerances(pane, session, qtbot):
     enter(pane, qtbot, "decentre", "0.03")
     enter(pane, qtbot, "tilt", "1.5")
     pane.show_design(session.in_unit("mm"))

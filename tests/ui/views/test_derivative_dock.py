@@ -48,7 +48,7 @@ def test_nothing_is_computed_behind_another_tab(window, qtbot):
     qtbot.waitUntil(lambda: view._map.index[0] == 2, timeout=60_000)
 
 
-def test_closing_in_the_midst_of_a_computation(window, monkeypatch, qtbot):
+def test_closing_the_window_ends_a_computation(window, monkeypatch, qtbot):
     begun = threading.Event()
 
     def slow(*_):

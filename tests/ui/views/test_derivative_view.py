@@ -128,7 +128,7 @@ def test_only_points_of_the_net_can_be_chosen(seen, frame, asked, make_session, 
     qtbot.waitUntil(lambda: bool(asked) and asked[-1][2] == (3, 5))
 
 
-def test_a_refusal_is_told_and_the_old_map_goes(seen, frame, make_session, qtbot):
+def test_a_refusal_is_shown_and_the_old_map_removed(seen, frame, make_session, qtbot):
     seen.show_frame(frame(1))
     qtbot.waitUntil(lambda: seen._map is not None, timeout=20_000)
     seen.show_frame(frame(1, of=make_session({"filter": {"kind": "box"}})))
@@ -137,7 +137,7 @@ def test_a_refusal_is_told_and_the_old_map_goes(seen, frame, make_session, qtbot
     assert seen._place.text() == ""
 
 
-def test_defects_reach_the_person(seen, frame, monkeypatch, qtbot):
+def test_defects_are_shown(seen, frame, monkeypatch, qtbot):
     def broken(*_):
         raise ZeroDivisionError("by zero")
 

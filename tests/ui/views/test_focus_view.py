@@ -107,7 +107,7 @@ def test_the_latest_distance_wins(view, frame, traces, qtbot):
     assert len(traces) < 10
 
 
-def test_nothing_is_traced_for_nobody(view, frame, traces, qtbot):
+def test_nothing_is_traced_while_hidden(view, frame, traces, qtbot):
     traced(view, frame, qtbot)
     traces.clear()
     view.uncover(False)
@@ -123,7 +123,7 @@ def test_nothing_is_traced_for_nobody(view, frame, traces, qtbot):
     assert traces[-1] == (view.z, MANY)
 
 
-def test_it_follows_the_lens_when_it_rests(view, frame, wavy, traces, qtbot):
+def test_the_image_follows_the_lens_when_it_stops_changing(view, frame, wavy, traces, qtbot):
     traced(view, frame, qtbot)
     traces.clear()
     for iteration in (2, 3, 4):
@@ -160,7 +160,7 @@ def test_of_another_design_nothing_is_shown_before_it_is_traced(
     assert view._place.text() == ""
 
 
-def test_a_dark_screen_is_an_answer(view, monkeypatch, qtbot):
+def test_a_dark_screen_is_shown(view, monkeypatch, qtbot):
     def dark(*_, **__):
         yield 0.5
         raise RunFailed("no light")
@@ -171,7 +171,7 @@ def test_a_dark_screen_is_an_answer(view, monkeypatch, qtbot):
     qtbot.waitUntil(lambda: view._values is not None and not view._values.any())
 
 
-def test_the_curve_tells_the_error_at_many_distances(view, frame, traces, qtbot):
+def test_the_curve_shows_the_error_at_many_distances(view, frame, traces, qtbot):
     traced(view, frame, qtbot)
     assert not view._curve.isVisible()
     traces.clear()

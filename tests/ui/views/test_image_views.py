@@ -105,7 +105,7 @@ def test_dragging_moves_all_no_farther_than_the_screen(views, qtbot):
     qtbot.waitUntil(lambda: all(limits(view) == (-1, 1, -1, 1) for view in views))
 
 
-def test_all_tell_their_value_under_the_pointer(views, frame, session, qtbot):
+def test_all_show_their_value_under_the_pointer(views, frame, session, qtbot):
     x, y = 0.40625, -0.65625  # the middle of row 26, column 22
     qtbot.mouseMove(views[1]._canvas, place(views[1], x, y))
     image, scene = frame.snapshot.irradiance, session.scene

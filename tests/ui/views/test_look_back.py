@@ -32,7 +32,7 @@ def test_few_frames_are_all_kept():
     assert kept(history) == [0, 1, 2, 3, 4]
 
 
-def test_many_frames_stay_within_the_budget_and_tell_the_course_evenly():
+def test_many_frames_stay_within_the_budget_and_spread_evenly():
     history = FrameHistory(budget=1_000_000)
     for at in range(3000):
         history.add(frame(at, size=100_000 - 8 * at))
@@ -87,7 +87,7 @@ def test_the_slider_shows_an_earlier_lens(designed, qtbot):
     assert designed.document.session.result.iterations == 12
 
 
-def test_where_there_is_little_room_the_text_gives_way(designed, qtbot):
+def test_the_text_is_hidden_where_there_is_little_room(designed, qtbot):
     look_back = designed.loaded.views.look_back
     least = look_back.minimumSizeHint().width()
     for width, told in ((2 * least, True), (least, False), (2 * least, True)):
@@ -115,7 +115,7 @@ def test_the_design_goes_on_from_an_earlier_lens(designed, qtbot):
     )
 
 
-def test_an_edit_forgets_the_course(designed, qtbot):
+def test_an_edit_removes_the_course(designed, qtbot):
     scene = designed.document.session.scene
     designed.document.edit(scene.model_copy(update={"unit": "mm"}), "unit", "unit")
     assert designed.loaded.control.history.frames == []
@@ -146,7 +146,7 @@ def test_steps_are_not_jumped_in_while_a_run_goes_on(window, qtbot):
     assert window.workspace.history.isEnabled()
 
 
-def test_undoing_a_run_takes_its_course_away_and_redoing_it_brings_it_back(designed, qtbot):
+def test_undoing_a_run_removes_its_course_and_redoing_restores_it(designed, qtbot):
     views, history = designed.loaded.views, designed.loaded.control.history
     qtbot.waitUntil(lambda: views.loss._verified != ())
     frames, verified = list(history.frames), views.loss._verified

@@ -54,14 +54,14 @@ def test_it_follows_the_lens_and_is_read_under_the_pointer(view, tilted, qtbot):
     qtbot.waitUntil(lambda: reading().startswith("45 ° at x = 0.2"))
 
 
-def test_nothing_is_computed_for_nobody(view, tilted, monkeypatch, qtbot):
+def test_nothing_is_computed_while_hidden(view, tilted, monkeypatch, qtbot):
     view.hide()
     monkeypatch.setattr(view._image, "update", lambda heights: pytest.fail("computed"))
     view.show_frame(tilted(0.2))
     qtbot.wait(50)
 
 
-def test_where_labels_would_lie_over_each_other_it_says_so_instead(view, qtbot):
+def test_a_text_replaces_labels_that_would_overlap(view, qtbot):
     for height, empty in ((100, True), (400, False)):
         view.resize(300, height)
         qtbot.waitUntil(lambda empty=empty: view.empty is empty)

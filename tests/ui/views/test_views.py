@@ -340,7 +340,7 @@ def test_the_light_account_adds_up(frame, show, qtbot):
     }
 
 
-def test_every_part_of_the_account_is_in_the_account(qtbot):
+def test_every_loss_has_a_row_in_the_light_account(qtbot):
     assert list(light_view._PARTS) == ["on_screen", *LOSSES]
 
 

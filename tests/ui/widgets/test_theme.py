@@ -39,7 +39,7 @@ def contrast(one, other):
 @pytest.mark.parametrize(
     ("scheme", "ground", "text"), [("light", "#efefef", "#000"), ("dark", "#323232", "#fff")]
 )
-def test_what_is_coloured_can_be_read(scheme, ground, text):
+def test_coloured_text_has_enough_contrast(scheme, ground, text):
     """On Fusion's own grounds; 4.5 is what WCAG asks of text."""
     assert contrast(theme._REFUSED[scheme], ground) >= 4.5
     for ground_of_message in (theme._WARNING, theme._NOTE):
@@ -47,7 +47,9 @@ def test_what_is_coloured_can_be_read(scheme, ground, text):
 
 
 @pytest.mark.parametrize(("scheme", "ink"), [("light", "#000"), ("dark", "#fff")])
-def test_what_is_on_can_be_read_and_told_from_what_is_off(application, scheme, ink, qtbot):
+def test_checked_buttons_have_contrast_and_differ_from_unchecked_ones(
+    application, scheme, ink, qtbot
+):
     theme.apply(application)
     if scheme == "dark":
         application.styleHints().colorSchemeChanged.emit(Qt.ColorScheme.Dark)

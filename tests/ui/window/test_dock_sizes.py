@@ -28,7 +28,7 @@ def width(window, name="error"):
     return window.workspace.docks[name].width()
 
 
-def test_target_and_irradiance_share_the_room_that_one_had(large, qtbot):
+def test_target_and_irradiance_share_the_room_of_one_dock(large, qtbot):
     whole = width(large)
     large.commands["go_target"].trigger()
     qtbot.wait(50)

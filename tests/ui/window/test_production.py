@@ -13,7 +13,7 @@ def window(display, open_window, designed, qtbot):
     return window
 
 
-def test_the_dock_shows_what_a_shop_asks(window, qtbot):
+def test_the_dock_shows_the_figures_for_manufacture(window, qtbot):
     pane = window.loaded.production.manufacture
     qtbot.wait(400)
     assert pane._found is None and not window.workspace.docks["manufacture"].isVisible()

@@ -107,7 +107,7 @@ def test_a_file_opened_before_the_views_are_there_is_seen_as_it_was_left(
         {"camera": {"fitted": 3}},
     ],
 )
-def test_a_broken_view_costs_a_line_in_the_log_and_nothing_else(open_window, tmp_path, view, qtbot):
+def test_a_broken_view_is_logged_and_otherwise_ignored(open_window, tmp_path, view, qtbot):
     path = tmp_path / "mine.freeform"
     window = open_window()
     window.build()
@@ -172,7 +172,7 @@ def test_revert_to_a_file_that_is_gone_changes_nothing(open_window, tmp_path):
     assert "mine.freeform" in window.messages.text
 
 
-def test_a_refused_field_is_told_in_the_log(open_window):
+def test_a_refused_field_is_logged(open_window):
     window = open_window()
     editor(window.forms, "screen.z").setText("-3")
     window.forms.commit()
