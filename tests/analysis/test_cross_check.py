@@ -123,6 +123,11 @@ class TestWithMitsuba:
         trace.flux(2 * 32 * 32, 1)
         assert asked == [1, 1]
 
+    def test_a_source_without_a_light_of_mitsuba_is_refused(self, make_scene, monkeypatch):
+        monkeypatch.setattr("workbench.analysis.mitsuba_lights._LIGHTS", {})
+        with pytest.raises(Refused, match=r"^source.kind: 'point' is no light that Mitsuba"):
+            other.MitsubaScene(make_scene({"source": POINT}), np.full((12, 10), 0.5))
+
     def test_pixels_that_are_not_square_are_refused(self, make_scene):
         scene = make_scene({"screen.pixels": [32, 31]})
         with pytest.raises(Refused, match=r"^screen.pixels: \[32, 31\] on \[1, 1\] are not square"):

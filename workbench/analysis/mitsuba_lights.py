@@ -5,6 +5,7 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from workbench.analysis.tracing.sources.cones import covering_cones
+from workbench.errors import Refused
 from workbench.scene import CollimatedSource, GridSource, Lens, PointSource, Source
 
 # In half-widths of the lens: how far before it parallel light starts.
@@ -31,8 +32,16 @@ def mitsuba_lights(mi: Any, source: Source, lens: Lens, unit: float) -> Lights:
         Gives the entrance face.
     unit : float
         What counts as 1 in Mitsuba, scene units.
+
+    Raises
+    ------
+    Refused
+        If there is nothing in Mitsuba that emits like this source.
     """
-    return _LIGHTS[type(source)](mi, source, lens, unit)
+    light = _LIGHTS.get(type(source))
+    if light is None:
+        raise Refused("source.kind", f"{source.kind!r} is no light that Mitsuba is given")
+    return light(mi, source, lens, unit)
 
 
 def _sheet(mi: Any, source: CollimatedSource, lens: Lens, unit: float) -> Lights:

@@ -13,7 +13,8 @@ from workbench.analysis.benchmark.examples import Example, Tell, wavy
 from workbench.analysis.validation import validate
 from workbench.design.loss import paper_loss, share
 from workbench.optics.plan import Plan, device_of
-from workbench.scene import CollimatedSource, GridSource, PointSource, Scene
+from workbench.optics.sources import emitter_of
+from workbench.scene import Scene
 
 Array = npt.NDArray[np.float64]
 
@@ -81,13 +82,8 @@ class Descent:
 
 def rays_of(scene: Scene) -> int:
     """How many rays a scene traces."""
-    match scene.source:
-        case CollimatedSource(rays=(along_x, along_y)):
-            return along_x * along_y
-        case GridSource(points=(along_x, along_y), rays=each):
-            return along_x * along_y * each
-        case PointSource(rays=count):
-            return count
+    x, y, _ = emitter_of(scene.source, scene.lens).rays(scene.run.seed).position
+    return (x + y).numel()
 
 
 def measurements(iterations: int | None, tell: Tell) -> Iterator[Measured]:
