@@ -48,7 +48,7 @@ def main(arguments: list[str] | None = None) -> int:
 
     from PySide6.QtCore import QSettings, QStandardPaths
 
-    from ui.startup.unexpected_errors import Trouble
+    from ui.startup.unexpected_errors import UnexpectedErrors
     from ui.threads.garbage import GarbageCollector
     from ui.windows import Windows
 
@@ -56,17 +56,17 @@ def main(arguments: list[str] | None = None) -> int:
     folder = Path(QStandardPaths.writableLocation(beside_settings)) / "recovery"
     settings = QSettings()
     garbage = GarbageCollector(application)
-    windows, trouble = Windows(settings, folder), Trouble()
+    windows, unexpected = Windows(settings, folder), UnexpectedErrors()
     windows.loaded.connect(garbage.keep_what_is_there)
-    trouble.happened.connect(windows.tell_trouble)
-    trouble.qt_said.connect(windows.log)
-    trouble.logged.connect(windows.log_details)
+    unexpected.happened.connect(windows.tell_unexpected_error)
+    unexpected.qt_warned.connect(windows.log)
+    unexpected.logged.connect(windows.log_details)
     signals = _leave_on_signals(windows, application)
     window = windows.open()
     _begin_when_painted(window, lambda: _begin(windows, window, settings, options))
     status = application.exec()
     windows.wait()
-    trouble.close()
+    unexpected.close()
     signals.close()
     garbage.close()
     return status

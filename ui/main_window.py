@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QMainWindow
 
 from resources import EXAMPLES, Example
 from ui.commands.availability import Situation
-from ui.commands.pane_focus import Panes
+from ui.commands.pane_focus import PaneFocus
 from ui.commands.table import NEW
 from ui.document.document import ENDING, Document
 from ui.files.actions import Answer, FileActions
@@ -84,7 +84,7 @@ class MainWindow(QMainWindow):
         self.commands, self.messages, self.log = early.commands, early.messages, early.log
         self.forms, self.workspace, self.status = early.forms, early.workspace, early.status
         self.forms.image_asked.connect(self._choose_image)
-        CarriedLens(document, self.messages, self).told.connect(self.log.add)
+        CarriedLens(document, self.messages, self).noted.connect(self.log.add)
         UnitChange(document, self.messages, self)
         self._image = TargetImage(document, self.messages, self)
         steps = document.undo_stack
@@ -99,7 +99,7 @@ class MainWindow(QMainWindow):
         self.files = FileActions(document, lens, self._recent, messages, dialogs, self)
         self.exporter = Exporter(document, lens, messages, dialogs, self)
         self.reporter = Reporter(document, lens, messages, dialogs, self)
-        self._panes = Panes(self, self.workspace.docks, self.commands.toolbar)
+        self._panes = PaneFocus(self, self.workspace.docks, self.commands.toolbar)
         self.help = Help(self, self.commands, self._panes, self.messages)
         self._layout = Layout(self, self.workspace, settings)
         self._view_state = ViewState(self.commands, self._layout, self.log.add)

@@ -145,7 +145,7 @@ class Windows(QObject):
         """Let what is being loaded be loaded; a process that ends in its midst may crash."""
         self._warm_up.wait()
 
-    def tell_trouble(self, sentence: str, details: str) -> None:
+    def tell_unexpected_error(self, sentence: str, details: str) -> None:
         """Say in the active window what went wrong, and write it down in its log."""
         window = self.active()
         if window is not None:

@@ -241,7 +241,7 @@ def test_a_given_file_is_opened_in_the_first_window(windows, session, tmp_path):
 
 def test_an_error_is_shown_in_the_active_window_and_can_be_copied(windows, two, qtbot):
     first, second = two
-    windows.tell_trouble("Something odd.", "all about it\n  line 3")
+    windows.tell_unexpected_error("Something odd.", "all about it\n  line 3")
     assert second.messages.text == "Something odd." and not first.messages.isVisible()
     assert second.messages.buttons[0].text() == "Copy details"
     qtbot.mouseClick(second.messages.buttons[0], Qt.MouseButton.LeftButton)

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
-from ui.check.checking import RAYS, Suspect, check, verified_error
+from ui.check.checking import RAYS, CheckedLens, check, verified_error
 from ui.shown.frame import same_lens
 from ui.threads.background import Background
 from ui.threads.failure import sentence_of
@@ -25,9 +25,9 @@ class Check(QObject):
         What is known of the lens on show, or how far its check is; empty for nothing.
     under_way_changed : Signal(bool)
         Whether there is a check that could be cancelled.
-    checked : Signal(Suspect, Validation, float)
+    checked : Signal(CheckedLens, Validation, float)
         The outcome for a lens, and how far it is from the optimiser's own image.
-    told : Signal(str)
+    summary_ready : Signal(str)
         The same as a sentence.
     failed : Signal(str)
         Why there is none.
@@ -36,7 +36,7 @@ class Check(QObject):
     figures_changed = Signal(str)
     under_way_changed = Signal(bool)
     checked = Signal(object, object, object)
-    told = Signal(str)
+    summary_ready = Signal(str)
     failed = Signal(str)
 
     def __init__(self, parent: QObject) -> None:
@@ -73,8 +73,8 @@ class Check(QObject):
             self.figures_changed.emit("checking…")
             self.under_way_changed.emit(True)
             session, shot = self._shown.session, self._shown.snapshot
-            suspect = Suspect(session, shot.control_points, irradiance=shot.irradiance)
-            self._background.begin(partial(check, suspect, self._rays, None), suspect)
+            lens = CheckedLens(session, shot.control_points, irradiance=shot.irradiance)
+            self._background.begin(partial(check, lens, self._rays, None), lens)
 
     def cancel(self) -> None:
         """Leave the check, if one is under way."""
@@ -85,23 +85,23 @@ class Check(QObject):
         """Leave the check and wait for its thread; safe to call twice."""
         self._background.close()
 
-    def _tell_progress(self, suspect: Suspect, part: float) -> None:
+    def _tell_progress(self, lens: CheckedLens, part: float) -> None:
         self.figures_changed.emit(f"checking… {100 * part:.0f} %")
 
-    def _take(self, suspect: Suspect, outcome: "tuple[Validation, float]") -> None:
+    def _take(self, lens: CheckedLens, outcome: "tuple[Validation, float]") -> None:
         found, difference = outcome
         self.figures_changed.emit(f"checked: error {verified_error(found)}")
         self.under_way_changed.emit(False)
-        self.checked.emit(suspect, found, difference)
+        self.checked.emit(lens, found, difference)
         low, high = found.relative_l2_corrected_interval
-        self.told.emit(
+        self.summary_ready.emit(
             f"Check with {found.rays:,} fresh rays: relative L2 error {verified_error(found)} "
             f"(95 %: {100 * low:.2f} to {100 * high:.2f} %); with the scatter of the rays "
             f"{100 * found.relative_l2:.2f} ± {100 * found.noise:.2f} %, loss {found.loss:.3e}; "
             f"{100 * found.efficiency:.1f} % on the screen"
         )
 
-    def _give_up(self, suspect: Suspect, error: Exception) -> None:
+    def _give_up(self, lens: CheckedLens, error: Exception) -> None:
         self._forget()
         self.failed.emit(sentence_of(error, "check"))
 

@@ -20,7 +20,7 @@ RAYS = 4_000_000
 
 
 @dataclass(frozen=True, eq=False)
-class Suspect:
+class CheckedLens:
     """A lens that shall be checked.
 
     Attributes
@@ -45,13 +45,13 @@ class Suspect:
 
 
 def check(
-    suspect: Suspect, rays: int, threads: int | None, task: Task
+    lens: CheckedLens, rays: int, threads: int | None, task: Task
 ) -> "tuple[Validation, float | None] | None":
     """Check a lens; meant for a thread. Reports the part that is done.
 
     Parameters
     ----------
-    suspect : Suspect
+    lens : CheckedLens
         The lens.
     rays : int
         How many are traced.
@@ -71,14 +71,14 @@ def check(
     from workbench.analysis.metrics import relative_l2
     from workbench.analysis.validation import validating
 
-    scene, target = suspect.session.scene, suspect.session.target
-    steps = validating(scene, target, suspect.control_points, rays, threads=threads)
+    scene, target = lens.session.scene, lens.session.target
+    steps = validating(scene, target, lens.control_points, rays, threads=threads)
     while not task.stopped:
         try:
             task.report(next(steps))
         except StopIteration as end:
             found: Validation = end.value
-            own = suspect.irradiance
+            own = lens.irradiance
             return found, None if own is None else relative_l2(found.irradiance, own)
     steps.close()
     return None

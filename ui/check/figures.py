@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from ui.check.checking import RAYS, Suspect
+from ui.check.checking import RAYS, CheckedLens
 
 if TYPE_CHECKING:
     from workbench.analysis.validation import Validation
@@ -138,7 +138,7 @@ class CheckFigures(QWidget):
         """All figures, a line for each, with a tab between name and value."""
         return "".join(f"{self._cell(n, 0)}\t{self._cell(n, 1)}\n" for n in range(self._count))
 
-    def show_check(self, suspect: Suspect, found: "Validation", difference: float) -> None:
+    def show_check(self, lens: CheckedLens, found: "Validation", difference: float) -> None:
         """Show what a check says."""
         # Late: what it stands on is slow to import, and is there after a check.
         from workbench.report.figures import account_rows, check_rows

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, eq=False)
-class Question:
+class FocusRequest:
     """What the light of a lens is like on screens elsewhere.
 
     Attributes
@@ -34,29 +34,29 @@ class Question:
     traces: tuple[tuple[float, int], ...]
 
 
-def trace_through_focus(question: Question, task: Task) -> None:
-    """Answer a question; meant for a thread.
+def trace_through_focus(request: FocusRequest, task: Task) -> None:
+    """Answer a request; meant for a thread.
 
     Reports for each screen its z and what the light is like there, a `Validation` or None for no
     light.
     """
-    for z, rays in question.traces:
-        found = _trace(question, z, rays, task)
+    for z, rays in request.traces:
+        found = _trace(request, z, rays, task)
         if task.stopped:
             return
         task.report((z, found))
 
 
-def _trace(question: Question, z: float, rays: int, task: Task) -> "Validation | None":
+def _trace(request: FocusRequest, z: float, rays: int, task: Task) -> "Validation | None":
     """The light on a screen; None if there is none, or nobody wants to know any more."""
     # Late: what it stands on is slow to import.
     from workbench.analysis.validation import validating
 
-    session = question.session
+    session = request.session
     steps = validating(
         session.scene,
         session.target,
-        question.control_points,
+        request.control_points,
         rays,
         screen_z=z,
         threads=other_cores(),

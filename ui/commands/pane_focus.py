@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QApplication, QDockWidget, QMainWindow, QToolBar, 
 from ui.commands.panes import PANES
 
 
-class Panes(QObject):
+class PaneFocus(QObject):
     """The docks, what stands between them, and the toolbar.
 
     Parameters

@@ -8,7 +8,7 @@ from typing import Any
 from PySide6.QtCore import QObject, Signal
 
 import resources
-from ui.document.undo_steps import Steps
+from ui.document.undo_steps import UndoSteps
 from ui.document.verified_errors import VerifiedErrors
 from workbench.design.snapshot import Result
 from workbench.design.task import with_file, with_task
@@ -83,7 +83,7 @@ class Document(QObject):
         self._fingerprint: str | None = None
         self._suggestion = Path(name)
         self.verified = VerifiedErrors()
-        self.undo_stack = Steps(self._show, self)
+        self.undo_stack = UndoSteps(self._show, self)
         self.undo_stack.cleanChanged.connect(self._tell_dirty)
 
     @property

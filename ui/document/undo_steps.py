@@ -14,7 +14,7 @@ _BUDGET = 64 << 20  # bytes
 _SMALL = 16 << 10  # bytes of a step without arrays of its own: scene, text, Qt's part
 
 
-class Steps(QUndoStack):
+class UndoSteps(QUndoStack):
     """The undo stack of a document.
 
     Sessions share their arrays, so a step costs what the session before it holds and the one

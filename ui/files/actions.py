@@ -188,7 +188,7 @@ class FileActions(QObject):
             found = self._document.on_disk(path)
             if found is not OnDisk.KNOWN:
                 choice = changed.ask(path, found, self._window)
-                if choice is not changed.Choice.OVERWRITE:
+                if choice is not changed.ChangedFileChoice.OVERWRITE:
                     return self._save_otherwise(choice)
             self._document.save(path, self.look(), making)
         except Refused as refused:
@@ -202,11 +202,11 @@ class FileActions(QObject):
         self.saved.emit(f"Saved {path.name}, {size}{words}")
         return True
 
-    def _save_otherwise(self, choice: changed.Choice) -> bool:
+    def _save_otherwise(self, choice: changed.ChangedFileChoice) -> bool:
         """Save elsewhere or not at all; False if not saved."""
-        if choice is changed.Choice.RELOAD:
+        if choice is changed.ChangedFileChoice.RELOAD:
             self.revert()
-        return choice is changed.Choice.SAVE_AS and self.save_as()
+        return choice is changed.ChangedFileChoice.SAVE_AS and self.save_as()
 
     def _attempt(self, action: Callable[[], None]) -> bool:
         try:

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QAbstractButton, QMessageBox, QWidget
 from ui.document.document import OnDisk
 
 
-class Choice(Enum):
+class ChangedFileChoice(Enum):
     """What to do about a file that is no longer what the design was read from or saved to."""
 
     OVERWRITE = auto()
@@ -18,7 +18,7 @@ class Choice(Enum):
     CANCEL = auto()
 
 
-def ask(path: Path, found: OnDisk, window: QWidget) -> Choice:
+def ask(path: Path, found: OnDisk, window: QWidget) -> ChangedFileChoice:
     """Put the question.
 
     Parameters
@@ -34,7 +34,7 @@ def ask(path: Path, found: OnDisk, window: QWidget) -> Choice:
     box.setIcon(QMessageBox.Icon.Warning)
     box.setTextFormat(Qt.TextFormat.PlainText)  # names of files may look like markup
     roles = QMessageBox.ButtonRole
-    choices: dict[QAbstractButton, Choice] = {}
+    choices: dict[QAbstractButton, ChangedFileChoice] = {}
     if found is OnDisk.CHANGED:
         box.setWindowTitle("The file has changed")
         box.setText(
@@ -44,20 +44,22 @@ def ask(path: Path, found: OnDisk, window: QWidget) -> Choice:
             "Overwrite loses what the file holds now. Reload shows it in place of your design; "
             "Undo brings your design back."
         )
-        choices[box.addButton("&Overwrite", roles.DestructiveRole)] = Choice.OVERWRITE
-        choices[box.addButton("&Reload", roles.ActionRole)] = Choice.RELOAD
+        choices[box.addButton("&Overwrite", roles.DestructiveRole)] = ChangedFileChoice.OVERWRITE
+        choices[box.addButton("&Reload", roles.ActionRole)] = ChangedFileChoice.RELOAD
     else:
         box.setWindowTitle("The file is gone")
         box.setText(f"{path.name} has been deleted, moved or renamed since it was last saved here.")
         if path.parent.is_dir():
-            choices[box.addButton("&Save there again", roles.ApplyRole)] = Choice.OVERWRITE
+            choices[box.addButton("&Save there again", roles.ApplyRole)] = (
+                ChangedFileChoice.OVERWRITE
+            )
         else:
             box.setInformativeText(f"Its folder, {path.parent}, is gone, too.")
     save_as = box.addButton("Save &as…", roles.AcceptRole)
-    choices[save_as] = Choice.SAVE_AS
+    choices[save_as] = ChangedFileChoice.SAVE_AS
     box.setDefaultButton(save_as)
     box.setEscapeButton(box.addButton(QMessageBox.StandardButton.Cancel))
     box.exec()
-    choice = choices.get(box.clickedButton(), Choice.CANCEL)
+    choice = choices.get(box.clickedButton(), ChangedFileChoice.CANCEL)
     box.deleteLater()
     return choice

@@ -1,4 +1,4 @@
-"""The examples, each with a small picture of the light that it wishes for."""
+"""The examples, each with a small picture of its target."""
 
 from collections.abc import Sequence
 

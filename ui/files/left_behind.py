@@ -124,7 +124,7 @@ def about_of(file: Path) -> Path:
     return file.with_suffix(".json")
 
 
-class Choice(Enum):
+class RecoveryChoice(Enum):
     """What shall become of work that was left behind."""
 
     RECOVER = auto()
@@ -154,16 +154,16 @@ def offer(
     recovered = 0
     for work in works:
         choice = ask(work, window)
-        opened = choice is Choice.RECOVER and recover(work)
+        opened = choice is RecoveryChoice.RECOVER and recover(work)
         recovered += opened
-        if opened or choice is Choice.DISCARD:
+        if opened or choice is RecoveryChoice.DISCARD:
             work.remove()
         else:
             work.put_back()
     return recovered > 0
 
 
-def ask(work: LeftBehind, window: QWidget) -> Choice:
+def ask(work: LeftBehind, window: QWidget) -> RecoveryChoice:
     """Put the question about one."""
     box, name = QMessageBox(window), work.about.name
     box.setTextFormat(Qt.TextFormat.PlainText)  # names of files may look like markup
@@ -183,5 +183,5 @@ def ask(work: LeftBehind, window: QWidget) -> Choice:
     pressed = box.clickedButton()
     box.deleteLater()
     if pressed == recover:
-        return Choice.RECOVER
-    return Choice.DISCARD if pressed == discard else Choice.LATER
+        return RecoveryChoice.RECOVER
+    return RecoveryChoice.DISCARD if pressed == discard else RecoveryChoice.LATER

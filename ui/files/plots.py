@@ -132,7 +132,7 @@ class Plots(QObject):
         for name in (self._last, *self._plots):
             plot = self._plots[name]
             if plot.isVisible() and not plot.empty:
-                plot.take_turn()  # what came in the meantime
+                plot.draw_now()  # what came in the meantime
                 return name
         self._messages.note("There is no plot to be seen; View shows the docks of all plots.")
         return None

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QMainWindow, QMessageBox, QWidget
 import workbench
 from ui.commands.actions import Commands
 from ui.commands.palette import CommandPalette
-from ui.commands.pane_focus import Panes
+from ui.commands.pane_focus import PaneFocus
 from ui.commands.shortcuts import Shortcuts
 from ui.help.tour import STOPS, Tour
 from ui.widgets.message_bar import MessageBar
@@ -26,14 +26,14 @@ class Help(QObject):
         Is helped with.
     commands : Commands
         What there is to be found.
-    panes : Panes
+    panes : PaneFocus
         What there is to be shown.
     messages : MessageBar
         Offers the tour.
     """
 
     def __init__(
-        self, window: QMainWindow, commands: Commands, panes: Panes, messages: MessageBar
+        self, window: QMainWindow, commands: Commands, panes: PaneFocus, messages: MessageBar
     ) -> None:
         super().__init__(window)
         self._window, self._commands, self._panes = window, commands, panes

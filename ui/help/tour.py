@@ -27,7 +27,7 @@ STOPS = (
     Stop(
         "design",
         "Describe the task",
-        "Here you say what you have and what you wish for: the image of light, the lens, the "
+        "Here you say what you have and what you want: the image of light, the lens, the "
         "source, the screen. What is not possible is refused beside the field, with what would "
         "be allowed. Any picture dropped onto the window becomes the target.",
     ),

@@ -20,7 +20,7 @@ from ui.lens.live import Draft, LiveLens
 from ui.lens.lock import Lock
 from ui.lens.move_source import MoveSource
 from ui.lens.sculpt import Sculpt
-from ui.views.turns import turns
+from ui.views.drawing_queue import drawing_queue
 from workbench.design.evaluation import undesigned
 from workbench.errors import Refused
 from workbench.scene import Scene
@@ -91,7 +91,7 @@ class LensTools(QObject):
 
     def close(self) -> None:
         """Wait for the thread; safe to call twice."""
-        turns().hurry(False)
+        drawing_queue().hurry(False)
         self._live.close()
 
     def _sculpt(self) -> Sculpt:
@@ -143,7 +143,7 @@ class LensTools(QObject):
         if frame is None:
             return
         self._shaping = not settled
-        turns().hurry(self._shaping)
+        drawing_queue().hurry(self._shaping)
         draft = Draft(self._document.session, heights, frame.result(), settled)
         self._settling = draft if settled else None
         self._live.show(draft)

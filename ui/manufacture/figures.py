@@ -41,7 +41,7 @@ _ROUNDING = 1e-9  # what a flat face may have of slope, and of sag in its thickn
 _NAME, _FOUND, _SIGN, _LIMIT, _STATE = range(5)
 
 
-class Figures(QWidget):
+class ManufactureFigures(QWidget):
     """A table of figures, limits and verdicts.
 
     Parameters

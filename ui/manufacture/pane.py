@@ -12,12 +12,12 @@ from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QWidget
 
 from ui.manufacture.face_map import FaceMap
-from ui.manufacture.figures import Figures
+from ui.manufacture.figures import ManufactureFigures
 from ui.manufacture.limits import LimitFields
 from ui.shown.frame import same_lens
 from ui.threads.background import Background, Task
 from ui.threads.failure import sentence_of
-from ui.widgets.side_by_side import Beside
+from ui.widgets.side_by_side import SideBySide
 from workbench.analysis.manufacture import Manufacture, SurfaceMaps, manufacture, surface_maps
 from workbench.geometry.surface import even_counts
 
@@ -37,7 +37,7 @@ class _Found(NamedTuple):
     maps: SurfaceMaps
 
 
-class ManufacturePane(Beside):
+class ManufacturePane(SideBySide):
     """Map, figures and limits of the lens on show.
 
     Parameters
@@ -54,7 +54,7 @@ class ManufacturePane(Beside):
     def __init__(self, settings: QSettings, parent: QWidget | None = None) -> None:
         face_map = FaceMap()
         fields = LimitFields(settings, face_map)
-        figures = Figures(fields)
+        figures = ManufactureFigures(fields)
         super().__init__(face_map, figures, parent)
         self.map, self._fields, self._figures = face_map, fields, figures
         self.setFocusProxy(face_map)

@@ -31,11 +31,11 @@ class CarriedLens(QObject):
 
     Attributes
     ----------
-    told : Signal(str)
+    noted : Signal(str)
         What is good to know.
     """
 
-    told = Signal(str)
+    noted = Signal(str)
 
     def __init__(self, document: Document, messages: MessageBar, parent: QObject) -> None:
         super().__init__(parent)
@@ -86,15 +86,15 @@ class CarriedLens(QObject):
             )
 
     def _ask(self, before: Session, after: Session, off: float) -> None:
-        net, wished = ControlNet.of(before.scene.lens), after.scene.lens.control_points
+        net, wanted = ControlNet.of(before.scene.lens), after.scene.lens.control_points
         unit = after.scene.unit
-        exact = nearest_finer(net, wished, LARGEST_NET)
+        exact = nearest_finer(net, wanted, LARGEST_NET)
         offers: list[Offer] = []
         if exact != net.shape:
             take = partial(self._take, before, after, exact)
             offers = [(f"Take {_size(exact)}, exact", take)]
         self._say(
-            f"On {_size(wished)} control points the lens is off by up to {off:.2g} {unit}. "
+            f"On {_size(wanted)} control points the lens is off by up to {off:.2g} {unit}. "
             "Continue goes on from there, Start over from nothing, and Undo takes the change back.",
             *offers,
         )
@@ -107,7 +107,7 @@ class CarriedLens(QObject):
     def _tell_once(self, before: Session, text: str) -> None:
         if self._told is None or self._told[0] is not before or self._told[1] != text:
             self._told = before, text
-            self.told.emit(text)
+            self.noted.emit(text)
 
     def _say_of(self, after: Session, text: str) -> None:
         """Say something of the session after an edit."""

@@ -7,7 +7,7 @@ from ui.run.control import RunControl
 from ui.widgets.message_bar import MessageBar
 
 
-class Postponed(QObject):
+class PostponedEdits(QObject):
     """Says which edits wait, and offers to stop the run for them.
 
     Parameters

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QThread, Signal
 
-from ui.check.checking import RAYS, Suspect, check, verified_error
+from ui.check.checking import RAYS, CheckedLens, check, verified_error
 from ui.document.document import Document
 from ui.run.control import RunControl
 from ui.shown.frame import iterations_before, same_task
@@ -44,7 +44,7 @@ class RunCheck(QObject):
     figures_changed : Signal(str)
         The latest verified error and the moment that it is of; empty for none, and while the
         design is another lens.
-    checked : Signal(Suspect, Validation)
+    checked : Signal(CheckedLens, Validation)
         One of them.
     failed : Signal(str)
         Why a check came to nothing.
@@ -62,7 +62,7 @@ class RunCheck(QObject):
         self._cost = _GUESS
         self._text = ""
         self._latest: Verified | None = None  # which the text is of
-        self._end: Suspect | None = None  # the lens of the run that ended last
+        self._end: CheckedLens | None = None  # the lens of the run that ended last
         self._result: Result | None = None  # that it is of
         self._background = Background("check of the run", self)
         self._background.done.connect(self._take)
@@ -101,35 +101,33 @@ class RunCheck(QObject):
         self._began = monotonic()
         seconds = float(frame.times[-1]) if frame.times.size else 0.0
         heights = frame.snapshot.control_points
-        suspect = Suspect(frame.session, heights, iterations_before(frame), seconds)
-        self._background.begin(partial(check, suspect, _FEW_RAYS, 1), suspect)
+        lens = CheckedLens(frame.session, heights, iterations_before(frame), seconds)
+        self._background.begin(partial(check, lens, _FEW_RAYS, 1), lens)
 
     def _finish(self) -> None:
         result, frame = self._document.session.result, self._last
         self._last, self._result = None, result
         self._tell()
         if result is not None and frame is not None:
-            self._end = Suspect(
+            self._end = CheckedLens(
                 self._document.session, result.control_points, result.iterations, result.seconds
             )
             self._background.begin(partial(check, self._end, RAYS, None), self._end)
 
-    def _take(self, suspect: Suspect, outcome: "tuple[Validation, None]") -> None:
+    def _take(self, lens: CheckedLens, outcome: "tuple[Validation, None]") -> None:
         found, _ = outcome
-        self._latest = verified = Verified(
-            suspect.iterations, suspect.seconds, found.loss_corrected
-        )
+        self._latest = verified = Verified(lens.iterations, lens.seconds, found.loss_corrected)
         history = self._control.history
-        if suspect is self._end and self._result is not None:
+        if lens is self._end and self._result is not None:
             self._document.verified.note(self._result, found)  # also while its run is undone
             history.add_later_check(verified, self._result, self._document.session)
         else:
             self._rested_at = monotonic()
             self._cost = self._rested_at - self._began
             history.add_check(verified)
-        self._text = f"verified {verified_error(found)} at {suspect.iterations}"
+        self._text = f"verified {verified_error(found)} at {lens.iterations}"
         self._tell()
-        self.checked.emit(suspect, found)
+        self.checked.emit(lens, found)
 
     def _follow_course(self) -> None:
         """While a run goes on, say nothing of what is not of its course: see `FrameHistory.add`."""

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from PySide6.QtCore import QObject, Signal
 
-from ui.check.checking import Suspect, verified_error
+from ui.check.checking import CheckedLens, verified_error
 from ui.document.document import Document
 from ui.run.control import RunControl
 from ui.run.kept import renamed, restored, without
@@ -67,10 +67,10 @@ class Runs(QObject):
             "delete_run": lambda: self._with_choice(self.table.delete, "runs"),
         }
 
-    def note_check(self, suspect: Suspect, found: "Validation") -> None:
+    def note_check(self, lens: CheckedLens, found: "Validation") -> None:
         """Keep what a check says of the lens of a kept run."""
         for run in self._document.session.runs:
-            if _is_lens_of(run, suspect):
+            if _is_lens_of(run, lens):
                 self._document.verified.note(run.result, found)
         self.table.show_verified()
 
@@ -98,7 +98,7 @@ class Runs(QObject):
         session = self._document.session
         if session.result is None:
             return None
-        lens = Suspect(session, session.result.control_points)
+        lens = CheckedLens(session, session.result.control_points)
         return next((run for run in reversed(session.runs) if _is_lens_of(run, lens)), None)
 
     def _follow(self, state: str) -> None:
@@ -131,11 +131,11 @@ class Runs(QObject):
         self._document.change(without(self._document.session, runs), text)
 
 
-def _is_lens_of(run: KeptRun, suspect: Suspect) -> bool:
+def _is_lens_of(run: KeptRun, lens: CheckedLens) -> bool:
     """Whether a lens is that of a run, for the same task; by value, since files share nothing."""
-    task, other = run.scene, suspect.session
+    task, other = run.scene, lens.session
     return (
-        np.array_equal(run.result.control_points, suspect.control_points)
+        np.array_equal(run.result.control_points, lens.control_points)
         and task == other.scene.model_copy(update={"run": task.run})
         and np.array_equal(run.target, other.target)
     )

@@ -31,21 +31,21 @@ _HARMLESS = "Warning: Setting a new default format"
 _SERIOUS = (QtMsgType.QtWarningMsg, QtMsgType.QtCriticalMsg, QtMsgType.QtFatalMsg)
 
 
-class Trouble(QObject):
+class UnexpectedErrors(QObject):
     """Takes the hooks of Python and Qt over until `close`.
 
     Attributes
     ----------
     happened : Signal(str, str)
         An error of a new kind as a sentence, and its details.
-    qt_said : Signal(str)
+    qt_warned : Signal(str)
         A warning of Qt's that was not heard before.
     logged : Signal(str)
         The details of an error that was told by who began the work; see `ui.threads.failure`.
     """
 
     happened = Signal(str, str)
-    qt_said = Signal(str)
+    qt_warned = Signal(str)
     logged = Signal(str)
 
     def __init__(self, parent: QObject | None = None) -> None:
@@ -91,7 +91,7 @@ class Trouble(QObject):
         print(text, file=sys.stderr)
         if kind in _SERIOUS and text not in self._heard:
             self._heard.add(text)
-            self.qt_said.emit(f"Qt: {text}")
+            self.qt_warned.emit(f"Qt: {text}")
 
 
 def _place(trace: TracebackType | None) -> str:

@@ -12,7 +12,7 @@ from ui.threads.failure import sentence_of
 from ui.tolerances.form import ToleranceForm
 from ui.tolerances.sampling import Sample, trace_sample
 from ui.tolerances.spread_view import SpreadView
-from ui.widgets.side_by_side import Beside
+from ui.widgets.side_by_side import SideBySide
 from workbench.analysis.tolerances import Distribution
 
 if TYPE_CHECKING:
@@ -21,9 +21,10 @@ if TYPE_CHECKING:
     from workbench.files.session import Session
 
 _RAYS = 1_000_000  # for each lens, as on the command line
+_NOTHING_OFF = "Nothing is off: give a tilt, a decentre or another tolerance."
 
 
-class TolerancePane(Beside):
+class TolerancePane(SideBySide):
     """Fields, the distribution, and its figures.
 
     What was found is that of the lens that was asked about; once another one is shown, it says so.
@@ -45,9 +46,9 @@ class TolerancePane(Beside):
         plot, form = SpreadView(), ToleranceForm()
         super().__init__(plot, form)
         self.plot, self.form = plot, form
-        self.told = QLabel(wordWrap=True)
-        self.told.setContentsMargins(6, 0, 6, 4)
-        plot.add_below(self.told)
+        self.summary = QLabel(wordWrap=True)
+        self.summary.setContentsMargins(6, 0, 6, 4)
+        plot.add_below(self.summary)
         self._frame: Frame | None = None
         self._sample: Sample | None = None
         self._resting = True
@@ -86,7 +87,9 @@ class TolerancePane(Beside):
             self._offer()
         elif self._frame is not None and self.form.accepted():
             if not self.form.within.any:
-                self.told.setText("Nothing is off: give a tilt, a decentre or another tolerance.")
+                self.summary.setText(
+                    "Nothing is off: give a tilt, a decentre or another tolerance."
+                )
                 return
             sample = Sample(self._frame, self.form.within, self.form.lenses, self.form.seed)
             self._sample = sample
@@ -123,7 +126,7 @@ class TolerancePane(Beside):
         possible = self._resting and self._frame is not None
         begin.setEnabled(not self._background.stopping if busy else possible)
         self.form.save.setEnabled(sample is not None and sample.shown)
-        self.told.setText(self._figures(busy))
+        self.summary.setText(self._figures(busy))
 
     def _figures(self, busy: bool) -> str:
         sample = self._sample

@@ -15,9 +15,9 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QSpinBox, QWidget
 from ui.shown.frame import same_task
 from ui.threads.background import Background
 from ui.threads.failure import sentence_of
-from ui.views.derivatives import Question, derivative
+from ui.views.computing_view import ComputingView
+from ui.views.derivatives import DerivativeRequest, derivative
 from ui.views.plot_view import PlotView
-from ui.views.while_seen import WhileSeen
 from workbench.pictures.derivative import DerivativeImage
 
 if TYPE_CHECKING:
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 _REST_MS = 250  # longer than between two frames of a run, or two steps of a spin box
 
 
-class DerivativeView(PlotView, WhileSeen):
+class DerivativeView(PlotView, ComputingView):
     """A control point to choose, the map of its influence, and the sum of that map.
 
     Attributes
@@ -136,17 +136,17 @@ class DerivativeView(PlotView, WhileSeen):
     def _ask_for_map(self) -> None:
         frame = self._frame
         assert frame is not None
-        question = Question(frame.session.scene, frame.snapshot.control_points, self.index)
+        request = DerivativeRequest(frame.session.scene, frame.snapshot.control_points, self.index)
         self._sum.setText("Computing…")
-        self._background.begin(partial(derivative, question), question)
+        self._background.begin(partial(derivative, request), request)
 
-    def _take(self, question: Question, found: "DerivativeMap") -> None:
+    def _take(self, request: DerivativeRequest, found: "DerivativeMap") -> None:
         self._map = found
-        self._place.setText(_place(found, question.scene.unit))
-        self._sum.setText(_sum(found, question.scene.unit))
+        self._place.setText(_place(found, request.scene.unit))
+        self._sum.setText(_sum(found, request.scene.unit))
         self._ask()
 
-    def _give_up(self, question: Question, error: Exception) -> None:
+    def _give_up(self, request: DerivativeRequest, error: Exception) -> None:
         self._map = None
         self._place.clear()
         self._sum.setText(sentence_of(error, "derivative map"))

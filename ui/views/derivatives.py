@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, eq=False)
-class Question:
+class DerivativeRequest:
     """Whose derivative is asked for.
 
     Attributes
@@ -33,10 +33,10 @@ class Question:
     index: tuple[int, int]
 
 
-def derivative(question: Question, task: Task) -> "DerivativeMap":
-    """The map of a question; meant for a thread."""
+def derivative(request: DerivativeRequest, task: Task) -> "DerivativeMap":
+    """The map of a request; meant for a thread."""
     # Late: torch comes with it, and the window shows before that.
     from workbench.analysis.derivatives import irradiance_derivative
 
     leave_core_for_window()
-    return irradiance_derivative(question.scene, question.control_points, question.index)
+    return irradiance_derivative(request.scene, request.control_points, request.index)

@@ -14,14 +14,14 @@ from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QCloseEvent, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSlider, QWidget
 
-from ui.check.focusing import Question, trace_through_focus
+from ui.check.focusing import FocusRequest, trace_through_focus
 from ui.shown.frame import same_task
 from ui.threads.background import Background
 from ui.threads.failure import sentence_of
+from ui.views.computing_view import ComputingView
 from ui.views.focus_curve import FocusCurveView
 from ui.views.image_link import ImageLink
 from ui.views.light_image_view import LightImageView
-from ui.views.while_seen import WhileSeen
 from workbench.analysis.focus import screen_at
 from workbench.design.session import verified_error
 
@@ -39,7 +39,7 @@ _PLACES, _CURVE_RAYS = 31, 100_000  # of the curve
 _ROOMY = 3.5  # times the height of the curve; below that, it takes the place of the image
 
 
-class FocusView(LightImageView, WhileSeen):
+class FocusView(LightImageView, ComputingView):
     """A slider over distances, and the light there; the scene stays as it is."""
 
     _NAME = "irradiance"
@@ -152,13 +152,13 @@ class FocusView(LightImageView, WhileSeen):
         lens = frame.session, frame.snapshot.control_points
         self._curve.mark(self.z)
         self._tell("tracing…")
-        question = Question(*lens, ((self.z, _FEW), (self.z, _MANY)))
-        self._image_of.begin(partial(trace_through_focus, question), question)
+        request = FocusRequest(*lens, ((self.z, _FEW), (self.z, _MANY)))
+        self._image_of.begin(partial(trace_through_focus, request), request)
 
-    def _take(self, question: Question, traced: "tuple[float, Validation | None]") -> None:
+    def _take(self, request: FocusRequest, traced: "tuple[float, Validation | None]") -> None:
         _, found = traced
         if found is None:
-            self._light = np.zeros_like(question.session.target)
+            self._light = np.zeros_like(request.session.target)
             self._tell("no light arrives there")
         else:
             self._light = found.irradiance
@@ -192,10 +192,10 @@ class FocusView(LightImageView, WhileSeen):
         self._curve.begin(frame.session, (places[0], places[-1]))
         self._curve.mark(self.z)
         lens = frame.session, frame.snapshot.control_points
-        question = Question(*lens, tuple((z, _CURVE_RAYS) for z in places))
-        self._curve_of.begin(partial(trace_through_focus, question), question)
+        request = FocusRequest(*lens, tuple((z, _CURVE_RAYS) for z in places))
+        self._curve_of.begin(partial(trace_through_focus, request), request)
 
-    def _take_error(self, question: Question, traced: "tuple[float, Validation | None]") -> None:
+    def _take_error(self, request: FocusRequest, traced: "tuple[float, Validation | None]") -> None:
         z, found = traced
         self._curve.add(z, 1.0 if found is None else found.relative_l2_corrected)
 

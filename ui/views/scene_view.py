@@ -12,7 +12,7 @@
    crash later. `close_plotter` must be called from the window's closeEvent.
 7. The view is a native window within the window. Otherwise the whole window is composed with
    OpenGL, and whatever is painted anywhere in it costs 13 ms more, also while the view is hidden.
-8. Of mouse and keyboard the plotter gets what no tool takes; see `ui.views.tools.hand`.
+8. Of mouse and keyboard the plotter gets what no tool takes; see `ui.views.tools.tool_input`.
 9. Tools change what is shown by the methods here and never draw: an `_ask` is drawn in its turn.
 """
 
@@ -25,9 +25,9 @@ from PySide6.QtGui import QCloseEvent, QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import QGridLayout, QLabel, QSizePolicy, QWidget
 
 from ui.shown.frame import same_task, some_rays
-from ui.views.tools.hand import Hand
 from ui.views.tools.steer import steer
 from ui.views.tools.tool import Pointer, Tool
+from ui.views.tools.tool_input import ToolInput
 from ui.views.view import View
 from ui.widgets.native import make_native
 from workbench.design.limits import bounded
@@ -54,12 +54,12 @@ class SceneView(View):
     ----------
     picked : Signal(tuple[int, int])
         The control point that was clicked, along x and along y.
-    let_go : Signal()
+    escaped : Signal()
         The person wants no tool any more.
     """
 
     picked = Signal(object)
-    let_go = Signal()
+    escaped = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -81,10 +81,10 @@ class SceneView(View):
         self._exploded = False
         self._perspective = False
         self._by_weight = False
-        self._hand = Hand(self)
-        self._hand.clicked.connect(self._pick)
-        self._hand.wheeled.connect(self._zoom)
-        self._hand.let_go.connect(self.let_go)
+        self._tool_input = ToolInput(self)
+        self._tool_input.clicked.connect(self._pick)
+        self._tool_input.wheeled.connect(self._zoom)
+        self._tool_input.escaped.connect(self.escaped)
         self._hint = QLabel(wordWrap=True)
         self._hint.setObjectName("hint")
         self._hint.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Maximum)
@@ -148,7 +148,7 @@ class SceneView(View):
 
     def use(self, tool: Tool | None) -> None:
         """Give the left button to another tool, or to the camera alone."""
-        self._hand.take(tool)
+        self._tool_input.take(tool)
         self._tool = tool
         self._hint.setVisible(tool is not None)
         if tool is not None:
@@ -160,7 +160,7 @@ class SceneView(View):
 
     def drop(self) -> None:
         """Take back what a tool has under way."""
-        self._hand.drop()
+        self._tool_input.drop()
 
     def show_brush(self, index: tuple[int, int] | None, radius: float) -> None:
         """Highlight the control points of a brush, its radius in scene units; or none."""
@@ -275,7 +275,7 @@ class SceneView(View):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Give tools what is for them."""
-        return self._hand.eventFilter(watched, event) or super().eventFilter(watched, event)
+        return self._tool_input.eventFilter(watched, event) or super().eventFilter(watched, event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Look from elsewhere, by a key that no tool has taken."""

@@ -1,4 +1,4 @@
-"""The wished irradiance on the screen."""
+"""The target on the screen."""
 
 from typing import TYPE_CHECKING
 

@@ -6,7 +6,7 @@ from PySide6.QtCore import QEvent
 from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
-from ui.views.turns import turns
+from ui.views.drawing_queue import drawing_queue
 
 if TYPE_CHECKING:
     from ui.shown.frame import Frame
@@ -24,7 +24,7 @@ class View(QWidget):
         super().__init__(parent)
         self._session: Session | None = None
         self._frame: Frame | None = None
-        self._dated = False
+        self._outdated = False
         self._box = QVBoxLayout(self)
         self._box.setContentsMargins(0, 0, 0, 0)
 
@@ -48,13 +48,13 @@ class View(QWidget):
         self._session, self._frame = session, None
         self._ask()
 
-    def take_turn(self) -> None:
+    def draw_now(self) -> None:
         """Draw now, if there is anything to draw that can be seen."""
-        if not self._dated or not self.isVisible() or self.window().isMinimized():
+        if not self._outdated or not self.isVisible() or self.window().isMinimized():
             return
         session = self._session if self._frame is None else self._frame.session
         if session is not None:
-            self._dated = False
+            self._outdated = False
             self._draw(session, self._frame)
 
     def is_dark(self) -> bool:
@@ -65,12 +65,12 @@ class View(QWidget):
     def showEvent(self, event: QShowEvent) -> None:
         """Catch up with what came while hidden."""
         super().showEvent(event)
-        if self._dated:
-            turns().ask(self)
+        if self._outdated:
+            drawing_queue().ask(self)
 
     def hideEvent(self, event: QHideEvent) -> None:
-        """Give the turn to others."""
-        turns().leave(self)
+        """Do not draw while hidden."""
+        drawing_queue().leave(self)
         super().hideEvent(event)
 
     def changeEvent(self, event: QEvent) -> None:
@@ -81,9 +81,9 @@ class View(QWidget):
             self._ask()
 
     def _ask(self) -> None:
-        self._dated = True
+        self._outdated = True
         if self.isVisible():
-            turns().ask(self)
+            drawing_queue().ask(self)
 
     def _draw(self, session: "Session", frame: "Frame | None") -> None:
         """Bring the picture up to date and paint it before returning."""

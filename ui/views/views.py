@@ -10,10 +10,10 @@ from ui.commands.table import COLOURS, RAYS, RAYS_BY, VIEWS
 from ui.views.derivative_view import DerivativeView
 from ui.views.error_view import ErrorView
 from ui.views.focus_view import FocusView
+from ui.views.history_slider import HistorySlider
 from ui.views.image_link import ImageLink
 from ui.views.irradiance_view import IrradianceView
 from ui.views.light_view import LightView
-from ui.views.look_back import LookBack
 from ui.views.loss_view import LossView
 from ui.views.plot_view import PlotView
 from ui.views.scene_view import SceneView
@@ -40,7 +40,7 @@ class Views(QObject):
     focus : FocusView
     loss : LossView
         Three of these.
-    look_back : LookBack
+    history_slider : HistorySlider
         Below the loss.
     link : ImageLink
         What images of the screen have in common.
@@ -49,9 +49,9 @@ class Views(QObject):
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
         self.link = link = ImageLink(self)
-        self.scene, self.look_back = SceneView(), LookBack()
+        self.scene, self.history_slider = SceneView(), HistorySlider()
         self.derivative, self.focus, self.loss = DerivativeView(), FocusView(link), LossView()
-        self.loss.add_below(self.look_back)
+        self.loss.add_below(self.history_slider)
         self.docked: dict[str, View] = {
             "irradiance": IrradianceView(link),
             "target": TargetView(link),
@@ -70,8 +70,8 @@ class Views(QObject):
         """Show what is shown; look-back slider and loss curve show the history of the run."""
         for view in (self.scene, *self.docked.values()):
             shown.add(view)
-        self.look_back.looked.connect(shown.frame_changed)
-        history.changed.connect(lambda: self.look_back.show_frames(history.frames))
+        self.history_slider.frame_chosen.connect(shown.frame_changed)
+        history.changed.connect(lambda: self.history_slider.show_frames(history.frames))
         history.changed.connect(lambda: self.loss.show_verified(history.checks))
 
     def plots(self) -> dict[str, PlotView]:

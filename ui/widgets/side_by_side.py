@@ -8,7 +8,7 @@ _WIDE = 1.3  # times as wide as high
 _HIGH, _OTHER_HIGH = 200, 160  # pixels; a lower picture would be labels alone
 
 
-class Beside(QWidget):
+class SideBySide(QWidget):
     """Gives the picture all room that the other does not need; that one scrolls where it must.
 
     Parameters

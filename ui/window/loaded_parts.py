@@ -14,14 +14,14 @@ from ui.commands.table import COMMANDS
 from ui.files.plots import Plots
 from ui.files.scene_pictures import ScenePictures
 from ui.lens.tools import LensTools
-from ui.notices.postponed_edits import Postponed
+from ui.notices.postponed_edits import PostponedEdits
 from ui.notices.shortfall import ShortfallNotice
 from ui.run.control import RunControl
 from ui.run.log import RunLog
 from ui.run.runs import Runs
 from ui.shown.shown_lens import ShownLens
 from ui.views.views import Views
-from ui.window.production import Production
+from ui.window.production_panes import ProductionPanes
 
 if TYPE_CHECKING:
     from ui.shown.frame import Frame
@@ -56,11 +56,11 @@ class LoadedParts(QObject):
         self.check = Check(self)
         self.figures = CheckFigures(settings, early.commands["check"])
         self.runs = Runs(document, self.control, self)
-        self.production = production = Production(settings, self)
+        self.production = production = ProductionPanes(settings, self)
         plots = views.plots() | production.plots()
         self.plots = Plots(plots, document, messages, early.dialogs, self)
         self.tools = LensTools(document, self.control, views.scene, self)
-        self.postponed = Postponed(early.forms, self.control, messages, self)
+        self.postponed = PostponedEdits(early.forms, self.control, messages, self)
         self._pictures = ScenePictures(views.scene, document, messages, early.dialogs, self)
         RunLog(document, self.control, early.log.add)
         begin = (early.commands[name].trigger for name in ("start", "continue"))
@@ -78,7 +78,7 @@ class LoadedParts(QObject):
         views.link.drawn.connect(lambda _: workspace.show_dock("section"))
         views.follow(shown, self.control.history)
         production.follow(shown)
-        views.scene.let_go.connect(early.commands["turn"].trigger)
+        views.scene.escaped.connect(early.commands["turn"].trigger)
         self._connect_run()
         self._connect_check()
         self._connect_commands()
@@ -97,7 +97,7 @@ class LoadedParts(QObject):
 
     def allow(self, look: bool, go_on: bool) -> None:
         """Whether one may look back at the run now, and go on from what is seen."""
-        self.views.look_back.allow(look=look, go_on=go_on)
+        self.views.history_slider.allow(look=look, go_on=go_on)
         self.production.allow(resting=look)
 
     def close(self) -> None:
@@ -121,7 +121,7 @@ class LoadedParts(QObject):
         self.runs.check.failed.connect(early.log.add)
         self.runs.check.figures_changed.connect(early.status.show_verified)
         self.runs.compared.connect(self.views.loss.show_runs)
-        self.views.look_back.went_on.connect(
+        self.views.history_slider.continued.connect(
             lambda frame: early.begin(lambda: control.go_on_from(frame))
         )
 
@@ -135,7 +135,7 @@ class LoadedParts(QObject):
         check.checked.connect(self.runs.note_check)
         check.figures_changed.connect(early.status.show_check)
         check.under_way_changed.connect(self._reword_check)
-        check.told.connect(early.log.add)
+        check.summary_ready.connect(early.log.add)
         check.failed.connect(early.messages.warn)
 
     def _connect_commands(self) -> None:

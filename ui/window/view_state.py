@@ -10,7 +10,7 @@ from ui.window.layout import Layout
 _LAYOUT, _ON, _CAMERA = "layout", "on", "camera"
 
 
-class Eye(Protocol):
+class CameraView(Protocol):
     """What has a camera."""
 
     def camera(self) -> dict[str, Any] | None:
@@ -35,7 +35,7 @@ class ViewState:
 
     def __init__(self, commands: Commands, layout: Layout, tell: Callable[[str], None]) -> None:
         self._commands, self._layout, self._tell = commands, layout, tell
-        self._eye: Eye | None = None
+        self._eye: CameraView | None = None
         self._waiting: Mapping[str, Any] | None = None  # for the views
 
     def to_data(self) -> dict[str, Any]:
@@ -58,14 +58,14 @@ class ViewState:
         else:
             self._restore_look(data, self._eye)
 
-    def attach(self, eye: Eye) -> None:
+    def attach(self, eye: CameraView) -> None:
         """The views are there."""
         self._eye = eye
         if self._waiting is not None:
             self._restore_look(self._waiting, eye)
             self._waiting = None
 
-    def _restore_look(self, data: Mapping[str, Any], eye: Eye) -> None:
+    def _restore_look(self, data: Mapping[str, Any], eye: CameraView) -> None:
         self._try("choices", lambda: self._switch(_of_kind(data, _ON, list)))
         if _CAMERA in data:
             self._try("camera", lambda: eye.set_camera(_of_kind(data, _CAMERA, dict)))

@@ -58,8 +58,8 @@ class Workspace:
     ) -> None:
         self._window = window
         self._stage = QStackedWidget()
-        self._curtain = QLabel("Loading the 3D scene…", alignment=Qt.AlignmentFlag.AlignCenter)
-        self._stage.addWidget(self._curtain)
+        self._placeholder = QLabel("Loading the 3D scene…", alignment=Qt.AlignmentFlag.AlignCenter)
+        self._stage.addWidget(self._placeholder)
         centre = QFrame()
         centre.setObjectName("centre")  # for the style sheet
         # One over the other: a message that comes or goes leaves the picture as it is.
@@ -82,8 +82,8 @@ class Workspace:
         there: dict[str, QWidget] = {"design": forms, "history": self.history, "log": log}
         self._waiting = self.docks.keys() - there.keys()
         for name, dock in self.docks.items():
-            curtain = QLabel("Loading…", alignment=Qt.AlignmentFlag.AlignCenter)
-            dock.setWidget(there.get(name, curtain))
+            placeholder = QLabel("Loading…", alignment=Qt.AlignmentFlag.AlignCenter)
+            dock.setWidget(there.get(name, placeholder))
         self._stack()
         # A dock that comes between others gets no more than it cannot do without.
         shown = self.docks["target"].toggleViewAction().toggled
@@ -130,7 +130,7 @@ class Workspace:
             placeholder = self.docks[name].widget()
             self.docks[name].setWidget(view)
             placeholder.deleteLater()
-        self._curtain.setText("The 3D scene is hidden. View > 3D scene shows it again.")
+        self._placeholder.setText("The 3D scene is hidden. View > 3D scene shows it again.")
 
     def show_dock(self, name: str) -> None:
         """Show a dock in front of those that share its place."""

@@ -5,7 +5,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction, QGuiApplication
 
 from tests.ui.hands import move_screen
-from ui.check.checking import Suspect
+from ui.check.checking import CheckedLens
 from ui.check.figures import CheckFigures
 from workbench.analysis.metrics import relative_l2
 from workbench.analysis.validation import validate, validating
@@ -42,7 +42,7 @@ def rows(figures):
 
 
 def test_all_figures_are_listed_and_explained(figures, designed, found):
-    figures.show_check(Suspect(designed, designed.result.control_points), found, 0.0321)
+    figures.show_check(CheckedLens(designed, designed.result.control_points), found, 0.0321)
     assert rows(figures) == named((*check_rows(found, 0.0321), *account_rows(found.account)))
     told = rows(figures)
     assert told["Relative L2 error"] == f"{100 * found.relative_l2:.3f} %"
@@ -56,7 +56,7 @@ def test_all_figures_are_listed_and_explained(figures, designed, found):
 
 def test_figures_are_copied_separated_by_tabs(figures, designed, found, qtbot):
     assert not figures._copy.isEnabled()
-    figures.show_check(Suspect(designed, designed.result.control_points), found, 0.0)
+    figures.show_check(CheckedLens(designed, designed.result.control_points), found, 0.0)
     clipboard = QGuiApplication.clipboard()
     figures._copy.click()
     assert clipboard.text() == figures.text
@@ -73,7 +73,7 @@ def test_figures_of_an_earlier_lens_are_marked(figures, designed, found):
     assert "F8" in figures._hint.text() and "before" not in figures._hint.text()
     figures.follow("checking… 5 %")
     assert figures._hint.text() == "Checking… 5 %"
-    figures.show_check(Suspect(designed, designed.result.control_points), found, 0.0)
+    figures.show_check(CheckedLens(designed, designed.result.control_points), found, 0.0)
     figures.follow("checked: error 5 %")
     assert figures._hint.isHidden() and figures._table.isEnabled()
     figures.follow("")

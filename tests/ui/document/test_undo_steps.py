@@ -9,7 +9,7 @@ import pytest
 from PySide6.QtCore import QObject
 
 from tests.accounts import account_of
-from ui.document.undo_steps import Steps
+from ui.document.undo_steps import UndoSteps
 from workbench.design.snapshot import Result
 from workbench.files.session import KeptRun
 
@@ -33,7 +33,7 @@ class Walk:
     def __init__(self, session, owner, budget):
         self.now = self.first = session
         self.shown = []
-        self.steps = Steps(self.show, owner, budget)
+        self.steps = UndoSteps(self.show, owner, budget)
 
     def show(self, session):
         self.now = session

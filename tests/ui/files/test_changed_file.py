@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QApplication, QMessageBox, QPushButton
 from tests.ui.hands import move_screen
 from ui.document.document import Document, OnDisk
 from ui.files import changed
-from ui.files.changed import Choice
+from ui.files.changed import ChangedFileChoice
 from workbench.files.session import read_session, write_session
 
 
@@ -41,7 +41,8 @@ def write_elsewhere(session, path, z):
 
 
 @pytest.mark.parametrize(
-    ("choice", "saved", "z"), [(Choice.OVERWRITE, True, 7), (Choice.CANCEL, False, 9)]
+    ("choice", "saved", "z"),
+    [(ChangedFileChoice.OVERWRITE, True, 7), (ChangedFileChoice.CANCEL, False, 9)],
 )
 def test_save_asks_when_the_file_changed_on_disk(window, session, path, answers, choice, saved, z):
     times = path.stat()
@@ -58,7 +59,7 @@ def test_save_as_leaves_the_changed_file_as_it_is(
 ):
     write_elsewhere(session, path, 9)
     monkeypatch.setattr(window.files, "ask_for_name", lambda: tmp_path / "new.freeform")
-    answers.append(Choice.SAVE_AS)
+    answers.append(ChangedFileChoice.SAVE_AS)
     assert window.files.save()
     assert read_session(path).scene.screen.z == 9
     assert read_session(tmp_path / "new.freeform").scene.screen.z == 7
@@ -67,14 +68,14 @@ def test_save_as_leaves_the_changed_file_as_it_is(
 def test_save_as_to_the_same_name_asks_too(window, session, path, answers, monkeypatch):
     write_elsewhere(session, path, 9)
     monkeypatch.setattr(window.files, "ask_for_name", lambda: path.parent / "." / path.name)
-    answers.append(Choice.CANCEL)
+    answers.append(ChangedFileChoice.CANCEL)
     assert not window.files.save_as()
     assert read_session(path).scene.screen.z == 9
 
 
 def test_reload_shows_the_file_and_undo_brings_the_design_back(window, session, path, answers):
     write_elsewhere(session, path, 9)
-    answers.append(Choice.RELOAD)
+    answers.append(ChangedFileChoice.RELOAD)
     assert not window.files.save()
     assert window.document.session.scene.screen.z == 9 and not window.document.dirty
     window.document.undo_stack.undo()
@@ -85,10 +86,10 @@ def test_reload_shows_the_file_and_undo_brings_the_design_back(window, session, 
 
 def test_save_asks_before_a_deleted_file_is_written_again(window, path, answers):
     path.unlink()
-    answers.append(Choice.CANCEL)
+    answers.append(ChangedFileChoice.CANCEL)
     assert not window.files.save()
     assert not path.exists()
-    answers.append(Choice.OVERWRITE)
+    answers.append(ChangedFileChoice.OVERWRITE)
     assert window.files.save()
     assert read_session(path).scene.screen.z == 7
 
@@ -125,7 +126,7 @@ def test_own_saves_and_equal_content_need_no_question(window, path):
 def test_a_file_opened_and_changed_since_is_asked_about(window, session, path, answers):
     window.document.open(path)
     write_elsewhere(session, path, 9)
-    answers.append(Choice.CANCEL)
+    answers.append(ChangedFileChoice.CANCEL)
     assert not window.files.save()
 
 
@@ -142,7 +143,7 @@ def test_closing_asks_too_when_the_file_changed_on_disk(
 ):
     write_elsewhere(session, path, 9)
     monkeypatch.setattr(QMessageBox, "question", lambda *_: QMessageBox.StandardButton.Save)
-    answers.append(Choice.CANCEL)
+    answers.append(ChangedFileChoice.CANCEL)
     assert not window.close()
     assert window.isVisible() and read_session(path).scene.screen.z == 9
 
@@ -163,10 +164,10 @@ def press(word, seen):
 @pytest.mark.parametrize(
     ("word", "choice"),
     [
-        ("Overwrite", Choice.OVERWRITE),
-        ("Save as…", Choice.SAVE_AS),
-        ("Reload", Choice.RELOAD),
-        ("Cancel", Choice.CANCEL),
+        ("Overwrite", ChangedFileChoice.OVERWRITE),
+        ("Save as…", ChangedFileChoice.SAVE_AS),
+        ("Reload", ChangedFileChoice.RELOAD),
+        ("Cancel", ChangedFileChoice.CANCEL),
     ],
 )
 def test_the_question_about_a_changed_file(window, path, word, choice):
@@ -181,10 +182,10 @@ def test_the_question_about_a_changed_file(window, path, word, choice):
 def test_the_question_about_a_deleted_file(window, path):
     seen = []
     press("Save there again", seen)
-    assert changed.ask(path, OnDisk.GONE, window) is Choice.OVERWRITE
+    assert changed.ask(path, OnDisk.GONE, window) is ChangedFileChoice.OVERWRITE
     assert seen[0][1] == {"Save there again", "Save as…", "Cancel"}
     press("Save as…", seen)
-    assert changed.ask(path / "gone.freeform", OnDisk.GONE, window) is Choice.SAVE_AS
+    assert changed.ask(path / "gone.freeform", OnDisk.GONE, window) is ChangedFileChoice.SAVE_AS
     assert seen[1][1] == {"Save as…", "Cancel"}
 
 

@@ -14,7 +14,7 @@ from PySide6.QtWidgets import QApplication, QMessageBox, QPushButton
 from tests.ui.hands import move_screen
 from ui.document.document import Document, OnDisk
 from ui.files import left_behind
-from ui.files.left_behind import Choice
+from ui.files.left_behind import RecoveryChoice
 from ui.files.recovery import Recovery
 from workbench.errors import Refused
 from workbench.files.atomic import replacing
@@ -225,7 +225,7 @@ def test_work_that_cannot_be_removed_is_offered_again(document, keeping, monkeyp
     def refuse(path, missing_ok=False):
         raise OSError(30, "Read-only file system")
 
-    monkeypatch.setattr(left_behind, "ask", lambda work, window: Choice.DISCARD)
+    monkeypatch.setattr(left_behind, "ask", lambda work, window: RecoveryChoice.DISCARD)
     with monkeypatch.context() as read_only:
         read_only.setattr("pathlib.Path.unlink", refuse)
         assert not left_behind.offer(left_behind.find(recovery.folder), lambda work: False, None)
@@ -260,7 +260,11 @@ def test_the_lens_of_a_run_is_kept_before_it_ends(display, window, make_scene, t
 
 @pytest.mark.parametrize(
     ("button", "choice"),
-    [("Recover", Choice.RECOVER), ("Discard", Choice.DISCARD), ("Ask later", Choice.LATER)],
+    [
+        ("Recover", RecoveryChoice.RECOVER),
+        ("Discard", RecoveryChoice.DISCARD),
+        ("Ask later", RecoveryChoice.LATER),
+    ],
 )
 def test_the_question_has_three_answers(window, document, keeping, qtbot, button, choice):
     recovery = keeping()
@@ -298,7 +302,7 @@ def test_work_kept_at_the_end_of_a_session_opens_without_a_warning(
         qtbot.keyClick(box, Qt.Key.Key_Escape)
 
     QTimer.singleShot(200, answer)
-    assert left_behind.ask(work, window) is Choice.LATER
+    assert left_behind.ask(work, window) is RecoveryChoice.LATER
     ((text, icon),) = boxes
     assert "told to end" in text and "not closed" not in text
     assert icon is QMessageBox.Icon.Information
@@ -315,7 +319,14 @@ def test_each_recovered_work_is_offered(document, keeping, monkeypatch):
         crash(recovery)
     works = left_behind.find(recovery.folder)
     assert [read_session(work.file).scene.screen.z for work in works] == [10, 9, 8, 7]
-    choices = iter([Choice.DISCARD, Choice.RECOVER, Choice.LATER, Choice.RECOVER])
+    choices = iter(
+        [
+            RecoveryChoice.DISCARD,
+            RecoveryChoice.RECOVER,
+            RecoveryChoice.LATER,
+            RecoveryChoice.RECOVER,
+        ]
+    )
     monkeypatch.setattr(left_behind, "ask", lambda work, window: next(choices))
     opened = []
     assert left_behind.offer(works, lambda work: not opened.append(work), None)
@@ -339,7 +350,7 @@ BEGIN = (
 )
 AGAIN = (
     "import sys; import ui.app, ui.files.left_behind as l, ui.main_window as m\n"
-    "l.ask = lambda work, window: l.Choice.RECOVER\n"
+    "l.ask = lambda work, window: l.RecoveryChoice.RECOVER\n"
     "recover = m.FileActions.recover\n"
     "def told(self, *a):\n"
     "    done = recover(self, *a)\n"

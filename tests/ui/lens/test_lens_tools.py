@@ -45,7 +45,7 @@ class Bench:
         self.commands = self.tools.slots()
         self.said, self.put_away = [], []
         self.tools.said.connect(self.said.append)
-        self.view.let_go.connect(lambda: self.put_away.append(True))
+        self.view.escaped.connect(lambda: self.put_away.append(True))
         self.view.show_design(session)
         self.document.session_changed.connect(self.view.show_design)
         self.control.runner.frame_ready.connect(self.view.show_frame)
@@ -70,7 +70,7 @@ def at_bench(display, make_session, qtbot):
         # Until the first preview is drawn there is nothing to take hold of.
         view = bench.view
         qtbot.waitUntil(lambda: view.frame is not None and view.lens is not None, timeout=60_000)
-        qtbot.waitUntil(lambda: not view._dated)
+        qtbot.waitUntil(lambda: not view._outdated)
         return bench
 
     return at_bench
@@ -443,7 +443,7 @@ def test_arrows_move_the_brush_from_where_it_was(sculpting, qtbot):
     for _ in range(6):
         qtbot.keyClick(view._plotter, Qt.Key.Key_Up)
     assert view._brush[0] == (7, 9)
-    qtbot.waitUntil(lambda: view._hand._held is None)
+    qtbot.waitUntil(lambda: view._tool_input._held is None)
     qtbot.mouseMove(view._plotter, control_point(sculpting, (3, 4)))
     qtbot.waitUntil(lambda: view._brush[0] == (3, 4))
     QApplication.sendEvent(view._plotter, QEvent(QEvent.Type.Leave))
@@ -517,7 +517,7 @@ def test_escape_undoes_a_held_key_and_losing_the_focus_ends_it(sculpting, qtbot)
     )
     QApplication.sendEvent(view._plotter, again)  # it is held still
     qtbot.keyRelease(view._plotter, Qt.Key.Key_PageDown)
-    qtbot.waitUntil(lambda: view._hand._held is None)
+    qtbot.waitUntil(lambda: view._tool_input._held is None)
     assert document.undo_stack.count() == 0 and not bench.put_away
     hold_key(view, Qt.Key.Key_PageDown, 3)
     QApplication.sendEvent(view._plotter, QFocusEvent(QEvent.Type.FocusOut))

@@ -26,7 +26,7 @@ def desk(qtbot, session, history, rng):
     document.setParent(owner := QObject())
     owner.forms, owner.messages, owner.document = Forms(document), MessageBar(), document
     owner.log = []
-    CarriedLens(document, owner.messages, owner).told.connect(owner.log.append)
+    CarriedLens(document, owner.messages, owner).noted.connect(owner.log.append)
     qtbot.addWidget(owner.forms)
     qtbot.addWidget(owner.messages)
     owner.forms.show()

@@ -9,7 +9,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QLineEdit, QToolTip
 
 from tests.ui.hands import move_screen
-from ui.check.checking import Suspect
+from ui.check.checking import CheckedLens
 from workbench.scene import Stage
 
 pytestmark = pytest.mark.usefixtures("kernels")
@@ -215,7 +215,7 @@ def test_kept_runs_are_saved_with_the_file(two_runs, tmp_path):
     assert [table(two_runs).item(row, 0).font().bold() for row in (0, 1)] == [False, True]
     assert [texts(two_runs, row)[1] for row in (0, 1)] == ["1.25 %", "1.25 %"]
     session = two_runs.document.session
-    two_runs.loaded.runs.note_check(Suspect(session, session.control_points), found(0.03))
+    two_runs.loaded.runs.note_check(CheckedLens(session, session.control_points), found(0.03))
     assert not two_runs.document.dirty  # a check is no edit
     assert [texts(two_runs, row)[1] for row in (0, 1)] == ["1.25 %", "3.00 %"]
     two_runs.document.save(path)
@@ -311,7 +311,7 @@ def test_a_check_of_another_task_is_not_that_of_the_run(window, run, checks):
         session.target,
     )
     assert moved.start is session.result.control_points
-    window.loaded.runs.note_check(Suspect(moved, moved.start), found(0.5))
+    window.loaded.runs.note_check(CheckedLens(moved, moved.start), found(0.5))
     assert texts(window, 0)[1] == "1.25 %"
-    window.loaded.runs.note_check(Suspect(replace(session, runs=()), moved.start), found(0.5))
+    window.loaded.runs.note_check(CheckedLens(replace(session, runs=()), moved.start), found(0.5))
     assert texts(window, 0)[1] == "50.00 %"

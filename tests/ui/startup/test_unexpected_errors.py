@@ -7,23 +7,23 @@ import pytest
 from PySide6.QtCore import QTimer, qWarning
 from PySide6.QtWidgets import QWidget
 
-from ui.startup.unexpected_errors import Trouble
+from ui.startup.unexpected_errors import UnexpectedErrors
 
 
 @pytest.fixture
-def trouble(qapp):
+def unexpected(qapp):
     hooks = sys.excepthook, threading.excepthook
-    trouble = Trouble()
-    yield trouble
-    trouble.close()
-    trouble.deleteLater()
+    unexpected = UnexpectedErrors()
+    yield unexpected
+    unexpected.close()
+    unexpected.deleteLater()
     assert (sys.excepthook, threading.excepthook) == hooks
 
 
 @pytest.fixture
-def told(trouble):
+def told(unexpected):
     told = []
-    trouble.happened.connect(lambda sentence, details: told.append((sentence, details)))
+    unexpected.happened.connect(lambda sentence, details: told.append((sentence, details)))
     return told
 
 
@@ -76,18 +76,18 @@ def test_slots_handlers_and_threads_may_fail_and_the_loop_goes_on(told, qtbot, c
     assert any("painting" in sentence for sentence, _ in told)
 
 
-def test_a_message_of_qt_is_shown_once_and_printed_each_time(trouble, capsys):
+def test_a_message_of_qt_is_shown_once_and_printed_each_time(unexpected, capsys):
     said = []
-    trouble.qt_said.connect(said.append)
+    unexpected.qt_warned.connect(said.append)
     for text in ("odd thing", "odd thing", "other thing"):
         qWarning(text)
     assert said == ["Qt: odd thing", "Qt: other thing"]
     assert capsys.readouterr().err.count("odd thing") == 2
 
 
-def test_a_warning_of_qt_that_means_nothing_is_not_printed(trouble, capsys):
+def test_a_warning_of_qt_that_means_nothing_is_not_printed(unexpected, capsys):
     heard = []
-    trouble.qt_said.connect(heard.append)
+    unexpected.qt_warned.connect(heard.append)
     qWarning(
         "Warning: Setting a new default format with a different version or profile after the "
         "global shared context is created may cause issues with context sharing."

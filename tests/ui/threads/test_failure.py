@@ -2,7 +2,7 @@
 
 import pytest
 
-from ui.startup.unexpected_errors import Trouble
+from ui.startup.unexpected_errors import UnexpectedErrors
 from ui.threads.background import Background
 from ui.threads.failure import sentence_of
 from workbench.defects import file
@@ -11,11 +11,11 @@ from workbench.errors import Refused, RunFailed
 
 @pytest.fixture
 def logged(qapp):
-    trouble, lines = Trouble(), []
-    trouble.logged.connect(lines.append)
+    unexpected, lines = UnexpectedErrors(), []
+    unexpected.logged.connect(lines.append)
     yield lines
-    trouble.close()
-    trouble.deleteLater()
+    unexpected.close()
+    unexpected.deleteLater()
 
 
 @pytest.mark.parametrize("error", [Refused("lens", "too thick"), RunFailed("no light")])

@@ -64,7 +64,7 @@ def test_the_figures_are_those_of_the_engine(pane, session, frame, qtbot):
     )
     assert np.degrees(pane.form.within.tilt) == pytest.approx(1.5)
     spread = Distribution.of(nominal, others)
-    assert pane.told.text() == (
+    assert pane.summary.text() == (
         f"4 of 4 lenses: error as designed {100 * spread.nominal:.2f} %, median "
         f"{100 * spread.percentiles['50']:.2f} %, 95 % of lenses below "
         f"{100 * spread.percentiles['95']:.2f} %, worst {100 * spread.worst:.2f} %"
@@ -93,7 +93,7 @@ def test_without_a_tolerance_nothing_is_traced(pane, qtbot):
     for path in ("tilt", "decentre", "index", "distance", "surface[0]"):
         enter(pane, qtbot, path, "0")
     pane.toggle()
-    assert not pane._background.busy and pane.told.text().startswith("Nothing is off")
+    assert not pane._background.busy and pane.summary.text().startswith("Nothing is off")
 
 
 def test_cancelling_keeps_the_lenses_so_far(pane, qtbot):
@@ -106,17 +106,17 @@ def test_cancelling_keeps_the_lenses_so_far(pane, qtbot):
     qtbot.waitUntil(lambda: not pane._background.busy, timeout=60_000)
     assert pane.form.begin.text() == "Start" and pane.form.begin.isEnabled()
     traced = len(pane._sample.others)
-    assert 2 < traced < 50000 and pane.told.text().startswith(f"{traced} of 50000 lenses: ")
+    assert 2 < traced < 50000 and pane.summary.text().startswith(f"{traced} of 50000 lenses: ")
 
 
 def test_figures_of_an_earlier_lens_are_marked(pane, session, frame, frames, qtbot):
     sample(pane, qtbot)
     pane.show_frame(frames(5))
-    assert pane.told.text().endswith("these are of the one before.")
+    assert pane.summary.text().endswith("these are of the one before.")
     pane.show_frame(frame)
-    assert "changed" not in pane.told.text()
+    assert "changed" not in pane.summary.text()
     pane.show_nothing(session)
-    assert "changed" in pane.told.text() and not pane.form.begin.isEnabled()
+    assert "changed" in pane.summary.text() and not pane.form.begin.isEnabled()
 
 
 def test_nothing_is_perturbed_during_a_run(pane):
@@ -134,7 +134,7 @@ def test_a_failure_is_reported(pane, monkeypatch, qtbot):
     with qtbot.waitSignal(pane.failed) as told:
         pane.toggle()
     assert told.args == ["no light reaches the screen"]
-    assert pane.form.begin.text() == "Start" and pane.told.text() == ""
+    assert pane.form.begin.text() == "Start" and pane.summary.text() == ""
 
 
 def test_plot_and_figures_can_be_saved(pane, session, settings, tmp_path: Path, qtbot):

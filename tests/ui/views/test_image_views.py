@@ -136,7 +136,7 @@ def test_light_has_a_logarithmic_scale(views, qtbot):
 def test_the_target_is_drawn_once_for_a_run(views, frames):
     target = views[1]
     target.show_frame(frames(2))
-    assert not target._dated
+    assert not target._outdated
 
 
 def test_a_cross_section_goes_through_the_place_that_is_clicked(
@@ -210,7 +210,7 @@ def test_arrows_move_place_and_line(views, section, frame, qtbot):
     start, end = link.line
     assert start == pytest.approx((-1 + pixel, -1 + pixel))
     assert end == pytest.approx((1.0, 1 - 9 * pixel))
-    qtbot.waitUntil(lambda: not section._dated and not views[1]._dated)
+    qtbot.waitUntil(lambda: not section._outdated and not views[1]._outdated)
     np.testing.assert_allclose(views[1]._marks[2].get_xydata(), link.line)
     assert section._curves._axes.get_xlim()[1] == pytest.approx(math.hypot(31, 22) * pixel)
 

@@ -10,12 +10,12 @@ from PySide6.QtWidgets import QApplication, QMainWindow, QTabWidget
 
 from tests.accounts import account_of
 from ui.views import light_view
+from ui.views.drawing_queue import DrawingQueue, drawing_queue
 from ui.views.error_view import ErrorView
 from ui.views.irradiance_view import IrradianceView
 from ui.views.light_view import LightView
 from ui.views.loss_view import LossView
 from ui.views.scene_view import SceneView
-from ui.views.turns import Turns, turns
 from workbench.files.session import Session
 from workbench.optics.account import LOSSES
 
@@ -161,13 +161,13 @@ def test_one_view_draws_in_one_turn(qapp, qtbot):
         def __init__(self, name):
             self.name = name
 
-        def take_turn(self):
+        def draw_now(self):
             order.append(self.name)
             queue.ask(last)
             if len(order) > 3:
                 queue.leave(last)
 
-    queue = Turns(qapp)
+    queue = DrawingQueue(qapp)
     first, last = Slow("first"), Slow("last")
     queue.ask(first)
     queue.ask(last)
@@ -182,14 +182,14 @@ def test_a_view_that_fails_does_not_keep_others_from_drawing(qapp, qtbot):
     drawn = []
 
     class Broken:
-        def take_turn(self):
+        def draw_now(self):
             raise ZeroDivisionError
 
     class Sound:
-        def take_turn(self):
+        def draw_now(self):
             drawn.append(self)
 
-    queue, broken, sound = Turns(qapp), Broken(), Sound()
+    queue, broken, sound = DrawingQueue(qapp), Broken(), Sound()
     with qtbot.captureExceptions() as raised:
         queue.ask(broken)
         queue.ask(sound)
@@ -199,7 +199,7 @@ def test_a_view_that_fails_does_not_keep_others_from_drawing(qapp, qtbot):
 
 
 def test_there_is_one_queue(qapp):
-    assert turns() is turns()
+    assert drawing_queue() is drawing_queue()
 
 
 # In three dimensions.

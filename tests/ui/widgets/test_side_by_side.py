@@ -3,7 +3,7 @@
 import pytest
 from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
 
-from ui.widgets.side_by_side import Beside
+from ui.widgets.side_by_side import SideBySide
 
 
 @pytest.fixture
@@ -18,7 +18,7 @@ def figures():
 
 def test_the_picture_has_all_room_that_figures_leave_also_when_they_change(figures, show, qtbot):
     picture = QWidget()
-    beside = show(Beside(picture, figures), 300, 500)
+    beside = show(SideBySide(picture, figures), 300, 500)
 
     def taken():
         return beside.height() - picture.height()

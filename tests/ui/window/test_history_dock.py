@@ -4,7 +4,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QStyleOptionViewItem
 
 from tests.ui.hands import move_screen
-from ui.document.undo_steps import Steps
+from ui.document.undo_steps import UndoSteps
 
 STEPS = 1000
 
@@ -12,7 +12,7 @@ STEPS = 1000
 def test_a_thousand_steps_are_listed_and_gone_through_by_keyboard(window, qtbot, monkeypatch):
     # Neither forms that show each of them nor the account of memory are tried here.
     window.document.blockSignals(True)
-    monkeypatch.setattr(Steps, "_forget_oldest", lambda self: None)
+    monkeypatch.setattr(UndoSteps, "_forget_oldest", lambda self: None)
     for number in range(STEPS):
         move_screen(window.document, 6 + number, f"screen at {6 + number}")
     window.document.blockSignals(False)

@@ -68,40 +68,43 @@ def designed(window, qtbot):
     """The window after a run, of which at least the first and last moment are kept."""
     with qtbot.waitSignal(window.loaded.control.ended, timeout=60_000):
         window.commands["start"].trigger()
-        assert not window.loaded.views.look_back._slider.isEnabled()
-    qtbot.waitUntil(lambda: window.loaded.views.look_back.isVisible())
+        assert not window.loaded.views.history_slider._slider.isEnabled()
+    qtbot.waitUntil(lambda: window.loaded.views.history_slider.isVisible())
     return window
 
 
 def test_the_slider_shows_an_earlier_lens(designed, qtbot):
-    look_back, loss = (
-        designed.loaded.views.look_back,
+    history_slider, loss = (
+        designed.loaded.views.history_slider,
         designed.workspace.docks["irradiance"].widget(),
     )
     frames = designed.loaded.control.history.frames
     qtbot.wait(300)  # the preview of the result comes after the run
-    look_back._slider.setFocus()
-    qtbot.keyClick(look_back._slider, Qt.Key.Key_Home)
+    history_slider._slider.setFocus()
+    qtbot.keyClick(history_slider._slider, Qt.Key.Key_Home)
     qtbot.waitUntil(lambda: loss._frame is frames[0])
-    assert look_back._text.text() == f"iteration {iterations_before(frames[0])}"
+    assert history_slider._text.text() == f"iteration {iterations_before(frames[0])}"
     assert designed.document.session.result.iterations == 12
 
 
 def test_the_text_is_hidden_where_there_is_little_room(designed, qtbot):
-    look_back = designed.loaded.views.look_back
-    least = look_back.minimumSizeHint().width()
+    history_slider = designed.loaded.views.history_slider
+    least = history_slider.minimumSizeHint().width()
     for width, told in ((2 * least, True), (least, False), (2 * least, True)):
-        look_back.resize(width, look_back.height())
-        assert look_back._text.isVisible() is told
-        assert look_back.minimumSizeHint().width() == least
-        assert look_back._slider.width() >= 4 * look_back._slider.height() > 0
+        history_slider.resize(width, history_slider.height())
+        assert history_slider._text.isVisible() is told
+        assert history_slider.minimumSizeHint().width() == least
+        assert history_slider._slider.width() >= 4 * history_slider._slider.height() > 0
 
 
 def test_the_design_goes_on_from_an_earlier_lens(designed, qtbot):
-    look_back, first = designed.loaded.views.look_back, designed.loaded.control.history.frames[0]
-    look_back._slider.setValue(0)
+    history_slider, first = (
+        designed.loaded.views.history_slider,
+        designed.loaded.control.history.frames[0],
+    )
+    history_slider._slider.setValue(0)
     with qtbot.waitSignal(designed.loaded.control.ended, timeout=60_000):
-        qtbot.mouseClick(look_back._button, Qt.MouseButton.LeftButton)
+        qtbot.mouseClick(history_slider._button, Qt.MouseButton.LeftButton)
         np.testing.assert_array_equal(
             designed.document.session.result.control_points, first.snapshot.control_points
         )
@@ -119,7 +122,7 @@ def test_an_edit_removes_the_course(designed, qtbot):
     scene = designed.document.session.scene
     designed.document.edit(scene.model_copy(update={"unit": "mm"}), "unit", "unit")
     assert designed.loaded.control.history.frames == []
-    assert not designed.loaded.views.look_back.isVisible()
+    assert not designed.loaded.views.history_slider.isVisible()
 
 
 def test_the_list_of_steps_can_be_jumped_in(designed, qtbot):
@@ -152,10 +155,10 @@ def test_undoing_a_run_removes_its_course_and_redoing_restores_it(designed, qtbo
     frames, verified = list(history.frames), views.loss._verified
     assert designed.status._verified.text()
     designed.commands["undo"].trigger()
-    assert not views.look_back.isVisible() and views.loss._verified == ()
+    assert not views.history_slider.isVisible() and views.loss._verified == ()
     assert designed.status._verified.text() == ""
     designed.commands["redo"].trigger()
-    assert views.look_back.isVisible() and list(history.frames) == frames
+    assert views.history_slider.isVisible() and list(history.frames) == frames
     assert views.loss._verified == verified and designed.status._verified.text()
 
 
@@ -201,4 +204,4 @@ def test_undoing_an_edit_brings_the_course_back(designed):
     scene = designed.document.session.scene
     designed.document.edit(scene.model_copy(update={"unit": "mm"}), "unit", "unit")
     designed.commands["undo"].trigger()
-    assert designed.loaded.views.look_back.isVisible()
+    assert designed.loaded.views.history_slider.isVisible()

@@ -26,7 +26,7 @@ _NOTCH = 120  # Qt's measure of the wheel's smallest turn
 _KEYS = QEvent.Type.KeyPress, QEvent.Type.KeyRelease
 
 
-class Hand(QObject):
+class ToolInput(QObject):
     """Watches the plotter for what concerns the tool.
 
     Attributes
@@ -35,13 +35,13 @@ class Hand(QObject):
         Without a tool.
     wheeled : Signal(Pointer, float)
         The wheel was turned by so many notches, up or away from the hand, for no tool.
-    let_go : Signal()
+    escaped : Signal()
         Esc, while nothing was dragged.
     """
 
     clicked = Signal(object)
     wheeled = Signal(object, float)
-    let_go = Signal()
+    escaped = Signal()
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
@@ -167,7 +167,7 @@ class Hand(QObject):
             self.drop()
             return True
         if self._tool is not None:
-            self.let_go.emit()
+            self.escaped.emit()
             return True
         return False
 

@@ -13,19 +13,19 @@ if TYPE_CHECKING:
     from ui.shown.frame import Frame
 
 
-class LookBack(QWidget):
+class HistorySlider(QWidget):
     """Hidden until there is something to look back at.
 
     Attributes
     ----------
-    looked : Signal(Frame)
+    frame_chosen : Signal(Frame)
         This moment shall be shown.
-    went_on : Signal(Frame)
+    continued : Signal(Frame)
         The design shall go on from this moment.
     """
 
-    looked = Signal(object)
-    went_on = Signal(object)
+    frame_chosen = Signal(object)
+    continued = Signal(object)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -42,7 +42,7 @@ class LookBack(QWidget):
             "Make the lens of this moment the design's, and continue from it; "
             "Undo brings the later one back"
         )
-        self._button.clicked.connect(lambda: self.went_on.emit(self._frame))
+        self._button.clicked.connect(lambda: self.continued.emit(self._frame))
         self._row = row = QHBoxLayout(self)
         row.setContentsMargins(8, 0, 8, 4)
         row.addWidget(self._slider, 1)
@@ -86,7 +86,7 @@ class LookBack(QWidget):
 
     def _look(self) -> None:
         self._tell()
-        self.looked.emit(self._frame)
+        self.frame_chosen.emit(self._frame)
 
     def _tell(self) -> None:
         self._text.setText(f"iteration {iterations_before(self._frame)}" if self._frames else "")

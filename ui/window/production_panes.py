@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from ui.views.plot_view import PlotView
 
 
-class Production(QObject):
+class ProductionPanes(QObject):
     """Makes both panes and tells them of the lens on show.
 
     Parameters

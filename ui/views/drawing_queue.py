@@ -21,11 +21,11 @@ _LONGEST = 1.0  # seconds; the first drawing also loads what is drawn with
 class Drawer(Protocol):
     """Something that draws when it is its turn."""
 
-    def take_turn(self) -> None:
+    def draw_now(self) -> None:
         """Draw now, if there is anything to draw that can be seen."""
 
 
-class Turns(QObject):
+class DrawingQueue(QObject):
     """A queue of those who wait for drawing."""
 
     def __init__(self, parent: QObject) -> None:
@@ -55,7 +55,7 @@ class Turns(QObject):
         _, drawer = self._waiting.popitem(last=False)
         began = perf_counter()
         try:
-            drawer.take_turn()
+            drawer.draw_now()
         finally:  # whoever fails to draw must not keep the others from it
             ended = perf_counter()
             rest = 0.0 if self._hurried else _REST
@@ -68,9 +68,9 @@ class Turns(QObject):
             self._timer.start(max(0, round(1000 * (self._rested_at - perf_counter()))))
 
 
-def turns() -> Turns:
+def drawing_queue() -> DrawingQueue:
     """The one queue of the application."""
     application = QCoreApplication.instance()
     assert application is not None
-    found = application.findChild(Turns)
-    return found if isinstance(found, Turns) else Turns(application)
+    found = application.findChild(DrawingQueue)
+    return found if isinstance(found, DrawingQueue) else DrawingQueue(application)

@@ -5,7 +5,7 @@ from PySide6.QtGui import QHideEvent, QShowEvent
 from ui.views.view import View
 
 
-class WhileSeen(View):
+class ComputingView(View):
     """Says when there is something to compute, and when no longer.
 
     The last among the bases of a view: PySide looks for signals along the first.
