@@ -96,6 +96,17 @@ def focus_series(
     ------
     Refused
         If a screen may touch the lens.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from resources import path
+    >>> from workbench.files.session import open_design
+    >>> task = open_design(path("examples", "tophat.json"))
+    >>> plate = np.full(task.scene.lens.control_points, 0.5)
+    >>> series = focus_series(task.scene, task.target, plate, (4.0, 5.0, 6.0), rays=10_000)
+    >>> [focus.z for focus in series]
+    [4.0, 5.0, 6.0]
     """
     at_once = max(_LARGEST_IMAGES // (8 * math.prod(scene.screen.pixels)), 1)
     for first in range(0, len(distances), at_once):

@@ -198,6 +198,20 @@ def perturbed(
         If a tolerance is not possible.
     RunFailed
         If no light of the lens that is not off reaches the screen.
+
+    Examples
+    --------
+    Three plates of glass that are decentred:
+
+    >>> import numpy as np
+    >>> from resources import path
+    >>> from workbench.files.session import open_design
+    >>> task = open_design(path("examples", "tophat.json"))
+    >>> plate = np.full(task.scene.lens.control_points, 0.5)
+    >>> within = Tolerances(decentre=0.01)
+    >>> nominal, *others = perturbed(task.scene, task.target, plate, within, samples=3, rays=10_000)
+    >>> len(others), round(nominal.efficiency, 4)
+    (3, 0.9216)
     """
     tolerances.check(scene)
     yield _trace(scene, target, control_points, Perturbation(), rays, seed)
