@@ -66,6 +66,14 @@ def test_a_stage_can_change_method_and_learning_rate(make_scene):
             [{"iterations": 1, "learning_rate": 0.1}],
             "run.stages[0].learning_rate: unknown field",
         ),
+        (
+            [{"iterations": 1}, {"iterations": 1, "filter": {"size": [3, 4]}}],
+            "run.stages[1].filter.size[1]: 4 is even; an odd number is needed",
+        ),
+        (
+            [{"iterations": 1, "source": GRID | {"points": [300, 300]}}],
+            "run.stages[0].source.rays: 1000 from each of 90000 points are too many",
+        ),
     ],
 )
 def test_stages_that_are_not_possible_are_refused(make_scene, stages, sentence):

@@ -1,6 +1,7 @@
 """What sources say of themselves."""
 
 import numpy as np
+import pytest
 
 from workbench.scene import GridSource
 
@@ -18,3 +19,19 @@ def test_grid_points_reach_the_rim_of_the_source():
 def test_many_grid_points_are_thinned_over_the_same_extent():
     found = grid((401, 1)).seen((5, 5))
     np.testing.assert_allclose(found, [[x, 0, -3] for x in (-1, 0, 1, 2, 3)])
+
+
+@pytest.mark.parametrize(
+    ("source", "rays"),
+    [
+        ({"kind": "collimated", "rays": [5, 7]}, 35),
+        ({"kind": "point", "position": [0, 0, -5], "rays": 4000}, 4000),
+        (
+            {"kind": "grid", "center": [0, 0, -5], "half_width": [1, 1], "points": [2, 3]}
+            | {"rays": 500},
+            3000,
+        ),
+    ],
+)
+def test_all_rays_of_a_source_are_counted(make_scene, source, rays):
+    assert make_scene({"source": source}).source.ray_count == rays

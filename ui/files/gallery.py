@@ -18,7 +18,6 @@ from PySide6.QtWidgets import (
 from resources import Example
 from workbench.errors import Refused
 from workbench.files.scene import read_scene
-from workbench.scene import ImageTarget
 
 _PICTURE = 96  # logical pixels
 _CELL = 150  # wide
@@ -94,13 +93,13 @@ class Gallery(QDialog):
 
     def _picture(self, example: Example) -> QIcon:
         try:
-            target = read_scene(example.file).target
+            image = read_scene(example.file).image
         except Refused:  # said when it is opened; the others can be chosen from
             return QIcon()
-        if not isinstance(target, ImageTarget):
+        if image is None:
             return QIcon()
         side = round(_PICTURE * self.devicePixelRatioF())
-        picture = QPixmap(target.image).scaled(
+        picture = QPixmap(image).scaled(
             side,
             side,
             Qt.AspectRatioMode.KeepAspectRatio,

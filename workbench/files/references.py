@@ -10,7 +10,7 @@ from workbench.files.header import read_header, read_part
 from workbench.files.scene import LARGEST_TEXT, read_scene, with_absolute_image
 from workbench.files.session import HEADER, is_session
 from workbench.reading import opened
-from workbench.scene import ImageTarget, Scene
+from workbench.scene import Scene
 
 
 def images_of(path: Path) -> tuple[Path, ...]:
@@ -21,8 +21,8 @@ def images_of(path: Path) -> tuple[Path, ...]:
     Refused
         If the file cannot be read or its scene is not possible.
     """
-    targets = [scene.target for scene in _scenes(path)]
-    return tuple(Path(target.image) for target in targets if isinstance(target, ImageTarget))
+    images = (scene.image for scene in _scenes(path))
+    return tuple(Path(image) for image in images if image is not None)
 
 
 def _scenes(path: Path) -> list[Scene]:

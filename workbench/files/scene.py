@@ -7,7 +7,7 @@ from workbench.errors import Refused
 from workbench.files.atomic import replacing
 from workbench.files.json_text import check_fields_once
 from workbench.reading import opened
-from workbench.scene import ImageTarget, Scene
+from workbench.scene import Scene
 
 LARGEST_TEXT = 1 << 20
 """Most bytes of JSON that are read."""
@@ -64,17 +64,17 @@ def write_scene(scene: Scene, path: Path) -> None:
 
 def with_absolute_image(scene: Scene, path: Path) -> Scene:
     """The scene of a file, with an image that is found from every folder."""
-    if not isinstance(scene.target, ImageTarget):
+    if scene.image is None:
         return scene
     # Not resolve(): a link stays a link, so that scene and image still lie side by side.
-    return _with_image(scene, os.path.abspath(path.parent / scene.target.image))
+    return _with_image(scene, os.path.abspath(path.parent / scene.image))
 
 
 def with_portable_image(scene: Scene, path: Path) -> Scene:
     """The scene for a file, with an image that is found beside it wherever both are moved to."""
-    if not isinstance(scene.target, ImageTarget):
+    if scene.image is None:
         return scene
-    image, folder = Path(scene.target.image), Path(os.path.abspath(path.parent))
+    image, folder = Path(scene.image), Path(os.path.abspath(path.parent))
     name = image.relative_to(folder).as_posix() if image.is_relative_to(folder) else str(image)
     try:
         name.encode()

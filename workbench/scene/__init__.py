@@ -4,6 +4,7 @@ Field by field this is the scene file (``*.json``), so a scene that exists is a 
 possible: whatever cannot be built, traced or made is refused here, with the path of the field.
 """
 
+from workbench.scene.emission import ExactMethod, MeshMethod
 from workbench.scene.fields import LENGTH, FieldDescription, Measure
 from workbench.scene.kinds import Kinds
 from workbench.scene.lens import Base, FlatBase, Lens, SphereBase
@@ -12,9 +13,7 @@ from workbench.scene.run import AutoRun, PaperRun, Run, RunSettings, Stage
 from workbench.scene.screen import BoxFilter, Filter, GaussianFilter, Screen
 from workbench.scene.source import (
     CollimatedSource,
-    ExactMethod,
     GridSource,
-    MeshMethod,
     PointSource,
     Source,
 )

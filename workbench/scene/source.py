@@ -10,7 +10,8 @@ from pydantic import ConfigDict, Field
 
 from workbench.errors import Refused
 from workbench.scene import limits
-from workbench.scene.fields import LENGTH, PLACE, Choices, ForMethod, about
+from workbench.scene.emission import Emission, ExactMethod, Fresh, Intersection, Sampling
+from workbench.scene.fields import LENGTH, PLACE, about
 from workbench.scene.kinds import Kinds
 from workbench.scene.lens import Lens
 from workbench.scene.part import NonNegative, Part
@@ -22,87 +23,9 @@ Array = npt.NDArray[np.float64]
 
 RayCount = Annotated[int, Field(ge=1, le=4096)]
 PointCount = Annotated[int, Field(ge=1, le=512)]
-Subdivisions = Annotated[int, Field(ge=1, le=64)]
-_MOST = 1 << 24  # rays, and rectangles of a mesh
+_MOST = 1 << 24  # rays
 # A new source stands this many lens half-widths before the entrance face.
 _DISTANCE = 5.0
-
-
-class ExactMethod(Part):
-    """On the B-spline itself, fast and without an error of its own."""
-
-    model_config = ConfigDict(title="Exact")
-
-    method: Literal["exact"] = "exact"
-    subdivisions: ClassVar[None] = None
-
-    def check_for(self, lens: Lens) -> None:
-        """Refuse nothing: it suits any lens."""
-
-
-class MeshMethod(Part):
-    """As in the paper, for comparison."""
-
-    model_config = ConfigDict(title="Triangle mesh")
-
-    method: Literal["mesh"] = "mesh"
-    subdivisions: Annotated[
-        tuple[Subdivisions, Subdivisions],
-        about(
-            "Subdivisions",
-            "Parts along x and y that each knot span is cut into, two triangles each. Twice as "
-            "many make a quarter of the error, and four times the triangles.",
-        ),
-    ] = (4, 4)
-
-    def check_for(self, lens: Lens) -> None:
-        """Refuse more triangles than there is memory for."""
-        across, up = (
-            (count - degree) * n
-            for count, degree, n in zip(
-                lens.control_points, lens.degree, self.subdivisions, strict=True
-            )
-        )
-        if across * up > _MOST:
-            raise Refused(
-                "source.intersection.subdivisions",
-                f"{list(self.subdivisions)} make {across} × {up} rectangles; "
-                f"at most {_MOST} in all",
-            )
-
-
-Intersection = Annotated[
-    ExactMethod | MeshMethod,
-    Kinds("method", default="exact"),
-    about("Intersection", "How it is found where a ray meets the exit face."),
-]
-Emission = Annotated[
-    Literal["uniform", "lambertian"],
-    about(
-        "Emission",
-        "Uniform: equally bright in all directions, as a small bulb. Lambertian: dimmer away from "
-        "the optical axis, as the surface of an LED.",
-    ),
-]
-Sampling = Annotated[
-    Literal["sobol", "random"],
-    Choices((("sobol", "Low discrepancy"),)),
-    about(
-        "Sampling",
-        "How directions are drawn. Low discrepancy (Sobol) spreads them evenly and needs far fewer "
-        "rays; random is noisier, as in the paper.",
-    ),
-]
-Fresh = Annotated[
-    bool,
-    ForMethod("paper"),
-    about(
-        "Fresh rays",
-        "Draw new rays for each iteration of the paper's method, so that the lens cannot fit "
-        "itself to one set of them. Automatic compares lenses by the same rays and does not have "
-        "this.",
-    ),
-]
 Place = tuple[float, float, float]
 
 
@@ -112,18 +35,23 @@ class AnySource(Part):
     Here it is said of light that comes from infinitely far: it has no place that could be seen.
     """
 
+    along_axis: ClassVar[bool] = False
+    """Whether all its rays go along +z."""
+
     @property
     def place(self) -> Place | None:
         """Its middle, scene units."""
         return None
 
-    along_axis: ClassVar[bool] = False
-    """Whether all its rays go along +z."""
+    @property
+    def ray_count(self) -> int:
+        """Rays that it asks for in all, at least."""
+        return 1
 
     @property
     def samples(self) -> tuple[int, int]:
-        """Rays along x and y that it asks for, at least."""
-        return 1, 1
+        """As many as a grid of its rays has along x and y."""
+        return math.isqrt(self.ray_count), math.isqrt(self.ray_count)
 
     @property
     def mirrored(self) -> tuple[bool, bool]:
@@ -198,6 +126,11 @@ class CollimatedSource(AnySource):
     along_axis: ClassVar[bool] = True
 
     @property
+    def ray_count(self) -> int:
+        """All its rays."""
+        return math.prod(self.rays)
+
+    @property
     def samples(self) -> tuple[int, int]:
         """Its rays."""
         return self.rays
@@ -208,10 +141,59 @@ class CollimatedSource(AnySource):
         return True, True
 
 
-class PointSource(AnySource):
+class LightOfPoints(AnySource):
+    """What points have in common: each emits into a cone that just covers the entrance face."""
+
+    middle: ClassVar[str]
+    """Name of the field that holds its middle."""
+
+    kind: str
+    emission: Emission = "uniform"
+    sampling: Sampling = "sobol"
+    fresh: Fresh = False
+    intersection: Intersection = ExactMethod()
+
+    @property
+    def place(self) -> Place:
+        """Its middle, scene units."""
+        place: Place = getattr(self, self.middle)
+        return place
+
+    @property
+    def redrawn(self) -> bool:
+        """As its field says."""
+        return self.fresh
+
+    @property
+    def subdivisions(self) -> tuple[int, int] | None:
+        """Those of its triangle mesh."""
+        return self.intersection.subdivisions
+
+    def check_before(self, lens: Lens) -> None:
+        """Refuse a lens that is not behind it, or too near, too far or too fine."""
+        x, y, z = self.place
+        path = f"source.{self.middle}"
+        if z >= lens.entrance_z:
+            raise Refused(
+                f"{path}[2]",
+                f"{z:g} is not before the entrance face; less than {lens.entrance_z:g}",
+            )
+        aside = [(f"{path}[0]", x), (f"{path}[1]", y)]
+        limits.check_lengths(aside, lens.half_width, limits.FARTHEST)
+        limits.check_way(f"{path}[2]", lens.entrance_z - z, lens.half_width)
+        self.intersection.check_for(lens)
+
+    def placed(self, place: Place) -> Self:
+        """The same source with its middle elsewhere."""
+        return self.model_copy(update={self.middle: place})
+
+
+class PointSource(LightOfPoints):
     """Light from one point into the cone that just covers the entrance face."""
 
     model_config = ConfigDict(title="Point source")
+
+    middle = "position"
 
     kind: Literal["point"]
     position: Annotated[
@@ -234,10 +216,6 @@ class PointSource(AnySource):
             le=_MOST,
         ),
     ] = 500_000
-    emission: Emission = "uniform"
-    sampling: Sampling = "sobol"
-    fresh: Fresh = False
-    intersection: Intersection = ExactMethod()
 
     @classmethod
     def begun(cls, scene: "Scene") -> dict[str, Any]:
@@ -245,9 +223,9 @@ class PointSource(AnySource):
         return {"position": scene.source.place or _in_front(scene.lens)}
 
     @property
-    def samples(self) -> tuple[int, int]:
-        """As many as a grid of its rays has along x and y."""
-        return math.isqrt(self.rays), math.isqrt(self.rays)
+    def ray_count(self) -> int:
+        """All its rays."""
+        return self.rays
 
     @property
     def mirrored(self) -> tuple[bool, bool]:
@@ -260,21 +238,6 @@ class PointSource(AnySource):
         return self
 
     @property
-    def redrawn(self) -> bool:
-        """As its field says."""
-        return self.fresh
-
-    @property
-    def subdivisions(self) -> tuple[int, int] | None:
-        """Those of its triangle mesh."""
-        return self.intersection.subdivisions
-
-    @property
-    def place(self) -> Place:
-        """Where it is, scene units."""
-        return self.position
-
-    @property
     def axes(self) -> tuple[Array, Array]:
         """The x and the y of its points, shape (1,) each."""
         x, y, _ = self.position
@@ -285,17 +248,8 @@ class PointSource(AnySource):
         """Where its points are, shape (1, 3)."""
         return np.array([self.position])
 
-    def check_before(self, lens: Lens) -> None:
-        """Refuse a lens that is not behind it, or too near, too far or too fine."""
-        _check_place("source.position", self.position, lens)
-        self.intersection.check_for(lens)
 
-    def placed(self, place: Place) -> Self:
-        """The same source elsewhere."""
-        return self.model_copy(update={"position": place})
-
-
-class GridSource(AnySource):
+class GridSource(LightOfPoints):
     """Many points of equal intensity, standing for a source of some size.
 
     Each emits into a cone of its own that just covers the entrance face, so its part of the flux
@@ -303,6 +257,8 @@ class GridSource(AnySource):
     """
 
     model_config = ConfigDict(title="Grid of points")
+
+    middle = "center"
 
     kind: Literal["grid"]
     center: Annotated[
@@ -342,10 +298,6 @@ class GridSource(AnySource):
             le=_MOST,
         ),
     ] = 1000
-    emission: Emission = "uniform"
-    sampling: Sampling = "sobol"
-    fresh: Fresh = False
-    intersection: Intersection = ExactMethod()
 
     @classmethod
     def begun(cls, scene: "Scene") -> dict[str, Any]:
@@ -355,10 +307,9 @@ class GridSource(AnySource):
         return {"center": place, "half_width": (x / 2, y / 2), "points": (25, 25)}
 
     @property
-    def samples(self) -> tuple[int, int]:
-        """As many as a grid of all its rays has along x and y."""
-        count = self.rays * math.prod(self.points)
-        return math.isqrt(count), math.isqrt(count)
+    def ray_count(self) -> int:
+        """All its rays."""
+        return self.rays * math.prod(self.points)
 
     @property
     def mirrored(self) -> tuple[bool, bool]:
@@ -369,21 +320,6 @@ class GridSource(AnySource):
     def point(self) -> PointSource:
         """Its middle."""
         return PointSource(kind="point", position=self.center, emission=self.emission)
-
-    @property
-    def redrawn(self) -> bool:
-        """As its field says."""
-        return self.fresh
-
-    @property
-    def subdivisions(self) -> tuple[int, int] | None:
-        """Those of its triangle mesh."""
-        return self.intersection.subdivisions
-
-    @property
-    def place(self) -> Place:
-        """Its middle, scene units."""
-        return self.center
 
     @property
     def axes(self) -> tuple[Array, Array]:
@@ -403,20 +339,19 @@ class GridSource(AnySource):
 
     def remarks(self) -> Mapping[str, str]:
         """All its rays."""
-        return {"rays": f"= {math.prod(self.points) * self.rays:,} in all"}
+        return {"rays": f"= {self.ray_count:,} in all"}
 
     def check_before(self, lens: Lens) -> None:
         """Refuse a lens as a single point does; refuse more rays than there is memory for."""
-        if math.prod(self.points) * self.rays > _MOST:
+        if self.ray_count > _MOST:
             raise Refused(
                 "source.rays",
                 f"{self.rays} from each of {math.prod(self.points)} points are too many; "
                 f"at most {_MOST} rays in all",
             )
-        _check_place("source.center", self.center, lens)
         extent = [(f"source.half_width[{axis}]", r) for axis, r in enumerate(self.half_width)]
         limits.check_lengths(extent, lens.half_width, limits.FARTHEST)
-        self.intersection.check_for(lens)
+        super().check_before(lens)
 
     def seen(self, most: tuple[int, int]) -> Array:
         """Points spread over the same extent; see `AnySource.seen`."""
@@ -427,10 +362,6 @@ class GridSource(AnySource):
     def corners(self) -> Array:
         """Its outermost points, shape (n, 3); none where there is nothing to widen."""
         return self.seen((2, 2)) if max(self.points) > 1 else np.zeros((0, 3))
-
-    def placed(self, place: Place) -> Self:
-        """The same grid about another middle."""
-        return self.model_copy(update={"center": place})
 
     def shrunk(self, factor: float) -> Self:
         """A grid of another size about the same middle."""
@@ -453,15 +384,3 @@ Source = Annotated[CollimatedSource | PointSource | GridSource, Kinds("kind")]
 def _in_front(lens: Lens) -> Place:
     """On the axis, far enough away for the lens to bend all its light."""
     return (0.0, 0.0, lens.entrance_z - _DISTANCE * max(lens.half_width))
-
-
-def _check_place(path: str, place: Place, lens: Lens) -> None:
-    """Refuse a middle that is not before the lens, or where no float32 can tell."""
-    x, y, z = place
-    if z >= lens.entrance_z:
-        raise Refused(
-            f"{path}[2]", f"{z:g} is not before the entrance face; less than {lens.entrance_z:g}"
-        )
-    aside = [(f"{path}[0]", x), (f"{path}[1]", y)]
-    limits.check_lengths(aside, lens.half_width, limits.FARTHEST)
-    limits.check_way(f"{path}[2]", lens.entrance_z - z, lens.half_width)

@@ -156,7 +156,8 @@ class Scene(Part):
         """
         if unit == self.unit:
             return self
-        return self.scaled(units.ratio(self.unit, unit)).altered(unit=unit)
+        scaled = self.scaled(units.ratio(self.unit, unit))  # which is checked
+        return scaled.model_copy(update={"unit": unit})
 
     @classmethod
     def from_json(cls, text: str | bytes) -> Self:
