@@ -111,3 +111,14 @@ def test_rays_through_a_place_are_followed_to_where_the_trace_sends_them(make_sc
     height = places.evaluate(heights["exit"].numpy())[0]
     assert np.allclose(exit_face[2], height, rtol=0, atol=1e-12)
     assert arrival.rays.alive.all()
+
+
+@pytest.mark.parametrize(("z", "side"), [(2.0, 1.0), (-3.0, -1.0)])
+def test_a_screen_on_either_side_receives_the_light_that_goes_there(make_scene, z, side):
+    """A ray to it, one away from it to the other side, and one along it."""
+    across = 0.5**0.5
+    directions = [[across, 0, side * across], [across, 0, -across], [1, 0, 0]]
+    rays = bundle([[0.0, 0.0, 0.0]] * 3, directions, [1 / 3] * 3)
+    receiver = PlaneReceiver(make_scene().screen.model_copy(update={"z": z}), 0.0)
+    expected = [abs(z), np.inf if side > 0 else abs(z), np.inf]
+    assert receiver.places(rays)[0].tolist() == pytest.approx(expected)

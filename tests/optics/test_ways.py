@@ -113,3 +113,29 @@ def test_a_kernel_refuses_a_path_that_it_does_not_match(make_scene, kernel):
     assert not kernel.matches(path)
     with pytest.raises(TypeError, match="does not match"):
         kernel(path)
+
+
+class Measuring(Unchanged):
+    """An interface that keeps how far rays came."""
+
+    def turn(self, rays, meeting):
+        ways = zip(meeting.position, rays.position, strict=True)
+        self.way = sum((there - here).square() for there, here in ways).sqrt()
+        return super().turn(rays, meeting)
+
+
+def test_samples_of_the_face_come_from_where_their_light_entered(make_scene):
+    """So that what depends on the way in the glass is right for them, too."""
+    scene = make_scene({"source": POINT | {"position": [0, 0, -2.0]}})
+    path, measuring = path_of(scene, (31, 31)), Measuring()
+    entrance, exit_face = path.steps
+    steps = [entrance, exit_face._replace(interface=measuring)]
+    Reference(changed(path, steps=steps)).arrival(torch.full((12, 10), 0.5, dtype=torch.float64))
+    # Straight on the axis, and refracted where light enters at the radius e: e + d tan = ρ.
+    assert measuring.way[15, 15].item() == pytest.approx(0.5)
+    x = 1 / 31 * 30
+    sine = measuring.way[30, 15].item()
+    slope = np.sqrt(sine**2 - 0.25) / 0.5
+    entered = x - 0.5 * slope
+    outside = np.sin(np.arctan2(entered, 2.0))
+    assert np.sin(np.arctan(slope)) == pytest.approx(outside / scene.lens.index, rel=1e-9)

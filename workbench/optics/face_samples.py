@@ -147,13 +147,18 @@ class FaceSamples:
         lean_back = (face_x.square() + face_y.square() + 1).rsqrt()
         place = self._x, self._y, depth + self._entrance
         normal = -face_x * lean_back, -face_y * lean_back, lean_back
-        rays = RayBundle(place, (slope_x * length, slope_y * length, length), flux, met)
+        entered = (
+            self._x - slope_x * depth,
+            self._y - slope_y * depth,
+            flux.new_tensor(self._entrance),
+        )
+        rays = RayBundle(entered, (slope_x * length, slope_y * length, length), flux, met)
         passed = interface.turn(rays, Meeting(place, normal, met))
         with torch.no_grad():
             lost = {name: part.sum(dtype=torch.float64) for name, part in passed.lost.items()}
             for name, before in self._before.items():
                 lost[name] = flux.new_tensor(before, dtype=torch.float64)
             # What entered and did not come to the face; with the error of the sum over samples.
-            entered = 1 - sum(self._before.values())
-            lost[missed] = entered - flux.sum(dtype=torch.float64)
+            behind = 1 - sum(self._before.values())
+            lost[missed] = behind - flux.sum(dtype=torch.float64)
         return Arrival(*self._receiver.places(passed.rays), passed.rays, lost)

@@ -6,8 +6,8 @@ from torch import Tensor
 from workbench.optics.rays import RayBundle
 from workbench.scene import Screen
 
-# A face that folds light back, or sideways for ever, sends it past any screen.
-_ONWARD = 1e-6
+# A face that sends light sideways for ever sends it past any screen.
+_ACROSS = 1e-6
 
 
 class PlaneReceiver:
@@ -34,9 +34,10 @@ class PlaneReceiver:
     def places(self, rays: RayBundle) -> tuple[Tensor, Tensor]:
         """Where (x, y) rays hit the plane, scene units; infinite for those that never do."""
         (x, y, z), (d_x, d_y, d_z) = rays.position, rays.direction
-        onward = d_z > _ONWARD
-        way = (self.z - z) / torch.where(onward, d_z, 1.0)
-        hits = rays.alive & onward
+        across = d_z.abs() > _ACROSS
+        way = (self.z - z) / torch.where(across, d_z, 1.0)
+        # Light to +z begins before the screen, even where rounding says otherwise.
+        hits = rays.alive & across & ((d_z > 0) | (way > 0))
         return (
             torch.where(hits, x + d_x * way, torch.inf),
             torch.where(hits, y + d_y * way, torch.inf),

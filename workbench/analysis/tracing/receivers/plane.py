@@ -75,7 +75,8 @@ def _count(  # type: ignore[no-untyped-def]
         to_y = turn[1, 0] * d_x + turn[1, 1] * d_y + turn[1, 2] * d_z
         to_z = turn[2, 0] * d_x + turn[2, 1] * d_y + turn[2, 2] * d_z
         for plane in range(len(planes)):
-            path = (planes[plane] - from_z) / to_z if to_z > 0 else math.inf
+            ahead = planes[plane] - from_z
+            path = ahead / to_z if to_z > 0 or ahead * to_z > 0 else math.inf
             column = scale[0, 0] * (from_x + to_x * path) + scale[0, 1]
             row = scale[1, 0] * (from_y + to_y * path) + scale[1, 1]
             # Also not a number, of a ray along the screen, is not in there.
