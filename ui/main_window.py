@@ -39,7 +39,6 @@ _STATES = {
     "paused": "Paused",
     "stopping": "Stopping…",
 }
-_READ_MS = 6000  # a sentence in the status bar
 
 
 class MainWindow(QMainWindow):
@@ -299,7 +298,7 @@ class MainWindow(QMainWindow):
 
     def _tell_saved(self, sentence: str) -> None:
         self.log.add(sentence)
-        self.statusBar().showMessage(sentence, _READ_MS)
+        self.status.tell(sentence)
 
     def _choose_image(self) -> None:
         path = self.dialogs.to_open("image", "Target image", IMAGE_FILES)

@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QLabel, QProgressBar, QStatusBar
 
 from ui.run.pace import Pace
@@ -10,6 +10,8 @@ from ui.widgets.elided_label import ElidedLabel
 
 if TYPE_CHECKING:
     from ui.shown.frame import Frame
+
+_READ_MS = 6000  # a sentence
 
 
 class RunStatus:
@@ -22,7 +24,11 @@ class RunStatus:
     """
 
     def __init__(self, bar: QStatusBar) -> None:
+        self._text = ""  # what goes on
         self._state = ElidedLabel()
+        self._read = QTimer(bar)
+        self._read.setSingleShot(True)
+        self._read.timeout.connect(lambda: self._state.setText(self._text))
         bar.addWidget(self._state, 1)
         self._progress = QProgressBar()
         self._progress.setFixedWidth(150)
@@ -59,9 +65,21 @@ class RunStatus:
         )
         self._pace = Pace()
 
+    @property
+    def text(self) -> str:
+        """What is said at the left."""
+        return self._state.text()
+
     def show_state(self, text: str) -> None:
-        """Say what goes on."""
+        """Say what goes on; a sentence told before is of a state that is over."""
+        self._text = text
+        self._read.stop()
         self._state.setText(text)
+
+    def tell(self, sentence: str) -> None:
+        """Say something else for the time it takes to read it."""
+        self._state.setText(sentence)
+        self._read.start(_READ_MS)
 
     def show_frame(self, frame: "Frame", running: bool) -> None:
         """Show the figures of a lens; progress only while it is being designed."""

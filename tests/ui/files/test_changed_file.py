@@ -191,6 +191,15 @@ def test_the_question_about_a_deleted_file(window, path):
 
 def test_the_message_after_saving_names_the_file(window, path):
     window.commands["save"].trigger()
-    said = window.statusBar().currentMessage()
+    said = window.status.text
     assert said.startswith("Saved mine.freeform, ") and said.endswith("kB")
     assert window.log.toPlainText().endswith(said)
+
+
+def test_a_design_changed_after_saving_is_not_called_saved(window, path):
+    document = window.document
+    move_screen(document, 7.5)
+    window.commands["save"].trigger()
+    assert window.status.text.startswith("Saved ")
+    window.commands["undo"].trigger()
+    assert document.dirty and window.status.text == "Loading…"

@@ -57,7 +57,7 @@ def test_a_run_can_be_saved_with_its_best_lens_so_far(running, qtbot, tmp_path, 
     saved = read_session(path)
     assert saved.result.iterations > 2
     assert running.loaded.control.busy and running.document.dirty
-    assert "with the best lens so far" in running.statusBar().currentMessage()
+    assert "with the best lens so far" in running.status.text
     stop(running, qtbot)
     running.document.undo_stack.undo()  # the run
     assert running.document.dirty  # the file holds a lens
