@@ -46,7 +46,7 @@ class ShortfallNotice(QObject):
         self._start_over, self._go_on = start_over, go_on
         self._shown: Shortfall | None = None
         self._said = ""
-        self._said_of_run = False
+        self._said_of_run = ""
         self._stopped_to_widen = False
         control.runner.frame_ready.connect(self._look)
         control.ended.connect(self._end)
@@ -58,13 +58,15 @@ class ShortfallNotice(QObject):
         shortfall = frame.snapshot.shortfall
         if shortfall is None or not self._control.busy or self._said_of_run:
             return
-        self._said_of_run = True
         text = f"{self._sentence(shortfall)} The run goes on within these limits."
+        self._said_of_run = text
         offers = [("Stop and widen", self._stop_and_widen)] if self._helps(shortfall) else []
         self._say(text, *offers)
 
     def _end(self) -> None:
-        self._said_of_run = False
+        if self._said_of_run and self._said_of_run == self._messages.text:
+            self._messages.clear()  # its best lens lacks nothing, or that would stand there now
+        self._said_of_run = ""
         if self._stopped_to_widen:
             self._stopped_to_widen = False
             self._widen()

@@ -124,3 +124,21 @@ def test_a_later_run_reports_it_again(desk, qtbot):
     desk.fall_short(replace(NARROW, share=0.5))
     design(desk, qtbot)
     assert desk.messages.text == "The lens needs ±2.2 cm; ±0.3 cm is allowed."
+
+
+def test_what_was_said_of_a_run_goes_with_it_where_its_best_lens_lacks_nothing(
+    desk, qtbot, as_run
+):
+    def run(scene, target, start=None, locked=None):
+        first, *others = as_run(4)(scene, target, start, locked)
+        yield first
+        yield from (replace(shot, shortfall=NARROW, best=False) for shot in others)
+        return "all iterations are done"
+
+    said = []
+    desk.messages.said.connect(said.append)
+    desk.control.runner._generate = run
+    design(desk, qtbot)
+    assert any("goes on within these limits" in text for text in said)
+    assert desk.document.session.result.shortfall is None
+    assert desk.messages.text == ""
