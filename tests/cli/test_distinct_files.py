@@ -13,6 +13,7 @@ from tests.accounts import account_of
 from workbench.cli.verbs.parser import Parser, add_verb
 from workbench.design.snapshot import Result
 from workbench.errors import Refused
+from workbench.files.references import named_twice
 from workbench.files.scene import read_scene
 from workbench.files.session import KeptRun, Session, write_session
 
@@ -130,13 +131,35 @@ def test_images_of_a_session_and_of_its_runs_are_not_replaced(
     assert "is the target image of" in refused("manufacture", session, "--plot", picture)
 
 
-@pytest.mark.parametrize("verb, endings", [("export", ("stl", "STL")), ("report", ("pdf", "PDF"))])
-def test_a_file_is_written_once(refused, session, verb, endings):
-    lower, upper = endings
+@pytest.mark.parametrize("verb, lower", [("export", "stl"), ("report", "pdf")])
+def test_a_file_is_written_once(refused, session, verb, lower):
     os.symlink(f"a.{lower}", f"link.{lower}")
-    for other in (f"a.{lower}", f"./a.{lower}", f"A.{upper}", f"link.{lower}"):
+    for other in (f"a.{lower}", f"./a.{lower}", f"link.{lower}"):
         told = refused(verb, session, f"a.{lower}", other)
         assert told == f"{Path(other)}: is named twice; each file is written once"
+
+
+@pytest.mark.parametrize("names", [("a.stl", "A.STL"), ("caf\u00e9.stl", "cafe\u0301.stl")])
+@pytest.mark.parametrize("there", [0, 1, 2])
+def test_the_file_system_says_whether_two_cases_are_one_file(tmp_path, names, there):
+    folder = tmp_path / "empty"
+    folder.mkdir()
+    (tmp_path / names[0]).touch()
+    one_file = (tmp_path / names[1]).exists()
+    for name in names[:there]:
+        (folder / name).touch()
+    files = [folder / name for name in names]
+    assert named_twice(files) == (files[1] if one_file else None)
+    assert len(list(folder.iterdir())) == (min(there, 1) if one_file else there)
+
+
+@pytest.mark.parametrize("verb, lower", [("export", "stl"), ("report", "pdf")])
+def test_where_cases_are_one_file_a_second_name_is_refused(
+    refused, session, verb, lower, monkeypatch
+):
+    monkeypatch.setattr("workbench.files.references._would_be_one", lambda path, other: True)
+    told = refused(verb, session, f"a.{lower}", f"A.{lower.upper()}")
+    assert told == f"A.{lower.upper()}: is named twice; each file is written once"
 
 
 def test_a_session_may_take_its_place_again(freeform, scene, fake_run, folder):

@@ -2,6 +2,7 @@
 
 import os
 import unicodedata
+import uuid
 from collections.abc import Iterable
 from pathlib import Path
 
@@ -47,7 +48,7 @@ def is_one_file(path: Path, other: Path) -> bool:
 def named_twice(paths: Iterable[Path]) -> Path | None:
     """The first of some files that an earlier name means as well.
 
-    Names that differ in case alone count as one: on many file systems they are.
+    Of names that differ in case alone, the file system says whether they are one.
     """
     earlier: list[Path] = []
     for path in paths:
@@ -58,10 +59,27 @@ def named_twice(paths: Iterable[Path]) -> Path | None:
 
 
 def _is_one_name(path: Path, other: Path) -> bool:
-    return _plain(path) == _plain(other)
+    path, other = Path(os.path.realpath(path)), Path(os.path.realpath(other))
+    if path == other:
+        return True
+    if path.parent != other.parent or _plain(path.name) != _plain(other.name):
+        return False
+    return not (path.exists() or other.exists()) and _would_be_one(path, other)
 
 
-def _plain(path: Path) -> tuple[str, str]:
-    """Folder without links, and a name without case."""
-    folder, name = os.path.split(os.path.realpath(path))
-    return folder, unicodedata.normalize("NFC", name).casefold()
+def _plain(name: str) -> str:
+    return unicodedata.normalize("NFC", name).casefold()
+
+
+def _would_be_one(path: Path, other: Path) -> bool:
+    """Try with names like these; where that is not possible they count as one."""
+    mark = f".{uuid.uuid4().hex}"
+    tried = path.with_name(path.name + mark)
+    try:
+        tried.touch(exist_ok=False)
+        try:
+            return other.with_name(other.name + mark).exists()
+        finally:
+            tried.unlink()
+    except OSError:
+        return True

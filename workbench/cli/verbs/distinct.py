@@ -40,7 +40,7 @@ class Output(NamedTuple):
 def check_distinct(inputs: Sequence[Input], outputs: Sequence[Output]) -> None:
     """Find out beforehand whether a command would write over what it reads, or twice.
 
-    Links and names in another case count as the file that they mean.
+    Links count as the file that they mean, and so do names in another case where they mean one.
 
     Raises
     ------
