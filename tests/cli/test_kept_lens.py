@@ -47,6 +47,27 @@ def endless(scene_file, scene_data):
 
 
 class TestSignals:
+    def test_the_lens_before_the_first_iteration_is_not_called_the_best(
+        self, freeform, scene_file, out, fake_run
+    ):
+        fake_run({0: sent(signal.SIGINT)})
+        status, _, told = freeform("design", scene_file, "-o", out)
+        assert status == 130 and read_session(out).result.iterations == 0
+        last = told.splitlines()[-1]
+        assert last == f"freeform: interrupted; the lens before its first iteration is in {out}"
+
+    def test_without_a_lens_no_file_is_named(self, freeform, scene_file, out, monkeypatch):
+        def run(scene, target, start=None, locked=None):
+            os.kill(os.getpid(), signal.SIGINT)
+            yield from ()
+            return "all iterations are done"
+
+        monkeypatch.setattr("workbench.design.run.run", run)
+        status, _, told = freeform("design", scene_file, "-o", out)
+        assert status == 130 and not out.exists()
+        last = told.splitlines()[-1]
+        assert last == "freeform: interrupted; there was no lens yet, and nothing is written"
+
     @pytest.mark.parametrize("number", SIGNALS)
     def test_the_best_lens_so_far_is_written(self, freeform, scene_file, out, fake_run, number):
         fake_run({4: sent(number)})

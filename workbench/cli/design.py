@@ -72,7 +72,15 @@ def design(path: Path, output: Path, iterations: int | None, seconds: float, as_
             shortfall = result.shortfall
             print(f"{shortfall.sentence(session.scene.unit)}: {shortfall.cure}", file=sys.stderr)
     if interruption.asked:
-        raise Interrupted(interruption.asked, f"interrupted; the best lens so far is in {output}")
+        raise Interrupted(interruption.asked, f"interrupted; {_held(result, output)}")
+
+
+def _held(result: Result | None, output: Path) -> str:
+    """What a run that was interrupted has left."""
+    if result is None:
+        return "there was no lens yet, and nothing is written"
+    lens = "the best lens so far" if result.iterations else "the lens before its first iteration"
+    return f"{lens} is in {output}"
 
 
 def _tell_left_behind(keeper: Keeper, path: Path) -> None:

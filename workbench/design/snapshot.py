@@ -135,8 +135,8 @@ class History:
     def follow(self, run: Generator[Snapshot, None, str]) -> Generator[Snapshot, None, None]:
         """Take in the snapshots of a run as they pass, and at last why there are no more.
 
-        That is what the run returns, "stopped" if this generator is closed before, or
-        "failed: …" with the exception, which goes on to the caller.
+        That is what the run returns, and whether it was in vain; "stopped" if this generator is
+        closed before, or "failed: …" with the exception, which goes on to the caller.
         """
         try:
             while True:
@@ -145,6 +145,8 @@ class History:
                 yield snapshot
         except StopIteration as end:
             self._ended = end.value
+            if self._losses and self._best is not None and self._best.iteration == 0:
+                self._ended += "; no iteration made the lens better"
         except (GeneratorExit, KeyboardInterrupt):
             self._ended = "stopped"
             raise
