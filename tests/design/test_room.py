@@ -122,7 +122,7 @@ def test_locked_heights_at_an_end_are_no_shortfall(make_scene):
         ),
         (
             Shortfall("height_range", None, (-0.3, 0.3), 0.4),
-            "40% of the control heights are at an end of their range; ±0.3 mm is allowed",
+            "40 % of the control heights are at an end of their range; ±0.3 mm is allowed",
         ),
         (
             Shortfall("max_thickness", (2.0, 9.3), (2.0, 8.0), 0.4),
@@ -134,11 +134,11 @@ def test_locked_heights_at_an_end_are_no_shortfall(make_scene):
         ),
         (
             Shortfall("max_thickness", None, (2.0, 8.0), 0.4),
-            "40% of the control heights are at the largest thickness; the stock allows 8 mm",
+            "40 % of the control heights are at the largest thickness; the stock allows 8 mm",
         ),
         (
             Shortfall("min_thickness", None, (2.0, 8.0), 0.4),
-            "40% of the control heights are at the minimal thickness of 2 mm",
+            "40 % of the control heights are at the minimal thickness of 2 mm",
         ),
     ],
 )

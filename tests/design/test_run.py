@@ -167,7 +167,7 @@ def test_auto_refuses_a_range_in_which_no_lens_has_light_and_states_what_is_need
 ):
     aside = {"source": ASIDE["source"] | {"position": [20.0, 0.0, -5.0]}}
     scene = make_scene(ASIDE | aside | {"lens.height_range": [-1e-4, 1e-4]})
-    with pytest.raises(RunFailed, match=r"no light .*; The lens needs .* is allowed: widen"):
+    with pytest.raises(RunFailed, match=r"no light .*\. The lens needs .* is allowed: widen"):
         list(run(scene, disc))
 
 

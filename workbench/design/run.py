@@ -98,7 +98,7 @@ def run(
                 break
             except RunFailed as error:
                 short = room.shortfall(room.begin)
-                cause = "" if short is None else f"; {short.sentence(scene.unit)}: {short.cure}"
+                cause = "" if short is None else f". {short.sentence(scene.unit)}: {short.cure}"
                 raise RunFailed(f"stopped at iteration {iteration}: {error}{cause}") from None
             heights = step.heights.cpu().double().numpy()
             merit = step.loss if step.merit is None else step.merit

@@ -73,7 +73,7 @@ class Shortfall:
 
     @property
     def _ends(self) -> str:
-        return f"{self.share:.0%} of the control heights are at"
+        return f"{100 * self.share:.0f} % of the control heights are at"
 
 
 def _times(interval: Interval, factor: float) -> Interval:
