@@ -84,6 +84,17 @@ def test_files_that_it_links_to_are_not_drawn(save, tmp_path):
 
 
 @pytest.mark.parametrize(
+    "family", ["DejaVu Serif", "no such font", "serif", "Arial, sans-serif", ""]
+)
+def test_text_is_drawn_whichever_fonts_there_are(save, family):
+    font = f'font-family="{family}"' if family else ""
+    lit = (
+        read_image(save(f'<text x="1" y="9" font-size="9" fill="white" {font}>M</text>'), 64) > 0.5
+    )
+    assert lit[20:58, 8:].mean() > 0.2 and not lit[:8].any()
+
+
+@pytest.mark.parametrize(
     ("inside", "outline", "said"),
     [
         ("", 'width="0"', "invalid size"),

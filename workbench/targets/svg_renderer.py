@@ -7,9 +7,8 @@ error. Pictures in other files, which the SVG may link to, are not drawn.
 import math
 import re
 import sys
-from base64 import b64encode
 from collections.abc import Mapping
-from io import BytesIO
+from importlib.util import find_spec
 from xml.etree import ElementTree
 
 import resvg_py
@@ -18,31 +17,59 @@ _DPI = 96
 _PIXELS = {"": 1, "px": 1, "in": 96, "cm": 96 / 2.54, "mm": 96 / 25.4, "pt": 96 / 72, "pc": 16}
 _LENGTH = re.compile(r"\s*([0-9.eE+-]+)\s*([a-z]*)\s*")
 
-# The renderer cuts a drawing off at whole units of its own; within another one it does not, and
-# reads no files either.
-_FRAME = (
-    '<svg xmlns="http://www.w3.org/2000/svg" width="{0}" height="{1}">'
-    '<image width="{0}" height="{1}" href="data:image/svg+xml;base64,{2}"/></svg>'
-)
+_SVG = "http://www.w3.org/2000/svg"
+_LINKS = "href", "{http://www.w3.org/1999/xlink}href"
+
+# For text whose own font is not there. They come with matplotlib, so that all machines have them.
+_FONTS = {
+    "font_family": "DejaVu Sans",
+    "sans_serif_family": "DejaVu Sans",
+    "serif_family": "DejaVu Serif",
+    "monospace_family": "DejaVu Sans Mono",
+    "cursive_family": "DejaVu Sans",
+    "fantasy_family": "DejaVu Sans",
+}
 
 
 def main(side: int) -> None:
     """Draw it."""
     content = sys.stdin.buffer.read().removeprefix(b"\xef\xbb\xbf")
     try:
-        _, root = next(ElementTree.iterparse(BytesIO(content), events=("start",)))
-        if root.tag != "{http://www.w3.org/2000/svg}svg":
+        root = ElementTree.fromstring(content)
+        if root.tag != f"{{{_SVG}}}svg":
             raise ValueError("it has no <svg> at its root")
-        width, height = _size(root.attrib) or _measured(content)
+        _leave_out_links(root)
+        width, height = _size(root.attrib) or _measured(root)
         scale = side / max(width, height)
         columns, rows = (max(1, round(scale * size)) for size in (width, height))
-        # First by itself, which says what is wrong: within the frame it would just not be there.
-        resvg_py.svg_to_bytes(svg_string=content.decode(), width=1, height=1, dpi=_DPI)
-        framed = _FRAME.format(columns, rows, b64encode(content).decode())
-        drawn = resvg_py.svg_to_bytes(svg_string=framed, dpi=_DPI)
-    except (ValueError, SyntaxError, StopIteration) as error:
+        # At whole pixels: the renderer cuts a drawing off at whole units.
+        if "viewBox" not in root.attrib:
+            root.set("viewBox", f"0 0 {width} {height}")
+        root.set("width", str(columns))
+        root.set("height", str(rows))
+        drawn = _drawn(root)
+    except RecursionError:
+        sys.exit("it is nested too deeply to be drawn")
+    except (ValueError, SyntaxError) as error:
         sys.exit(" ".join(str(error).split()) or "it is empty")
     sys.stdout.buffer.write(drawn)
+
+
+def _leave_out_links(root: ElementTree.Element) -> None:
+    """Take out of pictures within the drawing what would be read from other files."""
+    for element in root.iter():
+        for name in _LINKS:
+            link = element.get(name, "").strip()
+            if not link.startswith(("#", "data:")):
+                element.attrib.pop(name, None)
+
+
+def _drawn(root: ElementTree.Element) -> bytes:
+    matplotlib = find_spec("matplotlib")
+    places = [] if matplotlib is None else matplotlib.submodule_search_locations or []
+    text = ElementTree.tostring(root, encoding="unicode")
+    folders = [f"{place}/mpl-data/fonts/ttf" for place in places]
+    return bytes(resvg_py.svg_to_bytes(svg_string=text, dpi=_DPI, font_dirs=folders, **_FONTS))
 
 
 def _size(root: Mapping[str, str]) -> tuple[float, float] | None:
@@ -66,9 +93,9 @@ def _pixels(length: str | None) -> float | None:
     return size if 0 < size < math.inf else None
 
 
-def _measured(content: bytes) -> tuple[int, int]:
+def _measured(root: ElementTree.Element) -> tuple[int, int]:
     """Width and height as the renderer finds them."""
-    header = resvg_py.svg_to_bytes(svg_string=content.decode(), dpi=_DPI)[16:24]
+    header = _drawn(root)[16:24]
     return int.from_bytes(header[:4], "big"), int.from_bytes(header[4:], "big")
 
 
