@@ -141,8 +141,13 @@ class Windows(QObject):
             recovery.close(leave=True)
             window.discard_and_close()
 
+    @property
+    def loading(self) -> bool:
+        """Whether libraries are being loaded, or kernels compiled."""
+        return self._warm_up.under_way
+
     def wait(self) -> None:
-        """Let what is being loaded be loaded; a process that ends in its midst may crash."""
+        """Let what is being loaded be loaded."""
         self._warm_up.wait()
 
     def tell_unexpected_error(self, sentence: str, details: str) -> None:

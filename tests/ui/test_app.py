@@ -98,6 +98,25 @@ def test_a_signal_closes_the_window_in_the_midst_of_loading_with_status_0(number
     assert "Traceback" not in told
 
 
+@pytest.mark.skipif(not os.environ.get("DISPLAY"), reason="needs a display")
+def test_a_window_that_is_told_to_end_does_not_wait_for_what_is_loading(tmp_path):
+    script = (
+        "import signal, sys, time, ui.app, ui.startup.warm_up as warm_up;"
+        "warm_up._warm_up = lambda _: (signal.raise_signal(signal.SIGTERM), time.sleep(1e6));"
+        "sys.exit(ui.app.main([]))"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", script],
+        env={**os.environ, "XDG_CONFIG_HOME": str(tmp_path)},
+        capture_output=True,
+        text=True,
+        timeout=120,
+    )
+    assert done.returncode == 0, done.stderr
+    assert "Traceback" not in done.stderr
+    assert list(tmp_path.rglob("*.conf")), "settings are kept"
+
+
 _ARENAS = """
 import ctypes, os, threading
 from ui.app import _prepare_environment

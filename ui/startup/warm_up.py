@@ -37,8 +37,13 @@ class WarmUp(QObject):
         """Begin importing."""
         self._background.begin(_warm_up)
 
+    @property
+    def under_way(self) -> bool:
+        """Whether it has begun and not ended."""
+        return self._background.running
+
     def wait(self) -> None:
-        """Let the imports end; a process that ends in the midst of one may crash."""
+        """Let the imports end; Python that ends in the midst of one may crash."""
         self._background.close()
 
 
