@@ -58,6 +58,19 @@ def test_code_is_compiled_once_and_taken_from_disk_later(places):
     assert not compiled.unkept()
 
 
+def test_compiling_is_logged_once_and_what_is_kept_needs_no_word(places, caplog):
+    caplog.set_level("INFO", logger="workbench")
+    compiled._tell.cache_clear()
+    for _ in range(2):
+        assert compile_and_call()[1] == 42
+        assert [record.message for record in caplog.records] == [
+            "compiling, once after installing; this takes up to a minute"
+        ]
+    compiled._tell.cache_clear()
+    assert compile_and_call() == (True, 42)
+    assert len(caplog.records) == 1
+
+
 def test_a_kernel_has_copies_of_its_own_of_what_it_calls(places):
     """Copies that others may replace by theirs would make results depend on what is loaded."""
 

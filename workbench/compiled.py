@@ -5,11 +5,13 @@
    of this one, is ever taken from it.
 2. One file for each kernel and signature, sealed by a checksum and put in place in one step. What
    is damaged is compiled again and replaced; two processes cannot mix their files up.
-3. Where the first folder cannot be written to, the next one is taken. Where none can, or the disk
+3. Compiling takes seconds to a minute, once after installing: a process that begins to logs it.
+4. Where the first folder cannot be written to, the next one is taken. Where none can, or the disk
    is full, kernels are compiled at each start: no call fails because of that, and `unkept` says it.
 """
 
 import hashlib
+import logging
 import os
 import pickle
 import stat
@@ -34,6 +36,7 @@ _HERE = Path(__file__).parent
 _MARK = b"from workbench.compiled import"
 _SEAL = hashlib.sha256().digest_size
 
+_LOG = logging.getLogger(__name__)
 _failures: list[str] = []
 
 
@@ -123,6 +126,7 @@ class _Kept(_Cache):
             if data is not None:
                 parts = pickle.loads(data)
                 return CompileResult._rebuild(target_context, *parts)  # type: ignore[no-untyped-call]
+        _tell()
         return None
 
     def save_overload(self, sig: Any, data: Any) -> None:
@@ -152,6 +156,12 @@ class _Kept(_Cache):
 
     def flush(self) -> None:
         """Nothing to do: what is compiled again replaces what was kept."""
+
+
+@cache
+def _tell() -> None:
+    """Log that something is compiled, the first time."""
+    _LOG.info("compiling, once after installing; this takes up to a minute")
 
 
 @cache

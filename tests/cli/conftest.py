@@ -1,4 +1,5 @@
 import json
+import logging
 import math
 
 import pytest
@@ -24,9 +25,10 @@ def out(tmp_path):
 def freeform(capsys, monkeypatch):
     """Runs a command; gives exit status, standard output and error.
 
-    Slow machines get no lines of progress that quick ones do not.
+    Slow machines get no lines of progress that quick ones do not, nor ones of compiling.
     """
     monkeypatch.setattr("workbench.cli.progress._LINES", math.inf)
+    monkeypatch.setattr(logging.getLogger("workbench.compiled"), "disabled", True)
 
     def run(*arguments):
         status = main([str(argument) for argument in arguments])

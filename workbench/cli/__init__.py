@@ -5,8 +5,10 @@ ended it (130 after Ctrl-C, 143 after SIGTERM, 129 after a hangup); the reason i
 standard error.
 """
 
+import logging
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 
 from workbench.cli.interruption import Interruptible, number_of
 from workbench.cli.streams import Streams
@@ -27,7 +29,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     int
         Exit status.
     """
-    with Streams() as streams:
+    with Streams() as streams, _logging():
         try:
             with Interruptible():
                 _run(arguments)
@@ -46,6 +48,27 @@ def main(arguments: Sequence[str] | None = None) -> int:
         if broken is not None:
             return _fail(1, f"standard output cannot be written: {broken.strerror or broken}")
     return 0
+
+
+class _Printer(logging.Handler):
+    """Prints on standard error."""
+
+    def emit(self, record: logging.LogRecord) -> None:
+        print(f"freeform: {self.format(record)}", file=sys.stderr, flush=True)
+
+
+@contextmanager
+def _logging() -> Iterator[None]:
+    """Print what the engine logs."""
+    logger, printer = logging.getLogger("workbench"), _Printer()
+    level = logger.level
+    logger.addHandler(printer)
+    logger.setLevel(logging.INFO)
+    try:
+        yield
+    finally:
+        logger.removeHandler(printer)
+        logger.setLevel(level)
 
 
 def _run(arguments: Sequence[str] | None) -> None:

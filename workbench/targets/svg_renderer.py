@@ -20,16 +20,6 @@ _LENGTH = re.compile(r"\s*([0-9.eE+-]+)\s*([a-z]*)\s*")
 _SVG = "http://www.w3.org/2000/svg"
 _LINKS = "href", "{http://www.w3.org/1999/xlink}href"
 
-# For text whose own font is not there. They come with matplotlib, so that all machines have them.
-_FONTS = {
-    "font_family": "DejaVu Sans",
-    "sans_serif_family": "DejaVu Sans",
-    "serif_family": "DejaVu Serif",
-    "monospace_family": "DejaVu Sans Mono",
-    "cursive_family": "DejaVu Sans",
-    "fantasy_family": "DejaVu Sans",
-}
-
 
 def main(side: int) -> None:
     """Draw it."""
@@ -68,8 +58,19 @@ def _drawn(root: ElementTree.Element) -> bytes:
     matplotlib = find_spec("matplotlib")
     places = [] if matplotlib is None else matplotlib.submodule_search_locations or []
     text = ElementTree.tostring(root, encoding="unicode")
-    folders = [f"{place}/mpl-data/fonts/ttf" for place in places]
-    return bytes(resvg_py.svg_to_bytes(svg_string=text, dpi=_DPI, font_dirs=folders, **_FONTS))
+    # For text whose own font is not there: fonts of matplotlib, so that all machines have them.
+    drawn = resvg_py.svg_to_bytes(
+        svg_string=text,
+        dpi=_DPI,
+        font_dirs=[f"{place}/mpl-data/fonts/ttf" for place in places],
+        font_family="DejaVu Sans",
+        sans_serif_family="DejaVu Sans",
+        serif_family="DejaVu Serif",
+        monospace_family="DejaVu Sans Mono",
+        cursive_family="DejaVu Sans",
+        fantasy_family="DejaVu Sans",
+    )
+    return bytes(drawn)
 
 
 def _size(root: Mapping[str, str]) -> tuple[float, float] | None:

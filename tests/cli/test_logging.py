@@ -1,0 +1,19 @@
+"""What the engine logs while a command works."""
+
+import logging
+from types import SimpleNamespace
+
+from workbench.cli import main
+
+
+def test_it_is_told_on_standard_error_and_only_while_the_command_works(capsys, monkeypatch):
+    log = logging.getLogger("workbench.some_room")
+
+    def work(options):
+        log.info("compiling; this takes a while")
+
+    monkeypatch.setattr("workbench.cli.arguments.parse", lambda _: SimpleNamespace(command=work))
+    assert main([]) == 0
+    assert capsys.readouterr() == ("", "freeform: compiling; this takes a while\n")
+    log.info("of another program, which did not ask for it")
+    assert capsys.readouterr() == ("", "")
