@@ -36,8 +36,8 @@ def test_few_rays_show_the_error_of_many(lens):
 def test_the_loss_without_scatter_is_the_same_error_in_units_of_the_loss(lens):
     scene, target, heights = lens
     found = validate(scene, target, heights, 4_000)
-    wished = np.linalg.norm(target / target.sum()) / 24  # the root of 24 × 24 pixels
-    assert found.loss_corrected == pytest.approx(found.relative_l2_corrected * wished, rel=1e-12)
+    wanted = np.linalg.norm(target / target.sum()) / 24  # the root of 24 × 24 pixels
+    assert found.loss_corrected == pytest.approx(found.relative_l2_corrected * wanted, rel=1e-12)
 
 
 def test_the_interval_of_the_error_with_scatter(lens):

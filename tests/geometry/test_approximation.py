@@ -99,5 +99,5 @@ def test_the_nearest_net_that_holds_the_surface():
     assert nearest_finer(coarse, (128, 128), 1024) == (125, 114)
     assert nearest_finer(coarse, (64, 10), 1024) == (64, 40)
     assert nearest_finer(coarse, (1024, 1024), 1024) == (979, 1002)
-    for wished in ((70, 200), (300, 41)):
-        assert net(*nearest_finer(coarse, wished, 1024)).contains(coarse)
+    for wanted in ((70, 200), (300, 41)):
+        assert net(*nearest_finer(coarse, wanted, 1024)).contains(coarse)

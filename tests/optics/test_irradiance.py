@@ -108,14 +108,14 @@ def test_gradient_is_that_of_central_differences(x, y, alpha, size):
 
 @pytest.mark.parametrize("filter", FILTERS[:4], ids=str)
 def test_expected_image_is_the_mean_of_many_rays(filter, rng):
-    wished = rng.random((8, 12))
-    pixels = rng.choice(96, size=400_000, p=wished.ravel() / wished.sum())
+    wanted = rng.random((8, 12))
+    pixels = rng.choice(96, size=400_000, p=wanted.ravel() / wanted.sum())
     row, column = np.divmod(pixels, 12)
     x = torch.as_tensor((column + rng.random(pixels.size)) * 0.5 - 3)
     y = torch.as_tensor(2 - (row + rng.random(pixels.size)) * 0.5)
-    weight = torch.full_like(x, wished.sum() / pixels.size)
+    weight = torch.full_like(x, wanted.sum() / pixels.size)
     flux = reconstruct(x, y, weight, SCREEN, filter).numpy()
-    assert flux == pytest.approx(expected_image(wished, filter), abs=0.03)
+    assert flux == pytest.approx(expected_image(wanted, filter), abs=0.03)
 
 
 def test_expected_image_of_even_light_is_even_inside():

@@ -166,7 +166,7 @@ def test_a_logarithmic_scale_spans_three_decades_and_darkness(axes, scene):
     image.update(levels)
     shown = image.artists[0]
     colours = shown.to_rgba(shown.get_array())[0, :5]
-    wished = shown.get_cmap()([1.0, 2 / 3, 0.0, 0.0, 0.0])
-    np.testing.assert_allclose(colours[:, :3], wished[:, :3], atol=0.01)
+    wanted = shown.get_cmap()([1.0, 2 / 3, 0.0, 0.0, 0.0])
+    np.testing.assert_allclose(colours[:, :3], wanted[:, :3], atol=0.01)
     image.set_logarithmic(False)
     np.testing.assert_allclose(shown.norm(levels)[0, :2], [1.0, 0.1])

@@ -22,10 +22,10 @@ def test_curves_are_the_pixels_along_the_axis(scene, rng, along, positions, line
     axes = Figure().subplots()
     curves = SectionCurves(axes, scene, target)
     assert curves.update(image, cut_through(scene, along, (1.1, 0.4))) is True  # row 1, column 6
-    wish, light = (artist.get_data() for artist in curves.artists)
+    wanted, light = (artist.get_data() for artist in curves.artists)
     np.testing.assert_allclose(light, [positions, image[line]])
     # As much light in all as the image has.
-    np.testing.assert_allclose(wish, [positions, (target * image.sum() / target.sum())[line]])
+    np.testing.assert_allclose(wanted, [positions, (target * image.sum() / target.sum())[line]])
     across = "y = 0.4" if along == "x" else "x = 1.1"
     assert axes.get_xlabel() == f"{along} (cm) at {across} cm"
     assert curves.update(image, cut_through(scene, along, (1.1, 0.4))) is False
@@ -39,8 +39,8 @@ def test_along_any_line_a_slanted_plane_is_exact(scene, ends):
     cut = cut_between(scene, *ends)
     assert cut.along[0] == 0 and cut.along[-1] == pytest.approx(np.hypot(x_1 - x_0, y_1 - y_0))
     part = cut.along / cut.along[-1]
-    wished = 3 + 2 * (x_0 + part * (x_1 - x_0)) + 5 * (y_0 + part * (y_1 - y_0))
-    np.testing.assert_allclose(values_along(plane, cut), wished)
+    wanted = 3 + 2 * (x_0 + part * (x_1 - x_0)) + 5 * (y_0 + part * (y_1 - y_0))
+    np.testing.assert_allclose(values_along(plane, cut), wanted)
 
 
 def test_a_line_through_the_middles_of_pixels_meets_their_values(scene, rng):

@@ -30,8 +30,8 @@ def test_height_is_that_over_the_base_with_row_0_at_the_top(scene, axes):
     image.update(tilted(scene, 0.1, 0.4))
     assert image.values.shape == (96, 192)
     x, y = 1 - 1 / 192, 0.5 - 1 / 192  # the last column of the first row
-    wished = 0.5 + 0.1 * x + 0.4 * y - scene.lens.base.height_at(x, y)
-    assert image.values[0, -1] == pytest.approx(wished, rel=1e-12)
+    wanted = 0.5 + 0.1 * x + 0.4 * y - scene.lens.base.height_at(x, y)
+    assert image.values[0, -1] == pytest.approx(wanted, rel=1e-12)
     assert image.values[0, -1] > image.values[-1, -1] > image.values[-1, 0]
     low, high = image.artists[0].get_clim()
     assert low == -high

@@ -18,7 +18,7 @@ TARGETS = ("tophat", "one pixel", "line", "checkerboard", "noise", "denormal", "
 
 
 def target(kind: str, scene: Scene) -> npt.NDArray[np.float64]:
-    """A wish that is hard to fulfil."""
+    """A target that is hard to reach."""
     n_x, n_y = scene.screen.pixels
     rng = np.random.default_rng(1)
     image = np.zeros((n_y, n_x))
@@ -35,7 +35,7 @@ def target(kind: str, scene: Scene) -> npt.NDArray[np.float64]:
     return image
 
 
-def check_run(case: Case, wish: str, monkeypatch: pytest.MonkeyPatch) -> str:
+def check_run(case: Case, image: str, monkeypatch: pytest.MonkeyPatch) -> str:
     """Run a few iterations; returns the sentence with which the run refused or failed, or none."""
     phases: list[list[float]] = []
     minimise = auto.minimise
@@ -56,7 +56,7 @@ def check_run(case: Case, wish: str, monkeypatch: pytest.MonkeyPatch) -> str:
     said = ""
     best: list[float] = []
     try:
-        for snapshot in run(scene, target(wish, scene)):
+        for snapshot in run(scene, target(image, scene)):
             assert np.isfinite(snapshot.loss)
             assert np.isfinite(snapshot.irradiance).all()
             assert (snapshot.control_points >= lower).all()

@@ -24,9 +24,9 @@ NAMED = {
 }
 
 
-@pytest.mark.parametrize(("wish", "case"), NAMED.values(), ids=NAMED.keys())
-def test_named_runs(wish, case, monkeypatch):
-    assert not check_run(case, wish, monkeypatch)
+@pytest.mark.parametrize(("image", "case"), NAMED.values(), ids=NAMED.keys())
+def test_named_runs(image, case, monkeypatch):
+    assert not check_run(case, image, monkeypatch)
 
 
 def test_a_run_without_any_light_fails_with_its_reason(monkeypatch):
@@ -39,8 +39,8 @@ def test_a_run_without_any_light_fails_with_its_reason(monkeypatch):
 @pytest.mark.slow
 @pytest.mark.timeout(3600)
 @MANY
-@given(case=cases(most_points=40), wish=st.sampled_from(TARGETS))
-def test_many_runs(case: Case, wish: str):
+@given(case=cases(most_points=40), image=st.sampled_from(TARGETS))
+def test_many_runs(case: Case, image: str):
     with pytest.MonkeyPatch.context() as monkeypatch:
-        check_run(case, wish, monkeypatch)
+        check_run(case, image, monkeypatch)
     assert resource.getrusage(resource.RUSAGE_SELF).ru_maxrss < 4 * GIGABYTE

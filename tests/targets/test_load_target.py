@@ -66,8 +66,8 @@ def test_orientation_of_an_image_file(tmp_path):
 
 def test_an_absolute_path_needs_no_folder(tmp_path):
     Image.fromarray((F * 255).astype(np.uint8)).save(tmp_path / "f.png")
-    wish = scene({"image": str(tmp_path / "f.png")}, (4, 5), (4.0, 5.0))
-    light = load_target(wish, Path("elsewhere"))
+    task = scene({"image": str(tmp_path / "f.png")}, (4, 5), (4.0, 5.0))
+    light = load_target(task, Path("elsewhere"))
     np.testing.assert_allclose(light, F, atol=1e-13)
 
 
@@ -99,15 +99,15 @@ def test_light_is_conserved(tmp_path_factory, shape, pixels, half_width, padding
     picture = np.random.default_rng(seed).random(shape)
     path = tmp_path_factory.getbasetemp() / "any.npy"
     np.save(path, picture)
-    wish = scene({"image": str(path), "padding": padding}, pixels, half_width)
-    light = load_target(wish, path.parent)
+    task = scene({"image": str(path), "padding": padding}, pixels, half_width)
+    light = load_target(task, path.parent)
     inside = 1 - 2 * padding
     side = 2 * inside * min(half_width[0] / shape[1], half_width[1] / shape[0])
     flux = (picture / picture.max()).sum() * side**2
     assert light.shape == pixels[::-1]
     assert light.min() >= 0
     assert light.max() <= 1 + 1e-12
-    assert light.sum() * wish.screen.pixel_area == pytest.approx(flux, rel=1e-9)
+    assert light.sum() * task.screen.pixel_area == pytest.approx(flux, rel=1e-9)
 
 
 def test_only_ratios_count(load):

@@ -297,7 +297,7 @@ def test_no_bar_of_tabs_lies_over_a_pane_at_first(settings, qtbot):
 
 
 def test_a_dropped_image_becomes_the_target(window, tmp_path):
-    image = tmp_path / "wish.png"
+    image = tmp_path / "target.png"
     Image.fromarray(np.eye(8, dtype=np.uint8) * 255).save(image)
     drop(window, image)
     assert window.document.session.scene.target.image == str(image)

@@ -1,4 +1,4 @@
-"""The wish: an image file or a built-in shape, and what is done to it."""
+"""The target: an image file or a built-in shape, and what is done to it."""
 
 from collections.abc import Set
 from dataclasses import replace
@@ -85,7 +85,7 @@ class Thumbnail(QWidget):
         super().__init__()
         self._picture, self._aspect = QImage(), 1.0
         self.setFixedHeight(self._HEIGHT)
-        self.setToolTip("The light that is wished for on the screen")
+        self.setToolTip("The light that is wanted on the screen")
         self.setAccessibleName("Target image")
 
     def show_target(self, target: npt.NDArray[np.float64], aspect: float) -> None:

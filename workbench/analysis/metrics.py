@@ -40,9 +40,9 @@ def product(image: Array, other: Array, target: Array) -> float:
     sum_i, sum_o, sum_t = _sum(image), _sum(other), _sum(target)
     found = size = 0.0
     for i, o, t in _rows(image, other, target):
-        wished = t / sum_t
-        found += float(((i / sum_i - wished) * (o / sum_o - wished)).sum())
-        size += float(np.square(wished).sum())
+        wanted = t / sum_t
+        found += float(((i / sum_i - wanted) * (o / sum_o - wanted)).sum())
+        size += float(np.square(wanted).sum())
     return found / size
 
 

@@ -126,7 +126,7 @@ def validate(
     scene : Scene
         Lens, source and screen; filter and run settings play no part.
     target : ndarray, shape (n_y, n_x)
-        The wished image in any scale, row 0 at +y.
+        The target image in any scale, row 0 at +y.
     control_points : ndarray, shape (n_u, n_v)
         Heights z of the exit face's control points, scene units.
     rays : int

@@ -1,4 +1,4 @@
-"""How far an image is from the wish, and what to say when that cannot be computed."""
+"""How far an image is from the target, and what to say when that cannot be computed."""
 
 import numpy as np
 import numpy.typing as npt

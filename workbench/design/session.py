@@ -72,7 +72,7 @@ class KeptRun:
     scene : Scene
         The task that it was given, with an absolute ``target.image``.
     target : ndarray, shape (n_y, n_x)
-        The wished image of that task.
+        The target image of that task.
     result : Result
         The lens that it found.
     verified : VerifiedError, optional
@@ -99,14 +99,14 @@ class KeptRun:
 
 @dataclass(frozen=True, eq=False)
 class Session:
-    """A design: what is wished, and the lens found for it.
+    """A design task, and the lens found for it.
 
     Attributes
     ----------
     scene : Scene
         The design task, with an absolute ``target.image``.
     target : ndarray, shape (n_y, n_x)
-        The wished image before normalisation and filtering, row 0 at +y.
+        The target image before normalisation and filtering, row 0 at +y.
     result : Result, optional
         The best lens so far; None before the first run.
     locked : ndarray of bool, shape (n_u, n_v), optional

@@ -1,4 +1,4 @@
-"""The image of a lens on the screen and some way beyond, against the wish."""
+"""The image of a lens on the screen and some way beyond, against the target."""
 
 import math
 
@@ -24,7 +24,7 @@ _MARGINS = 0.05, 1.0
 
 
 class WideImage:
-    """Compares lenses with the wish, light beside the screen included.
+    """Compares lenses with the target, light beside the screen included.
 
     The target goes through the expected reconstruction filter, else the optimum is a lens that is
     too sharp, to undo a blur that only the simulation has.
@@ -73,7 +73,7 @@ class WideImage:
         self._scale = self._wanted.norm().item()
 
     def compare(self, heights: Tensor) -> tuple[Tensor, Step]:
-        """Error relative to the norm of the wish, on the wide image, and the step to report.
+        """Error relative to the norm of the target, on the wide image, and the step to report.
 
         Raises
         ------

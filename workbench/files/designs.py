@@ -48,7 +48,7 @@ def names_of(entries: Entries, folder: str, figures: Figures | None) -> set[str]
 
 
 def read_target(entries: Entries, folder: str, scene: Scene) -> Array:
-    """The wished image of a design.
+    """The target image of a design.
 
     One whose sum of squares would be beyond float64, or 0, is scaled to a largest value of 1: only
     ratios count.
@@ -56,7 +56,7 @@ def read_target(entries: Entries, folder: str, scene: Scene) -> Array:
     Raises
     ------
     Refused
-        If it is not as the scene implies, or nothing is wished.
+        If it is not as the scene implies, or it is dark.
     """
     n_x, n_y = scene.screen.pixels
     target = entries.array(folder + _TARGET, (n_y, n_x))

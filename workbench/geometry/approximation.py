@@ -97,20 +97,20 @@ def _with_midpoints(knots: Array, others: Array) -> Array:
     return np.sort(np.concatenate([ends, (ends[1:] + ends[:-1]) / 2]))
 
 
-def nearest_finer(net: "ControlNet", wished: tuple[int, int], most: int) -> tuple[int, int]:
-    """The size nearest to a wished one, of a net that holds all surfaces of this one exactly.
+def nearest_finer(net: "ControlNet", wanted: tuple[int, int], most: int) -> tuple[int, int]:
+    """The size nearest to a wanted one, of a net that holds all surfaces of this one exactly.
 
     Parameters
     ----------
     net : ControlNet
         Each of its spans is divided into as many parts.
-    wished : tuple[int, int]
+    wanted : tuple[int, int]
         Numbers of control points along x and y.
     most : int
         Control points along an axis at most; not fewer than this net has.
     """
     sizes = []
-    for count, degree, goal in zip(net.shape, net.degree, wished, strict=True):
+    for count, degree, goal in zip(net.shape, net.degree, wanted, strict=True):
         spans = count - degree
         parts = min(round((goal - degree) / spans), (most - degree) // spans)
         sizes.append(max(parts, 1) * spans + degree)

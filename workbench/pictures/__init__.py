@@ -26,12 +26,12 @@ def write_images(session: Session, file: BinaryIO) -> None:
     from workbench.pictures.images import ErrorImage, IrradianceImage, target_irradiance
 
     figure = Figure(figsize=(13, 4), layout=ConstrainedLayoutEngine(wspace=0.12))
-    lit, wished, off = figure.subplots(1, 3)
+    lit, wanted, off = figure.subplots(1, 3)
     scene, target, irradiance = session.scene, session.target, result_of(session).irradiance
     IrradianceImage(lit, scene, target).update(irradiance)
-    IrradianceImage(wished, scene, target).update(target_irradiance(scene, target))
+    IrradianceImage(wanted, scene, target).update(target_irradiance(scene, target))
     ErrorImage(off, scene, target).update(irradiance)
-    for axes, title in ((lit, "Irradiance"), (wished, "Target"), (off, "Irradiance − target")):
+    for axes, title in ((lit, "Irradiance"), (wanted, "Target"), (off, "Irradiance − target")):
         axes.set_title(title, fontsize=10)
     figure.savefig(file, format="png", dpi=_DPI)
 

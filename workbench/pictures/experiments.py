@@ -56,7 +56,7 @@ class Design(Protocol):
 
     @property
     def target(self) -> Array:
-        """Wished image, shape (n_y, n_x)."""
+        """Target image, shape (n_y, n_x)."""
 
     @property
     def result(self) -> Result | None:

@@ -41,7 +41,7 @@ def target_irradiance(scene: Scene, target: npt.NDArray[Any]) -> Array:
     scene : Scene
         Gives the size of a pixel.
     target : ndarray, shape (n_y, n_x)
-        Wished image, non-negative; an image without any light stays black.
+        Target image, non-negative; an image without any light stays black.
 
     Returns
     -------
@@ -63,7 +63,7 @@ def signed_error(scene: Scene, target: npt.NDArray[Any], irradiance: Array) -> A
     scene : Scene
         Gives the size of a pixel.
     target, irradiance : ndarray, shape (n_y, n_x)
-        Wished and obtained image.
+        Target and obtained image.
 
     Returns
     -------
@@ -108,7 +108,7 @@ class IrradianceImage:
     scene : Scene
         Gives the screen.
     target : ndarray, shape (n_y, n_x)
-        Wished image; gives the scale.
+        Target image; gives the scale.
     name : str
         What the image is called.
 

@@ -57,7 +57,7 @@ class LensPicture:
     scene : Scene
         What is drawn; until the first `update` the exit face is the base.
     target : ndarray, shape (n_y, n_x)
-        Wished image; the brightness of the screen is relative to it.
+        Target image; the brightness of the screen is relative to it.
     dark : bool
         Light lines on a dark ground instead of the reverse.
     explode : bool

@@ -45,13 +45,13 @@ def draw_lens(figure: "FigureBase", session: Session, irradiance: Array) -> None
 def draw_images(figure: "FigureBase", session: Session, irradiance: Array) -> None:
     """Draw irradiance, target, signed error and the height of the exit face over its base."""
     scene, target, result = session.scene, session.target, result_of(session)
-    (lit, wished), (off, face) = figure.subplots(2, 2, gridspec_kw=_APART)
+    (lit, wanted), (off, face) = figure.subplots(2, 2, gridspec_kw=_APART)
     IrradianceImage(lit, scene, target).update(irradiance)
-    IrradianceImage(wished, scene, target).update(target_irradiance(scene, target))
+    IrradianceImage(wanted, scene, target).update(target_irradiance(scene, target))
     ErrorImage(off, scene, target).update(irradiance)
     SurfaceImage(face, scene, ASPECTS[0]).update(result.control_points)
     titles = ("Irradiance", "Target", "Irradiance − target", "Exit face over its base")
-    for axes, title in zip((lit, wished, off, face), titles, strict=True):
+    for axes, title in zip((lit, wanted, off, face), titles, strict=True):
         axes.set_title(title, fontsize=_FONT)
 
 

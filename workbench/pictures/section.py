@@ -19,7 +19,7 @@ Place = tuple[float, float]
 
 _FONT = 8
 _HEADROOM = 1.4  # above the scale of the images, for bright spots and the legend
-_LIGHT, _WISH = "#2f86d1", "#d9822b"  # told apart also by those who see no red or no green
+_LIGHT, _TARGET = "#2f86d1", "#d9822b"  # told apart also by those who see no red or no green
 
 
 class Cut(NamedTuple):
@@ -119,7 +119,7 @@ class SectionCurves:
     scene : Scene
         Gives the screen.
     target : ndarray, shape (n_y, n_x)
-        Wished image.
+        Target image.
 
     Attributes
     ----------
@@ -130,7 +130,7 @@ class SectionCurves:
     def __init__(self, axes: "Axes", scene: Scene, target: npt.NDArray[Any]) -> None:
         self._axes = axes
         self._scene = scene
-        self._wish = target_irradiance(scene, target)
+        self._target = target_irradiance(scene, target)
         self._shown: tuple[object, ...] = ()
         axes.set_ylim(0, _HEADROOM * full_scale(scene, target))
         axes.set_ylabel(f"flux / {scene.unit}²", fontsize=_FONT, labelpad=2)
@@ -138,9 +138,9 @@ class SectionCurves:
         for axis in (axes.xaxis, axes.yaxis):
             axis.set_major_locator(ticks())
         axes.grid(visible=True, linewidth=0.6, alpha=0.35)
-        (wish,) = axes.plot([], [], color=_WISH, linewidth=1.2, linestyle="--", label="target")
+        (wanted,) = axes.plot([], [], color=_TARGET, linewidth=1.2, linestyle="--", label="target")
         (light,) = axes.plot([], [], color=_LIGHT, linewidth=1.4, label="irradiance")
-        self._wish_line, self._light_line = wish, light
+        self._target_line, self._light_line = wanted, light
         axes.legend(
             loc="upper right",
             fontsize=_FONT,
@@ -149,7 +149,7 @@ class SectionCurves:
             handlelength=1.5,
             labelspacing=0.2,
         )
-        self.artists: list[Artist] = [wish, light]
+        self.artists: list[Artist] = [wanted, light]
 
     def update(self, irradiance: Array, cut: Cut) -> bool:
         """Show another image, shape (n_y, n_x), along a line.
@@ -161,7 +161,7 @@ class SectionCurves:
         """
         flux = float(irradiance.sum()) * self._scene.screen.pixel_area
         self._light_line.set_data(cut.along, values_along(irradiance, cut))
-        self._wish_line.set_data(cut.along, flux * values_along(self._wish, cut))
+        self._target_line.set_data(cut.along, flux * values_along(self._target, cut))
         if self._shown == (cut.name, cut.ends):
             return False
         self._shown = (cut.name, cut.ends)

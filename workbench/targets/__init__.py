@@ -1,4 +1,4 @@
-"""The wish: an image of light on the screen's pixels."""
+"""The target: an image of light on the screen's pixels."""
 
 from workbench.targets.prepare import load_target
 

@@ -1,4 +1,4 @@
-"""From the wish in the scene to light on the pixels of the screen."""
+"""From the target in the scene to light on the pixels of the screen."""
 
 from io import BytesIO
 from pathlib import Path
@@ -21,7 +21,7 @@ _FINENESS, _FINEST = 4, 4096
 
 
 def load_target(scene: Scene, folder: Path, kept: bytes | None = None) -> Array:
-    """Draw the wished image on the pixels of the screen.
+    """Draw the target image on the pixels of the screen.
 
     The picture is fitted into the screen less the padding with its aspect kept, averaged over
     the screen's pixels by area, and blurred; light that the blur carries off the screen is lost.

@@ -36,14 +36,14 @@ def test_a_square_shrinks_evenly():
 
 @pytest.mark.parametrize("target", ["pixel", "checkerboard", "line"])
 def test_extreme_targets_get_finite_maps_into_the_light(target):
-    wish = np.zeros((32, 32))
+    wanted = np.zeros((32, 32))
     if target == "pixel":
-        wish[20, 9] = 1
+        wanted[20, 9] = 1
     elif target == "line":
-        wish[:, 31] = 1
+        wanted[:, 31] = 1
     else:
-        wish[::2, ::2] = wish[1::2, 1::2] = 1
-    to_0, to_1 = Transport(np.full((32, 32), 1 / 1024), wish / wish.sum(), (1.0, 1.0)).map()
+        wanted[::2, ::2] = wanted[1::2, 1::2] = 1
+    to_0, to_1 = Transport(np.full((32, 32), 1 / 1024), wanted / wanted.sum(), (1.0, 1.0)).map()
     assert np.isfinite(to_0).all() and np.isfinite(to_1).all()
     if target == "pixel":
         assert np.hypot(to_0 - 20, to_1 - 9).mean() < 1.0

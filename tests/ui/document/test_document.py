@@ -111,7 +111,7 @@ def test_another_screen_loads_the_target_for_its_pixels(document):
 
 
 def test_a_missing_image_is_refused_only_where_it_is_read_again(document, tmp_path):
-    image = tmp_path / "wish.png"
+    image = tmp_path / "target.png"
     Image.fromarray(np.full((4, 4), 200, np.uint8)).save(image)
     scene = small_scene(target={"image": str(image)})
     document.edit(scene, "target", "target")
@@ -119,16 +119,16 @@ def test_a_missing_image_is_refused_only_where_it_is_read_again(document, tmp_pa
     document.edit(changed(document.session.scene, "screen", pixels=(9, 9)), "pixels", "pixels")
     session = document.session
     assert session.target.shape == (9, 9)
-    with pytest.raises(Refused, match=r"wish\.png"):
+    with pytest.raises(Refused, match=r"target\.png"):
         document.read_image_again()
     assert document.session is session
 
 
 def test_a_relative_image_starts_beside_the_file(document, tmp_path):
-    Image.fromarray(np.full((4, 4), 200, np.uint8)).save(tmp_path / "wish.png")
+    Image.fromarray(np.full((4, 4), 200, np.uint8)).save(tmp_path / "target.png")
     document.save(tmp_path / "design.freeform")
-    document.edit(small_scene(target={"image": "wish.png"}), "target", "target")
-    assert document.session.scene.target.image == str(tmp_path / "wish.png")
+    document.edit(small_scene(target={"image": "target.png"}), "target", "target")
+    assert document.session.scene.target.image == str(tmp_path / "target.png")
 
 
 def test_another_lens_removes_the_result_and_undo_restores_it(document):

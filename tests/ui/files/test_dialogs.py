@@ -99,7 +99,7 @@ def test_a_folder_is_remembered_for_the_next_window(make, document, session, ask
 def test_an_image_for_the_target_is_asked_for(window, asked, folders):
     _, pictures, _ = folders
     begun, answers = asked
-    image = pictures / "wish.png"
+    image = pictures / "target.png"
     Image.fromarray(np.eye(8, dtype=np.uint8) * 255).save(image)
     answers.append(image)
     choose(window.forms, "target.builtin", "image")

@@ -292,7 +292,7 @@ def test_another_kind_of_target_keeps_its_finish(forms, document, qtbot):
 
 
 def test_an_image_is_chosen_from_a_dialog(forms, document, tmp_path):
-    image = tmp_path / "wish.png"
+    image = tmp_path / "target.png"
     Image.fromarray(np.eye(8, dtype=np.uint8) * 255).save(image)
     forms.image_asked.connect(lambda: forms.choose_image(image))
     choose(forms, "target.builtin", "image")
@@ -307,7 +307,7 @@ def test_a_dialog_that_is_cancelled_changes_nothing(forms, document):
 
 
 def test_a_file_that_is_no_image_is_refused_and_marks_no_field(forms, document, tmp_path):
-    image, text = tmp_path / "wish.png", tmp_path / "notes.txt"
+    image, text = tmp_path / "target.png", tmp_path / "notes.txt"
     Image.fromarray(np.eye(8, dtype=np.uint8) * 255).save(image)
     text.write_text("no image")
     told = []
@@ -492,7 +492,7 @@ def test_the_thumbnail_of_huge_and_tiny_values_is_that_of_their_ratios(forms):
 
 
 def test_an_image_is_not_read_again_during_a_run(forms, document, tmp_path):
-    image = tmp_path / "wish.png"
+    image = tmp_path / "target.png"
     Image.fromarray(np.eye(8, dtype=np.uint8) * 255).save(image)
     forms.choose_image(image)
     Image.fromarray(np.full((8, 8), 255, np.uint8)).save(image)

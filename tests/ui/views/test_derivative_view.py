@@ -56,12 +56,12 @@ def test_shows_the_map_of_the_middle_point_and_its_sum(seen, frame, session, qtb
     assert seen.index == (6, 5)
     qtbot.waitUntil(lambda: "changes by" in seen._sum.text(), timeout=20_000)
     scene = session.scene
-    wished = irradiance_derivative(scene, np.full((12, 10), 0.49), (6, 5))
+    wanted = irradiance_derivative(scene, np.full((12, 10), 0.49), (6, 5))
     qtbot.waitUntil(lambda: not seen.empty)
     shown = seen._image.artists[0].get_array()
-    np.testing.assert_allclose(shown.filled(0), wished.map, atol=1e-12)
-    np.testing.assert_array_equal(shown.mask, wished.map == 0)
-    assert f"{wished.sum:.1e} per cm," in seen._sum.text()
+    np.testing.assert_allclose(shown.filled(0), wanted.map, atol=1e-12)
+    np.testing.assert_array_equal(shown.mask, wanted.map == 0)
+    assert f"{wanted.sum:.1e} per cm," in seen._sum.text()
     assert seen._place.text() == "x = 0.111, y = 0.143 cm"
 
 

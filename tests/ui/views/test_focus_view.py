@@ -68,9 +68,9 @@ def traced(view, frame, qtbot, rays=MANY):
     """Wait for the light at the distance on show; what it has to be."""
     scene, target = frame.session.scene, frame.session.target
     heights = frame.snapshot.control_points
-    wished = validate(scene, target, heights, rays, screen_z=view.z)
-    qtbot.waitUntil(lambda: np.array_equal(view._values, wished.irradiance), timeout=30_000)
-    return wished
+    wanted = validate(scene, target, heights, rays, screen_z=view.z)
+    qtbot.waitUntil(lambda: np.array_equal(view._values, wanted.irradiance), timeout=30_000)
+    return wanted
 
 
 def test_it_begins_at_the_screen_and_moves_to_any_distance(view, frame, qtbot):
@@ -182,8 +182,8 @@ def test_the_curve_shows_the_error_at_many_distances(view, frame, traces, qtbot)
     assert {rays for _, rays in traces} == {FEW}
     session, heights = frame.session, frame.snapshot.control_points
     for z, error in curve.errors[::10]:
-        wished = validate(session.scene, session.target, heights, FEW, screen_z=z)
-        assert error == wished.relative_l2_corrected
+        wanted = validate(session.scene, session.target, heights, FEW, screen_z=z)
+        assert error == wanted.relative_l2_corrected
     qtbot.waitUntil(lambda: len(curve._curve._curve.get_xdata()) == PLACES)
     np.testing.assert_allclose(
         curve._curve._curve.get_ydata(), [100 * error for _, error in curve.errors]

@@ -82,9 +82,9 @@ def test_all_zoom_about_the_pointer(views, qtbot):
     turn_wheel(views[0], 0.5, -0.25, 3)
     qtbot.waitUntil(lambda: all(limits(view) != (-1, 1, -1, 1) for view in views))
     scale = 1.25**-3
-    wished = (0.5 - 1.5 * scale, 0.5 + 0.5 * scale, -0.25 - 0.75 * scale, -0.25 + 1.25 * scale)
+    wanted = (0.5 - 1.5 * scale, 0.5 + 0.5 * scale, -0.25 - 0.75 * scale, -0.25 + 1.25 * scale)
     for view in views:  # the pointer is on a whole pixel of the window
-        np.testing.assert_allclose(limits(view), wished, atol=0.01)
+        np.testing.assert_allclose(limits(view), wanted, atol=0.01)
     turn_wheel(views[2], 0.5, -0.25, -9)
     qtbot.waitUntil(lambda: all(limits(view) == (-1, 1, -1, 1) for view in views))
 
@@ -109,12 +109,12 @@ def test_all_show_their_value_under_the_pointer(views, frame, session, qtbot):
     x, y = 0.40625, -0.65625  # the middle of row 26, column 22
     qtbot.mouseMove(views[1]._canvas, place(views[1], x, y))
     image, scene = frame.snapshot.irradiance, session.scene
-    wished = [
+    wanted = [
         image[26, 22],
         target_irradiance(scene, session.target)[26, 22],
         signed_error(scene, session.target, image)[26, 22],
     ]
-    for view, value in zip(views, wished, strict=True):
+    for view, value in zip(views, wanted, strict=True):
         assert view._readout.text().startswith(f"{value:.4g} / cm² at x = 0.4")
     qtbot.mouseMove(views[1]._canvas, QPoint(2, 2))
     assert [view._readout.text() for view in views] == ["", "", ""]
@@ -152,8 +152,8 @@ def test_a_cross_section_goes_through_the_place_that_is_clicked(
     assert " at y = -0.6" in section._curves._axes.get_xlabel()
     section._direction.actions()[1].trigger()
     qtbot.waitUntil(lambda: np.array_equal(light(), image[::-1, 22]))
-    wish = section._curves.artists[0].get_ydata()
-    assert wish.max() == pytest.approx(
+    wanted = section._curves.artists[0].get_ydata()
+    assert wanted.max() == pytest.approx(
         image.mean() * 4 * target_irradiance(session.scene, session.target)[:, 22].max()
     )
     qtbot.waitUntil(lambda: views[1]._marks[0].get_visible())

@@ -29,7 +29,7 @@ class Example:
     scene : Scene
         The design task.
     target : ndarray, shape (n_y, n_x)
-        The wished image.
+        The target image.
     """
 
     name: str

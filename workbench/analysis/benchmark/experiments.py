@@ -51,7 +51,7 @@ class Design:
     scene : Scene
         The design task.
     target : ndarray, shape (n_y, n_x)
-        The wished image.
+        The target image.
     result : Result or None
         The lens, if there is one.
     times : tuple of float

@@ -1,6 +1,6 @@
 """A lens that sends the light roughly where it is wanted, within a second and without any search.
 
-1. Optimal transport between the light that leaves the exit face and the wish says which part of
+1. Optimal transport between the light that leaves the exit face and the target says which part of
    the light should go where. The cost −x·y is the one for which a thin lens under small angles can
    be exact (Glimm and Oliker 2003); the rest is left to the optimiser.
 2. Snell's law says which slopes the face needs for that.
@@ -58,8 +58,8 @@ def transport_start(scene: Scene, target: Array) -> Array | None:
     fit = SlopeFit(net, middle, middle)
     limits = HeightLimits.of(bounded(scene), net)
     image = target / target.max()
-    wish = _resampled(image[::-1].T, cells)  # along x first and y upwards, as the lens is
-    wish /= wish.sum()
+    wanted = _resampled(image[::-1].T, cells)  # along x first and y upwards, as the lens is
+    wanted /= wanted.sum()
     r = np.array(lens.half_width) * np.array(screen.half_width)
     weights = r / math.sqrt(r.prod())
 
@@ -72,7 +72,7 @@ def transport_start(scene: Scene, target: Array) -> Array | None:
         if passed.sum() > 0:  # or a lens that reflects all of it totally is improved blindly
             flux = passed / passed.sum()
         if transport is None:
-            transport = Transport(flux, wish, (float(weights[0]), float(weights[1])))
+            transport = Transport(flux, wanted, (float(weights[0]), float(weights[1])))
         else:
             transport.improve(flux)
         to_x, to_y = (
