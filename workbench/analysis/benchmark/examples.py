@@ -14,8 +14,8 @@ from workbench.scene import Scene
 from workbench.targets import load_target
 
 Array = npt.NDArray[np.float64]
-Tell = Callable[[str, str], None]
-"""Is told now and then what is measured, and how far that is."""
+Notify = Callable[[str, str], None]
+"""Called now and then with what is measured, and how far that is."""
 
 
 @dataclass(frozen=True, eq=False)

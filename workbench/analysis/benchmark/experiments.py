@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 import numpy.typing as npt
 
-from workbench.analysis.benchmark.examples import Example, Tell
+from workbench.analysis.benchmark.examples import Example, Notify
 from workbench.analysis.benchmark.machine import PeakMemory
 from workbench.analysis.benchmark.table import Column, Table
 from workbench.analysis.derivatives import irradiance_derivative
@@ -138,21 +138,21 @@ class Derivative:
         return self.sum / self.moved
 
 
-def experiments(iterations: int | None, tell: Tell) -> Iterator[Design | Derivative]:
+def experiments(iterations: int | None, notify: Notify) -> Iterator[Design | Derivative]:
     """Run all experiments, the quickest first."""
     ready.compile_all()  # which is no part of any run's time
     for name in DERIVATIVES:
-        tell(name, "")
+        notify(name, "")
         yield derivative(Example.of(name))
     for name in DESIGNS:
         for example, method in _methods(name):
-            yield design(_limited(example, iterations), method, _RAYS, tell)
+            yield design(_limited(example, iterations), method, _RAYS, notify)
 
 
-def design(example: Example, method: str, rays: int, tell: Tell) -> Design:
+def design(example: Example, method: str, rays: int, notify: Notify) -> Design:
     """Run one experiment and verify its lens with so many rays.
 
-    What cannot be run, or cannot go on, is told by the result.
+    What cannot be run, or cannot go on, is said by the result.
     """
     case = f"{example.name}, {method}"
     found = Design(example.name, example.group, method, example.scene, example.target)
@@ -163,14 +163,14 @@ def design(example: Example, method: str, rays: int, tell: Tell) -> Design:
         for snapshot in run(example.scene, example.target):
             history.add(snapshot)
             times.append(snapshot.seconds)
-            tell(case, f"{snapshot.iteration}/{snapshot.iterations}, loss {snapshot.loss:.4g}")
+            notify(case, f"{snapshot.iteration}/{snapshot.iterations}, loss {snapshot.loss:.4g}")
     except (Refused, RunFailed) as failure:
         found = replace(found, failure=str(failure))
     result = history.result()
     found = replace(found, result=result, times=tuple(times), memory=peak.bytes())
     if result is None:
         return found
-    tell(case, "verifying")
+    notify(case, "verifying")
     try:
         light = validate(example.scene, example.target, result.control_points, rays)
     except RunFailed as failure:

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from workbench.analysis.benchmark.examples import Example, Tell
+from workbench.analysis.benchmark.examples import Example, Notify
 from workbench.analysis.benchmark.machine import PeakMemory
 from workbench.analysis.benchmark.methods import METHODS, Method
 from workbench.analysis.benchmark.table import Column, Table
@@ -119,12 +119,12 @@ def frontier(iterations: int | None) -> Effort:
     return Effort(examples, iterations, rays=4_000_000, final_rays=16_000_000, step=math.sqrt(2))
 
 
-def courses(effort: Effort, tell: Tell) -> Iterator[Course]:
+def courses(effort: Effort, notify: Notify) -> Iterator[Course]:
     """Measure all methods on all scenes, one after the other."""
     for example in effort.examples:
         yardstick: Course | None = None
         for name, method in METHODS.items():
-            course = _course(example, name, method, effort, tell)
+            course = _course(example, name, method, effort, notify)
             yardstick = yardstick or course
             yield replace(course, sooner=_sooner(course, yardstick))
 
@@ -147,7 +147,7 @@ def table(found: Sequence[Course]) -> Table:
     return Table("Verified error against time", columns, found, _NOTE)
 
 
-def _course(example: Example, name: str, method: Method, effort: Effort, tell: Tell) -> Course:
+def _course(example: Example, name: str, method: Method, effort: Effort, notify: Notify) -> Course:
     course = Course(example.name, name)
     case = f"{example.name}, {name}"
     try:
@@ -156,14 +156,14 @@ def _course(example: Example, name: str, method: Method, effort: Effort, tell: T
         peak = PeakMemory()
         kept: list[tuple[float, Array]] = []
         for seconds, lens in method(example, effort.iterations):
-            tell(case, f"{seconds:.1f} s")
+            notify(case, f"{seconds:.1f} s")
             if not kept or seconds >= max(_FIRST, effort.step * kept[-1][0]):
                 kept.append((seconds, lens))
         memory = peak.bytes()
         if seconds > kept[-1][0]:
             kept.append((seconds, lens))
         for number, (_, lens) in enumerate(kept):
-            tell(case, f"verifying {number + 1} of {len(kept)}")
+            notify(case, f"verifying {number + 1} of {len(kept)}")
             course = replace(
                 course,
                 times=(*course.times, kept[number][0]),

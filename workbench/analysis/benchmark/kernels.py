@@ -9,7 +9,7 @@ import numpy.typing as npt
 import torch
 
 from workbench.analysis.benchmark.comparison import Measured, Variant, compare, image_error
-from workbench.analysis.benchmark.examples import Example, Tell, wavy
+from workbench.analysis.benchmark.examples import Example, Notify, wavy
 from workbench.analysis.validation import validate
 from workbench.design.loss import paper_loss, share
 from workbench.optics.plan import Plan, device_of
@@ -86,10 +86,10 @@ def rays_of(scene: Scene) -> int:
     return (x + y).numel()
 
 
-def measurements(iterations: int | None, tell: Tell) -> Iterator[Measured]:
+def measurements(iterations: int | None, notify: Notify) -> Iterator[Measured]:
     """Answer all questions, one after the other."""
     for question, variants in _questions():
-        tell(question, "")
+        notify(question, "")
         yield from compare(question, variants(), _SECONDS)
 
 

@@ -7,7 +7,7 @@ import numpy as np
 import numpy.typing as npt
 import torch
 
-from workbench.analysis.benchmark.examples import Example, Tell, wavy
+from workbench.analysis.benchmark.examples import Example, Notify, wavy
 from workbench.analysis.benchmark.kernels import Descent
 from workbench.analysis.benchmark.table import Column, Table
 
@@ -45,10 +45,10 @@ class Difference:
     gradient: float
 
 
-def differences(iterations: int | None, tell: Tell) -> Iterator[Difference]:
+def differences(iterations: int | None, notify: Notify) -> Iterator[Difference]:
     """Compare both float types on the examples, with a lens that bends light everywhere."""
     for name in _EXAMPLES:
-        tell(name, "")
+        notify(name, "")
         example = Example.of(name)
         yield difference(example, wavy(example.scene))
 

@@ -6,7 +6,7 @@ import numpy as np
 import torch
 
 from workbench.analysis.benchmark.comparison import Measured, Variant, compare, image_error
-from workbench.analysis.benchmark.examples import Example, Tell, wavy
+from workbench.analysis.benchmark.examples import Example, Notify, wavy
 from workbench.analysis.benchmark.kernels import Descent, rays_of
 from workbench.design.wide_image import WideImage
 from workbench.optics.plan import Plan
@@ -15,10 +15,10 @@ from workbench.scene import GaussianFilter
 _SECONDS = 10.0  # for each question
 
 
-def measurements(iterations: int | None, tell: Tell) -> Iterator[Measured]:
+def measurements(iterations: int | None, notify: Notify) -> Iterator[Measured]:
     """Time every skip against doing what it leaves out, the skip first."""
     for question, variants in SKIPS.items():
-        tell(question, "")
+        notify(question, "")
         yield from compare(question, variants(), _SECONDS)
 
 

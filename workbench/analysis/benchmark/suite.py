@@ -11,7 +11,7 @@ from workbench.analysis.benchmark import (
     precision,
     skips,
 )
-from workbench.analysis.benchmark.examples import Tell
+from workbench.analysis.benchmark.examples import Notify
 from workbench.analysis.benchmark.table import Table
 
 
@@ -21,19 +21,19 @@ class Benchmark(NamedTuple):
     Attributes
     ----------
     measure : callable
-        Given a limit of iterations (None leaves it to each scene) and whom to tell of progress, it
+        Given a limit of iterations (None leaves it to each scene) and what to call with the progress, it
         yields one row after the other.
     tables : callable
         Puts rows into tables.
     """
 
-    measure: Callable[[int | None, Tell], Iterator[Any]]
+    measure: Callable[[int | None, Notify], Iterator[Any]]
     tables: Callable[[Sequence[Any]], tuple[Table, ...]]
 
 
 def _courses(effort: Callable[[int | None], frontier.Effort]) -> Benchmark:
     return Benchmark(
-        lambda iterations, tell: frontier.courses(effort(iterations), tell),
+        lambda iterations, notify: frontier.courses(effort(iterations), notify),
         lambda rows: (frontier.table(rows),),
     )
 
@@ -51,4 +51,4 @@ SUITE = {
     ),
     "paper": Benchmark(experiments.experiments, experiments.tables),
 }
-"""What `names.BENCHMARKS` tells of."""
+"""What `names.BENCHMARKS` lists."""
