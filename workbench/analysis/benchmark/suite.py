@@ -21,8 +21,8 @@ class Benchmark(NamedTuple):
     Attributes
     ----------
     measure : callable
-        Given a limit of iterations (None leaves it to each scene) and what to call with the progress, it
-        yields one row after the other.
+        Given a limit of iterations (None leaves it to each scene) and what to call with the
+        progress, it yields one row after the other.
     tables : callable
         Puts rows into tables.
     """
