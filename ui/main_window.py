@@ -98,7 +98,9 @@ class MainWindow(QMainWindow):
         self.files = FileActions(document, lens, self._recent, messages, dialogs, self)
         self.exporter = Exporter(document, lens, messages, dialogs, self)
         self.reporter = Reporter(document, lens, messages, dialogs, self)
-        self._panes = PaneFocus(self, self.workspace.docks, self.commands.toolbar)
+        self._panes = PaneFocus(
+            self.workspace.centre, self.workspace.docks, self.commands.toolbar, self
+        )
         self.help = Help(self, self.commands, self._panes, self.messages)
         self._layout = Layout(self, self.workspace, settings)
         self._view_state = ViewState(self.commands, self._layout, self.log.add)

@@ -40,10 +40,10 @@ class Commands:
                 self.toolbar.addSeparator()
             else:
                 self.toolbar.addAction(self[entry])
-        for name in LABELLED:
-            button = self.toolbar.widgetForAction(self[name])
-            assert isinstance(button, QToolButton)
-            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        labelled = [self[name] for name in LABELLED]
+        for button in self.toolbar.findChildren(QToolButton):
+            if button.defaultAction() in labelled:
+                button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         window.addToolBar(self.toolbar)
         self.colour_icons()
 

@@ -4,9 +4,10 @@ from collections.abc import Callable, Mapping
 from functools import partial
 
 from PySide6.QtCore import QObject, Qt
-from PySide6.QtWidgets import QApplication, QDockWidget, QMainWindow, QToolBar, QWidget
+from PySide6.QtWidgets import QDockWidget, QToolBar, QWidget
 
 from ui.commands.panes import PANES
+from ui.widgets.application import application
 
 
 class PaneFocus(QObject):
@@ -14,8 +15,8 @@ class PaneFocus(QObject):
 
     Parameters
     ----------
-    window : QMainWindow
-        Holds them.
+    centre : QWidget
+        What stands between the docks.
     docks : mapping of str to QDockWidget
         By name; the focus goes in the order of `PANES`.
     toolbar : QToolBar
@@ -23,17 +24,16 @@ class PaneFocus(QObject):
     """
 
     def __init__(
-        self, window: QMainWindow, docks: Mapping[str, QDockWidget], toolbar: QToolBar
+        self,
+        centre: QWidget,
+        docks: Mapping[str, QDockWidget],
+        toolbar: QToolBar,
+        parent: QObject,
     ) -> None:
-        super().__init__(window)
-        centre = window.centralWidget()
-        assert centre is not None  # stands there as long as the window
-        self._centre: QWidget = centre
-        self._docks, self._toolbar = docks, toolbar
+        super().__init__(parent)
+        self._centre, self._docks, self._toolbar = centre, docks, toolbar
         self._marked: QWidget | None = None
-        application = QApplication.instance()
-        assert isinstance(application, QApplication)
-        application.focusChanged.connect(self._mark)
+        application().focusChanged.connect(self._mark)
 
     def slots(self) -> dict[str, Callable[[], object]]:
         """What commands do here."""
@@ -62,7 +62,7 @@ class PaneFocus(QObject):
     def _step(self, by: int) -> None:
         panes = [*map(self.place, PANES), self._toolbar]
         seen = [pane for pane in panes if not pane.visibleRegion().isEmpty()]
-        focused = QApplication.focusWidget()
+        focused = application().focusWidget()
         at = next((k for k, pane in enumerate(seen) if _holds(pane, focused)), -1 if by > 0 else 0)
         _enter(seen[(at + by) % len(seen)])
 

@@ -29,16 +29,47 @@ _TIPS = (
 )
 
 
+class FaceContent:
+    """A map of the exit face, once its lens is looked at."""
+
+    name = next(iter(MAPS))
+
+    def __init__(self) -> None:
+        self.maps: SurfaceMaps | None = None
+        self.limits = Limits()
+        self._drawn = np.zeros((1, 1))
+
+    def half_width(self, session: "Session") -> tuple[float, float]:
+        """Half of the lens."""
+        return session.scene.lens.half_width
+
+    def begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
+        """Draw the map; another lens has another picture."""
+        if self.maps is not None:
+            self._drawn = draw_map(axes, self.name, self.maps, self.limits, session.scene.unit)
+        return ()
+
+    def change(self, frame: "Frame") -> bool:
+        """Nothing changes within a picture."""
+        return False
+
+    def values(self, frame: "Frame") -> npt.NDArray[np.float64]:
+        """Those of the map."""
+        return self._drawn
+
+    def unit(self, length: str) -> str:
+        """Unit of the map."""
+        return map_unit(self.name, length)
+
+
 class FaceMap(ImageView):
     """One of `MAPS`, to be chosen above it."""
 
+    _content: FaceContent
     _WAITING = "Computed when the lens rests…"
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent=parent)
-        self._maps: SurfaceMaps | None = None
-        self._limits = Limits()
-        self._drawn: npt.NDArray[np.float64] | None = None
+        super().__init__(FaceContent(), parent=parent)
         self.chooser = Chooser()
         self.chooser.setAccessibleName("What the map shows")
         for name in MAPS:
@@ -52,40 +83,22 @@ class FaceMap(ImageView):
 
     def show_maps(self, frame: "Frame", maps: "SurfaceMaps") -> None:
         """Show the face of the lens of a frame."""
-        self._maps = maps
+        self._content.maps = maps
         self.show_frame(frame)
         self._begin_anew()
 
     def show_limits(self, limits: Limits) -> None:
         """Hatch what is beyond other limits."""
-        if limits != self._limits:
-            self._limits = limits
+        if limits != self._content.limits:
+            self._content.limits = limits
             self._begin_anew()
 
     def show_nothing(self, session: "Session") -> None:
         """Show a design of which there is no lens."""
-        self._maps = None
+        self._content.maps = None
         super().show_nothing(session)
 
     def _turn(self, number: int) -> None:
+        self._content.name = self.chooser.currentText()
         self.chooser.setToolTip(f"<p>{_TIPS[number]}; what is beyond a limit is hatched</p>")
         self._begin_anew()
-
-    def _half_width(self, session: "Session") -> tuple[float, float]:
-        return session.scene.lens.half_width
-
-    def _begin_image(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
-        if self._maps is not None:
-            name = self.chooser.currentText()
-            self._drawn = draw_map(axes, name, self._maps, self._limits, session.scene.unit)
-        return ()
-
-    def _change_image(self, frame: "Frame") -> bool:
-        return False  # another lens has another picture
-
-    def _shown_values(self, frame: "Frame") -> npt.NDArray[np.float64]:
-        assert self._drawn is not None  # frames come with maps
-        return self._drawn
-
-    def _value_unit(self, unit: str) -> str:
-        return map_unit(self.chooser.currentText(), unit)

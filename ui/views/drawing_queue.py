@@ -12,7 +12,9 @@ from collections import OrderedDict
 from time import perf_counter
 from typing import Protocol
 
-from PySide6.QtCore import QCoreApplication, QObject, QTimer
+from PySide6.QtCore import QObject, QTimer
+
+from ui.widgets.application import application
 
 _REST = 2.0  # seconds of rest for each second of drawing
 _LONGEST = 1.0  # seconds; the first drawing also loads what is drawn with
@@ -70,7 +72,5 @@ class DrawingQueue(QObject):
 
 def drawing_queue() -> DrawingQueue:
     """The one queue of the application."""
-    application = QCoreApplication.instance()
-    assert application is not None
-    found = application.findChild(DrawingQueue)
-    return found if isinstance(found, DrawingQueue) else DrawingQueue(application)
+    owner = application()
+    return owner.findChild(DrawingQueue) or DrawingQueue(owner)

@@ -4,8 +4,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
+from PySide6.QtWidgets import QWidget
 
-from ui.views.screen_image_view import ScreenImageView
+from ui.views.image_link import ImageLink
+from ui.views.screen_image_view import OnScreen, ScreenImageView
 from workbench.pictures.images import ErrorImage, signed_error
 
 if TYPE_CHECKING:
@@ -18,18 +20,28 @@ if TYPE_CHECKING:
     from workbench.files.session import Session
 
 
-class ErrorView(ScreenImageView):
+class ErrorContent(OnScreen):
     """Irradiance minus target at equal flux: red where light is too much, blue where too little."""
 
-    _image: ErrorImage
+    image: ErrorImage
 
-    def _begin_image(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
-        self._image = ErrorImage(axes, session.scene, session.target)
-        return self._image.artists
+    def begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
+        """An empty image."""
+        self.image = ErrorImage(axes, session.scene, session.target)
+        return self.image.artists
 
-    def _change_image(self, frame: "Frame") -> bool:
-        return self._image.update(frame.snapshot.irradiance)
+    def change(self, frame: "Frame") -> bool:
+        """Show the error of a frame."""
+        return self.image.update(frame.snapshot.irradiance)
 
-    def _shown_values(self, frame: "Frame") -> npt.NDArray[np.float64]:
+    def values(self, frame: "Frame") -> npt.NDArray[np.float64]:
+        """The error of a frame, with its sign."""
         session = frame.session
         return signed_error(session.scene, session.target, frame.snapshot.irradiance)
+
+
+class ErrorView(ScreenImageView):
+    """Where light is too much or too little."""
+
+    def __init__(self, link: ImageLink | None = None, parent: QWidget | None = None) -> None:
+        super().__init__(ErrorContent(), link, parent)

@@ -21,7 +21,7 @@ from ui.threads.failure import sentence_of
 from ui.views.computing_view import ComputingView
 from ui.views.focus_curve import FocusCurveView
 from ui.views.image_link import ImageLink
-from ui.views.light_image_view import LightImageView
+from ui.views.light_image_view import LightContent, LightImageView
 from workbench.analysis.focus import screen_at
 from workbench.design.session import verified_error
 
@@ -39,19 +39,26 @@ _PLACES, _CURVE_RAYS = 31, 100_000  # of the curve
 _ROOMY = 3.5  # times the height of the curve; below that, it takes the place of the image
 
 
+class _TracedLight:
+    """The light on the screen that is looked at, as far as it is traced."""
+
+    light: npt.NDArray[np.float64] | None = None
+
+    def of(self, frame: "Frame") -> npt.NDArray[np.float64]:
+        return np.zeros_like(frame.session.target) if self.light is None else self.light
+
+
 class FocusView(LightImageView, ComputingView):
     """A slider over distances, and the light there; the scene stays as it is."""
 
-    _NAME = "irradiance"
-
     def __init__(self, link: ImageLink | None = None, parent: QWidget | None = None) -> None:
-        super().__init__(link, parent)
+        self._traced = _TracedLight()
+        super().__init__(LightContent("irradiance", self._traced.of), link, parent)
         self._image_of, self._curve_of = Background(_TRACE, self), Background(_TRACE, self)
         self._image_of.progressed.connect(self._take)
         self._curve_of.progressed.connect(self._take_error)
         for traces in (self._image_of, self._curve_of):
             traces.failed.connect(lambda _, error: self._tell(sentence_of(error, _TRACE)))
-        self._light: npt.NDArray[np.float64] | None = None  # as far as it is traced
         self._rest = QTimer(self, singleShot=True, interval=_REST_MS)
         self._rest.timeout.connect(self._trace_anew)
         self._slider = QSlider(Qt.Orientation.Horizontal)
@@ -134,7 +141,7 @@ class FocusView(LightImageView, ComputingView):
 
     def _forget(self) -> None:
         """What is known is of another design, and so is what is being traced."""
-        self._light = None
+        self._traced.light = None
         self._image_of.cancel()
         self._curve_of.cancel()
 
@@ -158,10 +165,10 @@ class FocusView(LightImageView, ComputingView):
     def _take(self, request: FocusRequest, traced: "tuple[float, Validation | None]") -> None:
         _, found = traced
         if found is None:
-            self._light = np.zeros_like(request.session.target)
+            self._traced.light = np.zeros_like(request.session.target)
             self._tell("no light arrives there")
         else:
-            self._light = found.irradiance
+            self._traced.light = found.irradiance
             arrives = f"{100 * found.efficiency:.1f} % of the light"
             self._tell(f"error {verified_error(found)}, {arrives}")
         self._ask()
@@ -205,9 +212,6 @@ class FocusView(LightImageView, ComputingView):
         return screen_at(frame.session.scene, frame.snapshot.control_points, part / _SCREEN)
 
     def _why_empty(self, frame: "Frame | None") -> str:
-        if frame is not None and self._light is None:
+        if frame is not None and self._traced.light is None:
             return "The light there is traced when the lens rests."
         return super()._why_empty(frame)
-
-    def _shown_values(self, frame: "Frame") -> npt.NDArray[np.float64]:
-        return np.zeros_like(frame.session.target) if self._light is None else self._light

@@ -4,7 +4,7 @@ The wheel zooms about the pointer, dragging moves, a double click shows the whol
 + and − zoom, arrows move, Home shows the whole.
 """
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 import numpy.typing as npt
@@ -33,17 +33,41 @@ _DRAG = 4.0  # pixels that a click may shake
 _STEP = 0.1  # of what is seen, for an arrow
 
 
+class ImageContent(Protocol):
+    """What an `ImageView` shows."""
+
+    def half_width(self, session: "Session") -> tuple[float, float]:
+        """Half of the rectangle that the image covers."""
+
+    def begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
+        """Put an empty image on the axes; the artists that will change."""
+
+    def change(self, frame: "Frame") -> bool:
+        """Bring the image up to date; whether more than its artists changed."""
+
+    def values(self, frame: "Frame") -> npt.NDArray[np.float64]:
+        """What the image shows, shape (n_y, n_x)."""
+
+    def unit(self, length: str) -> str:
+        """Unit of the values, by that of lengths."""
+
+
 class ImageView(PlotView):
     """Shows an image, and its value under the pointer.
 
     Parameters
     ----------
+    content : ImageContent
+        The image.
     link : ImageLink, optional
         What it has in common with other images; by default it stands alone.
     """
 
-    def __init__(self, link: ImageLink | None = None, parent: QWidget | None = None) -> None:
+    def __init__(
+        self, content: ImageContent, link: ImageLink | None = None, parent: QWidget | None = None
+    ) -> None:
         super().__init__(parent)
+        self._content = content
         self.setMinimumWidth(_NARROWEST)
         self._link = link or ImageLink(self)
         self._axes: Axes | None = None
@@ -93,14 +117,16 @@ class ImageView(PlotView):
 
     def _begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
         before = self._shown
-        if before is not None and self._half_width(before) != self._half_width(session):
+        if before is not None and self._content.half_width(before) != self._content.half_width(
+            session
+        ):
             self._link.show_part(None)
         self._axes = axes
-        return self._begin_image(axes, session)
+        return self._content.begin(axes, session)
 
     def _change(self, frame: "Frame") -> bool:
-        everything = self._change_image(frame)
-        self._values = self._shown_values(frame)
+        everything = self._content.change(frame)
+        self._values = self._content.values(frame)
         self._read()
         return everything
 
@@ -113,26 +139,6 @@ class ImageView(PlotView):
         axes.set_xlim(*part[:2])
         axes.set_ylim(*part[2:])
         return True
-
-    def _half_width(self, session: "Session") -> tuple[float, float]:
-        """Half of the rectangle that the image covers."""
-        raise NotImplementedError
-
-    def _begin_image(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
-        """Put an empty image on the axes; the artists that will change."""
-        raise NotImplementedError
-
-    def _change_image(self, frame: "Frame") -> bool:
-        """Bring the image up to date; whether more than its artists changed."""
-        raise NotImplementedError
-
-    def _shown_values(self, frame: "Frame") -> npt.NDArray[np.float64]:
-        """What the image shows, shape (n_y, n_x)."""
-        raise NotImplementedError
-
-    def _value_unit(self, unit: str) -> str:
-        """Unit of the values, by that of lengths."""
-        raise NotImplementedError
 
     def _click(self, place: Place) -> None:
         """A place was clicked."""
@@ -158,9 +164,9 @@ class ImageView(PlotView):
             self._readout.clear()
             return
         (x, y), unit = self._pointed, self._shown.scene.unit
-        pixel = pixel_at(self._half_width(self._shown), self._values.shape, x, y)
+        pixel = pixel_at(self._content.half_width(self._shown), self._values.shape, x, y)
         if pixel is not None:
-            value = f"{self._values[pixel]:.4g} {self._value_unit(unit)}"
+            value = f"{self._values[pixel]:.4g} {self._content.unit(unit)}"
             self._readout.setText(f"{value} at x = {x:.3g}, y = {y:.3g} {unit}")
 
     def _turn_wheel(self, event: Any) -> None:
@@ -219,7 +225,7 @@ class ImageView(PlotView):
 
     def _whole(self) -> Part:
         assert self._shown is not None
-        r_x, r_y = self._half_width(self._shown)
+        r_x, r_y = self._content.half_width(self._shown)
         return (-r_x, r_x, -r_y, r_y)
 
 

@@ -1,20 +1,14 @@
 """The irradiance on the screen."""
 
-from typing import TYPE_CHECKING
+from PySide6.QtWidgets import QWidget
 
-import numpy as np
-import numpy.typing as npt
-
-from ui.views.light_image_view import LightImageView
-
-if TYPE_CHECKING:
-    from ui.shown.frame import Frame
+from ui.views.image_link import ImageLink
+from ui.views.light_image_view import LightContent, LightImageView
 
 
 class IrradianceView(LightImageView):
     """Flux per area as the optimiser sees it."""
 
-    _NAME = "irradiance"
-
-    def _shown_values(self, frame: "Frame") -> npt.NDArray[np.float64]:
-        return frame.snapshot.irradiance
+    def __init__(self, link: ImageLink | None = None, parent: QWidget | None = None) -> None:
+        content = LightContent("irradiance", lambda frame: frame.snapshot.irradiance)
+        super().__init__(content, link, parent)

@@ -7,11 +7,11 @@ import numpy.typing as npt
 from PySide6.QtWidgets import QWidget
 
 from ui.views.image_link import ImageLink
-from ui.views.screen_image_view import ScreenImageView
+from ui.views.screen_image_view import OnScreen, ScreenImageView
 from workbench.pictures.images import IrradianceImage
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
 
     from matplotlib.artist import Artist
     from matplotlib.axes import Axes
@@ -20,15 +20,52 @@ if TYPE_CHECKING:
     from workbench.files.session import Session
 
 
+class LightContent(OnScreen):
+    """Flux per area, on a scale that follows the target.
+
+    Parameters
+    ----------
+    name : str
+        What the flux is called.
+    values : Callable
+        The flux that is shown of a frame, shape (n_y, n_x).
+    """
+
+    image: IrradianceImage
+
+    def __init__(self, name: str, values: "Callable[[Frame], npt.NDArray[np.float64]]") -> None:
+        self._name, self.values = name, values
+        self._look = (False, "")  # logarithmic, colours
+
+    def begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
+        """An empty image in the look of all images that are new."""
+        self.image = IrradianceImage(axes, session.scene, session.target, self._name)
+        self._look = (False, "")
+        return self.image.artists
+
+    def change(self, frame: "Frame") -> bool:
+        """Show the flux of a frame."""
+        return self.image.update(self.values(frame))
+
+    def set_look(self, logarithmic: bool, colours: str) -> bool:
+        """Choose scale and colours; whether they were others."""
+        if (logarithmic, colours) == self._look:
+            return False
+        self._look = (logarithmic, colours)
+        self.image.set_logarithmic(logarithmic)
+        self.image.set_colours(colours)
+        return True
+
+
 class LightImageView(ScreenImageView):
-    """Flux per area, on a scale that follows the target."""
+    """Shows light in the scale and the colours that all its images share."""
 
-    _NAME: str
-    _image: IrradianceImage
+    _content: LightContent
 
-    def __init__(self, link: ImageLink | None = None, parent: QWidget | None = None) -> None:
-        super().__init__(link, parent)
-        self._look: tuple[bool, str] = (False, "")  # logarithmic, colours
+    def __init__(
+        self, content: LightContent, link: ImageLink | None = None, parent: QWidget | None = None
+    ) -> None:
+        super().__init__(content, link, parent)
         self._logarithmic = self._add_tool(
             "logarithmic",
             "Logarithmic colours",
@@ -36,23 +73,7 @@ class LightImageView(ScreenImageView):
         )
         self._logarithmic.toggled.connect(self._link.set_logarithmic)
 
-    def _begin_image(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
-        self._image = IrradianceImage(axes, session.scene, session.target, self._NAME)
-        self._look = (False, "")
-        return self._image.artists
-
-    def _change_image(self, frame: "Frame") -> bool:
-        return self._image.update(self._shown_values(frame))
-
     def _adapt(self) -> bool:
-        everything, look = super()._adapt(), (self._link.logarithmic, self._link.colours)
-        if look == self._look:
-            return everything
-        self._look = look
-        self._logarithmic.setChecked(self._link.logarithmic)
-        self._image.set_logarithmic(self._link.logarithmic)
-        self._image.set_colours(self._link.colours)
-        return True
-
-    def _shown_values(self, frame: "Frame") -> npt.NDArray[np.float64]:
-        raise NotImplementedError
+        everything, link = super()._adapt(), self._link
+        self._logarithmic.setChecked(link.logarithmic)
+        return self._content.set_look(link.logarithmic, link.colours) or everything

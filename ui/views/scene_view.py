@@ -275,7 +275,9 @@ class SceneView(View):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Give tools what is for them."""
-        return self._tool_input.eventFilter(watched, event) or super().eventFilter(watched, event)
+        plotter = self._plotter
+        kept = plotter is not None and self._tool_input.keeps(plotter, event)
+        return kept or super().eventFilter(watched, event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Look from elsewhere, by a key that no tool has taken."""

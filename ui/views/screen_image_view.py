@@ -11,7 +11,7 @@ from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QToolButton, QWidget
 
 from ui.views.image_link import ImageLink, Place
-from ui.views.image_view import ImageView
+from ui.views.image_view import ImageContent, ImageView
 from ui.widgets import theme
 
 if TYPE_CHECKING:
@@ -26,17 +26,33 @@ _MARK = "#8a8f98"  # seen on light and dark
 _ENTER = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
 
 
+class OnScreen:
+    """What all images on the screen have in common."""
+
+    def half_width(self, session: "Session") -> tuple[float, float]:
+        """Half of the screen."""
+        return session.scene.screen.half_width
+
+    def unit(self, length: str) -> str:
+        """Flux per area."""
+        return f"/ {length}²"
+
+
 class ScreenImageView(ImageView):
     """Shows an image of the screen, and where it is cut.
 
     Parameters
     ----------
+    content : ImageContent
+        The image.
     link : ImageLink, optional
         What it has in common with other images; by default it stands alone.
     """
 
-    def __init__(self, link: ImageLink | None = None, parent: QWidget | None = None) -> None:
-        super().__init__(link, parent)
+    def __init__(
+        self, content: ImageContent, link: ImageLink | None = None, parent: QWidget | None = None
+    ) -> None:
+        super().__init__(content, link, parent)
         self._marks: list[Any] = []
         self._draws = False  # a line, with this drag
         self._icons: dict[QToolButton, str] = {}
@@ -95,12 +111,6 @@ class ScreenImageView(ImageView):
         if link.line is not None:
             line.set_data(*zip(*link.line, strict=True))
         return everything
-
-    def _half_width(self, session: "Session") -> tuple[float, float]:
-        return session.scene.screen.half_width
-
-    def _value_unit(self, unit: str) -> str:
-        return f"/ {unit}²"
 
     def _click(self, place: Place) -> None:
         self._link.pinned.emit(place)

@@ -20,13 +20,41 @@ if TYPE_CHECKING:
     from workbench.files.session import Session
 
 
-class SurfaceView(ImageView):
+class SurfaceContent:
     """Height over the base, slope or a curvature of the exit face."""
 
-    _image: SurfaceImage
+    image: SurfaceImage
+    aspect = ASPECTS[0]
+
+    def half_width(self, session: "Session") -> tuple[float, float]:
+        """Half of the lens."""
+        return session.scene.lens.half_width
+
+    def begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
+        """An empty map of the aspect."""
+        self.image = SurfaceImage(axes, session.scene, self.aspect)
+        return self.image.artists
+
+    def change(self, frame: "Frame") -> bool:
+        """Show the face of a frame."""
+        return self.image.update(frame.snapshot.control_points)
+
+    def values(self, frame: "Frame") -> npt.NDArray[np.float64]:
+        """Those of the map."""
+        return self.image.values
+
+    def unit(self, length: str) -> str:
+        """The aspect's own."""
+        return self.aspect.unit.format(length)
+
+
+class SurfaceView(ImageView):
+    """A map of the exit face, to be chosen above it."""
+
+    _content: SurfaceContent
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent=parent)
+        super().__init__(SurfaceContent(), parent=parent)
         self._aspects = QComboBox()
         self._aspects.setAccessibleName("What the map shows")
         for number, aspect in enumerate(ASPECTS):
@@ -41,22 +69,6 @@ class SurfaceView(ImageView):
         self._turn()
 
     def _turn(self) -> None:
-        self._aspect = ASPECTS[self._aspects.currentIndex()]
-        self._aspects.setToolTip(f"<p>{self._aspect.tip}</p>")
+        self._content.aspect = aspect = ASPECTS[self._aspects.currentIndex()]
+        self._aspects.setToolTip(f"<p>{aspect.tip}</p>")
         self._begin_anew()
-
-    def _half_width(self, session: "Session") -> tuple[float, float]:
-        return session.scene.lens.half_width
-
-    def _begin_image(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
-        self._image = SurfaceImage(axes, session.scene, self._aspect)
-        return self._image.artists
-
-    def _change_image(self, frame: "Frame") -> bool:
-        return self._image.update(frame.snapshot.control_points)
-
-    def _shown_values(self, frame: "Frame") -> npt.NDArray[np.float64]:
-        return self._image.values
-
-    def _value_unit(self, unit: str) -> str:
-        return self._aspect.unit.format(unit)

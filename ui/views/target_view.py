@@ -4,9 +4,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
+from PySide6.QtWidgets import QWidget
 
 from ui.shown.frame import same_task
-from ui.views.light_image_view import LightImageView
+from ui.views.image_link import ImageLink
+from ui.views.light_image_view import LightContent, LightImageView
 from workbench.pictures.images import target_irradiance
 
 if TYPE_CHECKING:
@@ -16,7 +18,8 @@ if TYPE_CHECKING:
 class TargetView(LightImageView):
     """The target as irradiance with a total flux of 1."""
 
-    _NAME = "target"
+    def __init__(self, link: ImageLink | None = None, parent: QWidget | None = None) -> None:
+        super().__init__(LightContent("target", _target), link, parent)
 
     def show_frame(self, frame: "Frame") -> None:
         """Take note of another target; frames of a run have the same one."""
@@ -25,5 +28,6 @@ class TargetView(LightImageView):
         if before is None or not same_task(before.session, frame.session):
             self._ask()
 
-    def _shown_values(self, frame: "Frame") -> npt.NDArray[np.float64]:
-        return target_irradiance(frame.session.scene, frame.session.target)
+
+def _target(frame: "Frame") -> npt.NDArray[np.float64]:
+    return target_irradiance(frame.session.scene, frame.session.target)

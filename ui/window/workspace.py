@@ -60,7 +60,7 @@ class Workspace:
         self._stage = QStackedWidget()
         self._placeholder = QLabel("Loading the 3D scene…", alignment=Qt.AlignmentFlag.AlignCenter)
         self._stage.addWidget(self._placeholder)
-        centre = QFrame()
+        self.centre = centre = QFrame()
         centre.setObjectName("centre")  # for the style sheet
         # One over the other: a message that comes or goes leaves the picture as it is.
         over = QGridLayout(centre)

@@ -60,7 +60,7 @@ def view(frame, traces, show, qtbot):
     view = FocusView()
     view.show_frame(frame)
     show(view, 420, 420)
-    qtbot.waitUntil(lambda: view._light is not None, timeout=30_000)
+    qtbot.waitUntil(lambda: view._traced.light is not None, timeout=30_000)
     yield view
 
 
@@ -150,7 +150,7 @@ def test_of_another_design_nothing_is_shown_before_it_is_traced(
     other = Session(scene.model_copy(update={"screen": screen}), session.target[::2, ::2])
     moved = wavy(1, other)
     view.show_frame(moved)
-    assert view._light is None
+    assert view._traced.light is None
     qtbot.waitUntil(lambda: view.empty)
     gate.set()
     traced(view, moved, qtbot)

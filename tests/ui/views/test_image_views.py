@@ -122,7 +122,7 @@ def test_all_show_their_value_under_the_pointer(views, frame, session, qtbot):
 
 def test_light_has_a_logarithmic_scale(views, qtbot):
     qtbot.mouseClick(views[0]._logarithmic, Qt.MouseButton.LeftButton)
-    light, target, error = (view._image.artists[0] for view in views)
+    light, target, error = (view._content.image.artists[0] for view in views)
     qtbot.waitUntil(lambda: views[1]._logarithmic.isChecked())
     for image in (light, target):
         assert image.norm.vmax / image.norm.vmin == pytest.approx(1000)
@@ -250,7 +250,7 @@ def test_images_are_zoomed_moved_and_pinned_by_keys(views, qtbot):
 
 def test_light_has_one_choice_of_colours(views, qtbot):
     views[0]._link.set_colours("cividis")
-    light, target, error = (view._image.artists[0] for view in views)
+    light, target, error = (view._content.image.artists[0] for view in views)
     qtbot.waitUntil(lambda: light.get_cmap().name == target.get_cmap().name == "cividis")
     assert error.get_cmap().name == "RdBu_r"
 

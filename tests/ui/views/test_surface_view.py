@@ -56,7 +56,7 @@ def test_it_follows_the_lens_and_is_read_under_the_pointer(view, tilted, qtbot):
 
 def test_nothing_is_computed_while_hidden(view, tilted, monkeypatch, qtbot):
     view.hide()
-    monkeypatch.setattr(view._image, "update", lambda heights: pytest.fail("computed"))
+    monkeypatch.setattr(view._content.image, "update", lambda heights: pytest.fail("computed"))
     view.show_frame(tilted(0.2))
     qtbot.wait(50)
 

@@ -27,7 +27,7 @@ _KEYS = QEvent.Type.KeyPress, QEvent.Type.KeyRelease
 
 
 class ToolInput(QObject):
-    """Watches the plotter for what concerns the tool.
+    """Tells the tool what it needs to know of the events of the plotter.
 
     Attributes
     ----------
@@ -68,9 +68,8 @@ class ToolInput(QObject):
             self._works = False
             self._tool.cancel()
 
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Whether the event is kept from the plotter."""
-        assert isinstance(watched, QWidget)
+    def keeps(self, plotter: QWidget, event: QEvent) -> bool:
+        """Whether an event is kept from the plotter that it is for."""
         tool = self._tool
         if isinstance(event, QKeyEvent) and event.key() != self._held:
             self._find_released()
@@ -86,12 +85,12 @@ class ToolInput(QObject):
         if tool is not None and event.type() == QEvent.Type.Leave and self._held is None:
             tool.hover(None)
         if isinstance(event, QWheelEvent):
-            self._turn_wheel(watched, event)
+            self._turn_wheel(plotter, event)
             return True
         if isinstance(event, QMouseEvent):
             if tool is None:
-                return self._click(watched, event)
-            return self._use(tool, watched, event)
+                return self._click(plotter, event)
+            return self._use(tool, plotter, event)
         return False
 
     def _use(self, tool: Tool, plotter: QWidget, event: QMouseEvent) -> bool:
