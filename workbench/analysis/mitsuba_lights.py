@@ -6,7 +6,7 @@ from typing import Any
 
 from workbench.analysis.tracing.sources.cones import covering_cones
 from workbench.errors import Refused
-from workbench.scene import CollimatedSource, GridSource, Lens, PointSource, Source
+from workbench.scene import CollimatedSource, GridSource, Lens, LightOfPoints, PointSource, Source
 
 # In half-widths of the lens: how far before it parallel light starts.
 _BEFORE = 0.1
@@ -53,7 +53,7 @@ def _sheet(mi: Any, source: CollimatedSource, lens: Lens, unit: float) -> Lights
     return {"light": light}, 4 * r_x * r_y
 
 
-def _points(mi: Any, source: PointSource | GridSource, lens: Lens, unit: float) -> Lights:
+def _points(mi: Any, source: LightOfPoints, lens: Lens, unit: float) -> Lights:
     """A light for each point, into the cone that just covers the lens."""
     r_x, r_y = (r / unit for r in lens.half_width)
     z, to = lens.entrance_z / unit, mi.ScalarTransform4f

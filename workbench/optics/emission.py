@@ -7,7 +7,7 @@ import numpy.typing as npt
 from scipy.stats import qmc
 
 from workbench.optics.cap import covering_caps
-from workbench.scene import GridSource, Lens, PointSource
+from workbench.scene import Lens, LightOfPoints
 
 Array = npt.NDArray[np.float64]
 
@@ -31,12 +31,12 @@ class Rays(NamedTuple):
     flux: Array
 
 
-def emit(source: PointSource | GridSource, lens: Lens, seed: int, draw: int = 0) -> Rays:
+def emit(source: LightOfPoints, lens: Lens, seed: int, draw: int = 0) -> Rays:
     """Rays of a source into the cap that just covers the entrance face.
 
     Parameters
     ----------
-    source : PointSource or GridSource
+    source : LightOfPoints
         The source; each point of a grid has a cap and rays of its own.
     lens : Lens
         Gives the entrance face.

@@ -8,7 +8,7 @@ import numpy.typing as npt
 
 from workbench.optics.cap import Caps, covering_caps
 from workbench.optics.refraction import normal_reflectance
-from workbench.scene import GridSource, Lens, PointSource
+from workbench.scene import Lens, LightOfPoints
 
 Array = npt.NDArray[np.float64]
 
@@ -34,11 +34,13 @@ class Entering(NamedTuple):
 
 
 @lru_cache(maxsize=8)
-def entering(source: PointSource | GridSource, lens: Lens) -> Entering:
+def entering(source: LightOfPoints, lens: Lens) -> Entering:
     """Account of a source's light before and at the entrance face.
 
-    The emission is that of `workbench.optics.emission.emit`.
+    The points are a grid, and their emission is that of `workbench.optics.emission.emit`.
     """
+    if source.axes is None:
+        raise TypeError("the account of points that are no grid is not known")
     lambertian = source.emission == "lambertian"
     caps = covering_caps(source.positions, lens.half_width, lens.entrance_z)
     mean = _mean_cosine(caps) if lambertian else np.ones(len(caps.versine))

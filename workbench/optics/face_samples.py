@@ -44,7 +44,7 @@ class SampledFace(NamedTuple):
 
     @classmethod
     def of(cls, path: Path) -> "SampledFace | None":
-        """Light of points of which samples are wanted, a flat face and a B-spline; else None."""
+        """Light of a grid of which samples are wanted, a flat face and a B-spline; else None."""
         match path.emitter, path.steps:
             case (
                 PointEmitter(samples=(_, _) as samples) as emitter,
@@ -52,7 +52,7 @@ class SampledFace(NamedTuple):
                     Step(Plane(), Refraction(reflected=reflected), missed),
                     Step(BSplineSurface(net=net)) as exit_face,
                 ),
-            ):
+            ) if emitter.source.axes is not None:
                 return cls(emitter, samples, missed, reflected, net, exit_face)
         return None
 

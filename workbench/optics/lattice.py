@@ -7,7 +7,7 @@ import numpy as np
 import numpy.typing as npt
 
 from workbench.optics.entering import entering
-from workbench.scene import GridSource, Lens, PointSource
+from workbench.scene import Lens, LightOfPoints
 
 Array = npt.NDArray[np.float64]
 
@@ -73,7 +73,7 @@ class Lattice(NamedTuple):
     reflected: float
 
 
-def make_lattice(source: PointSource | GridSource, lens: Lens, samples: tuple[int, int]) -> Lattice:
+def make_lattice(source: LightOfPoints, lens: Lens, samples: tuple[int, int]) -> Lattice:
     """Samples of a source's light on the exit face.
 
     Parameters
@@ -83,6 +83,8 @@ def make_lattice(source: PointSource | GridSource, lens: Lens, samples: tuple[in
     samples : tuple[int, int]
         Samples along x and y; rounded up, so that all points of a grid have the same number.
     """
+    if source.axes is None:
+        raise TypeError("points that are no grid cannot share samples of the exit face")
     # Nearer than this a source makes no other light, but float32 leaves its range.
     distance = max(lens.entrance_z - source.nearest_z, 1e-8 * max(lens.half_width))
     # About as far as this from its axis a point lights the exit face.

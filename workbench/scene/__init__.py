@@ -14,6 +14,7 @@ from workbench.scene.screen import BoxFilter, Filter, GaussianFilter, Screen
 from workbench.scene.source import (
     CollimatedSource,
     GridSource,
+    LightOfPoints,
     PointSource,
     Source,
 )
@@ -45,6 +46,7 @@ __all__ = [
     "ImageTarget",
     "Kinds",
     "Lens",
+    "LightOfPoints",
     "Measure",
     "MeshMethod",
     "NonNegative",

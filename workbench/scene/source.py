@@ -148,6 +148,7 @@ class LightOfPoints(AnySource):
     """Name of the field that holds its middle."""
 
     kind: str
+    rays: int
     emission: Emission = "uniform"
     sampling: Sampling = "sobol"
     fresh: Fresh = False
@@ -158,6 +159,16 @@ class LightOfPoints(AnySource):
         """Its middle, scene units."""
         place: Place = getattr(self, self.middle)
         return place
+
+    @property
+    def positions(self) -> Array:
+        """Where its points are, scene units, shape (n, 3); all have the same z."""
+        return np.array([self.place])
+
+    @property
+    def axes(self) -> tuple[Array, Array] | None:
+        """The x of its columns and the y of its rows of points; None where they are no grid."""
+        return None
 
     @property
     def redrawn(self) -> bool:
@@ -242,11 +253,6 @@ class PointSource(LightOfPoints):
         """The x and the y of its points, shape (1,) each."""
         x, y, _ = self.position
         return np.array([x]), np.array([y])
-
-    @property
-    def positions(self) -> Array:
-        """Where its points are, shape (1, 3)."""
-        return np.array([self.position])
 
 
 class GridSource(LightOfPoints):

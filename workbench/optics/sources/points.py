@@ -7,7 +7,7 @@ from torch import Tensor
 
 from workbench.optics.emission import emit
 from workbench.optics.rays import RayBundle, Vector
-from workbench.scene import GridSource, Lens, PointSource
+from workbench.scene import Lens, LightOfPoints
 
 Array = npt.NDArray[np.float64]
 
@@ -17,7 +17,7 @@ class PointEmitter:
 
     Parameters
     ----------
-    source : PointSource or GridSource
+    source : LightOfPoints
         Where the points are, and how they emit.
     lens : Lens
         Gives the entrance face.
@@ -32,7 +32,7 @@ class PointEmitter:
 
     def __init__(
         self,
-        source: PointSource | GridSource,
+        source: LightOfPoints,
         lens: Lens,
         samples: tuple[int, int] | None = None,
     ) -> None:

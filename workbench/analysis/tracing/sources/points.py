@@ -9,7 +9,7 @@ from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import Cells
 from workbench.analysis.tracing.sources.cone_kernels import emit
 from workbench.analysis.tracing.sources.cones import Cones, covering_cones
-from workbench.scene import GridSource, Lens, PointSource
+from workbench.scene import Lens, LightOfPoints
 
 
 class PointLight:
@@ -19,9 +19,7 @@ class PointLight:
     are those of `random_source`.
     """
 
-    def __init__(
-        self, source: PointSource | GridSource, lens: Lens, pose: Pose, rays: int, seed: int
-    ) -> None:
+    def __init__(self, source: LightOfPoints, lens: Lens, pose: Pose, rays: int, seed: int) -> None:
         self._seed = seed
         # Flux goes with the cosine to this; even light has none.
         lambertian = source.emission == "lambertian"
