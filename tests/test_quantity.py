@@ -1,5 +1,7 @@
 """What people type for a number."""
 
+from fractions import Fraction
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -70,7 +72,8 @@ def test_units(text, unit, number):
         ("1,2,3", "", "1,2,3 has more than one decimal point"),
         ("1/0", "", "divides by zero"),
         ("1e999", "", "1e999 is too large"),
-        ("5 kg", "mm", "'5 kg': 'kg' is not known here; mm, cm, m, inch, in"),
+        ("5 kg", "mm", "'5 kg': 'kg' is not known here; mm, cm, m, inch, µm, nm"),
+        ("5 mm", "of width", "'5 mm': 'mm' is not known here; %"),
         ("5 mm", "", "'5 mm': 'mm' is not known here; no unit"),
         ("5 mm", "°", "'mm' is not known here; °"),
         ("2 cm * 3 cm", "mm", "is no length, but one to the power of 2"),
@@ -97,3 +100,8 @@ def test_any_text_is_read_or_refused(text):
 @given(st.floats(allow_nan=False, allow_infinity=False))
 def test_what_a_field_shows_is_read_as_the_same(number):
     assert float(read_number(repr(number))) == number
+
+
+def test_a_part_may_be_in_percent():
+    assert read_number("12,5 %", "of width") == Fraction(1, 8)
+    assert read_number("0.125", "of width") == Fraction(1, 8)

@@ -34,14 +34,15 @@ def read_number(text: str, unit: str = "") -> Fraction:
 
     Numbers have a decimal point, or a comma where it cannot stand between thousands. They may be
     added, subtracted, multiplied and divided, with parentheses. A length may have any unit of
-    `WRITTEN`, where the field is of one; without it, it is in the unit of the field.
+    `WRITTEN`, where the field is of one, and a part of something may be in percent; without it, it
+    is in the unit of the field.
 
     Parameters
     ----------
     text : str
         What was typed.
     unit : str
-        Unit of the field; empty for a plain number.
+        Unit of the field; empty for a plain number, "of …" for a part of something.
 
     Returns
     -------
@@ -76,7 +77,17 @@ def _known(unit: str) -> Mapping[str, Fraction]:
     """What may stand behind a number, in the field's unit."""
     if unit in WRITTEN:
         return {name: metres / WRITTEN[unit] for name, metres in WRITTEN.items()}
+    if unit.startswith("of "):
+        return {"%": Fraction(1, 100)}
     return {unit: Fraction(1)}
+
+
+def _once(units: Mapping[str, Fraction]) -> list[str]:
+    """Each unit by its first name."""
+    first: dict[Fraction, str] = {}
+    for name, size in units.items():
+        first.setdefault(size, name)
+    return [name for name in first.values() if name]
 
 
 def _source(text: str, units: Mapping[str, Fraction]) -> tuple[str, dict[str, _Quantity]]:
@@ -98,7 +109,7 @@ def _source(text: str, units: Mapping[str, Fraction]) -> tuple[str, dict[str, _Q
         elif not values:
             raise ValueError(f"{shown(text)} is not a number; a number is needed")
         elif token["unit"] not in units:
-            here = ", ".join(name for name in units if name) or "no unit"
+            here = ", ".join(_once(units)) or "no unit"
             raise ValueError(f"{shown(text)}: {token['unit']!r} is not known here; {here}")
         else:
             values[name] = _Quantity(units[token["unit"]], 1)

@@ -30,9 +30,9 @@ def times(number: float, factor: Fraction) -> float:
 WRITTEN = METRES | {
     "in": METRES["inch"],
     '"': METRES["inch"],
-    "um": METRES["mm"] / 1000,
     "µm": METRES["mm"] / 1000,  # the micro sign, and the Greek letter
     "μm": METRES["mm"] / 1000,
+    "um": METRES["mm"] / 1000,
     "nm": METRES["mm"] / 1_000_000,
 }
 """What people write behind a length, in metres."""
