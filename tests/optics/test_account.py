@@ -84,3 +84,12 @@ def test_parts_are_counted_in_what_was_emitted():
 
 def test_all_losses_say_what_they_are():
     assert all(all(loss[:-1]) for loss in LOSSES.values())
+
+
+def test_where_most_light_is_lost_before_the_screen_is_said_with_what_helps():
+    account = account_of(2.0, 0.2, 0.1, 0.1, 1.2, 0.2, 0.1, 0.1)
+    assert account.advice == (
+        "Only 10.0 % of the light lands on the screen; 60 % leaves by the side. A thinner lens, or "
+        "a source farther away or nearer to the axis, keeps it."
+    )
+    assert not account_of(2.0, 0.2, 0.9, 0.0, 0.7, 0.0, 0.1, 0.1).advice

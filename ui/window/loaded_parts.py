@@ -14,6 +14,7 @@ from ui.commands.table import COMMANDS
 from ui.files.plots import Plots
 from ui.files.scene_pictures import ScenePictures
 from ui.lens.tools import LensTools
+from ui.notices.lost_light import LostLightNotice
 from ui.notices.postponed_edits import PostponedEdits
 from ui.notices.shortfall import ShortfallNotice
 from ui.run.control import RunControl
@@ -65,6 +66,7 @@ class LoadedParts(QObject):
         RunLog(document, self.control, early.log.add)
         begin = (early.commands[name].trigger for name in ("start", "continue"))
         ShortfallNotice(document, self.control, messages, *begin)
+        LostLightNotice(document, self.control, messages)
         docked = {
             **views.docked,
             **production.panes,

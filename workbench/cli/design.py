@@ -71,6 +71,8 @@ def design(path: Path, output: Path, iterations: int | None, seconds: float, as_
         if result.shortfall is not None:
             shortfall = result.shortfall
             print(f"{shortfall.sentence(session.scene.unit)}: {shortfall.cure}", file=sys.stderr)
+        elif result.account.advice:
+            print(result.account.advice, file=sys.stderr)
     if interruption.asked:
         raise Interrupted(interruption.asked, f"interrupted; {_held(result, output)}")
 

@@ -52,7 +52,7 @@ LOSSES: Mapping[str, Loss] = {
         "Out of the side",
         "Light that entered the lens so slanted that it meets a side wall before the exit face.",
         "leaves by the side",
-        "a thinner lens or a source nearer to the axis keeps it",
+        "a thinner lens, or a source farther away or nearer to the axis, keeps it",
         always=True,
     ),
     "total_reflection": Loss(
@@ -114,6 +114,23 @@ class Account:
     def arrived(self) -> float:
         """Flux of rays that came to the screen's plane, on the screen or beside it."""
         return self.on_screen + self.lost["off_screen"]
+
+    @property
+    def advice(self) -> str:
+        """Where most light goes before the screen's plane, and what would help, in two sentences.
+
+        Empty if at least half of the light comes to this plane: what is beside the screen there is
+        for a run to bring back.
+        """
+        if self.arrived >= 0.5 * self.emitted:
+            return ""
+        most = max((name for name in self.lost if name != "off_screen"), key=self.lost.__getitem__)
+        where, cure = LOSSES[most].where, LOSSES[most].cure
+        part = self.lost[most] / self.emitted
+        return (
+            f"Only {100 * self.efficiency:.1f} % of the light lands on the screen; "
+            f"{100 * part:.0f} % {where}. {cure[0].upper()}{cure[1:]}."
+        )
 
     def to_data(self) -> dict[str, float]:
         """All its flux by name, for JSON."""

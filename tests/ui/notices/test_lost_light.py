@@ -1,0 +1,71 @@
+"""What the window says when little light reaches the screen after a run."""
+
+from dataclasses import replace
+
+import pytest
+from PySide6.QtCore import QObject
+
+from ui.document.document import Document
+from ui.notices.lost_light import LostLightNotice
+from ui.run.control import RunControl
+from ui.widgets.message_bar import MessageBar
+from workbench.optics.account import Account
+
+LOST = Account(
+    0.08,
+    {
+        "off_screen": 0.07,
+        "missed_lens": 0.03,
+        "left_side": 0.57,
+        "total_reflection": 0.11,
+        "fresnel_entrance": 0.12,
+        "fresnel_exit": 0.02,
+    },
+)
+SAID = (
+    "Only 8.0 % of the light lands on the screen; 57 % leaves by the side. A thinner lens, or a "
+    "source farther away or nearer to the axis, keeps it."
+)
+
+
+@pytest.fixture
+def desk(qtbot, session, as_run):
+    """A document whose runs lose light as a test says."""
+    owner = QObject()
+    owner.document = Document(session, "small")
+    owner.document.setParent(owner)
+    owner.control, owner.messages = RunControl(owner.document, owner), MessageBar()
+
+    def lose(account):
+        def run(scene, target, start=None, locked=None):
+            yield from (replace(shot, account=account) for shot in as_run(2)(scene, target))
+            return "all iterations are done"
+
+        owner.control.runner._generate = run
+        with qtbot.waitSignal(owner.control.ended):
+            owner.control.start()
+
+    owner.lose = lose
+    LostLightNotice(owner.document, owner.control, owner.messages)
+    qtbot.addWidget(owner.messages)
+    yield owner
+    owner.control.close()
+    owner.deleteLater()
+
+
+def test_it_is_said_with_what_would_help_and_goes_with_the_lens(desk):
+    desk.lose(LOST)
+    assert desk.messages.text == SAID
+    desk.document.undo_stack.undo()
+    assert desk.messages.text == ""
+
+
+def test_light_beside_the_screen_is_for_the_run_to_bring_back(desk):
+    desk.lose(replace(LOST, lost={**LOST.lost, "off_screen": 0.64, "left_side": 0.0}))
+    assert desk.messages.text == ""
+
+
+def test_what_else_is_to_be_read_stays(desk):
+    desk.messages.warn("The disk is full.")
+    desk.lose(LOST)
+    assert desk.messages.text == "The disk is full."

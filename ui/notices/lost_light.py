@@ -1,0 +1,44 @@
+"""Says after a run why little light reaches the screen, and what would help."""
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject
+
+from ui.document.document import Document
+from ui.widgets.message_bar import MessageBar
+
+if TYPE_CHECKING:
+    from ui.run.control import RunControl
+
+
+class LostLightNotice(QObject):
+    """Listens to the runs of a window.
+
+    Parameters
+    ----------
+    document : Document
+        What is designed.
+    control : RunControl
+        Its runs; the notice goes with it.
+    messages : MessageBar
+        Gets what is said, unless something else is to be read there.
+    """
+
+    def __init__(self, document: Document, control: "RunControl", messages: MessageBar) -> None:
+        super().__init__(control)
+        self._document, self._messages = document, messages
+        self._said = ""
+        control.ended.connect(self._say)
+        document.session_changed.connect(self._withdraw)
+
+    def _say(self) -> None:
+        result = self._document.session.result
+        self._said = "" if result is None else result.account.advice
+        if self._said and not self._messages.text:
+            self._messages.warn(self._said)
+
+    def _withdraw(self) -> None:
+        """It was said of a lens that is another one now, or of another task."""
+        if self._said and self._said == self._messages.text:
+            self._messages.clear()
+        self._said = ""
