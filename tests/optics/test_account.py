@@ -67,9 +67,13 @@ def test_scenes_of_version_1_have_the_keys_of_version_1(make_scene, source, samp
     ]
 
 
-def test_losses_are_listed_in_one_order_wherever_they_were_found():
+def test_losses_are_listed_in_one_order_and_none_of_version_1_is_left_out():
     account = Account(0.5, {"fresnel_exit": 0.1, "off_screen": 0.4})
-    assert list(account.lost) == ["off_screen", "fresnel_exit"]
+    assert list(account.lost) == list(LOSSES)
+    assert {name: flux for name, flux in account.lost.items() if flux} == {
+        "off_screen": 0.4,
+        "fresnel_exit": 0.1,
+    }
 
 
 def test_a_loss_of_which_nothing_is_said_is_refused():

@@ -78,7 +78,7 @@ def read_heights(entries: Entries, name: str, scene: Scene) -> Array:
     """
     heights = entries.array(name, scene.lens.control_points)
     entrance, screen = scene.lens.entrance_z, scene.screen.z
-    farthest = _FARTHEST * (screen - entrance)
+    farthest = _FARTHEST * abs(screen - entrance)
     away = np.abs(heights - entrance)
     if away.max() > farthest:
         i, j = np.unravel_index(away.argmax(), away.shape)

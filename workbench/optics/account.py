@@ -90,7 +90,8 @@ class Account:
         Flux of rays that hit the screen. A reconstruction filter spreads some of it over the rim;
         the account is of rays.
     lost : mapping of str to float
-        Flux that was lost, by names in `LOSSES` and in their order.
+        Flux that was lost, by names in `LOSSES` and in their order; 0 of those that every account
+        has where nothing is given.
     emitted : float
         Flux of the source.
     """
@@ -102,8 +103,12 @@ class Account:
     def __post_init__(self) -> None:
         if unknown := self.lost.keys() - LOSSES.keys():
             raise KeyError(f"nothing is said in LOSSES of {', '.join(sorted(unknown))}")
-        in_order = {name: self.lost[name] for name in LOSSES if name in self.lost}
-        object.__setattr__(self, "lost", in_order)
+        lost = {
+            name: self.lost.get(name, 0.0)
+            for name, loss in LOSSES.items()
+            if loss.always or name in self.lost
+        }
+        object.__setattr__(self, "lost", lost)
 
     @property
     def efficiency(self) -> float:

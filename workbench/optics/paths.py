@@ -20,9 +20,9 @@ class RayPaths(NamedTuple):
 
     Attributes
     ----------
-    points : ndarray, shape (n, 4, 3)
-        Start, entrance face, exit face, screen plane; scene units. A ray that does not get to
-        the screen plane ends on the exit face or the side: its last two points are the same.
+    points : ndarray, shape (n, k, 3)
+        Start, places on each face, screen plane; scene units. A ray that does not get to the screen
+        plane ends on the last face or the side: its last two points are the same.
     weight : ndarray, shape (n,)
         Part of the ray's light that arrives, 0 under total reflection.
     on_screen : ndarray of bool, shape (n,)

@@ -35,16 +35,16 @@ def explode_paths(points: Array, scene: Scene) -> Array:
 
     Parameters
     ----------
-    points : ndarray, shape (n, 4, 3)
-        Start, entrance face, exit face, screen plane; see `workbench.optics.paths.RayPaths`.
+    points : ndarray, shape (n, k, 3)
+        Start, places on each face, screen plane; see `workbench.optics.paths.RayPaths`.
     scene : Scene
         The scene that they were traced in.
     """
     drawn = points.copy()
     drawn[:, 0] = _nearer(points[:, 0], scene.lens.entrance_z, _source_scale(scene))
-    arrives = points[:, 3, 2] == scene.screen.z
-    drawn[arrives, 3, :2] *= _screen_scale(scene)
-    drawn[arrives, 3, 2] = _drawn_screen_z(scene)
+    arrives = points[:, -1, 2] == scene.screen.z
+    drawn[arrives, -1, :2] *= _screen_scale(scene)
+    drawn[arrives, -1, 2] = _drawn_screen_z(scene)
     return drawn
 
 
