@@ -180,7 +180,7 @@ def test_each_work_left_behind_comes_back_in_a_window_of_its_own(
         move_screen(window.document, z)
     windows.leave()
     again = Windows(windows._settings, folder)
-    monkeypatch.setattr(left_behind, "ask", lambda work, window: left_behind.Choice.RECOVER)
+    monkeypatch.setattr(left_behind, "ask", lambda work, window: left_behind.RecoveryChoice.RECOVER)
     window = again.open()
     assert again.recover(window)
     found = open_windows(again)
@@ -203,7 +203,7 @@ def recovered(windows, folder, tmp_path, monkeypatch):
     move_screen(lost.document, 7)
     windows.leave()
     again = Windows(windows._settings, folder)
-    monkeypatch.setattr(left_behind, "ask", lambda work, window: left_behind.Choice.RECOVER)
+    monkeypatch.setattr(left_behind, "ask", lambda work, window: left_behind.RecoveryChoice.RECOVER)
     window = again.open()
     assert again.recover(window)
     yield again, window
