@@ -24,13 +24,14 @@ _NAME = 13  # widths of letters that a name and its stroke take
 _MARK = "#8a8f98"  # seen on light and dark
 _THIS_RUN = "#2f86d1"
 _CHECKED = "#d9822b"
-# Okabe and Ito's colours that show on light and dark, told apart by their strokes as well.
+# Okabe and Ito's colours that show on light and dark, told apart by their strokes as well; first
+# those unlike that of checks.
 _OTHERS = (
-    ("#d55e00", "--"),
-    ("#009e73", "-."),
-    ("#cc79a7", (0, (1, 1))),
-    ("#e69f00", (0, (7, 2))),
-    ("#56b4e9", (0, (3, 1, 1, 1, 1, 1))),
+    ("#009e73", "--"),
+    ("#cc79a7", "-."),
+    ("#56b4e9", (0, (1, 1))),
+    ("#d55e00", (0, (7, 2))),
+    ("#e69f00", (0, (3, 1, 1, 1, 1, 1))),
 )
 
 

@@ -81,3 +81,18 @@ def test_verified_figures_are_there_only_when_there_are_some(bar):
     assert not status._verified.isHidden()
     status.show_verified("")
     assert status._verified.isHidden()
+
+
+def test_what_is_told_is_whole_as_a_tip_and_gives_way_to_the_next_state(bar, qtbot):
+    status = RunStatus(bar)
+    status.show_state("Designing…")
+    bar.show()
+    bar.resize(bar.minimumSizeHint().width() + 100, bar.height())
+    status.tell(said := "Saved pendant.freeform, with the best lens so far, after 176 iterations")
+    qtbot.waitUntil(lambda: status._state.toolTip() == said)
+    assert status._state.shown.endswith("…") and status.text == said
+    status._read.timeout.emit()
+    assert status.text == "Designing…"
+    status.tell(said)
+    status.show_state("Stopping…")
+    assert status.text == "Stopping…" and not status._read.isActive()
