@@ -13,6 +13,7 @@ from torch import Tensor
 from workbench.geometry.surface import ControlNet
 from workbench.optics.arrival import Arrival
 from workbench.optics.interfaces import Interface, Refraction
+from workbench.optics.intersection import Bundle
 from workbench.optics.rays import RayBundle, Vector
 from workbench.optics.receivers import PlaneReceiver
 from workbench.optics.sources import Emitter, Samples, emitter_of
@@ -79,7 +80,9 @@ class Path:
         self.dtype, self.device, self._seed, self._draw = dtype, device, seed, 0
         fixed = next((i for i, step in enumerate(steps) if step.surface.freeform), len(steps))
         self._fixed, self.shaped = self.steps[:fixed], self.steps[fixed:]
-        self._known_rays: _Known | None = None
+        self._rays: RayBundle | None = None
+        self._lines: Bundle | None = None
+        self._lost: dict[str, Tensor] | None = None
 
     @classmethod
     def of(
@@ -105,17 +108,32 @@ class Path:
     @property
     def rays(self) -> RayBundle:
         """The source's rays before the first freeform face, those that get there."""
-        return self._known.rays
+        if self._rays is None:
+            self._rays = _cast(self._begin(), self.dtype, self.device)
+        return self._rays
+
+    @property
+    def lines(self) -> Bundle:
+        """The same rays as lines, for tracers that need nothing else of them.
+
+        Rounded once, from float64: those of `rays` are rounded before and after.
+        """
+        if self._lines is None:
+            lines = Bundle.of(self._begin())
+            self._lines = Bundle(*(part.to(self.device, self.dtype) for part in lines))
+        return self._lines
 
     @property
     def lost(self) -> dict[str, Tensor]:
         """Flux lost before the first freeform face, by name; see `Arrival.lost`."""
-        return dict(self._known.lost)
+        if self._lost is None:
+            self._rays = _cast(self._begin(), self.dtype, self.device)
+        return dict(self._lost or {})
 
     def redraw(self) -> None:
         """Take another set of the source's rays."""
         self._draw += 1
-        self._known_rays = None
+        self._rays = self._lines = self._lost = None
 
     def walk(self, heights: Mapping[str, Tensor]) -> Arrival:
         """Follow the source's rays to the receiver.
@@ -151,25 +169,13 @@ class Path:
         on_faces = [_lifted(place, self.datum) for place in places]
         return on_faces, Arrival(*self.receiver.places(rays), rays, lost)
 
-    @property
-    def _known(self) -> "_Known":
-        if self._known_rays is None:
-            self._known_rays = self._before_heights()
-        return self._known_rays
-
-    def _before_heights(self) -> "_Known":
+    def _begin(self) -> RayBundle:
+        """The source's rays before the first freeform face, in float64; tells what is lost."""
         rays = self.emitter.rays(self._seed, self._draw)
         rays = rays._replace(position=_lifted(rays.position, -self.datum))
         rays, lost, _ = _through(self._fixed, rays, {})
-        on_device = {name: flux.to(self.device) for name, flux in lost.items()}
-        return _Known(_cast(_living(rays), self.dtype, self.device), on_device)
-
-
-class _Known(NamedTuple):
-    """The source's rays behind the faces that do not change, and light lost up to there."""
-
-    rays: RayBundle
-    lost: dict[str, Tensor]
+        self._lost = {name: flux.to(self.device) for name, flux in lost.items()}
+        return _living(rays)
 
 
 def _through(

@@ -6,7 +6,6 @@ import torch
 
 from tests.optics.kernels.twins import account
 from workbench.geometry.surface import ControlNet
-from workbench.optics.intersection import Bundle
 from workbench.optics.kernels.point import FusedPointRays
 from workbench.optics.path import Path
 from workbench.optics.plan import Plan
@@ -127,7 +126,7 @@ def test_warm_starts_while_rays_move_from_patch_to_patch(make_scene, rng, dtype)
 def test_rays_are_sorted_again_and_none_is_lost_or_doubled(make_scene, rng):
     scene = make_scene({"source": ASIDE, "lens.control_points": [40, 32]})
     _, fused = twins(scene)
-    drawn = Bundle.of(fused._path.rays)
+    drawn = fused._path.lines
     orders = []
     for share in np.linspace(0, 1, 12):
         height = (0.3 + 0.5 * share) * torch.ones(40, 32, dtype=torch.float64)

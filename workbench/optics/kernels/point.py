@@ -13,7 +13,6 @@ import torch
 from torch import Tensor
 
 from workbench.geometry.surface import ControlNet
-from workbench.optics.intersection import Bundle
 from workbench.optics.kernels import threads
 from workbench.optics.kernels.exit_face import ExitFace
 from workbench.optics.kernels.function import Sums, kind_of, trace
@@ -90,9 +89,9 @@ class FusedPointRays:
 
     def ready(self, level: float) -> Sorted:
         """The rays, sorted for a lens much like the last one, or for a plate of some height."""
-        drawn, known = self._path.rays, self._sorted
+        drawn, known = self._path.lines, self._sorted
         if known is None or known.drawn is not drawn:
-            bundle = np.stack([part.flatten().numpy() for part in Bundle.of(drawn)])
+            bundle = np.stack([part.flatten().numpy() for part in drawn])
             depths = np.full(bundle.shape[1], level, self.kind)
             return arrange(self.face.net, drawn, bundle, depths)
         if known.interruptions * _INTERRUPTION > len(known.depths):

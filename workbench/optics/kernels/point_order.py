@@ -6,9 +6,9 @@ import numpy as np
 import numpy.typing as npt
 
 from workbench.compiled import jit
+from workbench.optics.intersection import Bundle
 from workbench.optics.kernels.point_meet import depth_of_side
 from workbench.optics.kernels.point_patches import Net, span_of
-from workbench.optics.rays import RayBundle
 
 AnyArray = npt.NDArray[np.floating[Any]]
 
@@ -22,7 +22,7 @@ class Sorted(NamedTuple):
 
     Attributes
     ----------
-    drawn : RayBundle or None
+    drawn : Bundle or None
         The rays as they were drawn.
     bundle : ndarray, shape (5, rays)
         Their x, y, slopes and flux, sorted.
@@ -36,7 +36,7 @@ class Sorted(NamedTuple):
         How many more there were in all traces since.
     """
 
-    drawn: RayBundle | None
+    drawn: Bundle | None
     bundle: AnyArray
     steepest: AnyArray
     depths: AnyArray
@@ -44,7 +44,7 @@ class Sorted(NamedTuple):
     interruptions: int = 0
 
 
-def arrange(net: Net, drawn: RayBundle | None, bundle: AnyArray, depths: AnyArray) -> Sorted:
+def arrange(net: Net, drawn: Bundle | None, bundle: AnyArray, depths: AnyArray) -> Sorted:
     """Sort rays by where they are at these depths, or where they left the lens before."""
     finer_x, finer_y = (-(-_CELLS // spans) for spans in net.spans)
     order = _order(net, finer_x, finer_y, bundle, depths)
