@@ -64,7 +64,7 @@ class TestDesignRun:
         snapshot = next(again)
         again.close()
         assert first == [0, 1, 2, 3]
-        assert np.array_equal(snapshot.control_points, best.control_points)
+        assert np.array_equal(snapshot.state.heights, best.state.heights)
         assert run.session.result.iterations == 3
         assert run.session.result.ended == "stopped"
 
@@ -84,8 +84,8 @@ class TestDesignRun:
         begun = type(session)(session.scene, session.target, start=start, locked=locked)
         run = DesignRun(begun, iterations=4)
         *_, last = run
-        assert (last.control_points[:3] == 0.5).all()
-        assert (last.control_points[3:] != 0.5).any()
+        assert (last.state.heights[:3] == 0.5).all()
+        assert (last.state.heights[3:] != 0.5).any()
 
     def test_impossible_iterations_are_refused(self, session):
         with pytest.raises(Refused, match=r"run\.iterations"):
@@ -107,7 +107,7 @@ def test_it_finds_what_the_commands_find(session, tmp_path, capsys):
         pass
     save(run.session, one)
     assert main(["design", str(scene), "-o", str(other), "--iterations", "2"]) == 0
-    assert np.array_equal(load(one).control_points, load(other).control_points)
+    assert np.array_equal(load(one).heights, load(other).heights)
     export(load(one), tmp_path / "one.obj")
     assert main(["export", str(other), str(tmp_path / "other.obj")]) == 0
     assert (tmp_path / "one.obj").read_text() == (tmp_path / "other.obj").read_text()

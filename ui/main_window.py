@@ -331,7 +331,7 @@ class MainWindow(QMainWindow):
         session = self.document.session
         now = Situation(
             state="loading" if self.loaded is None else self.loaded.state,
-            has_lens=session.control_points is not None,
+            has_lens=session.heights is not None,
             lens=self._lens.text,
             can_undo=stack.canUndo(),
             can_redo=stack.canRedo(),

@@ -10,7 +10,7 @@ A lens, designed, looked at on the way, checked with other rays than the design'
 >>> from resources import path
 >>> run = DesignRun(load(path("examples", "tophat-none-zeros.json")), iterations=2)
 >>> for snapshot in run:
-...     print(snapshot.iteration, snapshot.irradiance.shape)
+...     print(snapshot.iteration, snapshot.state.irradiance.shape)
 0 (256, 256)
 1 (256, 256)
 2 (256, 256)
@@ -141,7 +141,7 @@ def check(session: Session, rays: int = 4_000_000, seed: int = 1) -> Validation:
     >>> low <= found.relative_l2_corrected <= high
     True
     """
-    lens = result_of(session).control_points
+    lens = result_of(session).state.heights
     return validate(session.scene, session.target, lens, rays, seed)
 
 

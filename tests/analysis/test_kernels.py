@@ -49,7 +49,7 @@ for task in tasks:
     heights = undesigned(scene.lens)
     with suppress(RunFailed):  # a far screen may see no light
         for snapshot in run(scene, target):
-            heights = snapshot.control_points
+            heights = snapshot.state.heights
         Evaluator(scene, target, heights).snapshot(heights)
         validate(scene, target, heights, rays=100)
 assert fine.count(True) == 4

@@ -6,6 +6,7 @@ import pytest
 
 from tests.accounts import account_of
 from workbench.cli import main
+from workbench.design.lens_state import LensState
 from workbench.design.snapshot import Snapshot
 
 
@@ -48,12 +49,14 @@ def fake_run(monkeypatch, rng):
                 if i in events:
                     events[i]()
                 yield Snapshot(
+                    LensState(
+                        loss=1 / (i + 1),
+                        heights=rng.random(scene.lens.control_points),
+                        irradiance=rng.random((n_y, n_x)),
+                        account=account_of(1.0, 0.9, 0.0, 0.0, 0.0, 0.0, 0.04, 0.06),
+                    ),
                     iteration=i,
                     iterations=scene.run.iterations,
-                    loss=1 / (i + 1),
-                    control_points=rng.random(scene.lens.control_points),
-                    irradiance=rng.random((n_y, n_x)),
-                    account=account_of(1.0, 0.9, 0.0, 0.0, 0.0, 0.0, 0.04, 0.06),
                     seconds=float(i),
                     best=True,
                 )

@@ -35,12 +35,12 @@ class TestDone:
         assert figures["shortfall"] is None
         result = read_session(out).result
         assert figures["ended"] == result.ended == "all iterations are done"
-        assert figures["loss"] == result.loss
+        assert figures["loss"] == result.state.loss
         assert figures["iterations"] == result.iterations == 10
         assert figures["seconds"] == result.seconds
-        assert figures["efficiency"] == result.account.efficiency
-        assert figures["ledger"] == result.account.to_data()
-        assert result.loss < result.losses[0]
+        assert figures["efficiency"] == result.state.account.efficiency
+        assert figures["ledger"] == result.state.account.to_data()
+        assert result.state.loss < result.losses[0]
         assert progress.splitlines()[0].startswith("0/10  loss ")
         assert (
             progress.count("collimated light: entrance refraction and intersection left out") == 1
@@ -58,7 +58,7 @@ class TestDone:
         shortfall = json.loads(printed.splitlines()[-1])["shortfall"]
         assert shortfall["cause"] == "height_range" and shortfall["allowed"] == [-0.01, 0.01]
         assert shortfall["needed"][1] > 0.05 and shortfall["share"] > 0.02
-        kept = read_session(out).result.shortfall
+        kept = read_session(out).result.state.shortfall
         assert (kept.cause, kept.share) == ("height_range", shortfall["share"])
 
     def test_a_scene_without_a_range_stays_without_one(self, freeform, scene_file, scene_data, out):
@@ -102,13 +102,13 @@ class TestDone:
     def test_locked_control_points_of_a_session_stay(self, freeform, scene_file, out):
         assert freeform("design", scene_file, "-o", out)[0] == 0
         first = read_session(out)
-        locked = np.zeros(first.result.control_points.shape, bool)
+        locked = np.zeros(first.result.state.heights.shape, bool)
         locked[:6] = True
         write_session(replace(first, locked=locked), out)
         assert freeform("design", out, "-o", out, "--iterations", "2")[0] == 0
         again = read_session(out)
         np.testing.assert_array_equal(again.locked, locked)
-        moved = again.result.control_points != first.result.control_points
+        moved = again.result.state.heights != first.result.state.heights
         assert not moved[locked].any()
         assert moved[~locked].any()
 
@@ -120,13 +120,13 @@ class TestDone:
         second = read_session(out).result
         assert json.loads(printed)["iterations"] == second.iterations == 15
         assert np.array_equal(second.losses[:10], first.losses)
-        assert second.loss <= first.loss * 1.01
+        assert second.state.loss <= first.state.loss * 1.01
         assert second.seconds > first.seconds
 
     def test_a_lens_of_another_task_is_a_start(self, freeform, scene_file, out):
         freeform("design", scene_file, "-o", out)
         designed = read_session(out)
-        heights = designed.result.control_points
+        heights = designed.result.state.heights
         screen = designed.scene.screen.model_copy(update={"z": designed.scene.screen.z + 0.5})
         moved = designed.with_scene(
             designed.scene.model_copy(update={"screen": screen}), designed.target
@@ -135,7 +135,7 @@ class TestDone:
         assert freeform("design", out, "-o", out, "--iterations", 0)[0] == 0
         found = read_session(out)
         assert found.result.iterations == 0 and found.start is None
-        np.testing.assert_allclose(found.result.control_points, heights, atol=1e-3)
+        np.testing.assert_allclose(found.result.state.heights, heights, atol=1e-3)
 
     def test_a_session_without_a_lens_is_designed_from_the_start(
         self, freeform, scene_file, out, fake_run
@@ -147,7 +147,7 @@ class TestDone:
     def test_no_iterations_give_the_undesigned_lens(self, freeform, scene_file, out):
         status, _, _ = freeform("design", scene_file, "-o", out, "--iterations", 0)
         assert status == 0
-        assert read_session(out).result.control_points == pytest.approx(0.5, abs=1e-9)
+        assert read_session(out).result.state.heights == pytest.approx(0.5, abs=1e-9)
 
     def test_the_time_limit_ends_a_run_well(self, freeform, scene_file, out, fake_run):
         fake_run({})  # each iteration takes a second

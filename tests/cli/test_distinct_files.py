@@ -11,6 +11,7 @@ from PIL import Image
 
 from tests.accounts import account_of
 from workbench.cli.verbs.parser import Parser, add_verb
+from workbench.design.lens_state import LensState
 from workbench.design.snapshot import Result
 from workbench.errors import Refused
 from workbench.files.references import named_twice
@@ -49,12 +50,14 @@ def session(folder, make_scene):
 
 def result():
     return Result(
-        control_points=np.full((12, 10), 0.5),
-        irradiance=np.ones((32, 32)),
+        LensState(
+            heights=np.full((12, 10), 0.5),
+            irradiance=np.ones((32, 32)),
+            loss=0.1,
+            account=account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
+        ),
         losses=np.zeros(1),
-        loss=0.1,
         seconds=1.0,
-        account=account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
     )
 
 

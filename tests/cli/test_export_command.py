@@ -3,6 +3,7 @@ import pytest
 import trimesh
 
 from tests.accounts import account_of
+from workbench.design.lens_state import LensState
 from workbench.design.snapshot import Result
 from workbench.files.session import Session, write_session
 
@@ -12,12 +13,14 @@ def lens(make_scene, rng, tmp_path):
     """A session with a wavy lens."""
     scene = make_scene()
     result = Result(
-        control_points=0.5 + 0.02 * rng.random((12, 10)),
-        irradiance=rng.random((32, 32)),
+        LensState(
+            heights=0.5 + 0.02 * rng.random((12, 10)),
+            irradiance=rng.random((32, 32)),
+            loss=0.1,
+            account=account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
+        ),
         losses=np.zeros(1),
-        loss=0.1,
         seconds=1.0,
-        account=account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
     )
     path = tmp_path / "lens.freeform"
     write_session(Session(scene, rng.random((32, 32)), result), path)

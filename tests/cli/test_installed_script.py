@@ -29,7 +29,7 @@ def test_design_to_exit_status_0(scene_file, out):
         [FREEFORM, "design", scene_file, "-o", out, "--json"], capture_output=True, text=True
     )
     assert done.returncode == 0
-    assert json.loads(done.stdout)["loss"] == read_session(out).result.loss
+    assert json.loads(done.stdout)["loss"] == read_session(out).result.state.loss
 
 
 def test_ctrl_c_keeps_the_best_lens_and_ends_with_130(scene_file, out):
@@ -51,7 +51,7 @@ def test_ctrl_c_keeps_the_best_lens_and_ends_with_130(scene_file, out):
     assert told.splitlines()[-1] == f"freeform: interrupted; the best lens so far is in {out}"
     result = read_session(out).result
     assert json.loads(printed)["iterations"] == result.iterations > 0
-    assert result.loss <= result.losses.min()
+    assert result.state.loss <= result.losses.min()
 
 
 def test_help_and_refusals_do_not_wait_for_torch(scene_file):

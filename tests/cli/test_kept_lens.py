@@ -221,7 +221,7 @@ class TestCheckpoint:
         fake_run({4: lambda: seen.append(read_session(left).result)})
         assert freeform("design", scene_file, "-o", out)[0] == 0
         assert [result.iterations for result in seen] == [3]
-        assert seen[0].loss == 1 / 4
+        assert seen[0].state.loss == 1 / 4
         assert sorted(os.listdir(out.parent)) == ["lens.freeform", "scene.json"]
 
     def test_no_checkpoint_is_written_before_it_is_due(

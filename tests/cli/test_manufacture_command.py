@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from tests.accounts import account_of
+from workbench.design.lens_state import LensState
 from workbench.design.snapshot import Result
 from workbench.files.session import Session, read_session, write_session
 from workbench.geometry.surface import ControlNet
@@ -26,7 +27,18 @@ def bowl(make_scene, tmp_path):
     image = np.ones((32, 32))
     account = account_of(1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     path = tmp_path / "bowl.freeform"
-    write_session(Session(scene, image, Result(heights, image, np.ones(1), 1, 1, account)), path)
+    write_session(
+        Session(
+            scene,
+            image,
+            Result(
+                LensState(heights=heights, irradiance=image, loss=1, account=account),
+                losses=np.ones(1),
+                seconds=1,
+            ),
+        ),
+        path,
+    )
     return path
 
 
@@ -67,7 +79,7 @@ def moved(bowl):
 
     def move(by):
         session = read_session(bowl)
-        result = replace(session.result, control_points=session.result.control_points + by)
+        result = session.result.with_state(heights=session.result.state.heights + by)
         write_session(replace(session, result=result), bowl)
         return bowl
 

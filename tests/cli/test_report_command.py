@@ -12,6 +12,7 @@ import pytest
 from PIL import Image
 
 from tests.accounts import account_of
+from workbench.design.lens_state import LensState
 from workbench.design.session import VerifiedError
 from workbench.design.snapshot import Result
 from workbench.files.session import KeptRun, Session, write_session
@@ -40,12 +41,14 @@ def lens(make_scene, tmp_path):
     scene = make_scene()
     target = load_target(scene, tmp_path)
     result = Result(
-        control_points=0.5 + 0.01 * np.sin(np.arange(120.0)).reshape(12, 10),
-        irradiance=np.ones((32, 32)),
+        LensState(
+            heights=0.5 + 0.01 * np.sin(np.arange(120.0)).reshape(12, 10),
+            irradiance=np.ones((32, 32)),
+            loss=0.1,
+            account=account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
+        ),
         losses=np.array([0.3, 0.2, 0.1]),
-        loss=0.1,
         seconds=1.0,
-        account=account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
     )
     checked = VerifiedError(0.0625, (0.06, 0.065))
     kept = KeptRun("first <try>", scene, target, result, checked)

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from tests.accounts import account_of
+from workbench.design.lens_state import LensState
 from workbench.design.snapshot import Result
 from workbench.files.session import Session, read_session, write_session
 
@@ -32,12 +33,14 @@ def shell(command, folder="."):
 def lens(make_scene, tmp_path):
     """A session with a flat lens."""
     result = Result(
-        control_points=np.full((12, 10), 0.5),
-        irradiance=np.ones((32, 32)),
+        LensState(
+            heights=np.full((12, 10), 0.5),
+            irradiance=np.ones((32, 32)),
+            loss=0.1,
+            account=account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
+        ),
         losses=np.zeros(1),
-        loss=0.1,
         seconds=1.0,
-        account=account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
     )
     path = tmp_path / "lens.freeform"
     write_session(Session(make_scene(), np.ones((32, 32)), result), path)

@@ -28,7 +28,7 @@ def letter():
 
 def test_the_first_iteration_reduces_the_loss_to_a_third(make_scene, letter):
     first, second, *_ = run(make_scene({"lens.control_points": [24, 24]}), letter)
-    assert second.loss < 0.3 * first.loss
+    assert second.state.loss < 0.3 * first.state.loss
 
 
 @pytest.mark.parametrize("iterations", [1, 2, 5, 40])
@@ -41,7 +41,7 @@ def test_symmetric_tasks_have_symmetric_lenses(make_scene):
     scene = make_scene({"run.iterations": 20})
     across = np.linspace(-1, 1, 32)
     disc = (np.hypot(*np.meshgrid(across, across)) < 0.6).astype(float)
-    heights = best(scene, disc).control_points
+    heights = best(scene, disc).state.heights
     for axis in (0, 1):
         assert heights == pytest.approx(np.flip(heights, axis), abs=1e-12)
 
@@ -68,8 +68,8 @@ def test_light_of_points_reaches_the_screen(make_scene, letter, kind):
         }
     scene = make_scene({"source": source, "lens.control_points": [24, 24]})
     found = best(scene, letter)
-    lost = found.account.lost["off_screen"] + found.account.lost["total_reflection"]
-    assert lost < 0.03 * found.account.on_screen
+    lost = found.state.account.lost["off_screen"] + found.state.account.lost["total_reflection"]
+    assert lost < 0.03 * found.state.account.on_screen
 
 
 def test_all_lenses_are_judged_by_the_sharpest_image(make_scene, letter):
@@ -79,9 +79,9 @@ def test_all_lenses_are_judged_by_the_sharpest_image(make_scene, letter):
     wanted = expected_image(share(letter), sharp)
     plan = Plan(scene, ControlNet.of(scene.lens), sharp, samples=(1001, 1001))
     for snapshot in list(run(scene, letter))[::12]:
-        image = plan.trace(torch.as_tensor(snapshot.control_points.copy())).flux.numpy()
+        image = plan.trace(torch.as_tensor(snapshot.state.heights.copy())).flux.numpy()
         error = np.linalg.norm(image / image.sum() - wanted) / 32
-        assert snapshot.loss == pytest.approx(error, rel=0.1)
+        assert snapshot.state.loss == pytest.approx(error, rel=0.1)
 
 
 def test_a_good_lens_is_not_taken_through_the_blunt_phases_again(make_scene, letter, monkeypatch):
@@ -94,7 +94,7 @@ def test_a_good_lens_is_not_taken_through_the_blunt_phases_again(make_scene, let
         return image_of(phase, **task)
 
     monkeypatch.setattr(auto, "image_of", look)
-    next(run(scene, letter, found.control_points))
+    next(run(scene, letter, found.state.heights))
     assert seen == [SHARPEST]
 
 

@@ -26,15 +26,15 @@ def target():
 def test_a_lens_is_judged_as_by_its_run(make_scene, target, changes):
     scene = make_scene(changes)
     *_, last = run(scene, target)
-    found = Evaluator(scene, target, last.control_points).snapshot(last.control_points)
-    continued = next(run(scene, target, last.control_points))
-    assert found.loss == pytest.approx(continued.loss, rel=2e-2)
-    lit = continued.irradiance.max()
-    np.testing.assert_allclose(found.irradiance, continued.irradiance, atol=1e-2 * lit)
-    parts = found.account.to_data()
+    found = Evaluator(scene, target, last.state.heights).snapshot(last.state.heights)
+    continued = next(run(scene, target, last.state.heights))
+    assert found.state.loss == pytest.approx(continued.state.loss, rel=2e-2)
+    lit = continued.state.irradiance.max()
+    np.testing.assert_allclose(found.state.irradiance, continued.state.irradiance, atol=1e-2 * lit)
+    parts = found.state.account.to_data()
     assert sum(parts.values()) == pytest.approx(2 * parts["emitted"], rel=1e-5)
-    assert found.control_points is not last.control_points
-    assert not found.control_points.flags.writeable
+    assert found.state.heights is not last.state.heights
+    assert not found.state.heights.flags.writeable
 
 
 def test_one_plan_serves_many_lenses(make_scene, target):
@@ -44,10 +44,10 @@ def test_one_plan_serves_many_lenses(make_scene, target):
     bent[5, 5] += 0.02
     evaluator = Evaluator(scene, target, flat)
     first, moved, again = (evaluator.snapshot(h) for h in (flat, bent, flat))
-    np.testing.assert_array_equal(first.irradiance, again.irradiance)
-    assert np.abs(first.irradiance - moved.irradiance).max() > 1e-3
+    np.testing.assert_array_equal(first.state.irradiance, again.state.irradiance)
+    assert np.abs(first.state.irradiance - moved.state.irradiance).max() > 1e-3
     fresh = Evaluator(scene, target, bent).snapshot(bent)
-    assert moved.loss == pytest.approx(fresh.loss, rel=1e-3)
+    assert moved.state.loss == pytest.approx(fresh.state.loss, rel=1e-3)
 
 
 @pytest.mark.parametrize("changes", [{}, {"run": PAPER}])
@@ -60,8 +60,8 @@ def test_locked_control_points_save_rays_and_change_no_light(make_scene, target,
     evaluator.snapshot(flat)
     found = evaluator.snapshot(bent)
     all_traced = Evaluator(scene, target, flat).snapshot(bent)
-    lit = all_traced.irradiance.max()
-    np.testing.assert_allclose(found.irradiance, all_traced.irradiance, atol=1e-5 * lit)
+    lit = all_traced.state.irradiance.max()
+    np.testing.assert_allclose(found.state.irradiance, all_traced.state.irradiance, atol=1e-5 * lit)
     assert any("of the rays after the first" in note for note in found.notes)
 
 
@@ -85,13 +85,11 @@ def test_a_snapshot_counts_on_from_an_earlier_result(make_scene, scene_data, tar
     for snapshot in run(scene, target):
         history.add(snapshot)
     earlier = history.result()
-    found = Evaluator(scene, target, earlier.control_points).snapshot(
-        earlier.control_points, earlier
-    )
+    found = Evaluator(scene, target, earlier.state.heights).snapshot(earlier.state.heights, earlier)
     assert (found.iteration, found.seconds) == (4, earlier.seconds)
     scene_data["run"]["stages"] = [{"iterations": 2, "control_points": [8, 8]}]
     staged = Scene.from_data(scene_data)
-    found = Evaluator(staged, target, earlier.control_points).snapshot(earlier.control_points)
+    found = Evaluator(staged, target, earlier.state.heights).snapshot(earlier.state.heights)
     assert (found.stage, found.stages) == (1, 2)
 
 
@@ -104,4 +102,4 @@ def test_a_lens_that_lights_nothing_is_refused(make_scene, target):
 
 def test_the_undesigned_lens_is_where_a_run_begins(make_scene, target):
     scene = make_scene({"lens.height_range": [-0.1, 0.3]})
-    np.testing.assert_array_equal(undesigned(scene.lens), next(run(scene, target)).control_points)
+    np.testing.assert_array_equal(undesigned(scene.lens), next(run(scene, target)).state.heights)

@@ -53,8 +53,8 @@ def test_heights_of_a_given_lens_stay_exactly(small, disc, locked, lens, method,
     snapshots = list(run(scene, disc, lens, locked))
     assert len(snapshots) == 5
     for snapshot in snapshots:
-        np.testing.assert_array_equal(snapshot.control_points[locked], lens[locked])
-    moved = snapshots[-1].control_points - snapshots[0].control_points
+        np.testing.assert_array_equal(snapshot.state.heights[locked], lens[locked])
+    moved = snapshots[-1].state.heights - snapshots[0].state.heights
     assert (moved[~locked] != 0).mean() > 0.5  # light of a point leaves out some corners
 
 
@@ -62,15 +62,15 @@ def test_heights_of_a_given_lens_stay_exactly(small, disc, locked, lens, method,
 def test_without_a_lens_they_are_those_of_the_undesigned_one(small, disc, locked, method):
     scene = small({"run": method | {"iterations": 3}, "lens.height_range": [-0.2, 0.3]})
     for snapshot in run(scene, disc, None, locked):
-        np.testing.assert_allclose(snapshot.control_points[locked], 0.55, atol=1e-15)
+        np.testing.assert_allclose(snapshot.state.heights[locked], 0.55, atol=1e-15)
 
 
 def test_a_run_still_brings_the_image_closer(small, disc, locked):
     scene = small({"run": {"iterations": 30}})
     first, *others = run(scene, disc, None, locked)
-    best = min(others, key=lambda snapshot: snapshot.loss)
-    assert best.loss < 0.75 * first.loss
-    assert best.account.efficiency > 0.85
+    best = min(others, key=lambda snapshot: snapshot.state.loss)
+    assert best.state.loss < 0.75 * first.state.loss
+    assert best.state.account.efficiency > 0.85
 
 
 @pytest.mark.parametrize("method", METHODS[:2], ids=str)
@@ -79,7 +79,7 @@ def test_no_locks_change_nothing(small, disc, lens, method):
     plain = list(run(scene, disc, lens))
     none = list(run(scene, disc, lens, np.zeros((12, 10), bool)))
     for one, other in zip(plain, none, strict=True):
-        np.testing.assert_array_equal(one.control_points, other.control_points)
+        np.testing.assert_array_equal(one.state.heights, other.state.heights)
 
 
 @pytest.mark.parametrize("method", METHODS, ids=str)
@@ -89,7 +89,7 @@ def test_all_locked_ends_at_once_with_the_lens_as_it_is(small, disc, lens, metho
     for start in (None, lens):
         (only,) = run(scene, disc, start, np.ones((12, 10), bool))
         assert (only.iteration, only.best, only.stage) == (0, True, len(stages))
-        np.testing.assert_allclose(only.control_points, 0.5 if start is None else lens, atol=1e-15)
+        np.testing.assert_allclose(only.state.heights, 0.5 if start is None else lens, atol=1e-15)
 
 
 class TestStages:
@@ -100,7 +100,7 @@ class TestStages:
         snapshots = list(run(scene, disc, None, locked))
         assert [snapshot.stage for snapshot in snapshots] == [0, 0, 0, 1, 1, 1]
         for snapshot in snapshots:
-            np.testing.assert_allclose(snapshot.control_points[locked], 0.5, atol=1e-15)
+            np.testing.assert_allclose(snapshot.state.heights[locked], 0.5, atol=1e-15)
 
     def test_on_another_net_are_refused(self, small, disc, locked, lens):
         stages = [*self.STAGES, {"iterations": 1, "control_points": [6, 6]}]
@@ -129,7 +129,7 @@ def test_locks_that_are_symmetric_leave_the_lens_symmetric(small, disc):
     *_, last = run(scene, disc, None, locked)
     assert "mirror symmetry: a quarter of the rays" in last.notes
     assert any(note.startswith("locked control points: ") for note in last.notes)
-    np.testing.assert_allclose(last.control_points, last.control_points[::-1], atol=1e-9)
+    np.testing.assert_allclose(last.state.heights, last.state.heights[::-1], atol=1e-9)
     locked[5, 3] = True
     *_, last = run(scene, disc, None, locked)
     assert not any("mirror" in note for note in last.notes)

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from tests.accounts import account_of
+from workbench.design.lens_state import LensState
 from workbench.design.origin import origin
 from workbench.design.session import KeptRun, Session
 from workbench.design.snapshot import Result
@@ -22,12 +23,14 @@ def task(make_scene):
 def designed(task):
     """A design whose lens is that of its only kept run."""
     result = Result(
-        control_points=np.full(task.scene.lens.control_points, 0.5),
-        irradiance=task.target,
+        LensState(
+            heights=np.full(task.scene.lens.control_points, 0.5),
+            irradiance=task.target,
+            loss=1.0,
+            account=account_of(1.0, 0.9, 0.0, 0.0, 0.0, 0.0, 0.04, 0.06),
+        ),
         losses=np.array([2.0, 1.0]),
-        loss=1.0,
         seconds=0.5,
-        account=account_of(1.0, 0.9, 0.0, 0.0, 0.0, 0.0, 0.04, 0.06),
     )
     return replace(task, result=result, runs=(KeptRun("Run 1", task.scene, task.target, result),))
 

@@ -47,7 +47,7 @@ def paper(make_scene, **settings):
 
 def lenses(scene, start=None):
     target = load_target(scene, None)
-    return [snapshot.control_points for snapshot in run(scene, target, start)]
+    return [snapshot.state.heights for snapshot in run(scene, target, start)]
 
 
 @pytest.mark.parametrize("kind", KINDS)
@@ -231,5 +231,5 @@ def test_a_source_with_fresh_rays_draws_them_each_iteration(make_scene, fresh):
             "run": {"method": "paper", "iterations": 2, "learning_rate": 1e-30},
         }
     )
-    images = [snapshot.irradiance for snapshot in run(scene, load_target(scene, None))]
+    images = [snapshot.state.irradiance for snapshot in run(scene, load_target(scene, None))]
     assert all((image != images[0]).any() == fresh for image in images[1:])

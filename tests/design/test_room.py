@@ -57,15 +57,15 @@ def test_the_range_of_a_scene_is_taken_as_it_is(make_scene, corner):
 def test_runs_by_either_method_take_an_automatic_range(make_scene, corner):
     for settings in ({"method": "auto", "iterations": 3}, {"method": "paper", "iterations": 3}):
         shots = list(run(make_scene(FREE | {"run": settings}), corner))
-        assert shots[-1].loss < shots[0].loss
+        assert shots[-1].state.loss < shots[0].state.loss
         assert "of the base" in shots[-1].notes[-1]
-        assert shots[0].control_points == pytest.approx(0.5, abs=1e-12)
-        assert shots[-1].shortfall is None
+        assert shots[0].state.heights == pytest.approx(0.5, abs=1e-12)
+        assert shots[-1].state.shortfall is None
 
 
 def test_a_too_small_range_is_reported_with_the_range_that_is_needed(make_scene, corner):
     *_, last = run(make_scene(FREE | {"lens.height_range": [-0.05, 0.05]}), corner)
-    short = last.shortfall
+    short = last.state.shortfall
     first = Room(make_scene(FREE), corner).first
     assert (short.cause, short.allowed) == ("height_range", (-0.05, 0.05))
     assert short.needed == pytest.approx((first.min() - 0.5, first.max() - 0.5), rel=0.1)
@@ -73,13 +73,13 @@ def test_a_too_small_range_is_reported_with_the_range_that_is_needed(make_scene,
 
 
 def test_a_range_that_is_large_enough_is_no_shortfall(make_scene, corner):
-    assert all(shot.shortfall is None for shot in run(make_scene({}), np.ones((32, 32))))
+    assert all(shot.state.shortfall is None for shot in run(make_scene({}), np.ones((32, 32))))
 
 
 def test_too_thin_stock_is_reported_with_the_thickness_that_is_needed(make_scene, corner):
     stock = {"lens.max_thickness": 0.2, "lens.min_thickness": 0.1}
     *_, last = run(make_scene(FREE | stock), corner)
-    short = last.shortfall
+    short = last.state.shortfall
     extent = np.ptp(Room(make_scene(FREE), corner).first)
     assert (short.cause, short.allowed) == ("max_thickness", (0.1, 0.2))
     assert short.needed == pytest.approx((0.1, 0.1 + extent), rel=0.1)
@@ -88,16 +88,16 @@ def test_too_thin_stock_is_reported_with_the_thickness_that_is_needed(make_scene
 def test_stock_is_the_limit_even_where_a_range_is_given(make_scene, corner):
     stock = {"lens.max_thickness": 0.55, "lens.min_thickness": 0.45}
     *_, last = run(make_scene(FREE | stock | {"lens.height_range": [-0.3, 0.3]}), corner)
-    assert last.shortfall.cause == "max_thickness"
+    assert last.state.shortfall.cause == "max_thickness"
 
 
 def test_a_continued_run_reports_a_shortfall_once_heights_are_at_their_limits(make_scene, corner):
     scene = make_scene(FREE | {"lens.height_range": [-0.05, 0.05]})
     first, *_ = run(scene, corner, start=np.full((24, 24), 0.5))
-    assert first.shortfall is None
+    assert first.state.shortfall is None
     half = np.where(np.arange(24)[:, None] < 12, 0.45, 0.55) * np.ones((24, 24))
     first, *_ = run(scene, corner, start=half)
-    assert first.shortfall.cause == "height_range" and first.shortfall.share == 1.0
+    assert first.state.shortfall.cause == "height_range" and first.state.shortfall.share == 1.0
 
 
 def test_locked_heights_at_an_end_are_no_shortfall(make_scene):
@@ -106,7 +106,7 @@ def test_locked_heights_at_an_end_are_no_shortfall(make_scene):
     start = np.where(locked, 0.8, 0.5)
     scene = make_scene(FREE | {"lens.height_range": [-0.3, 0.3]})
     first, *_ = run(scene, np.ones((32, 32)), start=start, locked=locked)
-    assert first.shortfall is None
+    assert first.state.shortfall is None
 
 
 @pytest.mark.parametrize(

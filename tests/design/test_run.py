@@ -30,8 +30,8 @@ def scene(request, make_scene):
 def test_the_first_snapshot_is_the_lens_before_any_step(scene, disc):
     first = next(run(scene, disc))
     assert first.iteration == 0 and first.iterations == 30
-    assert first.control_points == pytest.approx(0.5, abs=1e-14)
-    assert first.account.efficiency == pytest.approx(0.96**2, rel=0.1)
+    assert first.state.heights == pytest.approx(0.5, abs=1e-14)
+    assert first.state.account.efficiency == pytest.approx(0.96**2, rel=0.1)
     assert first.best
 
 
@@ -42,19 +42,22 @@ def test_snapshots_note_how_they_are_traced(scene, disc):
 def test_a_run_repeats_whether_or_not_its_kernel_was_compiled_before(scene, disc, monkeypatch):
     monkeypatch.setattr(ready, "_ready", set())
     cold, warm = (list(run(scene, disc)) for _ in range(2))
-    assert [shot.loss for shot in cold] == [shot.loss for shot in warm]
+    assert [shot.state.loss for shot in cold] == [shot.state.loss for shot in warm]
     assert [shot.notes for shot in cold] == [shot.notes for shot in warm]
-    np.testing.assert_array_equal(cold[-1].control_points, warm[-1].control_points)
+    np.testing.assert_array_equal(cold[-1].state.heights, warm[-1].state.heights)
 
 
 def test_a_run_brings_the_image_closer_to_the_target(scene, disc):
     snapshots = list(run(scene, disc))
     assert [s.iteration for s in snapshots] == list(range(31))
-    assert min(s.loss for s in snapshots) < 0.6 * snapshots[0].loss
+    assert min(s.state.loss for s in snapshots) < 0.6 * snapshots[0].state.loss
     best = [s for s in snapshots if s.best][-1]
-    assert best.loss == min(s.loss for s in snapshots)
+    assert best.state.loss == min(s.state.loss for s in snapshots)
     wanted = disc / disc.sum()
-    far = [np.linalg.norm(s.irradiance / s.irradiance.sum() - wanted) for s in (snapshots[0], best)]
+    far = [
+        np.linalg.norm(s.state.irradiance / s.state.irradiance.sum() - wanted)
+        for s in (snapshots[0], best)
+    ]
     assert far[1] < 0.7 * far[0]
 
 
@@ -68,19 +71,19 @@ def test_every_lens_of_a_run_is_possible(make_scene, disc):
             }
         )
         for snapshot in run(scene, disc):
-            assert snapshot.control_points.min() >= 0.49
-            assert snapshot.control_points.max() <= 0.51
-            assert np.isfinite(snapshot.irradiance).all()
-            emitted, *parts = snapshot.account.to_data().values()
+            assert snapshot.state.heights.min() >= 0.49
+            assert snapshot.state.heights.max() <= 0.51
+            assert np.isfinite(snapshot.state.irradiance).all()
+            emitted, *parts = snapshot.state.account.to_data().values()
             assert sum(parts) == pytest.approx(emitted, abs=2e-6)
 
 
 def test_snapshots_cannot_be_changed(scene, disc):
     snapshot = next(run(scene, disc))
     with pytest.raises(ValueError, match="read-only"):
-        snapshot.control_points[0, 0] = 1
+        snapshot.state.heights[0, 0] = 1
     with pytest.raises(ValueError, match="read-only"):
-        snapshot.irradiance[0, 0] = 1
+        snapshot.state.irradiance[0, 0] = 1
 
 
 @pytest.mark.parametrize("method", METHODS, ids=["auto", "paper"])
@@ -88,14 +91,14 @@ def test_irradiance_is_flux_per_area(make_scene, disc, method):
     # A dark rim, beyond which no filter spreads light.
     scene = make_scene({"run": method, "screen.half_width": [2.0, 2.0]})
     snapshot = next(run(scene, disc))
-    flux = snapshot.irradiance.sum() * scene.screen.pixel_area
-    assert flux == pytest.approx(snapshot.account.on_screen, rel=1e-6)
+    flux = snapshot.state.irradiance.sum() * scene.screen.pixel_area
+    assert flux == pytest.approx(snapshot.state.account.on_screen, rel=1e-6)
 
 
 def test_the_same_seed_repeats(make_scene, disc):
     def heights(seed):
         settings = {"method": "paper", "start": "random", "seed": seed, "iterations": 3}
-        return [s.control_points for s in run(make_scene({"run": settings}), disc)]
+        return [s.state.heights for s in run(make_scene({"run": settings}), disc)]
 
     assert all((a == b).all() for a, b in zip(heights(1), heights(1), strict=True))
     assert (heights(1)[0] != heights(2)[0]).any()
@@ -104,7 +107,7 @@ def test_the_same_seed_repeats(make_scene, disc):
 def test_starts_of_the_paper_differ_as_they_should(make_scene, disc):
     def spread(start):
         settings = {"method": "paper", "start": start}
-        return np.ptp(next(run(make_scene({"run": settings}), disc)).control_points)
+        return np.ptp(next(run(make_scene({"run": settings}), disc)).state.heights)
 
     assert spread("zeros") < 1e-12
     assert 1e-5 < spread("uniform") < 1e-3
@@ -113,11 +116,11 @@ def test_starts_of_the_paper_differ_as_they_should(make_scene, disc):
 
 def test_a_run_goes_on_from_given_heights(scene, disc):
     earlier = [s for s in run(scene, disc) if s.best][-1]
-    again = run(scene, disc, start=earlier.control_points)
+    again = run(scene, disc, start=earlier.state.heights)
     first = next(again)
-    assert first.control_points == pytest.approx(earlier.control_points, abs=1e-9)
-    assert first.loss == pytest.approx(earlier.loss, rel=1e-3)
-    assert min(s.loss for s in again) <= first.loss
+    assert first.state.heights == pytest.approx(earlier.state.heights, abs=1e-9)
+    assert first.state.loss == pytest.approx(earlier.state.loss, rel=1e-3)
+    assert min(s.state.loss for s in again) <= first.state.loss
 
 
 def test_no_iterations_show_the_undesigned_lens(make_scene, disc):
@@ -149,17 +152,17 @@ ASIDE = {
 def test_auto_judges_the_first_lens_of_transport_and_not_the_undesigned_one(make_scene, disc):
     # The plate sends no light to the screen.
     dark, *rest = run(make_scene(ASIDE | {"lens.height_range": None}), disc)
-    assert dark.account.on_screen == 0 and not dark.irradiance.any()
-    assert dark.best and np.isfinite(dark.loss)
-    assert rest[0].best and rest[0].account.on_screen > 0.3
-    assert rest[-1].loss < 0.2 * dark.loss
+    assert dark.state.account.on_screen == 0 and not dark.state.irradiance.any()
+    assert dark.best and np.isfinite(dark.state.loss)
+    assert rest[0].best and rest[0].state.account.on_screen > 0.3
+    assert rest[-1].state.loss < 0.2 * dark.state.loss
 
 
 def test_auto_restarts_by_transport_from_a_lens_without_light(make_scene, disc):
     scene = make_scene(ASIDE | {"lens.height_range": None})
     dark, then, *_ = run(scene, disc, start=np.full((20, 20), 0.6))
-    assert dark.account.on_screen == 0 and (dark.control_points == 0.6).all()
-    assert then.account.on_screen > 0.3
+    assert dark.state.account.on_screen == 0 and (dark.state.heights == 0.6).all()
+    assert then.state.account.on_screen > 0.3
 
 
 def test_auto_refuses_a_range_in_which_no_lens_has_light_and_states_what_is_needed(
@@ -178,7 +181,7 @@ def test_a_box_filter_gives_the_papers_method_no_gradient(make_scene, disc):
 
 
 def test_auto_designs_behind_a_box_filter_all_the_same(make_scene, disc):
-    losses = [s.loss for s in run(make_scene({"filter": {"kind": "box"}}), disc)]
+    losses = [s.state.loss for s in run(make_scene({"filter": {"kind": "box"}}), disc)]
     assert losses[-1] < losses[0]
 
 
@@ -197,13 +200,13 @@ def test_history_gathers_the_best_lens_and_all_losses(scene, disc):
         history.add(snapshot)
     result = history.result()
     assert result.iterations == 30
-    assert result.losses.tolist() == [s.loss for s in snapshots[1:]]
-    assert result.loss == min(s.loss for s in snapshots)
+    assert result.losses.tolist() == [s.state.loss for s in snapshots[1:]]
+    assert result.state.loss == min(s.state.loss for s in snapshots)
     assert result.seconds == snapshots[-1].seconds
     assert result.times().tolist() == [s.seconds for s in snapshots[1:]]
 
     continued = History(earlier=result)
-    for snapshot in run(scene, disc, start=result.control_points):
+    for snapshot in run(scene, disc, start=result.state.heights):
         continued.add(snapshot)
     both = continued.result()
     assert both.losses[:30].tolist() == result.losses.tolist()
@@ -225,6 +228,6 @@ def test_auto_moves_light_beside_the_screen_onto_it(make_scene, disc):
     scene = make_scene({"source": source, "run": {"method": "auto", "iterations": 40}})
     snapshots = list(run(scene, disc))
     first, last = snapshots[0], [s for s in snapshots if s.best][-1]
-    assert first.account.lost["off_screen"] > 0.3
-    assert last.account.lost["off_screen"] < 0.3 * first.account.lost["off_screen"]
-    assert last.loss < 0.5 * first.loss
+    assert first.state.account.lost["off_screen"] > 0.3
+    assert last.state.account.lost["off_screen"] < 0.3 * first.state.account.lost["off_screen"]
+    assert last.state.loss < 0.5 * first.state.loss

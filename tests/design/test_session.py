@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from tests.accounts import account_of
+from workbench.design.lens_state import LensState
 from workbench.design.session import Session
 from workbench.design.shortfall import Shortfall
 from workbench.design.snapshot import Result
@@ -19,12 +20,14 @@ def session(make_scene, rng):
     scene = make_scene()
     n_x, n_y = scene.screen.pixels
     result = Result(
-        control_points=0.5 + 0.01 * rng.normal(size=scene.lens.control_points),
-        irradiance=np.ones((n_y, n_x)),
+        LensState(
+            heights=0.5 + 0.01 * rng.normal(size=scene.lens.control_points),
+            irradiance=np.ones((n_y, n_x)),
+            loss=1.0,
+            account=account_of(1.0, 0.9, 0.0, 0.0, 0.0, 0.0, 0.04, 0.06),
+        ),
         losses=np.array([2.0, 1.0]),
-        loss=1.0,
         seconds=0.5,
-        account=account_of(1.0, 0.9, 0.0, 0.0, 0.0, 0.0, 0.04, 0.06),
     )
     return Session(scene, np.ones((n_y, n_x)), result)
 
@@ -42,7 +45,7 @@ def off(session, other):
     """How far apart the lenses of two sessions are."""
     nets = (ControlNet.of(each.scene.lens) for each in (session, other))
     one, two = nets
-    return deviation(one, session.control_points, two, other.control_points)
+    return deviation(one, session.heights, two, other.heights)
 
 
 def finer(lens, factor):
@@ -52,12 +55,12 @@ def finer(lens, factor):
 def test_a_net_that_holds_the_surface_keeps_the_result(session):
     other = edited(session, lens__control_points=finer(session.scene.lens, 3))
     result = other.result
-    assert result.control_points.shape == other.scene.lens.control_points
+    assert result.state.heights.shape == other.scene.lens.control_points
     assert off(session, other) < 1e-15 * 10
-    assert (result.loss, result.losses, result.irradiance) == (
-        session.result.loss,
+    assert (result.state.loss, result.losses, result.state.irradiance) == (
+        session.result.state.loss,
         session.result.losses,
-        session.result.irradiance,
+        session.result.state.irradiance,
     )
     assert other.start is None
 
@@ -73,7 +76,7 @@ def test_another_net_makes_the_nearest_lens_a_start(session):
 
 def test_another_degree_makes_the_nearest_lens_a_start(session):
     other = edited(session, lens__degree=[4, 4])
-    assert other.result is None and other.start.shape == session.result.control_points.shape
+    assert other.result is None and other.start.shape == session.result.state.heights.shape
     assert 1e-6 < off(session, other) < 0.02
 
 
@@ -90,13 +93,13 @@ def test_another_degree_makes_the_nearest_lens_a_start(session):
 def test_another_task_takes_the_lens_for_a_start(session, values):
     other = edited(session, **values)
     assert other.result is None
-    assert other.start is session.result.control_points
-    assert other.control_points is other.start
+    assert other.start is session.result.state.heights
+    assert other.heights is other.start
 
 
 def test_another_image_takes_the_lens_for_a_start(session):
     other = edited(session, target=2 * session.target)
-    assert other.result is None and other.start is session.result.control_points
+    assert other.result is None and other.start is session.result.state.heights
 
 
 @pytest.mark.parametrize(
@@ -110,11 +113,11 @@ def test_another_image_takes_the_lens_for_a_start(session):
 )
 def test_limits_that_the_lens_is_within_keep_the_result(session, values):
     short = Shortfall("height_range", None, (-0.3, 0.3), 0.5)
-    short = replace(session, result=replace(session.result, shortfall=short))
+    short = replace(session, result=session.result.with_state(shortfall=short))
     other = edited(short, **values)
-    assert other.result.control_points is session.result.control_points
+    assert other.result.state.heights is session.result.state.heights
     assert other.result.losses is session.result.losses
-    assert other.result.shortfall is None  # it was one of the limits before
+    assert other.result.state.shortfall is None  # it was one of the limits before
     assert other.start is None
 
 
@@ -127,11 +130,11 @@ def test_limits_that_the_lens_is_within_keep_the_result(session, values):
 )
 def test_a_lens_within_its_new_limits_is_a_start(session, values):
     other = edited(session, **values)
-    assert other.result is None and other.start is session.result.control_points
+    assert other.result is None and other.start is session.result.state.heights
 
 
 def test_limits_that_the_lens_exceeds_cut_it_off(session):
-    heights = session.result.control_points
+    heights = session.result.state.heights
     half = 0.7 * np.abs(heights - 0.5).max()
     other = edited(session, lens__height_range=[-half, half])
     assert other.result is None
@@ -141,7 +144,7 @@ def test_limits_that_the_lens_exceeds_cut_it_off(session):
 
 
 def test_a_lens_moves_along_z_where_that_is_enough_to_be_within_its_limits(session):
-    heights = session.result.control_points
+    heights = session.result.state.heights
     other = edited(session, lens__max_thickness=float(heights.max()) - 0.01)
     assert other.result is None
     assert np.ptp(heights - other.start) < 1e-12
@@ -150,7 +153,7 @@ def test_a_lens_moves_along_z_where_that_is_enough_to_be_within_its_limits(sessi
 
 def test_another_outline_removes_the_lens(session):
     other = edited(session, lens__half_width=[1.0, 1.1])
-    assert other.result is None and other.start is None and other.control_points is None
+    assert other.result is None and other.start is None and other.heights is None
 
 
 def test_locks_stay_with_their_control_points_wherever_these_are(session):
@@ -166,28 +169,28 @@ def test_undoing_an_edit_by_hand_leaves_the_lens_a_start(session):
     moved = edited(session, screen__z=7.0)
     back = edited(moved, screen__z=session.scene.screen.z)
     assert back.result is None
-    assert back.start is session.result.control_points
+    assert back.start is session.result.state.heights
 
 
 def test_an_undesigned_lens_stays_undesigned(session):
     bare = Session(session.scene, session.target)
     other = edited(bare, lens__control_points=[20, 20])
-    assert other.control_points is None
+    assert other.heights is None
 
 
 def test_another_unit_keeps_the_lens_and_its_light(session):
     found = session.in_unit("mm")
     assert (found.scene.unit, found.scene.screen.z) == ("mm", 50)
     before, after = session.result, found.result
-    np.testing.assert_allclose(after.control_points, 10 * before.control_points, rtol=1e-15)
+    np.testing.assert_allclose(after.state.heights, 10 * before.state.heights, rtol=1e-15)
     pixels = [each.scene.screen.pixel_area for each in (session, found)]
     np.testing.assert_allclose(
-        after.irradiance * pixels[1], before.irradiance * pixels[0], rtol=1e-14
+        after.state.irradiance * pixels[1], before.state.irradiance * pixels[0], rtol=1e-14
     )
-    assert (after.loss, after.account) == (before.loss, before.account)
-    assert not after.control_points.flags.writeable
-    start = replace(session, result=None, start=before.control_points).in_unit("inch").start
-    np.testing.assert_allclose(start, before.control_points / 2.54, rtol=1e-15)
+    assert (after.state.loss, after.state.account) == (before.state.loss, before.state.account)
+    assert not after.state.heights.flags.writeable
+    start = replace(session, result=None, start=before.state.heights).in_unit("inch").start
+    np.testing.assert_allclose(start, before.state.heights / 2.54, rtol=1e-15)
 
 
 def test_the_same_numbers_in_another_unit_are_the_same_task(session):

@@ -9,6 +9,7 @@ import torch
 import workbench.design.run as run_module
 from tests.accounts import account_of
 from workbench.analysis.manufacture import manufacture, surface_maps
+from workbench.design.lens_state import LensState
 from workbench.design.run import run
 from workbench.design.smoothness import Smoothness
 from workbench.design.step import Step
@@ -138,28 +139,28 @@ class TestRuns:
     @pytest.mark.parametrize("method", ["auto", "paper"])
     def test_a_weight_of_next_to_nothing_changes_nothing(self, make_scene, method):
         task = self.NET | {"run": {"method": method, "iterations": 4}}
-        plain = [s.loss for s in run(make_scene(task), DISC)]
+        plain = [s.state.loss for s in run(make_scene(task), DISC)]
         task["run"]["smoothness"] = 1e-30
-        assert [s.loss for s in run(make_scene(task), DISC)] == pytest.approx(plain, rel=1e-3)
+        assert [s.state.loss for s in run(make_scene(task), DISC)] == pytest.approx(plain, rel=1e-3)
 
     @pytest.mark.parametrize(("method", "iterations"), [("auto", 24), ("paper", 100)])
     def test_a_lens_keeps_to_the_smallest_radius(self, make_scene, method, iterations):
         task = self.NET | {"run": {"method": method, "iterations": iterations}}
         free = make_scene(task)
-        sharp = tightest(free, best(free).control_points)
+        sharp = tightest(free, best(free).state.heights)
         limit = 1.5 * sharp
         task["run"]["min_radius"] = limit
         scene = make_scene(task)
         found = best(scene)
-        assert tightest(scene, found.control_points) >= 0.99 * limit
-        assert found.loss < 0.7 * next(run(scene, DISC)).loss
+        assert tightest(scene, found.state.heights) >= 0.99 * limit
+        assert found.state.loss < 0.7 * next(run(scene, DISC)).state.loss
 
     def test_smoothness_reduces_bending(self, make_scene):
         task = self.NET | {"run.iterations": 12}
         energies = []
         for weight in (1e-9, 1e-1):
             scene = make_scene(task | {"run.smoothness": weight})
-            heights = torch.as_tensor(best(scene).control_points.copy())
+            heights = torch.as_tensor(best(scene).state.heights.copy())
             energies.append(smoothness_of(scene).bending(heights).item())
         assert energies[1] < 0.8 * energies[0]
 
@@ -168,7 +169,7 @@ class TestRuns:
         heights, flux = torch.zeros(12, 10), torch.ones(32, 32)
         account = account_of(1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
         steps = [
-            Step(loss, heights, flux, account, merit=merit)
+            Step(LensState.traced(heights, flux, 1.0, torch.tensor(loss), account), merit=merit)
             for loss, merit in ((3.0, 3.0), (1.0, 9.0), (2.0, 2.5))
         ]
         monkeypatch.setattr(run_module, "_steps", lambda *task: iter(steps))

@@ -120,8 +120,8 @@ def test_each_stage_begins_with_the_best_lens_before(make_scene, disc):
         handed = [s for s in snapshots if s.stage == before and s.best][-1]
         taken = next(s for s in snapshots if s.stage == before + 1)
         assert taken.best
-        assert taken.control_points == pytest.approx(handed.control_points, abs=1e-9)
-    assert all(s.control_points.shape == (9, 9) for s in snapshots)
+        assert taken.state.heights == pytest.approx(handed.state.heights, abs=1e-9)
+    assert all(s.state.heights.shape == (9, 9) for s in snapshots)
 
 
 def test_history_records_where_stages_began(make_scene, disc):
@@ -135,7 +135,7 @@ def test_history_records_where_stages_began(make_scene, disc):
     assert result.stages_left == 0
     continued = History(result)
     assert continued.stage_starts() == (3,)
-    for snapshot in run(scene, disc, start=result.control_points):
+    for snapshot in run(scene, disc, start=result.state.heights):
         assert snapshot.stage == 1  # given heights stand behind all stages
         continued.add(snapshot)
     assert continued.result().stage_starts == (3, 6)
@@ -161,5 +161,5 @@ def test_the_papers_extended_source_is_a_scene(make_scene, disc):
     )
     snapshots = list(run(scene, disc))
     for stage in (0, 1):
-        losses = [s.loss for s in snapshots if s.stage == stage]
+        losses = [s.state.loss for s in snapshots if s.stage == stage]
         assert min(losses) < losses[0]

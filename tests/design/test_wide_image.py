@@ -31,6 +31,6 @@ def test_pixels_that_no_light_reaches_change_nothing(source, make_scene, tmp_pat
     wide, far, same = descend(scene, target, heights, (5.0, 5.0))
     assert narrow.numel() < wide.numel() / 2
     assert wide.norm().item() == pytest.approx(narrow.norm().item(), rel=1e-5)
-    assert far.loss == pytest.approx(near.loss, rel=1e-5)
+    assert far.state.loss == pytest.approx(near.state.loss, rel=1e-5)
     # Slopes of the filter jump at pixels' edges, where rounding decides on which side a ray is.
     assert (same - gradient).norm() < 3e-3 * gradient.norm()

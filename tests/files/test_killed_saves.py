@@ -10,6 +10,7 @@ from random import Random
 import pytest
 
 from tests.accounts import account_of
+from workbench.design.lens_state import LensState
 from workbench.design.session import KeptRun, Session
 from workbench.design.snapshot import Result
 from workbench.files.export.write import export
@@ -23,12 +24,14 @@ def make_session(make_scene, rng):
     def make(net, pixels, kept):
         scene = make_scene({"lens.control_points": [net, net], "screen.pixels": [pixels, pixels]})
         result = Result(
-            control_points=0.5 + 0.01 * rng.random((net, net)),
-            irradiance=rng.random((pixels, pixels)),
+            LensState(
+                heights=0.5 + 0.01 * rng.random((net, net)),
+                irradiance=rng.random((pixels, pixels)),
+                loss=0.25,
+                account=account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
+            ),
             losses=rng.random(300),
-            loss=0.25,
             seconds=2.0,
-            account=account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
         )
         target = rng.random((pixels, pixels))
         runs = tuple(KeptRun(f"run {k}", scene, target, result) for k in range(kept))
@@ -100,7 +103,7 @@ def check(write, first, tmp_path, kills):
 
 
 def moved(result):
-    return replace(result, control_points=result.control_points[::-1])
+    return result.with_state(heights=result.state.heights[::-1])
 
 
 def test_a_session(make_session, tmp_path):

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from tests.accounts import account_of
+from workbench.design.lens_state import LensState
 from workbench.design.session import LONGEST_NAME, KeptRun, Session, VerifiedError
 from workbench.design.snapshot import Result
 from workbench.errors import Refused
@@ -24,12 +25,14 @@ def make_run(make_scene, rng):
     def make(name, net=(5, 4), pixels=(7, 6), losses=8):
         scene = make_scene({"lens.control_points": list(net), "screen.pixels": list(pixels)})
         result = Result(
-            control_points=rng.random(net),
-            irradiance=rng.random(pixels[::-1]),
+            LensState(
+                heights=rng.random(net),
+                irradiance=rng.random(pixels[::-1]),
+                loss=0.25,
+                account=account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
+            ),
             losses=rng.random(losses),
-            loss=0.25,
             seconds=2.0,
-            account=account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
         )
         return KeptRun(name, scene, rng.random(pixels[::-1]), result)
 
@@ -80,11 +83,13 @@ def refused(path):
 def assert_same(found, expected):
     assert found.scene == expected.scene
     np.testing.assert_array_equal(found.target, expected.target)
-    for name in ("control_points", "irradiance", "losses"):
-        np.testing.assert_array_equal(getattr(found.result, name), getattr(expected.result, name))
-    assert (found.result.loss, found.result.account) == (
-        expected.result.loss,
-        expected.result.account,
+    for name in ("heights", "irradiance"):
+        one, other = (getattr(session.result.state, name) for session in (found, expected))
+        np.testing.assert_array_equal(one, other)
+    np.testing.assert_array_equal(found.result.losses, expected.result.losses)
+    assert (found.result.state.loss, found.result.state.account) == (
+        expected.result.state.loss,
+        expected.result.state.account,
     )
 
 
@@ -113,7 +118,7 @@ def test_a_session_without_them_is_written_as_ever(session, path):
 
 
 def test_a_lens_to_start_from_is_kept_until_there_is_a_result(session, path):
-    start = session.result.control_points
+    start = session.result.state.heights
     write_session(replace(session, result=None, start=start), path)
     found = read_session(path)
     np.testing.assert_array_equal(found.start, start)

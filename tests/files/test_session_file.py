@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from tests.accounts import account_of
 from workbench import __version__
+from workbench.design.lens_state import LensState
 from workbench.design.shortfall import Shortfall
 from workbench.design.snapshot import Result
 from workbench.errors import Refused
@@ -30,12 +31,14 @@ ARRAYS = ["target.npy", "control_points.npy", "irradiance.npy", "loss.npy"]
 def session(make_scene, rng):
     scene = make_scene({"lens.control_points": [5, 4], "screen.pixels": [7, 6]})
     result = Result(
-        control_points=rng.random((5, 4)),
-        irradiance=rng.random((6, 7)) / 3,
+        LensState(
+            heights=rng.random((5, 4)),
+            irradiance=rng.random((6, 7)) / 3,
+            loss=1 / 3,
+            account=account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1 - 1e-17),
+        ),
         losses=rng.random(8),
-        loss=1 / 3,
         seconds=2.1,
-        account=account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1 - 1e-17),
     )
     return Session(scene, rng.random((6, 7)), result)
 
@@ -103,12 +106,12 @@ class TestRoundTrip:
         again = read_session(path)
         assert again.scene == session.scene
         assert same(again.target, session.target)
-        assert same(again.result.control_points, session.result.control_points)
-        assert same(again.result.irradiance, session.result.irradiance)
+        assert same(again.result.state.heights, session.result.state.heights)
+        assert same(again.result.state.irradiance, session.result.state.irradiance)
         assert same(again.result.losses, session.result.losses)
-        assert again.result.loss == session.result.loss
+        assert again.result.state.loss == session.result.state.loss
         assert again.result.seconds == session.result.seconds
-        assert again.result.account == session.result.account
+        assert again.result.state.account == session.result.state.account
 
     def test_without_a_result(self, session, path):
         write_session(Session(session.scene, session.target), path)
@@ -120,9 +123,9 @@ class TestRoundTrip:
     def test_a_lens_whose_limits_are_too_narrow(self, session, path):
         short = Shortfall("height_range", (-2.0, 3.0), (-0.3, 0.3), 0.25)
         for each in (short, replace(short, cause="max_thickness", needed=None)):
-            result = replace(session.result, shortfall=each)
+            result = session.result.with_state(shortfall=each)
             write_session(replace(session, result=result), path)
-            assert read_session(path).result.shortfall == each
+            assert read_session(path).result.state.shortfall == each
 
     def test_a_run_of_no_iterations(self, session, path):
         result = replace(session.result, losses=np.zeros(0))
@@ -153,17 +156,17 @@ def test_the_format_is_the_one_that_others_rely_on(session, path):
                 array = arrays[name.removesuffix(".npy")]
                 assert array.dtype == np.float64
                 assert array.flags.c_contiguous
-            assert np.array_equal(arrays["control_points"], session.result.control_points)
+            assert np.array_equal(arrays["control_points"], session.result.state.heights)
     assert header["format"] == "freeform-session"
     assert header["version"] == 1
     assert header["program"] == f"freeform-lens-workbench {__version__}"
     assert header["scene"] == session.scene.to_data()
     assert header["result"] == {
-        "loss": session.result.loss,
+        "loss": session.result.state.loss,
         "iterations": 8,
         "seconds": 2.1,
         "efficiency": 0.7,
-        "ledger": session.result.account.to_data(),
+        "ledger": session.result.state.account.to_data(),
     }
 
 
@@ -200,7 +203,7 @@ class TestWithScene:
 class TestOpenDesign:
     def test_a_session(self, session, path):
         write_session(session, path)
-        assert same(open_design(path).result.control_points, session.result.control_points)
+        assert same(open_design(path).result.state.heights, session.result.state.heights)
 
     def test_a_scene_with_its_target_whatever_its_name(self, path, make_scene):
         path.write_text(make_scene().to_json())
@@ -297,7 +300,7 @@ class TestRefused:
             "iterations": 10**11,
             "seconds": 1.0,
             "efficiency": 1.0,
-            "ledger": session.result.account.to_data(),
+            "ledger": session.result.state.account.to_data(),
         }
         path = forge_header({"result": figures})
         size = len(npy(session.result.losses)).to_bytes(4, "little")
@@ -311,7 +314,7 @@ class TestRefused:
     @pytest.mark.parametrize("value", [1e308, -1e308, 1e6])
     def test_a_pixel_with_more_than_all_light(self, session, path, forge, value):
         write_session(session, path)
-        irradiance = session.result.irradiance.copy()
+        irradiance = session.result.state.irradiance.copy()
         irradiance[5, 2] = value
         told = refused(forge({"irradiance.npy": npy(irradiance)}))
         assert told == (
@@ -322,7 +325,7 @@ class TestRefused:
     @pytest.mark.parametrize("height", [1e308, -1e308, 5001.0])
     def test_a_height_that_is_out_of_all_bounds(self, session, path, forge, height):
         write_session(session, path)
-        heights = session.result.control_points.copy()
+        heights = session.result.state.heights.copy()
         heights[1, 2] = height
         told = refused(forge({"control_points.npy": npy(heights)}))
         assert told == (
@@ -446,7 +449,7 @@ def test_no_damage_gets_past_the_refusals(session, path, data):
         assert "\n" not in str(refusal)
     else:
         assert same(again.target, session.target)
-        assert same(again.result.control_points, session.result.control_points)
+        assert same(again.result.state.heights, session.result.state.heights)
 
 
 def test_a_disk_that_fails_leaves_the_old_session(session, path, monkeypatch, tmp_path):
@@ -481,4 +484,6 @@ def test_an_account_from_before_there_was_light_through_the_side(session, path, 
     write_session(session, path)
     figures = json.loads(entries_of(path)["session.json"])["result"]
     del figures["ledger"]["left_side"]
-    assert read_session(forge_header({"result": figures})).result.account.lost["left_side"] == 0
+    assert (
+        read_session(forge_header({"result": figures})).result.state.account.lost["left_side"] == 0
+    )

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from tests.accounts import account_of
+from workbench.design.lens_state import LensState
 from workbench.design.session import KeptRun, Session
 from workbench.design.snapshot import Result
 from workbench.errors import Refused
@@ -17,12 +18,14 @@ from workbench.files.session import read_session, write_session
 def session(make_scene, rng):
     scene = make_scene({"lens.control_points": [5, 4], "screen.pixels": [7, 6]})
     result = Result(
-        control_points=rng.random((5, 4)),
-        irradiance=rng.random((6, 7)),
+        LensState(
+            heights=rng.random((5, 4)),
+            irradiance=rng.random((6, 7)),
+            loss=0.25,
+            account=account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
+        ),
         losses=rng.random(3),
-        loss=0.25,
         seconds=2.0,
-        account=account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
         seconds_at=np.array([1.0, 1.25, 2.0]),
         ended="stopped",
     )

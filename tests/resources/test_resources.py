@@ -125,7 +125,9 @@ def test_examples_improve(name, part):
     data["lens"]["control_points"] = [16, 16]
     data["run"]["iterations"] = 20
     scene = Scene.from_data(data)
-    losses = [snapshot.loss for snapshot in run(scene, load_target(scene, example.file.parent))]
+    losses = [
+        snapshot.state.loss for snapshot in run(scene, load_target(scene, example.file.parent))
+    ]
     assert min(losses) < part * losses[0]
 
 

@@ -57,16 +57,16 @@ def check_run(case: Case, image: str, monkeypatch: pytest.MonkeyPatch) -> str:
     best: list[float] = []
     try:
         for snapshot in run(scene, target(image, scene)):
-            assert np.isfinite(snapshot.loss)
-            assert np.isfinite(snapshot.irradiance).all()
-            assert (snapshot.control_points >= lower).all()
-            assert (snapshot.control_points <= upper).all()
-            light = snapshot.account.to_data()
+            assert np.isfinite(snapshot.state.loss)
+            assert np.isfinite(snapshot.state.irradiance).all()
+            assert (snapshot.state.heights >= lower).all()
+            assert (snapshot.state.heights <= upper).all()
+            light = snapshot.state.account.to_data()
             emitted = light.pop("emitted")
             largest = max(1, *map(abs, light.values()))
             assert sum(light.values()) == pytest.approx(emitted, abs=1e-5 * largest)
             if snapshot.best:
-                best.append(snapshot.loss)
+                best.append(snapshot.state.loss)
     except (Refused, RunFailed) as error:
         said = str(error)
         assert said.strip()

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from tests.accounts import account_of
+from workbench.design.lens_state import LensState
 from workbench.design.snapshot import Result
 from workbench.errors import Refused
 from workbench.files.session import Session, read_session, write_session
@@ -60,7 +61,13 @@ class Here:
             n_x, n_y = task.scene.screen.pixels
             account = account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1)
             heights = np.full(task.scene.lens.control_points, 0.5)
-            result = Result(heights, np.ones((n_y, n_x)), np.zeros(3), 0.1, 2.5, account)
+            result = Result(
+                LensState(
+                    heights=heights, irradiance=np.ones((n_y, n_x)), loss=0.1, account=account
+                ),
+                losses=np.zeros(3),
+                seconds=2.5,
+            )
             yield key, Done(result, CHECK)
 
 
@@ -227,7 +234,7 @@ class TestWorkers:
         assert not process.is_alive()
         here = attempt(task, 1)
         assert found[2].check == here.check
-        assert np.array_equal(found[2].result.control_points, here.result.control_points)
+        assert np.array_equal(found[2].result.state.heights, here.result.state.heights)
         assert found[3].reason.startswith("unexpected ")
 
     def test_a_process_that_was_killed_while_idle_is_reported(self, task):

@@ -20,6 +20,7 @@ from ui.main_window import MainWindow
 from ui.panels.forms import Forms
 from ui.shown.frame import make_frame
 from ui.threads.garbage import GarbageCollector
+from workbench.design.lens_state import LensState
 from workbench.design.snapshot import History, Snapshot
 from workbench.files.session import Session
 from workbench.targets import load_target
@@ -115,12 +116,14 @@ def snapshots(session):
         scene = session.scene
         n_x, n_y = scene.screen.pixels
         return Snapshot(
+            LensState(
+                loss=1.0 / (1 + iteration),
+                heights=np.full(scene.lens.control_points, 0.5 - 0.001 * iteration),
+                irradiance=np.full((n_y, n_x), 0.25),
+                account=account_of(1.0, 0.92, 0.0, 0.0, 0.0, 0.0, 0.04, 0.04),
+            ),
             iteration=iteration,
             iterations=iterations,
-            loss=1.0 / (1 + iteration),
-            control_points=np.full(scene.lens.control_points, 0.5 - 0.001 * iteration),
-            irradiance=np.full((n_y, n_x), 0.25),
-            account=account_of(1.0, 0.92, 0.0, 0.0, 0.0, 0.0, 0.04, 0.04),
             seconds=0.1 * iteration,
             best=True,
         )
@@ -149,10 +152,12 @@ def designed(session, history):
 
 @pytest.fixture
 def frames(session, snapshots, history):
-    """Makes frames of an iteration, with something of its snapshot changed."""
+    """Makes frames of an iteration, with something of its lens's state changed."""
 
     def make(iteration, session=session, **changes):
-        snapshot = dataclasses.replace(snapshots(iteration), **changes)
+        snapshot = snapshots(iteration)
+        state = dataclasses.replace(snapshot.state, **changes)
+        snapshot = dataclasses.replace(snapshot, state=state)
         return make_frame(session, snapshot, history(iteration))
 
     return make

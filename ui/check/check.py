@@ -73,7 +73,7 @@ class Check(QObject):
             self.figures_changed.emit("checking…")
             self.under_way_changed.emit(True)
             session, shot = self._shown.session, self._shown.snapshot
-            lens = CheckedLens(session, shot.control_points, irradiance=shot.irradiance)
+            lens = CheckedLens(session, shot.state.heights, irradiance=shot.state.irradiance)
             self._background.begin(partial(check, lens, self._rays, None), lens)
 
     def cancel(self) -> None:

@@ -141,7 +141,7 @@ class Recovery(QObject):
     def _unsaved(self) -> Session | None:
         if self._frame is not None:
             runs = self._document.session.runs
-            return replace(self._frame.session, result=self._frame.result(), runs=runs)
+            return replace(self._frame.session, result=self._frame.result, runs=runs)
         return self._document.session if self._document.dirty else None
 
     def _about(self, ended: bool) -> About:

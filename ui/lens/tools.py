@@ -136,7 +136,7 @@ class LensTools(QObject):
         if not self._may_change() or frame is None:
             return None
         draft = self._settling
-        return frame.snapshot.control_points if draft is None else draft.heights
+        return frame.state.heights if draft is None else draft.heights
 
     def _shape(self, heights: Array, settled: bool) -> None:
         frame = self._view.frame
@@ -144,7 +144,7 @@ class LensTools(QObject):
             return
         self._shaping = not settled
         drawing_queue().hurry(self._shaping)
-        draft = Draft(self._document.session, heights, frame.result(), settled)
+        draft = Draft(self._document.session, heights, frame.result, settled)
         self._settling = draft if settled else None
         self._live.show(draft)
 
@@ -199,9 +199,9 @@ class LensTools(QObject):
 
     def _keep(self, frame: "Frame") -> None:
         """Make a step of a drag that has come to its end, unless it led back."""
-        if not np.array_equal(_lens_of(self._document.session), frame.snapshot.control_points):
+        if not np.array_equal(_lens_of(self._document.session), frame.state.heights):
             text = "move control points"
-            self._as_own(lambda: self._document.set_result(frame.result(), text))
+            self._as_own(lambda: self._document.set_result(frame.result, text))
 
     def _give_up(self, sentence: str) -> None:
         self.said.emit(sentence)
@@ -242,5 +242,5 @@ class LensTools(QObject):
 
 def _lens_of(session: "Session") -> Array:
     """Heights of the lens as it stands, or of the one before any design."""
-    heights = session.control_points
+    heights = session.heights
     return undesigned(session.scene.lens) if heights is None else heights

@@ -51,7 +51,7 @@ class CarriedLens(QObject):
     def _tell(self, before: Session, after: Session) -> None:
         if before is self._after and self._before is not None:
             before = self._before
-        old, new = before.control_points, after.control_points
+        old, new = before.heights, after.heights
         if old is None or after.result is before.result is not None:
             return
         if before.scene.unit != after.scene.unit:  # converted, the lens with all the rest

@@ -33,7 +33,7 @@ class LostLightNotice(QObject):
 
     def _say(self) -> None:
         result = self._document.session.result
-        self._said = "" if result is None else result.account.advice
+        self._said = "" if result is None else result.state.account.advice
         if self._said and not self._messages.text:
             self._messages.warn(self._said)
 

@@ -55,7 +55,7 @@ class ShortfallNotice(QObject):
 
     def _look(self, frame: "Frame") -> None:
         """Say it once a run, as soon as it is known."""
-        shortfall = frame.snapshot.shortfall
+        shortfall = frame.state.shortfall
         if shortfall is None or not self._control.busy or self._said_of_run:
             return
         text = f"{self._sentence(shortfall)} The run goes on within these limits."
@@ -73,7 +73,7 @@ class ShortfallNotice(QObject):
 
     def _follow(self, session: Session) -> None:
         """Of the lens that is open; what was said of another one is withdrawn."""
-        shortfall = None if session.result is None else session.result.shortfall
+        shortfall = None if session.result is None else session.result.state.shortfall
         if shortfall is self._shown:
             return
         if self._said and self._said == self._messages.text:

@@ -67,7 +67,7 @@ class LensPanel(PartPanel):
         return {"lens.refractive_index": choice, "lens.wavelength_um": wavelength}
 
     def _change_range(self, choice: str) -> Changes | None:
-        lens, heights = self.session.scene.lens, self.session.control_points
+        lens, heights = self.session.scene.lens, self.session.heights
         if choice == _range(self.session.scene):
             return None
         if choice == _AUTOMATIC:

@@ -184,13 +184,13 @@ class KindRow(ChoiceRow):
         return "" if part is None else self._kinds.name_of(type(part))
 
     def _change(self, name: str) -> Changes | None:
-        if name == self._shown:
-            return None
         if not name:
-            return {self._part: None}
+            return {self._part: None} if self._shown else None
         begun = self._begin(self._named[name])
         if begun is None:
             self.asked.emit(self._named[name])
+            return None
+        if name == self._shown:
             return None
         return {self._part: begun.model_dump(mode="json", exclude_none=True)}
 

@@ -66,7 +66,7 @@ class RunControl(QObject):
     def go_on_from(self, frame: "Frame") -> None:
         """Go on from the lens as it was at some moment of the run."""
         self.history.branch(frame)
-        self._document.set_result(frame.result(), f"return to iteration {iterations_before(frame)}")
+        self._document.set_result(frame.result, f"return to iteration {iterations_before(frame)}")
         self.go_on()
 
     def toggle_pause(self) -> None:

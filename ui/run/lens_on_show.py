@@ -54,10 +54,10 @@ class LensOnShow(QObject):
             return replace(session, result=making)
         if session.result is not None:
             return session
-        heights, frame = session.control_points, self._preview
+        heights, frame = session.heights, self._preview
         if heights is None or frame is None or frame.session is not session:
             return None
-        return replace(session, result=replace(frame.result(), control_points=heights))
+        return replace(session, result=frame.result.with_state(heights=heights))
 
     @property
     def text(self) -> str:
@@ -66,7 +66,7 @@ class LensOnShow(QObject):
         if making is not None:
             return f"the best lens so far, after {making.iterations} iterations"
         session = self._document.session
-        return "" if session.control_points is None else f"the lens on show, {origin(session)}"
+        return "" if session.heights is None else f"the lens on show, {origin(session)}"
 
     def _take(self, frame: "Frame") -> None:
         self._preview = frame

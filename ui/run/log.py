@@ -80,6 +80,6 @@ class RunLog(QObject):
         why = f" ({result.ended})" if result is not None and result.ended else ""
         self._tell(
             f"Run ended{why} after iteration {shot.iteration} of {shot.iterations}, "
-            f"{clock(shot.seconds)}: last loss {shot.loss:.3e}, "
-            f"{100 * shot.account.efficiency:.1f} % on the screen"
+            f"{clock(shot.seconds)}: last loss {shot.state.loss:.3e}, "
+            f"{100 * shot.state.account.efficiency:.1f} % on the screen"
         )

@@ -99,8 +99,8 @@ class RunCheck(QObject):
 
     def _check(self, frame: "Frame") -> None:
         self._began = monotonic()
-        seconds = float(frame.times[-1]) if frame.times.size else 0.0
-        heights = frame.snapshot.control_points
+        seconds = float(frame.result.times()[-1]) if frame.result.times().size else 0.0
+        heights = frame.state.heights
         lens = CheckedLens(frame.session, heights, iterations_before(frame), seconds)
         self._background.begin(partial(check, lens, _FEW_RAYS, 1), lens)
 
@@ -110,7 +110,7 @@ class RunCheck(QObject):
         self._tell()
         if result is not None and frame is not None:
             self._end = CheckedLens(
-                self._document.session, result.control_points, result.iterations, result.seconds
+                self._document.session, result.state.heights, result.iterations, result.seconds
             )
             self._background.begin(partial(check, self._end, RAYS, None), self._end)
 

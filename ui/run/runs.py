@@ -98,7 +98,7 @@ class Runs(QObject):
         session = self._document.session
         if session.result is None:
             return None
-        lens = CheckedLens(session, session.result.control_points)
+        lens = CheckedLens(session, session.result.state.heights)
         return next((run for run in reversed(session.runs) if _is_lens_of(run, lens)), None)
 
     def _follow(self, state: str) -> None:
@@ -135,7 +135,7 @@ def _is_lens_of(run: KeptRun, lens: CheckedLens) -> bool:
     """Whether a lens is that of a run, for the same task; by value, since files share nothing."""
     task, other = run.scene, lens.session
     return (
-        np.array_equal(run.result.control_points, lens.control_points)
+        np.array_equal(run.result.state.heights, lens.control_points)
         and task == other.scene.model_copy(update={"run": task.run})
         and np.array_equal(run.target, other.target)
     )

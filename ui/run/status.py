@@ -95,8 +95,8 @@ class RunStatus:
             rate, left = self._pace.rate, self._pace.left(all_of_it - done)
         each_second = "" if rate is None else f", {rate:.3g}/s"
         self._iteration.setText(f"iteration {done} of {all_of_it}{each_second}" if counting else "")
-        self._loss.setText(f"loss {snapshot.loss:.3e}")
-        self._light.setText(f"on screen {100 * snapshot.account.efficiency:.1f} %")
+        self._loss.setText(f"loss {snapshot.state.loss:.3e}")
+        self._light.setText(f"on screen {100 * snapshot.state.account.efficiency:.1f} %")
         self._elapsed.setText(f"{clock(snapshot.seconds)} elapsed" if counting else "")
         may_stop = frame.session.scene.run.method == "auto"
         at_most = "at most " if may_stop else ""

@@ -174,8 +174,8 @@ class RunTable(QWidget):
         texts = [
             run.name,
             self._verified(run) or "–",
-            f"{result.loss:.3e}",
-            f"{100 * result.account.efficiency:.1f} %",
+            f"{result.state.loss:.3e}",
+            f"{100 * result.state.account.efficiency:.1f} %",
             clock(result.seconds),
             f"{result.iterations}",
             f"{n_u} × {n_v}",

@@ -154,7 +154,7 @@ def _snapshots(job: Job) -> Generator[Snapshot, None, str]:
     # locked control points are those of the lens that is there, however the run begins.
     session, locked = job.session, job.session.locked
     locks = locked is not None and locked.any()
-    start = session.control_points if job.continue_run or job.preview or locks else None
+    start = session.heights if job.continue_run or job.preview or locks else None
     generate = job.generate or _engine()
     return (yield from generate(session.scene, session.target, start, locked))
 
@@ -184,12 +184,9 @@ def _engine() -> Generate:
 
 def _as_snapshot(result: Result, run: "Run") -> Snapshot:
     return Snapshot(
+        result.state,
         iteration=result.iterations,
         iterations=max(run.iterations, result.iterations),
-        loss=result.loss,
-        control_points=result.control_points,
-        irradiance=result.irradiance,
-        account=result.account,
         seconds=result.seconds,
         best=True,
         stage=max(0, len(run.stages) - result.stages_left),

@@ -7,6 +7,7 @@ import numpy as np
 import numpy.typing as npt
 
 if TYPE_CHECKING:
+    from workbench.design.lens_state import LensState
     from workbench.design.snapshot import History, Result, Snapshot
     from workbench.files.session import Session
     from workbench.optics.paths import RayPaths
@@ -36,12 +37,8 @@ class Frame:
         What lights the lens in the snapshot's stage.
     paths : RayPaths
         `RAYS` × `RAYS` rays from before the lens to the screen.
-    losses : ndarray, shape (k,)
-        Loss after each iteration so far, those of a continued run first.
-    stage_starts : tuple of int
-        Numbers of losses before each stage but the first began.
-    times : ndarray, shape (k,)
-        Run time at the end of each of these iterations, seconds.
+    result : Result
+        The run as if it had ended with this snapshot.
     """
 
     session: "Session"
@@ -49,27 +46,12 @@ class Frame:
     surface: Array
     source: "Source"
     paths: "RayPaths"
-    losses: Array
-    stage_starts: tuple[int, ...]
-    times: Array
+    result: "Result"
 
-    def result(self) -> "Result":
-        """The snapshot as if the run had ended with it."""
-        from workbench.design.snapshot import Result
-
-        shot = self.snapshot
-        return Result(
-            control_points=shot.control_points,
-            irradiance=shot.irradiance,
-            losses=self.losses,
-            loss=shot.loss,
-            seconds=float(self.times[-1]) if self.times.size else shot.seconds,
-            account=shot.account,
-            stage_starts=self.stage_starts,
-            stages_left=shot.stages - 1 - shot.stage,
-            seconds_at=self.times,
-            shortfall=shot.shortfall,
-        )
+    @property
+    def state(self) -> "LensState":
+        """The lens of this moment and its light."""
+        return self.snapshot.state
 
 
 def make_frame(session: "Session", snapshot: "Snapshot", history: "History") -> Frame:
@@ -78,7 +60,7 @@ def make_frame(session: "Session", snapshot: "Snapshot", history: "History") -> 
     from workbench.geometry.surface import sample_surface
     from workbench.optics.paths import ray_paths
 
-    scene, heights = session.scene, snapshot.control_points
+    scene, heights = session.scene, snapshot.state.heights
     source = scene.source_of(snapshot.stage)
     lit = scene.model_copy(update={"source": source})
     return Frame(
@@ -87,9 +69,7 @@ def make_frame(session: "Session", snapshot: "Snapshot", history: "History") -> 
         surface=sample_surface(scene.lens, heights, _SURFACE_SAMPLES),
         source=source,
         paths=ray_paths(lit, heights, (RAYS, RAYS)),
-        losses=history.losses(),
-        stage_starts=history.stage_starts(),
-        times=history.times(),
+        result=history.ended_with(snapshot),
     )
 
 
@@ -114,9 +94,9 @@ def same_task(one: "Session", other: "Session") -> bool:
 def same_lens(one: Frame, other: Frame) -> bool:
     """Whether two frames show the same lens for the same task."""
     alike = same_task(one.session, other.session)
-    return alike and np.array_equal(one.snapshot.control_points, other.snapshot.control_points)
+    return alike and np.array_equal(one.state.heights, other.state.heights)
 
 
 def iterations_before(frame: Frame) -> int:
     """Iterations before a frame, those of a continued run included."""
-    return int(frame.losses.size)
+    return frame.result.iterations

@@ -104,7 +104,7 @@ class FrameHistory(QObject):
         """Keep the course on show up to one of its frames, which becomes a result."""
         at = iterations_before(frame)
         before = (each for each in self._frames if iterations_before(each) < at)
-        self._keep(frame.losses, (*before, frame), _until(at, self._checks))
+        self._keep(frame.result.losses, (*before, frame), _until(at, self._checks))
 
     def show(self, session: "Session") -> None:
         """Go to the course of a session's result; to none where none was kept."""
@@ -141,6 +141,6 @@ def _until(at: int, checks: "tuple[Verified, ...]") -> "tuple[Verified, ...]":
 
 
 def _size(frame: "Frame") -> int:
-    snapshot, paths = frame.snapshot, frame.paths
-    arrays = (snapshot.control_points, snapshot.irradiance, frame.surface, frame.losses)
+    state, paths = frame.state, frame.paths
+    arrays = (state.heights, state.irradiance, frame.surface, frame.result.losses)
     return sum(array.nbytes for array in (*arrays, paths.points, paths.weight))

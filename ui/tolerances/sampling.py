@@ -55,7 +55,7 @@ def trace_sample(sample: Sample, rays: int, task: Task) -> None:
     # Late: what it stands on is slow to import.
     from workbench.analysis.tolerances import perturbed
 
-    session, heights = sample.frame.session, sample.frame.snapshot.control_points
+    session, heights = sample.frame.session, sample.frame.state.heights
     for each in perturbed(
         session.scene, session.target, heights, sample.within, sample.wanted, rays, sample.seed
     ):

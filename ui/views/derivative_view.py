@@ -136,7 +136,7 @@ class DerivativeView(PlotView, ComputingView):
     def _ask_for_map(self) -> None:
         frame = self._frame
         assert frame is not None
-        request = DerivativeRequest(frame.session.scene, frame.snapshot.control_points, self.index)
+        request = DerivativeRequest(frame.session.scene, frame.state.heights, self.index)
         self._sum.setText("Computing…")
         self._background.begin(partial(derivative, request), request)
 

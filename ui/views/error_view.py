@@ -32,12 +32,12 @@ class ErrorContent(OnScreen):
 
     def change(self, frame: "Frame") -> bool:
         """Show the error of a frame."""
-        return self.image.update(frame.snapshot.irradiance)
+        return self.image.update(frame.state.irradiance)
 
     def values(self, frame: "Frame") -> npt.NDArray[np.float64]:
         """The error of a frame, with its sign."""
         session = frame.session
-        return signed_error(session.scene, session.target, frame.snapshot.irradiance)
+        return signed_error(session.scene, session.target, frame.state.irradiance)
 
 
 class ErrorView(ScreenImageView):

@@ -156,7 +156,7 @@ class FocusView(LightImageView, ComputingView):
     def _trace(self) -> None:
         frame = self._frame
         assert frame is not None  # what nobody sees is not traced
-        lens = frame.session, frame.snapshot.control_points
+        lens = frame.session, frame.state.heights
         self._curve.mark(self.z)
         self._tell("tracing…")
         request = FocusRequest(*lens, ((self.z, _FEW), (self.z, _MANY)))
@@ -198,7 +198,7 @@ class FocusView(LightImageView, ComputingView):
         ]
         self._curve.begin(frame.session, (places[0], places[-1]))
         self._curve.mark(self.z)
-        lens = frame.session, frame.snapshot.control_points
+        lens = frame.session, frame.state.heights
         request = FocusRequest(*lens, tuple((z, _CURVE_RAYS) for z in places))
         self._curve_of.begin(partial(trace_through_focus, request), request)
 
@@ -209,7 +209,7 @@ class FocusView(LightImageView, ComputingView):
     def _z_of(self, part: int) -> float:
         frame = self._frame
         assert frame is not None
-        return screen_at(frame.session.scene, frame.snapshot.control_points, part / _SCREEN)
+        return screen_at(frame.session.scene, frame.state.heights, part / _SCREEN)
 
     def _why_empty(self, frame: "Frame | None") -> str:
         if frame is not None and self._traced.light is None:

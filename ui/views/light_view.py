@@ -48,7 +48,7 @@ class LightView(View):
             for line in (*self._rows.values(), self._sum):
                 line.clear()
             return
-        account = frame.snapshot.account
+        account = frame.state.account
         flux = account.to_data()
         shares = {name: flux.get(name, 0.0) / account.emitted for name in _PARTS}
         for name, share in shares.items():

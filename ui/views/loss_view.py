@@ -56,7 +56,7 @@ class LossView(PlotView):
         self._ask()
 
     def _why_empty(self, frame: "Frame | None") -> str:
-        if self._runs or (frame is not None and frame.losses.size):
+        if self._runs or (frame is not None and frame.result.losses.size):
             return ""
         return "The loss is drawn here while a design runs. Run > Start begins one."
 
@@ -70,9 +70,9 @@ class LossView(PlotView):
     def _change(self, frame: "Frame") -> bool:
         ahead = frame.snapshot.iterations - frame.snapshot.iteration
         return self._picture.update(
-            frame.losses,
-            frame.losses.size + ahead,
-            frame.stage_starts,
-            frame.times,
+            frame.result.losses,
+            frame.result.losses.size + ahead,
+            frame.result.stage_starts,
+            frame.result.times(),
             self._verified,
         )

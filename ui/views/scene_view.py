@@ -307,7 +307,7 @@ class SceneView(View):
         self._shown = session
         self._place_camera(session)
         if self._picture is not None and frame is not None:
-            lit, paths = frame.snapshot.irradiance, some_rays(frame.paths, self._rays)
+            lit, paths = frame.state.irradiance, some_rays(frame.paths, self._rays)
             self._picture.set_colours(self._colours)
             self._picture.update(frame.surface, paths, lit, frame.source)
         if frame is not None:
@@ -324,7 +324,7 @@ class SceneView(View):
     def _draw_tools(self, frame: "Frame") -> None:
         net, handles, tool = self._net, self._handles, self._tool
         assert net is not None and handles is not None  # made with the picture
-        net.update(frame.snapshot.control_points)
+        net.update(frame.state.heights)
         net.mark(self._marked)
         if tool is not None:
             self._hint.setText(tool.hint)

@@ -143,7 +143,7 @@ class SectionView(PlotView):
         return self._curves.artists
 
     def _change(self, frame: "Frame") -> bool:
-        return self._curves.update(frame.snapshot.irradiance, self._cut(frame.session.scene))
+        return self._curves.update(frame.state.irradiance, self._cut(frame.session.scene))
 
     def _cut(self, scene: "Scene") -> Cut:
         if self._along == "line":

@@ -68,11 +68,11 @@ def design(path: Path, output: Path, iterations: int | None, seconds: float, as_
                 keeper.finish(result)
     if result is not None:
         _print(result, as_json)
-        if result.shortfall is not None:
-            shortfall = result.shortfall
+        if result.state.shortfall is not None:
+            shortfall = result.state.shortfall
             print(f"{shortfall.sentence(session.scene.unit)}: {shortfall.cure}", file=sys.stderr)
-        elif result.account.advice:
-            print(result.account.advice, file=sys.stderr)
+        elif result.state.account.advice:
+            print(result.state.account.advice, file=sys.stderr)
     if interruption.asked:
         raise Interrupted(interruption.asked, f"interrupted; {_held(result, output)}")
 

@@ -84,7 +84,7 @@ class Keeper:
                 self._checkpoint.unlink()
 
     def _has(self, result: Result) -> bool:
-        return self._kept is not None and self._kept.control_points is result.control_points
+        return self._kept is not None and self._kept.state is result.state
 
     def _write_checkpoint(self, result: Result) -> None:
         path = self._checkpoint or next(p for p in _checkpoints(self._output) if not p.exists())

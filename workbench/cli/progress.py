@@ -110,7 +110,7 @@ class Progress:
         if snapshot.iteration > 0:
             to_do = snapshot.iterations - snapshot.iteration
             left = min(left, snapshot.seconds / snapshot.iteration * to_do)
-        loss = f"loss {snapshot.loss:.4g}"
+        loss = f"loss {snapshot.state.loss:.4g}"
         if math.isinf(left):  # nothing is known yet
             return loss
         return f"{loss}  {tqdm.format_interval(max(left, 0.0))} left"

@@ -58,7 +58,7 @@ def tolerances(
     stop = None
     try:
         for each in perturbed(
-            session.scene, session.target, result.control_points, within, samples, rays
+            session.scene, session.target, result.state.heights, within, samples, rays
         ):
             found.append(each)
             _tell(len(found) - 1, samples)

@@ -53,7 +53,7 @@ def validate(
     """
     session, result = read_designed(path)
     scene = session.scene if screen_z is None else with_screen_at(session.scene, screen_z)
-    task = scene, session.target, result.control_points, rays
+    task = scene, session.target, result.state.heights, rays
     if plot is not None:
         check_writable(plot)
     with closing(PartProgress("through focus")) as progress:
@@ -66,7 +66,7 @@ def validate(
         found = trace_anew(*task, watch=progress.show)
     # The optimiser's image is one on the scene's screen.
     elsewhere = screen_z is not None and screen_z != session.scene.screen.z
-    difference = None if elsewhere else relative_l2(found.irradiance, result.irradiance)
+    difference = None if elsewhere else relative_l2(found.irradiance, result.state.irradiance)
     if as_json:
         figures = found.to_data() | {"optimiser_difference": difference}
         if compared:

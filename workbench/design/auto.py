@@ -76,7 +76,7 @@ def auto_steps(room: Room) -> Generator[Step, None, str]:
     yield step
     free = room.height_range(device)
     # Nothing tells a lens to go on from where its light should go if none is on the screen.
-    goes_on = room.start is not None and step.account.on_screen > 0
+    goes_on = room.start is not None and step.state.account.on_screen > 0
     if goes_on or room.first is None:
         parameters = free.parameters(before)
     else:

@@ -61,7 +61,7 @@ class DesignRun:
 
         session = self._begun = self.session
         self.history = History(session.result)
-        start, locked = session.control_points, session.locked
+        start, locked = session.heights, session.locked
         yield from self.history.follow(run(session.scene, session.target, start, locked))
 
 

@@ -6,10 +6,11 @@ import torch
 from torch import Tensor
 
 from workbench.design.heights import Mask
+from workbench.design.lens_state import LensState
 from workbench.design.limits import HeightLimits
 from workbench.design.loss import check_finite, check_light, paper_loss, share
 from workbench.design.phases import SHARPEST, image_of, reach_of
-from workbench.design.snapshot import Result, Snapshot, frozen
+from workbench.design.snapshot import Result, Snapshot
 from workbench.design.step import Step
 from workbench.geometry.surface import ControlNet
 from workbench.optics.plan import Plan, device_of
@@ -80,12 +81,9 @@ class Evaluator:
             step = self._step(self._tensor(heights))
         scene, count = self._scene, earlier.iterations if earlier else 0
         return Snapshot(
+            step.state,
             iteration=count,
             iterations=max(scene.run.iterations, count),
-            loss=step.loss,
-            control_points=frozen(heights),
-            irradiance=frozen(step.flux.cpu().double().numpy() / scene.screen.pixel_area),
-            account=step.account,
             seconds=earlier.seconds if earlier else 0.0,
             best=True,
             stage=len(scene.run.stages),
@@ -98,7 +96,9 @@ class Evaluator:
         check_light(traced.flux, traced.account)
         loss = paper_loss(traced.flux, self._wanted)
         check_finite(loss, traced.account)
-        return Step(loss.item(), heights, traced.flux, traced.account, self._plan.notes)
+        area = self._scene.screen.pixel_area
+        state = LensState.traced(heights, traced.flux, area, loss, traced.account)
+        return Step(state, self._plan.notes)
 
     def _tensor(self, heights: Array) -> Tensor:
         return torch.tensor(heights, dtype=torch.float64, device=self._device)

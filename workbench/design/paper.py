@@ -5,6 +5,7 @@ from typing import NoReturn
 
 import torch
 
+from workbench.design.lens_state import LensState
 from workbench.design.loss import check_finite, check_gradient, check_light, paper_loss, share
 from workbench.design.networks import build
 from workbench.design.room import Room
@@ -47,8 +48,9 @@ def paper_steps(room: Room, settings: PaperRun) -> Generator[Step, None, NoRetur
         check_light(traced.flux.detach(), traced.account)
         loss = paper_loss(traced.flux, wanted)
         check_finite(loss, traced.account)
-        flux = traced.flux.detach()
-        step = Step(loss.item(), heights.detach(), flux, traced.account, plan.notes)
+        area = scene.screen.pixel_area
+        state = LensState.traced(heights, traced.flux, area, loss, traced.account)
+        step = Step(state, plan.notes)
         if smoothness is not None:
             loss = smoothness.merit(loss, smoothness.penalty(heights))
             step = step._replace(merit=loss.item())

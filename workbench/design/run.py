@@ -7,16 +7,18 @@ so both take effect within one iteration.
 import math
 import time
 from collections.abc import Generator
+from dataclasses import replace
 
 import numpy as np
 import numpy.typing as npt
 
 from workbench.design.auto import auto_steps
 from workbench.design.heights import Mask
+from workbench.design.lens_state import frozen
 from workbench.design.needs import check_parts
 from workbench.design.paper import paper_steps
 from workbench.design.room import Room
-from workbench.design.snapshot import Snapshot, frozen
+from workbench.design.snapshot import Snapshot
 from workbench.design.step import Step
 from workbench.errors import RunFailed
 from workbench.geometry.surface import ControlNet
@@ -69,7 +71,7 @@ def run(
     >>> for snapshot in run(task.scene, task.target):
     ...     if snapshot.iteration == 2:
     ...         break
-    >>> snapshot.control_points.shape == task.scene.lens.control_points
+    >>> snapshot.state.heights.shape == task.scene.lens.control_points
     True
     """
     parts = scene.parts()
@@ -100,28 +102,25 @@ def run(
                 short = room.shortfall(room.begin)
                 cause = "" if short is None else f". {short.sentence(scene.unit)}: {short.cure}"
                 raise RunFailed(f"stopped at iteration {iteration}: {error}{cause}") from None
-            heights = step.heights.cpu().double().numpy()
-            merit = step.loss if step.merit is None else step.merit
+            state = step.state
+            merit = state.loss if step.merit is None else step.merit
             # The first one is the best so far even if its light falls beside the screen.
             best = best_heights is None or merit < lowest
             if best:
-                lowest, best_heights = merit, heights
-            control_points = heights if net == finished else net.carry(heights, finished)
-            irradiance = step.flux.cpu().double().numpy() / scene.screen.pixel_area
+                lowest, best_heights = merit, state.heights
+            state = replace(state, shortfall=room.shortfall(state.heights))
+            if net != finished:
+                state = replace(state, heights=frozen(net.carry(state.heights, finished)))
             seconds += time.perf_counter() - resumed
             yield Snapshot(
+                state,
                 iteration=iteration,
                 iterations=scene.run.iterations,
-                loss=step.loss,
-                control_points=frozen(control_points),
-                irradiance=frozen(irradiance),
-                account=step.account,
                 seconds=seconds,
                 best=best,
                 stage=stage,
                 stages=len(parts),
                 notes=(*step.notes, *room.notes),
-                shortfall=room.shortfall(heights),
             )
             iteration += 1
         else:

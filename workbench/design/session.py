@@ -8,8 +8,9 @@ import numpy as np
 import numpy.typing as npt
 
 from workbench import units
+from workbench.design.lens_state import frozen
 from workbench.design.limits import HeightLimits, bounded
-from workbench.design.snapshot import Result, frozen
+from workbench.design.snapshot import Result
 from workbench.errors import Refused
 from workbench.geometry.approximation import project
 from workbench.geometry.surface import ControlNet
@@ -142,9 +143,9 @@ class Session:
     picture: bytes | None = None
 
     @property
-    def control_points(self) -> Array | None:
+    def heights(self) -> Array | None:
         """Heights of the lens as it stands, (n_u, n_v): the result's, or those to start from."""
-        return self.start if self.result is None else self.result.control_points
+        return self.start if self.result is None else self.result.state.heights
 
     def with_scene(self, scene: Scene, target: Array) -> "Session":
         """The session after an edit; what belongs to this task as well stays.
@@ -162,10 +163,10 @@ class Session:
         net, other = ControlNet.of(self.scene.lens), ControlNet.of(scene.lens)
         exact = other.contains(net)
         same_task = task_of(scene) == task_of(self.scene) and np.array_equal(target, self.target)
-        result, start = self.result if exact and same_task else None, self.control_points
+        result, start = self.result if exact and same_task else None, self.heights
         if start is not None and other != net:
             start = net.refine(start, other) if exact else project(net, start, other)
-            result = result and replace(result, control_points=start)
+            result = result and result.with_state(heights=start)
         if scene.lens.half_width != self.scene.lens.half_width:
             result = start = None
         if start is not None and _limits(scene) != _limits(self.scene):
@@ -196,12 +197,7 @@ class Session:
             If a length of the scene would be beyond float64, or so small that it is 0.
         """
         factor = float(units.ratio(self.scene.unit, unit))
-        result = self.result and replace(
-            self.result,
-            control_points=frozen(self.result.control_points * factor),
-            irradiance=frozen(self.result.irradiance / factor**2),
-            shortfall=self.result.shortfall and self.result.shortfall.scaled(factor),
-        )
+        result = self.result and replace(self.result, state=self.result.state.scaled(factor))
         start = None if self.start is None else frozen(self.start * factor)
         return replace(self, scene=self.scene.in_unit(unit), result=result, start=start)
 
@@ -244,7 +240,7 @@ def task_of(scene: Scene) -> Scene:
 
 def _unhindered(result: Result) -> Result:
     """A result without what is said of limits that are no more."""
-    return result if result.shortfall is None else replace(result, shortfall=None)
+    return result if result.state.shortfall is None else result.with_state(shortfall=None)
 
 
 def _limits(scene: Scene) -> tuple[object, ...]:

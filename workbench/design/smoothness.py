@@ -120,7 +120,7 @@ class Smoothness:
         """A step that tells its merit."""
         if step.merit is not None:
             return step  # no light is on the screen
-        merit = self.merit(torch.tensor(step.loss), penalty.detach())
+        merit = self.merit(torch.tensor(step.state.loss), penalty.detach())
         return step._replace(merit=merit.item())
 
 

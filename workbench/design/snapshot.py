@@ -1,13 +1,13 @@
 """What a run tells the world: immutable snapshots, and the result they add up to."""
 
 from collections.abc import Generator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Any, Self
 
 import numpy as np
 import numpy.typing as npt
 
-from workbench.design.shortfall import Shortfall
-from workbench.optics.account import Account
+from workbench.design.lens_state import LensState
 
 Array = npt.NDArray[np.float64]
 
@@ -18,18 +18,12 @@ class Snapshot:
 
     Attributes
     ----------
+    state : LensState
+        The lens, with the net of the whole design, and its light.
     iteration : int
         Steps taken so far; 0 is the lens before the first.
     iterations : int
         Steps that the run will take at most.
-    loss : float
-        Paper's loss of this lens (section 2.4) as the optimiser sees it.
-    control_points : ndarray, shape (n_u, n_v)
-        Heights z of the exit face's control points, scene units.
-    irradiance : ndarray, shape (n_y, n_x)
-        Flux per area on the screen, row 0 at +y.
-    account : Account
-        Where the light went.
     seconds : float
         Run time up to here.
     best : bool
@@ -40,22 +34,16 @@ class Snapshot:
         How many stages the run has, the scene itself included.
     notes : tuple of str
         What was chosen for the trace of this lens, and what was left out.
-    shortfall : Shortfall, optional
-        What the task needs beyond the limits of the heights, where that is known to hinder it.
     """
 
+    state: LensState
     iteration: int
     iterations: int
-    loss: float
-    control_points: Array
-    irradiance: Array
-    account: Account
     seconds: float
     best: bool
     stage: int = 0
     stages: int = 1
     notes: tuple[str, ...] = ()
-    shortfall: Shortfall | None = None
 
 
 @dataclass(frozen=True)
@@ -64,20 +52,14 @@ class Result:
 
     Attributes
     ----------
-    control_points : ndarray, shape (n_u, n_v)
-        Heights z of the exit face's control points, scene units.
-    irradiance : ndarray, shape (n_y, n_x)
-        Flux per area on the screen, row 0 at +y.
+    state : LensState
+        The best lens and its light.
     losses : ndarray, shape (iterations,)
         Loss after each iteration.
     stage_starts : tuple of int
         Numbers of losses before each stage but the first began.
-    loss : float
-        Loss of this lens.
     seconds : float
         Run time.
-    account : Account
-        Where the light of this lens goes.
     stages_left : int
         Stages that were still to come for this lens; 0 for one of the scene itself. Counted from
         the end, since stages may be put before a run that is done.
@@ -85,26 +67,24 @@ class Result:
         Run time at the end of each iteration; None where it was not kept.
     ended : str
         Why the run ended, as `History.follow` says it; empty where it was not kept.
-    shortfall : Shortfall, optional
-        What the task needs beyond the limits of this lens's heights.
     """
 
-    control_points: Array
-    irradiance: Array
+    state: LensState
     losses: Array
-    loss: float
     seconds: float
-    account: Account
     stage_starts: tuple[int, ...] = ()
     stages_left: int = 0
     seconds_at: Array | None = None
     ended: str = ""
-    shortfall: Shortfall | None = None
 
     @property
     def iterations(self) -> int:
         """Iterations taken."""
         return len(self.losses)
+
+    def with_state(self, **changes: Any) -> Self:
+        """The result with some fields of its lens's state changed."""
+        return replace(self, state=replace(self.state, **changes))
 
     def times(self) -> Array:
         """Run time at the end of each iteration; evenly spread where it was not kept."""
@@ -161,7 +141,7 @@ class History:
         if self._last is not None and snapshot.stage != self._last.stage:
             self._stage_starts.append(len(self._losses))
         if snapshot.iteration > 0:
-            self._losses.append(snapshot.loss)
+            self._losses.append(snapshot.state.loss)
             self._seconds_at.append(snapshot.seconds)
         if snapshot.best:
             self._best = snapshot
@@ -193,25 +173,17 @@ class History:
 
     def result(self) -> Result | None:
         """The best lens so far; None before the first snapshot."""
-        if self._best is None or self._last is None:
-            return None
+        return None if self._best is None else self.ended_with(self._best)
+
+    def ended_with(self, snapshot: Snapshot) -> Result:
+        """The result if this were the best lens of all so far."""
+        seconds = 0.0 if self._last is None else self._last.seconds
         return Result(
-            control_points=self._best.control_points,
-            irradiance=self._best.irradiance,
+            state=snapshot.state,
             losses=self.losses(),
-            loss=self._best.loss,
-            seconds=self._last.seconds + (self._earlier.seconds if self._earlier else 0.0),
-            account=self._best.account,
+            seconds=seconds + (self._earlier.seconds if self._earlier else 0.0),
             stage_starts=self.stage_starts(),
-            stages_left=self._best.stages - 1 - self._best.stage,
+            stages_left=snapshot.stages - 1 - snapshot.stage,
             seconds_at=self.times(),
             ended=self._ended,
-            shortfall=self._best.shortfall,
         )
-
-
-def frozen(values: Array) -> Array:
-    """A copy of an array that nobody can change."""
-    copy = values.copy()
-    copy.flags.writeable = False
-    return copy

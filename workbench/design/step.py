@@ -2,9 +2,7 @@
 
 from typing import NamedTuple
 
-from torch import Tensor
-
-from workbench.optics.account import Account
+from workbench.design.lens_state import LensState
 
 
 class Step(NamedTuple):
@@ -12,14 +10,8 @@ class Step(NamedTuple):
 
     Attributes
     ----------
-    loss : float
-        Paper's loss, comparable over the whole run.
-    heights : Tensor, shape (n_u, n_v)
-        Control heights of the finished net, no gradient.
-    flux : Tensor, shape (n_y, n_x)
-        Light in each pixel, no gradient.
-    account : Account
-        Where the light went.
+    state : LensState
+        The lens, with the net of its stage, and its light; losses can be compared over the run.
     notes : tuple of str
         What was chosen for this lens's trace, and what was left out.
     merit : float, optional
@@ -27,9 +19,6 @@ class Step(NamedTuple):
         the screen.
     """
 
-    loss: float
-    heights: Tensor
-    flux: Tensor
-    account: Account
+    state: LensState
     notes: tuple[str, ...] = ()
     merit: float | None = None

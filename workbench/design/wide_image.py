@@ -8,6 +8,7 @@ import torch
 from torch import Tensor
 
 from workbench.design.heights import Mask
+from workbench.design.lens_state import LensState
 from workbench.design.loss import check_finite, check_light, paper_loss, share
 from workbench.design.step import Step
 from workbench.geometry.surface import ControlNet
@@ -67,6 +68,7 @@ class WideImage:
         net = ControlNet.of(scene.lens)
         plan = Plan(scene, net, filter, samples=samples, mirrored=mirrored, locked=locked)
         self._plan = plan.on(wide)
+        self._pixel_area = scene.screen.pixel_area
         self._on_screen = (slice(m_y, m_y + n_y), slice(m_x, m_x + n_x))
         wanted = expected_image(np.pad(share(target), ((m_y, m_y), (m_x, m_x))), filter)
         self._wanted = torch.as_tensor(wanted, dtype=torch.float32, device=device_of(scene))
@@ -83,7 +85,7 @@ class WideImage:
         traced = self._plan.trace(heights)
         check_light(traced.flux.detach(), traced.account)
         step = self._step(heights, traced)
-        error = traced.flux / step.account.arrived - self._wanted
+        error = traced.flux / traced.account.arrived - self._wanted
         return error / self._scale, step
 
     def step(self, heights: Tensor) -> Step:
@@ -97,7 +99,8 @@ class WideImage:
         loss = paper_loss(flux, self._wanted[self._on_screen])
         check_finite(loss, account)
         merit = None if flux.sum() > 0 else math.inf
-        return Step(loss.item(), heights.detach(), flux, account, self._plan.notes, merit)
+        state = LensState.traced(heights, flux, self._pixel_area, loss, account)
+        return Step(state, self._plan.notes, merit)
 
 
 def _margin(reach: float, pixels: int) -> int:

@@ -5,7 +5,8 @@ A kept run's entries are named like those of the open design, in a folder of the
 
 import numpy as np
 
-from workbench.design.snapshot import Result, frozen
+from workbench.design.lens_state import LensState, frozen
+from workbench.design.snapshot import Result
 from workbench.errors import Refused, shown
 from workbench.files.entries import Entries
 from workbench.files.figures import Figures
@@ -31,8 +32,8 @@ def entries_of(folder: str, target: Array, result: Result | None) -> dict[str, A
     """The arrays of a design, by the names of their entries."""
     arrays = {folder + _TARGET: target}
     if result is not None:
-        arrays[folder + _CONTROL_POINTS] = result.control_points
-        arrays[folder + _IRRADIANCE] = result.irradiance
+        arrays[folder + _CONTROL_POINTS] = result.state.heights
+        arrays[folder + _IRRADIANCE] = result.state.irradiance
         arrays[folder + _LOSS] = result.losses
         if result.seconds_at is not None:
             arrays[folder + _SECONDS] = result.seconds_at
@@ -119,16 +120,19 @@ def read_result(entries: Entries, folder: str, scene: Scene, figures: Figures) -
             entries.where(folder + _LOSS),
             f"has {figures.iterations} losses; stages cannot have begun after {shown(starts)}",
         )
-    return Result(
-        control_points=read_heights(entries, folder + _CONTROL_POINTS, scene),
+    state = LensState(
+        heights=read_heights(entries, folder + _CONTROL_POINTS, scene),
         irradiance=_read_irradiance(entries, folder + _IRRADIANCE, scene, figures),
-        losses=entries.array(folder + _LOSS, count),
         loss=figures.loss,
-        seconds=figures.seconds,
         account=figures.ledger.to_account(),
+        shortfall=None if figures.shortfall is None else figures.shortfall.to_shortfall(),
+    )
+    return Result(
+        state,
+        losses=entries.array(folder + _LOSS, count),
+        seconds=figures.seconds,
         stage_starts=starts,
         stages_left=figures.stages_left or 0,
         seconds_at=entries.array(seconds, count) if seconds in entries else None,
         ended=figures.ended or "",
-        shortfall=None if figures.shortfall is None else figures.shortfall.to_shortfall(),
     )

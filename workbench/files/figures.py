@@ -104,13 +104,14 @@ class Figures(Part):
     @classmethod
     def of(cls, result: Result) -> Self:
         """The figures of a result."""
-        short = result.shortfall
+        state = result.state
+        short = state.shortfall
         return cls(
-            loss=result.loss,
+            loss=state.loss,
             iterations=result.iterations,
             seconds=result.seconds,
-            efficiency=result.account.efficiency,
-            ledger=AccountFigures.of(result.account),
+            efficiency=state.account.efficiency,
+            ledger=AccountFigures.of(state.account),
             stage_starts=result.stage_starts or None,
             stages_left=result.stages_left or None,
             ended=result.ended[:LONGEST_REASON] or None,

@@ -27,7 +27,7 @@ def write_images(session: Session, file: BinaryIO) -> None:
 
     figure = Figure(figsize=(13, 4), layout=ConstrainedLayoutEngine(wspace=0.12))
     lit, wanted, off = figure.subplots(1, 3)
-    scene, target, irradiance = session.scene, session.target, result_of(session).irradiance
+    scene, target, irradiance = session.scene, session.target, result_of(session).state.irradiance
     IrradianceImage(lit, scene, target).update(irradiance)
     IrradianceImage(wanted, scene, target).update(target_irradiance(scene, target))
     ErrorImage(off, scene, target).update(irradiance)
@@ -40,7 +40,7 @@ def write_lens(session: Session, file: BinaryIO) -> None:
     """Draw a designed lens with its rays and the lit screen as PNG."""
     from PIL import Image
 
-    irradiance = result_of(session).irradiance
+    irradiance = result_of(session).state.irradiance
     Image.fromarray(lens_image(session, irradiance)).save(file, "PNG")
 
 
@@ -91,7 +91,7 @@ def lens_image(
     from workbench.optics.paths import ray_paths
     from workbench.pictures.lens import LensPicture
 
-    scene, heights = session.scene, result_of(session).control_points
+    scene, heights = session.scene, result_of(session).state.heights
     # Without a display VTK draws in memory; that it looked for one is nobody's concern.
     vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_ERROR)
     plotter = pv.Plotter(off_screen=True, window_size=[1600, 1000])

@@ -181,15 +181,15 @@ def _block(block: SubFigure, design: Design) -> None:
         return
     scene, target = design.scene, design.target
     # At a total flux of 1, as the target: how little light comes this way is told above.
-    light = target_irradiance(scene, design.result.irradiance)
+    light = target_irradiance(scene, design.result.state.irradiance)
     _image(lit, scene, light, LIGHT, (0, full_scale(scene, target)))
-    error = signed_error(scene, target, design.result.irradiance)
+    error = signed_error(scene, target, design.result.state.irradiance)
     most = round_scale(float(np.quantile(np.abs(error), 0.995)))
     _image(off, scene, error, SIGNED, (-most, most))
     off.set_title(f"error, ± {most:g}", fontsize=_FONT)
     lit.set_title("irradiance", fontsize=_FONT)
-    _height_field(sag, scene, design.result.control_points)
-    _traced(rays, scene, design.result.control_points)
+    _height_field(sag, scene, design.result.state.heights)
+    _traced(rays, scene, design.result.state.heights)
 
 
 def _image(axes: Axes, scene: Scene, image: Array, colours: str, ends: tuple[float, float]) -> None:

@@ -65,9 +65,9 @@ def gather(
     scene, target, result = session.scene, session.target, result_of(session)
     if tolerances is not None:
         tolerances[0].check(scene)
-    heights = result.control_points
+    heights = result.state.heights
     found = validate(scene, target, heights, rays)
-    difference = relative_l2(found.irradiance, result.irradiance)
+    difference = relative_l2(found.irradiance, result.state.irradiance)
     light = found.irradiance
     sections = [
         Section(
@@ -114,7 +114,7 @@ def gather(
         Section(
             "Design run",
             (
-                Row("loss of the optimiser", f"{result.loss:.4g}"),
+                Row("loss of the optimiser", f"{result.state.loss:.4g}"),
                 Row("iterations", str(result.iterations)),
                 Row("seconds", f"{result.seconds:.1f}"),
                 *map(_kept, session.runs),
@@ -143,7 +143,7 @@ def _manufacture(scene: Scene, heights: Array) -> Section:
 
 
 def _tolerances(session: Session, within: Tolerances, samples: int, rays: int) -> Section:
-    heights = result_of(session).control_points
+    heights = result_of(session).state.heights
     nominal, *others = perturbed(session.scene, session.target, heights, within, samples, rays)
     spread = Distribution.of(nominal, others)
     errors = [each.relative_l2 for each in others]
@@ -158,10 +158,10 @@ def _tolerances(session: Session, within: Tolerances, samples: int, rays: int) -
 
 
 def _kept(run: KeptRun) -> Row:
-    result, checked = run.result, run.verified
+    result, state, checked = run.result, run.result.state, run.verified
     error = f", error {verified_error(checked)}" if checked else ""
     return Row(
         run.name,
-        f"loss {result.loss:.4g} after {result.iterations} iterations in {result.seconds:.1f} s, "
-        f"{percent(result.account.efficiency, 1)} on the screen{error}",
+        f"loss {state.loss:.4g} after {result.iterations} iterations in {result.seconds:.1f} s, "
+        f"{percent(state.account.efficiency, 1)} on the screen{error}",
     )

@@ -57,7 +57,7 @@ class Kinds:
         return self.default if given is None else str(given)
 
     def exchanged(self, before: Part, kind: type[AnyPart], scene: "Scene") -> AnyPart | None:
-        """A part of another kind, as like the one before as it can be.
+        """A part of another kind, as like the one before as it can be; of the same one, a new one.
 
         Parameters
         ----------
@@ -78,7 +78,8 @@ class Kinds:
         kept = {
             field.name: value
             for field in kind.fields()
-            if there.get(field.name) == field
+            if kind is not type(before)
+            and there.get(field.name) == field
             and (value := getattr(before, field.name)) != usual[field.name]
         }
         if self.field in kind.model_fields:

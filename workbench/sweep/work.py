@@ -78,6 +78,6 @@ def _design(task: Task, threads: int | None) -> Done:
         pass
     result = result_of(run.session)
     check = validate(
-        task.scene, task.target, result.control_points, task.rays, threads=threads
+        task.scene, task.target, result.state.heights, task.rays, threads=threads
     ).to_data()
     return Done(result, check)

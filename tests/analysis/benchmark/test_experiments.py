@@ -26,7 +26,7 @@ def test_every_listed_benchmark_is_in_the_suite():
 def test_a_design_is_judged_by_the_independent_check(make_example, told):
     example = make_example({"run.iterations": 5, "run.method": "paper"})
     found = design(example, "paper", RAYS, told)
-    light = validate(example.scene, example.target, found.result.control_points, RAYS)
+    light = validate(example.scene, example.target, found.result.state.heights, RAYS)
     assert (found.error, found.noise) == (light.relative_l2, light.noise)
     assert found.efficiency == light.efficiency
     assert found.loss == found.result.losses.min()

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from tests.accounts import account_of
+from workbench.design.lens_state import LensState
 from workbench.design.snapshot import Result
 from workbench.files.export.design import Design
 
@@ -19,12 +20,14 @@ def make_design(make_scene, rng):
             heights = 0.5 + 0.05 * rng.normal(size=scene.lens.control_points)
         n_x, n_y = scene.screen.pixels
         result = Result(
-            control_points=np.asarray(heights),
-            irradiance=rng.random((n_y, n_x)),
+            LensState(
+                heights=np.asarray(heights),
+                irradiance=rng.random((n_y, n_x)),
+                loss=0.1,
+                account=account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
+            ),
             losses=np.zeros(1),
-            loss=0.1,
             seconds=1.0,
-            account=account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
         )
         return Design(scene, result, chord_error)
 

@@ -13,7 +13,7 @@ def test_another_reader_finds_the_same(make_design, write, pixels):
     with OpenEXR.File(str(path)) as file:
         header, (name,) = dict(file.header()), file.channels()
         found = file.channels()[name].pixels
-    wanted = design.result.irradiance
+    wanted = design.result.state.irradiance
     assert name == "Y"
     assert found.dtype == np.float32
     assert np.array_equal(found, wanted.astype(np.float32))
@@ -27,7 +27,7 @@ def test_another_reader_finds_the_same(make_design, write, pixels):
 
 def test_the_first_row_is_at_the_top(make_design, write):
     design = make_design({"screen.pixels": [4, 2]})
-    design.result.irradiance[:] = [[1, 2, 3, 4], [5, 6, 7, 8]]
+    design.result.state.irradiance[:] = [[1, 2, 3, 4], [5, 6, 7, 8]]
     path, _ = write(write_exr, design, "lens.irradiance.exr")
     with OpenEXR.File(str(path)) as file:
         assert file.channels()["Y"].pixels[0].tolist() == [1, 2, 3, 4]

@@ -13,7 +13,7 @@ pytestmark = pytest.mark.usefixtures("small_grids")
 @pytest.fixture
 def session(make_design):
     design = make_design()
-    return Session(design.scene, design.result.irradiance, design.result)
+    return Session(design.scene, design.result.state.irradiance, design.result)
 
 
 @pytest.mark.parametrize("ending", ENDINGS)

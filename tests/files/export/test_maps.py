@@ -77,7 +77,7 @@ class TestIrradiance:
     def test_pixels(self, make_design):
         design = make_design({"screen.pixels": [4, 2], "screen.half_width": [2.0, 1.0]})
         shown = irradiance(design)
-        assert shown.values is design.result.irradiance
+        assert shown.values is design.result.state.irradiance
         assert shown.x == pytest.approx([-1.5, -0.5, 0.5, 1.5])
         assert shown.y == pytest.approx([0.5, -0.5])
         assert shown.unit == "1/cm^2"
@@ -89,8 +89,8 @@ class TestIrradiance:
             assert image.mode == "F"
             found = np.asarray(image)
             description = image.tag_v2[270]
-        assert np.array_equal(found, design.result.irradiance.astype(np.float32))
-        assert deviation.size == pytest.approx(np.abs(found - design.result.irradiance).max())
+        assert np.array_equal(found, design.result.state.irradiance.astype(np.float32))
+        assert deviation.size == pytest.approx(np.abs(found - design.result.state.irradiance).max())
         assert 0 < deviation.size < 1e-7
         assert "Unit 1/cm^2" in description
 
@@ -108,6 +108,6 @@ class TestIrradiance:
                     low, high = float(image.text["Black"]), float(image.text["White"])
                     found = low + found / 65535 * (high - low)
         found = found[:, 2].reshape(32, 32) if ending == "csv" else found
-        error = np.abs(found - design.result.irradiance).max()
+        error = np.abs(found - design.result.state.irradiance).max()
         assert error <= deviation.size * (1 + 1e-9)
         assert deviation.size < 1e-5

@@ -54,7 +54,7 @@ def test_the_figures_stand_beside_the_loss(window, few_rays, qtbot):
     assert figures(window) == "checking…"
     qtbot.waitUntil(lambda: figures(window).startswith("checked"), timeout=60_000)
     session = window.document.session
-    steps = validating(session.scene, session.target, session.result.control_points, RAYS)
+    steps = validating(session.scene, session.target, session.result.state.heights, RAYS)
     found = outcome(steps)
     error = verified_error(found)
     assert figures(window) == f"checked: error {error}"

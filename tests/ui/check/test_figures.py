@@ -18,7 +18,7 @@ RAYS = 20_000
 
 @pytest.fixture
 def found(designed):
-    return validate(designed.scene, designed.target, designed.result.control_points, RAYS)
+    return validate(designed.scene, designed.target, designed.result.state.heights, RAYS)
 
 
 @pytest.fixture
@@ -42,7 +42,7 @@ def rows(figures):
 
 
 def test_all_figures_are_listed_and_explained(figures, designed, found):
-    figures.show_check(CheckedLens(designed, designed.result.control_points), found, 0.0321)
+    figures.show_check(CheckedLens(designed, designed.result.state.heights), found, 0.0321)
     assert rows(figures) == named((*check_rows(found, 0.0321), *account_rows(found.account)))
     told = rows(figures)
     assert told["Relative L2 error"] == f"{100 * found.relative_l2:.3f} %"
@@ -56,7 +56,7 @@ def test_all_figures_are_listed_and_explained(figures, designed, found):
 
 def test_figures_are_copied_separated_by_tabs(figures, designed, found, qtbot):
     assert not figures._copy.isEnabled()
-    figures.show_check(CheckedLens(designed, designed.result.control_points), found, 0.0)
+    figures.show_check(CheckedLens(designed, designed.result.state.heights), found, 0.0)
     clipboard = QGuiApplication.clipboard()
     figures._copy.click()
     assert clipboard.text() == figures.text
@@ -73,7 +73,7 @@ def test_figures_of_an_earlier_lens_are_marked(figures, designed, found):
     assert "F8" in figures._hint.text() and "before" not in figures._hint.text()
     figures.follow("checking… 5 %")
     assert figures._hint.text() == "Checking… 5 %"
-    figures.show_check(CheckedLens(designed, designed.result.control_points), found, 0.0)
+    figures.show_check(CheckedLens(designed, designed.result.state.heights), found, 0.0)
     figures.follow("checked: error 5 %")
     assert figures._hint.isHidden() and figures._table.isEnabled()
     figures.follow("")
@@ -118,7 +118,7 @@ def test_a_check_brings_the_dock_with_its_figures(window, found, qtbot):
     window.commands["check"].trigger()
     qtbot.waitUntil(lambda: figures.text != "", timeout=60_000)
     qtbot.waitUntil(lambda: not figures._table.visibleRegion().isEmpty())
-    own = window.loaded.check._shown.snapshot.irradiance
+    own = window.loaded.check._shown.snapshot.state.irradiance
     told = named(check_rows(found, relative_l2(found.irradiance, own)))
     assert told.items() <= rows(figures).items()
     assert figures._hint.isHidden()

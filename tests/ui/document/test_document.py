@@ -4,6 +4,7 @@ from PIL import Image
 
 from tests.accounts import account_of
 from ui.document.document import Document
+from workbench.design.lens_state import LensState
 from workbench.design.snapshot import Result
 from workbench.errors import Refused
 from workbench.files.session import Session
@@ -26,12 +27,14 @@ def small_scene(**changes):
 
 def lens_result():
     return Result(
-        control_points=np.full((6, 5), 0.5),
-        irradiance=np.ones((10, 12)),
+        LensState(
+            heights=np.full((6, 5), 0.5),
+            irradiance=np.ones((10, 12)),
+            loss=1.0,
+            account=account_of(1.0, 0.9, 0.0, 0.0, 0.0, 0.0, 0.04, 0.06),
+        ),
         losses=np.array([2.0, 1.0]),
-        loss=1.0,
         seconds=0.5,
-        account=account_of(1.0, 0.9, 0.0, 0.0, 0.0, 0.0, 0.04, 0.06),
     )
 
 
@@ -158,9 +161,7 @@ def test_a_saved_design_opens_as_it_was(document, tmp_path):
     assert document.undo_stack.count() == 0
     assert document.session.scene == saved.scene
     np.testing.assert_array_equal(document.session.target, saved.target)
-    np.testing.assert_array_equal(
-        document.session.result.control_points, saved.result.control_points
-    )
+    np.testing.assert_array_equal(document.session.result.state.heights, saved.result.state.heights)
     np.testing.assert_array_equal(document.session.result.losses, saved.result.losses)
 
 

@@ -10,6 +10,7 @@ from PySide6.QtCore import QObject
 
 from tests.accounts import account_of
 from ui.document.undo_steps import UndoSteps
+from workbench.design.lens_state import LensState
 from workbench.design.snapshot import Result
 from workbench.files.session import KeptRun
 
@@ -18,12 +19,14 @@ MEGABYTE = 1 << 20
 
 def lens(megabytes=1):
     return Result(
-        control_points=np.zeros((4, 4)),
-        irradiance=np.zeros(megabytes * MEGABYTE // 8),
+        LensState(
+            heights=np.zeros((4, 4)),
+            irradiance=np.zeros(megabytes * MEGABYTE // 8),
+            loss=1.0,
+            account=account_of(1.0, 0.9, 0.0, 0.0, 0.0, 0.0, 0.04, 0.06),
+        ),
         losses=np.zeros(3),
-        loss=1.0,
         seconds=0.5,
-        account=account_of(1.0, 0.9, 0.0, 0.0, 0.0, 0.0, 0.04, 0.06),
     )
 
 
@@ -107,7 +110,7 @@ def test_a_step_larger_than_the_limit_can_be_undone(walk):
     walk.go("next", result=lens())
     assert walk.texts == ["next"]
     walk.steps.undo()
-    assert walk.now.result.irradiance.nbytes == 20 * MEGABYTE
+    assert walk.now.result.state.irradiance.nbytes == 20 * MEGABYTE
 
 
 def test_the_saved_step_stays_clean_until_it_is_dropped(walk):

@@ -80,7 +80,7 @@ def test_numbers_are_saved(plots, views, frame, tmp_path, qtbot):
         header, *rows = csv.reader(file)
     assert header == ["x [cm]", "y [cm]", "irradiance [flux / cm^2]"]
     values = np.array(rows, dtype=float)[:, 2]
-    np.testing.assert_allclose(values, frame.snapshot.irradiance.ravel())
+    np.testing.assert_allclose(values, frame.state.irradiance.ravel())
 
 
 def test_a_file_that_cannot_be_written_is_reported(plots, tmp_path):
@@ -120,7 +120,7 @@ def test_the_axes_of_the_loss_are_chosen_in_its_menu(views, frame, qtbot):
     against_seconds = loss._against.actions()[1]
     against_seconds.trigger()
     qtbot.waitUntil(lambda: axes().get_xlabel() == "time (s)")
-    np.testing.assert_allclose(loss._picture.artists[0].get_xdata(), frame.times)
+    np.testing.assert_allclose(loss._picture.artists[0].get_xdata(), frame.result.times())
     log_x, log_y = loss._logarithmic
     log_x.trigger()
     log_y.trigger()

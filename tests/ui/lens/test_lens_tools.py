@@ -56,7 +56,7 @@ class Bench:
         self.view.close_plotter()
 
     def heights(self):
-        found = self.document.session.control_points
+        found = self.document.session.heights
         return undesigned(self.document.session.scene.lens) if found is None else found
 
 
@@ -149,24 +149,24 @@ def test_dragging_a_point_is_one_step_with_its_light(sculpting, drag, qtbot):
         held.move(upwards(view, 0.05))
     qtbot.waitUntil(lambda: bool(frames), timeout=20_000)
     assert document.session.result is None  # not yet a step
-    assert frames[-1].snapshot.control_points[6, 5] > 0.5
+    assert frames[-1].snapshot.state.heights[6, 5] > 0.5
     held.release()
     qtbot.waitUntil(lambda: document.session.result is not None, timeout=20_000)
     result = document.session.result
-    np.testing.assert_array_equal(np.argwhere(result.control_points != 0.5), [[6, 5]])
-    assert result.control_points[6, 5] == pytest.approx(0.7, abs=0.06)
+    np.testing.assert_array_equal(np.argwhere(result.state.heights != 0.5), [[6, 5]])
+    assert result.state.heights[6, 5] == pytest.approx(0.7, abs=0.06)
     assert document.undo_stack.count() == 1
     assert document.undo_stack.undoText() == "move control points"
     assert view._plotter.camera_position == camera
-    assert result.iterations == 0 and 0 < result.loss < 1
+    assert result.iterations == 0 and 0 < result.state.loss < 1
     # Light and account are those of this lens.
     scene = document.session.scene
-    traced = Plan(scene).trace(torch.tensor(result.control_points)).account
-    assert result.account.to_data() == pytest.approx(traced.to_data(), abs=5e-3)
+    traced = Plan(scene).trace(torch.tensor(result.state.heights)).account
+    assert result.state.account.to_data() == pytest.approx(traced.to_data(), abs=5e-3)
     # A filter spreads some light of the outer pixels over the rim.
-    flux = result.irradiance.sum() * scene.screen.pixel_area
+    flux = result.state.irradiance.sum() * scene.screen.pixel_area
     assert flux == pytest.approx(traced.on_screen, rel=0.05)
-    assert np.ptp(result.irradiance) > 5 * np.ptp(flat.snapshot.irradiance[4:-4, 4:-4])
+    assert np.ptp(result.state.irradiance) > 5 * np.ptp(flat.snapshot.state.irradiance[4:-4, 4:-4])
     document.undo_stack.undo()
     assert document.session.result is None
 
@@ -175,11 +175,11 @@ def test_shift_moves_finely_and_escape_undoes_the_drag(sculpting, drag, qtbot):
     bench, view = sculpting, sculpting.view
     held = drag(view, control_point(bench, (6, 5)))
     held.move(upwards(view, 0.2), Qt.KeyboardModifier.ShiftModifier)
-    qtbot.waitUntil(lambda: view.frame.snapshot.control_points[6, 5] > 0.5, timeout=20_000)
-    assert view.frame.snapshot.control_points[6, 5] == pytest.approx(0.51, abs=0.002)
+    qtbot.waitUntil(lambda: view.frame.state.heights[6, 5] > 0.5, timeout=20_000)
+    assert view.frame.state.heights[6, 5] == pytest.approx(0.51, abs=0.002)
     qtbot.waitUntil(lambda: "Moved by +0.0" in view._hint.text())
     qtbot.keyClick(view._plotter, Qt.Key.Key_Escape)
-    qtbot.waitUntil(lambda: view.frame.snapshot.control_points[6, 5] == 0.5, timeout=20_000)
+    qtbot.waitUntil(lambda: view.frame.state.heights[6, 5] == 0.5, timeout=20_000)
     held.release()
     assert bench.document.undo_stack.count() == 0 and not bench.put_away
     qtbot.keyClick(view._plotter, Qt.Key.Key_Escape)
@@ -263,7 +263,7 @@ def test_a_change_of_the_design_ends_the_drag(sculpting, drag, qtbot):
     held.release()
     qtbot.waitUntil(lambda: view.frame.session is document.session, timeout=20_000)
     assert document.undo_stack.count() == 1
-    assert (view.frame.snapshot.control_points == 0.5).all()
+    assert (view.frame.state.heights == 0.5).all()
 
 
 def test_nothing_is_done_to_a_lens_that_is_not_shown_yet(sculpting, drag, qtbot):
@@ -485,7 +485,7 @@ def test_a_held_key_is_one_step(sculpting, qtbot, as_repeats):
     bench.commands["brush_smaller"]()
     bench.commands["brush_smaller"]()
     hold_key(view, Qt.Key.Key_PageUp, 10, as_repeats)
-    qtbot.waitUntil(lambda: view.frame.snapshot.control_points[6, 5] > 0.5, timeout=20_000)
+    qtbot.waitUntil(lambda: view.frame.state.heights[6, 5] > 0.5, timeout=20_000)
     qtbot.waitUntil(lambda: "Moved by +0.06 cm" in view._hint.text())
     assert document.session.result is None
     # Neither hand nor pointer is in its way.
@@ -509,9 +509,9 @@ def test_a_held_key_is_one_step(sculpting, qtbot, as_repeats):
 def test_escape_undoes_a_held_key_and_losing_the_focus_ends_it(sculpting, qtbot):
     bench, view, document = sculpting, sculpting.view, sculpting.document
     hold_key(view, Qt.Key.Key_PageDown, 3)
-    qtbot.waitUntil(lambda: view.frame.snapshot.control_points.min() < 0.5, timeout=20_000)
+    qtbot.waitUntil(lambda: view.frame.state.heights.min() < 0.5, timeout=20_000)
     qtbot.keyClick(view._plotter, Qt.Key.Key_Escape)
-    qtbot.waitUntil(lambda: (view.frame.snapshot.control_points == 0.5).all(), timeout=20_000)
+    qtbot.waitUntil(lambda: (view.frame.state.heights == 0.5).all(), timeout=20_000)
     again = QKeyEvent(
         QEvent.Type.KeyPress, Qt.Key.Key_PageDown, Qt.KeyboardModifier.NoModifier, "", True
     )
@@ -601,9 +601,9 @@ def test_in_the_window(display, make_session, open_window, tmp_path, drag, qtbot
     held.move(upwards(view, 0.1))
     held.release()
     qtbot.waitUntil(lambda: document.session.result is not None, timeout=20_000)
-    shaped = document.session.control_points
+    shaped = document.session.heights
     for shows in window.loaded.views.docked.values():
-        assert (shows._frame.snapshot.control_points == shaped).all()
+        assert (shows._frame.state.heights == shaped).all()
     qtbot.keyClick(view._plotter, Qt.Key.Key_Escape)
     assert commands["turn"].isChecked()
 
@@ -613,7 +613,7 @@ def test_in_the_window(display, make_session, open_window, tmp_path, drag, qtbot
     assert not commands["lock_all"].isEnabled()
     qtbot.waitUntil(lambda: window.loaded.control.runner.state == "idle", timeout=60_000)
     assert document.session.result.iterations > 0
-    np.testing.assert_allclose(frames[0].snapshot.control_points, shaped, atol=0.05)
+    np.testing.assert_allclose(frames[0].snapshot.state.heights, shaped, atol=0.05)
 
     file = tmp_path / "lens.png"
     monkeypatch.setattr(ScenePictures, "ask_for_name", lambda self: file)

@@ -19,10 +19,8 @@ from workbench.geometry.surface import ControlNet
 def desk(qtbot, session, history, rng):
     """Forms over a document with a lens that no coarser net can hold, and what is said of it."""
     result = history(4).result()
-    heights = result.control_points + 0.01 * rng.normal(size=result.control_points.shape)
-    document = Document(
-        replace(session, result=replace(result, control_points=heights)), "designed"
-    )
+    heights = result.state.heights + 0.01 * rng.normal(size=result.state.heights.shape)
+    document = Document(replace(session, result=result.with_state(heights=heights)), "designed")
     document.setParent(owner := QObject())
     owner.forms, owner.messages, owner.document = Forms(document), MessageBar(), document
     owner.log = []
@@ -38,8 +36,8 @@ def test_a_finer_net_that_holds_the_lens_keeps_its_result(desk, qtbot):
     before = desk.document.session
     enter(qtbot, desk.forms, "lens.control_points[0]", "21")  # 9 spans of degree 3 become 18
     after = desk.document.session
-    assert after.result.control_points.shape == (21, 10)
-    assert after.result.irradiance is before.result.irradiance
+    assert after.result.state.heights.shape == (21, 10)
+    assert after.result.state.irradiance is before.result.state.irradiance
     assert desk.messages.text == "On 21 × 10 control points the lens is the same."
     assert desk.document.undo_stack.count() == 1
     desk.document.undo_stack.undo()
@@ -54,7 +52,7 @@ def test_a_net_that_cannot_hold_the_lens_asks(desk, qtbot):
     assert after.result is None and after.start.shape == (20, 10)
     off = deviation(
         ControlNet.of(before.scene.lens),
-        before.control_points,
+        before.heights,
         ControlNet.of(after.scene.lens),
         after.start,
     )
@@ -63,7 +61,7 @@ def test_a_net_that_cannot_hold_the_lens_asks(desk, qtbot):
     qtbot.mouseClick(desk.messages.buttons[0], Qt.MouseButton.LeftButton)
     taken = desk.document.session
     assert taken.scene.lens.control_points == (21, 10)
-    assert taken.result.loss == before.result.loss
+    assert taken.result.state.loss == before.result.state.loss
     assert desk.messages.text == ""
     desk.document.undo_stack.undo()
     assert desk.document.session is after
@@ -79,10 +77,8 @@ def test_changing_both_numbers_of_a_net_asks_once(desk, qtbot):
     taken = desk.document.session
     assert taken.result is not None
     np.testing.assert_array_equal(
-        taken.result.control_points,
-        ControlNet.of(before.scene.lens).refine(
-            before.control_points, ControlNet.of(taken.scene.lens)
-        ),
+        taken.result.state.heights,
+        ControlNet.of(before.scene.lens).refine(before.heights, ControlNet.of(taken.scene.lens)),
     )
 
 
@@ -107,7 +103,7 @@ def test_a_lens_of_another_task_is_reported_once(desk, qtbot):
 def test_a_lens_of_another_outline_is_dropped_and_the_window_says_so(desk, qtbot):
     enter(qtbot, desk.forms, "lens.half_width[0]", "1.5")
     assert "does not fit the new outline" in desk.messages.text
-    assert desk.document.session.control_points is None
+    assert desk.document.session.heights is None
     desk.document.undo_stack.undo()
     assert desk.document.session.result is not None
     assert desk.messages.text == ""
@@ -116,16 +112,16 @@ def test_a_lens_of_another_outline_is_dropped_and_the_window_says_so(desk, qtbot
 def test_a_lens_within_a_wider_range_stays_and_nothing_is_said(desk, qtbot):
     before = desk.document.session.result
     enter(qtbot, desk.forms, "lens.height_range[1]", "0.4")
-    assert desk.document.session.result.control_points is before.control_points
+    assert desk.document.session.result.state.heights is before.state.heights
     assert desk.messages.text == "" and desk.log == []
 
 
 def test_a_lens_that_exceeds_its_new_range_is_changed_and_the_window_says_by_how_much(desk, qtbot):
-    before = desk.document.session.control_points
+    before = desk.document.session.heights
     enter(qtbot, desk.forms, "lens.height_range[1]", "0.01")
     after = desk.document.session
-    moved = np.abs(after.control_points - before).max()
-    assert after.result is None and after.control_points.max() <= 0.51
+    moved = np.abs(after.heights - before).max()
+    assert after.result is None and after.heights.max() <= 0.51
     assert f"changed by up to {moved:.2g} cm" in desk.messages.text
 
 

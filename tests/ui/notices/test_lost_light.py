@@ -38,7 +38,8 @@ def desk(qtbot, session, as_run):
 
     def lose(account):
         def run(scene, target, start=None, locked=None):
-            yield from (replace(shot, account=account) for shot in as_run(2)(scene, target))
+            for shot in as_run(2)(scene, target):
+                yield replace(shot, state=replace(shot.state, account=account))
             return "all iterations are done"
 
         owner.control.runner._generate = run

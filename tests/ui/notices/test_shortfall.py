@@ -27,7 +27,8 @@ def desk(qtbot, session, as_run, snapshots):
     def fall_short(shortfall, iterations=4, pause=0.0):
         def run(scene, target, start=None, locked=None):
             ended = as_run(iterations, pause)(scene, target, start, locked)
-            yield from (replace(shot, shortfall=shortfall) for shot in ended)
+            for shot in ended:
+                yield replace(shot, state=replace(shot.state, shortfall=shortfall))
             return "all iterations are done"
 
         owner.control.runner._generate = run
@@ -65,11 +66,11 @@ def test_a_too_small_range_is_reported_and_can_be_widened_keeping_the_lens(desk,
     design(desk, qtbot)
     assert desk.messages.text == "The lens needs ±2.2 cm; ±0.3 cm is allowed."
     assert offers(desk) == ["Widen"]
-    lens = desk.document.session.result.control_points
+    lens = desk.document.session.result.state.heights
     press(desk, qtbot)
     session = desk.document.session
     assert session.scene.lens.height_range is None
-    assert session.result.control_points is lens and session.result.shortfall is None
+    assert session.result.state.heights is lens and session.result.state.shortfall is None
     assert "follows from the task now" in desk.messages.text
     assert offers(desk) == ["Start over", "Continue"]
     for button in desk.messages.buttons:
@@ -130,7 +131,8 @@ def test_what_was_said_of_a_run_goes_with_it_where_its_best_lens_lacks_nothing(d
     def run(scene, target, start=None, locked=None):
         first, *others = as_run(4)(scene, target, start, locked)
         yield first
-        yield from (replace(shot, shortfall=NARROW, best=False) for shot in others)
+        for shot in others:
+            yield replace(shot, state=replace(shot.state, shortfall=NARROW), best=False)
         return "all iterations are done"
 
     said = []
@@ -138,5 +140,5 @@ def test_what_was_said_of_a_run_goes_with_it_where_its_best_lens_lacks_nothing(d
     desk.control.runner._generate = run
     design(desk, qtbot)
     assert any("goes on within these limits" in text for text in said)
-    assert desk.document.session.result.shortfall is None
+    assert desk.document.session.result.state.shortfall is None
     assert desk.messages.text == ""

@@ -22,7 +22,7 @@ def large(result):
     """Results of about as many kilobytes, with arrays of their own."""
 
     def make(kilobytes):
-        return replace(result, irradiance=np.zeros(kilobytes * KILOBYTE // 8))
+        return result.with_state(irradiance=np.zeros(kilobytes * KILOBYTE // 8))
 
     return make
 

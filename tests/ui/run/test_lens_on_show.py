@@ -66,7 +66,7 @@ def test_a_run_can_be_saved_with_its_best_lens_so_far(running, qtbot, tmp_path, 
 
 def test_the_best_lens_so_far_has_the_least_loss(running):
     best = running.loaded.control.runner.best
-    assert best.loss <= best.losses.min()
+    assert best.state.loss <= best.losses.min()
 
 
 def test_a_run_can_be_exported(running, qtbot, tmp_path):
@@ -82,13 +82,13 @@ def test_a_lens_of_another_task_is_exported_as_it_is_shown(carried, designed, qt
     told = "designed for another task (Run 1: flat): screen.z 5.0, now 7.0"
     assert told in carried.commands["export"].toolTip()
     shown = carried._lens.session
-    np.testing.assert_array_equal(shown.result.control_points, designed.result.control_points)
+    np.testing.assert_array_equal(shown.result.state.heights, designed.result.state.heights)
     assert shown.scene.screen.z == 7
     carried.exporter.export(tmp_path / "lens.irradiance.npy")
     qtbot.waitUntil(lambda: not carried.exporter._background.busy, timeout=60_000)
     assert told in carried.messages.text
     np.testing.assert_array_equal(
-        np.load(tmp_path / "lens.irradiance.npy"), shown.result.irradiance
+        np.load(tmp_path / "lens.irradiance.npy"), shown.result.state.irradiance
     )
 
 

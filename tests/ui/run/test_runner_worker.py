@@ -48,7 +48,7 @@ def test_frame_holds_what_is_drawn(session, as_run, work):
     assert frame.surface.ndim == 3 and frame.surface.shape[2] == 3
     np.testing.assert_allclose(frame.surface[..., 2], 0.5 - 0.003)
     assert frame.paths.points.shape[1:] == (4, 3)
-    np.testing.assert_allclose(frame.losses, [1 / 2, 1 / 3, 1 / 4])
+    np.testing.assert_allclose(frame.result.losses, [1 / 2, 1 / 3, 1 / 4])
 
 
 def test_stopped_job_ends_with_its_first_snapshot(session, as_run, work):
@@ -72,7 +72,7 @@ def test_failure_keeps_the_last_good_lens(session, snapshots, work, error):
     job = Job(session)
     result, found = work(job, run)
     assert found is error
-    np.testing.assert_array_equal(result.control_points, snapshots(1).control_points)
+    np.testing.assert_array_equal(result.state.heights, snapshots(1).state.heights)
     assert job.mailbox.take().snapshot.iteration == 1
 
 
@@ -111,7 +111,7 @@ def test_continues_from_the_result(designed, snapshots, work):
         yield snapshots(1)
 
     result, _ = work(Job(designed, continue_run=True), run)
-    np.testing.assert_array_equal(starts[0], designed.result.control_points)
+    np.testing.assert_array_equal(starts[0], designed.result.state.heights)
     np.testing.assert_allclose(result.losses, [1 / 2, 1 / 3, 1 / 4, 1 / 2])
     result, _ = work(Job(designed), run)
     assert starts[1] is None and result.iterations == 1
@@ -132,8 +132,8 @@ def test_preview_of_a_result_needs_no_run(designed, work):
     assert work(job, run) == (None, None)
     frame = job.mailbox.take()
     assert frame.snapshot.iteration == 3
-    np.testing.assert_array_equal(frame.snapshot.control_points, designed.result.control_points)
-    np.testing.assert_array_equal(frame.losses, designed.result.losses)
+    np.testing.assert_array_equal(frame.state.heights, designed.result.state.heights)
+    np.testing.assert_array_equal(frame.result.losses, designed.result.losses)
 
 
 def test_replaced_preview_does_nothing(session, as_run, work):
@@ -151,7 +151,7 @@ def test_the_engine_is_the_default(session, work):
     result, error = work(job, None)
     assert error is None
     assert result.iterations == 2
-    assert job.mailbox.take().snapshot.irradiance.shape == session.target.shape
+    assert job.mailbox.take().snapshot.state.irradiance.shape == session.target.shape
 
 
 # Stopped in the first stage; ended, and later a stage was put before it; gone on with.
@@ -197,7 +197,7 @@ def test_locked_control_points_are_those_of_the_lens_that_is_there(designed, sna
         seen.append((start, locked))
         yield snapshots(0)
 
-    heights = designed.result.control_points
+    heights = designed.result.state.heights
     locked = np.zeros(heights.shape, bool)
     work(Job(dataclasses.replace(designed, locked=locked)), run)
     assert seen[-1][0] is None

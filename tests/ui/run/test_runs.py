@@ -215,7 +215,7 @@ def test_kept_runs_are_saved_with_the_file(two_runs, tmp_path):
     assert [table(two_runs).item(row, 0).font().bold() for row in (0, 1)] == [False, True]
     assert [texts(two_runs, row)[1] for row in (0, 1)] == ["1.25 %", "1.25 %"]
     session = two_runs.document.session
-    two_runs.loaded.runs.note_check(CheckedLens(session, session.control_points), found(0.03))
+    two_runs.loaded.runs.note_check(CheckedLens(session, session.heights), found(0.03))
     assert not two_runs.document.dirty  # a check is no edit
     assert [texts(two_runs, row)[1] for row in (0, 1)] == ["1.25 %", "3.00 %"]
     two_runs.document.save(path)
@@ -227,7 +227,7 @@ def test_the_lens_of_a_run_is_checked_at_its_end(window, run, checks, qtbot):
     run()
     result = window.document.session.result
     heights, rays, threads = checks.asked[-1]
-    assert heights is result.control_points and rays == 4_000_000 and threads is None
+    assert heights is result.state.heights and rays == 4_000_000 and threads is None
     assert window.status._verified.text() == "verified 1.25 % at 6"
     assert texts(window, 0)[1] == "1.25 %"
     (point,) = window.loaded.views.loss._verified
@@ -241,7 +241,7 @@ def test_a_lens_changed_by_hand_is_not_the_one_that_was_checked(window, run, che
     run()
     document, status = window.document, window.status
     result = document.session.result
-    moved = replace(result, control_points=result.control_points + 0.001)
+    moved = result.with_state(heights=result.state.heights + 0.001)
     document.set_result(moved, "move control points")
     assert status._verified.text() == ""
     document.undo_stack.undo()
@@ -310,7 +310,7 @@ def test_a_check_of_another_task_is_not_that_of_the_run(window, run, checks):
         ),
         session.target,
     )
-    assert moved.start is session.result.control_points
+    assert moved.start is session.result.state.heights
     window.loaded.runs.note_check(CheckedLens(moved, moved.start), found(0.5))
     assert texts(window, 0)[1] == "1.25 %"
     window.loaded.runs.note_check(CheckedLens(replace(session, runs=()), moved.start), found(0.5))

@@ -43,9 +43,9 @@ def run(task):
 def frame(session, at, size):
     return Fake(
         session=session,
-        losses=np.zeros(at),
+        result=SimpleNamespace(losses=np.zeros(at), iterations=at),
         surface=np.zeros(size // 8),
-        snapshot=SimpleNamespace(control_points=np.zeros(0), irradiance=np.zeros(0)),
+        state=SimpleNamespace(heights=np.zeros(0), irradiance=np.zeros(0)),
         paths=SimpleNamespace(points=np.zeros(0), weight=np.zeros(0)),
     )
 
@@ -72,7 +72,7 @@ def test_a_branch_keeps_what_came_before_it(run):
     session = run(history, 3, checks=[EARLY, LATE])
     middle = history.frames[2]
     history.branch(middle)
-    session.result = SimpleNamespace(losses=middle.losses)
+    session.result = SimpleNamespace(losses=middle.result.losses)
     history.show(session)
     assert shown(history) == [0, 1, 2] and history.checks == (EARLY,)
 

@@ -58,7 +58,7 @@ def test_the_figures_are_those_of_the_engine(pane, session, frame, qtbot):
     enter(pane, qtbot, "tilt", "1.5")
     enter(pane, qtbot, "seed", "3")
     sample(pane, qtbot)
-    heights = frame.snapshot.control_points
+    heights = frame.state.heights
     nominal, *others = perturbed(
         session.scene, session.target, heights, pane.form.within, 4, RAYS, seed=3
     )

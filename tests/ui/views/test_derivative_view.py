@@ -19,8 +19,11 @@ def frame(session, snapshots):
 
     def make(iteration, of=session):
         heights = np.full(of.scene.lens.control_points, 0.5 - 0.01 * iteration)
-        snapshot = dataclasses.replace(snapshots(iteration), control_points=heights)
-        return SimpleNamespace(session=of, snapshot=snapshot)
+        snapshot = dataclasses.replace(
+            snapshots(iteration),
+            state=dataclasses.replace(snapshots(iteration).state, heights=heights),
+        )
+        return SimpleNamespace(session=of, state=snapshot.state)
 
     return make
 

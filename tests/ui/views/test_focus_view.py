@@ -31,7 +31,7 @@ def wavy(session, frames):
 
     def make(iteration, session=session):
         waves = 0.5 + 0.01 * iteration * np.sin(np.arange(120.0)).reshape(12, 10)
-        return frames(iteration, session, control_points=waves)
+        return frames(iteration, session, heights=waves)
 
     return make
 
@@ -67,7 +67,7 @@ def view(frame, traces, show, qtbot):
 def traced(view, frame, qtbot, rays=MANY):
     """Wait for the light at the distance on show; what it has to be."""
     scene, target = frame.session.scene, frame.session.target
-    heights = frame.snapshot.control_points
+    heights = frame.state.heights
     wanted = validate(scene, target, heights, rays, screen_z=view.z)
     qtbot.waitUntil(lambda: np.array_equal(view._values, wanted.irradiance), timeout=30_000)
     return wanted
@@ -180,7 +180,7 @@ def test_the_curve_shows_the_error_at_many_distances(view, frame, traces, qtbot)
     qtbot.waitUntil(lambda: len(curve.errors) == PLACES, timeout=30_000)
     assert [z for z, _ in curve.errors] == [z for z, _ in traces]
     assert {rays for _, rays in traces} == {FEW}
-    session, heights = frame.session, frame.snapshot.control_points
+    session, heights = frame.session, frame.state.heights
     for z, error in curve.errors[::10]:
         wanted = validate(session.scene, session.target, heights, FEW, screen_z=z)
         assert error == wanted.relative_l2_corrected

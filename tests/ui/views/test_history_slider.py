@@ -14,11 +14,12 @@ pytestmark = pytest.mark.usefixtures("kernels")
 
 
 def frame(at, size=1000):
-    snapshot = SimpleNamespace(control_points=np.zeros(0), irradiance=np.zeros(0))
+    state = SimpleNamespace(heights=np.zeros(0), irradiance=np.zeros(0))
     paths = SimpleNamespace(points=np.zeros(0), weight=np.zeros(0))
     losses = np.broadcast_to(0.0, at)  # of any length, without memory of its own
     surface = np.zeros(size // 8)
-    return SimpleNamespace(losses=losses, surface=surface, snapshot=snapshot, paths=paths)
+    result = SimpleNamespace(losses=losses, iterations=at)
+    return SimpleNamespace(result=result, surface=surface, state=state, paths=paths)
 
 
 def kept(history):
@@ -106,7 +107,7 @@ def test_the_design_goes_on_from_an_earlier_lens(designed, qtbot):
     with qtbot.waitSignal(designed.loaded.control.ended, timeout=60_000):
         qtbot.mouseClick(history_slider._button, Qt.MouseButton.LeftButton)
         np.testing.assert_array_equal(
-            designed.document.session.result.control_points, first.snapshot.control_points
+            designed.document.session.result.state.heights, first.snapshot.state.heights
         )
     stack = designed.document.undo_stack
     texts = [stack.text(k) for k in range(stack.count())]

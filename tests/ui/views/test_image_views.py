@@ -108,7 +108,7 @@ def test_dragging_moves_all_no_farther_than_the_screen(views, qtbot):
 def test_all_show_their_value_under_the_pointer(views, frame, session, qtbot):
     x, y = 0.40625, -0.65625  # the middle of row 26, column 22
     qtbot.mouseMove(views[1]._canvas, place(views[1], x, y))
-    image, scene = frame.snapshot.irradiance, session.scene
+    image, scene = frame.state.irradiance, session.scene
     wanted = [
         image[26, 22],
         target_irradiance(scene, session.target)[26, 22],
@@ -142,7 +142,7 @@ def test_the_target_is_drawn_once_for_a_run(views, frames):
 def test_a_cross_section_goes_through_the_place_that_is_clicked(
     views, section, frame, session, qtbot
 ):
-    image = frame.snapshot.irradiance
+    image = frame.state.irradiance
     light = lambda: section._curves.artists[1].get_ydata()  # noqa: E731
     np.testing.assert_array_equal(light(), image[16])
     qtbot.mouseClick(
@@ -189,7 +189,7 @@ def test_a_cross_section_follows_a_line_that_is_drawn(views, section, qtbot, wit
 
 def test_arrows_move_place_and_line(views, section, frame, qtbot):
     link, shift = views[0]._link, Qt.KeyboardModifier.ShiftModifier
-    canvas, pixel, image = section.focusProxy(), 2 / 32, frame.snapshot.irradiance
+    canvas, pixel, image = section.focusProxy(), 2 / 32, frame.state.irradiance
     light = lambda: section._curves.artists[1].get_ydata()  # noqa: E731
     qtbot.keyClick(canvas, Qt.Key.Key_Down)
     qtbot.keyClick(canvas, Qt.Key.Key_Left, shift)

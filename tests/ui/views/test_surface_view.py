@@ -15,7 +15,7 @@ def tilted(session, frames):
 
     def make(slope):
         x, y = ControlNet.of(session.scene.lens).positions
-        return frames(1, control_points=0.5 + slope * x[:, None] + 0 * y)
+        return frames(1, heights=0.5 + slope * x[:, None] + 0 * y)
 
     return make
 

@@ -32,7 +32,7 @@ def frame(session, frames):
             iteration,
             of,
             irradiance=np.linspace(0, 0.1 * (1 + iteration), n_x * n_y).reshape(n_y, n_x),
-            control_points=np.full(of.scene.lens.control_points, 0.5),
+            heights=np.full(of.scene.lens.control_points, 0.5),
         )
 
     return make
@@ -325,7 +325,12 @@ def test_the_light_account_adds_up(frame, show, qtbot):
     account = account_of(2.0, 1.0, 0.5, 0.1, 0.06, 0.0, 0.3, 0.04)
     one = frame(1)
     view.show_frame(
-        dataclasses.replace(one, snapshot=dataclasses.replace(one.snapshot, account=account))
+        dataclasses.replace(
+            one,
+            snapshot=dataclasses.replace(
+                one.snapshot, state=dataclasses.replace(one.snapshot.state, account=account)
+            ),
+        )
     )
     qtbot.waitUntil(lambda: view.texts()["All parts"] == "100.00 %")
     assert view.texts() == {

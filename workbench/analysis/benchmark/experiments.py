@@ -80,7 +80,7 @@ class Design:
     @property
     def loss(self) -> float | None:
         """Loss of the best lens, as the optimiser sees it."""
-        return None if self.result is None else self.result.loss
+        return None if self.result is None else self.result.state.loss
 
     @property
     def iterations(self) -> int | None:
@@ -163,7 +163,9 @@ def design(example: Example, method: str, rays: int, notify: Notify) -> Design:
         for snapshot in run(example.scene, example.target):
             history.add(snapshot)
             times.append(snapshot.seconds)
-            notify(case, f"{snapshot.iteration}/{snapshot.iterations}, loss {snapshot.loss:.4g}")
+            notify(
+                case, f"{snapshot.iteration}/{snapshot.iterations}, loss {snapshot.state.loss:.4g}"
+            )
     except (Refused, RunFailed) as failure:
         found = replace(found, failure=str(failure))
     result = history.result()
@@ -172,7 +174,7 @@ def design(example: Example, method: str, rays: int, notify: Notify) -> Design:
         return found
     notify(case, "verifying")
     try:
-        light = validate(example.scene, example.target, result.control_points, rays)
+        light = validate(example.scene, example.target, result.state.heights, rays)
     except RunFailed as failure:
         return replace(found, failure=found.failure or str(failure))
     return replace(found, error=light.relative_l2, noise=light.noise, efficiency=light.efficiency)

@@ -59,7 +59,7 @@ def irradiance(design: Design) -> Map:
         ((np.arange(n) + 0.5) / n * 2 - 1) * r
         for n, r in zip(screen.pixels, screen.half_width, strict=True)
     )
-    values = design.result.irradiance
+    values = design.result.state.irradiance
     return Map("irradiance", f"1/{design.unit}^2", x, y[::-1], design.unit, values)
 
 

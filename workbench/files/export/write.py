@@ -65,7 +65,7 @@ def export(
         what is asked.
     """
     result = result_of(session)
-    check_body(session.scene, result.control_points)
+    check_body(session.scene, result.state.heights)
     design = Design(session.scene, result, chord_error)
     formats = [format_of(path) for path in paths]
     for path in paths:

@@ -1,0 +1,82 @@
+"""A lens with its light: the one value that goes from the tracer to files and views."""
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Self
+
+import numpy as np
+import numpy.typing as npt
+
+from workbench.design.shortfall import Shortfall
+from workbench.optics.account import Account
+
+if TYPE_CHECKING:
+    from torch import Tensor
+
+Array = npt.NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class LensState:
+    """A lens and what has been computed of it.
+
+    Attributes
+    ----------
+    heights : ndarray, shape (n_u, n_v)
+        Heights z of the exit face's control points, scene units.
+    irradiance : ndarray, shape (n_y, n_x)
+        Flux per area on the screen, row 0 at +y.
+    loss : float
+        Paper's loss (section 2.4) as the optimiser sees it.
+    account : Account
+        Where the light goes.
+    shortfall : Shortfall, optional
+        What the task needs beyond the limits of the heights, where that is known to hinder it.
+    """
+
+    heights: Array
+    irradiance: Array
+    loss: float
+    account: Account
+    shortfall: Shortfall | None = None
+
+    @classmethod
+    def traced(
+        cls, heights: "Tensor", flux: "Tensor", pixel_area: float, loss: "Tensor", account: Account
+    ) -> Self:
+        """What a tracer has computed, out of its device and float type.
+
+        Parameters
+        ----------
+        heights : Tensor, shape (n_u, n_v)
+            Control heights.
+        flux : Tensor, shape (n_y, n_x)
+            Light in each pixel.
+        pixel_area : float
+            Area of a pixel.
+        loss : Tensor
+            Paper's loss, one number.
+        account : Account
+            Where the light goes.
+        """
+        irradiance = _array(flux) / pixel_area
+        return cls(frozen(_array(heights)), frozen(irradiance), loss.item(), account)
+
+    def scaled(self, factor: float) -> Self:
+        """The same lens with lengths in another unit, ``factor`` of which are one of now."""
+        return replace(
+            self,
+            heights=frozen(self.heights * factor),
+            irradiance=frozen(self.irradiance / factor**2),
+            shortfall=self.shortfall and self.shortfall.scaled(factor),
+        )
+
+
+def frozen(values: Array) -> Array:
+    """A copy of an array that nobody can change."""
+    copy = values.copy()
+    copy.flags.writeable = False
+    return copy
+
+
+def _array(values: "Tensor") -> Array:
+    return values.detach().cpu().double().numpy()
