@@ -5,7 +5,7 @@ import pytest
 import torch
 
 from tests.optics.gradients import check_both_modes
-from workbench.design.snapshot import frozen
+from workbench.design.lens_state import frozen
 from workbench.geometry.surface import ControlNet
 from workbench.optics.path import Path
 from workbench.optics.paths import ray_paths
