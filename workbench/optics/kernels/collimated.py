@@ -149,13 +149,12 @@ def compile_for(dtype: torch.dtype) -> None:
     kind = kind_of(dtype)
     net = ControlNet((2, 2), (1, 1), (1.0, 1.0))
     across, up = (make_axis(net, axis, middles(2, False), kind) for axis in (0, 1))
-    across, up = (axis._replace(place=axis.place.astype(kind)) for axis in (across, up))
     numbers = Optics(*(kind(1.5) for _ in Optics._fields))
     screen = Screen(z=1.0, half_width=(1.0, 1.0), pixels=(2, 2))
     spread = make_spread(screen, GaussianFilter(), kind)
     canvas = make_canvases(spread, 1)[0]
     heights, gradient = np.zeros(net.shape, kind), np.zeros(net.shape)
-    light = across.place, up.place, numbers
+    light = across.place.astype(kind), up.place.astype(kind), numbers
     given = heights, (across, up), light, spread, 0, 2
     LOOPS.trace(*given, canvas, np.zeros(3))
     LOOPS.trace_back(*given, pad(spread, np.zeros((2, 2), kind)), gradient)
