@@ -8,8 +8,9 @@
 
 import threading
 from collections.abc import Callable
+from functools import partial
 
-from PySide6.QtCore import QObject, Signal, Slot
+from PySide6.QtCore import QObject, QThread, Signal, Slot
 
 
 class Task:
@@ -59,6 +60,17 @@ class Task:
 Work = Callable[[Task], object]
 
 
+class _Thread(QThread):
+    """Makes one call. It has no event loop, and nothing is connected to it."""
+
+    def __init__(self, call: Callable[[], object]) -> None:
+        super().__init__()
+        self._call = call
+
+    def run(self) -> None:
+        self._call()
+
+
 class Background(QObject):
     """Does the latest work that was asked for, and tells what came of it.
 
@@ -93,7 +105,7 @@ class Background(QObject):
         self._name, self._finish_first = name, finish_first
         self._next: Task | None = None
         self._task: Task | None = None  # in the thread
-        self._thread: threading.Thread | None = None
+        self._thread: _Thread | None = None
         self._reported.connect(self._pass_on)
         self._ended.connect(self._end)
 
@@ -153,7 +165,8 @@ class Background(QObject):
     def _begin_next(self) -> None:
         self._task, self._next = self._next, None
         if self._task is not None:
-            self._thread = threading.Thread(target=self._run, args=(self._task,), name=self._name)
+            self._thread = _Thread(partial(self._run, self._task))
+            self._thread.setObjectName(self._name)  # what the system calls it
             self._thread.start()
 
     def _run(self, task: Task) -> None:
@@ -162,7 +175,7 @@ class Background(QObject):
 
     def _join(self) -> None:
         if self._thread is not None:
-            self._thread.join()
+            self._thread.wait()
         self._task = self._thread = None
 
     @Slot(object, object)

@@ -30,6 +30,7 @@ class Asked:
     def __init__(self, **options):
         self.gate = threading.Semaphore(0)
         self.begun, self.told, self.progress, self.threads = [], [], [], []
+        self.ended, self.worked_in = [], []
         self.background = Background("turning round", None, **options)
         self.background.progressed.connect(lambda *told: self.progress.append(told))
         self.background.done.connect(self._hear)
@@ -38,8 +39,10 @@ class Asked:
     def ask(self, request):
         def turn_round(task):
             self.begun.append((request, task))
+            self.worked_in.append(QThread.currentThread().objectName())
             task.report(f"{request}?")
             assert self.gate.acquire(timeout=20)
+            self.ended.append(request)
             if request == "bad":
                 raise Refused("run.seed", "no")
             return request[::-1]
@@ -62,6 +65,7 @@ def test_results_arrive_with_their_request_in_the_main_thread(asked, qtbot, qapp
     qtbot.waitUntil(lambda: bool(asked.told))
     assert asked.progress == [("abc", "abc?")]
     assert asked.told == [("abc", "cba")] and asked.threads == [qapp.thread()]
+    assert asked.worked_in == ["turning round"]
     assert not asked.background.busy and not asked.background.running
 
 
@@ -142,6 +146,7 @@ def test_closing_waits_and_reports_nothing(asked, qtbot):
     asked.gate.release()
     asked.background.close()
     asked.background.close()
-    assert "turning round" not in {thread.name for thread in threading.enumerate()}
+    assert not asked.background.running
+    assert asked.begun and asked.ended == ["abc"]
     qtbot.wait(50)
     assert asked.told == []
