@@ -137,6 +137,7 @@ def test_escape_cancels_the_check_where_no_tool_needs_the_key(window, gate, qtbo
     qtbot.keyClick(scene._plotter, Qt.Key.Key_Escape)
     assert window.commands["turn"].isChecked()
     assert figures(window).startswith("checking…")
+    qtbot.waitUntil(lambda: len(gate.begun) == 1)
     qtbot.keyClick(scene._plotter, Qt.Key.Key_Escape)
     assert figures(window) == "" and window.commands["check"].text() == "&Check lens"
     gate.release(1)  # the step that it was in
@@ -145,7 +146,9 @@ def test_escape_cancels_the_check_where_no_tool_needs_the_key(window, gate, qtbo
 
 
 def test_a_cancelled_check_can_be_started_again_at_once(window, gate, qtbot):
-    for _ in range(3):
+    window.commands["check"].trigger()
+    qtbot.waitUntil(lambda: len(gate.begun) == 1)
+    for _ in range(2):
         window.commands["check"].trigger()
     assert figures(window).startswith("checking…")
     gate.release(1 + STEPS)

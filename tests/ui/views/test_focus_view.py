@@ -210,9 +210,10 @@ def test_image_and_curve_share_what_room_there_is(view, frame, qtbot):
 
 
 def test_closing_leaves_what_is_being_traced(view, monkeypatch, qtbot):
-    left = []
+    begun, left = [], []
 
     def endless(*_, **__):
+        begun.append(1)
         try:
             while True:
                 time.sleep(0.01)
@@ -224,7 +225,7 @@ def test_closing_leaves_what_is_being_traced(view, monkeypatch, qtbot):
     monkeypatch.setattr("workbench.analysis.validation.validating", endless)
     view._slider.setValue(600)
     view._more.click()
-    qtbot.wait(50)
+    qtbot.waitUntil(lambda: len(begun) == 2)
     view.close()
     assert len(left) == 2
     for focusing in (view._image_of, view._curve_of):
