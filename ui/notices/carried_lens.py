@@ -120,8 +120,8 @@ class CarriedLens(QObject):
 
     def _withdraw(self, session: Session) -> None:
         """What was said is about the session that it was said of."""
-        if session is not self._after and self._said == self._messages.text:
-            self._messages.clear()
+        if session is not self._after:
+            self._messages.withdraw(self._said)
 
 
 def _size(shape: tuple[int, int]) -> str:

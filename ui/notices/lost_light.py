@@ -39,6 +39,5 @@ class LostLightNotice(QObject):
 
     def _withdraw(self) -> None:
         """It was said of a lens that is another one now, or of another task."""
-        if self._said and self._said == self._messages.text:
-            self._messages.clear()
+        self._messages.withdraw(self._said)
         self._said = ""

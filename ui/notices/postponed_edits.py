@@ -47,5 +47,4 @@ class PostponedEdits(QObject):
         self._forms.drop_postponed_edits()
 
     def _withdraw(self) -> None:
-        if self._said == self._messages.text:
-            self._messages.clear()
+        self._messages.withdraw(self._said)

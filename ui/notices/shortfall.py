@@ -64,8 +64,8 @@ class ShortfallNotice(QObject):
         self._say(text, *offers)
 
     def _end(self) -> None:
-        if self._said_of_run and self._said_of_run == self._messages.text:
-            self._messages.clear()  # its best lens lacks nothing, or that would stand there now
+        # Its best lens lacks nothing, or that would stand there now.
+        self._messages.withdraw(self._said_of_run)
         self._said_of_run = ""
         if self._stopped_to_widen:
             self._stopped_to_widen = False
@@ -76,8 +76,7 @@ class ShortfallNotice(QObject):
         shortfall = None if session.result is None else session.result.state.shortfall
         if shortfall is self._shown:
             return
-        if self._said and self._said == self._messages.text:
-            self._messages.clear()
+        self._messages.withdraw(self._said)
         self._shown, self._said = shortfall, ""
         if shortfall is not None:
             self._say(self._sentence(shortfall), *self._offers(shortfall))

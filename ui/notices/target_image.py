@@ -61,5 +61,4 @@ class TargetImage(QObject):
 
     def _withdraw(self) -> None:
         """What was said is about the session that it was said of."""
-        if self._said and self._said == self._messages.text:
-            self._messages.clear()
+        self._messages.withdraw(self._said)

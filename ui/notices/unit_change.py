@@ -45,5 +45,5 @@ class UnitChange(QObject):
 
     def _withdraw(self, session: Session) -> None:
         """What was said is about the session that it was said of."""
-        if session is not self._after and self._said == self._messages.text:
-            self._messages.clear()
+        if session is not self._after:
+            self._messages.withdraw(self._said)

@@ -99,7 +99,8 @@ class RunCheck(QObject):
 
     def _check(self, frame: "Frame") -> None:
         self._began = monotonic()
-        seconds = float(frame.result.times()[-1]) if frame.result.times().size else 0.0
+        times = frame.result.times()
+        seconds = float(times[-1]) if times.size else 0.0
         heights = frame.state.heights
         lens = CheckedLens(frame.session, heights, iterations_before(frame), seconds)
         self._background.begin(partial(check, lens, _FEW_RAYS, 1), lens)

@@ -73,6 +73,11 @@ class MessageBar(QFrame):
         """Say something good to know."""
         self._show("note", QStyle.StandardPixmap.SP_MessageBoxInformation, text, offers)
 
+    def withdraw(self, text: str) -> None:
+        """Take a message back, unless another one stands there by now."""
+        if text and text == self.text:
+            self.clear()
+
     def clear(self) -> None:
         """Say nothing any more."""
         self._set_buttons(())
