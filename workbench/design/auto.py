@@ -7,7 +7,7 @@
 - It looks through a blunt filter first and through sharper ones later, each with as many rays as
   it needs: a blunt one alone, with a fine net, lowers its own loss and raises the true error.
 - The image reaches beyond the screen and is compared with all light that passes the lens, so
-  that light beside the screen counts as an error and is called back.
+  that light beside the screen counts as an error.
 - What is its own mirror image is traced in one half or quarter alone.
 """
 

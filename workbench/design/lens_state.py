@@ -58,25 +58,30 @@ class LensState:
         account : Account
             Where the light goes.
         """
-        irradiance = _array(flux) / pixel_area
-        return cls(frozen(_array(heights)), frozen(irradiance), loss.item(), account)
+        irradiance = _copy(flux)
+        irradiance /= pixel_area
+        return cls(_sealed(_copy(heights)), _sealed(irradiance), loss.item(), account)
 
     def scaled(self, factor: float) -> Self:
         """The same lens with lengths in another unit, ``factor`` of which are one of now."""
         return replace(
             self,
-            heights=frozen(self.heights * factor),
-            irradiance=frozen(self.irradiance / factor**2),
+            heights=_sealed(self.heights * factor),
+            irradiance=_sealed(self.irradiance / factor**2),
             shortfall=self.shortfall and self.shortfall.scaled(factor),
         )
 
 
 def frozen(values: Array) -> Array:
     """A copy of an array that nobody can change."""
-    copy = values.copy()
-    copy.flags.writeable = False
-    return copy
+    return _sealed(values.copy())
 
 
-def _array(values: "Tensor") -> Array:
-    return values.detach().cpu().double().numpy()
+def _sealed(values: Array) -> Array:
+    """An array of one's own, which nobody can change from here on."""
+    values.flags.writeable = False
+    return values
+
+
+def _copy(values: "Tensor") -> Array:
+    return np.array(values.detach().cpu().numpy(), dtype=np.float64)

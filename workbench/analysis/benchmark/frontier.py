@@ -51,7 +51,7 @@ class Effort:
 
 @dataclass(frozen=True)
 class Course:
-    """How a method came on with a scene.
+    """Verified error of a method on a scene, against time.
 
     Attributes
     ----------
