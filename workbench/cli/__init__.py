@@ -10,6 +10,7 @@ import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 
+from workbench.cli.garbage import seldom_collected
 from workbench.cli.interruption import Interruptible, number_of
 from workbench.cli.streams import Streams
 from workbench.defects import unexpected
@@ -29,7 +30,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     int
         Exit status.
     """
-    with Streams() as streams, _logging():
+    with Streams() as streams, _logging(), seldom_collected():
         try:
             with Interruptible():
                 _run(arguments)

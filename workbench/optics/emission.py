@@ -4,7 +4,6 @@ from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
-from scipy.stats import qmc
 
 from workbench.optics.cap import covering_caps
 from workbench.scene import Lens, LightOfPoints
@@ -57,6 +56,8 @@ def emit(source: LightOfPoints, lens: Lens, seed: int, draw: int = 0) -> Rays:
     points, count = source.positions, source.rays
     generator = np.random.default_rng([seed, draw])
     if source.sampling == "sobol":
+        from scipy.stats import qmc  # late: it takes most of a second to import
+
         sobol = qmc.Sobol(2, seed=generator)
         square = sobol.random_base2(max(count - 1, 1).bit_length())[:count]
         # One sequence for all points; a shift of its own decorrelates each.
