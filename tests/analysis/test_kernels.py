@@ -15,6 +15,7 @@ import numpy as np
 import torch
 from numba.core.dispatcher import Dispatcher
 from tests.scenes import changed
+from workbench.analysis.cells.image import imaging
 from workbench.analysis.kernels import compile_all
 from workbench.analysis.validation import validate
 from workbench.design.evaluation import Evaluator, undesigned
@@ -55,6 +56,8 @@ for task in tasks:
             heights = snapshot.state.heights
         Evaluator(scene, target, heights).snapshot(heights)
         validate(scene, target, heights, rays=100)
+        for _ in imaging(scene, heights, accuracy=0.1):
+            pass
 assert fine.count(True) == 4
 print(*signatures() - before, sep="\\n")
 """

@@ -5,9 +5,9 @@ import tracemalloc
 import numpy as np
 import pytest
 import torch
-from scipy.interpolate import make_interp_spline
 
-from workbench.analysis.tracing import trace
+from tests.analysis.lenses import net_of
+from workbench.analysis.tracing import in_order
 from workbench.analysis.tracing.sources import cells
 from workbench.analysis.validation import validate
 from workbench.errors import RunFailed
@@ -18,16 +18,6 @@ from workbench.scene import BoxFilter
 INDEX = 1.5
 HEAD_ON = 0.04  # ((1.5 - 1) / (1.5 + 1))²
 ALIGNED = 16 * 64 * 64  # rays whose cells, 256 × 256, fill 32 × 32 pixels evenly
-
-
-def net_of(scene, height):
-    """Control heights of the spline that interpolates a height function."""
-    net = ControlNet.of(scene.lens)
-    (x, y), (p, q), (r_x, r_y) = net.positions, scene.lens.degree, scene.lens.half_width
-    knots = [(2 * k - 1) * r for k, r in zip(net.knots, (r_x, r_y), strict=True)]
-    values = height(x[:, None], y[None, :])
-    values = make_interp_spline(x, values, p, t=knots[0], axis=0).c
-    return make_interp_spline(y, values, q, t=knots[1], axis=1).c
 
 
 def uniform(scene):
@@ -225,7 +215,7 @@ class TestRays:
 
     def test_memory_does_not_grow_with_the_rays(self, make_scene, monkeypatch):
         monkeypatch.setattr(cells, "_AT_ONCE", 2048)
-        monkeypatch.setattr(trace, "_MOST_THREADS", 1)  # as many overlap each time
+        monkeypatch.setattr(in_order, "_MOST_THREADS", 1)  # as many overlap each time
         scene = make_scene()
         validate(scene, uniform(scene), np.full((12, 10), 0.5), 1)  # imports
         peaks = []
@@ -244,14 +234,14 @@ class TestRays:
         validate(scene, target, np.full((12, 10), 0.5), 1)
         peak = tracemalloc.get_traced_memory()[1]
         tracemalloc.stop()
-        threads = min(os.cpu_count(), trace._MOST_THREADS)
+        threads = min(os.cpu_count(), in_order._MOST_THREADS)
         assert peak < (threads + 2) * target.nbytes + 30e6  # those of a batch each, their sum
 
     def test_few_threads_hold_images_that_are_very_large(self, make_scene, monkeypatch):
-        monkeypatch.setattr(trace, "_LARGEST_IMAGES", 32 * 32 * 8)
+        monkeypatch.setattr(in_order, "_LARGEST", 32 * 32 * 8)
         asked = []
-        pool = trace.ThreadPoolExecutor
-        monkeypatch.setattr(trace, "ThreadPoolExecutor", lambda n: asked.append(n) or pool(n))
+        pool = in_order.ThreadPoolExecutor
+        monkeypatch.setattr(in_order, "ThreadPoolExecutor", lambda n: asked.append(n) or pool(n))
         scene = make_scene()
         validate(scene, uniform(scene), np.full((12, 10), 0.5), 1)
         assert asked == [1, 1]

@@ -5,7 +5,7 @@ import sys
 import pytest
 
 from workbench.analysis.tracing.pose import Pose
-from workbench.analysis.tracing.sources import random_source
+from workbench.analysis.tracing.sources import light_source
 from workbench.optics.emission import emit
 from workbench.optics.entering import entering
 from workbench.optics.lattice import make_lattice
@@ -37,7 +37,7 @@ def test_as_many_steps_for_ten_thousand_points_as_for_four(make_scene, emission)
     few, many = scene(2), scene(100)
     parts = {
         "rays": lambda s: emit(s.source, s.lens, seed=0),
-        "check": lambda s: random_source(s.source, s.lens, Pose(), 1000, 1),
+        "check": lambda s: light_source(s.source, s.lens, Pose(), 1000, 1),
         "account": lambda s: entering.__wrapped__(s.source, s.lens),
         "samples": lambda s: make_lattice(s.source, s.lens, (400, 400)),
     }

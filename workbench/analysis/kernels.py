@@ -1,10 +1,12 @@
 """All that numba compiles for a design and for its check, got ready before it is needed."""
 
+import math
 from collections.abc import Callable, Sequence
 
 import numpy as np
 import torch
 
+from workbench.analysis.cells.image import imaging
 from workbench.analysis.validation import validate
 from workbench.design import kernels
 from workbench.scene import Scene
@@ -14,7 +16,7 @@ _TINY = {
     "screen": {"z": 5, "half_width": [1, 1], "pixels": [1, 1]},
     "target": {"builtin": "tophat"},
 }
-# Between them they need every loop of the independent trace.
+# Between them they need every loop of the independent traces.
 _SOURCES = (
     {"kind": "collimated", "rays": [1, 1]},
     {"kind": "point", "position": [0, 0, -5], "rays": 1},
@@ -39,7 +41,10 @@ def compile_all(
         for source in _SOURCES:
             if goes_on():
                 scene = Scene.from_data({**_TINY, "source": source})
-                validate(scene, np.ones((1, 1)), np.full((4, 4), 0.1), rays=1)
+                heights = np.full((4, 4), 0.1)
+                validate(scene, np.ones((1, 1)), heights, rays=1)
+                for _ in imaging(scene, heights, accuracy=math.inf):
+                    pass
 
 
 if __name__ == "__main__":

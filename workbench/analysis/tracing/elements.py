@@ -76,6 +76,42 @@ class RandomSource(Protocol):
         ...
 
 
+class FaceLight(Protocol):
+    """Says what light comes to places of the entrance face.
+
+    Attributes
+    ----------
+    origins : int
+        From how many points light comes to each place; parallel light comes from one.
+    emitted : float
+        Flux of the source in the unit of `through`.
+    """
+
+    origins: int
+    emitted: float
+
+    def through(self, origin: int, x: Array, y: Array) -> TracedRays:
+        """Rays of one origin through places of the face.
+
+        Parameters
+        ----------
+        origin : int
+            Which of the origins.
+        x, y : ndarray, shape (m,)
+            Places, scene units.
+
+        Returns
+        -------
+        TracedRays
+            One ray for each place; its flux is that per area of the face.
+        """
+        ...
+
+
+class LightSource(RandomSource, FaceLight, Protocol):
+    """What each kind of source is for the check."""
+
+
 class Face(Protocol):
     """A surface that rays meet.
 
@@ -115,6 +151,18 @@ class Detector(Protocol):
 
     images: int
     pixels: int
+
+    def hits(self, rays: TracedRays, places: Array) -> None:
+        """Find where rays meet the first of the screens.
+
+        Parameters
+        ----------
+        rays : TracedRays
+            The rays.
+        places : ndarray, shape (m, 2)
+            Gets column and row in pixels; not a finite number for rays that do not meet its plane.
+        """
+        ...
 
     def count(self, rays: TracedRays, flux: Array, beside: Array) -> None:
         """Add rays to images.

@@ -4,14 +4,14 @@ What each batch finds depends on the seed alone, and batches are handed out in o
 for one gets control back now and then, and may leave at any time: many rays take minutes.
 """
 
-import os
 from collections.abc import Iterator, Sequence
-from concurrent.futures import ThreadPoolExecutor, wait
+from functools import partial
 from threading import Event
 
 import numpy as np
 
 from workbench.analysis.tracing.elements import Array
+from workbench.analysis.tracing.in_order import in_order
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.ray_limit import MOST_RAYS
 from workbench.analysis.tracing.sources.cells import BATCHES
@@ -19,11 +19,6 @@ from workbench.analysis.tracing.train import OpticalTrain, Tally
 from workbench.errors import Refused
 from workbench.geometry.body import check_body
 from workbench.scene import Scene
-
-_OFTEN = 0.1  # seconds after which whoever waits for a batch gets control back
-_MOST_THREADS = 8
-# Each has the images of a batch at hand, which may be large: bytes for all of them together.
-_LARGEST_IMAGES = 1 << 28
 
 
 class Trace:
@@ -91,22 +86,8 @@ class Trace:
             How many trace; as many as there are cores by default. Fewer do if images are large.
         """
         detector = self._train.detector
-        room = max(_LARGEST_IMAGES // (8 * detector.images * detector.pixels), 1)
-        threads = min(threads or os.cpu_count() or 1, _MOST_THREADS, room)
-        left = Event()
-        with ThreadPoolExecutor(threads) as pool:
-            try:
-                # Not all at once: images that wait take memory.
-                for first in range(0, BATCHES, threads):
-                    numbers = range(first, min(first + threads, BATCHES))
-                    some = [pool.submit(self._batch, number, left) for number in numbers]
-                    while some:
-                        if wait(some[:1], _OFTEN).done:
-                            yield some.pop(0).result()
-                        else:
-                            yield None
-            finally:
-                left.set()
+        works = [partial(self._batch, number) for number in range(BATCHES)]
+        yield from in_order(works, 8 * detector.images * detector.pixels, threads)
 
     def _batch(self, number: int, left: Event) -> Tally:
         tally = Tally(self._train.detector.images, self._train.detector.pixels)

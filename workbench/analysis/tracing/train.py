@@ -9,13 +9,13 @@ from workbench.analysis.tracing.elements import (
     Boundary,
     Detector,
     Face,
-    RandomSource,
+    LightSource,
     TracedRays,
 )
 from workbench.analysis.tracing.interfaces import DielectricBoundary
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.receivers import PlaneDetector
-from workbench.analysis.tracing.sources import random_source
+from workbench.analysis.tracing.sources import light_source
 from workbench.analysis.tracing.surfaces import FlatFace, SplineFace
 from workbench.scene import Scene
 
@@ -66,7 +66,7 @@ class OpticalTrain:
 
     Parameters
     ----------
-    source : RandomSource
+    source : LightSource
         The source.
     faces : sequence of (Face, Boundary)
         Faces, and what each does to light.
@@ -81,7 +81,7 @@ class OpticalTrain:
 
     def __init__(
         self,
-        source: RandomSource,
+        source: LightSource,
         faces: Sequence[tuple[Face, Boundary]],
         detector: Detector,
     ) -> None:
@@ -102,7 +102,7 @@ class OpticalTrain:
         entrance = FlatFace(0.0, lens.half_width, "missed_lens")
         exit_face = SplineFace(lens, control_points, "left_side")
         return cls(
-            random_source(scene.source, lens, pose, rays, seed),
+            light_source(scene.source, lens, pose, rays, seed),
             (
                 (entrance, DielectricBoundary(1.0, n, "fresnel_entrance")),
                 (exit_face, DielectricBoundary(n, 1.0, "fresnel_exit")),
@@ -116,11 +116,35 @@ class OpticalTrain:
         for some in rays.split(_AT_ONCE):
             self._follow(some, tally)
 
+    def hits(self, rays: TracedRays, places: Array, flux: Array) -> None:
+        """Follow rays to the first of the screens.
+
+        Parameters
+        ----------
+        rays : TracedRays
+            The rays.
+        places, flux : ndarray, shapes (m, 2), (m,)
+            Get column and row in pixels where they meet the screen, which is not finite for those
+            that never do, and their flux there. A ray that is lost has no flux and any place.
+        """
+        first = 0
+        for some in rays.split(_AT_ONCE):
+            arrived = self._through_faces(some)
+            last = first + len(some.flux)
+            self.detector.hits(arrived, places[first:last])
+            flux[first:last] = arrived.flux
+            first = last
+
     def _follow(self, rays: TracedRays, tally: Tally) -> None:
+        self.detector.count(self._through_faces(rays, tally), tally.flux, tally.beside)
+
+    def _through_faces(self, rays: TracedRays, tally: Tally | None = None) -> TracedRays:
+        """The rays behind all faces; a tally gets what is lost."""
         for face, boundary in self.faces:
             crossings = face.meet(rays)
             rays, lost = boundary.turn(rays, crossings)
-            tally.lose(face.missed, crossings.missed)
-            for name, flux in lost.items():
-                tally.lose(name, flux)
-        self.detector.count(rays, tally.flux, tally.beside)
+            if tally is not None:
+                tally.lose(face.missed, crossings.missed)
+                for name, flux in lost.items():
+                    tally.lose(name, flux)
+        return rays

@@ -38,6 +38,10 @@ class PlaneDetector:
         """Add rays to the images; see `Detector.count`."""
         _count(*rays, *self._to_scene, self._planes, self._scale, self._size, flux, beside)
 
+    def hits(self, rays: TracedRays, places: Array) -> None:
+        """Find where rays meet the first of the screens; see `Detector.hits`."""
+        _hits(*rays, *self._to_scene, self._planes[0], self._scale, places)
+
 
 @jit(error_model="numpy")
 def _count(  # type: ignore[no-untyped-def]
@@ -65,22 +69,46 @@ def _count(  # type: ignore[no-untyped-def]
     for ray in range(len(flux)):
         if flux[ray] == 0:
             continue
-        x, y, z = position[ray, 0], position[ray, 1], position[ray, 2]
-        k = ray * step
-        d_x, d_y, d_z = direction[k, 0], direction[k, 1], direction[k, 2]
-        from_x = turn[0, 0] * x + turn[0, 1] * y + turn[0, 2] * z + shift[0]
-        from_y = turn[1, 0] * x + turn[1, 1] * y + turn[1, 2] * z + shift[1]
-        from_z = turn[2, 0] * x + turn[2, 1] * y + turn[2, 2] * z + shift[2]
-        to_x = turn[0, 0] * d_x + turn[0, 1] * d_y + turn[0, 2] * d_z
-        to_y = turn[1, 0] * d_x + turn[1, 1] * d_y + turn[1, 2] * d_z
-        to_z = turn[2, 0] * d_x + turn[2, 1] * d_y + turn[2, 2] * d_z
+        start = _turned(turn, position[ray], shift)
+        way = _turned(turn, direction[ray * step], (0.0, 0.0, 0.0))
         for plane in range(len(planes)):
-            ahead = planes[plane] - from_z
-            path = ahead / to_z if to_z > 0 or ahead * to_z > 0 else math.inf
-            column = scale[0, 0] * (from_x + to_x * path) + scale[0, 1]
-            row = scale[1, 0] * (from_y + to_y * path) + scale[1, 1]
+            column, row = _hit(start, way, planes[plane], scale)
             # Also not a number, of a ray along the screen, is not in there.
             if 0 <= column < n_x and 0 <= row < n_y:
                 image[plane, int(row) * n_x + int(column)] += flux[ray]
             else:
                 beside[plane] += flux[ray]
+
+
+@jit(error_model="numpy")
+def _hits(position, direction, flux, turn, shift, plane, scale, places):  # type: ignore[no-untyped-def]
+    """Get columns and rows, shape (m, 2), on one screen; for the parameters see `_count`."""
+    step = int(direction.shape[0] > 1)
+    for ray in range(len(flux)):
+        if flux[ray] == 0:
+            continue
+        start = _turned(turn, position[ray], shift)
+        way = _turned(turn, direction[ray * step], (0.0, 0.0, 0.0))
+        places[ray, 0], places[ray, 1] = _hit(start, way, plane, scale)
+
+
+@jit(error_model="numpy", inline="always")  # a call costs as much
+def _turned(turn, vector, shift):  # type: ignore[no-untyped-def]
+    """A vector in the scene."""
+    x, y, z = vector[0], vector[1], vector[2]
+    return (
+        turn[0, 0] * x + turn[0, 1] * y + turn[0, 2] * z + shift[0],
+        turn[1, 0] * x + turn[1, 1] * y + turn[1, 2] * z + shift[1],
+        turn[2, 0] * x + turn[2, 1] * y + turn[2, 2] * z + shift[2],
+    )
+
+
+@jit(error_model="numpy", inline="always")  # a call costs as much
+def _hit(start, way, plane, scale):  # type: ignore[no-untyped-def]
+    """Column and row where a ray meets a screen; not finite where it does not."""
+    ahead = plane - start[2]
+    path = ahead / way[2] if way[2] > 0 or ahead * way[2] > 0 else math.inf
+    return (
+        scale[0, 0] * (start[0] + way[0] * path) + scale[0, 1],
+        scale[1, 0] * (start[1] + way[1] * path) + scale[1, 1],
+    )

@@ -1,4 +1,4 @@
-"""Light before the lens, drawn at random: a file for each kind.
+"""Light before the lens: a file for each kind.
 
 A new kind of source is a file here, its fields in `workbench.scene`, and a row in ``_SOURCES``.
 """
@@ -6,21 +6,21 @@ A new kind of source is a file here, its fields in `workbench.scene`, and a row 
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from workbench.analysis.tracing.elements import RandomSource
+from workbench.analysis.tracing.elements import LightSource
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.collimated import CollimatedLight
 from workbench.analysis.tracing.sources.points import PointLight
 from workbench.scene import CollimatedSource, GridSource, Lens, PointSource, Source
 
-_SOURCES: Mapping[type, Callable[[Any, Lens, Pose, int, int], RandomSource]] = {
+_SOURCES: Mapping[type, Callable[[Any, Lens, Pose, int, int], LightSource]] = {
     CollimatedSource: CollimatedLight,
     PointSource: PointLight,
     GridSource: PointLight,
 }
 
 
-def random_source(source: Source, lens: Lens, pose: Pose, rays: int, seed: int) -> RandomSource:
-    """The element that draws the rays of a source.
+def light_source(source: Source, lens: Lens, pose: Pose, rays: int, seed: int) -> LightSource:
+    """The element that a source is.
 
     Parameters
     ----------
@@ -31,6 +31,6 @@ def random_source(source: Source, lens: Lens, pose: Pose, rays: int, seed: int) 
     pose : Pose
         How the lens stands.
     rays, seed : int
-        How many rays at least, and which.
+        How many rays are drawn at least, and which.
     """
     return _SOURCES[type(source)](source, lens, pose, rays, seed)

@@ -4,17 +4,17 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from workbench.analysis.tracing.elements import TracedRays
+from workbench.analysis.tracing.elements import Array, TracedRays
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import Cells
 from workbench.scene import CollimatedSource, Lens
 
 
 class CollimatedLight:
-    """Parallel light along +z; a `RandomSource`.
+    """Parallel light along +z; a `LightSource`.
 
     It has no edge: it fills the entrance face however that stands. The parameters are those of
-    `random_source`.
+    `light_source`.
     """
 
     def __init__(
@@ -24,6 +24,7 @@ class CollimatedLight:
         self._direction = pose.axis()[None, :]
         self._cells = Cells(rays, r_x / r_y, seed)
         self.rays = self._cells.count
+        self.origins, self.emitted = 1, 4 * r_x * r_y
 
     def batch(self, number: int) -> Iterator[TracedRays]:
         """Rays that begin on the entrance face; see `RandomSource.batch`."""
@@ -32,3 +33,8 @@ class CollimatedLight:
             position = np.zeros((len(a), 3))
             position[:, 0], position[:, 1] = (a * 2 - 1) * r_x, (b * 2 - 1) * r_y
             yield TracedRays(position, self._direction, np.ones(len(a)))
+
+    def through(self, origin: int, x: Array, y: Array) -> TracedRays:
+        """Rays through places of the entrance face; see `FaceLight.through`."""
+        position = np.column_stack([x, y, np.zeros_like(x)])
+        return TracedRays(position, self._direction, np.ones_like(x))

@@ -12,6 +12,9 @@ import numpy.typing as npt
 
 Array = npt.NDArray[np.float64]
 
+# Of the rule that adds up the light of a cone.
+_NODES = 48
+
 
 class Cones(NamedTuple):
     """For each of k points the smallest circular cone that holds the face.
@@ -75,6 +78,40 @@ def covering_cones(points: Array, half_width: tuple[float, float], z: float) -> 
         distance,
         versine=least / (1 + np.sqrt((1 - least).clip(min=0))),
     )
+
+
+def powers(cones: Cones, upwards: Array) -> Array:
+    """Flux of points of intensity 1 / 2π in their cones, shape (k,).
+
+    Parameters
+    ----------
+    cones : Cones
+        The cones.
+    upwards : ndarray, shape (3,)
+        Intensity goes with the cosine to this unit vector, as far as that is positive; 0 for light
+        that is even.
+    """
+    if not upwards.any():
+        return cones.versine
+    # Gauss's rule over the angle to the axis, on both sides of where the cone meets the horizon.
+    node, weight = np.polynomial.legendre.leggauss(_NODES)
+    rim = 2 * np.arcsin(np.sqrt(cones.versine / 2))
+    found = np.zeros(len(rim))
+    cosine = (cones.axis @ upwards)[:, None]
+    sine = np.sqrt((1 - cosine**2).clip(min=0))
+    level = np.minimum(np.pi / 2 - np.arccos(cosine[:, 0].clip(-1, 1)), rim).clip(min=0)
+    for low, high in ((np.zeros_like(rim), level), (level, rim)):
+        angle = low[:, None] + (high - low)[:, None] * (node + 1) / 2
+        light = _around(np.cos(angle) * cosine, np.sin(angle) * sine)
+        found += (np.sin(angle) * light) @ weight * (high - low) / 2
+    return np.asarray(found / (2 * np.pi))
+
+
+def _around(mean: Array, amplitude: Array) -> Array:
+    """∫ max(mean + amplitude cos φ, 0) dφ over a full turn; amplitudes are not negative."""
+    part = np.divide(-mean, amplitude, out=np.where(mean >= 0, -1.0, 1.0), where=amplitude > 0)
+    half = np.arccos(part.clip(-1, 1))
+    return np.asarray(2 * (mean * half + amplitude * np.sin(half)))
 
 
 def _squared_chords(corners: Array, ways: Array, length: Array) -> Array:

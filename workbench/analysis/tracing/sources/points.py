@@ -1,22 +1,23 @@
 """Light of one point, or of a grid of points that stands for an extended source."""
 
+import math
 from collections.abc import Iterator
 
 import numpy as np
 
-from workbench.analysis.tracing.elements import TracedRays
+from workbench.analysis.tracing.elements import Array, TracedRays
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import Cells
 from workbench.analysis.tracing.sources.cone_kernels import emit
-from workbench.analysis.tracing.sources.cones import Cones, covering_cones
+from workbench.analysis.tracing.sources.cones import Cones, covering_cones, powers
 from workbench.scene import Lens, LightOfPoints
 
 
 class PointLight:
-    """Light into the cones that just cover the entrance face; a `RandomSource`.
+    """Light into the cones that just cover the entrance face; a `LightSource`.
 
     All points have the same intensity, so those that see the face larger emit more. The parameters
-    are those of `random_source`.
+    are those of `light_source`.
     """
 
     def __init__(self, source: LightOfPoints, lens: Lens, pose: Pose, rays: int, seed: int) -> None:
@@ -24,12 +25,14 @@ class PointLight:
         # Flux goes with the cosine to this; even light has none.
         lambertian = source.emission == "lambertian"
         self._upwards = pose.axis() if lambertian else np.zeros(3)
-        points = pose.to_lens(source.positions, lens.entrance_z)
-        cones = covering_cones(points, lens.half_width, 0.0)
+        self._points = pose.to_lens(source.positions, lens.entrance_z)
+        cones = covering_cones(self._points, lens.half_width, 0.0)
         # In one order of memory always, or the loops would be compiled for each.
         self._cones = Cones(*map(np.ascontiguousarray, cones))
         self._cells = Cells(rays, 1.0, seed)
         self.rays = self._cells.count
+        self.origins = len(self._points)
+        self.emitted = float(powers(cones, self._upwards).sum())
 
     def batch(self, number: int) -> Iterator[TracedRays]:
         """Rays that begin in the plane of the entrance face; see `RandomSource.batch`.
@@ -44,3 +47,17 @@ class PointLight:
             rays = TracedRays(np.empty((len(a), 3)), np.empty((len(a), 3)), np.empty(len(a)))
             emit(self._cones, from_point % cones, a, b, self._upwards, *rays)
             yield rays
+
+    def through(self, origin: int, x: Array, y: Array) -> TracedRays:
+        """Rays of a point through places of the entrance face; see `FaceLight.through`.
+
+        Intensity is 1 / 2π, so that an even cone has the power of its versine.
+        """
+        position = np.column_stack([x, y, np.zeros_like(x)])
+        direction = position - self._points[origin]
+        distance = np.linalg.norm(direction, axis=1)
+        direction /= distance[:, None]
+        flux = direction[:, 2] / (2 * math.pi * distance**2)
+        if self._upwards.any():
+            flux *= (direction @ self._upwards).clip(min=0)
+        return TracedRays(position, direction, flux)

@@ -1,0 +1,143 @@
+"""An image of a lens whose error is bounded: lattices refined until two of them agree."""
+
+import math
+from collections.abc import Generator, Iterator
+from contextlib import closing
+from dataclasses import dataclass
+
+import numpy as np
+
+from workbench.analysis.cells.lattice import Lattice
+from workbench.analysis.cells.triangles import Array
+from workbench.analysis.tracing.pose import Pose
+from workbench.analysis.tracing.train import OpticalTrain
+from workbench.errors import RunFailed
+from workbench.geometry.body import check_body
+from workbench.scene import Scene
+
+ACCURACY = 1e-3
+"""Relative error of an image that is good enough for a check of a lens."""
+
+# Cells for all points of the source together: of the first three levels at most, some seconds on
+# two cores, and of any later one.
+_BEGIN, _MOST = 1 << 24, 1 << 26
+# Least cells along an axis: as a rule, and where a source has many points.
+_ENOUGH, _FEWEST = 32, 8
+# From level to level the error is taken to fall by such a factor at most, and at least.
+_FASTEST, _SLOWEST = 4.0, 1.25
+
+
+@dataclass(frozen=True, eq=False)
+class CellImage:
+    """The image of a lens by cells.
+
+    Attributes
+    ----------
+    irradiance : ndarray, shape (n_y, n_x)
+        Flux per area on the screen for a source of flux 1, row 0 at +y.
+    bound : float
+        Bound of the error of the image, ‖I − I_exact‖ / ‖I‖, from two levels of cells.
+    cells : tuple[int, int]
+        Cells along x and y of the finer level.
+    """
+
+    irradiance: Array
+    bound: float
+    cells: tuple[int, int]
+
+
+def imaging(
+    scene: Scene,
+    control_points: Array,
+    accuracy: float = ACCURACY,
+    pose: Pose | None = None,
+    threads: int | None = None,
+) -> Generator[float, None, CellImage | None]:
+    """Find the image of a lens by cells, step by step.
+
+    Each level has cells of half the width of those before. If its error is a factor r smaller, the
+    difference of the two images over r − 1 is the error of the finer one. The factor is measured
+    from three levels, and is taken to be at most 4, that of second order: where the error falls
+    sooner, as it mostly does, the bound is above it.
+
+    Parameters
+    ----------
+    scene : Scene
+        Lens, source and screen; filter and run settings play no part.
+    control_points : ndarray, shape (n_u, n_v)
+        Heights z of the exit face's control points, scene units.
+    accuracy : float
+        Cells are refined until the bound is below this, or there are too many of them.
+    pose : Pose, optional
+        How the lens stands; straight and centred by default.
+    threads : int, optional
+        How many trace; as many as there are cores by default.
+
+    Yields
+    ------
+    float
+        The part that is done, up to 1, as far as that can be foreseen.
+
+    Returns
+    -------
+    CellImage or None
+        None if the source has so many points that three levels would take too long.
+
+    Raises
+    ------
+    Refused
+        If the lens is no body or may touch the screen; see `check_body`.
+    RunFailed
+        If no light reaches the screen.
+    """
+    check_body(scene, control_points, scene.screen.z)
+    plane = np.array([scene.screen.z])
+    train = OpticalTrain.of(scene, control_points, 1, 0, Pose() if pose is None else pose, plane)
+    images: list[Array] = []
+    bound = math.inf
+    for level, cells in enumerate(_levels(scene, train.source.origins)):
+        lattice = Lattice(scene, train, cells)
+        image = yield from _shown(lattice.tracing(threads), level)
+        images = [*images[-2:], image]
+        if level >= 2:
+            bound = _bound(*images)
+            if bound <= accuracy:
+                break
+    if not images:
+        return None
+    if not images[-1].any():
+        raise RunFailed("no light of this lens reaches the screen, so there is no image to judge")
+    return CellImage(images[-1] / scene.screen.pixel_area, bound, cells)
+
+
+def _shown(steps: Generator[float, None, Array], level: int) -> Generator[float, None, Array]:
+    """Take the steps of a level: each level takes most of what is left of the whole."""
+    with closing(steps):
+        while True:
+            try:
+                yield 1 - 0.25 ** (level + next(steps))
+            except StopIteration as end:
+                found: Array = end.value
+                return found
+
+
+def _levels(scene: Scene, origins: int) -> Iterator[tuple[int, int]]:
+    """Cells along x and y of each level; none if there would be too few in the first."""
+    # Where light is parallel, cells end where the polynomials of the face do.
+    spans = [n - p for n, p in zip(scene.lens.control_points, scene.lens.degree, strict=True)]
+    n_x, n_y = (count * -(-_ENOUGH // count) for count in spans)
+    if (wanted := 16 * n_x * n_y * origins) > _BEGIN:
+        shrink = math.sqrt(_BEGIN / wanted)
+        n_x, n_y = (int(n * shrink) for n in (n_x, n_y))
+    while min(n_x, n_y) >= _FEWEST and n_x * n_y * origins <= _MOST:
+        yield n_x, n_y
+        n_x, n_y = 2 * n_x, 2 * n_y
+
+
+def _bound(coarse: Array, middle: Array, fine: Array) -> float:
+    """Bound of the relative error of the finest of three levels."""
+    before, last = (float(np.linalg.norm(i)) for i in (middle - coarse, fine - middle))
+    if last == 0:
+        return 0.0
+    factor = min(max(before / last, _SLOWEST), _FASTEST)
+    return last / float(np.linalg.norm(fine)) / (factor - 1)

@@ -1,0 +1,135 @@
+"""The light of a lens on a lattice of one size, by as many threads as there are cores."""
+
+import math
+from collections.abc import Generator
+from functools import partial
+from itertools import pairwise
+from threading import Event
+
+import numpy as np
+import numpy.typing as npt
+
+from workbench.analysis.cells.lift import lift
+from workbench.analysis.cells.triangles import Array, Canvas, fill_cells
+from workbench.analysis.tracing.in_order import in_order
+from workbench.analysis.tracing.train import OpticalTrain, Tally
+from workbench.scene import Scene
+
+Index = npt.NDArray[np.intp]
+
+# Nodes traced together: what is made of them stays within the cache.
+_AT_ONCE = 1 << 15
+# Parts into which the work is divided whatever the number of threads: rounding depends on them.
+_PARTS = 16
+# Rays along each side of a cell of which only a part comes to the screen.
+_SAMPLES = 8
+# Light farther off than so many pixels counts as lost: its cells would have no useful size.
+_FAR = 1e7
+
+
+class Lattice:
+    """Cells of equal size that cover the entrance face, lit from each origin of the light.
+
+    Parameters
+    ----------
+    scene : Scene
+        Lens and screen.
+    train : OpticalTrain
+        Its elements, with one screen.
+    cells : tuple[int, int]
+        Cells along x and y.
+    lifted : tuple[bool, bool], optional
+        Along which axes nodes are moved so that the error of cells has no mean; see `lift`. By
+        default where the face has no kinks in its slope, which differences would take for bends.
+    """
+
+    def __init__(
+        self,
+        scene: Scene,
+        train: OpticalTrain,
+        cells: tuple[int, int],
+        lifted: tuple[bool, bool] | None = None,
+    ) -> None:
+        self._train, self._pixels = train, scene.screen.pixels
+        p, q = scene.lens.degree
+        self._lifted = (p > 2, q > 2) if lifted is None else lifted
+        self._x, self._y = (
+            np.linspace(-r, r, n + 1) for r, n in zip(scene.lens.half_width, cells, strict=True)
+        )
+        self._width = tuple(2 * r / n for r, n in zip(scene.lens.half_width, cells, strict=True))
+        self._rows = max(_AT_ONCE // (cells[1] + 1) - 3, 4)  # of cells traced together
+        self._strips = [
+            (origin, first)
+            for origin in range(train.source.origins)
+            for first in range(0, cells[0], self._rows)
+        ]
+        self._done = 0
+
+    def tracing(self, threads: int | None = None) -> Generator[float, None, Array]:
+        """Trace all nodes; yields the part that is done now and then.
+
+        Parameters
+        ----------
+        threads : int, optional
+            How many trace; as many as there are cores by default. Results do not depend on it.
+
+        Returns
+        -------
+        ndarray, shape (n_y, n_x)
+            Part of the emitted flux in each pixel.
+        """
+        count = min(_PARTS, len(self._strips))
+        ends = [k * len(self._strips) // count for k in range(count + 1)]
+        parts = [partial(self._part, a, b) for a, b in pairwise(ends)]
+        total = Canvas(self._pixels)
+        for canvas in in_order(parts, 16 * math.prod(self._pixels), threads):
+            if canvas is not None:
+                total.add(canvas)
+            del canvas  # large images must not wait for the next ones
+            yield self._done / len(self._strips)
+        return total.flux() / self._train.source.emitted
+
+    def _part(self, begin: int, end: int, left: Event) -> Canvas:
+        canvas = Canvas(self._pixels)
+        for origin, first in self._strips[begin:end]:
+            if left.is_set():  # nobody takes this image
+                break
+            self._fill(canvas, origin, first)
+            self._done += 1
+        return canvas
+
+    def _fill(self, canvas: Canvas, origin: int, first: int) -> None:
+        """Add the light of one origin through a strip of cells."""
+        last = min(first + self._rows, len(self._x) - 1)
+        # With a row of nodes on both sides, for second differences.
+        before, behind = max(first - 1, 0), min(last + 1, len(self._x) - 1)
+        nodes, flux = self._nodes(origin, self._x[before : behind + 1], self._y)
+        nodes = lift(nodes, flux, self._lifted)
+        strip = slice(first - before, last - before + 1)
+        mixed = np.empty((last - first, len(self._y) - 1), dtype=bool)
+        fill_cells(nodes[strip], flux[strip], first % 2, (canvas.here, canvas.behind), mixed)
+        i, j = np.nonzero(mixed)
+        at_once = max(_AT_ONCE // _SAMPLES**2, 1)
+        for some in range(0, len(i), at_once):
+            self._sample(canvas, origin, first + i[some:][:at_once], j[some:][:at_once])
+
+    def _nodes(self, origin: int, x: Array, y: Array) -> tuple[Array, Array]:
+        """Where light meets the screen, in pixels, and its flux per cell; 0 for what is lost."""
+        rays = self._train.source.through(origin, np.repeat(x, len(y)), np.tile(y, len(x)))
+        places, flux = np.zeros((len(rays.flux), 2)), np.empty(len(rays.flux))
+        self._train.hits(rays, places, flux)
+        lost = ~(np.abs(places) < _FAR).all(axis=1)  # also where there is no number
+        places[lost], flux[lost] = 0.0, 0.0
+        flux *= math.prod(self._width)
+        return places.reshape(len(x), len(y), 2), flux.reshape(len(x), len(y))
+
+    def _sample(self, canvas: Canvas, origin: int, i: Index, j: Index) -> None:
+        """Add the light of cells of which a part is lost, ray by ray."""
+        within = (np.arange(_SAMPLES) + 0.5) / _SAMPLES
+        x = self._x[i][:, None, None] + within[:, None] * self._width[0]
+        y = self._y[j][:, None, None] + within * self._width[1]
+        rays = self._train.source.through(origin, *map(np.ravel, np.broadcast_arrays(x, y)))
+        share = math.prod(self._width) / _SAMPLES**2
+        tally = Tally(1, canvas.here.size)
+        self._train.walk(rays._replace(flux=rays.flux * share), tally)
+        canvas.here += tally.flux.reshape(canvas.here.shape)

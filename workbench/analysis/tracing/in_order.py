@@ -1,0 +1,44 @@
+"""Work in threads whose outcomes are handed out in order, and which can be left at any time."""
+
+import os
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor, wait
+from threading import Event
+from typing import TypeVar
+
+T = TypeVar("T")
+
+_OFTEN = 0.1  # seconds after which whoever waits for an outcome gets control back
+_MOST_THREADS = 8
+# Each has an outcome at hand, which may be large: bytes for all of them together.
+_LARGEST = 1 << 28
+
+
+def in_order(
+    works: Sequence[Callable[[Event], T]], size: int, threads: int | None = None
+) -> Iterator[T | None]:
+    """Do all of some works; yields each outcome, and None now and then before one is there.
+
+    Parameters
+    ----------
+    works : sequence of callable
+        Called with an event that is set once nobody waits for the outcome.
+    size : int
+        Bytes of an outcome: fewer threads work where that is much.
+    threads : int, optional
+        How many work; as many as there are cores by default.
+    """
+    threads = min(threads or os.cpu_count() or 1, _MOST_THREADS, max(_LARGEST // size, 1))
+    left = Event()
+    with ThreadPoolExecutor(threads) as pool:
+        try:
+            # Not all at once: outcomes that wait take memory.
+            for first in range(0, len(works), threads):
+                some = [pool.submit(work, left) for work in works[first : first + threads]]
+                while some:
+                    if wait(some[:1], _OFTEN).done:
+                        yield some.pop(0).result()
+                    else:
+                        yield None
+        finally:
+            left.set()
