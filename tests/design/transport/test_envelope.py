@@ -26,3 +26,10 @@ def test_three_transforms_are_one(rng):
     potential = rng.normal(size=(10, 8))
     once = c_transform(potential, 1.0, 2.0)
     assert c_transform(c_transform(once, 1.0, 2.0), 1.0, 2.0) == pytest.approx(once, abs=1e-12)
+
+
+def test_threads_share_the_lines(rng, monkeypatch):
+    potential = rng.normal(size=(9, 13))
+    alone = c_transform(potential, 1.0, 2.0)
+    monkeypatch.setattr("workbench.optics.kernels.threads.parts", lambda cells: 4)
+    assert (c_transform(potential, 1.0, 2.0) == alone).all()

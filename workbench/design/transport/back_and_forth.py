@@ -16,14 +16,22 @@ from workbench.design.transport.push import mapped, push
 
 Array = npt.NDArray[np.float64]
 
-# A dozen rounds bring most pairs of images as near as a grid allows; one bright pixel takes more.
+# Light and target are first carried on grids of half as many cells along each axis, down to this.
+_COARSEST = 64
+# A few rounds bring most pairs of images as near as a grid allows; one bright pixel takes more.
 _MOST_ROUNDS = 60
-# It is enough when so many rounds bring the images nearer by less than this part.
-_PATIENCE, _PROGRESS = 3, 0.03
+# It is enough when light and target are this near to each other, in cells: a root mean square over
+# both directions. What a further round brings nearer then is the rounding of maps to cells.
+_NEAR = 0.25
+# It is enough as well when so many rounds bring the images nearer by less than this part: on the
+# coarsest grid, where rounds cost little, and on finer ones.
+_PATIENCE, _COARSE_PROGRESS, _FINE_PROGRESS = 3, 0.03, 0.1
 
 
 class Transport:
     """The map that carries one image to another with the least Σ w |x − y|².
+
+    It is found on a coarse grid first; each finer one takes its potential and step lengths over.
 
     Parameters
     ----------
@@ -36,10 +44,18 @@ class Transport:
     def __init__(self, source: Array, target: Array, weights: tuple[float, float]) -> None:
         self._target, self._weights = target, weights
         self._waves = _laplacian(source.shape, weights)
-        self._there = np.zeros_like(source)  # potential whose map goes to the target
         # Each potential has a step of its own: that of a dim wide image may be a thousand times
         # that of a few bright pixels.
-        self._steps = (4 / max(source.max(), target.max()),) * 2
+        if all(m % 2 == 0 and m >= 2 * _COARSEST for m in source.shape):
+            self._progress = _FINE_PROGRESS
+            coarse = Transport(_halved(source), _halved(target), weights)
+            self._there: Array = _doubled(coarse._there)  # potential whose map goes to the target
+            # A finer potential has four times the numbers; a bit more to smooth it soon.
+            self._steps: tuple[float, float] = 6 * coarse._steps[0], 6 * coarse._steps[1]
+        else:
+            self._progress = _COARSE_PROGRESS
+            self._there = np.zeros_like(source)
+            self._steps = (4 / max(source.max(), target.max()),) * 2
         self.improve(source)
 
     def improve(self, source: Array) -> None:
@@ -51,15 +67,17 @@ class Transport:
         nearest, idle = math.inf, 0
         for _ in range(_MOST_ROUNDS):
             before = step, step_back
-            there, back, value, step, _ = self._climb(there, back, source, target, value, step)
-            back, there, value, step_back, distance = self._climb(
+            there, back, value, step, far = self._climb(there, back, source, target, value, step)
+            back, there, value, step_back, far_back = self._climb(
                 back, there, target, source, value, step_back
             )
             grows = step > before[0] or step_back > before[1]
-            nearer = distance < (1 - _PROGRESS) * nearest
+            distance = far + far_back
+            nearer = distance < (1 - self._progress) * nearest
             idle = 0 if nearer or grows else idle + 1
             nearest = min(nearest, distance)
-            if idle == _PATIENCE:
+            if idle == _PATIENCE or distance * math.sqrt(source.size) < _NEAR:
+                step, step_back = before  # shorter ones are for what this grid cannot show
                 break
         self._there, self._steps = there, (step, step_back)
 
@@ -98,3 +116,20 @@ def _laplacian(shape: tuple[int, ...], weights: tuple[float, float]) -> Array:
     waves: Array = along_0[:, None] + along_1[None, :]
     waves[0, 0] = 1.0
     return waves
+
+
+def _halved(mass: Array) -> Array:
+    """Mass in cells twice as large."""
+    return np.asarray(mass[::2, ::2] + mass[1::2, ::2] + mass[::2, 1::2] + mass[1::2, 1::2])
+
+
+def _doubled(potential: Array) -> Array:
+    """A potential at the middles of cells half as large, in units of these cells squared."""
+    for _ in range(2):  # along one axis, then along the other
+        ends = 2 * potential[[0, -1]] - potential[[1, -2]]
+        wide = np.concatenate([ends[:1], potential, ends[1:]])
+        finer = np.empty((2 * len(potential), potential.shape[1]))
+        finer[::2] = 0.75 * wide[1:-1] + 0.25 * wide[:-2]
+        finer[1::2] = 0.75 * wide[1:-1] + 0.25 * wide[2:]
+        potential = finer.T
+    return np.asarray(4 * potential)

@@ -8,17 +8,20 @@ Huttenlocher 2012, Distance transforms of sampled functions).
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
 from workbench.compiled import jit
+from workbench.optics.kernels import threads
+
+Array = npt.NDArray[np.float64]
 
 
-@jit()
-def c_transform(potential, weight_0, weight_1):  # type: ignore[no-untyped-def]
+def c_transform(potential: Array, weight_0: float, weight_1: float) -> Array:
     """The c-transform.
 
     Parameters
     ----------
-    potential : ndarray of float64, shape (m_0, m_1)
+    potential : ndarray, shape (m_0, m_1)
         φ.
     weight_0, weight_1 : float
         Weights of the squared distances along the two axes.
@@ -28,25 +31,36 @@ def c_transform(potential, weight_0, weight_1):  # type: ignore[no-untyped-def]
     ndarray, shape (m_0, m_1)
         φᶜ on the same grid.
     """
-    m_0, m_1 = potential.shape
-    longest = max(m_0, m_1)
-    vertex, border = np.empty(longest, np.int64), np.empty(longest + 1)
-    line, envelope = np.empty(longest), np.empty(longest)
-    half = np.empty((m_0, m_1))
-    for a in range(m_0):
-        _envelope(potential[a], weight_1, vertex, border, envelope)
-        half[a] = -envelope[:m_1]
-    transformed = np.empty((m_0, m_1))
-    for b in range(m_1):
-        line[:m_0] = half[:, b]
-        _envelope(line[:m_0], weight_0, vertex, border, envelope)
-        transformed[:, b] = envelope[:m_0]
-    return transformed
+    return _lowest_along_rows(_lowest_along_rows(-potential, weight_1), weight_0)
+
+
+def _lowest_along_rows(values: Array, weight: float) -> Array:
+    """min_j ½ w (k − j)² + values[a, j], transposed: shape (m_1, m_0)."""
+    lowest = np.empty(values.shape[::-1])
+    parts = min(threads.parts(values.size), len(values))
+    bounds = threads.bounds(len(values), parts)
+
+    def work(part: int) -> None:
+        _envelopes(values, weight, bounds[part], bounds[part + 1], lowest)
+
+    threads.run(work, parts)
+    return lowest
+
+
+@jit()
+def _envelopes(values, weight, begin, end, lowest):  # type: ignore[no-untyped-def]
+    """The rows from number ``begin`` to ``end``; see `_lowest_along_rows`."""
+    count = values.shape[1]
+    vertex, border, envelope = np.empty(count, np.int64), np.empty(count + 1), np.empty(count)
+    for a in range(begin, end):
+        _envelope(values[a], weight, vertex, border, envelope)
+        for k in range(count):
+            lowest[k, a] = envelope[k]
 
 
 @jit()
 def _envelope(values, weight, vertex, border, envelope) -> Any:  # type: ignore[no-untyped-def]
-    """min_j ½ w (k − j)² − values[j] for each k.
+    """min_j ½ w (k − j)² + values[j] for each k.
 
     ``vertex`` lists the parabolas of the envelope from left to right, and ``border`` where each
     of them begins to be the lowest.
@@ -57,11 +71,11 @@ def _envelope(values, weight, vertex, border, envelope) -> Any:  # type: ignore[
     border[0] = -np.inf
     for j in range(1, count):
         i = vertex[top]
-        crossing = 0.5 * (i + j) + (values[i] - values[j]) / (weight * (j - i))
+        crossing = 0.5 * (i + j) + (values[j] - values[i]) / (weight * (j - i))
         while crossing <= border[top]:
             top -= 1
             i = vertex[top]
-            crossing = 0.5 * (i + j) + (values[i] - values[j]) / (weight * (j - i))
+            crossing = 0.5 * (i + j) + (values[j] - values[i]) / (weight * (j - i))
         top += 1
         vertex[top] = j
         border[top] = crossing
@@ -71,4 +85,4 @@ def _envelope(values, weight, vertex, border, envelope) -> Any:  # type: ignore[
         while border[lowest + 1] < k:
             lowest += 1
         j = vertex[lowest]
-        envelope[k] = 0.5 * weight * (k - j) ** 2 - values[j]
+        envelope[k] = 0.5 * weight * (k - j) ** 2 + values[j]

@@ -1,16 +1,22 @@
 """The face that comes closest to given slopes."""
 
+from functools import lru_cache
+from typing import NamedTuple
+
 import numpy as np
 import numpy.typing as npt
 from scipy.linalg import eigh
+from scipy.sparse import csr_array
 
+from workbench.geometry.basis import sparse_basis
+from workbench.geometry.knots import clamped_knots
 from workbench.geometry.surface import ControlNet
 
 Array = npt.NDArray[np.float64]
 
 
 class SlopeFit:
-    """Least squares on a tensor grid of places, for one net and many fields of slopes.
+    """Least squares on a tensor grid of even places, for one net and many fields of slopes.
 
     The normal equations are a sum of two Kronecker products; the eigenvectors of the pairs of
     small matrices along each axis make them diagonal (Lynch, Rice and Thomas 1964).
@@ -19,43 +25,69 @@ class SlopeFit:
     ----------
     net : ControlNet
         Where the control heights sit.
-    u, v : ndarray, shape (m_x,), (m_y,)
-        Parameters of the places, at least as many as control points.
+    places : int
+        Places along each axis, at least as many as control points: the middles of equal cells.
     """
 
-    def __init__(self, net: ControlNet, u: Array, v: Array) -> None:
-        self.basis = basis = net.grid(u, v)
-        self._modes_x, stretch_x = _modes(basis.along_x, basis.slope_x)
-        self._modes_y, stretch_y = _modes(basis.along_y.T, basis.slope_y.T)
+    def __init__(self, net: ControlNet, places: int) -> None:
+        self._x, self._y = (
+            _axis(count, degree, places)
+            for count, degree in zip(net.shape, net.degree, strict=True)
+        )
+        self._width_x, self._width_y = (2 * r for r in net.half_width)
+        stretch_x, stretch_y = (
+            self._x.stretch / self._width_x**2,
+            self._y.stretch / self._width_y**2,
+        )
         self._stretch = stretch_x[:, None] + stretch_y[None, :]
         # The mean height does not matter to slopes, nor do heights that no place sees.
         self._seen = self._stretch > 1e-10 * self._stretch.max()
+
+    def surface(self, heights: Array) -> Array:
+        """Heights of the face at the places, shape (places, places)."""
+        return np.asarray((self._y.value @ (self._x.value @ heights).T).T)
 
     def heights(self, slope_x: Array, slope_y: Array) -> Array:
         """Control heights of the face, up to a constant.
 
         Parameters
         ----------
-        slope_x, slope_y : ndarray, shape (m_x, m_y)
+        slope_x, slope_y : ndarray, shape (places, places)
             Wanted slopes dz/dx and dz/dy at the places.
         """
-        basis = self.basis
-        moments = basis.slope_x.T @ slope_x @ basis.along_y.T
-        moments += basis.along_x.T @ slope_y @ basis.slope_y.T
+        x, y = self._x, self._y
+        moments = (y.value.T @ (x.slope.T @ (slope_x / self._width_x)).T).T
+        moments += (y.slope.T @ (x.value.T @ (slope_y / self._width_y)).T).T
         amplitudes = np.zeros_like(moments)
-        np.divide(
-            self._modes_x.T @ moments @ self._modes_y,
-            self._stretch,
-            out=amplitudes,
-            where=self._seen,
-        )
-        return np.asarray(self._modes_x @ amplitudes @ self._modes_y.T)
+        np.divide(x.modes.T @ moments @ y.modes, self._stretch, out=amplitudes, where=self._seen)
+        return np.asarray(x.modes @ amplitudes @ y.modes.T)
 
 
-def _modes(value: Array, slope: Array) -> tuple[Array, Array]:
-    """Vectors that make the mass matrix the identity and the stiffness matrix diagonal."""
-    mass = value.T @ value
+class _Axis(NamedTuple):
+    """Splines along an axis from 0 to 1.
+
+    Attributes
+    ----------
+    value, slope : csr_array, shape (places, count)
+        Basis functions and their derivatives at the places.
+    modes : ndarray, shape (count, count)
+        Vectors that make the mass matrix the identity and the stiffness matrix diagonal.
+    stretch : ndarray, shape (count,)
+        That diagonal.
+    """
+
+    value: csr_array
+    slope: csr_array
+    modes: Array
+    stretch: Array
+
+
+@lru_cache(maxsize=4)  # both axes of most nets, and one design after the other, share it
+def _axis(count: int, degree: int, places: int) -> _Axis:
+    knots, middles = clamped_knots(count, degree), (np.arange(places) + 0.5) / places
+    value, slope = (sparse_basis(knots, degree, middles, derivative) for derivative in (0, 1))
+    mass = (value.T @ value).toarray()
     # A trace of ridge: with few places a mass matrix need not be definite.
-    mass += 1e-12 * np.trace(mass) / len(mass) * np.eye(len(mass))
-    stretch, modes = eigh(slope.T @ slope, mass)
-    return modes, stretch
+    mass += 1e-12 * np.trace(mass) / count * np.eye(count)
+    stretch, modes = eigh((slope.T @ slope).toarray(), mass)
+    return _Axis(value, slope, modes, stretch)

@@ -3,8 +3,12 @@
 import math
 
 import numpy as np
+import numpy.typing as npt
 
 from workbench.compiled import jit
+from workbench.optics.kernels import threads
+
+Array = npt.NDArray[np.float64]
 
 # Most parts along an axis into which a cell is cut where the map stretches it.
 _MOST_PARTS = 8
@@ -39,8 +43,7 @@ def mapped(potential, weight_0, weight_1):  # type: ignore[no-untyped-def]
     return to_0, to_1
 
 
-@jit()
-def push(mass, to_0, to_1):  # type: ignore[no-untyped-def]
+def push(mass: Array, to_0: Array, to_1: Array) -> Array:
     """Mass after each cell went where the map brings it.
 
     A cell is cut where the map stretches it, so that it leaves no holes; each part is spread over
@@ -48,7 +51,7 @@ def push(mass, to_0, to_1):  # type: ignore[no-untyped-def]
 
     Parameters
     ----------
-    mass : ndarray of float64, shape (m_0, m_1)
+    mass : ndarray, shape (m_0, m_1)
         Mass of each cell.
     to_0, to_1 : ndarray, shape (m_0, m_1)
         Where the middles of the cells go; see `mapped`.
@@ -57,9 +60,22 @@ def push(mass, to_0, to_1):  # type: ignore[no-untyped-def]
     -------
     ndarray, shape (m_0, m_1)
     """
+    parts = min(threads.parts(mass.size), len(mass))
+    bounds = threads.bounds(len(mass), parts)
+    pushed = np.zeros((parts, *mass.shape))
+
+    def work(part: int) -> None:
+        _push(mass, to_0, to_1, bounds[part], bounds[part + 1], pushed[part])
+
+    threads.run(work, parts)
+    return np.asarray(pushed.sum(axis=0))
+
+
+@jit()
+def _push(mass, to_0, to_1, begin, end, pushed):  # type: ignore[no-untyped-def]
+    """Add the mass of the cells from line ``begin`` to ``end``; see `push`."""
     m_0, m_1 = mass.shape
-    pushed = np.zeros((m_0, m_1))
-    for a in range(m_0):
+    for a in range(begin, end):
         below, above = max(a - 1, 0), min(a + 1, m_0 - 1)
         for b in range(m_1):
             if mass[a, b] == 0.0:
@@ -86,7 +102,6 @@ def push(mass, to_0, to_1):  # type: ignore[no-untyped-def]
                     pushed[near_0 + 1, near_1] += part * f * (1 - g)
                     pushed[near_0, near_1 + 1] += part * (1 - f) * g
                     pushed[near_0 + 1, near_1 + 1] += part * f * g
-    return pushed
 
 
 @jit()

@@ -29,7 +29,7 @@ Array = npt.NDArray[np.float64]
 
 # Cells along each axis, of lens and screen alike; finer nets get more places for their slopes.
 _CELLS = 256
-_FITS = 3
+_FITS = 2
 # Where no face could bend the light as wanted, the normal is kept along the axis by this part of
 # what it is where light goes straight on, n − 1.
 _UPRIGHT = 0.1
@@ -54,8 +54,7 @@ def transport_start(scene: Scene, target: Array) -> Array | None:
     lens, screen, net = scene.lens, scene.screen, ControlNet.of(scene.lens)
     cells = max(_CELLS, 2 * max(net.shape))
     light = _Light(scene, net, cells)
-    middle = (np.arange(cells) + 0.5) / cells
-    fit = SlopeFit(net, middle, middle)
+    fit = SlopeFit(net, cells)
     limits = HeightLimits.of(bounded(scene), net)
     image = target / target.max()
     wanted = _resampled(image[::-1].T, cells)  # along x first and y upwards, as the lens is
@@ -63,24 +62,22 @@ def transport_start(scene: Scene, target: Array) -> Array | None:
     r = np.array(lens.half_width) * np.array(screen.half_width)
     weights = r / math.sqrt(r.prod())
 
-    heights = next((z for z in _candidates(limits) if light.flux(z).sum() > 0), None)
-    if heights is None:
+    passing = ((z, flux) for z in _candidates(limits) if (flux := light.flux(z)) is not None)
+    heights, flux = next(passing, (None, None))
+    if heights is None or flux is None:
         return None
-    transport: Transport | None = None
-    for _ in range(2):
-        passed = light.flux(heights)
-        if passed.sum() > 0:  # or a lens that reflects all of it totally is improved blindly
-            flux = passed / passed.sum()
-        if transport is None:
-            transport = Transport(flux, wanted, (float(weights[0]), float(weights[1])))
-        else:
-            transport.improve(flux)
+    transport = Transport(flux, wanted, (float(weights[0]), float(weights[1])))
+    for turn in range(2):
+        if turn > 0:
+            passed = light.flux(heights)
+            # A lens that reflects all of it totally is improved blindly.
+            transport.improve(flux if passed is None else passed)
         to_x, to_y = (
             ((2 * to + 1) / cells - 1) * half_width
             for to, half_width in zip(transport.map(), screen.half_width, strict=True)
         )
         for _ in range(_FITS):
-            z = fit.basis.evaluate(heights)[0]
+            z = fit.surface(heights)
             d_x, d_y, d_z = light.direction(z)
             out_x, out_y, out_z = to_x - light.x, to_y - light.y, screen.z - z
             length = np.sqrt(out_x**2 + out_y**2 + out_z**2)
@@ -119,11 +116,12 @@ class _Light:
         path = Path.of(scene, net, torch.float64, samples=(cells, cells))
         self._reference = Reference(path)
 
-    def flux(self, heights: Array) -> Array:
-        """Flux that leaves the face, in each cell."""
+    def flux(self, heights: Array) -> Array | None:
+        """Flux that leaves the face, in each cell; all together 1. None if there is none."""
         with torch.no_grad():
             flux = self._reference.arrival(torch.as_tensor(heights)).rays.flux
-        return np.asarray(flux.numpy(), dtype=np.float64)
+            total = flux.sum().item()
+        return np.asarray((flux / total).numpy(), dtype=np.float64) if total > 0 else None
 
     def direction(self, z: Array) -> tuple[Array, Array, Array]:
         """Unit vectors at places of the face with heights z."""
