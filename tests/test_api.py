@@ -11,6 +11,7 @@ import pytest
 import workbench
 from resources import EXAMPLES
 from workbench import DesignRun, Refused, Scene, api, begin, check, export, load, save
+from workbench.geometry.faces import FaceArrays
 
 ROOT = Path(__file__).parents[1]
 
@@ -64,7 +65,7 @@ class TestDesignRun:
         snapshot = next(again)
         again.close()
         assert first == [0, 1, 2, 3]
-        assert np.array_equal(snapshot.state.heights, best.state.heights)
+        assert np.array_equal(snapshot.state.heights["exit"], best.state.heights["exit"])
         assert run.session.result.iterations == 3
         assert run.session.result.ended == "stopped"
 
@@ -81,11 +82,16 @@ class TestDesignRun:
         locked = np.zeros((12, 10), dtype=bool)
         locked[:3] = True
         start = np.full((12, 10), 0.5)
-        begun = type(session)(session.scene, session.target, start=start, locked=locked)
+        begun = type(session)(
+            session.scene,
+            session.target,
+            start=FaceArrays({"exit": start}),
+            locked=FaceArrays({"exit": locked}),
+        )
         run = DesignRun(begun, iterations=4)
         *_, last = run
-        assert (last.state.heights[:3] == 0.5).all()
-        assert (last.state.heights[3:] != 0.5).any()
+        assert (last.state.heights["exit"][:3] == 0.5).all()
+        assert (last.state.heights["exit"][3:] != 0.5).any()
 
     def test_impossible_iterations_are_refused(self, session):
         with pytest.raises(Refused, match=r"run\.iterations"):

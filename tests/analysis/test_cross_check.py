@@ -39,7 +39,7 @@ def test_a_library_that_is_missing_is_named(make_scene, monkeypatch):
 def test_the_extra_is_named_where_it_is_missing(make_scene, monkeypatch):
     monkeypatch.setitem(sys.modules, "mitsuba", None)
     with pytest.raises(Refused, match=r"freeform-lens-workbench\[mitsuba\]"):
-        other.MitsubaScene(make_scene(), np.full((12, 10), 0.5))
+        other.MitsubaScene(make_scene(), {"exit": np.full((12, 10), 0.5)})
 
 
 class TestWithMitsuba:
@@ -61,7 +61,7 @@ class TestWithMitsuba:
         changes = {"lens.half_width": [1.0, 0.8], "source": source, "screen": screen}
         scene = make_scene(changes)
         lens = self.lopsided(scene)
-        found = cross_check(scene, np.ones((24, 32)), lens, 200_000)
+        found = cross_check(scene, np.ones((24, 32)), {"exit": lens}, 200_000)
         assert found.difference == pytest.approx(found.noise, rel=0.15)
         low, high = found.difference_corrected_interval
         assert 3 * low**2 < high**2  # less than 4 standard deviations above nothing
@@ -78,13 +78,13 @@ class TestWithMitsuba:
         grid = {"kind": "grid", "center": [0.8, 0, -1], "half_width": [1, 0.5], "points": [5, 3]}
         screen = {"z": 5.0, "half_width": [8.0, 8.0], "pixels": [16, 16]}
         scene = make_scene({"source": grid | {"emission": emission}, "screen": screen})
-        found = cross_check(scene, np.ones((16, 16)), np.full((12, 10), 0.5), 200_000)
+        found = cross_check(scene, np.ones((16, 16)), {"exit": np.full((12, 10), 0.5)}, 200_000)
         assert found.difference_corrected < 0.05
         assert found.mitsuba.efficiency == pytest.approx(found.ours.efficiency, rel=0.02)
 
     def test_light_through_a_plate(self, make_scene):
         """Head-on, Fresnel's equations are Schlick's approximation."""
-        flux = other.MitsubaScene(make_scene(), np.full((12, 10), 0.5)).flux(100_000, 1)
+        flux = other.MitsubaScene(make_scene(), {"exit": np.full((12, 10), 0.5)}).flux(100_000, 1)
         assert flux.shape == (32, 32)
         assert flux.sum() == pytest.approx(0.96**2, rel=0.005)
         assert flux.std() < 0.2 * flux.mean()
@@ -92,28 +92,28 @@ class TestWithMitsuba:
     def test_another_lens_differs_beyond_the_noise(self, make_scene, monkeypatch):
         scene, dense = make_scene(), make_scene({"lens.refractive_index": 1.6})
         lens, target = self.lopsided(scene), np.ones((32, 32))
-        trace = other.MitsubaScene(dense, lens)
+        trace = other.MitsubaScene(dense, {"exit": lens})
         monkeypatch.setattr("workbench.analysis.cross_check.MitsubaScene", lambda *task: trace)
-        found = cross_check(scene, target, lens, 100_000)
+        found = cross_check(scene, target, {"exit": lens}, 100_000)
         assert found.difference > 2 * found.noise
         assert found.difference_corrected_interval[0] > found.noise
 
     def test_the_same_seed_gives_the_same_light(self, make_scene):
         scene = make_scene()
-        trace = other.MitsubaScene(scene, self.lopsided(scene))
+        trace = other.MitsubaScene(scene, {"exit": self.lopsided(scene)})
         once, again, more = trace.flux(10_000, 1), trace.flux(10_000, 1), trace.flux(10_000, 2)
         assert once == pytest.approx(again, rel=1e-4)  # sums of threads, in any order
         assert np.abs(once - more).max() > 0.1 * once.max()
 
     def test_passes_add_up(self, make_scene, monkeypatch):
         monkeypatch.setattr(other, "_AT_ONCE", 5_000)
-        flux = other.MitsubaScene(make_scene(), np.full((12, 10), 0.5)).flux(20_000, 1)
+        flux = other.MitsubaScene(make_scene(), {"exit": np.full((12, 10), 0.5)}).flux(20_000, 1)
         assert flux.sum() == pytest.approx(0.96**2, rel=0.01)
 
     def test_passes_never_trace_more_than_wanted(self, make_scene, monkeypatch):
         """Each needs a path for every pixel, however many pixels there are."""
         monkeypatch.setattr(other, "_AT_ONCE", 100)
-        trace, asked = other.MitsubaScene(make_scene(), np.full((12, 10), 0.5)), []
+        trace, asked = other.MitsubaScene(make_scene(), {"exit": np.full((12, 10), 0.5)}), []
 
         def render(_, spp, seed):
             asked.append(spp)
@@ -126,9 +126,9 @@ class TestWithMitsuba:
     def test_a_source_without_a_light_of_mitsuba_is_refused(self, make_scene, monkeypatch):
         monkeypatch.setattr("workbench.analysis.mitsuba_lights._LIGHTS", {})
         with pytest.raises(Refused, match=r"^source.kind: 'point' is no light that Mitsuba"):
-            other.MitsubaScene(make_scene({"source": POINT}), np.full((12, 10), 0.5))
+            other.MitsubaScene(make_scene({"source": POINT}), {"exit": np.full((12, 10), 0.5)})
 
     def test_pixels_that_are_not_square_are_refused(self, make_scene):
         scene = make_scene({"screen.pixels": [32, 31]})
         with pytest.raises(Refused, match=r"^screen.pixels: \[32, 31\] on \[1, 1\] are not square"):
-            other.MitsubaScene(scene, np.full((12, 10), 0.5))
+            other.MitsubaScene(scene, {"exit": np.full((12, 10), 0.5)})

@@ -49,7 +49,7 @@ def wavy(scene, rng):
 def derivative_of(scene, heights, weights, index):
     """Reverse mode: derivative of the weighted sum of the image, at one control height."""
     leaf = torch.tensor(heights, requires_grad=True)
-    flux = Plan(scene, dtype=torch.float64).flux(leaf)
+    flux = Plan(scene, dtype=torch.float64).flux({"exit": leaf})
     (flux * torch.as_tensor(weights)).sum().backward()
     return leaf.grad[index].item() / scene.screen.pixel_area
 
@@ -57,7 +57,7 @@ def derivative_of(scene, heights, weights, index):
 @pytest.mark.parametrize("case", ["a", "b"])
 def test_light_is_conserved_where_no_border_pixel_is_reached(make, case):
     scene = make(case)
-    found = irradiance_derivative(scene, flat(scene), MIDDLE)
+    found = irradiance_derivative(scene, {"exit": flat(scene)}, MIDDLE)
     border = np.ones(found.map.shape, dtype=bool)
     border[1:-1, 1:-1] = False
     assert not found.map[border].any()
@@ -67,7 +67,7 @@ def test_light_is_conserved_where_no_border_pixel_is_reached(make, case):
 
 def test_light_is_all_but_conserved_where_border_pixels_are_reached(make):
     scene = make("c")
-    found = irradiance_derivative(scene, flat(scene), MIDDLE)
+    found = irradiance_derivative(scene, {"exit": flat(scene)}, MIDDLE)
     assert found.map[:, 0].any()
     assert 1e-12 * found.flux < abs(found.sum) < 1e-4 * found.flux
 
@@ -75,7 +75,7 @@ def test_light_is_all_but_conserved_where_border_pixels_are_reached(make):
 @pytest.mark.parametrize("case", PAPER)
 def test_the_map_is_positive_in_the_middle_and_negative_around_it(make, case):
     scene = make(case)
-    found = irradiance_derivative(scene, flat(scene), MIDDLE).map
+    found = irradiance_derivative(scene, {"exit": flat(scene)}, MIDDLE).map
     # Even pixels and an even control point: the middle is where four pixels meet.
     middle = found[23:25, 23:25]
     assert found.max() == pytest.approx(middle.max()) and middle.min() > 0
@@ -95,7 +95,7 @@ def test_nothing_changes_out_of_reach(make):
     # Degree 3 on 6 spans: point (5, 2) moves rays within spans 2 to 5 along x, 0 to 2 along y,
     # of 8 pixels each; the filter carries them 1 pixel further.
     scene = make()
-    found = irradiance_derivative(scene, flat(scene), (5, 2))
+    found = irradiance_derivative(scene, {"exit": flat(scene)}, (5, 2))
     reached = found.map != 0
     inside = np.zeros_like(reached)
     inside[48 - 24 - 1 :, 16 - 1 :] = True  # row 0 is at +y
@@ -108,7 +108,7 @@ def test_nothing_changes_out_of_reach(make):
 def test_forward_mode_is_reverse_mode(make, rng, case):
     scene = make(case)
     heights, index = wavy(scene, rng), (3, 5)
-    found = irradiance_derivative(scene, heights, index)
+    found = irradiance_derivative(scene, {"exit": heights}, index)
     scale = np.abs(found.map).max()
     for _ in range(3):
         weights = rng.normal(size=found.map.shape)
@@ -126,7 +126,7 @@ def test_forward_mode_is_reverse_mode(make, rng, case):
 def test_forward_mode_is_reverse_mode_for_point_sources(make, rng, source):
     scene = make(source=source)
     heights, index = wavy(scene, rng), (3, 5)
-    found = irradiance_derivative(scene, heights, index)
+    found = irradiance_derivative(scene, {"exit": heights}, index)
     assert np.isfinite(found.map).all() and found.map.any()
     weights = rng.normal(size=found.map.shape)
     by_reverse = derivative_of(scene, heights, weights, index)
@@ -139,12 +139,12 @@ def test_differences_of_images_agree(make, rng, case, source):
     scene = make(case) if source is None else make(case, source=source)
     heights, index, step = wavy(scene, rng), (4, 3), 1e-8
     plan = Plan(scene, dtype=torch.float64)
-    found = irradiance_derivative(scene, heights, index)
+    found = irradiance_derivative(scene, {"exit": heights}, index)
     images = []
     for sign in (1, -1):
         moved = torch.tensor(heights)
         moved[index] += sign * step
-        images.append(plan.flux(moved).numpy())
+        images.append(plan.flux({"exit": moved}).numpy())
     differences = (images[0] - images[1]) / (2 * step * scene.screen.pixel_area)
     # The truncated filter has kinks, and few rays within a step of one make all the difference.
     error = np.linalg.norm(found.map - differences) / np.linalg.norm(differences)
@@ -154,8 +154,8 @@ def test_differences_of_images_agree(make, rng, case, source):
 def test_single_precision_is_close(make, rng):
     scene = make()
     heights = wavy(scene, rng)
-    exact = irradiance_derivative(scene, heights, MIDDLE).map
-    rough = irradiance_derivative(scene, heights, MIDDLE, dtype=torch.float32).map
+    exact = irradiance_derivative(scene, {"exit": heights}, MIDDLE).map
+    rough = irradiance_derivative(scene, {"exit": heights}, MIDDLE, dtype=torch.float32).map
     assert rough.dtype == np.float64
     assert np.linalg.norm(rough - exact) < 1e-3 * np.linalg.norm(exact)
 
@@ -163,9 +163,11 @@ def test_single_precision_is_close(make, rng):
 def test_threads_do_not_disturb_each_other(make):
     scene = make()
     indices = [(i, j) for i in (3, 4, 5) for j in (3, 4)]
-    alone = [irradiance_derivative(scene, flat(scene), index).map for index in indices]
+    alone = [irradiance_derivative(scene, {"exit": flat(scene)}, index).map for index in indices]
     with ThreadPoolExecutor(4) as pool:
-        together = pool.map(lambda i: irradiance_derivative(scene, flat(scene), i).map, indices)
+        together = pool.map(
+            lambda i: irradiance_derivative(scene, {"exit": flat(scene)}, i).map, indices
+        )
         for one, other in zip(alone, together, strict=True):
             np.testing.assert_allclose(other, one, atol=1e-9)
 
@@ -174,7 +176,7 @@ def test_threads_do_not_disturb_each_other(make):
 def test_a_point_that_is_not_there_is_refused(make, index, field):
     scene = make()
     with pytest.raises(Refused, match="no control point; 0 to 8") as caught:
-        irradiance_derivative(scene, flat(scene), index)
+        irradiance_derivative(scene, {"exit": flat(scene)}, index)
     assert caught.value.path == field
 
 
@@ -185,5 +187,5 @@ def test_a_point_that_is_not_there_is_refused(make, index, field):
 def test_filters_that_count_rays_by_pixel_are_refused(make_scene, changes, field):
     scene = make_scene(changes)
     with pytest.raises(Refused, match="no derivative") as caught:
-        irradiance_derivative(scene, flat(scene), MIDDLE)
+        irradiance_derivative(scene, {"exit": flat(scene)}, MIDDLE)
     assert caught.value.path == field

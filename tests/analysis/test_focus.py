@@ -10,7 +10,7 @@ from workbench.errors import Refused
 @pytest.fixture
 def lens(make_scene, rng):
     scene = make_scene({"screen.pixels": [16, 12], "screen.half_width": [0.8, 0.9]})
-    return scene, np.ones((12, 16)), 0.5 + 0.05 * rng.random((12, 10))
+    return scene, np.ones((12, 16)), {"exit": 0.5 + 0.05 * rng.random((12, 10))}
 
 
 def test_each_distance_as_if_the_screen_stood_there(lens):
@@ -45,7 +45,7 @@ def test_large_images_are_kept_small(lens, monkeypatch):
 def test_no_light_is_all_wrong(make_scene):
     scene = make_scene({"screen.half_width": [1e-3, 1e-3]})
     x = np.linspace(-1, 1, 12)[:, None] + np.zeros(10)
-    (found,) = focus_series(scene, np.ones((32, 32)), 0.5 + 0.2 * x, (50.0,), 1000)
+    (found,) = focus_series(scene, np.ones((32, 32)), {"exit": 0.5 + 0.2 * x}, (50.0,), 1000)
     assert (found.relative_l2, found.efficiency) == (1.0, 0.0)
 
 
@@ -57,13 +57,13 @@ def test_within_the_lens(lens):
 def test_parts_of_the_way_to_the_screen_clear_the_lens(make_scene):
     scene, flat = make_scene(), np.full((12, 10), 0.5)
     top = scene.lens.highest
-    assert screen_at(scene, flat, 1) == scene.screen.z
-    assert screen_at(scene, flat, 0.5) - top == pytest.approx((scene.screen.z - top) / 2)
-    with_screen_at(scene, screen_at(scene, flat, 1e-6))
+    assert screen_at(scene, {"exit": flat}, 1) == scene.screen.z
+    assert screen_at(scene, {"exit": flat}, 0.5) - top == pytest.approx((scene.screen.z - top) / 2)
+    with_screen_at(scene, screen_at(scene, {"exit": flat}, 1e-6))
     with pytest.raises(Refused, match="may touch the lens"):
-        with_screen_at(scene, screen_at(scene, flat, 0))
+        with_screen_at(scene, screen_at(scene, {"exit": flat}, 0))
 
 
 def test_parts_of_the_way_begin_at_the_top_of_a_lens_whose_range_is_automatic(make_scene):
     scene = make_scene({"lens.height_range": None})
-    assert screen_at(scene, np.linspace(0.1, 2.0, 120).reshape(12, 10), 0) == 2.0
+    assert screen_at(scene, {"exit": np.linspace(0.1, 2.0, 120).reshape(12, 10)}, 0) == 2.0

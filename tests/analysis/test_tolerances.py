@@ -36,7 +36,9 @@ def prism(scene, slope_x, slope_y):
 def middle(scene, heights, perturbation):
     """Centre of the light of a lens that is off, x and y."""
     off, heights = perturbation.applied(scene, heights)
-    image = validate(off, np.ones((64, 64)), heights, RAYS, pose=perturbation.pose).irradiance
+    image = validate(
+        off, np.ones((64, 64)), {"exit": heights}, RAYS, pose=perturbation.pose
+    ).irradiance
     place = (np.arange(64) + 0.5) / 16 - 2
     return np.array([(image * place).sum(), (image * -place[:, None]).sum()]) / image.sum()
 
@@ -53,8 +55,8 @@ class TestDecentre:
         heights = 0.5 + 0.02 * rng.random((12, 10))
         there = Pose(decentre=(4 / 16, -2 / 16))  # whole pixels: 4 to the right, 2 down
         target = np.ones((64, 64))
-        straight = validate(wide, target, heights, RAYS).irradiance
-        moved = validate(wide, target, heights, RAYS, pose=there).irradiance
+        straight = validate(wide, target, {"exit": heights}, RAYS).irradiance
+        moved = validate(wide, target, {"exit": heights}, RAYS, pose=there).irradiance
         shifted = np.roll(straight, (2, 4), axis=(0, 1))
         # Rays on a pixel's edge may fall to either side of it.
         assert np.abs(moved - shifted).sum() < 1e-3 * straight.sum()
@@ -65,7 +67,9 @@ class TestDecentre:
         source = {"kind": "point", "position": [0.3, 0.1, -2.0]}
         moved = {"kind": "point", "position": [0.3 - shift[0], 0.1 - shift[1], -2.0]}
         images = [
-            validate(make_scene({"source": each}), target, heights, RAYS, pose=pose).irradiance
+            validate(
+                make_scene({"source": each}), target, {"exit": heights}, RAYS, pose=pose
+            ).irradiance
             for each, pose in ((source, Pose(decentre=shift)), (moved, Pose()))
         ]
         expected = np.roll(images[1], (3, 2), axis=(0, 1))[3:, 2:]  # pixels of 1/16
@@ -94,7 +98,11 @@ class TestTilt:
         scene = make_scene({"screen.half_width": [2.0, 2.0]})
         angle = math.radians(30)
         account = validate(
-            scene, np.ones((32, 32)), np.full((12, 10), 0.5), RAYS, pose=Pose(tilt=(angle, 0.0))
+            scene,
+            np.ones((32, 32)),
+            {"exit": np.full((12, 10), 0.5)},
+            RAYS,
+            pose=Pose(tilt=(angle, 0.0)),
         ).account
         reflectance = 0.04 + 0.96 * (1 - math.cos(angle)) ** 5
         assert account.lost["fresnel_entrance"] == pytest.approx(reflectance, rel=1e-9)
@@ -198,13 +206,13 @@ class TestDraw:
 class TestPerturbed:
     def test_the_nominal_lens_comes_first_and_larger_shifts_err_more(self, wide, rng):
         heights = 0.5 + 0.02 * rng.random((12, 10))
-        target = validate(wide, np.ones((64, 64)), heights, RAYS).irradiance
+        target = validate(wide, np.ones((64, 64)), {"exit": heights}, RAYS).irradiance
         within = Tolerances(decentre=0.2, surface=(1e-3, 0.5))
-        nominal, *others = perturbed(wide, target, heights, within, 6, 20_000)
+        nominal, *others = perturbed(wide, target, {"exit": heights}, within, 6, 20_000)
         assert len(others) == 6
         assert nominal.perturbation == Perturbation()
         assert nominal.relative_l2 < 0.1 < min(each.relative_l2 for each in others)
-        again = list(perturbed(wide, target, heights, within, 6, 20_000))
+        again = list(perturbed(wide, target, {"exit": heights}, within, 6, 20_000))
         assert again == [nominal, *others]
         # What moves the lens further makes more of an error.
         moved = [math.hypot(*each.perturbation.pose.decentre) for each in others]

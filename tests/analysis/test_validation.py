@@ -33,7 +33,7 @@ def parts(account):
 class TestFlatLens:
     def test_uniform_image(self, make_scene):
         scene = make_scene()
-        found = validate(scene, uniform(scene), np.full((12, 10), 0.5), ALIGNED)
+        found = validate(scene, uniform(scene), {"exit": np.full((12, 10), 0.5)}, ALIGNED)
         assert found.rays == ALIGNED
         assert found.relative_l2 < 1e-12
         assert found.loss < 1e-12
@@ -42,7 +42,7 @@ class TestFlatLens:
 
     def test_account(self, make_scene):
         scene = make_scene()
-        account = validate(scene, uniform(scene), np.full((12, 10), 0.5), ALIGNED).account
+        account = validate(scene, uniform(scene), {"exit": np.full((12, 10), 0.5)}, ALIGNED).account
         assert account.on_screen == pytest.approx((1 - HEAD_ON) ** 2, rel=1e-12)
         assert account.lost["fresnel_entrance"] == pytest.approx(HEAD_ON, rel=1e-12)
         assert account.lost["fresnel_exit"] == pytest.approx(HEAD_ON * (1 - HEAD_ON), rel=1e-12)
@@ -51,7 +51,7 @@ class TestFlatLens:
 
     def test_half_of_the_light_beside_a_narrow_screen(self, make_scene):
         scene = make_scene({"screen.half_width": [0.5, 1.0]})
-        found = validate(scene, uniform(scene), np.full((12, 10), 0.5), ALIGNED)
+        found = validate(scene, uniform(scene), {"exit": np.full((12, 10), 0.5)}, ALIGNED)
         assert found.efficiency == pytest.approx((1 - HEAD_ON) ** 2 / 2, rel=1e-12)
         assert found.account.lost["off_screen"] == pytest.approx(found.account.on_screen, rel=1e-12)
 
@@ -59,7 +59,7 @@ class TestFlatLens:
         scene = make_scene({"screen.pixels": [4, 2]})
         target = np.zeros((2, 4))
         target[0, 0] = 5.0
-        found = validate(scene, target, np.full((12, 10), 0.5), ALIGNED)
+        found = validate(scene, target, {"exit": np.full((12, 10), 0.5)}, ALIGNED)
         distance = math.sqrt((1 - 1 / 8) ** 2 + 7 / 64)
         assert found.relative_l2 == pytest.approx(distance, rel=1e-12)
         assert found.loss == pytest.approx(distance / math.sqrt(8), rel=1e-12)
@@ -75,7 +75,7 @@ class TestPrism:
         )
         x, y = ControlNet.of(scene.lens).positions
         heights = 0.5 + slope_x * x[:, None] + slope_y * y[None, :]
-        return validate(scene, uniform(scene), heights, ALIGNED)
+        return validate(scene, uniform(scene), {"exit": heights}, ALIGNED)
 
     @pytest.mark.parametrize("slope", [(0.2, 0.0), (-0.2, 0.0), (0.0, 0.2), (0.0, -0.2)])
     def test_side_and_shift(self, make_scene, degree, slope):
@@ -120,7 +120,7 @@ class TestPlanoHyperbolicLens:
             }
         )
         heights = net_of(scene, lambda x, y: 0.5 - self.sag(x, y))
-        return validate(scene, uniform(scene), heights, ALIGNED)
+        return validate(scene, uniform(scene), {"exit": heights}, ALIGNED)
 
     def test_all_light_in_the_focus(self, make_scene):
         found = self.trace(make_scene, 5.0, 3e-6, [3, 3])
@@ -158,7 +158,7 @@ def rough(make_scene, rng):
 
 def test_the_account_adds_up(rough):
     scene, heights = rough
-    emitted, where = parts(validate(scene, uniform(scene), heights, 100_000).account)
+    emitted, where = parts(validate(scene, uniform(scene), {"exit": heights}, 100_000).account)
     assert sum(where.values()) == pytest.approx(emitted, abs=1e-12)
     assert where.pop("missed_lens") == where.pop("left_side") == 0
     assert min(where.values()) > 1e-3
@@ -166,12 +166,12 @@ def test_the_account_adds_up(rough):
 
 def test_the_optimisers_trace_agrees(rough):
     scene, heights = rough
-    found = validate(scene, uniform(scene), heights, 1_000_000)
+    found = validate(scene, uniform(scene), {"exit": heights}, 1_000_000)
     source = scene.source.model_copy(update={"rays": (1000, 1000)})
     plan = Plan(
         scene.model_copy(update={"source": source}), filter=BoxFilter(), dtype=torch.float64
     )
-    traced = plan.trace(torch.tensor(heights))
+    traced = plan.trace({"exit": torch.tensor(heights)})
     for name, value in found.account.to_data().items():
         assert value == pytest.approx(traced.account.to_data()[name], abs=2e-4)
     expected = traced.flux.numpy() / scene.screen.pixel_area
@@ -183,7 +183,7 @@ class TestRays:
     def test_the_same_seed_gives_the_same_rays(self, rough):
         scene, heights = rough
         first, same, other = (
-            validate(scene, uniform(scene), heights, 10_000, seed) for seed in (1, 1, 2)
+            validate(scene, uniform(scene), {"exit": heights}, 10_000, seed) for seed in (1, 1, 2)
         )
         assert np.array_equal(first.irradiance, same.irradiance)
         assert first.noise == same.noise
@@ -193,13 +193,15 @@ class TestRays:
     @pytest.mark.parametrize("rays", [1, 999, 50_000])
     def test_at_least_as_many_as_asked_for(self, make_scene, half_width, rays):
         scene = make_scene({"lens.half_width": half_width, "screen.half_width": half_width})
-        found = validate(scene, uniform(scene), np.full((12, 10), 0.5), rays)
+        found = validate(scene, uniform(scene), {"exit": np.full((12, 10), 0.5)}, rays)
         assert rays <= found.rays <= 1.2 * rays + 1000
         assert found.efficiency == pytest.approx((1 - HEAD_ON) ** 2, rel=1e-12)
 
     def test_noise_is_an_upper_estimate_of_the_scatter_between_seeds(self, rough):
         scene, heights = rough
-        runs = [validate(scene, uniform(scene), heights, 8_000, seed) for seed in range(30)]
+        runs = [
+            validate(scene, uniform(scene), {"exit": heights}, 8_000, seed) for seed in range(30)
+        ]
         scatter = np.std([run.relative_l2 for run in runs], ddof=1)
         noise = np.mean([run.noise for run in runs])
         assert scatter < noise < 6 * scatter
@@ -207,7 +209,12 @@ class TestRays:
     def test_noise_falls_at_least_with_the_root_of_the_rays(self, rough):
         scene, heights = rough
         few, many = (
-            np.mean([validate(scene, uniform(scene), heights, n, seed).noise for seed in range(8)])
+            np.mean(
+                [
+                    validate(scene, uniform(scene), {"exit": heights}, n, seed).noise
+                    for seed in range(8)
+                ]
+            )
             for n in (4_000, 64_000)
         )
         assert many < few / 3.5
@@ -217,11 +224,11 @@ class TestRays:
         monkeypatch.setattr(cells, "_AT_ONCE", 2048)
         monkeypatch.setattr(in_order, "_MOST_THREADS", 1)  # as many overlap each time
         scene = make_scene()
-        validate(scene, uniform(scene), np.full((12, 10), 0.5), 1)  # imports
+        validate(scene, uniform(scene), {"exit": np.full((12, 10), 0.5)}, 1)  # imports
         peaks = []
         for rays in (100_000, 500_000):
             tracemalloc.start()
-            validate(scene, uniform(scene), np.full((12, 10), 0.5), rays)
+            validate(scene, uniform(scene), {"exit": np.full((12, 10), 0.5)}, rays)
             peaks.append(tracemalloc.get_traced_memory()[1])
             tracemalloc.stop()
         assert peaks[1] < 1.2 * peaks[0] < 2e6
@@ -229,9 +236,9 @@ class TestRays:
     def test_large_images_are_held_few_times(self, make_scene):
         scene = make_scene({"screen.pixels": [1024, 1024]})
         target = uniform(scene)
-        validate(scene, target, np.full((12, 10), 0.5), 1)  # imports
+        validate(scene, target, {"exit": np.full((12, 10), 0.5)}, 1)  # imports
         tracemalloc.start()
-        validate(scene, target, np.full((12, 10), 0.5), 1)
+        validate(scene, target, {"exit": np.full((12, 10), 0.5)}, 1)
         peak = tracemalloc.get_traced_memory()[1]
         tracemalloc.stop()
         threads = min(os.cpu_count(), in_order._MOST_THREADS)
@@ -243,5 +250,5 @@ class TestRays:
         pool = in_order.ThreadPoolExecutor
         monkeypatch.setattr(in_order, "ThreadPoolExecutor", lambda n: asked.append(n) or pool(n))
         scene = make_scene()
-        validate(scene, uniform(scene), np.full((12, 10), 0.5), 1)
+        validate(scene, uniform(scene), {"exit": np.full((12, 10), 0.5)}, 1)
         assert asked == [1, 1]

@@ -14,15 +14,15 @@ def lens(request, make_scene, rng):
     changes = {"screen.half_width": [1.6, 1.6], "screen.pixels": [24, 24]}
     scene = make_scene(changes | ({"source": source} if source else {}))
     heights = 0.5 + 0.05 * rng.random((12, 10))
-    truth = validate(scene, np.ones((24, 24)), heights, 1_000_000, seed=99).irradiance
+    truth = validate(scene, np.ones((24, 24)), {"exit": heights}, 1_000_000, seed=99).irradiance
     target = truth * (1 + 0.4 * (rng.random(truth.shape) - 0.5))
     return scene, target, heights
 
 
 def test_few_rays_show_the_error_of_many(lens):
     scene, target, heights = lens
-    truth = validate(scene, target, heights, 1_000_000, seed=98)
-    found = [validate(scene, target, heights, 4_000, seed) for seed in range(40)]
+    truth = validate(scene, target, {"exit": heights}, 1_000_000, seed=98)
+    found = [validate(scene, target, {"exit": heights}, 4_000, seed) for seed in range(40)]
     corrected = np.array([each.relative_l2_corrected for each in found])
     plain = np.mean([each.relative_l2 for each in found])
     true = truth.relative_l2_corrected
@@ -35,14 +35,14 @@ def test_few_rays_show_the_error_of_many(lens):
 
 def test_the_loss_without_scatter_is_the_same_error_in_units_of_the_loss(lens):
     scene, target, heights = lens
-    found = validate(scene, target, heights, 4_000)
+    found = validate(scene, target, {"exit": heights}, 4_000)
     wanted = np.linalg.norm(target / target.sum()) / 24  # the root of 24 × 24 pixels
     assert found.loss_corrected == pytest.approx(found.relative_l2_corrected * wanted, rel=1e-12)
 
 
 def test_the_interval_of_the_error_with_scatter(lens):
     scene, target, heights = lens
-    found = [validate(scene, target, heights, 4_000, seed) for seed in range(30)]
+    found = [validate(scene, target, {"exit": heights}, 4_000, seed) for seed in range(30)]
     middle = np.mean([each.relative_l2 for each in found])
     assert sum(a <= middle <= b for a, b in (each.relative_l2_interval for each in found)) >= 28
 
@@ -51,7 +51,7 @@ def test_a_perfect_lens_has_no_error_but_scatter(make_scene):
     scene = make_scene()
     # 144 cells a side do not fill 32 pixels evenly: the image scatters.
     found = [
-        validate(scene, np.ones((32, 32)), np.full((12, 10), 0.5), 16 * 36 * 36, seed)
+        validate(scene, np.ones((32, 32)), {"exit": np.full((12, 10), 0.5)}, 16 * 36 * 36, seed)
         for seed in range(20)
     ]
     assert min(each.relative_l2 for each in found) > 0.05
@@ -62,21 +62,23 @@ def test_a_perfect_lens_has_no_error_but_scatter(make_scene):
 class TestOtherDistances:
     def test_as_if_the_screen_stood_there(self, lens):
         scene, target, heights = lens
-        there = validate(scene, target, heights, 10_000, screen_z=7.5)
+        there = validate(scene, target, {"exit": heights}, 10_000, screen_z=7.5)
         moved = scene.model_copy(update={"screen": scene.screen.model_copy(update={"z": 7.5})})
-        assert np.array_equal(there.irradiance, validate(moved, target, heights, 10_000).irradiance)
+        assert np.array_equal(
+            there.irradiance, validate(moved, target, {"exit": heights}, 10_000).irradiance
+        )
 
     def test_all_distances_from_one_trace(self, lens):
         scene, target, heights = lens
-        stack = through_focus(scene, heights, [3.0, 5.0, 7.5], 10_000)
+        stack = through_focus(scene, {"exit": heights}, [3.0, 5.0, 7.5], 10_000)
         assert stack.shape == (3, 24, 24)
         for image, z in zip(stack, (3.0, 5.0, 7.5), strict=True):
-            alone = validate(scene, target, heights, 10_000, screen_z=z).irradiance
+            alone = validate(scene, target, {"exit": heights}, 10_000, screen_z=z).irradiance
             assert np.allclose(image, alone, rtol=1e-12, atol=0)
 
     def test_within_the_lens(self, lens):
         scene, target, heights = lens
         with pytest.raises(Refused, match=r"screen\.z: 0\.7 may touch the lens"):
-            validate(scene, target, heights, 100, screen_z=0.7)
+            validate(scene, target, {"exit": heights}, 100, screen_z=0.7)
         with pytest.raises(Refused, match=r"screen\.z: 0\.7 may touch the lens"):
-            through_focus(scene, heights, [5.0, 0.7], 100)
+            through_focus(scene, {"exit": heights}, [5.0, 0.7], 100)

@@ -37,8 +37,10 @@ def test_the_optimisers_trace_agrees(make_scene, heights, source, emission):
             "screen.pixels": [4, 3],
         }
     )
-    found = validate(scene, uniform(scene), heights, 1 << 16)
-    traced = Plan(scene, filter=BoxFilter(), dtype=torch.float64).trace(torch.tensor(heights))
+    found = validate(scene, uniform(scene), {"exit": heights}, 1 << 16)
+    traced = Plan(scene, filter=BoxFilter(), dtype=torch.float64).trace(
+        {"exit": torch.tensor(heights)}
+    )
     for name, value in found.account.to_data().items():
         assert value == pytest.approx(traced.account.to_data()[name], abs=5e-3)
     expected = traced.flux.numpy() / scene.screen.pixel_area
@@ -57,7 +59,7 @@ def test_a_flat_plate_shifts_each_ray_by_its_own_angle(make_scene):
             "screen.half_width": [0.8, 0.8],
         }
     )
-    found = validate(scene, uniform(scene), np.full((12, 10), 0.5), 1 << 16)
+    found = validate(scene, uniform(scene), {"exit": np.full((12, 10), 0.5)}, 1 << 16)
     # Rays that hit the screen's edge, to third order in the angle, against the solid angle of the
     # square that they span: Ω(s) for half-side s at distance 1 is 4 asin(s² / (1 + s²)).
     slope = 0.8 / (5 + 4.5 + 0.5 / math.sqrt(1.5**2 + (1.5**2 - 1) * (0.8 / 10) ** 2))
@@ -78,8 +80,10 @@ def test_light_from_far_becomes_parallel(make_scene, half_width, distance):
     heights = 0.5 + 0.1 * np.linspace(-1, 1, 12)[:, None] ** 2 * np.ones(10)
     source = {"kind": "point", "position": [0, 0, -distance]}
     scene = make_scene(changes)
-    parallel = validate(scene, uniform(scene), heights, 1 << 18)
-    far = validate(make_scene(changes | {"source": source}), uniform(scene), heights, 1 << 18)
+    parallel = validate(scene, uniform(scene), {"exit": heights}, 1 << 18)
+    far = validate(
+        make_scene(changes | {"source": source}), uniform(scene), {"exit": heights}, 1 << 18
+    )
     # The face in the round cone, and what of its light comes to the screen.
     caught = 1 - far.account.lost["missed_lens"]
     part = 4 * math.prod(half_width) / (math.pi * math.hypot(*half_width) ** 2)
@@ -97,7 +101,7 @@ def test_oblique_light_from_far_does_not_change_with_the_distance(make_scene, em
         position = [-0.2 * distance, 0.1 * distance, -distance]
         source = {"kind": "point", "position": position, "emission": emission}
         scene = make_scene({"source": source, "screen.half_width": [3.0, 2.0]})
-        found.append(validate(scene, uniform(scene), np.full((12, 10), 0.5), 1 << 14))
+        found.append(validate(scene, uniform(scene), {"exit": np.full((12, 10), 0.5)}, 1 << 14))
     near, far = found
     assert far.account.to_data() == pytest.approx(near.account.to_data(), abs=1e-5)
     difference = abs(far.irradiance - near.irradiance).sum() / near.irradiance.sum()
@@ -110,12 +114,12 @@ def test_a_grid_is_the_sum_of_its_points_with_equal_intensity(make_scene, emissi
     view = {"screen.half_width": [16.0, 16.0], "screen.pixels": [4, 4]}
     heights = np.full((12, 10), 0.5)
     scene = make_scene(view | {"source": grid | {"emission": emission}})
-    both = validate(scene, uniform(scene), heights, 1 << 18)
+    both = validate(scene, uniform(scene), {"exit": heights}, 1 << 18)
     light, irradiance = 0.0, 0.0
     for x in (-0.7, 1.7):
         point = {"kind": "point", "position": [x, 0, -0.6], "emission": emission}
         one = make_scene(view | {"source": point})
-        found = validate(one, uniform(one), heights, 1 << 18)
+        found = validate(one, uniform(one), {"exit": heights}, 1 << 18)
         # What enters by the face as the point sees it: by numbers, not by the cone.
         t = (np.arange(400) + 0.5) / 200 - 1
         away2 = (t[:, None] - x) ** 2 + t**2 + 0.36
@@ -129,7 +133,7 @@ def test_a_grid_is_the_sum_of_its_points_with_equal_intensity(make_scene, emissi
 def test_the_same_seed_gives_the_same_rays(make_scene, heights):
     scene = make_scene({"source": GRID})
     first, same, other = (
-        validate(scene, uniform(scene), heights, 10_000, seed) for seed in (1, 1, 2)
+        validate(scene, uniform(scene), {"exit": heights}, 10_000, seed) for seed in (1, 1, 2)
     )
     assert np.array_equal(first.irradiance, same.irradiance)
     assert not np.array_equal(first.irradiance, other.irradiance)

@@ -8,6 +8,7 @@ from tests.accounts import account_of
 from workbench.cli import main
 from workbench.design.lens_state import LensState
 from workbench.design.snapshot import Snapshot
+from workbench.geometry.faces import FaceArrays
 
 
 @pytest.fixture
@@ -51,7 +52,7 @@ def fake_run(monkeypatch, rng):
                 yield Snapshot(
                     LensState(
                         loss=1 / (i + 1),
-                        heights=rng.random(scene.lens.control_points),
+                        heights=FaceArrays({"exit": rng.random(scene.lens.control_points)}),
                         irradiance=rng.random((n_y, n_x)),
                         account=account_of(1.0, 0.9, 0.0, 0.0, 0.0, 0.0, 0.04, 0.06),
                     ),

@@ -13,6 +13,7 @@ from PIL import Image
 
 from tests.scenes import changed
 from workbench.files.session import Session, write_session
+from workbench.geometry.faces import FaceArrays
 from workbench.scene import Scene
 
 
@@ -190,7 +191,7 @@ def test_commands_say_that_the_task_was_edited_after_the_run(refusal, tmp_path, 
     scene = Scene.from_data(changed({"target.blur": 1.0}))
     path = tmp_path / "edited.freeform"
     start = np.full(scene.lens.control_points, 0.5)
-    write_session(Session(scene, np.ones((32, 32)), start=start), path)
+    write_session(Session(scene, np.ones((32, 32)), start=FaceArrays({"exit": start})), path)
     verb, *tail = command
     said = refusal(verb, path, *tail)
     assert "its lens was designed for another task" in said

@@ -9,6 +9,7 @@ import torch
 
 from workbench.errors import RunFailed
 from workbench.files.session import read_session, write_session
+from workbench.geometry.faces import FaceArrays
 
 
 def fail(error):
@@ -102,13 +103,13 @@ class TestDone:
     def test_locked_control_points_of_a_session_stay(self, freeform, scene_file, out):
         assert freeform("design", scene_file, "-o", out)[0] == 0
         first = read_session(out)
-        locked = np.zeros(first.result.state.heights.shape, bool)
+        locked = np.zeros(first.result.state.heights["exit"].shape, bool)
         locked[:6] = True
-        write_session(replace(first, locked=locked), out)
+        write_session(replace(first, locked=FaceArrays({"exit": locked})), out)
         assert freeform("design", out, "-o", out, "--iterations", "2")[0] == 0
         again = read_session(out)
-        np.testing.assert_array_equal(again.locked, locked)
-        moved = again.result.state.heights != first.result.state.heights
+        np.testing.assert_array_equal(again.locked["exit"], locked)
+        moved = again.result.state.heights["exit"] != first.result.state.heights["exit"]
         assert not moved[locked].any()
         assert moved[~locked].any()
 
@@ -126,7 +127,7 @@ class TestDone:
     def test_a_lens_of_another_task_is_a_start(self, freeform, scene_file, out):
         freeform("design", scene_file, "-o", out)
         designed = read_session(out)
-        heights = designed.result.state.heights
+        heights = designed.result.state.heights["exit"]
         screen = designed.scene.screen.model_copy(update={"z": designed.scene.screen.z + 0.5})
         moved = designed.with_scene(
             designed.scene.model_copy(update={"screen": screen}), designed.target
@@ -135,7 +136,7 @@ class TestDone:
         assert freeform("design", out, "-o", out, "--iterations", 0)[0] == 0
         found = read_session(out)
         assert found.result.iterations == 0 and found.start is None
-        np.testing.assert_allclose(found.result.state.heights, heights, atol=1e-3)
+        np.testing.assert_allclose(found.result.state.heights["exit"], heights, atol=1e-3)
 
     def test_a_session_without_a_lens_is_designed_from_the_start(
         self, freeform, scene_file, out, fake_run
@@ -147,7 +148,7 @@ class TestDone:
     def test_no_iterations_give_the_undesigned_lens(self, freeform, scene_file, out):
         status, _, _ = freeform("design", scene_file, "-o", out, "--iterations", 0)
         assert status == 0
-        assert read_session(out).result.state.heights == pytest.approx(0.5, abs=1e-9)
+        assert read_session(out).result.state.heights["exit"] == pytest.approx(0.5, abs=1e-9)
 
     def test_the_time_limit_ends_a_run_well(self, freeform, scene_file, out, fake_run):
         fake_run({})  # each iteration takes a second

@@ -17,6 +17,7 @@ from workbench.errors import Refused
 from workbench.files.references import named_twice
 from workbench.files.scene import read_scene
 from workbench.files.session import KeptRun, Session, write_session
+from workbench.geometry.faces import FaceArrays
 
 
 @pytest.fixture
@@ -51,7 +52,7 @@ def session(folder, make_scene):
 def result():
     return Result(
         LensState(
-            heights=np.full((12, 10), 0.5),
+            heights=FaceArrays({"exit": np.full((12, 10), 0.5)}),
             irradiance=np.ones((32, 32)),
             loss=0.1,
             account=account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),

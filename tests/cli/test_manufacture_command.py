@@ -9,6 +9,7 @@ from tests.accounts import account_of
 from workbench.design.lens_state import LensState
 from workbench.design.snapshot import Result
 from workbench.files.session import Session, read_session, write_session
+from workbench.geometry.faces import FaceArrays
 from workbench.geometry.surface import ControlNet
 
 
@@ -32,7 +33,9 @@ def bowl(make_scene, tmp_path):
             scene,
             image,
             Result(
-                LensState(heights=heights, irradiance=image, loss=1, account=account),
+                LensState(
+                    heights=FaceArrays({"exit": heights}), irradiance=image, loss=1, account=account
+                ),
                 losses=np.ones(1),
                 seconds=1,
             ),
@@ -79,7 +82,9 @@ def moved(bowl):
 
     def move(by):
         session = read_session(bowl)
-        result = session.result.with_state(heights=session.result.state.heights + by)
+        result = session.result.with_state(
+            heights=FaceArrays({"exit": session.result.state.heights["exit"] + by})
+        )
         write_session(replace(session, result=result), bowl)
         return bowl
 

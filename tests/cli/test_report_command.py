@@ -16,6 +16,7 @@ from workbench.design.lens_state import LensState
 from workbench.design.session import VerifiedError
 from workbench.design.snapshot import Result
 from workbench.files.session import KeptRun, Session, write_session
+from workbench.geometry.faces import FaceArrays
 from workbench.report.content import Picture, Report, Row, Section
 from workbench.report.pdf import write_pdf
 from workbench.targets import load_target
@@ -42,7 +43,7 @@ def lens(make_scene, tmp_path):
     target = load_target(scene, tmp_path)
     result = Result(
         LensState(
-            heights=0.5 + 0.01 * np.sin(np.arange(120.0)).reshape(12, 10),
+            heights=FaceArrays({"exit": 0.5 + 0.01 * np.sin(np.arange(120.0)).reshape(12, 10)}),
             irradiance=np.ones((32, 32)),
             loss=0.1,
             account=account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),

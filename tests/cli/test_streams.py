@@ -13,6 +13,7 @@ from tests.accounts import account_of
 from workbench.design.lens_state import LensState
 from workbench.design.snapshot import Result
 from workbench.files.session import Session, read_session, write_session
+from workbench.geometry.faces import FaceArrays
 
 FREEFORM = Path(sys.executable).with_name("freeform")
 BROKEN = "| (exec 0<&-; sleep 1)"
@@ -34,7 +35,7 @@ def lens(make_scene, tmp_path):
     """A session with a flat lens."""
     result = Result(
         LensState(
-            heights=np.full((12, 10), 0.5),
+            heights=FaceArrays({"exit": np.full((12, 10), 0.5)}),
             irradiance=np.ones((32, 32)),
             loss=0.1,
             account=account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),

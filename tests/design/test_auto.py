@@ -41,7 +41,7 @@ def test_symmetric_tasks_have_symmetric_lenses(make_scene):
     scene = make_scene({"run.iterations": 20})
     across = np.linspace(-1, 1, 32)
     disc = (np.hypot(*np.meshgrid(across, across)) < 0.6).astype(float)
-    heights = best(scene, disc).state.heights
+    heights = best(scene, disc).state.heights["exit"]
     for axis in (0, 1):
         assert heights == pytest.approx(np.flip(heights, axis), abs=1e-12)
 
@@ -79,7 +79,9 @@ def test_all_lenses_are_judged_by_the_sharpest_image(make_scene, letter):
     wanted = expected_image(share(letter), sharp)
     plan = Plan(scene, ControlNet.of(scene.lens), sharp, samples=(1001, 1001))
     for snapshot in list(run(scene, letter))[::12]:
-        image = plan.trace(torch.as_tensor(snapshot.state.heights.copy())).flux.numpy()
+        image = plan.trace(
+            {"exit": torch.as_tensor(snapshot.state.heights["exit"].copy())}
+        ).flux.numpy()
         error = np.linalg.norm(image / image.sum() - wanted) / 32
         assert snapshot.state.loss == pytest.approx(error, rel=0.1)
 

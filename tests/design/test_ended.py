@@ -50,7 +50,7 @@ def test_the_last_stage_says_why(make_scene, disc):
 def test_locked_everywhere(make_scene, disc):
     scene = make_scene({"lens.control_points": [5, 5]})
     locked = np.ones((5, 5), bool)
-    assert ended(run(scene, disc, None, locked)) == "all control points are locked"
+    assert ended(run(scene, disc, None, {"exit": locked})) == "all control points are locked"
 
 
 def test_leaving_a_run_is_recorded_as_stopped(make_scene, disc):

@@ -50,24 +50,24 @@ def lens(rng):
 @pytest.mark.parametrize("source", [{}, {"source": POINT}], ids=["collimated", "point"])
 def test_heights_of_a_given_lens_stay_exactly(small, disc, locked, lens, method, source):
     scene = small({"run": method | {"iterations": 4}, **source})
-    snapshots = list(run(scene, disc, lens, locked))
+    snapshots = list(run(scene, disc, {"exit": lens}, {"exit": locked}))
     assert len(snapshots) == 5
     for snapshot in snapshots:
-        np.testing.assert_array_equal(snapshot.state.heights[locked], lens[locked])
-    moved = snapshots[-1].state.heights - snapshots[0].state.heights
+        np.testing.assert_array_equal(snapshot.state.heights["exit"][locked], lens[locked])
+    moved = snapshots[-1].state.heights["exit"] - snapshots[0].state.heights["exit"]
     assert (moved[~locked] != 0).mean() > 0.5  # light of a point leaves out some corners
 
 
 @pytest.mark.parametrize("method", METHODS, ids=str)
 def test_without_a_lens_they_are_those_of_the_undesigned_one(small, disc, locked, method):
     scene = small({"run": method | {"iterations": 3}, "lens.height_range": [-0.2, 0.3]})
-    for snapshot in run(scene, disc, None, locked):
-        np.testing.assert_allclose(snapshot.state.heights[locked], 0.55, atol=1e-15)
+    for snapshot in run(scene, disc, None, {"exit": locked}):
+        np.testing.assert_allclose(snapshot.state.heights["exit"][locked], 0.55, atol=1e-15)
 
 
 def test_a_run_still_brings_the_image_closer(small, disc, locked):
     scene = small({"run": {"iterations": 30}})
-    first, *others = run(scene, disc, None, locked)
+    first, *others = run(scene, disc, None, {"exit": locked})
     best = min(others, key=lambda snapshot: snapshot.state.loss)
     assert best.state.loss < 0.75 * first.state.loss
     assert best.state.account.efficiency > 0.85
@@ -76,20 +76,22 @@ def test_a_run_still_brings_the_image_closer(small, disc, locked):
 @pytest.mark.parametrize("method", METHODS[:2], ids=str)
 def test_no_locks_change_nothing(small, disc, lens, method):
     scene = small({"run": method | {"iterations": 3}})
-    plain = list(run(scene, disc, lens))
-    none = list(run(scene, disc, lens, np.zeros((12, 10), bool)))
+    plain = list(run(scene, disc, {"exit": lens}))
+    none = list(run(scene, disc, {"exit": lens}, {"exit": np.zeros((12, 10), bool)}))
     for one, other in zip(plain, none, strict=True):
-        np.testing.assert_array_equal(one.state.heights, other.state.heights)
+        np.testing.assert_array_equal(one.state.heights["exit"], other.state.heights["exit"])
 
 
 @pytest.mark.parametrize("method", METHODS, ids=str)
 @pytest.mark.parametrize("stages", [(), ({"iterations": 2, "control_points": [6, 6]},)])
 def test_all_locked_ends_at_once_with_the_lens_as_it_is(small, disc, lens, method, stages):
     scene = small({"run": method | {"iterations": 9, "stages": list(stages)}})
-    for start in (None, lens):
-        (only,) = run(scene, disc, start, np.ones((12, 10), bool))
+    for start in (None, {"exit": lens}):
+        (only,) = run(scene, disc, start, {"exit": np.ones((12, 10), bool)})
         assert (only.iteration, only.best, only.stage) == (0, True, len(stages))
-        np.testing.assert_allclose(only.state.heights, 0.5 if start is None else lens, atol=1e-15)
+        np.testing.assert_allclose(
+            only.state.heights["exit"], 0.5 if start is None else lens, atol=1e-15
+        )
 
 
 class TestStages:
@@ -97,41 +99,44 @@ class TestStages:
 
     def test_on_the_same_net_keep_them(self, small, disc, locked):
         scene = small({"run": {"iterations": 5, "stages": list(self.STAGES)}})
-        snapshots = list(run(scene, disc, None, locked))
+        snapshots = list(run(scene, disc, None, {"exit": locked}))
         assert [snapshot.stage for snapshot in snapshots] == [0, 0, 0, 1, 1, 1]
         for snapshot in snapshots:
-            np.testing.assert_allclose(snapshot.state.heights[locked], 0.5, atol=1e-15)
+            np.testing.assert_allclose(snapshot.state.heights["exit"][locked], 0.5, atol=1e-15)
 
     def test_on_another_net_are_refused(self, small, disc, locked, lens):
         stages = [*self.STAGES, {"iterations": 1, "control_points": [6, 6]}]
         scene = small({"run": {"iterations": 5, "stages": stages}})
         with pytest.raises(Refused) as caught:
-            next(run(scene, disc, None, locked))
+            next(run(scene, disc, None, {"exit": locked}))
         assert str(caught.value) == (
             "run.stages[1].control_points: [6, 6] are not the control points of the finished lens "
             "that are locked; leave the stage's net out or unlock them"
         )
         # A lens that is there already goes through the last stage alone.
-        assert len(list(run(scene, disc, lens, locked))) == 3
+        assert len(list(run(scene, disc, {"exit": lens}, {"exit": locked}))) == 3
 
 
 def test_a_lock_that_leaves_no_body_is_refused(small, disc, locked, lens):
     lens[1, 1] = -5.0
     with pytest.raises(Refused, match=r"its exit face is at z = -.* no body of glass"):
-        next(run(small(), disc, lens, locked))
-    next(run(small(), disc, lens, ~locked))  # it is free to move, so the run mends it
+        next(run(small(), disc, {"exit": lens}, {"exit": locked}))
+    # It is free to move, so the run mends it.
+    next(run(small(), disc, {"exit": lens}, {"exit": ~locked}))
 
 
 def test_locks_that_are_symmetric_leave_the_lens_symmetric(small, disc):
     scene = small({"run": {"iterations": 3}})
     locked = np.zeros((12, 10), bool)
     locked[:4] = locked[-4:] = True
-    *_, last = run(scene, disc, None, locked)
+    *_, last = run(scene, disc, None, {"exit": locked})
     assert "mirror symmetry: a quarter of the rays" in last.notes
     assert any(note.startswith("locked control points: ") for note in last.notes)
-    np.testing.assert_allclose(last.state.heights, last.state.heights[::-1], atol=1e-9)
+    np.testing.assert_allclose(
+        last.state.heights["exit"], last.state.heights["exit"][::-1], atol=1e-9
+    )
     locked[5, 3] = True
-    *_, last = run(scene, disc, None, locked)
+    *_, last = run(scene, disc, None, {"exit": locked})
     assert not any("mirror" in note for note in last.notes)
 
 
@@ -139,6 +144,6 @@ def test_kept_heights_have_no_gradient(small, locked, rng):
     lens = small().lens
     free = HeightRange.of(lens, ControlNet.of(lens)).keeping(locked, None)
     parameters = torch.as_tensor(rng.normal(size=(12, 10))).requires_grad_()
-    free.heights(parameters).sum().backward()
+    free.heights(parameters)["exit"].sum().backward()
     assert not parameters.grad[torch.as_tensor(locked)].any()
     assert (parameters.grad[torch.as_tensor(~locked)] > 0).all()

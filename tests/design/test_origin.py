@@ -10,6 +10,7 @@ from workbench.design.lens_state import LensState
 from workbench.design.origin import origin
 from workbench.design.session import KeptRun, Session
 from workbench.design.snapshot import Result
+from workbench.geometry.faces import FaceArrays
 
 
 @pytest.fixture
@@ -24,7 +25,7 @@ def designed(task):
     """A design whose lens is that of its only kept run."""
     result = Result(
         LensState(
-            heights=np.full(task.scene.lens.control_points, 0.5),
+            heights=FaceArrays({"exit": np.full(task.scene.lens.control_points, 0.5)}),
             irradiance=task.target,
             loss=1.0,
             account=account_of(1.0, 0.9, 0.0, 0.0, 0.0, 0.0, 0.04, 0.06),
@@ -72,6 +73,10 @@ def test_another_picture_in_the_same_file_is_another_task(designed):
 
 def test_a_lens_that_no_kept_run_found(designed, task):
     assert origin(replace(designed, runs=())) == "designed for this task"  # its result says so
-    by_hand = replace(task, start=np.full(task.scene.lens.control_points, 0.4), runs=designed.runs)
+    by_hand = replace(
+        task,
+        start=FaceArrays({"exit": np.full(task.scene.lens.control_points, 0.4)}),
+        runs=designed.runs,
+    )
     assert origin(by_hand) == "not designed for this task"
     assert origin(task) == "not designed yet"

@@ -47,7 +47,7 @@ def paper(make_scene, **settings):
 
 def lenses(scene, start=None):
     target = load_target(scene, None)
-    return [snapshot.state.heights for snapshot in run(scene, target, start)]
+    return [snapshot.state.heights["exit"] for snapshot in run(scene, target, {"exit": start})]
 
 
 @pytest.mark.parametrize("kind", KINDS)
@@ -163,7 +163,7 @@ def test_no_network_leaves_the_range(low_lens, kind, seed, size):
     with torch.no_grad():
         for parameter in module.parameters():
             parameter.normal_(0, size, generator=generator)
-        heights = free.heights(free.rest + module())
+        heights = free.heights(free.rest + module())["exit"]
     assert (heights >= free.lower).all() and (heights <= free.upper).all()
 
 

@@ -59,7 +59,7 @@ def test_runs_by_either_method_take_an_automatic_range(make_scene, corner):
         shots = list(run(make_scene(FREE | {"run": settings}), corner))
         assert shots[-1].state.loss < shots[0].state.loss
         assert "of the base" in shots[-1].notes[-1]
-        assert shots[0].state.heights == pytest.approx(0.5, abs=1e-12)
+        assert shots[0].state.heights["exit"] == pytest.approx(0.5, abs=1e-12)
         assert shots[-1].state.shortfall is None
 
 
@@ -93,10 +93,10 @@ def test_stock_is_the_limit_even_where_a_range_is_given(make_scene, corner):
 
 def test_a_continued_run_reports_a_shortfall_once_heights_are_at_their_limits(make_scene, corner):
     scene = make_scene(FREE | {"lens.height_range": [-0.05, 0.05]})
-    first, *_ = run(scene, corner, start=np.full((24, 24), 0.5))
+    first, *_ = run(scene, corner, start={"exit": np.full((24, 24), 0.5)})
     assert first.state.shortfall is None
     half = np.where(np.arange(24)[:, None] < 12, 0.45, 0.55) * np.ones((24, 24))
-    first, *_ = run(scene, corner, start=half)
+    first, *_ = run(scene, corner, start={"exit": half})
     assert first.state.shortfall.cause == "height_range" and first.state.shortfall.share == 1.0
 
 
@@ -105,7 +105,7 @@ def test_locked_heights_at_an_end_are_no_shortfall(make_scene):
     locked[:, :6] = True
     start = np.where(locked, 0.8, 0.5)
     scene = make_scene(FREE | {"lens.height_range": [-0.3, 0.3]})
-    first, *_ = run(scene, np.ones((32, 32)), start=start, locked=locked)
+    first, *_ = run(scene, np.ones((32, 32)), start={"exit": start}, locked={"exit": locked})
     assert first.state.shortfall is None
 
 

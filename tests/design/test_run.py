@@ -30,7 +30,7 @@ def scene(request, make_scene):
 def test_the_first_snapshot_is_the_lens_before_any_step(scene, disc):
     first = next(run(scene, disc))
     assert first.iteration == 0 and first.iterations == 30
-    assert first.state.heights == pytest.approx(0.5, abs=1e-14)
+    assert first.state.heights["exit"] == pytest.approx(0.5, abs=1e-14)
     assert first.state.account.efficiency == pytest.approx(0.96**2, rel=0.1)
     assert first.best
 
@@ -44,7 +44,7 @@ def test_a_run_repeats_whether_or_not_its_kernel_was_compiled_before(scene, disc
     cold, warm = (list(run(scene, disc)) for _ in range(2))
     assert [shot.state.loss for shot in cold] == [shot.state.loss for shot in warm]
     assert [shot.notes for shot in cold] == [shot.notes for shot in warm]
-    np.testing.assert_array_equal(cold[-1].state.heights, warm[-1].state.heights)
+    np.testing.assert_array_equal(cold[-1].state.heights["exit"], warm[-1].state.heights["exit"])
 
 
 def test_a_run_brings_the_image_closer_to_the_target(scene, disc):
@@ -71,8 +71,8 @@ def test_every_lens_of_a_run_is_possible(make_scene, disc):
             }
         )
         for snapshot in run(scene, disc):
-            assert snapshot.state.heights.min() >= 0.49
-            assert snapshot.state.heights.max() <= 0.51
+            assert snapshot.state.heights["exit"].min() >= 0.49
+            assert snapshot.state.heights["exit"].max() <= 0.51
             assert np.isfinite(snapshot.state.irradiance).all()
             emitted, *parts = snapshot.state.account.to_data().values()
             assert sum(parts) == pytest.approx(emitted, abs=2e-6)
@@ -81,7 +81,7 @@ def test_every_lens_of_a_run_is_possible(make_scene, disc):
 def test_snapshots_cannot_be_changed(scene, disc):
     snapshot = next(run(scene, disc))
     with pytest.raises(ValueError, match="read-only"):
-        snapshot.state.heights[0, 0] = 1
+        snapshot.state.heights["exit"][0, 0] = 1
     with pytest.raises(ValueError, match="read-only"):
         snapshot.state.irradiance[0, 0] = 1
 
@@ -98,7 +98,7 @@ def test_irradiance_is_flux_per_area(make_scene, disc, method):
 def test_the_same_seed_repeats(make_scene, disc):
     def heights(seed):
         settings = {"method": "paper", "start": "random", "seed": seed, "iterations": 3}
-        return [s.state.heights for s in run(make_scene({"run": settings}), disc)]
+        return [s.state.heights["exit"] for s in run(make_scene({"run": settings}), disc)]
 
     assert all((a == b).all() for a, b in zip(heights(1), heights(1), strict=True))
     assert (heights(1)[0] != heights(2)[0]).any()
@@ -107,7 +107,7 @@ def test_the_same_seed_repeats(make_scene, disc):
 def test_starts_of_the_paper_differ_as_they_should(make_scene, disc):
     def spread(start):
         settings = {"method": "paper", "start": start}
-        return np.ptp(next(run(make_scene({"run": settings}), disc)).state.heights)
+        return np.ptp(next(run(make_scene({"run": settings}), disc)).state.heights["exit"])
 
     assert spread("zeros") < 1e-12
     assert 1e-5 < spread("uniform") < 1e-3
@@ -118,7 +118,7 @@ def test_a_run_goes_on_from_given_heights(scene, disc):
     earlier = [s for s in run(scene, disc) if s.best][-1]
     again = run(scene, disc, start=earlier.state.heights)
     first = next(again)
-    assert first.state.heights == pytest.approx(earlier.state.heights, abs=1e-9)
+    assert first.state.heights["exit"] == pytest.approx(earlier.state.heights["exit"], abs=1e-9)
     assert first.state.loss == pytest.approx(earlier.state.loss, rel=1e-3)
     assert min(s.state.loss for s in again) <= first.state.loss
 
@@ -160,8 +160,8 @@ def test_auto_judges_the_first_lens_of_transport_and_not_the_undesigned_one(make
 
 def test_auto_restarts_by_transport_from_a_lens_without_light(make_scene, disc):
     scene = make_scene(ASIDE | {"lens.height_range": None})
-    dark, then, *_ = run(scene, disc, start=np.full((20, 20), 0.6))
-    assert dark.state.account.on_screen == 0 and (dark.state.heights == 0.6).all()
+    dark, then, *_ = run(scene, disc, start={"exit": np.full((20, 20), 0.6)})
+    assert dark.state.account.on_screen == 0 and (dark.state.heights["exit"] == 0.6).all()
     assert then.state.account.on_screen > 0.3
 
 

@@ -11,6 +11,7 @@ from workbench.design.session import Session
 from workbench.design.shortfall import Shortfall
 from workbench.design.snapshot import Result
 from workbench.geometry.approximation import deviation
+from workbench.geometry.faces import NO_LOCKS, FaceArrays
 from workbench.geometry.surface import ControlNet
 from workbench.scene import Scene
 
@@ -21,7 +22,7 @@ def session(make_scene, rng):
     n_x, n_y = scene.screen.pixels
     result = Result(
         LensState(
-            heights=0.5 + 0.01 * rng.normal(size=scene.lens.control_points),
+            heights=FaceArrays({"exit": 0.5 + 0.01 * rng.normal(size=scene.lens.control_points)}),
             irradiance=np.ones((n_y, n_x)),
             loss=1.0,
             account=account_of(1.0, 0.9, 0.0, 0.0, 0.0, 0.0, 0.04, 0.06),
@@ -45,7 +46,7 @@ def off(session, other):
     """How far apart the lenses of two sessions are."""
     nets = (ControlNet.of(each.scene.lens) for each in (session, other))
     one, two = nets
-    return deviation(one, session.heights, two, other.heights)
+    return deviation(one, session.heights["exit"], two, other.heights["exit"])
 
 
 def finer(lens, factor):
@@ -55,7 +56,7 @@ def finer(lens, factor):
 def test_a_net_that_holds_the_surface_keeps_the_result(session):
     other = edited(session, lens__control_points=finer(session.scene.lens, 3))
     result = other.result
-    assert result.state.heights.shape == other.scene.lens.control_points
+    assert result.state.heights["exit"].shape == other.scene.lens.control_points
     assert off(session, other) < 1e-15 * 10
     assert (result.state.loss, result.losses, result.state.irradiance) == (
         session.result.state.loss,
@@ -68,15 +69,18 @@ def test_a_net_that_holds_the_surface_keeps_the_result(session):
 def test_another_net_makes_the_nearest_lens_a_start(session):
     other = edited(session, lens__control_points=[20, 20])
     assert other.result is None
-    assert other.start.shape == (20, 20)
+    assert other.start["exit"].shape == (20, 20)
     assert 1e-6 < off(session, other) < 0.01
     again = edited(other, lens__control_points=[9, 9])
-    assert again.start.shape == (9, 9)
+    assert again.start["exit"].shape == (9, 9)
 
 
 def test_another_degree_makes_the_nearest_lens_a_start(session):
     other = edited(session, lens__degree=[4, 4])
-    assert other.result is None and other.start.shape == session.result.state.heights.shape
+    assert (
+        other.result is None
+        and other.start["exit"].shape == session.result.state.heights["exit"].shape
+    )
     assert 1e-6 < off(session, other) < 0.02
 
 
@@ -134,21 +138,21 @@ def test_a_lens_within_its_new_limits_is_a_start(session, values):
 
 
 def test_limits_that_the_lens_exceeds_cut_it_off(session):
-    heights = session.result.state.heights
+    heights = session.result.state.heights["exit"]
     half = 0.7 * np.abs(heights - 0.5).max()
     other = edited(session, lens__height_range=[-half, half])
     assert other.result is None
-    assert np.abs(other.start - 0.5).max() == pytest.approx(half)
-    off = heights - other.start  # the most of it is as it was, moved along z
+    assert np.abs(other.start["exit"] - 0.5).max() == pytest.approx(half)
+    off = heights - other.start["exit"]  # the most of it is as it was, moved along z
     assert (np.abs(off - np.median(off)) < 1e-12).mean() > 0.9
 
 
 def test_a_lens_moves_along_z_where_that_is_enough_to_be_within_its_limits(session):
-    heights = session.result.state.heights
+    heights = session.result.state.heights["exit"]
     other = edited(session, lens__max_thickness=float(heights.max()) - 0.01)
     assert other.result is None
-    assert np.ptp(heights - other.start) < 1e-12
-    assert other.start.max() < heights.max() - 0.01
+    assert np.ptp(heights - other.start["exit"]) < 1e-12
+    assert other.start["exit"].max() < heights.max() - 0.01
 
 
 def test_another_outline_removes_the_lens(session):
@@ -157,12 +161,12 @@ def test_another_outline_removes_the_lens(session):
 
 
 def test_locks_stay_with_their_control_points_wherever_these_are(session):
-    locked = np.zeros(session.scene.lens.control_points, dtype=bool)
+    locked = FaceArrays({"exit": np.zeros(session.scene.lens.control_points, dtype=bool)})
     session = replace(session, locked=locked)
     assert edited(session, lens__half_width=[2.0, 2.0]).locked is locked
     assert edited(session, screen__z=7.0).locked is locked
     finer_net = finer(session.scene.lens, 2)
-    assert edited(session, lens__control_points=finer_net).locked is None
+    assert edited(session, lens__control_points=finer_net).locked == NO_LOCKS
 
 
 def test_undoing_an_edit_by_hand_leaves_the_lens_a_start(session):
@@ -182,15 +186,17 @@ def test_another_unit_keeps_the_lens_and_its_light(session):
     found = session.in_unit("mm")
     assert (found.scene.unit, found.scene.screen.z) == ("mm", 50)
     before, after = session.result, found.result
-    np.testing.assert_allclose(after.state.heights, 10 * before.state.heights, rtol=1e-15)
+    np.testing.assert_allclose(
+        after.state.heights["exit"], 10 * before.state.heights["exit"], rtol=1e-15
+    )
     pixels = [each.scene.screen.pixel_area for each in (session, found)]
     np.testing.assert_allclose(
         after.state.irradiance * pixels[1], before.state.irradiance * pixels[0], rtol=1e-14
     )
     assert (after.state.loss, after.state.account) == (before.state.loss, before.state.account)
-    assert not after.state.heights.flags.writeable
+    assert not after.state.heights["exit"].flags.writeable
     start = replace(session, result=None, start=before.state.heights).in_unit("inch").start
-    np.testing.assert_allclose(start, before.state.heights / 2.54, rtol=1e-15)
+    np.testing.assert_allclose(start["exit"], before.state.heights["exit"] / 2.54, rtol=1e-15)
 
 
 def test_the_same_numbers_in_another_unit_are_the_same_task(session):

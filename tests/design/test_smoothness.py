@@ -101,10 +101,12 @@ def test_gradient_is_that_of_finite_differences(make_scene, rng):
     found = smoothness_of(scene)
     heights = torch.as_tensor(0.5 + 0.05 * rng.random((12, 10))).requires_grad_()
     assert found.excess(heights, 0.5).item() > 0
-    (gradient,) = torch.autograd.grad(found.penalty(heights), [heights])
+    (gradient,) = torch.autograd.grad(found.penalty({"exit": heights}), [heights])
     ahead, step = torch.as_tensor(rng.normal(size=(12, 10))), 1e-6
     with torch.no_grad():
-        change = found.penalty(heights + step * ahead) - found.penalty(heights - step * ahead)
+        change = found.penalty({"exit": heights + step * ahead}) - found.penalty(
+            {"exit": heights - step * ahead}
+        )
     assert (gradient * ahead).sum().item() == pytest.approx(change.item() / (2 * step), rel=1e-6)
 
 
@@ -112,7 +114,7 @@ def test_it_is_the_same_in_any_unit_and_on_any_net(make_scene, rng):
     settings = {"run.smoothness": 0.01, "run.min_radius": 0.5}
     scene = make_scene(settings)
     heights = 0.5 + 0.05 * rng.random((12, 10))
-    penalty = smoothness_of(scene).penalty(torch.as_tensor(heights)).item()
+    penalty = smoothness_of(scene).penalty({"exit": torch.as_tensor(heights)}).item()
     scaled = make_scene(
         {
             "lens.half_width": [10.0, 10.0],
@@ -123,9 +125,9 @@ def test_it_is_the_same_in_any_unit_and_on_any_net(make_scene, rng):
             "run.min_radius": 5.0,
         }
     )
-    assert smoothness_of(scaled).penalty(torch.as_tensor(10 * heights)).item() == pytest.approx(
-        penalty, rel=1e-9
-    )
+    assert smoothness_of(scaled).penalty(
+        {"exit": torch.as_tensor(10 * heights)}
+    ).item() == pytest.approx(penalty, rel=1e-9)
     finer = make_scene(settings | {"lens.control_points": [21, 17]})  # twice as many spans
     refined = ControlNet.of(scene.lens).refine(heights, ControlNet.of(finer.lens))
     assert smoothness_of(finer).bending(torch.as_tensor(refined)).item() == pytest.approx(
@@ -147,12 +149,12 @@ class TestRuns:
     def test_a_lens_keeps_to_the_smallest_radius(self, make_scene, method, iterations):
         task = self.NET | {"run": {"method": method, "iterations": iterations}}
         free = make_scene(task)
-        sharp = tightest(free, best(free).state.heights)
+        sharp = tightest(free, best(free).state.heights["exit"])
         limit = 1.5 * sharp
         task["run"]["min_radius"] = limit
         scene = make_scene(task)
         found = best(scene)
-        assert tightest(scene, found.state.heights) >= 0.99 * limit
+        assert tightest(scene, found.state.heights["exit"]) >= 0.99 * limit
         assert found.state.loss < 0.7 * next(run(scene, DISC)).state.loss
 
     def test_smoothness_reduces_bending(self, make_scene):
@@ -160,16 +162,19 @@ class TestRuns:
         energies = []
         for weight in (1e-9, 1e-1):
             scene = make_scene(task | {"run.smoothness": weight})
-            heights = torch.as_tensor(best(scene).state.heights.copy())
+            heights = torch.as_tensor(best(scene).state.heights["exit"].copy())
             energies.append(smoothness_of(scene).bending(heights).item())
         assert energies[1] < 0.8 * energies[0]
 
     def test_the_best_lens_is_chosen_by_its_merit(self, make_scene, monkeypatch):
         """A sharper lens with a smaller loss is not the best."""
-        heights, flux = torch.zeros(12, 10), torch.ones(32, 32)
+        heights, flux = {"exit": torch.zeros(12, 10)}, torch.ones(32, 32)
         account = account_of(1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
         steps = [
-            Step(LensState.traced(heights, flux, 1.0, torch.tensor(loss), account), merit=merit)
+            Step(
+                LensState.traced(heights, flux, 1.0, torch.tensor(loss), account),
+                merit=merit,
+            )
             for loss, merit in ((3.0, 3.0), (1.0, 9.0), (2.0, 2.5))
         ]
         monkeypatch.setattr(run_module, "_steps", lambda *task: iter(steps))

@@ -12,7 +12,7 @@ from workbench.targets import load_target
 
 def descend(scene, target, heights, reach):
     image = WideImage(scene, target, GaussianFilter(), (64, 64), (False, False), reach)
-    error, step = image.compare(heights)
+    error, step = image.compare({"exit": heights})
     (gradient,) = torch.autograd.grad(error.square().sum(), [heights])
     return error, step, gradient
 
@@ -26,7 +26,7 @@ def test_pixels_that_no_light_reaches_change_nothing(source, make_scene, tmp_pat
     target = load_target(scene, tmp_path)
     free = scene.lens.base.height + 0.003 * rng.random(ControlNet.of(scene.lens).shape)
     heights = torch.tensor(free, requires_grad=True)
-    reach = Plan(scene, samples=(64, 64)).reach(heights.detach())
+    reach = Plan(scene, samples=(64, 64)).reach({"exit": heights.detach()})
     narrow, near, gradient = descend(scene, target, heights, reach)
     wide, far, same = descend(scene, target, heights, (5.0, 5.0))
     assert narrow.numel() < wide.numel() / 2

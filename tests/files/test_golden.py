@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 
 from workbench.files.session import read_session, write_session
+from workbench.geometry.faces import NO_LOCKS
 from workbench.targets import load_target
 
 GOLDEN = Path(__file__).parent / "golden"
@@ -36,7 +37,7 @@ def header_of(path):
 
 
 def assert_result(result, figures, arrays):
-    np.testing.assert_array_equal(result.state.heights, arrays["control_points"])
+    np.testing.assert_array_equal(result.state.heights["exit"], arrays["control_points"])
     np.testing.assert_array_equal(result.state.irradiance, arrays["irradiance"])
     np.testing.assert_array_equal(result.losses, arrays["loss"])
     assert result.state.loss == figures["loss"]
@@ -86,7 +87,7 @@ def test_figures_of_the_first_program():
     assert session.result.state.loss == 0.002639537211507559
     assert session.result.state.account.lost["left_side"] == 0
     assert session.result.stage_starts == ()
-    assert (session.locked, session.runs, session.view, session.start) == (None, (), None, None)
+    assert (session.locked, session.runs, session.view, session.start) == (NO_LOCKS, (), None, None)
 
 
 def test_figures_of_a_run_in_stages():
@@ -97,7 +98,7 @@ def test_figures_of_a_run_in_stages():
 
 def test_what_belongs_to_the_window():
     session = read_session(GOLDEN / "compared.freeform")
-    np.testing.assert_array_equal(session.locked, np.arange(6)[:, None] < [2] * 5)
+    np.testing.assert_array_equal(session.locked["exit"], np.arange(6)[:, None] < [2] * 5)
     assert [run.name for run in session.runs] == ["coarse, then fine"]
     assert session.runs[0].result.stage_starts == (3,)
     assert session.view == {"camera": [0.5, None, True], "colour map": "viridis"}
@@ -112,7 +113,7 @@ def test_a_lens_of_another_task():
     session = read_session(GOLDEN / "started.freeform")
     first = read_session(GOLDEN / "first.freeform")
     assert session.result is None
-    np.testing.assert_array_equal(session.start, first.result.state.heights)
+    np.testing.assert_array_equal(session.start["exit"], first.result.state.heights["exit"])
 
 
 def test_a_picture_from_which_the_target_is_drawn_anew():

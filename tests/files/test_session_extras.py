@@ -16,6 +16,7 @@ from workbench.files import header
 from workbench.files import session as session_file
 from workbench.files.figures import Figures
 from workbench.files.session import read_session, write_session
+from workbench.geometry.faces import NO_LOCKS, FaceArrays
 
 VIEW = {"camera": [1.5, None, True], "docks": {"state": "AAAA"}, "map": "viridis"}
 
@@ -26,7 +27,7 @@ def make_run(make_scene, rng):
         scene = make_scene({"lens.control_points": list(net), "screen.pixels": list(pixels)})
         result = Result(
             LensState(
-                heights=rng.random(net),
+                heights=FaceArrays({"exit": rng.random(net)}),
                 irradiance=rng.random(pixels[::-1]),
                 loss=0.25,
                 account=account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
@@ -47,7 +48,8 @@ def session(make_run, rng):
         replace(make_run("coarse", (4, 4), (3, 2)), verified=checked),
         make_run("fein gemäß α = 4", losses=0),
     )
-    return Session(design.scene, design.target, design.result, rng.random((5, 4)) < 0.5, runs, VIEW)
+    locked = FaceArrays({"exit": rng.random((5, 4)) < 0.5})
+    return Session(design.scene, design.target, design.result, locked, runs, VIEW)
 
 
 @pytest.fixture
@@ -97,9 +99,9 @@ def test_everything_comes_back(session, path):
     write_session(session, path)
     found = read_session(path)
     assert_same(found, session)
-    assert found.locked.dtype == np.bool_
-    assert not found.locked.flags.writeable
-    np.testing.assert_array_equal(found.locked, session.locked)
+    assert found.locked["exit"].dtype == np.bool_
+    assert not found.locked["exit"].flags.writeable
+    assert found.locked == session.locked
     assert [run.name for run in found.runs] == ["coarse", "fein gemäß α = 4"]
     for run, expected in zip(found.runs, session.runs, strict=True):
         assert run.verified == expected.verified
@@ -114,16 +116,16 @@ def test_a_session_without_them_is_written_as_ever(session, path):
         text = json.loads(archive.read("session.json"))
     assert sorted(text) == ["format", "program", "scene", "version"]
     found = read_session(path)
-    assert (found.locked, found.runs, found.view) == (None, (), None)
+    assert (found.locked, found.runs, found.view) == (NO_LOCKS, (), None)
 
 
 def test_a_lens_to_start_from_is_kept_until_there_is_a_result(session, path):
     start = session.result.state.heights
     write_session(replace(session, result=None, start=start), path)
     found = read_session(path)
-    np.testing.assert_array_equal(found.start, start)
-    assert found.result is None and not found.start.flags.writeable
-    write_session(replace(session, start=start + 1), path)
+    assert found.start == start
+    assert found.result is None and not found.start["exit"].flags.writeable
+    write_session(replace(session, start=FaceArrays({"exit": start["exit"] + 1})), path)
     assert read_session(path).start is None
 
 
@@ -181,7 +183,7 @@ class TestWithScene:
     def test_runs_and_view_outlive_every_edit(self, session, make_scene):
         other = make_scene({"lens.control_points": [8, 9], "screen.pixels": [7, 6]})
         found = session.with_scene(other, session.target)
-        assert (found.result, found.locked) == (None, None)
+        assert (found.result, found.locked) == (None, NO_LOCKS)
         assert found.runs is session.runs
         assert found.view is session.view
 
@@ -193,7 +195,7 @@ class TestWithScene:
         assert found.locked is session.locked
         lens = scene.lens.model_copy(update={"degree": (3, 2)})
         scene = scene.model_copy(update={"lens": lens})
-        assert session.with_scene(scene, session.target).locked is None
+        assert session.with_scene(scene, session.target).locked == NO_LOCKS
 
 
 class TestNotWritten:
@@ -257,7 +259,7 @@ class TestRefused:
         assert told == ": locked.npy: holds float64; bool is needed"
 
     def test_a_lock_that_is_neither_0_nor_1_is_refused(self, session, forge, path):
-        np.save(path.with_suffix(".npy"), session.locked)
+        np.save(path.with_suffix(".npy"), session.locked["exit"])
         content = path.with_suffix(".npy").read_bytes()
         told = refused(forge({"locked.npy": content[:-1] + b"\2"}))
         assert told.startswith(": locked.npy: holds a value that is neither 0 nor 1")

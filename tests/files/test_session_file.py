@@ -23,6 +23,7 @@ from workbench.files.session import (
     read_session,
     write_session,
 )
+from workbench.geometry.faces import FaceArrays
 
 ARRAYS = ["target.npy", "control_points.npy", "irradiance.npy", "loss.npy"]
 
@@ -32,7 +33,7 @@ def session(make_scene, rng):
     scene = make_scene({"lens.control_points": [5, 4], "screen.pixels": [7, 6]})
     result = Result(
         LensState(
-            heights=rng.random((5, 4)),
+            heights=FaceArrays({"exit": rng.random((5, 4))}),
             irradiance=rng.random((6, 7)) / 3,
             loss=1 / 3,
             account=account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1 - 1e-17),
@@ -106,7 +107,7 @@ class TestRoundTrip:
         again = read_session(path)
         assert again.scene == session.scene
         assert same(again.target, session.target)
-        assert same(again.result.state.heights, session.result.state.heights)
+        assert same(again.result.state.heights["exit"], session.result.state.heights["exit"])
         assert same(again.result.state.irradiance, session.result.state.irradiance)
         assert same(again.result.losses, session.result.losses)
         assert again.result.state.loss == session.result.state.loss
@@ -156,7 +157,7 @@ def test_the_format_is_the_one_that_others_rely_on(session, path):
                 array = arrays[name.removesuffix(".npy")]
                 assert array.dtype == np.float64
                 assert array.flags.c_contiguous
-            assert np.array_equal(arrays["control_points"], session.result.state.heights)
+            assert np.array_equal(arrays["control_points"], session.result.state.heights["exit"])
     assert header["format"] == "freeform-session"
     assert header["version"] == 1
     assert header["program"] == f"freeform-lens-workbench {__version__}"
@@ -203,7 +204,8 @@ class TestWithScene:
 class TestOpenDesign:
     def test_a_session(self, session, path):
         write_session(session, path)
-        assert same(open_design(path).result.state.heights, session.result.state.heights)
+        found = open_design(path).result.state.heights["exit"]
+        assert same(found, session.result.state.heights["exit"])
 
     def test_a_scene_with_its_target_whatever_its_name(self, path, make_scene):
         path.write_text(make_scene().to_json())
@@ -325,7 +327,7 @@ class TestRefused:
     @pytest.mark.parametrize("height", [1e308, -1e308, 5001.0])
     def test_a_height_that_is_out_of_all_bounds(self, session, path, forge, height):
         write_session(session, path)
-        heights = session.result.state.heights.copy()
+        heights = session.result.state.heights["exit"].copy()
         heights[1, 2] = height
         told = refused(forge({"control_points.npy": npy(heights)}))
         assert told == (
@@ -449,7 +451,7 @@ def test_no_damage_gets_past_the_refusals(session, path, data):
         assert "\n" not in str(refusal)
     else:
         assert same(again.target, session.target)
-        assert same(again.result.state.heights, session.result.state.heights)
+        assert same(again.result.state.heights["exit"], session.result.state.heights["exit"])
 
 
 def test_a_disk_that_fails_leaves_the_old_session(session, path, monkeypatch, tmp_path):

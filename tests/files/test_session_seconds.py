@@ -12,6 +12,7 @@ from workbench.design.session import KeptRun, Session
 from workbench.design.snapshot import Result
 from workbench.errors import Refused
 from workbench.files.session import read_session, write_session
+from workbench.geometry.faces import FaceArrays
 
 
 @pytest.fixture
@@ -19,7 +20,7 @@ def session(make_scene, rng):
     scene = make_scene({"lens.control_points": [5, 4], "screen.pixels": [7, 6]})
     result = Result(
         LensState(
-            heights=rng.random((5, 4)),
+            heights=FaceArrays({"exit": rng.random((5, 4))}),
             irradiance=rng.random((6, 7)),
             loss=0.25,
             account=account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),

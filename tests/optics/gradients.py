@@ -21,7 +21,9 @@ def check_both_modes(plan, heights, rng):
     """Forward mode agrees with reverse mode."""
     tangent = torch.as_tensor(rng.normal(size=heights.shape))
     cotangent = torch.as_tensor(rng.normal(size=(32, 32)))
-    _, forward = torch.func.jvp(plan.flux, (heights,), (tangent,))
+    _, forward = torch.func.jvp(plan.flux, ({"exit": heights},), ({"exit": tangent},))
     variable = heights.requires_grad_()
-    (reverse,) = torch.autograd.grad((plan.trace(variable).flux * cotangent).sum(), variable)
+    (reverse,) = torch.autograd.grad(
+        (plan.trace({"exit": variable}).flux * cotangent).sum(), variable
+    )
     assert (forward * cotangent).sum().item() == pytest.approx((reverse * tangent).sum().item())

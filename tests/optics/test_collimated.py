@@ -88,7 +88,7 @@ def test_scaling_everything_leaves_the_image_alone(make_scene, scene_data, rng, 
                 "screen.half_width": [s * r for r in screen["half_width"]],
             }
         )
-        return Plan(scene, dtype=dtype).trace(s * heights).flux
+        return Plan(scene, dtype=dtype).trace({"exit": s * heights}).flux
 
     difference = (image(unit) - image(1.0)).abs().sum().item()
     assert difference < (1e-4 if dtype == torch.float32 else 1e-10)
@@ -100,7 +100,7 @@ def test_scaling_everything_leaves_the_image_alone(make_scene, scene_data, rng, 
 def test_the_account_adds_up_and_nothing_is_nan(make_scene, rng, amplitude, kind, dtype):
     scene = make_scene({"filter": {"kind": kind}, "source.rays": [128, 100]})
     heights = wavy(scene, rng, amplitude).requires_grad_()
-    traced = Plan(scene, dtype=dtype).trace(heights)
+    traced = Plan(scene, dtype=dtype).trace({"exit": heights})
     emitted, *parts = traced.account.to_data().values()
     assert emitted == 1
     assert min(parts) >= -1e-6
@@ -116,7 +116,7 @@ def test_all_light_totally_reflected_is_counted_not_nan(make_scene, dtype):
     scene = make_scene({"lens.control_points": [4, 4], "lens.half_width": [0.1, 0.1]})
     x, _ = ControlNet.of(scene.lens).positions
     steep = torch.as_tensor(np.repeat((0.5 + 3 * x)[:, None], 4, axis=1)).requires_grad_()
-    traced = Plan(scene, dtype=dtype).trace(steep)
+    traced = Plan(scene, dtype=dtype).trace({"exit": steep})
     assert traced.account.lost["total_reflection"] == pytest.approx(0.96)
     assert traced.flux.sum() == 0
     traced.flux.sum().backward()
@@ -130,7 +130,7 @@ def test_gradient_is_that_of_central_differences(make_scene, rng):
     heights = wavy(scene, rng).requires_grad_()
 
     def value(h):
-        return (plan.trace(h).flux * cotangent).sum()
+        return (plan.trace({"exit": h}).flux * cotangent).sum()
 
     (gradient,) = torch.autograd.grad(value(heights), heights)
     direction = torch.as_tensor(rng.normal(size=(6, 7)))
@@ -150,9 +150,9 @@ def test_a_mirrored_lens_gives_a_mirrored_image(make_scene, rng):
     scene = make_scene()
     heights = wavy(scene, rng)
     plan = Plan(scene, dtype=torch.float64)
-    image = plan.trace(heights).flux
-    assert torch.allclose(plan.trace(heights.flip(0)).flux, image.flip(1), atol=1e-14)
-    assert torch.allclose(plan.trace(heights.flip(1)).flux, image.flip(0), atol=1e-14)
+    image = plan.trace({"exit": heights}).flux
+    assert torch.allclose(plan.trace({"exit": heights.flip(0)}).flux, image.flip(1), atol=1e-14)
+    assert torch.allclose(plan.trace({"exit": heights.flip(1)}).flux, image.flip(0), atol=1e-14)
 
 
 def test_a_wedge_throws_light_to_its_thick_side(make_scene):
@@ -160,7 +160,7 @@ def test_a_wedge_throws_light_to_its_thick_side(make_scene):
     scene = make_scene()
     x, _ = ControlNet.of(scene.lens).positions
     heights = torch.as_tensor(np.repeat((0.5 + 0.1 * x)[:, None], 10, axis=1))
-    flux = Plan(scene).trace(heights).flux.numpy()
+    flux = Plan(scene).trace({"exit": heights}).flux.numpy()
     columns = flux.sum(axis=0)
     assert columns[16:].sum() > 1.3 * columns[:16].sum()
 
@@ -168,7 +168,7 @@ def test_a_wedge_throws_light_to_its_thick_side(make_scene):
 def test_paths_end_where_the_trace_does(make_scene, rng):
     scene = make_scene({"source.rays": [5, 4]})
     heights = wavy(scene, rng)
-    paths = ray_paths(scene, heights.numpy(), (5, 4))
+    paths = ray_paths(scene, {"exit": heights.numpy()}, (5, 4))
     arrival = Path.of(scene, ControlNet.of(scene.lens), torch.float64).walk({"exit": heights})
     assert paths.points.shape == (20, 4, 3)
     assert paths.points[:, 3, 0] == pytest.approx(arrival.x.numpy().ravel())
@@ -183,7 +183,7 @@ def test_paths_of_a_result_come_without_a_warning(make_scene, recwarn):
     scene = make_scene()
     torch.set_warn_always(True)  # else it warns in the first test of a process alone
     try:
-        ray_paths(scene, frozen(flat(scene).numpy()), (2, 2))
+        ray_paths(scene, {"exit": frozen(flat(scene).numpy())}, (2, 2))
     finally:
         torch.set_warn_always(False)
     assert not recwarn.list
@@ -192,7 +192,7 @@ def test_paths_of_a_result_come_without_a_warning(make_scene, recwarn):
 def test_reflected_paths_stop_at_the_exit_face(make_scene):
     scene = make_scene({"lens.control_points": [4, 4], "lens.half_width": [0.1, 0.1]})
     x, _ = ControlNet.of(scene.lens).positions
-    paths = ray_paths(scene, np.repeat((0.5 + 3 * x)[:, None], 4, axis=1), (3, 3))
+    paths = ray_paths(scene, {"exit": np.repeat((0.5 + 3 * x)[:, None], 4, axis=1)}, (3, 3))
     assert (paths.points[:, 3] == paths.points[:, 2]).all()
     assert not paths.weight.any()
     assert not paths.on_screen.any()

@@ -33,7 +33,7 @@ SOURCES = pytest.mark.parametrize("source", ALL.values(), ids=ALL.keys())
 def light_of(scene, heights, samples=None, dtype=torch.float64):
     """The light of a lens before it becomes an image, by samples or by rays that search."""
     path = Path.of(scene, ControlNet.of(scene.lens), dtype, samples=samples)
-    return Reference(path).arrival(heights)
+    return Reference(path).arrival({"exit": heights})
 
 
 def image_of(arrival, scene):
@@ -65,7 +65,7 @@ def test_irradiance_behind_a_thin_plate_falls_with_a_power_of_the_cosine(
     scene = make_scene({"source": source, **THIN_PLATE})
     heights = torch.full(scene.lens.control_points, 1e-6, dtype=torch.float64)
     # 50 rows and columns of samples light a pixel; its edges cut one off, or do not.
-    traced = Plan(scene, samples=(1001, 1003), dtype=torch.float64).trace(heights)
+    traced = Plan(scene, samples=(1001, 1003), dtype=torch.float64).trace({"exit": heights})
     expected = behind_thin_plate(scene, emission, power)
     assert traced.flux.numpy() == pytest.approx(expected, rel=0.045)
     assert traced.flux.sum().item() == pytest.approx(expected.sum(), rel=2e-3)
@@ -112,13 +112,13 @@ def test_each_point_of_a_grid_gives_the_light_that_it_gives_alone(make_scene):
     wide = {"screen.half_width": [4, 4], "screen.pixels": [8, 8]}
     scene = make_scene({"source": GRID | {"points": [2, 2]}, **wide})
     heights = smooth(scene)
-    together = Plan(scene, samples=(400, 400), dtype=torch.float64).trace(heights)
+    together = Plan(scene, samples=(400, 400), dtype=torch.float64).trace({"exit": heights})
     alone = [
         Plan(
             make_scene({"source": POINT | {"position": [x, y, -5.0]}, **wide}),
             samples=(200, 200),
             dtype=torch.float64,
-        ).trace(heights)
+        ).trace({"exit": heights})
         for x in (-1, 1)
         for y in (-0.9, 1.1)
     ]
@@ -142,7 +142,7 @@ def test_the_account_adds_up_and_nothing_is_nan(make_scene, rng, source, amplitu
     heights = (3.0 + amplitude * noise).requires_grad_()
     for fused in (False, True):
         plan = Plan(scene, samples=(60, 50), dtype=dtype, fused=fused)
-        traced = plan.trace(heights)
+        traced = plan.trace({"exit": heights})
         emitted, *where = traced.account.to_data().values()
         assert sum(where) == pytest.approx(emitted, abs=1e-9 if dtype == torch.float64 else 3e-6)
         (gradient,) = torch.autograd.grad(traced.flux.square().sum(), heights)
@@ -156,7 +156,7 @@ def test_a_source_just_before_the_lens_or_far_off_the_axis(make_scene, dtype, po
     scene = make_scene({"source": POINT | {"position": position}})
     heights = smooth(scene).requires_grad_()
     for fused in (False, True):
-        traced = Plan(scene, samples=(65, 64), dtype=dtype, fused=fused).trace(heights)
+        traced = Plan(scene, samples=(65, 64), dtype=dtype, fused=fused).trace({"exit": heights})
         (gradient,) = torch.autograd.grad(traced.flux.sum(), heights)
         assert torch.isfinite(gradient).all()
         account = traced.account
@@ -183,7 +183,7 @@ def test_gradient_is_that_of_central_differences(make_scene, rng, position, degr
     wanted = torch.as_tensor(rng.random((7, 7)))
 
     def loss(h):
-        flux = plan.trace(h).flux
+        flux = plan.trace({"exit": h}).flux
         return (flux / flux.sum() - wanted / wanted.sum()).norm() / 7
 
     x, y = (torch.as_tensor(c) for c in ControlNet.of(scene.lens).positions)
@@ -213,8 +213,12 @@ def test_samples_are_dense_before_a_source_that_is_near_a_thin_lens(make_scene, 
     """Of even samples a few saw all of the light, and the image was off by more than all of it."""
     scene = make_scene(THIN | {"source": POINT | {"position": source}})
     heights = 0.005 + 0.01 * smooth(scene)
-    flux = Plan(scene, samples=(400, 400), fused=fused, dtype=torch.float64).trace(heights).flux
-    exact = validate(scene, np.ones((16, 16)), heights.numpy(), 1 << 19).irradiance
+    flux = (
+        Plan(scene, samples=(400, 400), fused=fused, dtype=torch.float64)
+        .trace({"exit": heights})
+        .flux
+    )
+    exact = validate(scene, np.ones((16, 16)), {"exit": heights.numpy()}, 1 << 19).irradiance
     assert distance(flux, torch.tensor(exact * scene.screen.pixel_area)) < 0.1
 
 
@@ -222,7 +226,9 @@ def test_half_of_the_dense_samples_see_a_mirror_image(make_scene):
     scene = make_scene(THIN | {"source": POINT | {"position": [0, 0, -1e-3]}})
     heights = torch.full(scene.lens.control_points, 0.01, dtype=torch.float64)
     whole, quarter = (
-        Plan(scene, samples=(400, 400), mirrored=halved, dtype=torch.float64).trace(heights)
+        Plan(scene, samples=(400, 400), mirrored=halved, dtype=torch.float64).trace(
+            {"exit": heights}
+        )
         for halved in ((False, False), (True, True))
     )
     assert distance(quarter.flux, whole.flux) < 1e-9

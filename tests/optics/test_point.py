@@ -81,7 +81,7 @@ class TestFlatPlate:
         source = {"kind": "point", "position": [0, 0, -1.0], "rays": 1 << 20}
         scene = make_scene({"source": source | {"emission": emission}, **THIN_PLATE})
         heights = torch.full(scene.lens.control_points, 1e-6, dtype=torch.float64)
-        traced = Plan(scene, dtype=torch.float64).trace(heights)
+        traced = Plan(scene, dtype=torch.float64).trace({"exit": heights})
         expected = behind_thin_plate(scene, emission, power)
         assert traced.flux.numpy() == pytest.approx(expected, rel=0.02)
         assert traced.flux.sum().item() == pytest.approx(expected.sum(), rel=1e-3)
@@ -125,7 +125,7 @@ def test_the_account_adds_up_and_nothing_is_nan(make_scene, rng, source, amplitu
     scene = make_scene({"filter": {"kind": kind}, "source": source, "lens.degree": [2, 3]})
     noise = torch.as_tensor(rng.uniform(-1, 1, size=scene.lens.control_points))
     heights = (3.5 + amplitude * noise).requires_grad_()
-    traced = Plan(scene, dtype=dtype).trace(heights)
+    traced = Plan(scene, dtype=dtype).trace({"exit": heights})
     emitted, where = parts(traced.account)
     assert emitted == 1
     assert min(where) >= -1e-6
@@ -154,7 +154,7 @@ def test_gradient_is_that_of_central_differences(make_scene, rng, source, degree
     wanted = torch.as_tensor(rng.random((8, 8)))
 
     def loss(h):
-        flux = plan.trace(h).flux
+        flux = plan.trace({"exit": h}).flux
         return (flux / flux.sum() - wanted / wanted.sum()).norm() / 8
 
     x, y = (torch.as_tensor(c) for c in ControlNet.of(scene.lens).positions)
@@ -175,8 +175,8 @@ def test_forward_mode_agrees_with_reverse_mode(make_scene, rng, source):
 def test_single_precision_is_enough(make_scene, dtype):
     scene = make_scene({"source": POINT, "screen.pixels": [8, 8]})
     heights = smooth(scene)
-    image = Plan(scene, dtype=dtype).trace(heights).flux.double()
-    exact = Plan(scene, dtype=torch.float64).trace(heights).flux
+    image = Plan(scene, dtype=dtype).trace({"exit": heights}).flux.double()
+    exact = Plan(scene, dtype=torch.float64).trace({"exit": heights}).flux
     assert (image - exact).norm() / exact.norm() < (1e-5 if dtype == torch.float32 else 1e-15)
 
 
@@ -186,32 +186,32 @@ def test_a_mirrored_scene_gives_a_mirrored_account_and_shifted_rays_their_own(ma
         {"source": POINT | {"rays": 1 << 17, "position": [-0.3, -0.2, -5]}, "screen.pixels": [4, 4]}
     )
     heights = smooth(scene)
-    image = Plan(scene, dtype=torch.float64).trace(heights).flux
-    other = Plan(mirrored, dtype=torch.float64).trace(heights.flip(0)).flux
+    image = Plan(scene, dtype=torch.float64).trace({"exit": heights}).flux
+    other = Plan(mirrored, dtype=torch.float64).trace({"exit": heights.flip(0)}).flux
     assert (image - other.flip(1)).norm() / image.norm() < 0.01
 
 
 def test_where_the_search_starts_leaves_the_image_alone(make_scene, rng):
     scene = make_scene({"source": POINT})
     rough = 0.5 + 0.25 * torch.as_tensor(rng.uniform(-1, 1, size=(12, 10)))
-    fresh = Plan(scene, dtype=torch.float64).trace(rough).flux
+    fresh = Plan(scene, dtype=torch.float64).trace({"exit": rough}).flux
     warm = Plan(scene, dtype=torch.float64)
     for bend in (0.0, 0.2):
-        warm.trace(smooth(scene, bend))
-    assert (warm.trace(rough).flux - fresh).abs().max() < 1e-12
+        warm.trace({"exit": smooth(scene, bend)})
+    assert (warm.trace({"exit": rough}).flux - fresh).abs().max() < 1e-12
 
 
 def test_redrawn_rays_are_others_of_the_same_light(make_scene):
     scene = make_scene({"source": POINT | {"fresh": True}, "screen.pixels": [4, 4]})
     plan, again = Plan(scene, dtype=torch.float64), Plan(scene, dtype=torch.float64)
     heights = smooth(scene)
-    first = plan.trace(heights).flux
+    first = plan.trace({"exit": heights}).flux
     plan.next_iteration()
-    second = plan.trace(heights).flux
+    second = plan.trace({"exit": heights}).flux
     assert not torch.equal(first, second)
     assert (first - second).norm() / first.norm() < 0.1
     again.next_iteration()
-    assert torch.equal(again.trace(heights).flux, second)
+    assert torch.equal(again.trace({"exit": heights}).flux, second)
 
 
 def in_glass(scene, positions, directions, dtype):
@@ -226,7 +226,7 @@ def in_glass(scene, positions, directions, dtype):
 class TestHardCases:
     def gradient_of(self, plan, heights):
         heights = heights.clone().requires_grad_()
-        traced = plan.trace(heights)
+        traced = plan.trace({"exit": heights})
         (gradient,) = torch.autograd.grad(traced.flux.sum(), heights)
         assert torch.isfinite(traced.flux).all()
         assert torch.isfinite(gradient).all()

@@ -47,7 +47,7 @@ def test_a_grid_alone_is_sampled(lit, make_scene):
 @pytest.mark.parametrize("fused", [False, True])
 def test_all_of_their_light_is_accounted_for(lit, fused):
     heights = torch.full(lit.lens.control_points, 0.5, dtype=torch.float64)
-    light = Plan(lit, fused=fused, samples=(16, 16)).trace(heights)
+    light = Plan(lit, fused=fused, samples=(16, 16)).trace({"exit": heights})
     on_screen = float(light.flux.sum())
     assert 0.1 < on_screen < 1
     lost = sum(light.account.lost.values())

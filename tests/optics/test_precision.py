@@ -18,7 +18,10 @@ def images(scene):
     # Aimed at the screen, as a designed lens is: slopes so small that light stays on it.
     waves = 1e-7 * rng.normal(size=net)
     heights = torch.tensor(scene.lens.base.height + 0.019 + waves)
-    return [Plan(scene, dtype=t).trace(heights).flux for t in (torch.float32, torch.float64, None)]
+    return [
+        Plan(scene, dtype=t).trace({"exit": heights}).flux
+        for t in (torch.float32, torch.float64, None)
+    ]
 
 
 @pytest.mark.parametrize("source", [{"kind": "collimated", "rays": [512, 512]}, POINT])

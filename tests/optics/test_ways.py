@@ -69,7 +69,7 @@ def test_no_kernel_stands_for_an_interface_that_it_does_not_know(make_scene, sou
     window = changed(path, steps=[entrance, exit_face._replace(interface=Unchanged())])
     assert kind(window) is None
     # Without refraction at the exit, light keeps its direction: more of it passes the screen by.
-    light = Reference(window).image(smooth(scene), scene.screen, scene.filter)
+    light = Reference(window).image({"exit": smooth(scene)}, scene.screen, scene.filter)
     assert light.account.lost["fresnel_exit"] == 0
     assert sum(account(light).values()) == pytest.approx(2, abs=1e-12)  # and once as emitted
 
@@ -82,7 +82,7 @@ def test_another_step_before_the_exit_face_needs_no_other_kernel(make_scene):
     stopped = changed(path, steps=[entrance, pane, exit_face])
     assert kind(stopped) is FusedPointRays
     lights = [
-        tracer(stopped).image(smooth(scene), scene.screen, scene.filter)
+        tracer(stopped).image({"exit": smooth(scene)}, scene.screen, scene.filter)
         for tracer in (FusedPointRays, Reference)
     ]
     assert torch.allclose(lights[0].flux, lights[1].flux, rtol=0, atol=1e-12)
@@ -100,7 +100,7 @@ def test_light_of_an_emitter_that_no_kernel_knows_is_traced_by_the_one_that_take
     path = changed(path_of(scene), emitter=Given(rays))
     assert kind(path) is FusedPointRays
     lights = [
-        tracer(path).image(smooth(scene), scene.screen, scene.filter)
+        tracer(path).image({"exit": smooth(scene)}, scene.screen, scene.filter)
         for tracer in (FusedPointRays, Reference)
     ]
     assert torch.allclose(lights[0].flux, lights[1].flux, rtol=0, atol=1e-12)
@@ -130,7 +130,9 @@ def test_samples_of_the_face_come_from_where_their_light_entered(make_scene):
     path, measuring = path_of(scene, (31, 31)), Measuring()
     entrance, exit_face = path.steps
     steps = [entrance, exit_face._replace(interface=measuring)]
-    Reference(changed(path, steps=steps)).arrival(torch.full((12, 10), 0.5, dtype=torch.float64))
+    Reference(changed(path, steps=steps)).arrival(
+        {"exit": torch.full((12, 10), 0.5, dtype=torch.float64)}
+    )
     # Straight on the axis, and refracted where light enters at the radius e: e + d tan = ρ.
     assert measuring.way[15, 15].item() == pytest.approx(0.5)
     x = 1 / 31 * 30

@@ -32,7 +32,7 @@ def test_a_far_and_wide_screen_leaves_the_lens_a_good_part_of_the_picture(make_s
 def test_what_is_near_and_small_stays(make_scene):
     scene = make_scene({"screen.z": 2.5, "source": {**POINT, "position": [0.1, 0, -2.0]}})
     assert exploded(scene) == scene
-    paths = ray_paths(scene, np.full((12, 10), 0.5), (3, 3)).points
+    paths = ray_paths(scene, {"exit": np.full((12, 10), 0.5)}, (3, 3)).points
     np.testing.assert_array_equal(explode_paths(paths, scene), paths)
 
 
@@ -40,13 +40,13 @@ def test_what_is_near_and_small_stays(make_scene):
 def test_rays_begin_at_the_source_and_end_in_the_image(make_scene, source):
     scene = make_scene({"screen.z": 300.0, "screen.half_width": [30.0, 30.0], "source": source})
     drawn = exploded(scene)
-    paths = ray_paths(scene, np.full((12, 10), 0.5), (5, 5))
+    paths = ray_paths(scene, {"exit": np.full((12, 10), 0.5)}, (5, 5))
     points = explode_paths(paths.points, scene)
     np.testing.assert_array_equal(points[:, 1:3], paths.points[:, 1:3])
     np.testing.assert_allclose(points[:, 3, 2], drawn.screen.z)
     before = scene.screen.to_pixels(*paths.points[:, 3, :2].T)
     np.testing.assert_allclose(drawn.screen.to_pixels(*points[:, 3, :2].T), before)
-    starts = ray_paths(drawn, np.full((12, 10), 0.5), (5, 5)).points[:, 0]
+    starts = ray_paths(drawn, {"exit": np.full((12, 10), 0.5)}, (5, 5)).points[:, 0]
     np.testing.assert_allclose(points[:, 0], starts)
 
 

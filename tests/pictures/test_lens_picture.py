@@ -15,7 +15,7 @@ def state():
         heights = np.full(scene.lens.control_points, 0.5 + offset)
         return (
             sample_surface(scene.lens, heights, (17, 17)),
-            ray_paths(scene, heights, rays),
+            ray_paths(scene, {"exit": heights}, rays),
             np.zeros(scene.screen.pixels[::-1]),
         )
 

@@ -83,7 +83,7 @@ def fingerprint(session: Session) -> str:
     found.update(session.target.tobytes())
     if session.result is not None:
         result = session.result
-        for array in (result.state.heights, result.state.irradiance, result.losses):
+        for array in (*result.state.heights.values(), result.state.irradiance, result.losses):
             found.update(array.tobytes())
     return found.hexdigest()[:16]
 

@@ -59,8 +59,8 @@ def check_run(case: Case, image: str, monkeypatch: pytest.MonkeyPatch) -> str:
         for snapshot in run(scene, target(image, scene)):
             assert np.isfinite(snapshot.state.loss)
             assert np.isfinite(snapshot.state.irradiance).all()
-            assert (snapshot.state.heights >= lower).all()
-            assert (snapshot.state.heights <= upper).all()
+            assert (snapshot.state.heights["exit"] >= lower).all()
+            assert (snapshot.state.heights["exit"] <= upper).all()
             light = snapshot.state.account.to_data()
             emitted = light.pop("emitted")
             largest = max(1, *map(abs, light.values()))

@@ -61,12 +61,12 @@ class Case(NamedTuple):
             # A roof whose slope is that of total reflection, with a hair of noise.
             steep = (lens.index**2 - 1) ** -0.5
             roof = np.abs(net.positions[0])[:, None] * steep
-            wanted = free.heights(free.rest).numpy() + roof - roof.mean()
+            wanted = free.heights(free.rest)["exit"].numpy() + roof - roof.mean()
             wanted = wanted * (1 + 1e-7 * noise)
             return torch.as_tensor(np.clip(wanted, free.lower.numpy(), free.upper.numpy()))
         size = {"flat": 0.0, "wavy": 0.01, "rough": 0.1, "wild": 2.0, "floor": 0.0}[self.face]
         shift = -3.0 if self.face == "floor" else 0.0
-        return free.heights(free.rest + size * torch.as_tensor(noise) + shift)
+        return free.heights(free.rest + size * torch.as_tensor(noise) + shift)["exit"]
 
     def cotangent(self) -> torch.Tensor:
         """Cotangent of the image."""

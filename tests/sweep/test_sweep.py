@@ -12,6 +12,7 @@ from workbench.design.lens_state import LensState
 from workbench.design.snapshot import Result
 from workbench.errors import Refused
 from workbench.files.session import Session, read_session, write_session
+from workbench.geometry.faces import FaceArrays
 from workbench.sweep.cluster import Cluster
 from workbench.sweep.points import key_of, points
 from workbench.sweep.processes import Processes
@@ -63,7 +64,10 @@ class Here:
             heights = np.full(task.scene.lens.control_points, 0.5)
             result = Result(
                 LensState(
-                    heights=heights, irradiance=np.ones((n_y, n_x)), loss=0.1, account=account
+                    heights=FaceArrays({"exit": heights}),
+                    irradiance=np.ones((n_y, n_x)),
+                    loss=0.1,
+                    account=account,
                 ),
                 losses=np.zeros(3),
                 seconds=2.5,
@@ -234,7 +238,9 @@ class TestWorkers:
         assert not process.is_alive()
         here = attempt(task, 1)
         assert found[2].check == here.check
-        assert np.array_equal(found[2].result.state.heights, here.result.state.heights)
+        assert np.array_equal(
+            found[2].result.state.heights["exit"], here.result.state.heights["exit"]
+        )
         assert found[3].reason.startswith("unexpected ")
 
     def test_a_process_that_was_killed_while_idle_is_reported(self, task):

@@ -23,6 +23,7 @@ from ui.threads.garbage import GarbageCollector
 from workbench.design.lens_state import LensState
 from workbench.design.snapshot import History, Snapshot
 from workbench.files.session import Session
+from workbench.geometry.faces import FaceArrays
 from workbench.targets import load_target
 
 if sys.platform == "linux" and not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")):
@@ -118,7 +119,9 @@ def snapshots(session):
         return Snapshot(
             LensState(
                 loss=1.0 / (1 + iteration),
-                heights=np.full(scene.lens.control_points, 0.5 - 0.001 * iteration),
+                heights=FaceArrays(
+                    {"exit": np.full(scene.lens.control_points, 0.5 - 0.001 * iteration)}
+                ),
                 irradiance=np.full((n_y, n_x), 0.25),
                 account=account_of(1.0, 0.92, 0.0, 0.0, 0.0, 0.0, 0.04, 0.04),
             ),

@@ -12,6 +12,7 @@ from workbench.design.session import verified_error as verified_error  # to be h
 if TYPE_CHECKING:
     from workbench.analysis.validation import Validation
     from workbench.files.session import Session
+    from workbench.geometry.faces import ControlHeights
 
 Array = npt.NDArray[np.float64]
 
@@ -27,8 +28,8 @@ class CheckedLens:
     ----------
     session : Session
         Its task.
-    control_points : ndarray, shape (n_u, n_v)
-        Heights of its control points.
+    heights : ControlHeights
+        Its control heights.
     iterations : int
         Iterations before it.
     seconds : float
@@ -38,7 +39,7 @@ class CheckedLens:
     """
 
     session: "Session"
-    control_points: Array
+    heights: "ControlHeights"
     iterations: int = 0
     seconds: float = 0.0
     irradiance: Array | None = None
@@ -72,7 +73,7 @@ def check(
     from workbench.analysis.validation import validating
 
     scene, target = lens.session.scene, lens.session.target
-    steps = validating(scene, target, lens.control_points, rays, threads=threads)
+    steps = validating(scene, target, lens.heights, rays, threads=threads)
     while not task.stopped:
         try:
             task.report(next(steps))

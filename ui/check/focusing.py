@@ -3,9 +3,6 @@
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-import numpy as np
-import numpy.typing as npt
-
 from ui.threads.background import Task
 from ui.threads.cores import other_cores
 from workbench.errors import RunFailed
@@ -13,6 +10,7 @@ from workbench.errors import RunFailed
 if TYPE_CHECKING:
     from workbench.analysis.validation import Validation
     from workbench.files.session import Session
+    from workbench.geometry.faces import ControlHeights
 
 
 @dataclass(frozen=True, eq=False)
@@ -23,14 +21,14 @@ class FocusRequest:
     ----------
     session : Session
         Its task.
-    control_points : ndarray, shape (n_u, n_v)
-        Heights of its control points.
+    heights : ControlHeights
+        Its control heights.
     traces : tuple of (float, int)
         One after the other: z of the screen, and rays.
     """
 
     session: "Session"
-    control_points: npt.NDArray[np.float64]
+    heights: "ControlHeights"
     traces: tuple[tuple[float, int], ...]
 
 
@@ -56,7 +54,7 @@ def _trace(request: FocusRequest, z: float, rays: int, task: Task) -> "Validatio
     steps = validating(
         session.scene,
         session.target,
-        request.control_points,
+        request.heights,
         rays,
         screen_z=z,
         threads=other_cores(),

@@ -9,8 +9,6 @@ from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING
 
-import numpy as np
-import numpy.typing as npt
 from PySide6.QtCore import QObject, Signal
 
 from ui.shown.frame import Frame, make_frame
@@ -24,6 +22,7 @@ from workbench.optics.kernels.ready import without_waiting
 if TYPE_CHECKING:
     from workbench.design.snapshot import Result
     from workbench.files.session import Session
+    from workbench.geometry.faces import ControlHeights
 
 
 @dataclass(frozen=True, eq=False)
@@ -34,7 +33,7 @@ class Draft:
     ----------
     session : Session
         The design whose lens it is.
-    heights : ndarray, shape (n_u, n_v)
+    heights : ControlHeights
         Its control heights, scene units.
     earlier : Result, optional
         The lens that was shaped.
@@ -43,7 +42,7 @@ class Draft:
     """
 
     session: "Session"
-    heights: npt.NDArray[np.float64]
+    heights: "ControlHeights"
     earlier: "Result | None" = None
     settled: bool = False
 

@@ -23,6 +23,7 @@ from ui.lens.sculpt import Sculpt
 from ui.views.drawing_queue import drawing_queue
 from workbench.design.evaluation import undesigned
 from workbench.errors import Refused
+from workbench.geometry.faces import FaceArrays
 from workbench.scene import Scene
 
 if TYPE_CHECKING:
@@ -32,6 +33,7 @@ if TYPE_CHECKING:
     from ui.views.scene_view import SceneView
     from ui.views.tools.tool import Tool
     from workbench.files.session import Session
+    from workbench.geometry.faces import ControlHeights
     from workbench.scene import Source
 
 Array = npt.NDArray[np.float64]
@@ -131,12 +133,12 @@ class LensTools(QObject):
         return there
 
     def _heights(self) -> Array | None:
-        """Of the lens that is shown, which a hand may now shape."""
+        """Of the exit face of the lens that is shown, which a hand may now shape."""
         frame = self._view.frame
         if not self._may_change() or frame is None:
             return None
         draft = self._settling
-        return frame.state.heights if draft is None else draft.heights
+        return (frame.state.heights if draft is None else draft.heights)["exit"]
 
     def _shape(self, heights: Array, settled: bool) -> None:
         frame = self._view.frame
@@ -144,7 +146,8 @@ class LensTools(QObject):
             return
         self._shaping = not settled
         drawing_queue().hurry(self._shaping)
-        draft = Draft(self._document.session, heights, frame.result, settled)
+        lens = FaceArrays({**frame.state.heights, "exit": heights})
+        draft = Draft(self._document.session, lens, frame.result, settled)
         self._settling = draft if settled else None
         self._live.show(draft)
 
@@ -199,7 +202,7 @@ class LensTools(QObject):
 
     def _keep(self, frame: "Frame") -> None:
         """Make a step of a drag that has come to its end, unless it led back."""
-        if not np.array_equal(_lens_of(self._document.session), frame.state.heights):
+        if _lens_of(self._document.session) != frame.state.heights:
             text = "move control points"
             self._as_own(lambda: self._document.set_result(frame.result, text))
 
@@ -212,18 +215,16 @@ class LensTools(QObject):
     def _lock(self, change: Callable[[Mask], Mask], text: str) -> None:
         if self._is_idle():
             session = self._document.session
-            locked = session.locked
-            if locked is None:
-                locked = np.zeros(session.scene.lens.control_points, dtype=bool)
-            self._set_locked(change(locked), text)
+            unlocked = np.zeros(session.scene.lens.control_points, dtype=bool)
+            self._set_locked(change(session.locked.get("exit", unlocked)), text)
 
     def _set_locked(self, locked: Mask, text: str) -> None:
         before = self._document.session
-        now = np.zeros_like(locked) if before.locked is None else before.locked
-        if np.array_equal(locked, now):
+        if np.array_equal(locked, before.locked.get("exit", np.zeros_like(locked))):
             return
-        locked.flags.writeable = False
-        session = replace(before, locked=locked if locked.any() else None)
+        masks = {**before.locked, "exit": locked}
+        locks = FaceArrays({face: mask for face, mask in masks.items() if mask.any()})
+        session = replace(before, locked=locks)
         self._as_own(lambda: self._document.change(session, text))
 
     def _as_own(self, change: Callable[[], object]) -> None:
@@ -240,7 +241,7 @@ class LensTools(QObject):
             self._live.forget()
 
 
-def _lens_of(session: "Session") -> Array:
+def _lens_of(session: "Session") -> "ControlHeights":
     """Heights of the lens as it stands, or of the one before any design."""
     heights = session.heights
     return undesigned(session.scene.lens) if heights is None else heights

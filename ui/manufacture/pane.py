@@ -128,7 +128,7 @@ class ManufacturePane(SideBySide):
         # One behind another tab is not hidden, but nothing of it is seen.
         if frame is None or self._background.busy or self.visibleRegion().isEmpty():
             return
-        lens, heights = frame.session.scene.lens, frame.state.heights
+        lens, heights = frame.session.scene.lens, frame.state.heights["exit"]
 
         def work(task: Task) -> _Found:
             maps = surface_maps(lens, heights, even_counts(lens.half_width, _PLACES))

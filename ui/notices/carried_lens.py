@@ -66,10 +66,11 @@ class CarriedLens(QObject):
                 "back.",
             )
         elif net == other and new is not old:
-            unit, moved = after.scene.unit, np.abs(new - old)
+            unit = after.scene.unit
+            moved = max(float(np.abs(new[face] - old[face]).max()) for face in new)
             self._say_of(
                 after,
-                f"The lens is changed by up to {moved.max():.2g} {unit} to be within its new "
+                f"The lens is changed by up to {moved:.2g} {unit} to be within its new "
                 "limits. Continue goes on from there, and Undo takes the change back.",
             )
         elif net != other:
@@ -77,7 +78,7 @@ class CarriedLens(QObject):
             if other.contains(net):
                 self._say(f"On {_size(other.shape)} control points the lens is the same.")
             else:
-                self._ask(before, after, deviation(net, old, other, new))
+                self._ask(before, after, deviation(net, old["exit"], other, new["exit"]))
         elif before.result is not None:
             self._tell_once(
                 before,

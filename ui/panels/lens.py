@@ -75,7 +75,7 @@ class LensPanel(PartPanel):
         half = 0.3 * max(lens.half_width)
         if heights is not None:
             x, y = ControlNet.of(lens).positions
-            off = np.abs(heights - lens.base.height_at(x[:, None], y[None, :]))
+            off = np.abs(heights["exit"] - lens.base.height_at(x[:, None], y[None, :]))
             half = max(half, 1.5 * float(off.max()))
         half = float(f"{half:.2g}")
         return {"lens.height_range": [-half, half]}

@@ -135,7 +135,7 @@ def _is_lens_of(run: KeptRun, lens: CheckedLens) -> bool:
     """Whether a lens is that of a run, for the same task; by value, since files share nothing."""
     task, other = run.scene, lens.session
     return (
-        np.array_equal(run.result.state.heights, lens.control_points)
+        run.result.state.heights == lens.heights
         and task == other.scene.model_copy(update={"run": task.run})
         and np.array_equal(run.target, other.target)
     )

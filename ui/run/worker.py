@@ -16,14 +16,14 @@ from ui.run.mailbox import Mailbox
 from ui.shown.frame import Array, Frame, make_frame
 from ui.threads.background import Task
 from ui.threads.cores import leave_core_for_window
-from workbench.design.session import Mask
 from workbench.design.snapshot import History, Result, Snapshot
+from workbench.geometry.faces import ControlHeights, Locks
 
 if TYPE_CHECKING:
     from workbench.files.session import Session
     from workbench.scene import Run, Scene
 
-Generate = Callable[["Scene", Array, Array | None, Mask | None], Generator[Snapshot, None, str]]
+Generate = Callable[["Scene", Array, ControlHeights | None, Locks], Generator[Snapshot, None, str]]
 
 
 class Gate:
@@ -153,7 +153,7 @@ def _snapshots(job: Job) -> Generator[Snapshot, None, str]:
     # A preview of a lens without figures of this task is the first one of a run from there, and
     # locked control points are those of the lens that is there, however the run begins.
     session, locked = job.session, job.session.locked
-    locks = locked is not None and locked.any()
+    locks = any(mask.any() for mask in locked.values())
     start = session.heights if job.continue_run or job.preview or locks else None
     generate = job.generate or _engine()
     return (yield from generate(session.scene, session.target, start, locked))

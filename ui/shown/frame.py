@@ -66,7 +66,7 @@ def make_frame(session: "Session", snapshot: "Snapshot", history: "History") -> 
     return Frame(
         session=session,
         snapshot=snapshot,
-        surface=sample_surface(scene.lens, heights, _SURFACE_SAMPLES),
+        surface=sample_surface(scene.lens, heights["exit"], _SURFACE_SAMPLES),
         source=source,
         paths=ray_paths(lit, heights, (RAYS, RAYS)),
         result=history.ended_with(snapshot),
@@ -94,7 +94,7 @@ def same_task(one: "Session", other: "Session") -> bool:
 def same_lens(one: Frame, other: Frame) -> bool:
     """Whether two frames show the same lens for the same task."""
     alike = same_task(one.session, other.session)
-    return alike and np.array_equal(one.state.heights, other.state.heights)
+    return alike and one.state.heights == other.state.heights
 
 
 def iterations_before(frame: Frame) -> int:

@@ -3,14 +3,12 @@
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-import numpy as np
-import numpy.typing as npt
-
 from ui.threads.background import Task
 from ui.threads.cores import leave_core_for_window
 
 if TYPE_CHECKING:
     from workbench.analysis.derivatives import DerivativeMap
+    from workbench.geometry.faces import ControlHeights
     from workbench.scene import Scene
 
 
@@ -22,14 +20,14 @@ class DerivativeRequest:
     ----------
     scene : Scene
         What is traced.
-    control_points : ndarray, shape (n_u, n_v)
-        Heights of the lens.
+    heights : ControlHeights
+        Its control heights.
     index : tuple[int, int]
         The control point.
     """
 
     scene: "Scene"
-    control_points: npt.NDArray[np.float64]
+    heights: "ControlHeights"
     index: tuple[int, int]
 
 
@@ -39,4 +37,4 @@ def derivative(request: DerivativeRequest, task: Task) -> "DerivativeMap":
     from workbench.analysis.derivatives import irradiance_derivative
 
     leave_core_for_window()
-    return irradiance_derivative(request.scene, request.control_points, request.index)
+    return irradiance_derivative(request.scene, request.heights, request.index)

@@ -181,8 +181,9 @@ class SceneView(View):
     def show_design(self, session: "Session") -> None:
         """Take note of another scene, target or set of locks."""
         super().show_design(session)
-        if session.locked is not self._locked:
-            self.show_locked(session.locked)
+        locked = session.locked.get("exit")
+        if locked is not self._locked:
+            self.show_locked(locked)
 
     def hold_camera(self, scene: "Scene") -> None:
         """Leave the camera where it is when this scene comes."""
@@ -324,7 +325,7 @@ class SceneView(View):
     def _draw_tools(self, frame: "Frame") -> None:
         net, handles, tool = self._net, self._handles, self._tool
         assert net is not None and handles is not None  # made with the picture
-        net.update(frame.state.heights)
+        net.update(frame.state.heights["exit"])
         net.mark(self._marked)
         if tool is not None:
             self._hint.setText(tool.hint)

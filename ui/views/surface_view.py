@@ -37,7 +37,7 @@ class SurfaceContent:
 
     def change(self, frame: "Frame") -> bool:
         """Show the face of a frame."""
-        return self.image.update(frame.state.heights)
+        return self.image.update(frame.state.heights["exit"])
 
     def values(self, frame: "Frame") -> npt.NDArray[np.float64]:
         """Those of the map."""

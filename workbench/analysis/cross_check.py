@@ -1,6 +1,7 @@
 """Two tracers that share nothing, on one lens: the independent check and Mitsuba 3."""
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -83,7 +84,7 @@ class CrossCheck:
 def cross_check(
     scene: Scene,
     target: Array,
-    control_points: Array,
+    heights: Mapping[str, Array],
     rays: int = 4_000_000,
     seed: int = 1,
     watch: Watch = unwatched,
@@ -95,7 +96,7 @@ def cross_check(
 
     Parameters
     ----------
-    scene, target, control_points
+    scene, target, heights
         As for `validate`.
     rays : int
         Rays for each of the two, at least.
@@ -111,15 +112,15 @@ def cross_check(
     RunFailed
         If no light reaches the screen.
     """
-    check_body(scene, control_points)
-    theirs = MitsubaScene(scene, control_points)
+    check_body(scene, heights)
+    theirs = MitsubaScene(scene, heights)
     half, area = -(-rays // 2), scene.screen.pixel_area
     light = {
         "mitsuba": [theirs.flux(half, seed + k, part_of(watch, k, 1, 4)) for k in (0, 1)],
         "ours": [
             through_focus(
                 scene,
-                control_points,
+                heights,
                 [scene.screen.z],
                 half,
                 seed + k,

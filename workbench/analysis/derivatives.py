@@ -4,6 +4,7 @@ One forward-mode pass (a Jacobian-vector product) gives all pixels at once; reve
 one pass per pixel. De Koning et al. (2023), section 3.1.
 """
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from threading import Lock
 
@@ -52,7 +53,7 @@ class DerivativeMap:
 
 def irradiance_derivative(
     scene: Scene,
-    control_points: Array,
+    heights: Mapping[str, Array],
     index: tuple[int, int],
     dtype: torch.dtype = torch.float64,
 ) -> DerivativeMap:
@@ -62,10 +63,10 @@ def irradiance_derivative(
     ----------
     scene : Scene
         What is traced.
-    control_points : ndarray, shape (n_u, n_v)
-        Control heights of the lens, scene units.
+    heights : mapping of str to ndarray, shape (n_u, n_v)
+        Control heights of each freeform face by its name, scene units.
     index : tuple[int, int]
-        The control point, along x and along y, counted from 0.
+        The control point of the exit face, along x and along y, counted from 0.
     dtype : torch.dtype
         Float type of the trace.
 
@@ -83,20 +84,21 @@ def irradiance_derivative(
     >>> from resources import path
     >>> from workbench.files.session import open_design
     >>> scene = open_design(path("examples", "derivative-degree3-filter3.json")).scene
-    >>> plate = np.full(scene.lens.control_points, scene.lens.base.height)
+    >>> plate = {"exit": np.full(scene.lens.control_points, scene.lens.base.height)}
     >>> found = irradiance_derivative(scene, plate, (4, 4))
     >>> abs(found.sum) < 1e-12 < found.map.max().item()
     True
     """
     _check(scene, index)
     plan = Plan(scene, dtype=dtype)
-    heights = torch.tensor(control_points, dtype=torch.float64, device=device_of(scene))
-    rise = torch.zeros_like(heights)
+    tensors = {face: torch.tensor(each, device=device_of(scene)) for face, each in heights.items()}
+    rise = torch.zeros_like(tensors["exit"])
     rise[index] = 1.0
     # Dual numbers rather than `torch.func.jvp`, whose wrapped tensors have no values that the
     # search for intersections could look at.
     with _DUAL_NUMBERS, torch.no_grad(), forward_ad.dual_level():
-        dual = plan.flux(forward_ad.make_dual(heights, rise))  # type: ignore[no-untyped-call]
+        moved = forward_ad.make_dual(tensors["exit"], rise)  # type: ignore[no-untyped-call]
+        dual = plan.flux({**tensors, "exit": moved})
         flux, change = forward_ad.unpack_dual(dual)  # type: ignore[no-untyped-call]
     assert change is not None  # every image depends on every height, if only by 0
     change = change.to(torch.float64)

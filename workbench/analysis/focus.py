@@ -1,7 +1,7 @@
 """The image of a lens on screens at several distances: through focus."""
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -47,15 +47,15 @@ class Focus:
         return {"z": self.z, "relative_l2": self.relative_l2, "efficiency": self.efficiency}
 
 
-def screen_at(scene: Scene, control_points: Array, part: float) -> float:
+def screen_at(scene: Scene, heights: Mapping[str, Array], part: float) -> float:
     """Where a screen stands at a part of the way from the lens to the scene's screen.
 
     Parameters
     ----------
     scene : Scene
         Lens and screen.
-    control_points : ndarray, shape (n_u, n_v)
-        Heights of the lens, scene units.
+    heights : mapping of str to ndarray, shape (n_u, n_v)
+        Control heights of each freeform face by its name, scene units.
     part : float
         Above 0, which is as high as the exit face is or may be; 1 is the scene's screen.
 
@@ -64,14 +64,14 @@ def screen_at(scene: Scene, control_points: Array, part: float) -> float:
     float
         z of the screen.
     """
-    highest = max(scene.lens.highest, float(control_points.max()))
+    highest = max(scene.lens.highest, float(heights["exit"].max()))
     return highest + part * (scene.screen.z - highest)
 
 
 def focus_series(
     scene: Scene,
     target: Array,
-    control_points: Array,
+    heights: Mapping[str, Array],
     distances: Sequence[float],
     rays: int = 1_000_000,
     watch: Watch = unwatched,
@@ -80,7 +80,7 @@ def focus_series(
 
     Parameters
     ----------
-    scene, target, control_points, rays
+    scene, target, heights, rays
         As for `workbench.analysis.validation.validate`.
     distances : sequence of float
         z of each screen; as large as the scene's.
@@ -103,7 +103,7 @@ def focus_series(
     >>> from resources import path
     >>> from workbench.files.session import open_design
     >>> task = open_design(path("examples", "tophat.json"))
-    >>> plate = np.full(task.scene.lens.control_points, 0.5)
+    >>> plate = {"exit": np.full(task.scene.lens.control_points, 0.5)}
     >>> series = focus_series(task.scene, task.target, plate, (4.0, 5.0, 6.0), rays=10_000)
     >>> [focus.z for focus in series]
     [4.0, 5.0, 6.0]
@@ -112,7 +112,7 @@ def focus_series(
     for first in range(0, len(distances), at_once):
         some = distances[first : first + at_once]
         part = part_of(watch, first, len(some), len(distances))
-        images = through_focus(scene, control_points, some, rays, watch=part)
+        images = through_focus(scene, heights, some, rays, watch=part)
         for z, image in zip(some, images, strict=True):
             flux = float(image.sum()) * scene.screen.pixel_area
             yield Focus(z, relative_l2(image, target), flux, _small(image))

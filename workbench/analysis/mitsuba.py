@@ -8,6 +8,7 @@ goes astray, as in this program: paths that meet more than both faces and the sc
 """
 
 import math
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -45,8 +46,8 @@ class MitsubaScene:
     ----------
     scene : Scene
         Lens, source and screen; filter and run settings play no part.
-    control_points : ndarray, shape (n_u, n_v)
-        Heights z of the exit face's control points, scene units.
+    heights : mapping of str to ndarray, shape (n_u, n_v)
+        Control heights of each freeform face by its name, scene units.
 
     Raises
     ------
@@ -54,7 +55,7 @@ class MitsubaScene:
         If Mitsuba is not installed, or pixels are not square.
     """
 
-    def __init__(self, scene: Scene, control_points: Array) -> None:
+    def __init__(self, scene: Scene, heights: Mapping[str, Array]) -> None:
         self._mi = mi = _mitsuba()
         (r_x, r_y), (n_x, n_y) = scene.screen.half_width, scene.screen.pixels
         if not math.isclose(r_x / n_x, r_y / n_y, rel_tol=1e-6):
@@ -73,7 +74,7 @@ class MitsubaScene:
                 "integrator": {"type": "ptracer", "max_depth": _SEGMENTS, "rr_depth": 100},
                 "sensor": self._camera(),
                 "screen": self._screen(),
-                **self._body(control_points),
+                **self._body(heights["exit"]),
                 **self._baffle(),
                 **lights,
             }
@@ -111,12 +112,12 @@ class MitsubaScene:
         irradiance = math.pi / passes * radiance
         return np.asarray(irradiance * self._pixel_area / self._emitted)
 
-    def _body(self, control_points: Array) -> dict[str, Any]:
+    def _body(self, heights: Array) -> dict[str, Any]:
         """Both faces of the lens, and walls that swallow what leaves by the sides."""
         lens, net = self._scene.lens, ControlNet.of(self._scene.lens)
         cells = [n - p for n, p in zip(net.shape, net.degree, strict=True)]
         u, v = (np.linspace(0, 1, spans * -(-_CELLS // spans) + 1) for spans in cells)
-        z, slope_x, slope_y = net.grid(u, v).evaluate(control_points)
+        z, slope_x, slope_y = net.grid(u, v).evaluate(heights)
         x, y = ((2 * t - 1) * r for t, r in zip((u, v), lens.half_width, strict=True))
         exit_face = _stacked(x[:, None], y, z) / self._unit
         entrance = _stacked(x[[0, -1], None], y[[0, -1]], lens.entrance_z) / self._unit

@@ -5,7 +5,7 @@ the independent tracer with the same rays, so that they differ by their perturba
 """
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import asdict, dataclass, field
 from typing import Any
 
@@ -104,7 +104,9 @@ class Perturbation:
     surface: tuple[float, float] = (0.0, 1.0)
     seed: int = 0
 
-    def applied(self, scene: Scene, control_points: Array) -> tuple[Scene, Array]:
+    def applied(
+        self, scene: Scene, heights: Mapping[str, Array]
+    ) -> tuple[Scene, Mapping[str, Array]]:
         """The scene and the control heights of the lens, which may be more, that is off."""
         lens = scene.lens.model_copy(
             update={"refractive_index": scene.lens.index + self.index, "wavelength_um": None}
@@ -113,8 +115,9 @@ class Perturbation:
         amplitude, scale = self.surface
         if amplitude > 0:
             rng = np.random.default_rng(self.seed)
-            lens, control_points = with_noise(lens, control_points, amplitude, scale, rng)
-        return scene.model_copy(update={"lens": lens, "screen": screen}), control_points
+            lens, rough = with_noise(lens, heights["exit"], amplitude, scale, rng)
+            heights = {**heights, "exit": rough}
+        return scene.model_copy(update={"lens": lens, "screen": screen}), heights
 
 
 @dataclass(frozen=True)
@@ -168,7 +171,7 @@ def draw(tolerances: Tolerances, samples: int, seed: int) -> Iterator[Perturbati
 def perturbed(
     scene: Scene,
     target: Array,
-    control_points: Array,
+    heights: Mapping[str, Array],
     tolerances: Tolerances,
     samples: int = 100,
     rays: int = 1_000_000,
@@ -178,7 +181,7 @@ def perturbed(
 
     Parameters
     ----------
-    scene, target, control_points, rays
+    scene, target, heights, rays
         As for `workbench.analysis.validation.validate`.
     tolerances : Tolerances
         How far they may be off.
@@ -214,10 +217,10 @@ def perturbed(
     (3, 0.9216)
     """
     tolerances.check(scene)
-    yield _trace(scene, target, control_points, Perturbation(), rays, seed)
+    yield _trace(scene, target, heights, Perturbation(), rays, seed)
     for perturbation in draw(tolerances, samples, seed):
         try:
-            yield _trace(scene, target, control_points, perturbation, rays, seed)
+            yield _trace(scene, target, heights, perturbation, rays, seed)
         except RunFailed:  # a dark image is as wrong as its target is bright
             yield Perturbed(perturbation, relative_l2=1.0, efficiency=0.0)
 
@@ -260,12 +263,12 @@ class Distribution:
 def _trace(
     scene: Scene,
     target: Array,
-    control_points: Array,
+    heights: Mapping[str, Array],
     perturbation: Perturbation,
     rays: int,
     seed: int,
 ) -> Perturbed:
-    off, heights = perturbation.applied(scene, control_points)
+    off, heights = perturbation.applied(scene, heights)
     found = validate(off, target, heights, rays, seed, pose=perturbation.pose)
     return Perturbed(perturbation, found.relative_l2_corrected, found.efficiency)
 

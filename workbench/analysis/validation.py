@@ -7,7 +7,7 @@ optimiser's fixed ray grid or to its smoothing filter is found out here.
 """
 
 import math
-from collections.abc import Generator, Sequence
+from collections.abc import Generator, Mapping, Sequence
 from contextlib import closing
 from dataclasses import dataclass
 from typing import Any
@@ -111,7 +111,7 @@ class Validation:
 def validate(
     scene: Scene,
     target: Array,
-    control_points: Array,
+    heights: Mapping[str, Array],
     rays: int = 4_000_000,
     seed: int = 1,
     screen_z: float | None = None,
@@ -127,8 +127,8 @@ def validate(
         Lens, source and screen; filter and run settings play no part.
     target : ndarray, shape (n_y, n_x)
         The target image in any scale, row 0 at +y.
-    control_points : ndarray, shape (n_u, n_v)
-        Heights z of the exit face's control points, scene units.
+    heights : mapping of str to ndarray, shape (n_u, n_v)
+        Control heights of each freeform face by its name, scene units.
     rays : int
         Rays to trace at least; rounded up to whole batches of a grid. A quarter as many more are
         traced for the corrected error.
@@ -159,12 +159,12 @@ def validate(
     >>> from resources import path
     >>> from workbench.files.session import open_design
     >>> task = open_design(path("examples", "tophat.json"))
-    >>> plate = np.full(task.scene.lens.control_points, 0.5)
+    >>> plate = {"exit": np.full(task.scene.lens.control_points, 0.5)}
     >>> found = validate(task.scene, task.target, plate, rays=100_000)
     >>> round(found.account.lost["fresnel_entrance"], 12)
     0.04
     """
-    steps = validating(scene, target, control_points, rays, seed, screen_z, pose, threads)
+    steps = validating(scene, target, heights, rays, seed, screen_z, pose, threads)
     with closing(steps):
         while True:
             try:
@@ -177,7 +177,7 @@ def validate(
 def validating(
     scene: Scene,
     target: Array,
-    control_points: Array,
+    heights: Mapping[str, Array],
     rays: int = 4_000_000,
     seed: int = 1,
     screen_z: float | None = None,
@@ -188,7 +188,7 @@ def validating(
 
     Parameters
     ----------
-    scene, target, control_points, rays, seed, screen_z, pose, threads
+    scene, target, heights, rays, seed, screen_z, pose, threads
         As for `validate`, and so is what is raised.
 
     Yields
@@ -204,8 +204,8 @@ def validating(
     if target.max() > _HUGE:
         target = target / target.max()
 
-    trace = Trace(scene, control_points, rays, seed, pose)
-    second = Trace(scene, control_points, -(-rays // _FEWER), _another(seed), pose)
+    trace = Trace(scene, heights, rays, seed, pose)
+    second = Trace(scene, heights, -(-rays // _FEWER), _another(seed), pose)
     first_part = trace.rays / (trace.rays + second.rays)
     distances = []  # of the batches' images to the target
     total: Tally | None = None
@@ -252,7 +252,7 @@ def validating(
 
 def through_focus(
     scene: Scene,
-    control_points: Array,
+    heights: Mapping[str, Array],
     distances: Sequence[float],
     rays: int = 1_000_000,
     seed: int = 1,
@@ -262,7 +262,7 @@ def through_focus(
 
     Parameters
     ----------
-    scene, control_points, rays, seed
+    scene, heights, rays, seed
         As for `validate`; the screens are as large as the scene's.
     distances : sequence of float
         z of each screen.
@@ -281,7 +281,7 @@ def through_focus(
     """
     for z in distances:
         with_screen_at(scene, z)
-    trace = Trace(scene, control_points, rays, seed, distances=distances)
+    trace = Trace(scene, heights, rays, seed, distances=distances)
     total: Tally | None = None
     for batch in trace.batches():
         total = added(total, batch)

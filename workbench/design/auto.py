@@ -66,7 +66,7 @@ def auto_steps(room: Room) -> Generator[Step, None, str]:
     seen_by = partial(image_of, scene=scene, target=target, mirrored=mirrored, locked=locked)
     smoothness = Smoothness.of(scene, target, device)
     before = room.begin
-    heights = torch.tensor(before, device=device)
+    heights = {"exit": torch.tensor(before, device=device)}
     # All lenses are judged by the sharpest image, so that their losses can be compared.
     reach = reach_of(scene, heights)
     judge = seen_by(SHARPEST, reach=reach)

@@ -1,5 +1,6 @@
 """Control point freedom: keeps every control height in its range, whatever the optimiser does."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -17,7 +18,7 @@ Mask = npt.NDArray[np.bool_]
 
 @dataclass(frozen=True)
 class HeightRange:
-    """Open interval of each control height, entered through tanh.
+    """Open interval of each control height of the exit face, entered through tanh.
 
     De Koning et al. (2023), eqs. 10 and 28. By the convex-hull property the whole exit face then
     clears the entrance face by the minimal thickness, at every iteration.
@@ -65,12 +66,15 @@ class HeightRange:
         """
         if locked is None:
             return self
-        heights = self.heights(self.rest).cpu().numpy() if start is None else start
+        heights = self._heights(self.rest).cpu().numpy() if start is None else start
         kept = torch.as_tensor(np.where(locked, heights, np.nan), device=self.lower.device)
         return replace(self, kept=kept)
 
-    def heights(self, parameters: Tensor) -> Tensor:
-        """Control heights of parameters, shape (n_u, n_v)."""
+    def heights(self, parameters: Tensor) -> Mapping[str, Tensor]:
+        """Control heights (n_u, n_v) of parameters, by the name of the face."""
+        return {"exit": self._heights(parameters)}
+
+    def _heights(self, parameters: Tensor) -> Tensor:
         free = self.lower + (self.upper - self.lower) * (0.5 * torch.tanh(parameters) + 0.5)
         return free if self.kept is None else torch.where(self.kept.isnan(), free, self.kept)
 

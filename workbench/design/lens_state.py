@@ -1,5 +1,6 @@
 """A lens with its light: the one value that goes from the tracer to files and views."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Self
 
@@ -7,6 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from workbench.design.shortfall import Shortfall
+from workbench.geometry.faces import ControlHeights, FaceArrays
 from workbench.optics.account import Account
 
 if TYPE_CHECKING:
@@ -21,8 +23,8 @@ class LensState:
 
     Attributes
     ----------
-    heights : ndarray, shape (n_u, n_v)
-        Heights z of the exit face's control points, scene units.
+    heights : ControlHeights
+        Control heights of each freeform face by its name, scene units.
     irradiance : ndarray, shape (n_y, n_x)
         Flux per area on the screen, row 0 at +y.
     loss : float
@@ -33,7 +35,7 @@ class LensState:
         What the task needs beyond the limits of the heights, where that is known to hinder it.
     """
 
-    heights: Array
+    heights: ControlHeights
     irradiance: Array
     loss: float
     account: Account
@@ -41,14 +43,19 @@ class LensState:
 
     @classmethod
     def traced(
-        cls, heights: "Tensor", flux: "Tensor", pixel_area: float, loss: "Tensor", account: Account
+        cls,
+        heights: "Mapping[str, Tensor]",
+        flux: "Tensor",
+        pixel_area: float,
+        loss: "Tensor",
+        account: Account,
     ) -> Self:
         """What a tracer has computed, out of its device and float type.
 
         Parameters
         ----------
-        heights : Tensor, shape (n_u, n_v)
-            Control heights.
+        heights : mapping of str to Tensor, shape (n_u, n_v)
+            Control heights of each freeform face by its name.
         flux : Tensor, shape (n_y, n_x)
             Light in each pixel.
         pixel_area : float
@@ -60,16 +67,22 @@ class LensState:
         """
         irradiance = _copy(flux)
         irradiance /= pixel_area
-        return cls(_sealed(_copy(heights)), _sealed(irradiance), loss.item(), account)
+        copies = FaceArrays({face: _sealed(_copy(each)) for face, each in heights.items()})
+        return cls(copies, _sealed(irradiance), loss.item(), account)
 
     def scaled(self, factor: float) -> Self:
         """The same lens with lengths in another unit, ``factor`` of which are one of now."""
         return replace(
             self,
-            heights=_sealed(self.heights * factor),
+            heights=scaled(self.heights, factor),
             irradiance=_sealed(self.irradiance / factor**2),
             shortfall=self.shortfall and self.shortfall.scaled(factor),
         )
+
+
+def scaled(heights: ControlHeights, factor: float) -> ControlHeights:
+    """Control heights in another unit, ``factor`` of which are one of now."""
+    return FaceArrays({face: _sealed(each * factor) for face, each in heights.items()})
 
 
 def frozen(values: Array) -> Array:

@@ -1,6 +1,6 @@
 """What a run needs, all of it known before the first stage begins: nothing is designed in vain."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 import numpy.typing as npt
@@ -10,7 +10,7 @@ from workbench.design.limits import HeightLimits, bounded
 from workbench.design.parametrisation import check_memory
 from workbench.errors import Refused
 from workbench.geometry.body import check_body
-from workbench.geometry.surface import ControlNet
+from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.optics.plan import device_of
 from workbench.scene import BoxFilter, PaperRun, Scene
 
@@ -18,7 +18,10 @@ Array = npt.NDArray[np.float64]
 
 
 def check_parts(
-    parts: Sequence[Scene], first: int, start: Array | None, locked: Mask | None
+    parts: Sequence[Scene],
+    first: int,
+    start: Mapping[str, Array] | None,
+    locked: Mapping[str, Mask],
 ) -> None:
     """Refuse a run that could not be carried to its end.
 
@@ -43,16 +46,18 @@ def check_parts(
             if isinstance(part.run, PaperRun):
                 _check_filter(part)
                 check_memory(part)
-            if locked is not None:
+            if locked:
                 _check_net(part, finished)
         except Refused as refused:
             if part is finished:
                 raise
             path = refused.path.removeprefix("lens.").removeprefix("run.")
             raise Refused(f"run.stages[{stage}].{path}", refused.reason) from None
-    if locked is not None and start is not None:
+    if "exit" in locked and start is not None:
         limits = HeightLimits.of(bounded(finished), ControlNet.of(finished.lens))
-        check_body(finished, np.where(locked, start, start.clip(limits.lower, limits.upper)))
+        inside = start["exit"].clip(limits.lower, limits.upper)
+        kept = np.where(locked["exit"], start["exit"], inside)
+        check_body(finished, {**start, "exit": kept})
 
 
 def _check_filter(scene: Scene) -> None:
@@ -65,7 +70,7 @@ def _check_filter(scene: Scene) -> None:
 
 def _check_net(part: Scene, finished: Scene) -> None:
     """Refuse another net than that of the finished lens, which the locks are about."""
-    if ControlNet.of(part.lens) != ControlNet.of(finished.lens):
+    if freeform_nets(part.lens) != freeform_nets(finished.lens):
         raise Refused(
             "lens.control_points",
             f"{list(part.lens.control_points)} are not the control points of the finished lens "

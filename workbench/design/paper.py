@@ -43,7 +43,7 @@ def paper_steps(room: Room, settings: PaperRun) -> Generator[Step, None, NoRetur
     while True:
         shaped = free.heights(rest + shift())
         # The light's gradient ends at the heights, where it is checked; the network's begins.
-        heights = shaped.detach().requires_grad_()
+        heights = {face: each.detach().requires_grad_() for face, each in shaped.items()}
         traced = plan.trace(heights)
         check_light(traced.flux.detach(), traced.account)
         loss = paper_loss(traced.flux, wanted)
@@ -55,9 +55,10 @@ def paper_steps(room: Room, settings: PaperRun) -> Generator[Step, None, NoRetur
             loss = smoothness.merit(loss, smoothness.penalty(heights))
             step = step._replace(merit=loss.item())
         yield step
-        (gradient,) = torch.autograd.grad(loss, [heights])
-        check_gradient(gradient)
+        gradients = torch.autograd.grad(loss, list(heights.values()))
+        for gradient in gradients:
+            check_gradient(gradient)
         optimiser.zero_grad()  # gives the memory back before the next gradient needs it
-        torch.autograd.backward(shaped, gradient)
+        torch.autograd.backward(list(shaped.values()), gradients)
         optimiser.step()
         plan.next_iteration()

@@ -1,6 +1,7 @@
 """The phases of `workbench.design.auto`: from a blunt image of few rays to a sharp one of many."""
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -99,6 +100,6 @@ def image_of(
     return WideImage(scene, target, filter, (m_x, m_y), mirrored, reach, locked)
 
 
-def reach_of(scene: Scene, heights: Tensor) -> tuple[float, float]:
+def reach_of(scene: Scene, heights: Mapping[str, Tensor]) -> tuple[float, float]:
     """How far from the axis, along x and y, the light of a lens falls; scene units."""
     return Plan(scene, samples=_FEW_RAYS).reach(heights)

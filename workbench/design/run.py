@@ -6,7 +6,7 @@ so both take effect within one iteration.
 
 import math
 import time
-from collections.abc import Generator
+from collections.abc import Generator, Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -14,15 +14,15 @@ import numpy.typing as npt
 
 from workbench.design.auto import auto_steps
 from workbench.design.heights import Mask
-from workbench.design.lens_state import frozen
 from workbench.design.needs import check_parts
 from workbench.design.paper import paper_steps
 from workbench.design.room import Room
 from workbench.design.snapshot import Snapshot
 from workbench.design.step import Step
 from workbench.errors import RunFailed
-from workbench.geometry.surface import ControlNet
-from workbench.scene import PaperRun, Scene
+from workbench.geometry.faces import NO_LOCKS, ControlHeights, FaceArrays
+from workbench.geometry.surface import freeform_nets
+from workbench.scene import Lens, PaperRun, Scene
 
 Array = npt.NDArray[np.float64]
 
@@ -30,7 +30,10 @@ _DONE, _LOCKED = "all iterations are done", "all control points are locked"
 
 
 def run(
-    scene: Scene, target: Array, start: Array | None = None, locked: Mask | None = None
+    scene: Scene,
+    target: Array,
+    start: Mapping[str, Array] | None = None,
+    locked: Mapping[str, Mask] = NO_LOCKS,
 ) -> Generator[Snapshot, None, str]:
     """Design a lens.
 
@@ -40,11 +43,12 @@ def run(
         The design task.
     target : ndarray, shape (n_y, n_x)
         The wanted image in any scale, row 0 at +y.
-    start : ndarray, shape (n_u, n_v), optional
-        Control heights to go on from; by default the run begins with the undesigned lens.
-    locked : ndarray of bool, shape (n_u, n_v), optional
-        Control points that keep the heights that they begin with, exactly; none by default. A run
-        whose control points are all locked ends with its first lens.
+    start : mapping of str to ndarray, shape (n_u, n_v), optional
+        Control heights of each freeform face to go on from, by its name; by default the run begins
+        with the undesigned lens.
+    locked : mapping of str to ndarray of bool, shape (n_u, n_v)
+        Control points of each face that keep the heights that they begin with, exactly; none by
+        default. A run whose control points are all locked ends with its first lens.
 
     Yields
     ------
@@ -71,26 +75,24 @@ def run(
     >>> for snapshot in run(task.scene, task.target):
     ...     if snapshot.iteration == 2:
     ...         break
-    >>> snapshot.state.heights.shape == task.scene.lens.control_points
+    >>> snapshot.state.heights["exit"].shape == task.scene.lens.control_points
     True
     """
     parts = scene.parts()
-    finished = ControlNet.of(scene.lens)
-    locked = None if locked is None or not locked.any() else locked
-    done = locked is not None and bool(locked.all())
+    locked = {face: mask for face, mask in locked.items() if mask.any()}
+    done = all(face in locked and locked[face].all() for face in freeform_nets(scene.lens))
     # Given heights stand at the end of all stages already.
     first = 0 if start is None and not done else len(parts) - 1
     check_parts(parts, first, start, locked)
     iteration = 0
     seconds = 0.0  # time spent here, not where the snapshots go: a pause is not run time
     for stage, part in enumerate(parts[first:], first):
-        net = ControlNet.of(part.lens)
         # The first lens of a later stage counts as an iteration: its loss is one of another task.
         most = 1 if done else part.run.iterations + (stage == first)
-        room = Room(part, target, start, locked)
+        room = Room(part, target, None if start is None else start["exit"], locked.get("exit"))
         steps = _steps(room)
         lowest = math.inf
-        best_heights: Array | None = None
+        best_heights: ControlHeights | None = None
         for _ in range(most):
             resumed = time.perf_counter()
             try:
@@ -108,9 +110,8 @@ def run(
             best = best_heights is None or merit < lowest
             if best:
                 lowest, best_heights = merit, state.heights
-            state = replace(state, shortfall=room.shortfall(state.heights))
-            if net != finished:
-                state = replace(state, heights=frozen(net.carry(state.heights, finished)))
+            state = replace(state, shortfall=room.shortfall(state.heights["exit"]))
+            state = replace(state, heights=_carried(state.heights, part.lens, scene.lens))
             seconds += time.perf_counter() - resumed
             yield Snapshot(
                 state,
@@ -126,8 +127,18 @@ def run(
         else:
             ended = _LOCKED if done else _DONE
         if stage + 1 < len(parts) and best_heights is not None:
-            start = net.carry(best_heights, ControlNet.of(parts[stage + 1].lens))
+            start = _carried(best_heights, part.lens, parts[stage + 1].lens)
     return ended
+
+
+def _carried(heights: ControlHeights, lens: Lens, other: Lens) -> ControlHeights:
+    """Control heights of a lens on the nets of another one."""
+    nets, others = freeform_nets(lens), freeform_nets(other)
+    if nets == others:
+        return heights
+    return FaceArrays(
+        {face: nets[face].carry(each, others[face]) for face, each in heights.items()}
+    )
 
 
 def _steps(room: Room) -> Generator[Step, None, str]:

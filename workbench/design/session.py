@@ -8,16 +8,16 @@ import numpy as np
 import numpy.typing as npt
 
 from workbench import units
-from workbench.design.lens_state import frozen
+from workbench.design.lens_state import scaled
 from workbench.design.limits import HeightLimits, bounded
 from workbench.design.snapshot import Result
 from workbench.errors import Refused
 from workbench.geometry.approximation import project
-from workbench.geometry.surface import ControlNet
+from workbench.geometry.faces import NO_LOCKS, ControlHeights, FaceArrays, Locks
+from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.scene import Scene, Unit
 
 Array = npt.NDArray[np.float64]
-Mask = npt.NDArray[np.bool_]
 
 LONGEST_NAME = 100
 """Most characters in the name of a kept run."""
@@ -110,15 +110,15 @@ class Session:
         The target image before normalisation and filtering, row 0 at +y.
     result : Result, optional
         The best lens so far; None before the first run.
-    locked : ndarray of bool, shape (n_u, n_v), optional
-        Control points of the finished lens whose heights a run leaves as they are; read-only.
+    locked : Locks
+        Control points of the finished lens whose heights a run leaves as they are.
     runs : tuple of KeptRun
         Runs kept to be compared, the oldest first.
     view : mapping, optional
         What the window looked like, as a JSON object; it means nothing to the engine.
-    start : ndarray, shape (n_u, n_v), optional
-        Heights of a lens that was designed for another task and is a start for this one; without
-        meaning where there is a result.
+    start : ControlHeights, optional
+        Control heights of a lens that was designed for another task and is a start for this one;
+        without meaning where there is a result.
     picture : bytes, optional
         Content of the target's image file as it was drawn, at most
         `workbench.design.picture.LARGEST_PICTURE` bytes; none for a built-in shape.
@@ -136,15 +136,15 @@ class Session:
     scene: Scene
     target: Array
     result: Result | None = None
-    locked: Mask | None = None
+    locked: Locks = NO_LOCKS
     runs: tuple[KeptRun, ...] = ()
     view: Mapping[str, Any] | None = None
-    start: Array | None = None
+    start: ControlHeights | None = None
     picture: bytes | None = None
 
     @property
-    def heights(self) -> Array | None:
-        """Heights of the lens as it stands, (n_u, n_v): the result's, or those to start from."""
+    def heights(self) -> ControlHeights | None:
+        """Control heights of the lens as it stands: the result's, or those to start from."""
         return self.start if self.result is None else self.result.state.heights
 
     def with_scene(self, scene: Scene, target: Array) -> "Session":
@@ -160,29 +160,35 @@ class Session:
         unit = scene.unit
         if unit != self.scene.unit and target is self.target and scene == self.scene.in_unit(unit):
             return self.in_unit(unit)
-        net, other = ControlNet.of(self.scene.lens), ControlNet.of(scene.lens)
-        exact = other.contains(net)
+        nets, others = freeform_nets(self.scene.lens), freeform_nets(scene.lens)
+        exact = all(others[face].contains(net) for face, net in nets.items())
         same_task = task_of(scene) == task_of(self.scene) and np.array_equal(target, self.target)
         result, start = self.result if exact and same_task else None, self.heights
-        if start is not None and other != net:
-            start = net.refine(start, other) if exact else project(net, start, other)
+        if start is not None and others != nets:
+            carry = ControlNet.refine if exact else project
+            start = FaceArrays(
+                {face: carry(nets[face], start[face], others[face]) for face in nets}
+            )
             result = result and result.with_state(heights=start)
         if scene.lens.half_width != self.scene.lens.half_width:
             result = start = None
         if start is not None and _limits(scene) != _limits(self.scene):
-            within = HeightLimits.of(bounded(scene), other).nearest(start)
+            within = _within(scene, start)
             result = _unhindered(result) if result is not None and within is start else None
             start = within
         if result is not None:
             start = None
-        same_points = (other.shape, other.degree) == (net.shape, net.degree)
+        same_points = all(
+            (others[face].shape, others[face].degree) == (net.shape, net.degree)
+            for face, net in nets.items()
+        )
         return replace(
             self,
             scene=scene,
             target=target,
             result=result,
             start=start,
-            locked=self.locked if same_points else None,
+            locked=self.locked if same_points else NO_LOCKS,
             picture=self.picture if scene.image == self.scene.image else None,
         )
 
@@ -198,7 +204,7 @@ class Session:
         """
         factor = float(units.ratio(self.scene.unit, unit))
         result = self.result and replace(self.result, state=self.result.state.scaled(factor))
-        start = None if self.start is None else frozen(self.start * factor)
+        start = None if self.start is None else scaled(self.start, factor)
         return replace(self, scene=self.scene.in_unit(unit), result=result, start=start)
 
 
@@ -236,6 +242,13 @@ def task_of(scene: Scene) -> Scene:
     searched = ("control_points", "degree", "height_range", "max_thickness", "min_thickness")
     lens = scene.lens.model_copy(update=dict.fromkeys(searched))
     return scene.model_copy(update={"lens": lens, "run": None, "unit": None})
+
+
+def _within(scene: Scene, heights: ControlHeights) -> ControlHeights:
+    """Control heights within the limits of a scene; the same object where they are already."""
+    limits = HeightLimits.of(bounded(scene), ControlNet.of(scene.lens))
+    nearest = limits.nearest(heights["exit"])
+    return heights if nearest is heights["exit"] else FaceArrays({**heights, "exit": nearest})
 
 
 def _unhindered(result: Result) -> Result:

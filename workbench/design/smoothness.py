@@ -4,6 +4,8 @@ It is there only if a scene asks for it: ``run.smoothness`` weighs how much the 
 ``run.min_radius`` keeps it from bending more sharply than a tool can follow.
 """
 
+from collections.abc import Mapping
+
 import numpy as np
 import numpy.typing as npt
 import torch
@@ -58,19 +60,20 @@ class Smoothness:
             return None
         return cls(scene, target, device)
 
-    def penalty(self, heights: Tensor) -> Tensor:
+    def penalty(self, heights: Mapping[str, Tensor]) -> Tensor:
         """What is added to the square of the image's relative error.
 
         Parameters
         ----------
-        heights : Tensor, shape (n_u, n_v), float64
-            Control heights, scene units.
+        heights : mapping of str to Tensor, shape (n_u, n_v), float64
+            Control heights of each freeform face by its name, scene units.
         """
-        penalty = heights.new_zeros(())
+        exit_face = heights["exit"]
+        penalty = exit_face.new_zeros(())
         if self._weight:
-            penalty = penalty + self._weight * self.bending(heights)
+            penalty = penalty + self._weight * self.bending(exit_face)
         if self._radius is not None:
-            penalty = penalty + _PRICE * self.excess(heights, self._radius * (1 + _RESERVE))
+            penalty = penalty + _PRICE * self.excess(exit_face, self._radius * (1 + _RESERVE))
         return penalty
 
     def bending(self, heights: Tensor) -> Tensor:

@@ -1,6 +1,7 @@
 """The image of a lens on the screen and some way beyond, against the target."""
 
 import math
+from collections.abc import Mapping
 
 import numpy as np
 import numpy.typing as npt
@@ -74,7 +75,7 @@ class WideImage:
         self._wanted = torch.as_tensor(wanted, dtype=torch.float32, device=device_of(scene))
         self._scale = self._wanted.norm().item()
 
-    def compare(self, heights: Tensor) -> tuple[Tensor, Step]:
+    def compare(self, heights: Mapping[str, Tensor]) -> tuple[Tensor, Step]:
         """Error relative to the norm of the target, on the wide image, and the step to report.
 
         Raises
@@ -88,12 +89,12 @@ class WideImage:
         error = traced.flux / traced.account.arrived - self._wanted
         return error / self._scale, step
 
-    def step(self, heights: Tensor) -> Step:
+    def step(self, heights: Mapping[str, Tensor]) -> Step:
         """The step to report of a lens, also of one that sends no light here."""
         with torch.no_grad():
             return self._step(heights, self._plan.trace(heights))
 
-    def _step(self, heights: Tensor, traced: Light) -> Step:
+    def _step(self, heights: Mapping[str, Tensor], traced: Light) -> Step:
         account = traced.account
         flux = traced.flux.detach()[self._on_screen]
         loss = paper_loss(flux, self._wanted[self._on_screen])

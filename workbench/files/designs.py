@@ -3,6 +3,8 @@
 A kept run's entries are named like those of the open design, in a folder of their own.
 """
 
+from collections.abc import Mapping
+
 import numpy as np
 
 from workbench.design.lens_state import LensState, frozen
@@ -11,10 +13,12 @@ from workbench.errors import Refused, shown
 from workbench.files.entries import Entries
 from workbench.files.figures import Figures
 from workbench.files.npy import Array
+from workbench.geometry.faces import ControlHeights, FaceArrays
+from workbench.geometry.surface import freeform_nets
 from workbench.scene import Scene
 
 _TARGET = "target.npy"
-_CONTROL_POINTS = "control_points.npy"
+_CONTROL_POINTS = {"exit": "control_points.npy"}  # by the name of the face
 _IRRADIANCE = "irradiance.npy"
 _LOSS = "loss.npy"
 _SECONDS = "seconds.npy"  # sessions of earlier programs have none
@@ -32,7 +36,7 @@ def entries_of(folder: str, target: Array, result: Result | None) -> dict[str, A
     """The arrays of a design, by the names of their entries."""
     arrays = {folder + _TARGET: target}
     if result is not None:
-        arrays[folder + _CONTROL_POINTS] = result.state.heights
+        arrays |= {folder + _CONTROL_POINTS[face]: z for face, z in result.state.heights.items()}
         arrays[folder + _IRRADIANCE] = result.state.irradiance
         arrays[folder + _LOSS] = result.losses
         if result.seconds_at is not None:
@@ -40,11 +44,14 @@ def entries_of(folder: str, target: Array, result: Result | None) -> dict[str, A
     return arrays
 
 
-def names_of(entries: Entries, folder: str, figures: Figures | None) -> set[str]:
+def names_of(entries: Entries, folder: str, scene: Scene, figures: Figures | None) -> set[str]:
     """Names of the entries of a design that has, or has not, a result."""
-    names = [_TARGET] if figures is None else [_TARGET, _CONTROL_POINTS, _IRRADIANCE, _LOSS]
-    if figures is not None and folder + _SECONDS in entries:
-        names.append(_SECONDS)
+    names = [_TARGET]
+    if figures is not None:
+        names += [_CONTROL_POINTS[face] for face in freeform_nets(scene.lens)]
+        names += [_IRRADIANCE, _LOSS]
+        if folder + _SECONDS in entries:
+            names.append(_SECONDS)
     return {folder + name for name in names}
 
 
@@ -69,15 +76,35 @@ def read_target(entries: Entries, folder: str, scene: Scene) -> Array:
     return target if _TINY < peak < _HUGE else frozen(target / peak)
 
 
-def read_heights(entries: Entries, name: str, scene: Scene) -> Array:
+def read_heights(
+    entries: Entries, scene: Scene, names: Mapping[str, str], folder: str = ""
+) -> ControlHeights:
     """Control heights of a lens; one that is no body can be looked at, and mended.
+
+    Parameters
+    ----------
+    entries : Entries
+        Of the session.
+    scene : Scene
+        The task of the lens.
+    names : mapping of str to str
+        Names of the entries in the folder, by the names of the faces.
+    folder : str
+        What the names of the entries begin with.
 
     Raises
     ------
     Refused
         If they are not as the scene implies, or so far away that the file must be damaged.
     """
-    heights = entries.array(name, scene.lens.control_points)
+    nets = freeform_nets(scene.lens)
+    return FaceArrays(
+        {face: _read_face(entries, folder + names[face], scene, nets[face].shape) for face in nets}
+    )
+
+
+def _read_face(entries: Entries, name: str, scene: Scene, shape: tuple[int, int]) -> Array:
+    heights = entries.array(name, shape)
     entrance, screen = scene.lens.entrance_z, scene.screen.z
     farthest = _FARTHEST * abs(screen - entrance)
     away = np.abs(heights - entrance)
@@ -121,7 +148,7 @@ def read_result(entries: Entries, folder: str, scene: Scene, figures: Figures) -
             f"has {figures.iterations} losses; stages cannot have begun after {shown(starts)}",
         )
     state = LensState(
-        heights=read_heights(entries, folder + _CONTROL_POINTS, scene),
+        heights=read_heights(entries, scene, _CONTROL_POINTS, folder),
         irradiance=_read_irradiance(entries, folder + _IRRADIANCE, scene, figures),
         loss=figures.loss,
         account=figures.ledger.to_account(),

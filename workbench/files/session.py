@@ -2,7 +2,7 @@
 
 import re
 import zipfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from workbench import __version__
@@ -24,12 +24,15 @@ from workbench.files.scene import (
     with_absolute_image,
     with_portable_image,
 )
+from workbench.geometry.faces import FaceArrays
+from workbench.geometry.surface import freeform_nets
 from workbench.reading import opened
 from workbench.scene import Scene
 
 HEADER = "session.json"
-_LOCKED = "locked.npy"
-_START = "start.npy"  # of the control points, where no result has any
+# By the name of the face.
+_LOCKED = {"exit": "locked.npy"}
+_START = {"exit": "start.npy"}  # control heights, where no result has any
 _ENDING = re.compile(r"\.[a-z0-9]{1,8}")
 
 
@@ -86,10 +89,9 @@ def write_session(session: Session, path: Path) -> str:
             str(path), f"its text would have {len(text)} bytes; at most {LARGEST_TEXT} can be read"
         )
     arrays: dict[str, Array | Mask] = {**entries_of("", session.target, session.result)}
-    if session.locked is not None:
-        arrays[_LOCKED] = session.locked
+    arrays |= {_LOCKED[face]: mask for face, mask in session.locked.items()}
     if session.result is None and session.start is not None:
-        arrays[_START] = session.start
+        arrays |= {_START[face]: z for face, z in session.start.items()}
     for number, run in enumerate(session.runs):
         arrays |= entries_of(_folder(number), run.target, run.result)
     with replacing(path) as file:
@@ -132,26 +134,31 @@ def read_session(path: Path) -> Session:
         where = entries.where(HEADER)
         header = read_header(entries.content(HEADER, LARGEST_TEXT), where)
         scene = with_absolute_image(read_part(header.scene, where), path)
-        names = {HEADER} | names_of(entries, "", header.result)
-        if _LOCKED in entries:
-            names.add(_LOCKED)
-        starts = header.result is None and _START in entries
+        runs = [
+            (run, _scene_of(run, f"{where}: runs[{number}].scene", path))
+            for number, run in enumerate(header.runs or ())
+        ]
+        names = {HEADER} | names_of(entries, "", scene, header.result)
+        nets = freeform_nets(scene.lens)
+        locks = {face: _LOCKED[face] for face in nets if _LOCKED[face] in entries}
+        names.update(locks.values())
+        starts = header.result is None and any(_START[face] in entries for face in nets)
         if starts:
-            names.add(_START)
+            names.update(_START[face] for face in nets)
         drawn = scene.image is not None and _picture_entry(scene) in entries
         if drawn:
             names.add(_picture_entry(scene))
-        for number, run in enumerate(header.runs or ()):
-            names |= names_of(entries, _folder(number), run.result)
+        for number, (run, task) in enumerate(runs):
+            names |= names_of(entries, _folder(number), task, run.result)
         entries.check_names(names)
         return Session(
             scene,
             read_target(entries, "", scene),
             None if header.result is None else read_result(entries, "", scene, header.result),
-            entries.mask(_LOCKED, scene.lens.control_points) if _LOCKED in entries else None,
-            tuple(_read_runs(entries, header.runs or (), path)),
+            FaceArrays({face: entries.mask(locks[face], nets[face].shape) for face in locks}),
+            tuple(_read_runs(entries, runs)),
             header.view,
-            read_heights(entries, _START, scene) if starts else None,
+            read_heights(entries, scene, _START) if starts else None,
             entries.content(_picture_entry(scene), LARGEST_PICTURE) if drawn else None,
         )
 
@@ -177,10 +184,12 @@ def _header(session: Session, path: Path) -> Header:
     )
 
 
-def _read_runs(entries: Entries, runs: tuple[RunHeader, ...], path: Path) -> Iterator[KeptRun]:
-    for number, run in enumerate(runs):
-        where = f"{entries.where(HEADER)}: runs[{number}].scene"
-        scene = with_absolute_image(read_part(run.scene, where), path)
+def _scene_of(run: RunHeader, where: str, path: Path) -> Scene:
+    return with_absolute_image(read_part(run.scene, where), path)
+
+
+def _read_runs(entries: Entries, runs: Sequence[tuple[RunHeader, Scene]]) -> Iterator[KeptRun]:
+    for number, (run, scene) in enumerate(runs):
         target = read_target(entries, _folder(number), scene)
         result = read_result(entries, _folder(number), scene, run.result)
         verified = None if run.verified is None else run.verified.to_error()

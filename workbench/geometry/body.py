@@ -4,6 +4,7 @@ A run never leaves anything else, but heights also come from files.
 """
 
 import math
+from collections.abc import Mapping
 
 import numpy as np
 import numpy.typing as npt
@@ -20,15 +21,15 @@ _TOUCH = 1e-9
 _PLACES = 512
 
 
-def check_body(scene: Scene, control_points: Array, screen_z: float | None = None) -> None:
+def check_body(scene: Scene, heights: Mapping[str, Array], screen_z: float | None = None) -> None:
     """Refuse a lens whose faces touch or cross, or that meets the screen.
 
     Parameters
     ----------
     scene : Scene
         The design task.
-    control_points : ndarray, shape (n_u, n_v)
-        Control heights of the exit face, scene units.
+    heights : mapping of str to ndarray, shape (n_u, n_v)
+        Control heights of each freeform face by its name, scene units.
     screen_z : float, optional
         Where the screen is, in place of the scene's.
 
@@ -40,15 +41,16 @@ def check_body(scene: Scene, control_points: Array, screen_z: float | None = Non
     entrance = scene.lens.entrance_z
     screen = scene.screen.z if screen_z is None else screen_z
     gap = _TOUCH * max(scene.lens.half_width)
+    exit_face = heights["exit"]
     # The face lies in the convex hull of its control points: nearly always they alone tell.
-    if entrance + gap < control_points.min() and control_points.max() < screen - gap:
+    if entrance + gap < exit_face.min() and exit_face.max() < screen - gap:
         return
     net = ControlNet.of(scene.lens)
     u, v = (
         np.linspace(0, 1, (n - p) * math.ceil(_PLACES / (n - p)) + 1)
         for n, p in zip(net.shape, net.degree, strict=True)
     )
-    height, _, _ = net.grid(u, v).evaluate(control_points)
+    height, _, _ = net.grid(u, v).evaluate(exit_face)
     for worst, room, limit in (
         (height.argmin(), height.min() - entrance, f"above the entrance face at z = {entrance:g}"),
         (height.argmax(), screen - height.max(), f"before the screen at z = {screen:g}"),

@@ -206,6 +206,11 @@ class ControlNet:
         return np.asarray(into_u @ heights @ into_v.T)
 
 
+def freeform_nets(lens: Lens) -> dict[str, ControlNet]:
+    """The net of each freeform face of a lens, by the name of the face."""
+    return {"exit": ControlNet.of(lens)}
+
+
 def even_counts(half_width: tuple[float, float], longer: int) -> tuple[int, int]:
     """Numbers of places along x and y, as dense along both: ``longer`` along the longer side."""
     n_x, n_y = (max(round(longer * r / max(half_width)), 2) for r in half_width)

@@ -1,5 +1,6 @@
 """What every way to trace a lens gives, be it reference or kernel."""
 
+from collections.abc import Mapping
 from typing import NamedTuple, Protocol
 
 from torch import Tensor
@@ -31,6 +32,6 @@ class Tracer(Protocol):
         """What is special about it, in words."""
         ...
 
-    def image(self, heights: Tensor, screen: Screen, filter: Filter) -> Light:
-        """Trace a lens with control heights of shape (n_u, n_v)."""
+    def image(self, heights: Mapping[str, Tensor], screen: Screen, filter: Filter) -> Light:
+        """Trace a lens with control heights (n_u, n_v) of each freeform face, by its name."""
         ...

@@ -1,5 +1,6 @@
 """Whole paths of a few rays, for people to look at."""
 
+from collections.abc import Mapping
 from typing import NamedTuple
 
 import numpy as np
@@ -34,15 +35,15 @@ class RayPaths(NamedTuple):
     on_screen: npt.NDArray[np.bool_]
 
 
-def ray_paths(scene: Scene, control_points: Array, count: tuple[int, int]) -> RayPaths:
+def ray_paths(scene: Scene, heights: Mapping[str, Array], count: tuple[int, int]) -> RayPaths:
     """Follow a grid of rays from before the lens to the screen.
 
     Parameters
     ----------
     scene : Scene
         The scene.
-    control_points : ndarray, shape (n_u, n_v)
-        Control heights, scene units.
+    heights : mapping of str to ndarray, shape (n_u, n_v)
+        Control heights of each freeform face by its name, scene units.
     count : tuple[int, int]
         Numbers of rays along x and y, spread over the aperture.
     """
@@ -50,7 +51,7 @@ def ray_paths(scene: Scene, control_points: Array, count: tuple[int, int]) -> Ra
     x, y = (torch.as_tensor(c) for c in _grid(lens, count))
     rays = emitter_of(scene.source, lens).towards(x, y)
     path = Path.of(scene, ControlNet.of(lens), torch.float64)
-    faces, arrival = path.follow(rays, {"exit": torch.tensor(control_points)})
+    faces, arrival = path.follow(rays, {face: torch.tensor(each) for face, each in heights.items()})
     hits = arrival.x.isfinite() & arrival.y.isfinite() & (arrival.rays.flux > 0)
     on_plane = _rows((arrival.x, arrival.y, torch.full_like(arrival.x, screen.z)), len(x))
     before_plane = [_rows(place, len(x)) for place in (rays.position, *faces)]

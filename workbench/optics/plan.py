@@ -1,6 +1,7 @@
 """The plan of a trace: which steps a scene needs, and all that stays constant while it runs."""
 
 import copy
+from collections.abc import Mapping
 
 import numpy as np
 import torch
@@ -42,8 +43,9 @@ class Plan:
         The caller's promise that heights, lens and source are mirror images of themselves in x,
         in y. Kernels for collimated light and for samples then trace one half of them only.
     locked : ndarray of bool, shape (n_u, n_v), optional
-        The caller's promise that these control points have the same heights in all lenses that are
-        traced. The kernel for collimated light then traces rays that see no others only once.
+        The caller's promise that these control points of the exit face have the same heights in all
+        lenses that are traced. The kernel for collimated light then traces rays that see no others
+        only once.
 
     Raises
     ------
@@ -75,13 +77,13 @@ class Plan:
         path = Path.of(scene, net, dtype, self._device, samples)
         self._ways = Ways(path, mirrored, locked)
 
-    def trace(self, heights: Tensor) -> Light:
+    def trace(self, heights: Mapping[str, Tensor]) -> Light:
         """Image and light account of a lens.
 
         Parameters
         ----------
-        heights : Tensor, shape (n_u, n_v)
-            Control heights, scene units.
+        heights : mapping of str to Tensor, shape (n_u, n_v)
+            Control heights of each freeform face by its name, scene units.
         """
         return self._tracer().image(heights, self._screen, self._filter)
 
@@ -109,7 +111,7 @@ class Plan:
         if self._redrawn:
             self._ways.path.redraw()
 
-    def reach(self, heights: Tensor) -> tuple[float, float]:
+    def reach(self, heights: Mapping[str, Tensor]) -> tuple[float, float]:
         """How far from the axis, along x and y, nearly all light on the screen plane falls."""
         with torch.no_grad():
             x, y, rays, _ = self._ways.reference.arrival(heights)
@@ -129,7 +131,7 @@ class Plan:
         other._screen = screen
         return other
 
-    def flux(self, heights: Tensor) -> Tensor:
+    def flux(self, heights: Mapping[str, Tensor]) -> Tensor:
         """The image alone, for `torch.func` transforms such as jvp: always by the reference."""
         return self._ways.reference.flux(heights, self._screen, self._filter)
 

@@ -3,6 +3,8 @@
 The fused kernels are held to it by tests; where there is no kernel, it does the work.
 """
 
+from collections.abc import Mapping
+
 import torch
 from torch import Tensor
 
@@ -34,11 +36,11 @@ class Reference:
         self._walk = path.walk if face is None else FaceSamples(face, path).walk
         self.notes = [] if face is None else [FaceSamples.note]
 
-    def arrival(self, heights: Tensor) -> Arrival:
+    def arrival(self, heights: Mapping[str, Tensor]) -> Arrival:
         """The light of a lens at the receiver, before it becomes an image."""
-        return self._walk({self._path.shaped[0].surface.name: heights})
+        return self._walk(heights)
 
-    def image(self, heights: Tensor, screen: Screen, filter: Filter) -> Light:
+    def image(self, heights: Mapping[str, Tensor], screen: Screen, filter: Filter) -> Light:
         """Trace a lens; see `workbench.optics.light.Tracer`."""
         x, y, rays, lost = self.arrival(heights)
         image = reconstruct(x, y, rays.flux, screen, filter)
@@ -51,7 +53,7 @@ class Reference:
         account = Account(on_screen.item(), {name: flux.item() for name, flux in lost.items()})
         return Light(image, account)
 
-    def flux(self, heights: Tensor, screen: Screen, filter: Filter) -> Tensor:
+    def flux(self, heights: Mapping[str, Tensor], screen: Screen, filter: Filter) -> Tensor:
         """The image alone, for `torch.func` transforms, which no sums survive as numbers."""
         x, y, rays, _ = self.arrival(heights)
         return reconstruct(x, y, rays.flux, screen, filter)

@@ -16,6 +16,7 @@ from matplotlib.figure import Figure, SubFigure
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 from workbench.design.snapshot import Result
+from workbench.geometry.faces import ControlHeights
 from workbench.geometry.surface import sample_surface
 from workbench.optics.paths import ray_paths
 from workbench.pictures.derivative import DerivativeImage
@@ -188,7 +189,7 @@ def _block(block: SubFigure, design: Design) -> None:
     _image(off, scene, error, SIGNED, (-most, most))
     off.set_title(f"error, ± {most:g}", fontsize=_FONT)
     lit.set_title("irradiance", fontsize=_FONT)
-    _height_field(sag, scene, design.result.state.heights)
+    _height_field(sag, scene, design.result.state.heights["exit"])
     _traced(rays, scene, design.result.state.heights)
 
 
@@ -214,7 +215,7 @@ def _height_field(axes: Axes, scene: Scene, heights: Array) -> None:
     )
 
 
-def _traced(axes: Axes, scene: Scene, heights: Array) -> None:
+def _traced(axes: Axes, scene: Scene, heights: ControlHeights) -> None:
     paths = ray_paths(scene, heights, (_RAYS, _RAYS))
     for lands, colour in ((True, _LANDS), (False, _LOST)):
         some = paths.points[paths.on_screen == lands][:, :, [2, 0]]
@@ -222,7 +223,7 @@ def _traced(axes: Axes, scene: Scene, heights: Array) -> None:
     lens, screen = scene.lens, scene.screen
     reach = 1.15 * max(lens.half_width[0], screen.half_width[0])
     axes.plot([screen.z, screen.z], [-screen.half_width[0], screen.half_width[0]], "k", lw=1.5)
-    x, _, z = np.moveaxis(sample_surface(lens, heights, (_SAMPLES, 3))[:, 1], -1, 0)
+    x, _, z = np.moveaxis(sample_surface(lens, heights["exit"], (_SAMPLES, 3))[:, 1], -1, 0)
     axes.plot(
         [lens.entrance_z, *z, lens.entrance_z, lens.entrance_z],
         [x[0], *x, x[-1], x[0]],

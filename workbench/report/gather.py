@@ -106,7 +106,7 @@ def gather(
             note="Irradiance and target are compared at the same flux: red is too much light, blue "
             "too little.",
         ),
-        _manufacture(scene, heights),
+        _manufacture(scene, heights["exit"]),
     ]
     if tolerances is not None:
         sections.append(_tolerances(session, *tolerances, max(rays // 4, 1)))

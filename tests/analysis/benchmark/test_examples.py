@@ -48,4 +48,4 @@ def test_the_wavy_lens_is_allowed_and_bends_light(name):
     assert (heights > free.lower.numpy()).all() and (heights < free.upper.numpy()).all()
     slopes = np.diff(heights, axis=0)
     assert np.ptp(slopes) > 0
-    assert Plan(scene).trace(torch.tensor(heights)).account.on_screen > 0.1
+    assert Plan(scene).trace({"exit": torch.tensor(heights)}).account.on_screen > 0.1

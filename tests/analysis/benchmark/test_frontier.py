@@ -32,7 +32,7 @@ def scripted(monkeypatch, make_example):
         monkeypatch.setattr(frontier, "METHODS", methods)
         effort = Effort((example,), None, rays=4000, final_rays=9000, step=2.0)
         return effort, lambda waviness, rays: validate(
-            example.scene, example.target, lens(waviness), rays
+            example.scene, example.target, {"exit": lens(waviness)}, rays
         )
 
     return put

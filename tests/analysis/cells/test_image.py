@@ -14,7 +14,7 @@ POINT = {"kind": "point", "position": [0.3, -0.2, -4.0]}
 
 
 def found(scene, heights, **named):
-    steps, parts = imaging(scene, heights, **named), [0.0]
+    steps, parts = imaging(scene, {"exit": heights}, **named), [0.0]
     while True:
         try:
             parts.append(next(steps))
@@ -96,7 +96,7 @@ def test_a_lens_that_is_no_body_is_refused(make_scene):
 
 
 def test_leaving_it_ends_its_threads(make_scene):
-    steps = imaging(make_scene({"source": POINT}), waves(make_scene()), accuracy=1e-9)
+    steps = imaging(make_scene({"source": POINT}), {"exit": waves(make_scene())}, accuracy=1e-9)
     next(steps)
     begun = time.monotonic()
     steps.close()

@@ -27,7 +27,7 @@ SOURCES = {
 def flux_of(scene, heights, cells, lifted=None, threads=None, pose=None):
     """Part of the emitted flux in each pixel."""
     plane = np.array([scene.screen.z])
-    train = OpticalTrain.of(scene, heights, 1, 0, pose or Pose(), plane)
+    train = OpticalTrain.of(scene, {"exit": heights}, 1, 0, pose or Pose(), plane)
     steps = Lattice(scene, train, cells, lifted).tracing(threads)
     while True:
         try:
@@ -139,7 +139,7 @@ def test_random_rays_agree_within_their_noise(make_scene, rng, kind, rough):
     scene = make_scene({"source": SOURCES[kind], "screen.half_width": [1.4, 1.1]})
     heights = 0.5 + 0.3 * rng.random((12, 10)) if rough else smooth(scene)
     image = flux_of(scene, heights, (288, 280))
-    found = validate(scene, image, heights, 2_000_000)
+    found = validate(scene, image, {"exit": heights}, 2_000_000)
     low, high = found.relative_l2_corrected_interval
     noisy = kind == "grid"  # chance deals its rays out to its points
     assert low == 0
@@ -151,7 +151,7 @@ def test_a_lens_out_of_its_place(make_scene):
     scene = make_scene({"screen.half_width": [1.4, 1.1]})
     pose = Pose(tilt=(0.05, -0.1), decentre=(0.1, 0.05))
     image = flux_of(scene, smooth(scene), (432, 448), pose=pose)
-    found = validate(scene, image, smooth(scene), 1_000_000, pose=pose)
+    found = validate(scene, image, {"exit": smooth(scene)}, 1_000_000, pose=pose)
     assert found.relative_l2_corrected_interval[0] == 0
     assert found.relative_l2_corrected_interval[1] < 0.01
 

@@ -7,6 +7,7 @@ from tests.accounts import account_of
 from workbench.design.lens_state import LensState
 from workbench.design.snapshot import Result
 from workbench.files.export.design import Design
+from workbench.geometry.faces import FaceArrays
 
 
 @pytest.fixture
@@ -21,7 +22,7 @@ def make_design(make_scene, rng):
         n_x, n_y = scene.screen.pixels
         result = Result(
             LensState(
-                heights=np.asarray(heights),
+                heights=FaceArrays({"exit": np.asarray(heights)}),
                 irradiance=rng.random((n_y, n_x)),
                 loss=0.1,
                 account=account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),

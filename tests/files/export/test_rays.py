@@ -61,7 +61,7 @@ def test_light_of_a_point(gentle, write):
     path, _ = write(write_rays, design, "lens.rays.csv")
     _, (x, y, z, *cosines, flux) = load(path)
     target = np.ones((32, 32))
-    account = validate(design.scene, target, design.heights, 100_000).account
+    account = validate(design.scene, target, {"exit": design.heights}, 100_000).account
     assert flux.sum() == pytest.approx(account.on_screen + account.lost["off_screen"], rel=0.01)
     assert np.linalg.norm(cosines, axis=0) == pytest.approx(1, abs=1e-12)
     # Back from the screen they meet the face within the aperture.

@@ -106,7 +106,7 @@ def test_a_mirrored_trace_is_the_whole_trace(make_scene, kind, mirrored, samples
     for promise in (mirrored, (False, False)):
         plan = Plan(scene, samples=samples, mirrored=promise, dtype=torch.float64)
         leaf = heights.clone().requires_grad_()
-        traced = plan.trace(leaf)
+        traced = plan.trace({"exit": leaf})
         (gradient,) = torch.autograd.grad((traced.flux * cotangent).sum(), leaf)
         found.append((traced, gradient))
     (part, part_gradient), (whole, whole_gradient) = found
@@ -145,5 +145,8 @@ def test_gradcheck(make_scene):
     _, fused = twins(scene, (20, 20), torch.float64)
     heights = lens(scene, 2, 0.02).requires_grad_()
     assert torch.autograd.gradcheck(
-        lambda h: fused.image(h, scene.screen, scene.filter).flux, heights, eps=1e-7, atol=1e-6
+        lambda h: fused.image({"exit": h}, scene.screen, scene.filter).flux,
+        heights,
+        eps=1e-7,
+        atol=1e-6,
     )

@@ -75,7 +75,7 @@ def lenses(scene, locked, rng, number=3):
 
 def seen(plan, heights, cotangent):
     heights = heights.clone().requires_grad_()
-    traced = plan.trace(heights)
+    traced = plan.trace({"exit": heights})
     (gradient,) = torch.autograd.grad((traced.flux * cotangent).sum(), heights)
     return traced.flux.detach(), gradient, traced.account
 
@@ -123,17 +123,17 @@ def test_still_rays_are_traced_for_the_first_lens_alone(scene, rng, monkeypatch)
 
     monkeypatch.setattr(collimated, "LOOPS", loops._replace(trace=counting))
     first, *others = lenses(scene, locked, rng)
-    tracer.image(first, scene.screen, scene.filter)
+    tracer.image({"exit": first}, scene.screen, scene.filter)
     assert sum(traced) == 96 * 80
     for heights in others:
         traced.clear()
-        tracer.image(heights, scene.screen, scene.filter)
+        tracer.image({"exit": heights}, scene.screen, scene.filter)
         assert sum(traced) == pytest.approx(tracer.traced * 96 * 80)
         assert sum(traced) < 0.3 * 96 * 80
     # Another screen gets an image of its own.
     traced.clear()
     wider = scene.screen.model_copy(update={"pixels": (40, 32)})
-    light = tracer.image(first, wider, scene.filter)
+    light = tracer.image({"exit": first}, wider, scene.filter)
     assert light.flux.shape == (32, 40)
     assert sum(traced) == 96 * 80
 
@@ -143,4 +143,6 @@ def test_a_lens_that_is_locked_throughout_still_has_its_image(scene, rng):
     (heights,) = lenses(scene, locked, rng, 1)
     plan, full = Plan(scene, locked=locked), Plan(scene)
     for _ in range(2):
-        assert (plan.trace(heights).flux - full.trace(heights).flux).abs().sum() < 2e-5
+        assert (
+            plan.trace({"exit": heights}).flux - full.trace({"exit": heights}).flux
+        ).abs().sum() < 2e-5

@@ -32,7 +32,7 @@ def differences(scene, tracers, heights, rng):
     cotangent = torch.as_tensor(rng.normal(size=scene.screen.pixels[::-1]))
     for tracer in tracers:
         variable = heights.clone().requires_grad_()
-        light = tracer.image(variable, scene.screen, scene.filter)
+        light = tracer.image({"exit": variable}, scene.screen, scene.filter)
         (gradient,) = torch.autograd.grad((light.flux * cotangent).sum(), variable)
         assert torch.isfinite(light.flux).all()
         assert torch.isfinite(gradient).all()
@@ -130,7 +130,7 @@ def test_rays_are_sorted_again_and_none_is_lost_or_doubled(make_scene, rng):
     orders = []
     for share in np.linspace(0, 1, 12):
         height = (0.3 + 0.5 * share) * torch.ones(40, 32, dtype=torch.float64)
-        fused.image(height, scene.screen, scene.filter)
+        fused.image({"exit": height}, scene.screen, scene.filter)
         orders.append(fused._sorted.bundle)
     assert len({id(order) for order in orders}) > 1
     for order in (orders[0], orders[-1]):
@@ -143,8 +143,8 @@ def test_fresh_rays(make_scene, rng):
     fused, plain = Plan(scene, dtype=torch.float64), Plan(scene, dtype=torch.float64, fused=False)
     heights, images = face(scene, "wavy", rng), []
     for _ in range(3):
-        images.append(fused.trace(heights).flux)
-        assert (images[-1] - plain.trace(heights).flux).norm() < 1e-11 * images[-1].norm()
+        images.append(fused.trace({"exit": heights}).flux)
+        assert (images[-1] - plain.trace({"exit": heights}).flux).norm() < 1e-11 * images[-1].norm()
         fused.next_iteration()
         plain.next_iteration()
     assert not torch.allclose(images[0], images[1])
@@ -159,7 +159,7 @@ def test_one_thread_gives_what_two_give(make_scene, rng):
             torch.set_num_threads(number)
             _, fused = twins(scene)
             variable = heights.clone().requires_grad_()
-            flux = fused.image(variable, scene.screen, scene.filter).flux
+            flux = fused.image({"exit": variable}, scene.screen, scene.filter).flux
             gradients.append(torch.autograd.grad(flux.square().sum(), variable)[0])
     finally:
         torch.set_num_threads(threads)
@@ -175,10 +175,10 @@ def test_the_gradient_belongs_to_the_lens_of_its_own_trace(make_scene, rng):
     gradients = []
     for between in (False, True):
         variable = first.clone().requires_grad_()
-        light = fused.image(variable, scene.screen, scene.filter)
+        light = fused.image({"exit": variable}, scene.screen, scene.filter)
         if between:
             for _ in range(9):
-                fused.image(second, scene.screen, scene.filter)
+                fused.image({"exit": second}, scene.screen, scene.filter)
         gradients.append(torch.autograd.grad(light.flux.square().sum(), variable)[0])
     assert (gradients[0] - gradients[1]).norm() < 1e-12 * gradients[0].norm()
 
@@ -191,10 +191,10 @@ def test_heights_that_are_no_numbers_do_no_harm(make_scene, value):
     good = torch.full((12, 10), 0.5, dtype=torch.float64)
     bad = good.clone()
     bad[3, 4] = value
-    before = fused.image(good, scene.screen, scene.filter).flux
+    before = fused.image({"exit": good}, scene.screen, scene.filter).flux
     variable = bad.requires_grad_()
-    fused.image(variable, scene.screen, scene.filter).flux.sum().backward()
-    after = fused.image(good, scene.screen, scene.filter).flux
+    fused.image({"exit": variable}, scene.screen, scene.filter).flux.sum().backward()
+    after = fused.image({"exit": good}, scene.screen, scene.filter).flux
     assert (after - before).norm() < 1e-12 * before.norm()
 
 

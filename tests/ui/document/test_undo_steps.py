@@ -13,6 +13,7 @@ from ui.document.undo_steps import UndoSteps
 from workbench.design.lens_state import LensState
 from workbench.design.snapshot import Result
 from workbench.files.session import KeptRun
+from workbench.geometry.faces import FaceArrays
 
 MEGABYTE = 1 << 20
 
@@ -20,7 +21,7 @@ MEGABYTE = 1 << 20
 def lens(megabytes=1):
     return Result(
         LensState(
-            heights=np.zeros((4, 4)),
+            heights=FaceArrays({"exit": np.zeros((4, 4))}),
             irradiance=np.zeros(megabytes * MEGABYTE // 8),
             loss=1.0,
             account=account_of(1.0, 0.9, 0.0, 0.0, 0.0, 0.0, 0.04, 0.06),

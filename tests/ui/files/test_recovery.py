@@ -252,7 +252,9 @@ def test_the_lens_of_a_run_is_kept_before_it_ends(display, window, make_scene, t
     assert recovery._frame is None
     recovery._background.finish()
     ended = read_session(recovery._file).result
-    np.testing.assert_array_equal(ended.state.heights, window.document.session.result.state.heights)
+    np.testing.assert_array_equal(
+        ended.state.heights["exit"], window.document.session.result.state.heights["exit"]
+    )
     recovery.close()
 
 

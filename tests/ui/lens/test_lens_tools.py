@@ -56,8 +56,8 @@ class Bench:
         self.view.close_plotter()
 
     def heights(self):
-        found = self.document.session.heights
-        return undesigned(self.document.session.scene.lens) if found is None else found
+        session = self.document.session
+        return (session.heights or undesigned(session.scene.lens))["exit"]
 
 
 @pytest.fixture
@@ -149,19 +149,19 @@ def test_dragging_a_point_is_one_step_with_its_light(sculpting, drag, qtbot):
         held.move(upwards(view, 0.05))
     qtbot.waitUntil(lambda: bool(frames), timeout=20_000)
     assert document.session.result is None  # not yet a step
-    assert frames[-1].snapshot.state.heights[6, 5] > 0.5
+    assert frames[-1].snapshot.state.heights["exit"][6, 5] > 0.5
     held.release()
     qtbot.waitUntil(lambda: document.session.result is not None, timeout=20_000)
     result = document.session.result
-    np.testing.assert_array_equal(np.argwhere(result.state.heights != 0.5), [[6, 5]])
-    assert result.state.heights[6, 5] == pytest.approx(0.7, abs=0.06)
+    np.testing.assert_array_equal(np.argwhere(result.state.heights["exit"] != 0.5), [[6, 5]])
+    assert result.state.heights["exit"][6, 5] == pytest.approx(0.7, abs=0.06)
     assert document.undo_stack.count() == 1
     assert document.undo_stack.undoText() == "move control points"
     assert view._plotter.camera_position == camera
     assert result.iterations == 0 and 0 < result.state.loss < 1
     # Light and account are those of this lens.
     scene = document.session.scene
-    traced = Plan(scene).trace(torch.tensor(result.state.heights)).account
+    traced = Plan(scene).trace({"exit": torch.tensor(result.state.heights["exit"])}).account
     assert result.state.account.to_data() == pytest.approx(traced.to_data(), abs=5e-3)
     # A filter spreads some light of the outer pixels over the rim.
     flux = result.state.irradiance.sum() * scene.screen.pixel_area
@@ -175,11 +175,11 @@ def test_shift_moves_finely_and_escape_undoes_the_drag(sculpting, drag, qtbot):
     bench, view = sculpting, sculpting.view
     held = drag(view, control_point(bench, (6, 5)))
     held.move(upwards(view, 0.2), Qt.KeyboardModifier.ShiftModifier)
-    qtbot.waitUntil(lambda: view.frame.state.heights[6, 5] > 0.5, timeout=20_000)
-    assert view.frame.state.heights[6, 5] == pytest.approx(0.51, abs=0.002)
+    qtbot.waitUntil(lambda: view.frame.state.heights["exit"][6, 5] > 0.5, timeout=20_000)
+    assert view.frame.state.heights["exit"][6, 5] == pytest.approx(0.51, abs=0.002)
     qtbot.waitUntil(lambda: "Moved by +0.0" in view._hint.text())
     qtbot.keyClick(view._plotter, Qt.Key.Key_Escape)
-    qtbot.waitUntil(lambda: view.frame.state.heights[6, 5] == 0.5, timeout=20_000)
+    qtbot.waitUntil(lambda: view.frame.state.heights["exit"][6, 5] == 0.5, timeout=20_000)
     held.release()
     assert bench.document.undo_stack.count() == 0 and not bench.put_away
     qtbot.keyClick(view._plotter, Qt.Key.Key_Escape)
@@ -263,7 +263,7 @@ def test_a_change_of_the_design_ends_the_drag(sculpting, drag, qtbot):
     held.release()
     qtbot.waitUntil(lambda: view.frame.session is document.session, timeout=20_000)
     assert document.undo_stack.count() == 1
-    assert (view.frame.state.heights == 0.5).all()
+    assert (view.frame.state.heights["exit"] == 0.5).all()
 
 
 def test_nothing_is_done_to_a_lens_that_is_not_shown_yet(sculpting, drag, qtbot):
@@ -276,7 +276,7 @@ def test_nothing_is_done_to_a_lens_that_is_not_shown_yet(sculpting, drag, qtbot)
         held = drag(view, control_point(bench, (6, 5)))
         held.move(upwards(view, 0.1))
         held.release()
-        assert "no lens" in bench.said[-1] and document.session.locked is None
+        assert "no lens" in bench.said[-1] and not document.session.locked
         document.undo_stack.undo()
     assert document.session.result is None
 
@@ -296,7 +296,7 @@ def test_the_text_of_a_tool_does_not_change_the_picture(bench, qtbot):
 def test_locked_points_do_not_move(sculpting, drag):
     bench = sculpting
     bench.commands["lock_all"]()
-    locked = bench.document.session.locked
+    locked = bench.document.session.locked["exit"]
     assert locked.shape == (12, 10) and locked.all() and not locked.flags.writeable
     held = drag(bench.view, control_point(bench, (6, 5)))
     held.move(upwards(bench.view, 0.1))
@@ -304,9 +304,9 @@ def test_locked_points_do_not_move(sculpting, drag):
     assert "locked" in bench.said[-1]
     assert bench.document.session.result is None
     bench.commands["unlock_all"]()
-    assert bench.document.session.locked is None
+    assert not bench.document.session.locked
     bench.commands["invert_locks"]()
-    assert bench.document.session.locked.all() and bench.document.undo_stack.count() == 3
+    assert bench.document.session.locked["exit"].all() and bench.document.undo_stack.count() == 3
     bench.commands["lock_all"]()  # which they are
     assert bench.document.undo_stack.count() == 3
 
@@ -320,22 +320,24 @@ def test_painting_locks_and_unlocks(bench, drag, qtbot):
     held = drag(view, control_point(bench, (3, 3)))
     held.move(control_point(bench, (4, 3)) - held.at)
     held.move(control_point(bench, (5, 3)) - held.at)
-    assert view.locked.sum() == 3 and document.session.locked is None
+    assert view.locked.sum() == 3 and not document.session.locked
     held.release()
-    np.testing.assert_array_equal(np.argwhere(document.session.locked), [[3, 3], [4, 3], [5, 3]])
+    np.testing.assert_array_equal(
+        np.argwhere(document.session.locked["exit"]), [[3, 3], [4, 3], [5, 3]]
+    )
     assert document.undo_stack.undoText() == "lock points"
     qtbot.waitUntil(lambda: view.net._locked is not None)
     held = drag(view, control_point(bench, (4, 3)))
     held.move(control_point(bench, (4, 4)) - held.at)
     held.release()
-    np.testing.assert_array_equal(np.argwhere(document.session.locked), [[3, 3], [5, 3]])
+    np.testing.assert_array_equal(np.argwhere(document.session.locked["exit"]), [[3, 3], [5, 3]])
     held = drag(view, control_point(bench, (8, 8)))
     qtbot.keyClick(view._plotter, Qt.Key.Key_Escape)
     np.testing.assert_array_equal(np.argwhere(view.locked), [[3, 3], [5, 3]])
     held.release()
     document.undo_stack.undo()
     document.undo_stack.undo()
-    assert document.session.locked is None and view.locked is None
+    assert not document.session.locked and view.locked is None
 
 
 def test_tools_are_disabled_during_a_run(sculpting, drag, qtbot):
@@ -347,7 +349,7 @@ def test_tools_are_disabled_during_a_run(sculpting, drag, qtbot):
     held.release()
     assert "Stop the run first" in bench.said[-1]
     bench.commands["lock_all"]()
-    assert bench.document.session.locked is None
+    assert not bench.document.session.locked
     bench.control.runner.stop()
     qtbot.waitUntil(lambda: not bench.control.busy, timeout=30_000)
 
@@ -485,7 +487,7 @@ def test_a_held_key_is_one_step(sculpting, qtbot, as_repeats):
     bench.commands["brush_smaller"]()
     bench.commands["brush_smaller"]()
     hold_key(view, Qt.Key.Key_PageUp, 10, as_repeats)
-    qtbot.waitUntil(lambda: view.frame.state.heights[6, 5] > 0.5, timeout=20_000)
+    qtbot.waitUntil(lambda: view.frame.state.heights["exit"][6, 5] > 0.5, timeout=20_000)
     qtbot.waitUntil(lambda: "Moved by +0.06 cm" in view._hint.text())
     assert document.session.result is None
     # Neither hand nor pointer is in its way.
@@ -509,9 +511,9 @@ def test_a_held_key_is_one_step(sculpting, qtbot, as_repeats):
 def test_escape_undoes_a_held_key_and_losing_the_focus_ends_it(sculpting, qtbot):
     bench, view, document = sculpting, sculpting.view, sculpting.document
     hold_key(view, Qt.Key.Key_PageDown, 3)
-    qtbot.waitUntil(lambda: view.frame.state.heights.min() < 0.5, timeout=20_000)
+    qtbot.waitUntil(lambda: view.frame.state.heights["exit"].min() < 0.5, timeout=20_000)
     qtbot.keyClick(view._plotter, Qt.Key.Key_Escape)
-    qtbot.waitUntil(lambda: (view.frame.state.heights == 0.5).all(), timeout=20_000)
+    qtbot.waitUntil(lambda: (view.frame.state.heights["exit"] == 0.5).all(), timeout=20_000)
     again = QKeyEvent(
         QEvent.Type.KeyPress, Qt.Key.Key_PageDown, Qt.KeyboardModifier.NoModifier, "", True
     )
@@ -539,18 +541,18 @@ def test_space_locks_and_unlocks_what_is_in_the_brush(bench, qtbot):
     bench.commands["lock"]()
     qtbot.waitUntil(lambda: view.net._shown)
     hold_key(view, Qt.Key.Key_Space, 3)
-    assert view.locked.sum() == 9 and document.session.locked is None
+    assert view.locked.sum() == 9 and not document.session.locked
     qtbot.keyClick(view._plotter, Qt.Key.Key_Escape)
     assert view.locked is None and not bench.put_away
     qtbot.keyClick(view._plotter, Qt.Key.Key_Space)
     qtbot.waitUntil(lambda: document.undo_stack.count() == 1)
-    locked = document.session.locked
+    locked = document.session.locked["exit"]
     assert locked[5:8, 4:7].all() and locked.sum() == 9
     assert document.undo_stack.undoText() == "lock points"
     qtbot.keyClick(view._plotter, Qt.Key.Key_Right)
     qtbot.keyClick(view._plotter, Qt.Key.Key_Return)
     qtbot.waitUntil(lambda: document.undo_stack.count() == 2)
-    locked = document.session.locked
+    locked = document.session.locked["exit"]
     assert locked[5, 4:7].all() and locked.sum() == 3
     assert document.undo_stack.undoText() == "unlock points"
 
@@ -601,9 +603,9 @@ def test_in_the_window(display, make_session, open_window, tmp_path, drag, qtbot
     held.move(upwards(view, 0.1))
     held.release()
     qtbot.waitUntil(lambda: document.session.result is not None, timeout=20_000)
-    shaped = document.session.heights
+    shaped = document.session.heights["exit"]
     for shows in window.loaded.views.docked.values():
-        assert (shows._frame.state.heights == shaped).all()
+        assert (shows._frame.state.heights["exit"] == shaped).all()
     qtbot.keyClick(view._plotter, Qt.Key.Key_Escape)
     assert commands["turn"].isChecked()
 
@@ -613,7 +615,7 @@ def test_in_the_window(display, make_session, open_window, tmp_path, drag, qtbot
     assert not commands["lock_all"].isEnabled()
     qtbot.waitUntil(lambda: window.loaded.control.runner.state == "idle", timeout=60_000)
     assert document.session.result.iterations > 0
-    np.testing.assert_allclose(frames[0].snapshot.state.heights, shaped, atol=0.05)
+    np.testing.assert_allclose(frames[0].snapshot.state.heights["exit"], shaped, atol=0.05)
 
     file = tmp_path / "lens.png"
     monkeypatch.setattr(ScenePictures, "ask_for_name", lambda self: file)

@@ -42,7 +42,7 @@ class Watch:
 
         def draw(session, frame):
             original(session, frame)
-            at = asked.pop(float(frame.state.heights.max()), None)
+            at = asked.pop(float(frame.state.heights["exit"].max()), None)
             if at is not None:
                 self.latencies.append(time.perf_counter() - at)
 

@@ -9,6 +9,7 @@ from PySide6.QtCore import Qt
 from tests.ui.hands import fill
 from ui.manufacture.pane import ManufacturePane
 from workbench.analysis.manufacture import manufacture
+from workbench.geometry.faces import FaceArrays
 from workbench.geometry.surface import ControlNet
 from workbench.pictures.manufacture import MAPS
 
@@ -19,7 +20,8 @@ def bowl(session, frames):
 
     def make(depth, session=session):
         x, y = ControlNet.of(session.scene.lens).positions
-        return frames(1, session, heights=0.5 + depth * (x[:, None] ** 2 + y**2))
+        bowl = 0.5 + depth * (x[:, None] ** 2 + y**2)
+        return frames(1, session, heights=FaceArrays({"exit": bowl}))
 
     return make
 
@@ -50,7 +52,7 @@ def hatched(pane):
 
 def test_the_figures_are_those_of_the_engine(pane, bowl, session):
     frame = bowl(0.2)
-    found = manufacture(session.scene.lens, frame.state.heights)
+    found = manufacture(session.scene.lens, frame.state.heights["exit"])
     texts = {key: label.text() for key, label in pane._figures.found.items()}
     assert texts == {
         "thinnest": f"{found.thinnest.value:.4g} cm",
@@ -67,7 +69,7 @@ def test_the_figures_are_those_of_the_engine(pane, bowl, session):
 def test_rounding_is_neither_slope_nor_sag(pane, session, frames, qtbot):
     rng = np.random.default_rng(1)
     heights = 0.5 + 1e-15 * rng.standard_normal(session.scene.lens.control_points)
-    pane.show_frame(frames(1, session, heights=heights))
+    pane.show_frame(frames(1, session, heights=FaceArrays({"exit": heights})))
     shown = pane._figures.found
     qtbot.waitUntil(lambda: shown["thickest"].text() == "0.5 cm", timeout=10_000)
     assert (shown["steepest"].text(), shown["sag_range"].text()) == ("0°", "0 cm")

@@ -12,6 +12,7 @@ from ui.notices.carried_lens import CarriedLens
 from ui.panels.forms import Forms
 from ui.widgets.message_bar import MessageBar
 from workbench.geometry.approximation import deviation
+from workbench.geometry.faces import FaceArrays
 from workbench.geometry.surface import ControlNet
 
 
@@ -19,8 +20,13 @@ from workbench.geometry.surface import ControlNet
 def desk(qtbot, session, history, rng):
     """Forms over a document with a lens that no coarser net can hold, and what is said of it."""
     result = history(4).result()
-    heights = result.state.heights + 0.01 * rng.normal(size=result.state.heights.shape)
-    document = Document(replace(session, result=result.with_state(heights=heights)), "designed")
+    heights = result.state.heights["exit"] + 0.01 * rng.normal(
+        size=result.state.heights["exit"].shape
+    )
+    document = Document(
+        replace(session, result=result.with_state(heights=FaceArrays({"exit": heights}))),
+        "designed",
+    )
     document.setParent(owner := QObject())
     owner.forms, owner.messages, owner.document = Forms(document), MessageBar(), document
     owner.log = []
@@ -36,7 +42,7 @@ def test_a_finer_net_that_holds_the_lens_keeps_its_result(desk, qtbot):
     before = desk.document.session
     enter(qtbot, desk.forms, "lens.control_points[0]", "21")  # 9 spans of degree 3 become 18
     after = desk.document.session
-    assert after.result.state.heights.shape == (21, 10)
+    assert after.result.state.heights["exit"].shape == (21, 10)
     assert after.result.state.irradiance is before.result.state.irradiance
     assert desk.messages.text == "On 21 × 10 control points the lens is the same."
     assert desk.document.undo_stack.count() == 1
@@ -49,12 +55,12 @@ def test_a_net_that_cannot_hold_the_lens_asks(desk, qtbot):
     before = desk.document.session
     enter(qtbot, desk.forms, "lens.control_points[0]", "20")
     after = desk.document.session
-    assert after.result is None and after.start.shape == (20, 10)
+    assert after.result is None and after.start["exit"].shape == (20, 10)
     off = deviation(
         ControlNet.of(before.scene.lens),
-        before.heights,
+        before.heights["exit"],
         ControlNet.of(after.scene.lens),
-        after.start,
+        after.start["exit"],
     )
     assert f"off by up to {off:.2g} cm" in desk.messages.text
     assert desk.messages.buttons[0].text() == "Take 21 × 10, exact"
@@ -77,8 +83,10 @@ def test_changing_both_numbers_of_a_net_asks_once(desk, qtbot):
     taken = desk.document.session
     assert taken.result is not None
     np.testing.assert_array_equal(
-        taken.result.state.heights,
-        ControlNet.of(before.scene.lens).refine(before.heights, ControlNet.of(taken.scene.lens)),
+        taken.result.state.heights["exit"],
+        ControlNet.of(before.scene.lens).refine(
+            before.heights["exit"], ControlNet.of(taken.scene.lens)
+        ),
     )
 
 
@@ -117,11 +125,11 @@ def test_a_lens_within_a_wider_range_stays_and_nothing_is_said(desk, qtbot):
 
 
 def test_a_lens_that_exceeds_its_new_range_is_changed_and_the_window_says_by_how_much(desk, qtbot):
-    before = desk.document.session.heights
+    before = desk.document.session.heights["exit"]
     enter(qtbot, desk.forms, "lens.height_range[1]", "0.01")
     after = desk.document.session
-    moved = np.abs(after.heights - before).max()
-    assert after.result is None and after.heights.max() <= 0.51
+    moved = np.abs(after.heights["exit"] - before).max()
+    assert after.result is None and after.heights["exit"].max() <= 0.51
     assert f"changed by up to {moved:.2g} cm" in desk.messages.text
 
 

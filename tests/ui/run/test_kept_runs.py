@@ -8,6 +8,7 @@ import pytest
 from ui.run.kept import is_named, renamed, restored, with_run, without
 from workbench.errors import Refused
 from workbench.files.header import MOST_RUNS
+from workbench.geometry.faces import NO_LOCKS, FaceArrays
 
 KILOBYTE = 1 << 10
 
@@ -85,16 +86,20 @@ def test_there_are_never_more_than_a_file_holds(session, result):
 def test_restoring_brings_task_and_lens_back(session, result, make_scene):
     session, _ = with_run(session, result)
     (run,) = session.runs
-    locked = np.zeros(session.scene.lens.control_points, dtype=bool)
+    locked = FaceArrays({"exit": np.zeros(session.scene.lens.control_points, dtype=bool)})
     other = replace(
-        session.with_scene(make_scene({"screen.z": 9.0}), session.target), locked=locked
+        session.with_scene(make_scene({"screen.z": 9.0}), session.target),
+        locked=locked,
     )
     again = restored(other, run)
     assert (again.scene, again.target, again.result) == (run.scene, run.target, run.result)
     assert again.locked is locked and again.runs == session.runs and again.start is None
     coarse = make_scene({"lens.control_points": [9, 9]})
-    other = replace(session.with_scene(coarse, session.target), locked=locked[:9, :9])
-    assert restored(other, run).locked is None
+    other = replace(
+        session.with_scene(coarse, session.target),
+        locked=FaceArrays({"exit": locked["exit"][:9, :9]}),
+    )
+    assert restored(other, run).locked == NO_LOCKS
 
 
 def test_an_empty_or_too_long_name_is_refused(session, result):

@@ -150,7 +150,7 @@ def test_a_failure_is_signalled_before_the_end(session, snapshots, start_runner,
     assert order == ["failed", "finished"]
     assert heard.failures == ["the loss is not finite"]
     np.testing.assert_array_equal(
-        heard.results[0].state.heights, heard.frames[-1].snapshot.state.heights
+        heard.results[0].state.heights["exit"], heard.frames[-1].snapshot.state.heights["exit"]
     )
 
 
@@ -263,7 +263,9 @@ def test_a_run_that_waits_for_its_kernels_signals_it(
     runner.start(session, continue_run=False)
     qtbot.waitUntil(lambda: len(heard.results) == 2)
     assert waiting == [True, False]
-    np.testing.assert_array_equal(cold.state.heights, heard.results[1].state.heights)
+    np.testing.assert_array_equal(
+        cold.state.heights["exit"], heard.results[1].state.heights["exit"]
+    )
     np.testing.assert_array_equal(cold.losses, heard.results[1].losses)
 
 

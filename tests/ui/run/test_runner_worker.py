@@ -10,6 +10,7 @@ from ui.run import worker as worker_module
 from ui.run.worker import Job
 from ui.threads.background import Task
 from workbench.errors import Refused, RunFailed
+from workbench.geometry.faces import FaceArrays
 
 
 @pytest.fixture
@@ -72,7 +73,7 @@ def test_failure_keeps_the_last_good_lens(session, snapshots, work, error):
     job = Job(session)
     result, found = work(job, run)
     assert found is error
-    np.testing.assert_array_equal(result.state.heights, snapshots(1).state.heights)
+    np.testing.assert_array_equal(result.state.heights["exit"], snapshots(1).state.heights["exit"])
     assert job.mailbox.take().snapshot.iteration == 1
 
 
@@ -111,7 +112,7 @@ def test_continues_from_the_result(designed, snapshots, work):
         yield snapshots(1)
 
     result, _ = work(Job(designed, continue_run=True), run)
-    np.testing.assert_array_equal(starts[0], designed.result.state.heights)
+    assert starts[0] == designed.result.state.heights
     np.testing.assert_allclose(result.losses, [1 / 2, 1 / 3, 1 / 4, 1 / 2])
     result, _ = work(Job(designed), run)
     assert starts[1] is None and result.iterations == 1
@@ -132,7 +133,9 @@ def test_preview_of_a_result_needs_no_run(designed, work):
     assert work(job, run) == (None, None)
     frame = job.mailbox.take()
     assert frame.snapshot.iteration == 3
-    np.testing.assert_array_equal(frame.state.heights, designed.result.state.heights)
+    np.testing.assert_array_equal(
+        frame.state.heights["exit"], designed.result.state.heights["exit"]
+    )
     np.testing.assert_array_equal(frame.result.losses, designed.result.losses)
 
 
@@ -176,7 +179,7 @@ def test_rays_come_from_the_source_of_the_stage(
 
 
 def test_a_start_lens_is_traced_for_its_preview_and_continued(session, as_run, work):
-    heights = np.full(session.scene.lens.control_points, 0.47)
+    heights = FaceArrays({"exit": np.full(session.scene.lens.control_points, 0.47)})
     moved = dataclasses.replace(session, start=heights)
     starts = []
 
@@ -198,10 +201,11 @@ def test_locked_control_points_are_those_of_the_lens_that_is_there(designed, sna
         yield snapshots(0)
 
     heights = designed.result.state.heights
-    locked = np.zeros(heights.shape, bool)
-    work(Job(dataclasses.replace(designed, locked=locked)), run)
+    mask = np.zeros((12, 10), bool)
+    work(Job(dataclasses.replace(designed, locked=FaceArrays({"exit": mask}))), run)
     assert seen[-1][0] is None
-    locked[1, 2] = True
+    mask[1, 2] = True
+    locked = FaceArrays({"exit": mask})
     result, _ = work(Job(dataclasses.replace(designed, locked=locked)), run)
     assert seen[-1][0] is heights and seen[-1][1] is locked
     assert result.iterations == 0

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QApplication, QLineEdit, QToolTip
 
 from tests.ui.hands import move_screen
 from ui.check.checking import CheckedLens
+from workbench.geometry.faces import FaceArrays
 from workbench.scene import Stage
 
 pytestmark = pytest.mark.usefixtures("kernels")
@@ -241,7 +242,7 @@ def test_a_lens_changed_by_hand_is_not_the_one_that_was_checked(window, run, che
     run()
     document, status = window.document, window.status
     result = document.session.result
-    moved = result.with_state(heights=result.state.heights + 0.001)
+    moved = result.with_state(heights=FaceArrays({"exit": result.state.heights["exit"] + 0.001}))
     document.set_result(moved, "move control points")
     assert status._verified.text() == ""
     document.undo_stack.undo()
@@ -286,7 +287,7 @@ def test_a_stage_is_checked_at_its_end(window, snapshots, as_seen_run, checks, m
         (1_000_000, 1),
         (4_000_000, None),
     ]
-    assert checks.asked[0][0][0, 0] == 0.5 - 0.003  # the last lens of the first stage
+    assert checks.asked[0][0]["exit"][0, 0] == 0.5 - 0.003  # the last lens of the first stage
 
 
 def test_no_check_runs_beside_a_run_on_one_core(window, as_run, checks, monkeypatch, qtbot):

@@ -11,6 +11,7 @@ from PySide6.QtCore import QThread
 import workbench.analysis.derivatives
 from ui.views.derivative_view import DerivativeView
 from workbench.analysis.derivatives import DerivativeMap, irradiance_derivative
+from workbench.geometry.faces import FaceArrays
 
 
 @pytest.fixture
@@ -18,7 +19,7 @@ def frame(session, snapshots):
     """What the view needs of a frame: a lens, lower with each iteration, and its scene."""
 
     def make(iteration, of=session):
-        heights = np.full(of.scene.lens.control_points, 0.5 - 0.01 * iteration)
+        heights = FaceArrays({"exit": np.full((12, 10), 0.5 - 0.01 * iteration)})
         snapshot = dataclasses.replace(
             snapshots(iteration),
             state=dataclasses.replace(snapshots(iteration).state, heights=heights),
@@ -33,8 +34,8 @@ def asked(monkeypatch):
     """What the engine was asked for, and in which thread; answers with a map of ones."""
     calls = []
 
-    def stand_in(scene, control_points, index):
-        calls.append((scene, control_points, index, QThread.currentThread()))
+    def stand_in(scene, heights, index):
+        calls.append((scene, heights, index, QThread.currentThread()))
         n_x, n_y = scene.screen.pixels
         return DerivativeMap(index, (0.0, 0.0), np.ones((n_y, n_x)), 0.5, 2.0)
 
@@ -59,7 +60,7 @@ def test_shows_the_map_of_the_middle_point_and_its_sum(seen, frame, session, qtb
     assert seen.index == (6, 5)
     qtbot.waitUntil(lambda: "changes by" in seen._sum.text(), timeout=20_000)
     scene = session.scene
-    wanted = irradiance_derivative(scene, np.full((12, 10), 0.49), (6, 5))
+    wanted = irradiance_derivative(scene, {"exit": np.full((12, 10), 0.49)}, (6, 5))
     qtbot.waitUntil(lambda: not seen.empty)
     shown = seen._image.artists[0].get_array()
     np.testing.assert_allclose(shown.filled(0), wanted.map, atol=1e-12)
@@ -71,9 +72,9 @@ def test_shows_the_map_of_the_middle_point_and_its_sum(seen, frame, session, qtb
 def test_it_says_that_there_is_no_map_yet(seen, frame, session, monkeypatch, qtbot):
     computing = threading.Event()
 
-    def wait_for_it(scene, control_points, index):
+    def wait_for_it(scene, heights, index):
         assert computing.wait(30)
-        return irradiance_derivative(scene, control_points, index)
+        return irradiance_derivative(scene, heights, index)
 
     monkeypatch.setattr(workbench.analysis.derivatives, "irradiance_derivative", wait_for_it)
     seen.show_frame(frame(1))
@@ -92,7 +93,7 @@ def test_nothing_is_computed_while_hidden(view, frame, asked, show, qtbot):
     assert not asked
     show(view, 380, 380)
     qtbot.waitUntil(lambda: len(asked) == 1)
-    assert asked[0][1][0, 0] == 0.48
+    assert asked[0][1]["exit"][0, 0] == 0.48
     view.hide()
     view.show_frame(frame(3))
     qtbot.wait(400)
@@ -108,7 +109,7 @@ def test_many_frames_are_one_map_of_the_last(seen, frame, asked, qtbot, qapp):
     seen._rest.setInterval(10)
     seen.show_frame(frame(4))
     qtbot.waitUntil(lambda: "changes by 5.0e-01 per cm" in seen._sum.text())
-    assert [call[1][0, 0] for call in asked] == [0.46]
+    assert [call[1]["exit"][0, 0] for call in asked] == [0.46]
     assert asked[0][3] != qapp.thread()
     assert "2.5e-01 of the total flux" in seen._sum.text()
 

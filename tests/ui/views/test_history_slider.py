@@ -14,7 +14,7 @@ pytestmark = pytest.mark.usefixtures("kernels")
 
 
 def frame(at, size=1000):
-    state = SimpleNamespace(heights=np.zeros(0), irradiance=np.zeros(0))
+    state = SimpleNamespace(heights={"exit": np.zeros(0)}, irradiance=np.zeros(0))
     paths = SimpleNamespace(points=np.zeros(0), weight=np.zeros(0))
     losses = np.broadcast_to(0.0, at)  # of any length, without memory of its own
     surface = np.zeros(size // 8)
@@ -107,7 +107,8 @@ def test_the_design_goes_on_from_an_earlier_lens(designed, qtbot):
     with qtbot.waitSignal(designed.loaded.control.ended, timeout=60_000):
         qtbot.mouseClick(history_slider._button, Qt.MouseButton.LeftButton)
         np.testing.assert_array_equal(
-            designed.document.session.result.state.heights, first.snapshot.state.heights
+            designed.document.session.result.state.heights["exit"],
+            first.snapshot.state.heights["exit"],
         )
     stack = designed.document.undo_stack
     texts = [stack.text(k) for k in range(stack.count())]

@@ -5,6 +5,7 @@ import pytest
 from PySide6.QtCore import QPoint
 
 from ui.views.surface_view import SurfaceView
+from workbench.geometry.faces import FaceArrays
 from workbench.geometry.surface import ControlNet
 from workbench.pictures.surface import ASPECTS
 
@@ -15,7 +16,7 @@ def tilted(session, frames):
 
     def make(slope):
         x, y = ControlNet.of(session.scene.lens).positions
-        return frames(1, heights=0.5 + slope * x[:, None] + 0 * y)
+        return frames(1, heights=FaceArrays({"exit": 0.5 + slope * x[:, None] + 0 * y}))
 
     return make
 

@@ -17,6 +17,7 @@ from ui.views.light_view import LightView
 from ui.views.loss_view import LossView
 from ui.views.scene_view import SceneView
 from workbench.files.session import Session
+from workbench.geometry.faces import FaceArrays
 from workbench.optics.account import LOSSES
 
 PLOTS = [IrradianceView, ErrorView, LossView]
@@ -32,7 +33,7 @@ def frame(session, frames):
             iteration,
             of,
             irradiance=np.linspace(0, 0.1 * (1 + iteration), n_x * n_y).reshape(n_y, n_x),
-            heights=np.full(of.scene.lens.control_points, 0.5),
+            heights=FaceArrays({"exit": np.full(of.scene.lens.control_points, 0.5)}),
         )
 
     return make

@@ -186,7 +186,7 @@ def _verified(example: Example, lens: Array, rays: int) -> Validation:
     # A method may design on a net of its own.
     net = {"control_points": lens.shape}
     scene = example.scene.model_copy(update={"lens": example.scene.lens.model_copy(update=net)})
-    return validate(scene, example.target, lens, rays)
+    return validate(scene, example.target, {"exit": lens}, rays)
 
 
 def _sooner(course: Course, yardstick: Course) -> float | None:

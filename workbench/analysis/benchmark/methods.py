@@ -61,7 +61,7 @@ def _designed(
     scene = Scene.from_data(example.scene.to_data() | {"run": settings | kept})
     for snapshot in run(scene, example.target):
         if snapshot.best:
-            best = snapshot.state.heights
+            best = snapshot.state.heights["exit"]
         yield snapshot.seconds, best
 
 

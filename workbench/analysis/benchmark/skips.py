@@ -94,14 +94,16 @@ def _pixels() -> list[Variant]:
         image = WideImage(scene, example.target, GaussianFilter(), samples, none, reach)
 
         def once() -> object:
-            return torch.autograd.grad(image.compare(heights)[0].square().sum(), [heights])
+            return torch.autograd.grad(
+                image.compare({"exit": heights})[0].square().sum(), [heights]
+            )
 
         return once
 
     beyond = tuple(4 * r for r in scene.screen.half_width)
     rays = rays_of(scene)
     return [
-        Variant("left out", descent(Plan(scene).reach(heights.detach())), rays),
+        Variant("left out", descent(Plan(scene).reach({"exit": heights.detach()})), rays),
         Variant("all around the screen", descent((beyond[0], beyond[1])), rays),
     ]
 

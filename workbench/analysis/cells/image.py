@@ -1,7 +1,7 @@
 """An image of a lens whose error is bounded: lattices refined until two of them agree."""
 
 import math
-from collections.abc import Generator, Iterator
+from collections.abc import Generator, Iterator, Mapping
 from contextlib import closing
 from dataclasses import dataclass
 
@@ -48,7 +48,7 @@ class CellImage:
 
 def imaging(
     scene: Scene,
-    control_points: Array,
+    heights: Mapping[str, Array],
     accuracy: float = ACCURACY,
     pose: Pose | None = None,
     threads: int | None = None,
@@ -64,8 +64,8 @@ def imaging(
     ----------
     scene : Scene
         Lens, source and screen; filter and run settings play no part.
-    control_points : ndarray, shape (n_u, n_v)
-        Heights z of the exit face's control points, scene units.
+    heights : mapping of str to ndarray, shape (n_u, n_v)
+        Control heights of each freeform face by its name, scene units.
     accuracy : float
         Cells are refined until the bound is below this, or there are too many of them.
     pose : Pose, optional
@@ -90,9 +90,9 @@ def imaging(
     RunFailed
         If no light reaches the screen.
     """
-    check_body(scene, control_points, scene.screen.z)
+    check_body(scene, heights, scene.screen.z)
     plane = np.array([scene.screen.z])
-    train = OpticalTrain.of(scene, control_points, 1, 0, Pose() if pose is None else pose, plane)
+    train = OpticalTrain.of(scene, heights, 1, 0, Pose() if pose is None else pose, plane)
     images: list[Array] = []
     bound = math.inf
     for level, cells in enumerate(_levels(scene, train.source.origins)):

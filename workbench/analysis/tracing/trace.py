@@ -4,7 +4,7 @@ What each batch finds depends on the seed alone, and batches are handed out in o
 for one gets control back now and then, and may leave at any time: many rays take minutes.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 from threading import Event
 
@@ -32,8 +32,8 @@ class Trace:
     ----------
     scene : Scene
         Lens, source and screen; filter and run settings play no part.
-    control_points : ndarray, shape (n_u, n_v)
-        Heights z of the exit face's control points, scene units.
+    heights : mapping of str to ndarray, shape (n_u, n_v)
+        Control heights of each freeform face by its name, scene units.
     rays : int
         Rays to trace at least; rounded up to whole batches of a grid.
     seed : int
@@ -57,7 +57,7 @@ class Trace:
     def __init__(
         self,
         scene: Scene,
-        control_points: Array,
+        heights: Mapping[str, Array],
         rays: int,
         seed: int,
         pose: Pose | None = None,
@@ -67,8 +67,8 @@ class Trace:
             raise Refused("rays", f"{rays} are too many; at most {MOST_RAYS}")
         pose = Pose() if pose is None else pose
         planes = np.array([scene.screen.z] if distances is None else distances)
-        check_body(scene, control_points, min(planes, default=scene.screen.z))
-        self._train = OpticalTrain.of(scene, control_points, rays, seed, pose, planes)
+        check_body(scene, heights, min(planes, default=scene.screen.z))
+        self._train = OpticalTrain.of(scene, heights, rays, seed, pose, planes)
         self.rays = self._train.source.rays
         self._traced = [0] * BATCHES  # rays of each batch up to now
 

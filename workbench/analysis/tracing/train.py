@@ -1,6 +1,6 @@
 """The optical train of a scene, the sequence of elements that its light passes, and the walk."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
@@ -91,7 +91,7 @@ class OpticalTrain:
     def of(
         cls,
         scene: Scene,
-        control_points: Array,
+        heights: Mapping[str, Array],
         rays: int,
         seed: int,
         pose: Pose,
@@ -100,7 +100,7 @@ class OpticalTrain:
         """The train of a scene; for the parameters see `Trace`."""
         lens, n = scene.lens, scene.lens.index
         entrance = FlatFace(0.0, lens.half_width, "missed_lens")
-        exit_face = SplineFace(lens, control_points, "left_side")
+        exit_face = SplineFace(lens, heights["exit"], "left_side")
         return cls(
             light_source(scene.source, lens, pose, rays, seed),
             (

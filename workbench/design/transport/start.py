@@ -119,7 +119,7 @@ class _Light:
     def flux(self, heights: Array) -> Array | None:
         """Flux that leaves the face, in each cell; all together 1. None if there is none."""
         with torch.no_grad():
-            flux = self._reference.arrival(torch.as_tensor(heights)).rays.flux
+            flux = self._reference.arrival({"exit": torch.as_tensor(heights)}).rays.flux
             total = flux.sum().item()
         return np.asarray((flux / total).numpy(), dtype=np.float64) if total > 0 else None
 

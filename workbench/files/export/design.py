@@ -51,7 +51,7 @@ class Design:
     @property
     def heights(self) -> Array:
         """Control heights of the exit face, shape (n_u, n_v)."""
-        return self.result.state.heights
+        return self.result.state.heights["exit"]
 
     @cached_property
     def net(self) -> ControlNet:

@@ -8,7 +8,7 @@ The loops are those of `workbench.optics.kernels.rows`. Nothing is kept for the 
 traces the same rays again, which costs less than memory.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -101,12 +101,13 @@ class FusedCollimatedRays:
             notes.append(f"locked control points: {self.traced:.0%} of the rays after the first")
         return notes
 
-    def image(self, heights: Tensor, screen: Screen, filter: Filter) -> Light:
+    def image(self, heights: Mapping[str, Tensor], screen: Screen, filter: Filter) -> Light:
         """Trace a lens; see `workbench.optics.light.Tracer`."""
         spread = make_spread(screen, filter, self._kind, self._screen)
+        face = heights[self._face.name]
 
         def traced(rays: Rays) -> tuple[Tensor, Sums]:
-            return trace(heights, self._level, self._dtype, _Passes(self, rays, spread))
+            return trace(face, self._level, self._dtype, _Passes(self, rays, spread))
 
         flux, sums = traced(self._moving)
         if self._still:

@@ -19,6 +19,8 @@ class ExitFace(NamedTuple):
 
     Attributes
     ----------
+    name : str
+        What its heights are called.
     net : ControlNet
         Where its control heights sit.
     mesh : bool
@@ -29,6 +31,7 @@ class ExitFace(NamedTuple):
         Names of light that does not meet it, and that it reflects where the rest is refracted.
     """
 
+    name: str
     net: ControlNet
     mesh: bool
     ratio: float
@@ -41,12 +44,12 @@ class ExitFace(NamedTuple):
         match path.shaped:
             case (
                 Step(
-                    BSplineSurface(net=net, subdivisions=subdivisions),
+                    BSplineSurface(name=name, net=net, subdivisions=subdivisions),
                     Refraction(ratio=ratio, reflected=reflected),
                     missed,
                 ),
             ) if ratio > 1:
-                return cls(net, subdivisions is not None, ratio, missed, reflected)
+                return cls(name, net, subdivisions is not None, ratio, missed, reflected)
         return None
 
     def light(self, flux: Tensor, sums: Sums, before: Mapping[str, float]) -> Light:

@@ -3,6 +3,7 @@
 Batches are those of `workbench.optics.kernels.rows`: neighbouring u at one v.
 """
 
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -122,10 +123,10 @@ class FusedFaceSamples:
         """See `workbench.optics.light.Tracer`."""
         return [FaceSamples.note, *note_of(self.mirrored)]
 
-    def image(self, heights: Tensor, screen: Screen, filter: Filter) -> Light:
+    def image(self, heights: Mapping[str, Tensor], screen: Screen, filter: Filter) -> Light:
         """Trace a lens; see `workbench.optics.light.Tracer`."""
         spread = make_spread(screen, filter, self._kind, self._screen)
-        light = trace(heights, self._level, self._dtype, _Passes(self, spread))
+        light = trace(heights[self._face.name], self._level, self._dtype, _Passes(self, spread))
         return self._face.light(*light, self._before)
 
     def steps(self, heights: AnyArray) -> int:

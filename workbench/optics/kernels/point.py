@@ -5,6 +5,7 @@ depths there are where the search starts for the next one. When many have moved 
 they are sorted again.
 """
 
+from collections.abc import Mapping
 from typing import Any, ClassVar
 
 import numpy as np
@@ -80,11 +81,11 @@ class FusedPointRays:
         self.glass = make_glass(face.ratio, path.receiver.z, self.kind)
         self._sorted: Sorted | None = None
 
-    def image(self, heights: Tensor, screen: Screen, filter: Filter) -> Light:
+    def image(self, heights: Mapping[str, Tensor], screen: Screen, filter: Filter) -> Light:
         """Trace a lens; see `workbench.optics.light.Tracer`."""
         path = self._path
         spread = make_spread(screen, filter, self.kind, path.receiver.screen)
-        light = trace(heights, path.datum, path.dtype, _Passes(self, spread))
+        light = trace(heights[self._exit.name], path.datum, path.dtype, _Passes(self, spread))
         return self._exit.light(*light, {name: part.item() for name, part in path.lost.items()})
 
     def ready(self, level: float) -> Sorted:
