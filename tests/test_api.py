@@ -10,8 +10,7 @@ import pytest
 
 import workbench
 from resources import EXAMPLES
-from workbench import DesignRun, Refused, Scene, api, begin, check, export, load, save
-from workbench.geometry.faces import FaceArrays
+from workbench import DesignRun, FaceArrays, Refused, Scene, api, begin, check, export, load, save
 
 ROOT = Path(__file__).parents[1]
 

@@ -35,10 +35,12 @@ from workbench.errors import Refused, RunFailed
 from workbench.files.export.write import Written
 from workbench.files.export.write import export as write_files
 from workbench.files.session import open_design, write_session
+from workbench.geometry.faces import FaceArrays
 from workbench.scene import Scene
 
 __all__ = [
     "DesignRun",
+    "FaceArrays",
     "Refused",
     "Result",
     "RunFailed",
@@ -107,6 +109,13 @@ def begin(scene: Scene, folder: File = ".") -> Session:
     >>> import numpy as np
     >>> ring = np.hypot(*np.mgrid[-1:1:128j, -1:1:128j])
     >>> session = Session(scene, np.exp(-(((ring - 0.5) / 0.1) ** 2)))
+
+    A lens to start from, heights (n_u, n_v) of the control points of its exit face:
+
+    >>> plate = FaceArrays({"exit": np.full(scene.lens.control_points, 0.5)})
+    >>> session = Session(scene, session.target, start=plate)
+    >>> session.heights["exit"].shape
+    (64, 64)
     """
     return begin_in(scene, Path(folder))
 

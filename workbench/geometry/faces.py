@@ -1,7 +1,7 @@
 """What is known of each freeform face of a lens, by the name of the face."""
 
 from collections.abc import Iterator, Mapping
-from typing import TypeVar
+from typing import Any, TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -50,6 +50,9 @@ class FaceArrays(Mapping[str, npt.NDArray[Kind]]):
 
     def __hash__(self) -> int:
         return hash(frozenset(self))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return FaceArrays, (self._arrays,)  # arrays come out of a pickle as ones to write to
 
     def __repr__(self) -> str:
         shapes = ", ".join(f"{face}: {array.shape}" for face, array in self.items())
