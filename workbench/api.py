@@ -26,6 +26,7 @@ True
 from os import PathLike
 from pathlib import Path
 
+from workbench.analysis.cells.image import ACCURACY
 from workbench.analysis.validation import Validation, validate
 from workbench.design.design_run import DesignRun
 from workbench.design.session import Session, result_of
@@ -121,7 +122,7 @@ def begin(scene: Scene, folder: File = ".") -> Session:
 
 
 def check(session: Session, rays: int = 4_000_000, seed: int = 1) -> Validation:
-    """Trace the lens of a session by an independent tracer, with random rays.
+    """Trace the lens of a session by an independent tracer, by cells and with random rays.
 
     Parameters
     ----------
@@ -146,12 +147,12 @@ def check(session: Session, rays: int = 4_000_000, seed: int = 1) -> Validation:
     >>> for snapshot in run:
     ...     pass
     >>> found = check(run.session, rays=1_000_000)
-    >>> low, high = found.relative_l2_corrected_interval
-    >>> low <= found.relative_l2_corrected <= high
+    >>> low, high = found.verified.relative_l2_corrected_interval
+    >>> low <= found.verified.relative_l2_corrected <= high
     True
     """
     lens = result_of(session).state.heights
-    return validate(session.scene, session.target, lens, rays, seed)
+    return validate(session.scene, session.target, lens, rays, seed, accuracy=ACCURACY)
 
 
 def export(session: Session, *files: File, chord_error: float | None = None) -> list[Written]:

@@ -36,6 +36,7 @@ class TestValidate:
         assert sorted(figures) == [
             "contrast",
             "correlation",
+            "deterministic",
             "efficiency",
             "ledger",
             "loss",
@@ -62,11 +63,33 @@ class TestValidate:
         assert abs(figures["correlation"]) < 0.05  # the image is even
         # The undesigned lens throws its own even square, in the optimiser's image too.
         assert 0 <= figures["optimiser_difference"] < 0.06
+        exact = figures["deterministic"]
+        assert sorted(exact) == [
+            "cells",
+            "difference",
+            "difference_corrected",
+            "difference_corrected_interval",
+            "difference_over_noise",
+            "efficiency",
+            "error_bound",
+            "loss",
+            "noise",
+            "optimiser_difference",
+            "relative_l2",
+            "relative_l2_interval",
+        ]
+        assert exact["relative_l2"] == pytest.approx(math.sqrt(1 - disc), rel=0.01)
+        assert exact["efficiency"] == pytest.approx(0.96**2, rel=1e-12)
+        assert exact["error_bound"] < 1e-12
+        assert exact["difference_over_noise"] == pytest.approx(1, abs=0.1)
+        assert exact["optimiser_difference"] < 0.06
 
     def test_another_distance(self, freeform, lens):
         status, printed, _ = freeform("validate", lens, "--screen-z", 8.0, "--json")
         assert status == 0
-        assert json.loads(printed)["optimiser_difference"] is None
+        figures = json.loads(printed)
+        assert figures["optimiser_difference"] is None
+        assert "optimiser_difference" not in figures["deterministic"]
         status, _, told = freeform("validate", lens, "--screen-z", 0.6)
         assert status == 2
         assert told.startswith("freeform: screen.z: 0.6 may touch the lens")
@@ -105,7 +128,10 @@ class TestValidate:
     def test_for_people(self, freeform, lens):
         status, printed, _ = freeform("validate", lens, "--rays", 10_000)
         assert status == 0
-        assert printed.startswith("relative L2 ")
+        assert printed.startswith("verified error ")
+        assert "cells, without random rays\n" in printed
+        assert re.search(r"\noff the cells +0\.\d+  \(\d\.\d\d times their noise; ", printed)
+        assert "\nrelative L2 " in printed
         assert "total reflection  0.00000\n" in printed
 
     def test_with_mitsuba(self, freeform, lens, monkeypatch):

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
-from ui.check.checking import RAYS, CheckedLens, check, verified_error
+from ui.check.checking import ACCURACY, RAYS, CheckedLens, check, verified_error
 from ui.shown.frame import same_lens
 from ui.threads.background import Background
 from ui.threads.failure import sentence_of
@@ -74,7 +74,7 @@ class Check(QObject):
             self.under_way_changed.emit(True)
             session, shot = self._shown.session, self._shown.snapshot
             lens = CheckedLens(session, shot.state.heights, irradiance=shot.state.irradiance)
-            self._background.begin(partial(check, lens, self._rays, None), lens)
+            self._background.begin(partial(check, lens, self._rays, None, ACCURACY), lens)
 
     def cancel(self) -> None:
         """Leave the check, if one is under way."""
@@ -90,13 +90,14 @@ class Check(QObject):
 
     def _take(self, lens: CheckedLens, outcome: "tuple[Validation, float]") -> None:
         found, difference = outcome
-        self.figures_changed.emit(f"checked: error {verified_error(found)}")
+        self.figures_changed.emit(f"checked: error {verified_error(found.verified)}")
         self.under_way_changed.emit(False)
         self.checked.emit(lens, found, difference)
-        low, high = found.relative_l2_corrected_interval
+        low, high = found.verified.relative_l2_corrected_interval
         self.summary_ready.emit(
-            f"Check with {found.rays:,} fresh rays: relative L2 error {verified_error(found)} "
-            f"(95 %: {100 * low:.2f} to {100 * high:.2f} %); with the scatter of the rays "
+            f"Check with {found.rays:,} fresh rays: relative L2 error "
+            f"{verified_error(found.verified)} ({100 * low:.2f} to {100 * high:.2f} %); "
+            "with the scatter of the rays "
             f"{100 * found.relative_l2:.2f} ± {100 * found.noise:.2f} %, loss {found.loss:.3e}; "
             f"{100 * found.efficiency:.1f} % on the screen"
         )

@@ -19,6 +19,9 @@ Array = npt.NDArray[np.float64]
 RAYS = 4_000_000
 """Rays of a thorough check."""
 
+ACCURACY = 1e-3
+"""Relative error of the image by cells in a thorough check."""
+
 
 @dataclass(frozen=True, eq=False)
 class CheckedLens:
@@ -46,7 +49,7 @@ class CheckedLens:
 
 
 def check(
-    lens: CheckedLens, rays: int, threads: int | None, task: Task
+    lens: CheckedLens, rays: int, threads: int | None, accuracy: float, task: Task
 ) -> "tuple[Validation, float | None] | None":
     """Check a lens; meant for a thread. Reports the part that is done.
 
@@ -58,6 +61,8 @@ def check(
         How many are traced.
     threads : int, optional
         How many trace them; by default as many as there are cores.
+    accuracy : float
+        Relative error that the image by cells may have.
     task : Task
         Ends the check within a moment.
 
@@ -73,7 +78,7 @@ def check(
     from workbench.analysis.validation import validating
 
     scene, target = lens.session.scene, lens.session.target
-    steps = validating(scene, target, lens.heights, rays, threads=threads)
+    steps = validating(scene, target, lens.heights, rays, threads=threads, accuracy=accuracy)
     while not task.stopped:
         try:
             task.report(next(steps))

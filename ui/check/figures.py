@@ -27,6 +27,12 @@ _CHOICES = (1_000_000, 4_000_000, 16_000_000, 64_000_000)
 _KEY = "check/rays"
 _NOTHING = "Design > Check lens (F8) traces the lens anew, with rays that its design never saw."
 _TIPS = {
+    "verified error": "Relative L2 error of image and target, by cells and without random rays: "
+    "what the lens itself is off.",
+    "it is surely": "Where that error lies, by a bound from two sizes of cells.",
+    "cells": "Cells of the entrance face whose light is spread over what they cover on the screen.",
+    "random rays are off by": "Relative L2 difference of the two images: the second opinion. About "
+    "once the noise of the rays is what chance alone makes.",
     "relative L2 error": "‖I − T‖ / ‖T‖ of image and target, each divided by its sum. The scatter "
     "of the rays from pixel to pixel is in it; more rays make it smaller.",
     "95 % of other rays": "Where the error with scatter lies for as many other rays.",

@@ -24,7 +24,10 @@ class VerifiedErrors:
 
     def note(self, lens: Result, found: "Validation") -> None:
         """Keep what a check says of a lens."""
-        error = VerifiedError(found.relative_l2_corrected, found.relative_l2_corrected_interval)
+        lens_error = found.verified
+        error = VerifiedError(
+            lens_error.relative_l2_corrected, lens_error.relative_l2_corrected_interval
+        )
         self._all[id(lens)] = weakref.ref(lens), error
 
     def of(self, run: KeptRun) -> VerifiedError | None:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QThread, Signal
 
-from ui.check.checking import RAYS, CheckedLens, check, verified_error
+from ui.check.checking import ACCURACY, RAYS, CheckedLens, check, verified_error
 from ui.document.document import Document
 from ui.run.control import RunControl
 from ui.shown.frame import iterations_before, same_task
@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from workbench.files.session import Session
 
 _FEW_RAYS = 1_000_000  # enough to tell an error from the next
+_ROUGH = 5e-3  # error of an image by cells that such a check may have
 _REST = 5.0  # seconds between checks, at least
 _RESTS = 19.0  # seconds of rest for each second of a check: 5 % of one core
 _GUESS = 0.5  # seconds that the first one takes
@@ -103,7 +104,7 @@ class RunCheck(QObject):
         seconds = float(times[-1]) if times.size else 0.0
         heights = frame.state.heights
         lens = CheckedLens(frame.session, heights, iterations_before(frame), seconds)
-        self._background.begin(partial(check, lens, _FEW_RAYS, 1), lens)
+        self._background.begin(partial(check, lens, _FEW_RAYS, 1, _ROUGH), lens)
 
     def _finish(self) -> None:
         result, frame = self._document.session.result, self._last
@@ -113,7 +114,7 @@ class RunCheck(QObject):
             self._end = CheckedLens(
                 self._document.session, result.state.heights, result.iterations, result.seconds
             )
-            self._background.begin(partial(check, self._end, RAYS, None), self._end)
+            self._background.begin(partial(check, self._end, RAYS, None, ACCURACY), self._end)
 
     def _take(self, lens: CheckedLens, outcome: "tuple[Validation, None]") -> None:
         found, _ = outcome
@@ -126,7 +127,7 @@ class RunCheck(QObject):
             self._rested_at = monotonic()
             self._cost = self._rested_at - self._began
             history.add_check(verified)
-        self._text = f"verified {verified_error(found)} at {lens.iterations}"
+        self._text = f"verified {verified_error(found.verified)} at {lens.iterations}"
         self._tell()
         self.checked.emit(lens, found)
 

@@ -1,9 +1,11 @@
-"""An independent check of a lens: fresh random rays, another tracer, the untouched target.
+"""An independent check of a lens: another tracer, the untouched target, fresh random rays.
 
 Nothing of the optimiser's path is used, see `workbench.analysis.tracing`: the face's polynomials
 come from `scipy.interpolate`, refraction from the part of a ray along the face, intersections from
 false position, the image from counting rays in pixels, all in float64. A lens that is fitted to the
-optimiser's fixed ray grid or to its smoothing filter is found out here.
+optimiser's fixed ray grid or to its smoothing filter is found out here. Where that is
+asked for, cells find its error without the scatter of random rays, see `workbench.analysis.cells`;
+random rays are the second opinion then.
 """
 
 import math
@@ -15,12 +17,15 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from workbench.analysis.metrics import Quality, paper_loss, product, relative_l2, root
+from workbench.analysis.by_cells import ByCells
+from workbench.analysis.cells.image import imaging
+from workbench.analysis.metrics import Quality, paper_loss, product, relative_l2
+from workbench.analysis.scatter import FEWER, STUDENT_T, Unscattered
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import BATCHES
 from workbench.analysis.tracing.trace import Trace, added
 from workbench.analysis.tracing.train import Tally
-from workbench.analysis.watch import Watch, unwatched
+from workbench.analysis.watch import Watch, unwatched, within
 from workbench.errors import RunFailed
 from workbench.optics.account import Account
 from workbench.scene import Scene
@@ -28,10 +33,8 @@ from workbench.scene import Scene
 Array = npt.NDArray[np.float64]
 Interval = tuple[float, float]
 
-# Student's t for 95 % and as many batches, of which one degree of freedom goes to their mean.
-_T = 2.131
-# The second image has so many times fewer rays.
-_FEWER = 4
+# Part of the work that the image by cells is taken to be.
+_CELLS = 0.2
 # Brighter targets are scaled down, else the sum over their pixels might be infinite.
 _HUGE = 1e200
 
@@ -51,9 +54,8 @@ class Validation:
     relative_l2_interval : tuple[float, float]
         Where it lies for other rays, as many: at least 95 % confidence.
     relative_l2_corrected : float
-        The same error without the scatter of the rays: the root of ⟨I − T, I′ − T⟩ / ‖T‖², where
-        I′ is a second image of a quarter as many other rays. The two scatter independently, so
-        the mean of the product has no scatter in it; a negative one counts as 0.
+        The same error without the scatter of the rays, by a second image of a quarter as many
+        other rays; see `Unscattered`.
     relative_l2_corrected_interval : tuple[float, float]
         Where the lens's error lies: at least 95 % confidence.
     efficiency : float
@@ -71,6 +73,8 @@ class Validation:
         batches would not do for the corrected error.
     irradiance : ndarray, shape (n_y, n_x)
         Flux per area on the screen, row 0 at +y.
+    by_cells : ByCells, optional
+        What cells say, where that was asked for and the source has not too many points.
     """
 
     loss: float
@@ -84,13 +88,19 @@ class Validation:
     rays: int
     noise: float
     irradiance: Array
+    by_cells: ByCells | None = None
+
+    @property
+    def verified(self) -> "Validation | ByCells":
+        """What has the error of the lens itself: cells, or else random rays."""
+        return self.by_cells or self
 
     @property
     def loss_corrected(self) -> float:
-        """``loss`` without the scatter of the rays, as ``relative_l2_corrected`` is without it."""
+        """``loss`` of the lens itself, without the scatter of the rays."""
         if self.relative_l2 == 0:
             return self.loss
-        return self.loss * self.relative_l2_corrected / self.relative_l2
+        return self.loss * self.verified.relative_l2_corrected / self.relative_l2
 
     def to_data(self) -> dict[str, Any]:
         """The figures by name, for JSON."""
@@ -105,6 +115,7 @@ class Validation:
             "ledger": self.account.to_data(),
             "rays": self.rays,
             "noise": self.noise,
+            "deterministic": self.by_cells and self.by_cells.to_data(),
         }
 
 
@@ -117,6 +128,7 @@ def validate(
     screen_z: float | None = None,
     pose: Pose | None = None,
     threads: int | None = None,
+    accuracy: float | None = None,
     watch: Watch = unwatched,
 ) -> Validation:
     """Trace a lens anew.
@@ -140,6 +152,8 @@ def validate(
         How the lens stands; straight and centred by default.
     threads : int, optional
         How many trace; as many as there are cores by default.
+    accuracy : float, optional
+        Relative error that the image by cells may have; none is made by default.
     watch : callable
         Called with the part that is done.
 
@@ -164,7 +178,7 @@ def validate(
     >>> round(found.account.lost["fresnel_entrance"], 12)
     0.04
     """
-    steps = validating(scene, target, heights, rays, seed, screen_z, pose, threads)
+    steps = validating(scene, target, heights, rays, seed, screen_z, pose, threads, accuracy)
     with closing(steps):
         while True:
             try:
@@ -183,12 +197,13 @@ def validating(
     screen_z: float | None = None,
     pose: Pose | None = None,
     threads: int | None = None,
+    accuracy: float | None = None,
 ) -> Generator[float, None, Validation]:
     """`validate` step by step, so that one can see how far it is and leave it.
 
     Parameters
     ----------
-    scene, target, heights, rays, seed, screen_z, pose, threads
+    scene, target, heights, rays, seed, screen_z, pose, threads, accuracy
         As for `validate`, and so is what is raised.
 
     Yields
@@ -205,49 +220,80 @@ def validating(
         target = target / target.max()
 
     trace = Trace(scene, heights, rays, seed, pose)
-    second = Trace(scene, heights, -(-rays // _FEWER), _another(seed), pose)
-    first_part = trace.rays / (trace.rays + second.rays)
-    distances = []  # of the batches' images to the target
-    total: Tally | None = None
-    for batch in trace.batches(threads):
-        if batch is not None:
-            distances.append(relative_l2(batch.flux.reshape(target.shape), target))
-        total = added(total, batch)
-        del batch  # large images must not wait for the next ones
-        yield trace.part * first_part
-    assert total is not None
+    second = Trace(scene, heights, -(-rays // FEWER), _another(seed), pose)
+    image = None
+    begun = 0.0
+    if accuracy is not None:
+        steps = imaging(scene, heights, accuracy, pose, threads)
+        image = yield from within(steps, lambda part: _CELLS * part)
+        begun = _CELLS
+    middle = begun + (1 - begun) * trace.rays / (trace.rays + second.rays)
+    total, distances = yield from within(
+        _traced(trace, target, threads), lambda part: begun + (middle - begun) * part
+    )
     account = _account(total)
     if account.on_screen == 0:
         raise RunFailed("no light of this lens reaches the screen, so there is no image to judge")
     irradiance = total.flux.reshape(target.shape)
     irradiance /= total.emitted * scene.screen.pixel_area
+    references = [target] if image is None else [target, image.irradiance]
+    products = yield from within(
+        _products(second, irradiance, references, threads),
+        lambda part: middle + (1 - middle) * part,
+    )
+
     error = relative_l2(irradiance, target)
     noise = float(np.std(distances, ddof=1)) / math.sqrt(BATCHES)
-
-    products = []
-    for batch in second.batches(threads):
-        if batch is not None:
-            products.append(product(irradiance, batch.flux.reshape(target.shape), target))
-        del batch
-        yield first_part + second.part * (1 - first_part)
-    square = float(np.mean(products))
-    # The scatter of the second image shows in the products. That of the first, which has more
-    # rays, adds less to the variance than its part of the rays says.
-    spread = _T * float(np.std(products, ddof=1)) * math.sqrt((1 + 1 / _FEWER) / BATCHES)
-
+    corrected = Unscattered.of(products[0])
+    by_cells = None
+    if image is not None:
+        area = scene.screen.pixel_area
+        by_cells = ByCells.of(image, target, area, irradiance, products[1])
     return Validation(
         loss=paper_loss(irradiance, target),
         relative_l2=error,
-        relative_l2_interval=(max(error - _T * noise, 0.0), error + _T * noise),
-        relative_l2_corrected=root(square),
-        relative_l2_corrected_interval=(root(square - spread), root(square + spread)),
+        relative_l2_interval=(max(error - STUDENT_T * noise, 0.0), error + STUDENT_T * noise),
+        relative_l2_corrected=corrected.distance,
+        relative_l2_corrected_interval=corrected.interval,
         efficiency=account.efficiency,
         account=account,
         quality=Quality.of(irradiance, target),
         rays=trace.rays,
         noise=noise,
         irradiance=irradiance,
+        by_cells=by_cells,
     )
+
+
+def _traced(
+    trace: Trace, target: Array, threads: int | None
+) -> Generator[float, None, tuple[Tally, list[float]]]:
+    """All light of a trace, and the distances of its batches' images to the target."""
+    distances = []
+    total: Tally | None = None
+    for batch in trace.batches(threads):
+        if batch is not None:
+            distances.append(relative_l2(batch.flux.reshape(target.shape), target))
+        total = added(total, batch)
+        del batch  # large images must not wait for the next ones
+        yield trace.part
+    assert total is not None
+    return total, distances
+
+
+def _products(
+    trace: Trace, image: Array, references: Sequence[Array], threads: int | None
+) -> Generator[float, None, list[list[float]]]:
+    """For each reference, products of an image's and each batch's distance to it."""
+    found: list[list[float]] = [[] for _ in references]
+    for batch in trace.batches(threads):
+        if batch is not None:
+            other = batch.flux.reshape(image.shape)
+            for products, reference in zip(found, references, strict=True):
+                products.append(product(image, other, reference))
+        del batch
+        yield trace.part
+    return found
 
 
 def through_focus(

@@ -1,6 +1,10 @@
 """How long work says how far it is."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Generator
+from contextlib import closing
+from typing import TypeVar
+
+T = TypeVar("T")
 
 Watch = Callable[[float], None]
 """Called now and then with the part that is done, from 0 to 1."""
@@ -13,3 +17,25 @@ def unwatched(part: float) -> None:
 def part_of(watch: Watch, before: int, count: int, of: int) -> Watch:
     """The watch of work that is ``count`` of so many equal parts, with some before it."""
     return lambda part: watch((before + count * part) / of)
+
+
+def within(
+    steps: Generator[float, None, T], part: Callable[[float], float]
+) -> Generator[float, None, T]:
+    """Take steps that yield the part of them that is done, as steps of something larger.
+
+    Parameters
+    ----------
+    steps : generator
+        The steps; closed when these are left.
+    part : callable
+        What part of the whole is done when that part of the steps is.
+    """
+    with closing(steps):
+        while True:
+            try:
+                done = next(steps)
+            except StopIteration as end:
+                found: T = end.value
+                return found
+            yield part(done)

@@ -5,6 +5,11 @@ from collections.abc import Sequence
 from contextlib import closing
 from pathlib import Path
 
+import numpy as np
+import numpy.typing as npt
+
+from workbench.analysis.by_cells import ByCells
+from workbench.analysis.cells.image import ACCURACY
 from workbench.analysis.cross_check import CrossCheck, cross_check
 from workbench.analysis.focus import Focus, focus_series
 from workbench.analysis.metrics import relative_l2
@@ -13,6 +18,8 @@ from workbench.analysis.validation import validate as trace_anew
 from workbench.cli.designed import read_designed
 from workbench.cli.progress import PartProgress
 from workbench.files.atomic import check_writable, replacing
+
+Array = npt.NDArray[np.float64]
 
 
 def validate(
@@ -24,7 +31,7 @@ def validate(
     plot: Path | None,
     as_json: bool,
 ) -> None:
-    """Trace the lens of a session anew and print what that shows.
+    """Trace the lens of a session anew, by cells and by random rays, and print what that shows.
 
     Parameters
     ----------
@@ -63,18 +70,24 @@ def validate(
         with closing(PartProgress("with Mitsuba")) as progress:
             compared = cross_check(*task, watch=progress.show)
     with closing(PartProgress("check")) as progress:
-        found = trace_anew(*task, watch=progress.show)
+        found = trace_anew(*task, accuracy=ACCURACY, watch=progress.show)
     # The optimiser's image is one on the scene's screen.
     elsewhere = screen_z is not None and screen_z != session.scene.screen.z
-    difference = None if elsewhere else relative_l2(found.irradiance, result.state.irradiance)
+    own = None if elsewhere else result.state.irradiance
+    difference = None if own is None else relative_l2(found.irradiance, own)
     if as_json:
         figures = found.to_data() | {"optimiser_difference": difference}
+        if found.by_cells and own is not None:
+            apart = relative_l2(found.by_cells.irradiance, own)
+            figures["deterministic"]["optimiser_difference"] = apart
         if compared:
             figures["cross_check"] = compared.to_data()
         if series:
             figures["through_focus"] = [each.to_data() for each in series]
         print(json.dumps(figures))
     else:
+        if found.by_cells:
+            _print_cells(found.by_cells, own)
         _print(found, difference)
         if compared:
             _print_compared(compared)
@@ -85,6 +98,29 @@ def validate(
 
         with replacing(plot) as file:
             write_focus(file, scene, session.target, series)
+
+
+def _print_cells(found: ByCells, own: Array | None) -> None:
+    columns, rows = found.cells
+    low, high = found.relative_l2_corrected_interval
+    difference = None if own is None else relative_l2(found.irradiance, own)
+    for name, value in (
+        (
+            "verified error",
+            f"{found.relative_l2_corrected:.5f}  (relative L2, {low:.5f} to {high:.5f})",
+        ),
+        ("by", f"{columns} x {rows} cells, without random rays"),
+        ("loss", f"{found.loss:.4g}"),
+        ("optimiser's image", _or_dash(difference, ".5f", "  (relative L2 difference to it)")),
+        ("on screen", f"{found.efficiency:.5f}"),
+    ):
+        print(f"{name:<18}{value}")
+    print("\nSecond opinion: random rays")
+    times = _or_dash(found.difference_over_noise, ".2f", " times their noise")
+    print(
+        f"{'off the cells':<18}{found.difference:.5f}  ({times}; without it "
+        f"{_interval(found.unscattered.interval)})"
+    )
 
 
 def _print(found: Validation, difference: float | None) -> None:

@@ -2,6 +2,7 @@
 
 import math
 
+from workbench.analysis.by_cells import ByCells
 from workbench.analysis.manufacture import Extreme, Manufacture
 from workbench.analysis.manufacture_limits import Limits, verdicts
 from workbench.analysis.tolerances import Distribution, Tolerances
@@ -17,6 +18,7 @@ def check_rows(found: Validation, difference: float) -> tuple[Row, ...]:
     """What the independent check says; ``difference`` is that to the optimiser's own image."""
     quality = found.quality
     return (
+        *_cell_rows(found.by_cells),
         Row("relative L2 error", percent(found.relative_l2)),
         Row("95 % of other rays", _interval(found.relative_l2_interval)),
         Row("without ray noise", percent(found.relative_l2_corrected)),
@@ -30,6 +32,20 @@ def check_rows(found: Validation, difference: float) -> tuple[Row, ...]:
         Row("efficiency", percent(found.efficiency)),
         Row("off the optimiser's image", percent(difference)),
         Row("rays", f"{found.rays:,}"),
+    )
+
+
+def _cell_rows(found: ByCells | None) -> tuple[Row, ...]:
+    """What cells say, and how far random rays are from that."""
+    if found is None:
+        return ()
+    columns, rows = found.cells
+    times = _or_dash(found.difference_over_noise, ".2f", " times their noise")
+    return (
+        Row("verified error", percent(found.relative_l2_corrected)),
+        Row("it is surely", _interval(found.relative_l2_corrected_interval)),
+        Row("cells", f"{columns} × {rows}"),
+        Row("random rays are off by", f"{percent(found.difference)}, {times}"),
     )
 
 

@@ -25,7 +25,9 @@ def few_rays(monkeypatch):
     """Real checks, with fewer rays."""
     monkeypatch.setattr(
         "workbench.analysis.validation.validating",
-        lambda scene, target, heights, rays, threads: validating(scene, target, heights, RAYS),
+        lambda scene, target, heights, rays, threads, accuracy: validating(
+            scene, target, heights, RAYS
+        ),
     )
 
 
@@ -166,14 +168,14 @@ def test_a_lens_that_is_checked_is_not_checked_again(window, gate, qtbot):
 
 
 def test_a_check_that_fails_shows_the_reason(window, monkeypatch, qtbot):
-    def dark(*lens, threads):
+    def dark(*lens, threads, accuracy):
         raise RunFailed("no light of this lens reaches the screen")
 
     monkeypatch.setattr("workbench.analysis.validation.validating", dark)
     window.commands["check"].trigger()
     qtbot.waitUntil(lambda: "no light" in window.messages.text, timeout=60_000)
     assert figures(window) == ""
-    monkeypatch.setattr("workbench.analysis.validation.validating", lambda *_, threads: 1 / 0)
+    monkeypatch.setattr("workbench.analysis.validation.validating", lambda *_, **named: 1 / 0)
     window.commands["check"].trigger()
     qtbot.waitUntil(lambda: "ZeroDivisionError" in window.messages.text, timeout=60_000)
 
@@ -219,7 +221,7 @@ def gate(session, monkeypatch):
         irradiance=np.ones_like(session.target),
     )
 
-    def steps(scene, target, heights, rays, threads):
+    def steps(scene, target, heights, rays, threads, accuracy):
         begun.append(scene)
         try:
             for step in range(STEPS):

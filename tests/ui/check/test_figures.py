@@ -9,7 +9,7 @@ from ui.check.checking import CheckedLens
 from ui.check.figures import CheckFigures
 from workbench.analysis.metrics import relative_l2
 from workbench.analysis.validation import validate, validating
-from workbench.report.figures import account_rows, check_rows
+from workbench.report.figures import account_rows, check_rows, percent
 
 pytestmark = pytest.mark.usefixtures("kernels")
 
@@ -100,7 +100,7 @@ def test_the_choice_of_rays_is_kept(figures, settings, qtbot):
 def window(display, open_window, designed, found, monkeypatch, qtbot):
     asked = []
 
-    def few(scene, target, heights, rays, threads):
+    def few(scene, target, heights, rays, threads, accuracy):
         asked.append(rays)
         return validating(scene, target, heights, RAYS)
 
@@ -135,3 +135,16 @@ def test_other_rays_are_for_another_check_of_the_same_lens(window, qtbot):
         qtbot.waitUntil(lambda: not window.loaded.check._background.busy, timeout=60_000)
         check.trigger()  # nothing more to find out
     assert window.asked == [1_000_000, 64_000_000]
+
+
+def test_the_figures_begin_with_the_error_without_random_rays(settings, designed, qtbot):
+    lens = designed.result.state.heights
+    found = validate(designed.scene, designed.target, lens, RAYS, accuracy=0.1)
+    widget = CheckFigures(settings, QAction("Check lens"))
+    qtbot.addWidget(widget)
+    widget.show_check(CheckedLens(designed, lens), found, 0.01)
+    first, interval, cells, apart = widget.text.splitlines()[:4]
+    assert first == f"Verified error\t{percent(found.by_cells.relative_l2_corrected)}"
+    assert interval.startswith("It is surely\t")
+    assert cells.startswith("Cells\t")
+    assert apart.endswith(" times their noise")

@@ -17,12 +17,15 @@ pytestmark = pytest.mark.usefixtures("kernels")
 
 
 def found(error):
+    lens_error = SimpleNamespace(
+        relative_l2_corrected=error,
+        relative_l2_corrected_interval=(0.9 * error, 1.1 * error),
+    )
     return SimpleNamespace(
         loss=0.2,
         loss_corrected=0.1,
         relative_l2=2 * error,
-        relative_l2_corrected=error,
-        relative_l2_corrected_interval=(0.9 * error, 1.1 * error),
+        verified=lens_error,
         efficiency=0.9,
         rays=1000,
         noise=0.001,
@@ -34,7 +37,7 @@ def checks(monkeypatch):
     """Checks that say what they are told at once; notes heights, rays and threads."""
     seen = SimpleNamespace(asked=[], error=0.0125)
 
-    def validating(scene, target, heights, rays, threads):
+    def validating(scene, target, heights, rays, threads, accuracy):
         seen.asked.append((heights, rays, threads))
         yield 1.0
         return found(seen.error)

@@ -172,8 +172,10 @@ def test_a_check_that_ends_after_its_run_was_undone_comes_back_with_it(window, q
         allowed.wait(30)
         return SimpleNamespace(
             loss_corrected=0.1,
-            relative_l2_corrected=0.0125,
-            relative_l2_corrected_interval=(0.01, 0.02),
+            verified=SimpleNamespace(
+                relative_l2_corrected=0.0125,
+                relative_l2_corrected_interval=(0.01, 0.02),
+            ),
         )
 
     monkeypatch.setattr("workbench.analysis.validation.validating", validating)

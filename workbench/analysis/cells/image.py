@@ -2,8 +2,8 @@
 
 import math
 from collections.abc import Generator, Iterator, Mapping
-from contextlib import closing
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
@@ -11,6 +11,7 @@ from workbench.analysis.cells.lattice import Lattice
 from workbench.analysis.cells.triangles import Array
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.train import OpticalTrain
+from workbench.analysis.watch import within
 from workbench.errors import RunFailed
 from workbench.geometry.body import check_body
 from workbench.scene import Scene
@@ -97,7 +98,8 @@ def imaging(
     bound = math.inf
     for level, cells in enumerate(_levels(scene, train.source.origins)):
         lattice = Lattice(scene, train, cells)
-        image = yield from _shown(lattice.tracing(threads), level)
+        # Each level takes most of what is left of the whole.
+        image = yield from within(lattice.tracing(threads), partial(_done, level))
         images = [*images[-2:], image]
         if level >= 2:
             bound = _bound(*images)
@@ -110,15 +112,9 @@ def imaging(
     return CellImage(images[-1] / scene.screen.pixel_area, bound, cells)
 
 
-def _shown(steps: Generator[float, None, Array], level: int) -> Generator[float, None, Array]:
-    """Take the steps of a level: each level takes most of what is left of the whole."""
-    with closing(steps):
-        while True:
-            try:
-                yield 1 - 0.25 ** (level + next(steps))
-            except StopIteration as end:
-                found: Array = end.value
-                return found
+def _done(level: int, part: float) -> float:
+    """The part of the whole that is done with a part of a level."""
+    return 1 - math.pow(0.25, level + part)
 
 
 def _levels(scene: Scene, origins: int) -> Iterator[tuple[int, int]]:

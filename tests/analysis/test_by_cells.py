@@ -1,0 +1,109 @@
+"""The error of a lens by cells, with random rays as the second opinion."""
+
+import numpy as np
+import pytest
+
+from tests.analysis.lenses import net_of
+from workbench.analysis import validation
+from workbench.analysis.cells.image import imaging
+from workbench.analysis.metrics import paper_loss, relative_l2
+from workbench.analysis.validation import validate, validating
+
+POINT = {"kind": "point", "position": [0.3, -0.2, -4.0]}
+GRID = {"kind": "grid", "center": [0.1, 0, -4], "half_width": [0.5, 1], "points": [2, 3]}
+
+
+@pytest.fixture
+def lens(make_scene):
+    def make(source):
+        scene = make_scene({"source": source, "screen.half_width": [1.4, 1.1]})
+        heights = net_of(scene, lambda x, y: 0.5 - 0.08 * x**2 + 0.03 * np.sin(x + 2 * y))
+        return scene, {"exit": heights}
+
+    return make
+
+
+@pytest.fixture
+def target(rng):
+    return 1 + rng.random((32, 32))
+
+
+def size(image):
+    """Norm of an image that is divided by its sum."""
+    return np.linalg.norm(image / image.sum())
+
+
+@pytest.mark.parametrize("source", [{"kind": "collimated"}, POINT, GRID])
+def test_both_say_the_same_of_each_kind_of_source(lens, target, source):
+    scene, heights = lens(source)
+    found = validate(scene, target, heights, 1_000_000, seed=4, accuracy=2e-3)
+    exact = found.by_cells
+    low, high = found.relative_l2_corrected_interval
+    assert low < exact.relative_l2_corrected < high
+    assert exact.bound <= 2e-3
+    assert exact.unscattered.interval[0] == 0
+    assert exact.difference_over_noise == pytest.approx(1, abs=0.1)
+    assert exact.efficiency == pytest.approx(found.efficiency, abs=1e-3)
+    assert exact.relative_l2_corrected == relative_l2(exact.irradiance, target)
+    assert exact.loss == paper_loss(exact.irradiance, target)
+
+
+def test_the_error_of_the_lens_itself_is_that_by_cells(lens, target):
+    scene, heights = lens({"kind": "collimated"})
+    found = validate(scene, target, heights, 10_000, accuracy=1e-2)
+    assert found.verified is found.by_cells
+    expected = found.loss * found.verified.relative_l2_corrected / found.relative_l2
+    assert found.loss_corrected == pytest.approx(expected)
+    assert found.loss_corrected == pytest.approx(found.by_cells.loss, rel=0.1)
+
+
+def test_it_does_not_depend_on_the_seed(lens, target):
+    scene, heights = lens(POINT)
+    one, two = (validate(scene, target, heights, 1000, seed, accuracy=0.01) for seed in (1, 2))
+    assert one.relative_l2 != two.relative_l2
+    assert one.verified.relative_l2_corrected == two.verified.relative_l2_corrected
+
+
+def test_the_interval_is_that_of_the_bound(lens, target, rng):
+    scene, heights = lens({"kind": "collimated"})
+    heights = {"exit": heights["exit"] + 0.05 * rng.random((12, 10))}
+    coarse, fine = (validate(scene, target, heights, 100, accuracy=a).by_cells for a in (0.5, 1e-3))
+    low, high = coarse.relative_l2_corrected_interval
+    assert low < fine.relative_l2_corrected < high
+    half = coarse.bound * size(coarse.irradiance) / size(target)
+    assert (high - low) / 2 == pytest.approx(half)
+    assert fine.bound < coarse.bound / 2
+
+
+def test_the_second_opinion_finds_an_image_that_is_off(lens, target, monkeypatch):
+    """Random rays do not agree with an image that is moved by a tenth of a pixel."""
+
+    def moved(*task):
+        found = yield from imaging(*task)
+        irradiance = 0.9 * found.irradiance + 0.1 * np.roll(found.irradiance, 1, axis=1)
+        return type(found)(irradiance, found.bound, found.cells)
+
+    monkeypatch.setattr(validation, "imaging", moved)
+    scene, heights = lens({"kind": "collimated"})
+    off = validate(scene, target, heights, 1_000_000, accuracy=2e-3).by_cells
+    assert off.unscattered.interval[0] > 0.01
+    assert off.difference_over_noise > 3
+
+
+def test_without_an_accuracy_and_for_too_many_points_there_are_random_rays_alone(
+    lens, target, monkeypatch
+):
+    scene, heights = lens({"kind": "collimated"})
+    alone = validate(scene, target, heights, 1000)
+    assert alone.by_cells is None
+    assert alone.verified is alone
+    assert alone.to_data()["deterministic"] is None
+    monkeypatch.setattr("workbench.analysis.cells.image._BEGIN", 100)
+    assert validate(scene, target, heights, 1000, accuracy=0.1).to_data() == alone.to_data()
+
+
+def test_the_part_that_is_done_never_falls(lens, target):
+    scene, heights = lens(POINT)
+    parts = list(validating(scene, target, heights, 100_000, accuracy=1e-2))
+    assert parts == sorted(parts)
+    assert parts[0] > 0 and parts[-1] == 1
