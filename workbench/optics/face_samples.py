@@ -14,6 +14,7 @@ from workbench.optics.interfaces import Refraction
 from workbench.optics.lattice import make_lattice
 from workbench.optics.path import Path, Step
 from workbench.optics.rays import RayBundle
+from workbench.optics.samples import Samples
 from workbench.optics.sources import PointEmitter
 from workbench.optics.surfaces import BSplineSurface, Meeting, Plane
 
@@ -25,7 +26,7 @@ class SampledFace(NamedTuple):
     ----------
     emitter : PointEmitter
         The light.
-    samples : tuple[int, int]
+    samples : tuple[int, int] or Corners
         Samples along x and y; the points of a grid share them.
     missed, reflected : str
         Names of light that is lost before and at the entrance face.
@@ -36,7 +37,7 @@ class SampledFace(NamedTuple):
     """
 
     emitter: PointEmitter
-    samples: tuple[int, int]
+    samples: Samples
     missed: str
     reflected: str
     net: ControlNet
@@ -47,7 +48,7 @@ class SampledFace(NamedTuple):
         """Light of a grid of which samples are wanted, a flat face and a B-spline; else None."""
         match path.emitter, path.steps:
             case (
-                PointEmitter(samples=(_, _) as samples) as emitter,
+                PointEmitter(samples=tuple() as samples) as emitter,
                 (
                     Step(Plane(), Refraction(reflected=reflected), missed),
                     Step(BSplineSurface(net=net)) as exit_face,

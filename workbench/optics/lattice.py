@@ -1,12 +1,12 @@
 """Which place on the exit face is a sample of which point of the source."""
 
-import math
 from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
 from workbench.optics.entering import entering
+from workbench.optics.samples import Corners, Places, Samples, interleaving, places_of_points
 from workbench.scene import Lens, LightOfPoints
 
 Array = npt.NDArray[np.float64]
@@ -73,15 +73,16 @@ class Lattice(NamedTuple):
     reflected: float
 
 
-def make_lattice(source: LightOfPoints, lens: Lens, samples: tuple[int, int]) -> Lattice:
+def make_lattice(source: LightOfPoints, lens: Lens, samples: Samples) -> Lattice:
     """Samples of a source's light on the exit face.
 
     Parameters
     ----------
     source, lens
         The light and the aperture.
-    samples : tuple[int, int]
+    samples : tuple[int, int] or Corners
         Samples along x and y; rounded up, so that all points of a grid have the same number.
+        Corners are those of each point, one point after the other.
     """
     if source.axes is None:
         raise TypeError("points that are no grid cannot share samples of the exit face")
@@ -90,23 +91,45 @@ def make_lattice(source: LightOfPoints, lens: Lens, samples: tuple[int, int]) ->
     # About as far as this from its axis a point lights the exit face.
     lit = lens.index * distance + max(lens.base.height - lens.entrance_z, 0.0)
     x, y = (
-        _axis(centre, r, count, max(lit, _NARROWEST * r))
-        for centre, r, count in zip(source.axes, lens.half_width, samples, strict=True)
+        _axis(
+            centre,
+            r,
+            _places(samples, axis, len(centre)),
+            _turns(samples, axis, len(centre)),
+            max(lit, _NARROWEST * r),
+        )
+        for axis, (centre, r) in enumerate(zip(source.axes, lens.half_width, strict=True))
     )
     light = entering(source, lens)
     return Lattice(x, y, distance, light.intensity, light.missed, light.reflected)
 
 
-def _axis(centre: Array, half_width: float, samples: int, lit: float) -> Axis:
-    points = len(centre)
-    count = -(-samples // points) * points
-    part = (np.arange(count) + 0.5) / count  # of the way along the axis
+def _places(samples: Samples, axis: int, points: int) -> Places:
+    """Places of samples, and what of the aperture each of its point's stands for."""
+    if isinstance(samples, Corners):
+        return places_of_points(samples, axis, points)
+    count = -(-samples[axis] // points) * points
+    part = (np.arange(count) + 0.5) / count
     low, high = part - points / count / 2, part + points / count / 2
     low[:points], high[-points:] = 0.0, 1.0
+    return Places(part, low, high)
+
+
+def _turns(samples: Samples, axis: int, points: int) -> npt.NDArray[np.int64]:
+    """Number of the point that each sample belongs to."""
+    if isinstance(samples, Corners):
+        each = samples[axis] + (1 if points == 1 else 2)
+        return np.repeat(np.arange(points), each)
+    return np.tile(interleaving(points), -(-samples[axis] // points))
+
+
+def _axis(
+    centre: Array, half_width: float, sampled: Places, point: npt.NDArray[np.int64], lit: float
+) -> Axis:
+    part, low, high = sampled
     place = _spread(part, centre, half_width, lit)
     width = _spread(high, centre, half_width, lit) - _spread(low, centre, half_width, lit)
-    cell = 2 * half_width / count * points
-    point = np.tile(_interleaving(points), count // points)
+    cell = 2 * half_width * float((high - low).max())
     sign = np.sign(centre) * (np.abs(centre) > half_width)
     reach = np.where(sign == 0, 0.0, half_width - np.abs(centre))[point]
     side = sign[point]
@@ -136,25 +159,3 @@ def _spread(part: Array, centre: Array, half_width: float, lit: float) -> Array:
     return np.asarray(middle + wide * np.sinh(low + (high - low) * part)).clip(
         -half_width, half_width
     )
-
-
-def _interleaving(points: int) -> npt.NDArray[np.int64]:
-    """Order in which points take turns: mirror-symmetric, and without a trend.
-
-    If the points came one after the other, those on the right would always sample the right part
-    of each cell, which shifts the light. Steps of a fixed stride mix them.
-    """
-    turn = np.arange(points)
-    best, least = turn, np.inf
-    for stride in range(1, points):
-        if math.gcd(stride, points) > 1:
-            continue
-        # Point m − 1 − k comes at turn m − 1 − j where point k comes at turn j.
-        start = (stride - 1 if stride % 2 else stride - 1 + points) // 2
-        order = (stride * turn + start) % points
-        trend = abs(float((turn - turn.mean()) @ (order - order.mean())))
-        # Short strides leave long runs.
-        trend += points**2 * (min(stride, points - stride) < math.isqrt(points) - 1)
-        if trend < least:
-            best, least = order, trend
-    return best

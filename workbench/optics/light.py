@@ -24,6 +24,36 @@ class Light(NamedTuple):
     account: Account
 
 
+class Nodes(NamedTuple):
+    """Where the corners of cells of light land, before they become an image.
+
+    Attributes
+    ----------
+    hits : Tensor, shape (3, n, m)
+        What `workbench.optics.beams.beam_image` takes, with columns and rows of the scene's screen;
+        differentiable.
+    account : Account
+        The account of all light; what lands is light on the screen there, even if it lands beside
+        it.
+    """
+
+    hits: Tensor
+    account: Account
+
+
+class BeamTracer(Protocol):
+    """Traces corners of cells of light through lens after lens; see `workbench.optics.beams`."""
+
+    @property
+    def notes(self) -> list[str]:
+        """What is special about it, in words."""
+        ...
+
+    def nodes(self, heights: Tensor) -> Nodes:
+        """Trace a lens with control heights of shape (n_u, n_v)."""
+        ...
+
+
 class Tracer(Protocol):
     """Traces one set of rays through lens after lens."""
 

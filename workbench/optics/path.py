@@ -16,7 +16,8 @@ from workbench.optics.interfaces import Interface, Refraction
 from workbench.optics.intersection import Bundle
 from workbench.optics.rays import RayBundle, Vector
 from workbench.optics.receivers import PlaneReceiver
-from workbench.optics.sources import Emitter, Samples, emitter_of
+from workbench.optics.samples import Samples
+from workbench.optics.sources import Emitter, emitter_of
 from workbench.optics.surfaces import BSplineSurface, Plane, Surface
 from workbench.scene import Scene
 

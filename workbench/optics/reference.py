@@ -12,7 +12,7 @@ from workbench.optics.account import Account
 from workbench.optics.arrival import Arrival
 from workbench.optics.face_samples import FaceSamples, SampledFace
 from workbench.optics.irradiance import reconstruct
-from workbench.optics.light import Light
+from workbench.optics.light import Light, Nodes
 from workbench.optics.path import Path
 from workbench.scene import Filter, Screen
 
@@ -52,6 +52,15 @@ class Reference:
             lost = lost | {"off_screen": off_screen}
         account = Account(on_screen.item(), {name: flux.item() for name, flux in lost.items()})
         return Light(image, account)
+
+    def nodes(self, heights: Mapping[str, Tensor]) -> Nodes:
+        """Trace the corners of cells of light; see `workbench.optics.light.BeamTracer`."""
+        x, y, rays, lost = self.arrival(heights)
+        hits = self._path.receiver.screen.to_pixels(x, y)
+        nodes = torch.stack([part.T for part in torch.broadcast_tensors(*hits, rays.flux)])
+        left = rays.flux.detach().sum(dtype=torch.float64).item()
+        account = Account(left, {name: flux.item() for name, flux in lost.items()})
+        return Nodes(nodes, account)
 
     def flux(self, heights: Mapping[str, Tensor], screen: Screen, filter: Filter) -> Tensor:
         """The image alone, for `torch.func` transforms, which no sums survive as numbers."""

@@ -10,7 +10,7 @@ from workbench.optics.kernels.collimated import FusedCollimatedRays
 from workbench.optics.kernels.face import FusedFaceSamples
 from workbench.optics.kernels.locked import Mask
 from workbench.optics.kernels.point import FusedPointRays
-from workbench.optics.light import Tracer
+from workbench.optics.light import BeamTracer, Tracer
 from workbench.optics.path import Path
 from workbench.optics.reference import Reference
 
@@ -36,7 +36,28 @@ class Kernel(Protocol):
         ...
 
 
+class BeamKernel(Protocol):
+    """A kind of compiled tracer that traces corners of cells, too."""
+
+    name: str
+
+    @staticmethod
+    def matches(path: Path) -> bool:
+        """See `Kernel`."""
+        ...
+
+    def __call__(self, path: Path) -> BeamTracer:
+        """A tracer of the path; see `workbench.optics.beam_plan.BeamPlan`."""
+        ...
+
+
+_BEAM_KERNELS: tuple[BeamKernel, ...] = (FusedCollimatedRays, FusedFaceSamples)
 _KERNELS: tuple[Kernel, ...] = (FusedCollimatedRays, FusedFaceSamples, FusedPointRays)
+
+
+def beam_kernel_of(path: Path) -> BeamKernel | None:
+    """The compiled special case that traces the corners of cells of a path, if there is one."""
+    return next((kernel for kernel in _BEAM_KERNELS if kernel.matches(path)), None)
 
 
 class Ways:

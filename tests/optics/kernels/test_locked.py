@@ -7,7 +7,7 @@ import torch
 from workbench.geometry.surface import ControlNet
 from workbench.optics.kernels import collimated
 from workbench.optics.kernels.collimated import FusedCollimatedRays
-from workbench.optics.kernels.grid import make_axis, middles
+from workbench.optics.kernels.grid import make_axis
 from workbench.optics.kernels.locked import count, split
 from workbench.optics.path import Path
 from workbench.optics.plan import Plan
@@ -16,7 +16,11 @@ NET = ControlNet((12, 10), (3, 2), (1.0, 2.0))
 
 
 def rays(halved=(False, False)):
-    return tuple(make_axis(NET, k, middles((40, 30)[k], halved[k]), np.float64) for k in (0, 1))
+    def places(axis):
+        count = (40, 30)[axis]
+        return (np.arange(count // 2 if halved[axis] else count) + 0.5) / count
+
+    return tuple(make_axis(NET, axis, places(axis), np.float64) for axis in (0, 1))
 
 
 def lock(*free):

@@ -21,16 +21,17 @@ from workbench.optics.interfaces import Refraction
 from workbench.optics.kernels.collimated_trace import LOOPS, Optics
 from workbench.optics.kernels.exit_face import ExitFace
 from workbench.optics.kernels.function import Sums, kind_of, trace
-from workbench.optics.kernels.grid import make_axis, middles
+from workbench.optics.kernels.grid import Axis, make_axis
 from workbench.optics.kernels.locked import Mask, Rays, count, split
-from workbench.optics.kernels.passes import GridPasses, note_of
+from workbench.optics.kernels.passes import GridPasses, Landing, note_of
 from workbench.optics.kernels.spread import Spread, make_canvases, make_spread, pad
-from workbench.optics.light import Light
+from workbench.optics.light import Light, Nodes
 from workbench.optics.path import Path, Step
 from workbench.optics.refraction import normal_reflectance
+from workbench.optics.samples import Corners, Samples, cells, places, shares
 from workbench.optics.sources import CollimatedEmitter
 from workbench.optics.surfaces import Plane
-from workbench.scene import Filter, GaussianFilter, Screen
+from workbench.scene import BoxFilter, Filter, GaussianFilter, Screen
 
 AnyArray = npt.NDArray[np.floating[Any]]
 
@@ -67,14 +68,15 @@ class FusedCollimatedRays:
         if lens is None:
             raise TypeError("the kernel for collimated light does not match this path")
         net, samples, n = lens.face.net, lens.samples, lens.face.ratio
+        corners = isinstance(samples, Corners)
         self._face, self._dtype = lens.face, path.dtype
         kind = self._kind = kind_of(path.dtype)
         self.mirrored = tuple(
-            wanted and along % 2 == 0 for wanted, along in zip(mirrored, samples, strict=True)
+            wanted and along % 2 == 0 and not corners
+            for wanted, along in zip(mirrored, samples, strict=True)
         )
         across, up = (
-            make_axis(net, axis, middles(along, halved), kind)
-            for axis, (along, halved) in enumerate(zip(samples, self.mirrored, strict=True))
+            _rays(net, samples, axis, halved, kind) for axis, halved in enumerate(self.mirrored)
         )
         self._moving, self._still = split((across, up), locked)
         self._still_light: tuple[Screen, Filter, Tensor, Sums] | None = None
@@ -82,7 +84,7 @@ class FusedCollimatedRays:
         self._level, self._screen = path.datum, path.receiver.screen
         reflected = normal_reflectance(n)
         self._before = {lens.missed: 0.0, lens.reflected: reflected}
-        arriving = (1 - reflected) / (samples[0] * samples[1])
+        arriving = (1 - reflected) / cells(samples)
         self._optics = Optics(
             kind(n),
             kind(n * n - 1),
@@ -119,10 +121,18 @@ class FusedCollimatedRays:
         return self._face.light(flux, sums, self._before)
 
 
+    def nodes(self, heights: Tensor) -> Nodes:
+        """Trace the corners of cells of light; see `workbench.optics.light.BeamTracer`."""
+        spread = make_spread(self._screen, BoxFilter(), self._kind)
+        landing = Landing(_Passes(self, self._moving, spread))
+        traced = trace(heights, self._level, self._dtype, landing)
+        return Nodes(*self._face.light(*traced, self._before))
+
+
 class _ParallelLens(NamedTuple):
     """What the kernel is for: parallel light, a flat face across it and a B-spline."""
 
-    samples: tuple[int, int]
+    samples: Samples
     missed: str
     reflected: str
     face: ExitFace
@@ -132,11 +142,20 @@ class _ParallelLens(NamedTuple):
         face = ExitFace.of(path)
         match path.emitter, path.steps:
             case (
-                CollimatedEmitter(count=count),
+                CollimatedEmitter(samples=samples),
                 (Step(Plane(), Refraction(reflected=reflected), missed), _),
             ) if face is not None:
-                return cls(count, missed, reflected, face)
+                return cls(samples, missed, reflected, face)
         return None
+
+
+def _rays(
+    net: ControlNet, samples: Samples, axis: int, halved: bool, kind: type[np.floating[Any]]
+) -> Axis:
+    """All rays along an axis, or the first half of them."""
+    part, share = places(samples, axis).part, shares(samples, axis)
+    some = slice(len(part) // 2 if halved else None)
+    return make_axis(net, axis, part[some], kind, share[some])
 
 
 def _together(parts: Sequence[tuple[Tensor, Sums]]) -> tuple[Tensor, Sums]:
@@ -149,16 +168,19 @@ def compile_for(dtype: torch.dtype) -> None:
     """Compile the kernels for a float type by tracing a few rays."""
     kind = kind_of(dtype)
     net = ControlNet((2, 2), (1, 1), (1.0, 1.0))
-    across, up = (make_axis(net, axis, middles(2, False), kind) for axis in (0, 1))
+    across, up = (_rays(net, (2, 2), axis, False, kind) for axis in (0, 1))
     numbers = Optics(*(kind(1.5) for _ in Optics._fields))
     screen = Screen(z=1.0, half_width=(1.0, 1.0), pixels=(2, 2))
     spread = make_spread(screen, GaussianFilter(), kind)
     canvas = make_canvases(spread, 1)[0]
     heights, gradient = np.zeros(net.shape, kind), np.zeros(net.shape)
-    light = across.place.astype(kind), up.place.astype(kind), numbers
+    light = across.place.astype(kind), up.place.astype(kind), across.share, up.share, numbers
     given = heights, (across, up), light, spread, 0, 2
     LOOPS.trace(*given, canvas, np.zeros(3))
     LOOPS.trace_back(*given, pad(spread, np.zeros((2, 2), kind)), gradient)
+    nodes = np.zeros((3, 2, 2), kind)
+    LOOPS.land(*given, nodes, np.zeros(3))
+    LOOPS.land_back(*given, nodes, gradient)
 
 
 class _Passes(GridPasses):
@@ -170,9 +192,10 @@ class _Passes(GridPasses):
         columns = spread.column_0 + spread.per_x * across.place
         rows = spread.row_0 + spread.per_y * up.place
         kind = spread.per_x.dtype
-        self._light = columns.astype(kind), rows.astype(kind), source._optics
+        self._light = columns.astype(kind), rows.astype(kind), across.share, up.share, source._optics
         self._arriving = float(source._optics.arriving)
-        self._flux = self.copies * count(rays) * self._arriving
+        shares = float(across.share.sum(dtype=float) * up.share.sum(dtype=float))
+        self._flux = self.copies * shares * self._arriving
 
     def light(self, heights: AnyArray) -> tuple[Any, ...]:
         """See `GridPasses`."""

@@ -58,8 +58,8 @@ def _refract(light, spread, i, j, lanes, t):  # type: ignore[no-untyped-def]
     one root: q = s cos θ_t = √(1 − (n² − 1) k); per unit of z the refracted ray moves sideways by
     (z_x, z_y) (n² − 1) / (1 + n q).
     """
-    columns, rows, optics = light
-    place, row = columns[i:], rows[j]
+    columns, rows, wide, high, optics = light
+    place, row, wide, head_on = columns[i:], rows[j], wide[i:], optics.head_on * high[j]
     kind = t.dtype.type
     one = kind(1)
     passed = kind(0)
@@ -72,20 +72,21 @@ def _refract(light, spread, i, j, lanes, t):  # type: ignore[no-untyped-def]
         bend = (optics.drop - t[Z + lane]) * optics.excess / (one + optics.ratio * q)
         grazing = one - q / np.sqrt(one + k)
         fourth = grazing * grazing * (grazing * grazing)
-        weight = optics.head_on * (one - fourth * grazing) if passes else kind(0)
+        weight = wide[lane] * head_on * (one - fourth * grazing) if passes else kind(0)
         t[_Q + lane] = q
         t[_BEND + lane] = bend
-        t[COLUMN + lane] = place[lane] + spread.per_x * z_x * bend
+        column = place[lane] + spread.per_x * z_x * bend
+        t[COLUMN + lane] = column if passes else kind(np.inf)
         t[ROW + lane] = row + spread.per_y * z_y * bend
         t[WEIGHT + lane] = weight
-        passed += one if passes else kind(0)
-    return (np.float64(passed),)
+        passed += wide[lane] if passes else kind(0)
+    return (np.float64(passed * high[j]),)
 
 
 @jit(fastmath=FAST, error_model="numpy", forceinline=True)
 def _refract_back(light, spread, i, j, lanes, t):  # type: ignore[no-untyped-def]
     """Adjoint of `_refract`; the cotangents of z, z_x, z_y take the place of these."""
-    optics = light[2]
+    wide, head_on, optics = light[2][i:], light[4].head_on * light[3][j], light[4]
     kind = t.dtype.type
     one, two, half = kind(1), kind(2), kind(0.5)
     for lane in range(np.uintp(lanes)):
@@ -100,7 +101,7 @@ def _refract_back(light, spread, i, j, lanes, t):  # type: ignore[no-untyped-def
         s = one / np.sqrt(one + z_x * z_x + z_y * z_y)
         grazing = one - q * s
         fourth = grazing * grazing * (grazing * grazing)
-        d_cos = kind(5) * fourth * optics.head_on * t[D_WEIGHT + lane]
+        d_cos = kind(5) * fourth * wide[lane] * head_on * t[D_WEIGHT + lane]
         d_q = d_cos * s - d_bend * bend * optics.ratio * share
         # q = √(1 − (n² − 1) k)
         d_k = -half * (d_cos * q * s * s * s + d_q * optics.excess / q)
@@ -113,4 +114,5 @@ def _refract_back(light, spread, i, j, lanes, t):  # type: ignore[no-untyped-def
 
 
 LOOPS = make_loops("collimated", _refract, _refract_back, own=2)
-"""For light of rays with these columns and rows, and numbers of the trace."""
+"""For light of rays with these columns and rows, the shares of a cell for which they stand along u
+and v, and numbers of the trace."""

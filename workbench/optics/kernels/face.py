@@ -18,15 +18,16 @@ from workbench.optics.kernels.exit_face import ExitFace
 from workbench.optics.kernels.face_numbers import Across, Optics, Up
 from workbench.optics.kernels.face_trace import LOOPS
 from workbench.optics.kernels.function import Sums, kind_of, trace
-from workbench.optics.kernels.grid import make_axis, middles
+from workbench.optics.kernels.grid import make_axis
 from workbench.optics.kernels.locked import Mask
-from workbench.optics.kernels.passes import GridPasses, note_of
+from workbench.optics.kernels.passes import GridPasses, Landing, note_of
 from workbench.optics.kernels.spread import Spread, make_canvases, make_spread, pad
 from workbench.optics.lattice import make_lattice
-from workbench.optics.light import Light
+from workbench.optics.light import Light, Nodes
 from workbench.optics.path import Path
 from workbench.optics.refraction import normal_reflectance
-from workbench.scene import Filter, GaussianFilter, Screen
+from workbench.optics.samples import places
+from workbench.scene import BoxFilter, Filter, GaussianFilter, Screen
 
 AnyArray = npt.NDArray[np.floating[Any]]
 
@@ -129,6 +130,13 @@ class FusedFaceSamples:
         light = trace(heights[self._face.name], self._level, self._dtype, _Passes(self, spread))
         return self._face.light(*light, self._before)
 
+    def nodes(self, heights: Tensor) -> Nodes:
+        """Trace the corners of cells of light; see `workbench.optics.light.BeamTracer`."""
+        spread = make_spread(self._screen, BoxFilter(), self._kind)
+        landing = Landing(_Passes(self, spread))
+        traced = trace(heights, self._level, self._dtype, landing)
+        return Nodes(*self._face.light(*traced, self._before))
+
     def steps(self, heights: AnyArray) -> int:
         """Steps of Newton's method for a lens of heights above the level."""
         deepest = max(float(heights.max()) + self._lift, 0.0)
@@ -139,7 +147,7 @@ def compile_for(dtype: torch.dtype) -> None:
     """Compile the kernels for a float type by tracing a few samples."""
     kind = kind_of(dtype)
     net = ControlNet((2, 2), (1, 1), (1.0, 1.0))
-    bases = tuple(make_axis(net, axis, middles(2, False), kind) for axis in (0, 1))
+    bases = tuple(make_axis(net, axis, places((2, 2), axis).part, kind) for axis in (0, 1))
     pair, one = np.ones(2, kind), kind(1)
     across = Across(pair, pair, pair, pair, one, pair)
     up = Up(pair, pair, pair, pair, one, pair)
@@ -151,6 +159,9 @@ def compile_for(dtype: torch.dtype) -> None:
     given = heights, bases, (across, up, optics, 1), spread, 0, 2
     LOOPS.trace(*given, canvas, np.zeros(4))
     LOOPS.trace_back(*given, pad(spread, np.zeros((2, 2), kind)), gradient)
+    nodes = np.zeros((3, 2, 2), kind)
+    LOOPS.land(*given, nodes, np.zeros(4))
+    LOOPS.land_back(*given, nodes, gradient)
 
 
 class _Passes(GridPasses):

@@ -33,27 +33,31 @@ class Axis(NamedTuple):
         First control point that matters for each.
     value, slope : ndarray, shape (m, p + 1)
         Basis functions and their derivatives with respect to x or y.
+    share : ndarray, shape (m,)
+        Part of a cell that each stands for.
     """
 
     place: AnyArray
     first: npt.NDArray[np.uintp]
     value: AnyArray
     slope: AnyArray
-
-
-def middles(count: int, halved: bool) -> npt.NDArray[np.float64]:
-    """Middles of ``count`` equal cells of [0, 1], or of the first half of them."""
-    return (np.arange(count // 2 if halved else count) + 0.5) / count
+    share: AnyArray
 
 
 def make_axis(
-    net: ControlNet, axis: int, t: npt.NDArray[np.float64], kind: type[np.floating[Any]]
+    net: ControlNet,
+    axis: int,
+    t: npt.NDArray[np.float64],
+    kind: type[np.floating[Any]],
+    share: AnyArray | None = None,
 ) -> Axis:
-    """Rays at parts ``t`` of the way along one axis, shape (m,)."""
+    """Rays at parts ``t`` of the way along one axis, shape (m,), each for a whole cell or less."""
     knots, degree, r = net.knots[axis], net.degree[axis], net.half_width[axis]
     first, value = local_basis(knots, degree, t)
     slope = local_basis(knots, degree, t, derivative=1)[1] / (2 * r)
-    return Axis((2 * t - 1) * r, first.astype(np.uintp), value.astype(kind), slope.astype(kind))
+    wide = np.ones(len(t), kind) if share is None else share.astype(kind)
+    place, first = (2 * t - 1) * r, first.astype(np.uintp)
+    return Axis(place, first, value.astype(kind), slope.astype(kind), wide)
 
 
 @jit()

@@ -54,4 +54,4 @@ def _seeing(axis: Axis, free: Mask) -> tuple[int, int]:
 
 def _cut(axis: Axis, begin: int, end: int | None) -> Axis:
     part = slice(begin, end)
-    return Axis(axis.place[part], axis.first[part], axis.value[part], axis.slope[part])
+    return Axis(*(values[part] for values in axis))

@@ -16,6 +16,13 @@ from workbench.optics.kernels.spread import Spread, add_up, make_canvases, pad
 AnyArray = npt.NDArray[np.floating[Any]]
 
 
+class Landing:
+    """The trace of a grid to where its rays land; `workbench.optics.kernels.function.Passes`."""
+
+    def __init__(self, grid: "GridPasses") -> None:
+        self.forward, self.backward = grid.land, grid.land_back
+
+
 def note_of(mirrored: tuple[bool, ...]) -> list[str]:
     """What mirror symmetry leaves out, in words."""
     if not any(mirrored):
@@ -91,6 +98,19 @@ class GridPasses(ABC):
         for axis in self._mirrored:  # the other half would have given the mirror image of this
             gradient = (gradient + np.flip(gradient, axis)) / 2
         return gradient
+
+    def land(self, heights: AnyArray) -> tuple[AnyArray, Sums]:
+        """Where the rays land, in place of an image; see `Loops.land`."""
+        nodes = np.empty((3, *(len(basis.place) for basis in self._bases[::-1])), heights.dtype)
+        sums = np.zeros((self._parts, self._sums))
+        self._run(self._loops.land, heights, [nodes] * self._parts, sums)
+        return nodes, self.account(sums.sum(axis=0).tolist())
+
+    def land_back(self, heights: AnyArray, cotangent: AnyArray) -> AnyArray:
+        """The adjoint of `land`."""
+        gradients = np.zeros((self._parts, *heights.shape))
+        self._run(self._loops.land_back, heights, [cotangent] * self._parts, gradients)
+        return np.asarray(gradients.sum(axis=0))
 
     def _run(
         self, kernel: Callable[..., None], heights: AnyArray, canvases: Any, results: AnyArray

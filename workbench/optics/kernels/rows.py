@@ -21,7 +21,7 @@ COLUMN, ROW, WEIGHT, D_COLUMN, D_ROW, D_WEIGHT, OWN = (np.uintp(BATCH * k) for k
 
 
 class Loops(NamedTuple):
-    """Two kernels.
+    """Kernels for one kind of light.
 
     Attributes
     ----------
@@ -32,10 +32,18 @@ class Loops(NamedTuple):
     trace_back : callable
         Its adjoint, with the cotangent of the canvas in its place, and the gradient with respect
         to the heights (n_u, n_v), float64, in that of the sums.
+    land : callable
+        As ``trace``, but no image is made: columns, rows and flux of the rays are put in place of
+        the canvas, an array of shape (3, rays along v, rays along u). The first of the sums is
+        all flux, the second is 0.
+    land_back : callable
+        Its adjoint.
     """
 
     trace: Callable[..., None]
     trace_back: Callable[..., None]
+    land: Callable[..., None]
+    land_back: Callable[..., None]
 
 
 def make_loops(name: str, ahead: Any, back: Any, own: int) -> Loops:
@@ -99,7 +107,52 @@ def make_loops(name: str, ahead: Any, back: Any, own: int) -> Loops:
                 blend_back(d_rows, bases[1], j, lanes, t)
             contract_back(d_rows, bases[0], i, lanes, gradient)
 
-    return Loops(_kernel(trace, name), _kernel(trace_back, name))
+    def land(heights, bases, light, spread, begin, end, nodes, sums):  # type: ignore[no-untyped-def]
+        rows = make_rows(heights)
+        t = np.empty(numbers, heights.dtype)
+        blocks = (end - begin + BATCH - 1) // BATCH
+        for block in range(blocks):
+            i = begin + (end - begin) * block // blocks
+            lanes = begin + (end - begin) * (block + 1) // blocks - i
+            contract(heights, bases[0], i, lanes, rows)
+            for j in range(len(bases[1].first)):
+                blend(rows, bases[1], j, lanes, t)
+                found = ahead(light, spread, i, j, lanes, t)
+                column, row, flux = nodes[0, j, i:], nodes[1, j, i:], nodes[2, j, i:]
+                total = 0.0
+                for lane in range(np.uintp(lanes)):
+                    column[lane] = t[COLUMN + lane]
+                    row[lane] = t[ROW + lane]
+                    flux[lane] = t[WEIGHT + lane]
+                    total += t[WEIGHT + lane]
+                sums[0] += total
+                for k in range(len(found)):
+                    sums[2 + k] += found[k]
+
+    def land_back(heights, bases, light, spread, begin, end, cotangent, gradient):  # type: ignore[no-untyped-def]
+        kind = heights.dtype.type
+        rows = make_rows(heights)
+        d_rows = make_rows(heights)
+        t = np.empty(numbers, heights.dtype)
+        blocks = (end - begin + BATCH - 1) // BATCH
+        for block in range(blocks):
+            i = begin + (end - begin) * block // blocks
+            lanes = begin + (end - begin) * (block + 1) // blocks - i
+            contract(heights, bases[0], i, lanes, rows)
+            d_rows[:] = kind(0)
+            for j in range(len(bases[1].first)):
+                blend(rows, bases[1], j, lanes, t)
+                ahead(light, spread, i, j, lanes, t)
+                column, row, flux = cotangent[0, j, i:], cotangent[1, j, i:], cotangent[2, j, i:]
+                for lane in range(np.uintp(lanes)):
+                    t[D_COLUMN + lane] = column[lane]
+                    t[D_ROW + lane] = row[lane]
+                    t[D_WEIGHT + lane] = flux[lane]
+                back(light, spread, i, j, lanes, t)
+                blend_back(d_rows, bases[1], j, lanes, t)
+            contract_back(d_rows, bases[0], i, lanes, gradient)
+
+    return Loops(*(_kernel(each, name) for each in (trace, trace_back, land, land_back)))
 
 
 def _kernel(function: Callable[..., None], name: str) -> Callable[..., None]:

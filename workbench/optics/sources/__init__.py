@@ -6,20 +6,34 @@ A new kind of source is a file here, its fields in `workbench.scene`, and a row 
 from collections.abc import Callable, Mapping
 from typing import Any, Protocol
 
+import numpy as np
+import numpy.typing as npt
 from torch import Tensor
 
 from workbench.optics.rays import RayBundle
+from workbench.optics.samples import Samples
 from workbench.optics.sources.collimated import CollimatedEmitter
 from workbench.optics.sources.points import PointEmitter
 from workbench.scene import CollimatedSource, GridSource, Lens, PointSource, Source
 
-__all__ = ["CollimatedEmitter", "Emitter", "PointEmitter", "Samples", "emitter_of"]
+Array = npt.NDArray[np.float64]
 
-Samples = tuple[int, int]
-
+__all__ = ["CollimatedEmitter", "Emitter", "PointEmitter", "emitter_of"]
 
 class Emitter(Protocol):
-    """Emits rays."""
+    """Emits rays.
+
+    Attributes
+    ----------
+    splits : tuple of two ndarray, shape (m_x, 2) and (m_y, 2)
+        Of rays at `workbench.optics.samples.Corners`, along x and y: which parts of their flux
+        belong to the cells before and behind them. Rays of different points share no cell.
+    """
+
+    @property
+    def splits(self) -> tuple[Array, Array]:
+        """See above."""
+        ...
 
     def rays(self, seed: int, draw: int = 0) -> RayBundle:
         """Rays of the source, in float64; their flux adds up to 1.
@@ -58,8 +72,8 @@ def emitter_of(source: Source, lens: Lens, samples: Samples | None = None) -> Em
     ----------
     source, lens
         The light and its aperture.
-    samples : tuple[int, int], optional
-        Numbers along x and y that are wanted in place of the source's own rays. A source whose
+    samples : tuple[int, int] or Corners, optional
+        Rays along x and y that are wanted in place of the source's own. A source whose
         rays are drawn at random keeps them.
     """
     return _EMITTERS[type(source)](source, lens, samples)

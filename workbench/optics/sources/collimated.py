@@ -1,11 +1,15 @@
 """Parallel light along the axis."""
 
 import numpy as np
+import numpy.typing as npt
 import torch
 from torch import Tensor
 
 from workbench.optics.rays import RayBundle
+from workbench.optics.samples import Corners, Samples, cells, places, shares
 from workbench.scene import CollimatedSource, Lens
+
+Array = npt.NDArray[np.float64]
 
 
 class CollimatedEmitter:
@@ -17,27 +21,37 @@ class CollimatedEmitter:
         How many rays.
     lens : Lens
         Gives the entrance face.
-    samples : tuple[int, int], optional
+    samples : tuple[int, int] or Corners, optional
         Rays along x and y; those of the source by default.
 
     Attributes
     ----------
-    count : tuple[int, int]
+    samples : tuple[int, int] or Corners
         Rays along x and y.
     """
 
     def __init__(
-        self, source: CollimatedSource, lens: Lens, samples: tuple[int, int] | None = None
+        self, source: CollimatedSource, lens: Lens, samples: Samples | None = None
     ) -> None:
-        self.count, self._lens = samples or source.rays, lens
+        self.samples, self._lens = samples or source.rays, lens
+
+    @property
+    def splits(self) -> tuple[Array, Array]:
+        """See `Emitter`."""
+        return places(self.samples, 0).split, places(self.samples, 1).split
 
     def rays(self, seed: int, draw: int = 0) -> RayBundle:
         """The same rays for every seed and draw; see `Emitter.rays`."""
         x, y = (
-            torch.as_tensor(((np.arange(m) + 0.5) / m * 2 - 1) * r)
-            for m, r in zip(self.count, self._lens.half_width, strict=True)
+            torch.as_tensor((2 * places(self.samples, axis).part - 1) * r)
+            for axis, r in enumerate(self._lens.half_width)
         )
-        return _along_axis(x[:, None], y[None, :], self._lens.entrance_z)
+        rays = _along_axis(x[:, None], y[None, :], self._lens.entrance_z)
+        flux = x.new_ones(()) / cells(self.samples)
+        if isinstance(self.samples, Corners):
+            across, up = (torch.as_tensor(shares(self.samples, axis)) for axis in (0, 1))
+            flux = flux * across[:, None] * up
+        return rays._replace(flux=flux)
 
     def towards(self, x: Tensor, y: Tensor) -> RayBundle:
         """Parallel rays that start half a lens before it; see `Emitter.towards`."""

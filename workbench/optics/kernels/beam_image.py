@@ -1,0 +1,155 @@
+"""The image of beams of light, by threads, for torch; see `workbench.optics.beams`."""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+import torch
+from torch import Tensor
+from torch.autograd.function import once_differentiable
+
+from workbench.optics.kernels import threads
+from workbench.optics.kernels.beam_nodes import shift, shift_back
+from workbench.optics.kernels.beam_raster import (
+    add_edges,
+    densities,
+    densities_back,
+    edges_back,
+)
+from workbench.optics.kernels.function import kind_of
+
+Array = npt.NDArray[np.float64]
+AnyArray = npt.NDArray[np.floating[Any]]
+Splits = tuple[Array, Array]
+
+
+def compiled_beam_image(
+    nodes: Tensor, pixels: tuple[int, int], splits: Splits
+) -> tuple[Tensor, float]:
+    """As `workbench.optics.beams.beam_image`, on the CPU."""
+    lands: list[float] = []
+    image = _Image.apply(nodes, pixels, splits, lands)  # type: ignore[no-untyped-call]
+    return image, lands[0]
+
+
+def compile_for(dtype: torch.dtype) -> None:
+    """Compile the kernels for a float type by an image of one cell."""
+    nodes = np.zeros((3, 2, 2), kind_of(dtype))
+    splits = np.array([[0.0, 1.0], [1.0, 0.0]])
+    _back(nodes, _forward(nodes, (2, 2), (splits, splits))[2], np.zeros((2, 2)))
+
+
+class _Mesh(NamedTuple):
+    """Triangles of light; see `densities`."""
+
+    column: Array
+    row: Array
+    density: Array
+    parts: tuple[Array, Array]
+
+
+class _Image(torch.autograd.Function):
+    @staticmethod
+    def forward(
+        ctx: Any,
+        nodes: Tensor,
+        pixels: tuple[int, int],
+        splits: Splits,
+        lands: list[float],
+    ) -> Tensor:
+        hits = nodes.detach().contiguous().numpy()
+        image, landed, ctx.mesh = _forward(hits, pixels, splits)
+        lands.append(landed)
+        ctx.save_for_backward(nodes)
+        return torch.from_numpy(image.astype(hits.dtype))
+
+    @staticmethod
+    @once_differentiable
+    def backward(ctx: Any, cotangent: Tensor) -> tuple[Tensor, None, None, None]:
+        (nodes,) = ctx.saved_tensors
+        hits = nodes.detach().contiguous().numpy()
+        result = _back(hits, ctx.mesh, cotangent.double().contiguous().numpy())
+        return torch.from_numpy(result), None, None, None
+
+
+def _bounds(rows: int, nodes: int) -> tuple[list[int], int]:
+    """Where the parts of so many rows of nodes begin and end, and how many parts there are."""
+    parts = min(threads.parts(nodes), rows)
+    return threads.bounds(rows, parts), parts
+
+
+def _forward(
+    nodes: AnyArray, pixels: tuple[int, int], splits: Splits
+) -> tuple[Array, float, _Mesh]:
+    """The image, the flux that lands on its plane, and what the way back needs."""
+    n_x, n_y = pixels
+    rows, columns = nodes.shape[1:]
+    at, parts = _bounds(rows, nodes[0].size)
+    parted = splits[::-1]  # along the first axis of the nodes, then along the second
+    column, row = np.empty((2, rows, columns))
+    density = np.zeros((rows + 1, columns + 1, 2))
+    slivers, steps = np.zeros((parts, n_y, n_x)), np.zeros((parts, n_y, n_x + 1))
+    landed = [0.0] * parts
+
+    def move(part: int) -> None:
+        shift(nodes[0], parted, at[part], at[part + 1], column)
+        shift(nodes[1], parted, at[part], at[part + 1], row)
+
+    def spread(part: int) -> None:
+        cells = at[part], min(at[part + 1], rows - 1)
+        landed[part] = densities(column, row, nodes[2], parted, *cells, density, slivers[part])
+
+    def draw(part: int) -> None:
+        add_edges(column, row, density, at[part], at[part + 1], steps[part])
+
+    for work in (move, spread, draw):
+        threads.run(work, parts)
+    image = slivers.sum(axis=0) - np.cumsum(steps.sum(axis=0)[:, :n_x], axis=1)
+    return image, sum(landed), _Mesh(column, row, density, parted)
+
+
+def _back(nodes: AnyArray, mesh: _Mesh, cotangent: Array) -> AnyArray:
+    """Cotangent of the nodes from that of the image."""
+    rows, columns = nodes.shape[1:]
+    at, parts = _bounds(rows, nodes[0].size)
+    column, row, density, parted = mesh
+    right = np.zeros((cotangent.shape[0], cotangent.shape[1] + 1))
+    right[:, :-1] = np.cumsum(cotangent[:, ::-1], axis=1)[:, ::-1]
+    # Each part also writes to the nodes and cells next to its own: these are added up afterwards.
+    d_nodes = [np.zeros((3, end - begin + 1, columns)) for begin, end in zip(at, at[1:], strict=False)]
+    d_cells = [
+        np.zeros((end - begin + 1, columns + 1, 2)) for begin, end in zip(at, at[1:], strict=False)
+    ]
+
+    def look(part: int) -> None:
+        hits = d_nodes[part][:2]
+        edges_back(column, row, density, cotangent, right, at[part], at[part + 1], *hits, d_cells[part])
+
+    threads.run(look, parts)
+    d_density = _joined(d_cells, at)
+
+    def narrow(part: int) -> None:
+        cells = at[part], min(at[part + 1], rows - 1)
+        densities_back(*mesh, cotangent, d_density, *cells, *d_nodes[part])
+
+    threads.run(narrow, parts)
+    d_hits = [_joined([each[k] for each in d_nodes], at) for k in range(3)]
+    result = np.empty_like(nodes)
+    result[2] = d_hits[2][:rows]
+
+    def move(part: int) -> None:
+        for k in range(2):
+            shift_back(nodes[k], parted, d_hits[k], at[part], at[part + 1], result[k])
+
+    threads.run(move, parts)
+    return result
+
+
+def _joined(slices: list[Array], at: list[int]) -> Array:
+    """Slices of an array, each of which goes one row into the next one."""
+    if len(slices) == 1:
+        return slices[0]
+    joined = np.zeros((at[-1] + 1, *slices[0].shape[1:]))
+    for begin, rows in zip(at, slices, strict=False):
+        joined[begin : begin + len(rows)] += rows
+    return joined

@@ -1,0 +1,109 @@
+"""Which places of an aperture rays go through, if these make a tensor grid."""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+Array = npt.NDArray[np.float64]
+
+
+class Corners(NamedTuple):
+    """One ray at each corner of so many cells along x and y; see `workbench.optics.beams`."""
+
+    x: int
+    y: int
+
+
+Samples = tuple[int, int] | Corners
+"""So many rays along x and y, each in the middle of a cell; or rays at the corners of cells."""
+
+
+class Places(NamedTuple):
+    """Places along one axis, as parts of the way from one side of the aperture to the other.
+
+    Attributes
+    ----------
+    part : ndarray, shape (m,)
+        Where the rays are.
+    low, high : ndarray, shape (m,)
+        Ends of what each ray stands for; together they fill the aperture.
+    """
+
+    part: Array
+    low: Array
+    high: Array
+
+    @property
+    def split(self) -> Array:
+        """Parts of what each ray stands for that lie before and behind it, shape (m, 2)."""
+        behind = (self.high - self.part) / (self.high - self.low)
+        return np.stack([1 - behind, behind], axis=1)
+
+
+def cells(samples: Samples) -> int:
+    """Number of cells that rays stand for."""
+    return samples[0] * samples[1]
+
+
+def shares(samples: Samples, axis: int) -> Array:
+    """Which part of a cell each ray stands for along x (0) or y (1): those at the rim for half."""
+    if not isinstance(samples, Corners):
+        return np.ones(samples[axis])
+    share = np.ones(samples[axis] + 1)
+    share[0] = share[-1] = 0.5
+    return share
+
+
+def places(samples: Samples, axis: int) -> Places:
+    """Places of samples along x (0) or y (1)."""
+    count = samples[axis]
+    if isinstance(samples, Corners):
+        return _between(np.arange(count + 1) / count)
+    cell = np.arange(count)
+    return Places((cell + 0.5) / count, cell / count, (cell + 1) / count)
+
+
+def places_of_points(samples: Corners, axis: int, points: int) -> Places:
+    """Places of the corners of each point, one point after the other.
+
+    All points but a single one have grids that are shifted against each other, with narrower cells
+    at both ends: what lies between the corners of one lies at those of others.
+    """
+    if points == 1:
+        return places(samples, axis)
+    count = samples[axis]
+    each = []
+    for shift in (interleaving(points) + 0.5) / points:
+        inner = (np.arange(count) + shift) / count
+        each.append(_between(np.concatenate([[0.0], inner, [1.0]])))
+    return Places(*(np.concatenate(parts) for parts in zip(*each, strict=True)))
+
+
+def interleaving(points: int) -> npt.NDArray[np.int64]:
+    """Order in which points take turns: mirror-symmetric, and without a trend.
+
+    If the points came one after the other, those on the right would always sample the right part
+    of each cell, which shifts the light. Steps of a fixed stride mix them.
+    """
+    turn = np.arange(points)
+    best, least = turn, np.inf
+    for stride in range(1, points):
+        if math.gcd(stride, points) > 1:
+            continue
+        # Point m − 1 − k comes at turn m − 1 − j where point k comes at turn j.
+        start = (stride - 1 if stride % 2 else stride - 1 + points) // 2
+        order = (stride * turn + start) % points
+        trend = abs(float((turn - turn.mean()) @ (order - order.mean())))
+        # Short strides leave long runs.
+        trend += points**2 * (min(stride, points - stride) < math.isqrt(points) - 1)
+        if trend < least:
+            best, least = order, trend
+    return best
+
+
+def _between(part: Array) -> Places:
+    """Rays at corners stand for the halves of the cells on both sides."""
+    middle = (part[1:] + part[:-1]) / 2
+    return Places(part, np.append(part[:1], middle), np.append(middle, part[-1:]))
