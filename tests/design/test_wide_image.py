@@ -5,13 +5,12 @@ import torch
 
 from workbench.design.wide_image import WideImage
 from workbench.geometry.surface import ControlNet
-from workbench.optics.plan import Plan
-from workbench.scene import GaussianFilter
+from workbench.optics.beam_plan import BeamPlan
 from workbench.targets import load_target
 
 
 def descend(scene, target, heights, reach):
-    image = WideImage(scene, target, GaussianFilter(), (64, 64), (False, False), reach)
+    image = WideImage(scene, target, (64, 64), reach)
     error, step = image.compare({"exit": heights})
     (gradient,) = torch.autograd.grad(error.square().sum(), [heights])
     return error, step, gradient
@@ -26,11 +25,10 @@ def test_pixels_that_no_light_reaches_change_nothing(source, make_scene, tmp_pat
     target = load_target(scene, tmp_path)
     free = scene.lens.base.height + 0.003 * rng.random(ControlNet.of(scene.lens).shape)
     heights = torch.tensor(free, requires_grad=True)
-    reach = Plan(scene, samples=(64, 64)).reach({"exit": heights.detach()})
+    reach = BeamPlan(scene, (64, 64)).reach({"exit": heights.detach()})
     narrow, near, gradient = descend(scene, target, heights, reach)
     wide, far, same = descend(scene, target, heights, (5.0, 5.0))
     assert narrow.numel() < wide.numel() / 2
     assert wide.norm().item() == pytest.approx(narrow.norm().item(), rel=1e-5)
     assert far.state.loss == pytest.approx(near.state.loss, rel=1e-5)
-    # Slopes of the filter jump at pixels' edges, where rounding decides on which side a ray is.
     assert (same - gradient).norm() < 3e-3 * gradient.norm()

@@ -1,19 +1,20 @@
-"""The best this program knows: transport of light first, then quasi-Newton from blunt to sharp.
+"""The best this program knows: transport of light first, then quasi-Newton on the exact image.
 
 - A first lens comes from optimal transport (`workbench.design.transport`): all light on its way to
   the right part of the screen before the first iteration.
-- L-BFGS on a fixed, even set of rays follows; changes of the net are cosine waves, the long ones
-  made easy.
-- It looks through a blunt filter first and through sharper ones later, each with as many rays as
-  it needs: a blunt one alone, with a fine net, lowers its own loss and raises the true error.
+- L-BFGS follows, on the image of beams of light (`workbench.optics.beams`): without noise and
+  without a filter, so that what it lowers is the true error. Changes of the net are cosine waves,
+  the long ones made easy.
+- It looks at few beams first, and at more of them as soon as these no longer tell the truth: a
+  lens also learns what is wrong with its own image.
 - The image reaches beyond the screen and is compared with all light that passes the lens, so
   that light beside the screen counts as an error.
-- What is its own mirror image is traced in one half or quarter alone.
 """
 
-from collections.abc import Callable, Generator, Sequence
+from collections.abc import Callable, Generator
 from functools import partial
 from itertools import islice
+from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -23,8 +24,8 @@ from torch import Tensor
 
 from workbench.design.heights import HeightRange, Mask
 from workbench.design.lbfgs import Evaluation, Objective, minimise
+from workbench.design.levels import COARSE, FINE, LEVELS, Level, image_of, reach_of
 from workbench.design.loss import check_gradient
-from workbench.design.phases import PHASES, SHARPEST, Phase, image_of, reach_of
 from workbench.design.room import Room
 from workbench.design.smoothness import Smoothness
 from workbench.design.step import Step
@@ -35,15 +36,26 @@ from workbench.scene import Scene
 
 Array = npt.NDArray[np.float64]
 
-# A lens to go on from is taken through all phases if its error is larger than this.
-_ROUGH = 0.15
 # The most that a step may change a parameter. Far out tanh is flat: a height that one bold step
 # brings there does not find back.
 _REACH = 0.3
-# A phase ends when this many steps together lower the loss by less than this part.
-_PATIENCE, _PROGRESS = 30, 0.01
-_SLOW = f"converged: less than {100 * _PROGRESS:g} % better in {_PATIENCE} iterations"
+# Waves with more periods per lens than this are made small in proportion.
+_CUT = 4.0
+# A level ends when so many steps together lower the square of the error by less than this part.
+_PATIENCE = {COARSE: (5, 0.1), FINE: (10, 0.05)}
+# A coarse level ends as soon as its error differs from the true one by more than this part of it.
+_TRUSTED = 0.15
+_STEPS, _GAIN = _PATIENCE[FINE]
+_SLOW = f"converged: less than {100 * (1 - (1 - _GAIN) ** 0.5):.2g} % better in {_STEPS} iterations"
 _LOWEST = "converged: no step makes the image better"
+
+
+class _Judged(NamedTuple):
+    """A lens, its error in the image of its level, and in the finest image."""
+
+    step: Step
+    own: float
+    judged: float
 
 
 def auto_steps(room: Room) -> Generator[Step, None, str]:
@@ -63,13 +75,12 @@ def auto_steps(room: Room) -> Generator[Step, None, str]:
     scene, target, locked = room.scene, room.target, room.locked
     device = device_of(scene)
     mirrored = _mirrored(scene, target, room.start, locked)
-    seen_by = partial(image_of, scene=scene, target=target, mirrored=mirrored, locked=locked)
     smoothness = Smoothness.of(scene, target, device)
     before = room.begin
     heights = {"exit": torch.tensor(before, device=device)}
-    # All lenses are judged by the sharpest image, so that their losses can be compared.
+    # All lenses are judged by the finest image, so that their losses can be compared.
     reach = reach_of(scene, heights)
-    judge = seen_by(SHARPEST, reach=reach)
+    judge = image_of(FINE, scene, target, reach)
     step = judge.step(heights)
     if smoothness is not None:
         step = smoothness.judged(step, smoothness.penalty(heights))
@@ -82,11 +93,9 @@ def auto_steps(room: Room) -> Generator[Step, None, str]:
     else:
         parameters = free.parameters(_joined(room.limits.nearest(room.first), before, locked))
         reach = reach_of(scene, free.heights(parameters))
-        judge = seen_by(SHARPEST, reach=reach)
-    near = goes_on and judge.compare(heights)[0].norm() < _ROUGH
+        judge = image_of(FINE, scene, target, reach)
     steps = _descend(
-        (SHARPEST,) if near else PHASES,
-        lambda phase: judge if phase is SHARPEST else seen_by(phase, reach=reach),
+        lambda level: judge if level is FINE else image_of(level, scene, target, reach),
         partial(_objective, judge=judge, free=free, smoothness=smoothness),
         parameters,
         mirrored,
@@ -98,33 +107,38 @@ def auto_steps(room: Room) -> Generator[Step, None, str]:
 
 
 def _descend(
-    phases: Sequence[Phase],
-    image_for: Callable[[Phase], WideImage],
-    objective_of: Callable[[WideImage, Tensor, Waves], Objective[Step]],
+    image_for: Callable[[Level], WideImage],
+    objective_of: Callable[[WideImage, Tensor, Waves], Objective[_Judged]],
     parameters: Tensor,
     mirrored: tuple[bool, bool],
     left: int,
 ) -> Generator[Step, None, str]:
-    """Minimise through one phase after the other, for as many steps as are left.
+    """Minimise at one level after the other, for as many steps as are left.
 
     Returns
     -------
     str
         Why the last one ended of its own accord.
     """
-    for phase in phases:
-        image = image_for(phase)
-        waves = Waves(parameters, phase.cut, mirrored)
+    for level in LEVELS:
+        waves = Waves(parameters, _CUT, mirrored)
         base, length = parameters, _longest_change(waves)
-        steps = minimise(objective_of(image, base, waves), waves.nothing, _REACH, length)
+        objective = objective_of(image_for(level), base, waves)
+        steps = minimise(objective, waves.nothing, _REACH, length)
         best: list[float] = []
-        for x, found in islice(steps, phase.iterations(left)):
+        for x, found in islice(steps, left):
             parameters = base + waves.change(x)
-            yield found.seen
+            yield found.seen.step
             left -= 1
             best.append(min([found.value, *best[-1:]]))
-            if len(best) > _PATIENCE and best[-1] > (1 - _PROGRESS) * best[-1 - _PATIENCE]:
+            patience, progress = _PATIENCE[level]
+            if len(best) > patience and best[-1] > (1 - progress) * best[-1 - patience]:
                 ended = _SLOW
+                break
+            if (
+                abs(found.seen.own - found.seen.judged) > _TRUSTED * found.seen.judged
+                and level is not FINE
+            ):
                 break
         else:
             ended = _LOWEST
@@ -150,10 +164,10 @@ def _objective(
     judge: WideImage,
     free: HeightRange,
     smoothness: Smoothness | None,
-) -> Objective[Step]:
-    """What a phase minimises over amplitudes of waves, with the step that ``judge`` tells."""
+) -> Objective[_Judged]:
+    """What a level minimises over amplitudes of waves, and what ``judge`` says of each lens."""
 
-    def objective(x: Tensor) -> Evaluation[Step]:
+    def objective(x: Tensor) -> Evaluation[_Judged]:
         x = x.detach().requires_grad_()
         heights = free.heights(base + waves.change(x))
         error, step = image.compare(heights)
@@ -163,11 +177,14 @@ def _objective(
             value = value + penalty
         (gradient,) = torch.autograd.grad(value, [x])
         check_gradient(gradient)
+        own = judged = error.detach().norm().item()
         if image is not judge:
-            step = judge.step(heights)
+            with torch.no_grad():
+                error, step = judge.compare(heights)
+            judged = error.norm().item()
         if smoothness is not None:
             step = smoothness.judged(step, penalty)
-        return Evaluation(value.item(), gradient, step)
+        return Evaluation(value.item(), gradient, _Judged(step, own, judged))
 
     return objective
 

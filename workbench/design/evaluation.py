@@ -8,9 +8,9 @@ import torch
 from torch import Tensor
 
 from workbench.design.lens_state import LensState
+from workbench.design.levels import FINE, image_of, reach_of
 from workbench.design.limits import HeightLimits
 from workbench.design.loss import check_finite, check_light, paper_loss, share
-from workbench.design.phases import SHARPEST, image_of, reach_of
 from workbench.design.snapshot import Result, Snapshot
 from workbench.design.step import Step
 from workbench.geometry.faces import NO_LOCKS, ControlHeights, FaceArrays, Locks
@@ -55,7 +55,7 @@ class Evaluator:
             self._step = self._step_of_paper
         else:
             reach = reach_of(scene, self._tensors(heights))
-            image = image_of(SHARPEST, scene, target, reach, locked=locked.get("exit"))
+            image = image_of(FINE, scene, target, reach)
             self._step = lambda heights: image.compare(heights)[1]
 
     def suits(self, scene: Scene, heights: ControlHeights, locked: Locks = NO_LOCKS) -> bool:

@@ -8,15 +8,13 @@ import numpy.typing as npt
 import torch
 from torch import Tensor
 
-from workbench.design.heights import Mask
 from workbench.design.lens_state import LensState
 from workbench.design.loss import check_finite, check_light, paper_loss, share
 from workbench.design.step import Step
-from workbench.geometry.surface import ControlNet
-from workbench.optics.filtered import expected_image
+from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.light import Light
-from workbench.optics.plan import Plan, device_of
-from workbench.scene import GaussianFilter, Scene, Screen
+from workbench.optics.plan import device_of
+from workbench.scene import Scene
 
 Array = npt.NDArray[np.float64]
 
@@ -28,50 +26,31 @@ _MARGINS = 0.05, 1.0
 class WideImage:
     """Compares lenses with the target, light beside the screen included.
 
-    The target goes through the expected reconstruction filter, else the optimum is a lens that is
-    too sharp, to undo a blur that only the simulation has.
-
     Parameters
     ----------
     scene : Scene
         The design task.
     target : ndarray, shape (n_y, n_x)
         The wanted image in any scale, row 0 at +y.
-    filter : GaussianFilter
-        Reconstruction filter.
-    samples : tuple[int, int]
-        Rays, or samples of the exit face, along x and y.
-    mirrored : tuple[bool, bool]
-        Whether the whole task is its own mirror image in x, in y.
+    cells : tuple[int, int]
+        Cells of the light of each point of the source along x and y; see `BeamPlan`.
     reach : tuple[float, float]
         How far from the axis light falls.
-    locked : ndarray of bool, shape (n_u, n_v), optional
-        Control points whose heights are the same in all lenses that are compared.
     """
 
     def __init__(
         self,
         scene: Scene,
         target: Array,
-        filter: GaussianFilter,
-        samples: tuple[int, int],
-        mirrored: tuple[bool, bool],
+        cells: tuple[int, int],
         reach: tuple[float, float],
-        locked: Mask | None = None,
     ) -> None:
         (n_x, n_y), (r_x, r_y) = scene.screen.pixels, scene.screen.half_width
         m_x, m_y = _margin(reach[0] / r_x, n_x), _margin(reach[1] / r_y, n_y)
-        wide = Screen.model_construct(  # may have more pixels than a scene may ask for
-            z=scene.screen.z,
-            half_width=(r_x * (1 + 2 * m_x / n_x), r_y * (1 + 2 * m_y / n_y)),
-            pixels=(n_x + 2 * m_x, n_y + 2 * m_y),
-        )
-        net = ControlNet.of(scene.lens)
-        plan = Plan(scene, net, filter, samples=samples, mirrored=mirrored, locked=locked)
-        self._plan = plan.on(wide)
+        self._plan, self._margin = BeamPlan(scene, cells), (m_x, m_y)
         self._pixel_area = scene.screen.pixel_area
         self._on_screen = (slice(m_y, m_y + n_y), slice(m_x, m_x + n_x))
-        wanted = expected_image(np.pad(share(target), ((m_y, m_y), (m_x, m_x))), filter)
+        wanted = np.pad(share(target), ((m_y, m_y), (m_x, m_x)))
         self._wanted = torch.as_tensor(wanted, dtype=torch.float32, device=device_of(scene))
         self._scale = self._wanted.norm().item()
 
@@ -83,7 +62,7 @@ class WideImage:
         RunFailed
             If there is no light on the wide image, or the loss is not finite.
         """
-        traced = self._plan.trace(heights)
+        traced = self._plan.trace(heights, self._margin)
         check_light(traced.flux.detach(), traced.account)
         step = self._step(heights, traced)
         error = traced.flux / traced.account.arrived - self._wanted
@@ -92,7 +71,7 @@ class WideImage:
     def step(self, heights: Mapping[str, Tensor]) -> Step:
         """The step to report of a lens, also of one that sends no light here."""
         with torch.no_grad():
-            return self._step(heights, self._plan.trace(heights))
+            return self._step(heights, self._plan.trace(heights, self._margin))
 
     def _step(self, heights: Mapping[str, Tensor], traced: Light) -> Step:
         account = traced.account

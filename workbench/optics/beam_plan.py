@@ -1,12 +1,17 @@
 """Beams of light of a scene, ready to be traced through lens after lens."""
 
+import math
+from collections.abc import Mapping
+from functools import cached_property
+
+import numpy as np
 import torch
 from torch import Tensor
 
 from workbench.geometry.surface import ControlNet
 from workbench.optics.account import Account
 from workbench.optics.beams import beam_image
-from workbench.optics.kernels import ready
+from workbench.optics.choice import Choice
 from workbench.optics.light import BeamTracer, Light
 from workbench.optics.path import Path
 from workbench.optics.plan import device_of
@@ -15,6 +20,8 @@ from workbench.optics.reference import Reference
 from workbench.optics.samples import Corners
 from workbench.optics.ways import beam_kernel_of
 from workbench.scene import Scene
+
+_NEARLY_ALL = 0.999
 
 
 class BeamPlan:
@@ -48,22 +55,48 @@ class BeamPlan:
         fused: bool = True,
     ) -> None:
         net = net or ControlNet.of(scene.lens)
-        self._dtype, device = dtype or precision_of(scene, net), device_of(scene)
-        self._pixels, self._fused = scene.screen.pixels, fused and device.type == "cpu"
-        path = Path.of(scene, net, self._dtype, device, Corners(*cells))
+        needed = precision_of(scene, net)
+        path = Path.of(scene, net, dtype or needed, device_of(scene), Corners(*cells))
+        self._pixels, self._half_width = scene.screen.pixels, scene.screen.half_width
         self._splits = path.emitter.splits
         self._missed = path.steps[0].missed
-        kernel = beam_kernel_of(path)
-        compiled = self._fused and kernel is not None and ready.obtain(kernel.name, self._dtype)
-        self._tracer: BeamTracer = kernel(path) if kernel and compiled else Reference(path)
+        self._kernel = beam_kernel_of(path)
+        fine = dtype is None and needed == torch.float64
+        self._choice = Choice(
+            path, None if self._kernel is None else self._kernel.name, fused, fine
+        )
 
-    def trace(self, heights: Tensor, margin: tuple[int, int] = (0, 0)) -> Light:
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What was chosen for this scene and what is left out, in words, for a run's log."""
+        notes = self._choice.notes(self._tracer.notes)
+        rays = math.prod(len(split) for split in self._splits)
+        notes.append(f"beams of light between {rays:,} rays: no noise, and no filter")
+        return (*notes, *self._choice.defects())
+
+    def reach(self, heights: Mapping[str, Tensor]) -> tuple[float, float]:
+        """How far from the axis, along x and y, nearly all light on the screen plane falls."""
+        with torch.no_grad():
+            column, row, flux = self._tracer.nodes(heights).hits
+        lands = (flux > 0) & column.isfinite() & row.isfinite()
+        if not lands.any():
+            return 0.0, 0.0
+        far = (
+            (hits[lands].double().cpu().numpy() / pixels - 0.5) * 2 * half_width
+            for hits, pixels, half_width in zip(
+                (column, row), self._pixels, self._half_width, strict=True
+            )
+        )
+        far_x, far_y = (float(np.quantile(np.abs(from_axis), _NEARLY_ALL)) for from_axis in far)
+        return far_x, far_y
+
+    def trace(self, heights: Mapping[str, Tensor], margin: tuple[int, int] = (0, 0)) -> Light:
         """Image and light account of a lens.
 
         Parameters
         ----------
-        heights : Tensor, shape (n_u, n_v)
-            Control heights, scene units.
+        heights : mapping of str to Tensor, shape (n_u, n_v)
+            Control heights of each freeform face by name, scene units.
         margin : tuple[int, int]
             Pixels (m_x, m_y) that the image has beyond the screen on each side.
 
@@ -76,12 +109,26 @@ class BeamPlan:
         (n_x, n_y), (m_x, m_y) = self._pixels, margin
         shift = hits.new_tensor([m_x, m_y, 0.0])[:, None, None]
         wide = (n_x + 2 * m_x, n_y + 2 * m_y)
-        image, landed = beam_image(hits + shift, wide, self._splits, self._fused)
+        image, landed = beam_image(hits + shift, wide, self._splits, self._choice.fused)
         on_screen = image.detach()[m_y : m_y + n_y, m_x : m_x + n_x].sum(dtype=torch.float64).item()
         lost = dict(account.lost)
-        lost["off_screen"] += landed - on_screen
+        lost["off_screen"] += max(landed - on_screen, 0.0)
         # Of a cell of which some rays are refracted, the rest stands for all.
         lost["total_reflection"] += account.on_screen - landed
         # Light that no ray stands for passes the lens by.
         lost[self._missed] += 1 - account.on_screen - sum(account.lost.values())
         return Light(image, Account(on_screen, lost))
+
+    @property
+    def _tracer(self) -> BeamTracer:
+        return self._compiled if self._choice.compiled else self._reference
+
+    @cached_property
+    def _reference(self) -> Reference:
+        return Reference(self._choice.path)
+
+    @cached_property
+    def _compiled(self) -> BeamTracer:
+        if self._kernel is None:
+            raise TypeError("there is no kernel for this path")
+        return self._kernel(self._choice.path)

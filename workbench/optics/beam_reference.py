@@ -9,7 +9,7 @@ from torch import Tensor
 
 from workbench.optics.kernels.beam_image import Splits
 from workbench.optics.kernels.beam_nodes import EVEN
-from workbench.optics.kernels.beam_raster import FARTHEST, SLIVER
+from workbench.optics.kernels.beam_raster import FARTHEST, ROUNDING, SLIVER
 
 
 def reference_beam_image(
@@ -43,6 +43,7 @@ def reference_beam_image(
     steps = _steps(x.flatten(), y.flatten(), x.roll(-1, 1).flatten(), y.roll(-1, 1).flatten(),
                    density, pixels)  # fmt: skip
     drawn = image.view(n_y, n_x) - steps.cumsum(1)[:, :n_x]
+    drawn = torch.where(drawn < ROUNDING * landed, 0.0, drawn)
     return drawn.to(nodes.dtype), landed
 
 

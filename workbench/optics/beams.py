@@ -6,10 +6,10 @@ their hits, so that the image has neither gaps nor noise of rays, and it is exac
 filter spreads it further. Light that folds over itself adds up.
 
 An image of points, which each count in the pixel that they hit or are spread by a filter, needs
-some 36 rays a pixel and still is 1.5 to 3 % off, by noise and blur; 9 beams a pixel are 0.1 to 0.3 %
-off and take half the time of 36 rays (see `workbench.optics.kernels.beam_nodes`). Triangles were
-chosen before parallelograms and Gaussians around a ray, whose Jacobian needs second derivatives of
-the face: those cost twice the trace, and neighbours overlap or leave gaps.
+some 36 rays a pixel and still is 1.5 to 3 % off, by noise and blur; 9 beams a pixel are 0.1 to
+0.3 % off (see `workbench.optics.kernels.beam_nodes`). Triangles between hits were chosen before
+parallelograms and Gaussians around each hit: these need second derivatives of the face, and
+neighbours overlap or leave gaps.
 """
 
 from torch import Tensor

@@ -41,11 +41,7 @@ def entering(source: LightOfPoints, lens: Lens) -> Entering:
     """
     if source.axes is None:
         raise TypeError("the account of points that are no grid is not known")
-    lambertian = source.emission == "lambertian"
-    caps = covering_caps(source.positions, lens.half_width, lens.entrance_z)
-    mean = _mean_cosine(caps) if lambertian else np.ones(len(caps.versine))
-    intensity = 1 / float(caps.solid_angle @ mean)
-
+    lambertian, intensity = source.emission == "lambertian", intensity_of(source, lens)
     distance = lens.entrance_z - source.nearest_z
     (x, weight_x), (y, weight_y) = (
         _nodes(centre, r, distance) for centre, r in zip(source.axes, lens.half_width, strict=True)
@@ -59,6 +55,14 @@ def entering(source: LightOfPoints, lens: Lens) -> Entering:
         refracted += np.einsum("jab,a,jb", passing, weight, weight_y)
     met, refracted = intensity * float(met), intensity * float(refracted)
     return Entering(intensity, missed=1 - met, reflected=met - refracted)
+
+
+def intensity_of(source: LightOfPoints, lens: Lens) -> float:
+    """Flux per solid angle of any point, straight ahead; all light of the source together is 1."""
+    caps = covering_caps(source.positions, lens.half_width, lens.entrance_z)
+    lambertian = source.emission == "lambertian"
+    mean = _mean_cosine(caps) if lambertian else np.ones(len(caps.versine))
+    return 1 / float(caps.solid_angle @ mean)
 
 
 def _nodes(centre: Array, half_width: float, distance: float) -> tuple[Array, Array]:

@@ -49,7 +49,7 @@ class BeamTracer(Protocol):
         """What is special about it, in words."""
         ...
 
-    def nodes(self, heights: Tensor) -> Nodes:
+    def nodes(self, heights: Mapping[str, Tensor]) -> Nodes:
         """Trace a lens with control heights of shape (n_u, n_v)."""
         ...
 

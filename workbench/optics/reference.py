@@ -57,7 +57,7 @@ class Reference:
         """Trace the corners of cells of light; see `workbench.optics.light.BeamTracer`."""
         x, y, rays, lost = self.arrival(heights)
         hits = self._path.receiver.screen.to_pixels(x, y)
-        nodes = torch.stack([part.T for part in torch.broadcast_tensors(*hits, rays.flux)])
+        nodes = torch.stack([part.expand(rays.flux.shape).T for part in (*hits, rays.flux)])
         left = rays.flux.detach().sum(dtype=torch.float64).item()
         account = Account(left, {name: flux.item() for name, flux in lost.items()})
         return Nodes(nodes, account)

@@ -64,6 +64,11 @@ class AnySource(Part):
         return None if self.place is None else PointSource(kind="point", position=self.place)
 
     @property
+    def point_count(self) -> int:
+        """How many points emit its light; infinitely far light counts as that of one."""
+        return 1
+
+    @property
     def redrawn(self) -> bool:
         """Whether each iteration of the paper's method has rays of its own."""
         return False
@@ -164,6 +169,11 @@ class LightOfPoints(AnySource):
     def positions(self) -> Array:
         """Where its points are, scene units, shape (n, 3); all have the same z."""
         return np.array([self.place])
+
+    @property
+    def point_count(self) -> int:
+        """How many there are."""
+        return len(self.positions)
 
     @property
     def axes(self) -> tuple[Array, Array] | None:

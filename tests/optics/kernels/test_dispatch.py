@@ -117,7 +117,7 @@ def test_a_kernel_that_cannot_be_compiled_is_tried_once_and_the_run_says_so(
     with pytest.raises(ValueError, match="no such register"):
         ready.compile_all()
     others = {"face", "point", "beams"}
-        assert ready._ready == {(name, torch.float32) for name in others}
+    assert ready._ready == {(name, torch.float32) for name in others}
     assert ready.is_compiled()  # nothing is left to wait for
     scene = make_scene()
     plan = Plan(scene)
@@ -196,13 +196,3 @@ def test_notes_name_what_is_left_out(make_scene):
     assert "collimated light: entrance refraction and intersection left out" in notes
     assert "box filter: one pixel a ray, no ghost pixels" in notes
     assert not any("box" in note for note in Plan(make_scene()).notes)
-
-
-def test_the_same_rays_on_another_screen(make_scene):
-    scene = make_scene()
-    wide = scene.screen.model_copy(update={"half_width": (2.0, 2.0), "pixels": (64, 64)})
-    plan = Plan(scene, dtype=torch.float64)
-    near, far = plan.trace({"exit": lens(scene)}), plan.on(wide).trace({"exit": lens(scene)})
-    assert torch.allclose(far.flux[17:-17, 17:-17], near.flux[1:-1, 1:-1], atol=1e-13)
-    # The account is of the scene's own screen, whatever part of its plane is looked at.
-    assert far.account.to_data() == pytest.approx(near.account.to_data(), abs=1e-13)

@@ -8,9 +8,8 @@ import torch
 from workbench.analysis.benchmark.comparison import Measured, Variant, compare, image_error
 from workbench.analysis.benchmark.examples import Example, Notify, wavy
 from workbench.analysis.benchmark.kernels import Descent, rays_of
+from workbench.design.levels import reach_of
 from workbench.design.wide_image import WideImage
-from workbench.optics.plan import Plan
-from workbench.scene import GaussianFilter
 
 _SECONDS = 10.0  # for each question
 
@@ -90,8 +89,7 @@ def _pixels() -> list[Variant]:
     scene, heights = example.scene, torch.as_tensor(wavy(example.scene)).requires_grad_()
 
     def descent(reach: tuple[float, float]) -> Callable[[], object]:
-        samples, none = scene.source.samples, (False, False)
-        image = WideImage(scene, example.target, GaussianFilter(), samples, none, reach)
+        image = WideImage(scene, example.target, scene.source.samples, reach)
 
         def once() -> object:
             return torch.autograd.grad(
@@ -103,7 +101,7 @@ def _pixels() -> list[Variant]:
     beyond = tuple(4 * r for r in scene.screen.half_width)
     rays = rays_of(scene)
     return [
-        Variant("left out", descent(Plan(scene).reach({"exit": heights.detach()})), rays),
+        Variant("left out", descent(reach_of(scene, {"exit": heights.detach()})), rays),
         Variant("all around the screen", descent((beyond[0], beyond[1])), rays),
     ]
 

@@ -1,5 +1,6 @@
 """The image of beams of light, by threads, for torch; see `workbench.optics.beams`."""
 
+from itertools import pairwise
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -11,6 +12,7 @@ from torch.autograd.function import once_differentiable
 from workbench.optics.kernels import threads
 from workbench.optics.kernels.beam_nodes import shift, shift_back
 from workbench.optics.kernels.beam_raster import (
+    ROUNDING,
     add_edges,
     densities,
     densities_back,
@@ -105,6 +107,7 @@ def _forward(
     for work in (move, spread, draw):
         threads.run(work, parts)
     image = slivers.sum(axis=0) - np.cumsum(steps.sum(axis=0)[:, :n_x], axis=1)
+    image[image < ROUNDING * sum(landed)] = 0.0
     return image, sum(landed), _Mesh(column, row, density, parted)
 
 
@@ -116,14 +119,13 @@ def _back(nodes: AnyArray, mesh: _Mesh, cotangent: Array) -> AnyArray:
     right = np.zeros((cotangent.shape[0], cotangent.shape[1] + 1))
     right[:, :-1] = np.cumsum(cotangent[:, ::-1], axis=1)[:, ::-1]
     # Each part also writes to the nodes and cells next to its own: these are added up afterwards.
-    d_nodes = [np.zeros((3, end - begin + 1, columns)) for begin, end in zip(at, at[1:], strict=False)]
-    d_cells = [
-        np.zeros((end - begin + 1, columns + 1, 2)) for begin, end in zip(at, at[1:], strict=False)
-    ]
+    own = [end - begin + 1 for begin, end in pairwise(at)]
+    d_nodes = [np.zeros((3, count, columns)) for count in own]
+    d_cells = [np.zeros((count, columns + 1, 2)) for count in own]
 
     def look(part: int) -> None:
-        hits = d_nodes[part][:2]
-        edges_back(column, row, density, cotangent, right, at[part], at[part + 1], *hits, d_cells[part])
+        found = *d_nodes[part][:2], d_cells[part]
+        edges_back(column, row, density, cotangent, right, at[part], at[part + 1], *found)
 
     threads.run(look, parts)
     d_density = _joined(d_cells, at)

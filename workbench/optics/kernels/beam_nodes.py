@@ -115,6 +115,3 @@ def shift_back(hits, parts, cotangent, begin, end, result):  # type: ignore[no-u
                 if bend < np.inf:
                     total -= _PART * (1.0 if k != 1 else -2.0) * cotangent[i, b]
             result[i, j] = total
-
-
-

@@ -21,7 +21,9 @@ from workbench.compiled import jit
 _ZERO, _ONE, _TWO = (np.uintp(k) for k in range(3))
 
 # A triangle with less area than this, in pixels, lights the one pixel in which its middle is.
-SLIVER = 1e-9
+SLIVER = 1e-7
+# Pixels with less than this part of all light are dark: so much is the rounding of sums along rows.
+ROUNDING = 1e-15
 # Hits further from the image than this, in pixels, stay there: nothing overflows.
 FARTHEST = 1e7
 
@@ -109,7 +111,7 @@ def _edge(kind, i, j):  # type: ignore[no-untyped-def]
         one that has the edge in this direction, and the one that has it in the other.
     """
     even = (i + j) % _TWO == _ZERO
-    one, two = _ONE, _TWO  # the first cell behind the ring; the second one
+    one = _ONE  # cell (i, j) comes behind the ring
     if kind == 0:
         return i, j, i + one, j, i + one, j + one, _ZERO, i + one, j, _ONE
     if kind == 1:
@@ -123,7 +125,7 @@ def _edge(kind, i, j):  # type: ignore[no-untyped-def]
 @jit(error_model="numpy", forceinline=True)
 def _clip(start, way, last):  # type: ignore[no-untyped-def]
     """Parts of an edge between which it is on rows of the image."""
-    if 0.0 <= min(start, start + way) and max(start, start + way) < last:
+    if min(start, start + way) >= 0.0 and max(start, start + way) < last:
         return 0.0, 1.0
     if way == 0.0:
         return 1.0, 0.0
@@ -234,9 +236,9 @@ def _see_edge(x, y, to_x, to_y, cotangent, right):  # type: ignore[no-untyped-de
     n_y, n_x = cotangent.shape
     d_x, d_y = to_x - x, to_y - y
     if min(x, to_x) >= 0.0 and max(x, to_x) < n_x and min(y, to_y) >= 0.0 and max(y, to_y) < n_y:
-        j, i = np.int32(x), np.int32(y)
-        if j == np.int32(to_x) and i == np.int32(to_y):  # most edges are in one pixel
-            a, b = np.uintp(i), np.uintp(j)
+        j, k = np.int32(x), np.int32(y)
+        if j == np.int32(to_x) and k == np.int32(to_y):  # most edges are in one pixel
+            a, b = np.uintp(k), np.uintp(j)
             here = 0.5 * cotangent[a, b]
             ahead = j + 1.0 - 0.5 * (x + to_x)
             return d_y * (right[a, b + _ONE] + 2 * here * ahead), here, here
@@ -353,7 +355,7 @@ def densities_back(  # type: ignore[no-untyped-def]
                     if 0 <= x < cotangent.shape[1] and 0 <= y < cotangent.shape[0]:
                         d_half += cotangent[int(y), int(x)]
                     continue
-                mean = d_density[i + 1, j + 1, triangle] / area  # of the cotangent, over the triangle
+                mean = d_density[i + 1, j + 1, triangle] / area  # over the triangle
                 d_half += mean
                 d_area = -0.5 * mean * density[i + 1, j + 1, triangle]
                 a, c, e = a - begin, c - begin, e - begin

@@ -120,12 +120,11 @@ class FusedCollimatedRays:
             flux, sums = _together([(flux, sums), self._still_light[2:]])
         return self._face.light(flux, sums, self._before)
 
-
-    def nodes(self, heights: Tensor) -> Nodes:
+    def nodes(self, heights: Mapping[str, Tensor]) -> Nodes:
         """Trace the corners of cells of light; see `workbench.optics.light.BeamTracer`."""
         spread = make_spread(self._screen, BoxFilter(), self._kind)
         landing = Landing(_Passes(self, self._moving, spread))
-        traced = trace(heights, self._level, self._dtype, landing)
+        traced = trace(heights[self._face.name], self._level, self._dtype, landing)
         return Nodes(*self._face.light(*traced, self._before))
 
 
@@ -192,7 +191,13 @@ class _Passes(GridPasses):
         columns = spread.column_0 + spread.per_x * across.place
         rows = spread.row_0 + spread.per_y * up.place
         kind = spread.per_x.dtype
-        self._light = columns.astype(kind), rows.astype(kind), across.share, up.share, source._optics
+        self._light = (
+            columns.astype(kind),
+            rows.astype(kind),
+            across.share,
+            up.share,
+            source._optics,
+        )
         self._arriving = float(source._optics.arriving)
         shares = float(across.share.sum(dtype=float) * up.share.sum(dtype=float))
         self._flux = self.copies * shares * self._arriving

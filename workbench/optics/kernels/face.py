@@ -130,11 +130,11 @@ class FusedFaceSamples:
         light = trace(heights[self._face.name], self._level, self._dtype, _Passes(self, spread))
         return self._face.light(*light, self._before)
 
-    def nodes(self, heights: Tensor) -> Nodes:
+    def nodes(self, heights: Mapping[str, Tensor]) -> Nodes:
         """Trace the corners of cells of light; see `workbench.optics.light.BeamTracer`."""
         spread = make_spread(self._screen, BoxFilter(), self._kind)
         landing = Landing(_Passes(self, spread))
-        traced = trace(heights, self._level, self._dtype, landing)
+        traced = trace(heights[self._face.name], self._level, self._dtype, landing)
         return Nodes(*self._face.light(*traced, self._before))
 
     def steps(self, heights: AnyArray) -> int:

@@ -56,8 +56,8 @@ def make_axis(
     first, value = local_basis(knots, degree, t)
     slope = local_basis(knots, degree, t, derivative=1)[1] / (2 * r)
     wide = np.ones(len(t), kind) if share is None else share.astype(kind)
-    place, first = (2 * t - 1) * r, first.astype(np.uintp)
-    return Axis(place, first, value.astype(kind), slope.astype(kind), wide)
+    place = (2 * t - 1) * r
+    return Axis(place, first.astype(np.uintp), value.astype(kind), slope.astype(kind), wide)
 
 
 @jit()

@@ -54,4 +54,4 @@ def _seeing(axis: Axis, free: Mask) -> tuple[int, int]:
 
 def _cut(axis: Axis, begin: int, end: int | None) -> Axis:
     part = slice(begin, end)
-    return Axis(*(values[part] for values in axis))
+    return Axis._make(values[part] for values in axis)

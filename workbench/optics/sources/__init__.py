@@ -20,6 +20,7 @@ Array = npt.NDArray[np.float64]
 
 __all__ = ["CollimatedEmitter", "Emitter", "PointEmitter", "emitter_of"]
 
+
 class Emitter(Protocol):
     """Emits rays.
 

@@ -8,7 +8,7 @@ import torch
 from torch import Tensor
 
 from workbench.optics.emission import emit
-from workbench.optics.entering import entering
+from workbench.optics.entering import intensity_of
 from workbench.optics.rays import RayBundle, Vector
 from workbench.optics.samples import Corners, Samples, places, places_of_points
 from workbench.scene import Lens, LightOfPoints
@@ -69,7 +69,6 @@ class PointEmitter:
     def _through_corners(self, corners: Corners) -> RayBundle:
         """Rays through corners of cells of the entrance face, shape (m_x, m_y for each point)."""
         lens, points = self.lens, self.source.positions
-        light = entering(self.source, lens)
         across, up = places(corners, 0), places_of_points(corners, 1, len(points))
         r_x, r_y = lens.half_width
         point = np.repeat(np.arange(len(points)), len(up.part) // len(points))
@@ -84,7 +83,7 @@ class PointEmitter:
         distance = np.linalg.norm(away, axis=0)
         cos = away[2] / distance
         area = 4 * r_x * r_y * (across.high - across.low)[:, None] * (up.high - up.low)
-        flux = light.intensity * cos / distance**2 * area
+        flux = intensity_of(self.source, lens) * cos / distance**2 * area
         if self.source.emission == "lambertian":
             flux *= cos
         place = np.broadcast_arrays(x[:, None], y, lens.entrance_z * np.ones_like(cos))

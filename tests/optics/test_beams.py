@@ -1,0 +1,266 @@
+"""The image of beams of light: exact cases, its twin, its gradient, and light that folds."""
+
+import numpy as np
+import pytest
+import torch
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from workbench.geometry.surface import ControlNet
+from workbench.optics.beam_plan import BeamPlan
+from workbench.optics.beams import beam_image
+from workbench.optics.plan import Plan
+from workbench.optics.samples import Corners, places, places_of_points
+from workbench.scene import BoxFilter
+
+
+def splits(shape):
+    """Of one grid with rays in n rows of m."""
+    n, m = shape
+    return places(Corners(m - 1, n - 1), 0).split, places(Corners(m - 1, n - 1), 1).split
+
+
+def nodes_of(column, row, flux=None):
+    column, row = np.broadcast_arrays(column, row)
+    if flux is None:
+        n, m = column.shape
+        flux = np.ones((n, m)) / ((n - 1) * (m - 1))
+        flux[[0, -1]] /= 2
+        flux[:, [0, -1]] /= 2
+    return torch.tensor(np.stack([column, row, flux]))
+
+
+def image_of(nodes, pixels, fused=True):
+    image, landed = beam_image(nodes, pixels, splits(nodes.shape[1:]), fused)
+    return image, landed
+
+
+@pytest.fixture
+def bent(rng):
+    """Rays of a map with folds, of which some leave the image."""
+    u, v = np.meshgrid(np.linspace(0, 1, 9), np.linspace(0, 1, 7))
+    column = 10 * u + 2.5 * np.sin(7 * v + 3 * u) + 0.8 * rng.standard_normal(u.shape)
+    row = 8 * v + 2.0 * np.cos(6 * u) + 0.8 * rng.standard_normal(u.shape)
+    return nodes_of(column, row, rng.random(u.shape))
+
+
+BOTH = pytest.mark.parametrize("fused", [True, False], ids=["kernel", "reference"])
+
+
+@BOTH
+@pytest.mark.parametrize("cells", [(1, 1), (2, 3), (40, 31)])
+def test_even_light_on_a_rectangle_is_exact_in_each_pixel(fused, cells):
+    column = np.linspace(1.25, 6.5, cells[0] + 1)[None, :]
+    row = np.linspace(5.75, 0.5, cells[1] + 1)[:, None]
+    image, landed = image_of(nodes_of(column, row), (8, 6), fused)
+    wide = np.array([0, 0.75, 1, 1, 1, 1, 0.5, 0])
+    high = np.array([0.5, 1, 1, 1, 1, 0.75])
+    np.testing.assert_allclose(image, np.outer(high, wide) / (5.25 * 5.25), rtol=0, atol=1e-13)
+    assert landed == pytest.approx(1, abs=1e-12)
+
+
+@BOTH
+def test_a_turned_square_is_exact_in_each_pixel(fused):
+    # Its corners are in the middles of the sides of an image of 2 × 2 pixels.
+    column, row = np.array([[1.0, 2.0], [0.0, 1.0]]), np.array([[0.0, 1.0], [1.0, 2.0]])
+    image, _ = image_of(nodes_of(column, row), (2, 2), fused)
+    np.testing.assert_allclose(image, np.full((2, 2), 0.25), atol=1e-15)
+
+
+@BOTH
+def test_light_beside_the_image_is_left_out_of_it(fused):
+    column = np.linspace(-3.0, 7.0, 11)[None, :]
+    row = np.linspace(-2.0, 8.0, 6)[:, None]
+    image, landed = image_of(nodes_of(column, row), (4, 6), fused)
+    np.testing.assert_allclose(image, np.full((6, 4), 0.01), atol=1e-15)
+    assert landed == pytest.approx(1, abs=1e-14)
+
+
+@BOTH
+def test_light_that_folds_over_itself_adds_up(fused):
+    column = np.array([0.0, 37 / 14, 1.0])[None, :]  # the middle rays are shifted to 3
+    row = np.array([0.0, 1.0])[:, None]
+    flux = np.array([[0.25, 0.5, 0.25]] * 2) / 2
+    image, _ = image_of(nodes_of(column, row, flux), (3, 1), fused)
+    np.testing.assert_allclose(image, [[0.5 / 3, 0.5 / 3 + 0.25, 0.5 / 3 + 0.25]], atol=1e-15)
+
+
+@BOTH
+def test_all_light_in_one_point_is_in_its_pixel(fused):
+    image, landed = image_of(nodes_of(np.full((3, 3), 1.5), np.full((3, 3), 0.5)), (3, 2), fused)
+    np.testing.assert_allclose(image, [[0, 1, 0], [0, 0, 0]], atol=1e-15)
+    assert landed == pytest.approx(1, abs=1e-15)
+
+
+@BOTH
+def test_cells_with_a_ray_that_goes_nowhere_are_dark(fused):
+    column = np.linspace(0.0, 4.0, 5)[None, :] * np.ones((3, 1))
+    column[0, 0] = np.inf
+    nodes = nodes_of(column, np.linspace(0.0, 2.0, 3)[:, None])
+    image, landed = image_of(nodes, (4, 2), fused)
+    # The diagonal of the first cell begins at the lost ray: both of its triangles are dark.
+    np.testing.assert_allclose(image, [[0, 1, 1, 1], [1, 1, 1, 1]] * np.array(0.125), atol=1e-14)
+    assert landed == pytest.approx(0.875, abs=1e-14)
+
+
+@BOTH
+def test_flux_is_conserved_where_light_folds(fused, bent):
+    bent[:2] += 30
+    image, landed = image_of(bent, (80, 80), fused)
+    assert image.sum().item() == pytest.approx(landed, abs=1e-12)
+    assert landed == pytest.approx(bent[2].sum().item(), abs=1e-12)
+    assert image.min() >= 0
+
+
+def test_the_kernel_equals_its_twin(bent, rng):
+    cotangent = torch.tensor(rng.standard_normal((8, 10)))
+    found = []
+    for fused in (True, False):
+        nodes = bent.clone().requires_grad_()
+        image, landed = image_of(nodes, (10, 8), fused)
+        (gradient,) = torch.autograd.grad((image * cotangent).sum(), [nodes])
+        found.append((image.detach(), gradient, landed))
+    (image, gradient, landed), (twin, twins, lands) = found
+    torch.testing.assert_close(image, twin, rtol=0, atol=1e-13)
+    torch.testing.assert_close(gradient, twins, rtol=1e-9, atol=1e-10)
+    assert landed == pytest.approx(lands, abs=1e-13)
+
+
+@BOTH
+@pytest.mark.parametrize("part", [0, 1, 2], ids=["columns", "rows", "flux"])
+def test_the_gradient_is_that_of_the_image_even_at_folds(fused, part, bent, rng):
+    cotangent = torch.tensor(rng.standard_normal((8, 10)))
+    nodes = bent.clone().requires_grad_()
+    (gradient,) = torch.autograd.grad(
+        (image_of(nodes, (10, 8), fused)[0] * cotangent).sum(), [nodes]
+    )
+    way = torch.zeros_like(bent)
+    way[part] = torch.tensor(rng.standard_normal(bent.shape[1:]))
+    step = 1e-6
+    ahead, back = (image_of(bent + s * way, (10, 8), fused)[0] for s in (step, -step))
+    rise = ((ahead - back) * cotangent).sum().item() / (2 * step)
+    assert (gradient * way).sum().item() == pytest.approx(rise, rel=1e-6, abs=1e-8)
+
+
+@settings(max_examples=30, deadline=None)
+@given(seed=st.integers(0, 10**6), spread=st.sampled_from([1e-9, 1e-3, 1.0, 50.0]))
+def test_any_rays_give_light_that_adds_up(seed, spread):
+    rng = np.random.default_rng(seed)
+    middle = rng.uniform(0, 12, (2, 1, 1))
+    column, row = middle + spread * rng.standard_normal((2, 5, 6))
+    nodes = nodes_of(column, row, rng.random((5, 6))).requires_grad_()
+    image, landed = image_of(nodes, (12, 12))
+    assert landed == pytest.approx(nodes[2].sum().item(), rel=1e-12)
+    assert image.min() >= 0
+    assert image.sum().item() <= landed * (1 + 1e-9)
+    (gradient,) = torch.autograd.grad(image.square().sum(), [nodes])
+    assert gradient.isfinite().all()
+
+
+def test_hits_infinitely_far_away_change_nothing(bent):
+    far = bent.clone()
+    far[0, 2, 3] = 1e30
+    image, _ = image_of(far, (10, 8))
+    assert image.isfinite().all()
+
+
+def test_an_image_of_a_bent_map_converges_with_the_square_of_the_cells():
+    def image(count):
+        t = np.linspace(0, 1, count + 1)
+        u, v = np.meshgrid(t, t)
+        column = 32 * (u + 0.1 * np.sin(2 * np.pi * u) * np.cos(2 * np.pi * v) / 2)
+        row = 32 * (v + 0.1 * np.cos(2 * np.pi * u) * np.sin(2 * np.pi * v) / 2)
+        return image_of(nodes_of(column, row), (32, 32))[0]
+
+    true = image(1024)
+    coarse, fine = ((image(count) - true).norm() for count in (64, 128))
+    assert fine < 0.3 * coarse
+    assert fine < 2e-4 * true.norm()
+
+
+def tracers(scene, cells=(36, 28), **options):
+    return [BeamPlan(scene, cells, fused=fused, **options) for fused in (True, False)]
+
+
+SOURCES = {
+    "collimated": {"kind": "collimated", "rays": [32, 32]},
+    "point": {"kind": "point", "position": [0.1, -0.2, -4.0], "rays": 1000},
+    "lambertian": {
+        "kind": "point",
+        "position": [0, 0, -2.0],
+        "rays": 1000,
+        "emission": "lambertian",
+    },
+    "grid": {
+        "kind": "grid",
+        "center": [0.1, 0, -4.0],
+        "half_width": [0.2, 0.1],
+        "points": [3, 2],
+        "rays": 100,
+    },
+}
+
+
+@pytest.fixture(params=SOURCES)
+def lit(request, make_scene):
+    return make_scene(
+        {
+            "source": SOURCES[request.param],
+            "screen.pixels": [20, 16],
+            "lens.control_points": [9, 8],
+        }
+    )
+
+
+@pytest.fixture
+def wavy(lit, rng):
+    flat = lit.lens.base.height + 0.01 * rng.standard_normal(ControlNet.of(lit.lens).shape)
+    return torch.tensor(flat)
+
+
+def test_compiled_beams_equal_the_reference(lit, wavy, rng):
+    cotangent = torch.tensor(rng.standard_normal((16 + 2 * 3, 20 + 2 * 4)))
+    found = []
+    for plan in tracers(lit, dtype=torch.float64):
+        heights = wavy.clone().requires_grad_()
+        image, account = plan.trace({"exit": heights}, (4, 3))
+        (gradient,) = torch.autograd.grad((image * cotangent).sum(), [heights])
+        found.append((image.detach(), gradient, account))
+    (image, gradient, account), (twin, twins, other) = found
+    torch.testing.assert_close(image, twin, rtol=0, atol=1e-11)
+    assert (gradient - twins).norm() < 1e-6 * twins.norm()
+    for name, flux in account.to_data().items():
+        assert flux == pytest.approx(other.to_data()[name], abs=1e-10), name
+
+
+def test_the_account_of_beams_adds_up(lit, wavy):
+    _, account = BeamPlan(lit, (36, 28)).trace({"exit": wavy})
+    assert account.on_screen + sum(account.lost.values()) == pytest.approx(1, abs=1e-12)
+
+
+def test_beams_and_many_rays_give_the_same_image(lit, wavy):
+    image, account = BeamPlan(lit, (400, 400), dtype=torch.float64).trace({"exit": wavy})
+    rays, others = Plan(lit, filter=BoxFilter(), samples=(2400, 2400)).trace({"exit": wavy})
+    assert (image - rays).norm() < 0.01 * rays.norm()
+    assert account.on_screen == pytest.approx(others.on_screen, abs=1e-4)
+
+
+def test_grids_of_several_points_lie_between_each_other():
+    part = places_of_points(Corners(4, 1), 0, 3).part.reshape(3, 6)
+    assert (part[:, 0] == 0).all()
+    assert (part[:, -1] == 1).all()
+    inner = np.sort(part[:, 1:-1].ravel())
+    np.testing.assert_allclose(np.diff(inner), 1 / 12)
+
+
+def test_totally_reflected_light_is_in_the_account(make_scene):
+    scene = make_scene({"lens.control_points": [8, 8], "lens.height_range": [-2.0, 2.0]})
+    # A roof whose left half is far steeper than total reflection allows.
+    ramp = np.linspace(0, 1, 8)
+    heights = torch.tensor(
+        scene.lens.base.height + np.maximum(0.4 - ramp, 0)[:, None] * np.ones(8) * 5
+    )
+    for plan in tracers(scene):
+        _, account = plan.trace({"exit": heights})
+        assert 0.2 < account.lost["total_reflection"] < 0.6
+        assert account.on_screen + sum(account.lost.values()) == pytest.approx(1, abs=1e-6)

@@ -1,0 +1,71 @@
+"""How finely `workbench.design.auto` looks at lenses: from few beams of light to many."""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+from torch import Tensor
+
+from workbench.design.wide_image import WideImage
+from workbench.optics.beam_plan import BeamPlan
+from workbench.scene import Scene
+
+Array = npt.NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Level:
+    """How many cells of light make an image.
+
+    Attributes
+    ----------
+    per_pixel, per_control_point : float
+        Cells along an axis for each pixel along it, and for each control point, at least.
+    """
+
+    per_pixel: float
+    per_control_point: float
+
+
+COARSE = Level(per_pixel=2.0, per_control_point=1.3)
+FINE = Level(per_pixel=4.0, per_control_point=2.6)
+"""The last level, by whose image all lenses are judged."""
+
+LEVELS = (COARSE, FINE)
+
+_MOST_CELLS = 8192
+# Cells of each of many points, at least.
+_FEWEST_CELLS = 24
+# Cells that tell how far the light of a lens reaches.
+_FEW_CELLS = (128, 128)
+
+
+def image_of(level: Level, scene: Scene, target: Array, reach: tuple[float, float]) -> WideImage:
+    """The image by which a level compares lenses.
+
+    Parameters
+    ----------
+    level : Level
+        Says how many cells make it.
+    scene : Scene
+        The design task.
+    target : ndarray, shape (n_y, n_x)
+        The wanted image in any scale, row 0 at +y.
+    reach : tuple[float, float]
+        As for `WideImage`; see `reach_of`.
+    """
+    points = math.sqrt(scene.source.point_count)
+    cells = [
+        max(level.per_pixel * pixels, level.per_control_point * count) / points
+        for pixels, count in zip(scene.screen.pixels, scene.lens.control_points, strict=True)
+    ]
+    # An even number makes a mirrored lens a mirrored image.
+    m_x, m_y = (min(max(2 * math.ceil(count / 2), _FEWEST_CELLS), _MOST_CELLS) for count in cells)
+    return WideImage(scene, target, (m_x, m_y), reach)
+
+
+def reach_of(scene: Scene, heights: Mapping[str, Tensor]) -> tuple[float, float]:
+    """How far from the axis, along x and y, the light of a lens falls; scene units."""
+    return BeamPlan(scene, _FEW_CELLS).reach(heights)
