@@ -209,8 +209,8 @@ def test_history_gathers_the_best_lens_and_all_losses(scene, disc):
     for snapshot in run(scene, disc, start=result.state.heights):
         continued.add(snapshot)
     both = continued.result()
-    assert both.losses[:30].tolist() == result.losses.tolist()
-    assert both.iterations > 30
+    assert both.losses[: len(result.losses)].tolist() == result.losses.tolist()
+    assert both.iterations > result.iterations
     assert both.seconds > result.seconds
     assert (np.diff(both.times()) > 0).all() and both.times()[-1] == both.seconds
 

@@ -31,7 +31,8 @@ def c_transform(potential: Array, weight_0: float, weight_1: float) -> Array:
     ndarray, shape (m_0, m_1)
         φᶜ on the same grid.
     """
-    return _lowest_along_rows(_lowest_along_rows(-potential, weight_1), weight_0)
+    rows = np.ascontiguousarray(-potential)  # other layouts would be compiled anew
+    return _lowest_along_rows(_lowest_along_rows(rows, weight_1), weight_0)
 
 
 def _lowest_along_rows(values: Array, weight: float) -> Array:
