@@ -21,7 +21,7 @@ ACCURACY = 1e-3
 
 # Cells for all points of the source together: of the first three levels at most, some seconds on
 # two cores, and of any later one.
-_BEGIN, _MOST = 1 << 24, 1 << 26
+_BEGIN, _MOST = 1 << 22, 1 << 26
 # Least cells along an axis: as a rule, and where a source has many points.
 _ENOUGH, _FEWEST = 32, 8
 # From level to level the error is taken to fall by such a factor at most, and at least.
