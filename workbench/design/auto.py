@@ -13,7 +13,6 @@
 
 from collections.abc import Callable, Generator
 from functools import partial
-from itertools import islice
 from typing import NamedTuple
 
 import numpy as np
@@ -23,7 +22,7 @@ from scipy.ndimage import binary_dilation
 from torch import Tensor
 
 from workbench.design.heights import HeightRange, Mask
-from workbench.design.lbfgs import Evaluation, Objective, minimise
+from workbench.design.lbfgs import Evaluation, minimise
 from workbench.design.levels import COARSE, FINE, LEVELS, Level, image_of, reach_of
 from workbench.design.loss import check_gradient
 from workbench.design.room import Room
@@ -41,21 +40,23 @@ Array = npt.NDArray[np.float64]
 _REACH = 0.3
 # Waves with more periods per lens than this are made small in proportion.
 _CUT = 4.0
-# A level ends when so many steps together lower the square of the error by less than this part.
-_PATIENCE = {COARSE: (5, 0.1), FINE: (10, 0.05)}
+# A level ends when so many steps together make the image better by less than this part.
+_PATIENCE = {COARSE: (5, 0.05), FINE: (10, 0.05)}
 # A coarse level ends as soon as its error differs from the true one by more than this part of it.
 _TRUSTED = 0.15
-_STEPS, _GAIN = _PATIENCE[FINE]
-_SLOW = f"converged: less than {100 * (1 - (1 - _GAIN) ** 0.5):.2g} % better in {_STEPS} iterations"
+# The finest image cannot tell smaller errors from its own.
+_SMALLEST = 1e-3
+_SLOW = "converged: less than {1:.0%} better in {0} iterations".format(*_PATIENCE[FINE])
+_SMALL = f"converged: error below {_SMALLEST:.1%}"
 _LOWEST = "converged: no step makes the image better"
 
 
 class _Judged(NamedTuple):
-    """A lens, its error in the image of its level, and in the finest image."""
+    """A lens, its error in the image of its level, and its error in the finest image."""
 
     step: Step
     own: float
-    judged: float
+    error: float
 
 
 def auto_steps(room: Room) -> Generator[Step, None, str]:
@@ -96,9 +97,9 @@ def auto_steps(room: Room) -> Generator[Step, None, str]:
         judge = image_of(FINE, scene, target, reach)
     steps = _descend(
         lambda level: judge if level is FINE else image_of(level, scene, target, reach),
-        partial(_objective, judge=judge, free=free, smoothness=smoothness),
+        partial(_evaluated, judge=judge, free=free, smoothness=smoothness),
         parameters,
-        mirrored,
+        Waves(parameters, _CUT, mirrored),
         scene.run.iterations + goes_on,
     )
     if goes_on:
@@ -108,9 +109,9 @@ def auto_steps(room: Room) -> Generator[Step, None, str]:
 
 def _descend(
     image_for: Callable[[Level], WideImage],
-    objective_of: Callable[[WideImage, Tensor, Waves], Objective[_Judged]],
+    evaluated: Callable[[WideImage, Tensor, Tensor], Evaluation[_Judged]],
     parameters: Tensor,
-    mirrored: tuple[bool, bool],
+    waves: Waves,
     left: int,
 ) -> Generator[Step, None, str]:
     """Minimise at one level after the other, for as many steps as are left.
@@ -118,31 +119,41 @@ def _descend(
     Returns
     -------
     str
-        Why the last one ended of its own accord.
+        Why it ended of its own accord.
     """
-    for level in LEVELS:
-        waves = Waves(parameters, _CUT, mirrored)
-        base, length = parameters, _longest_change(waves)
-        objective = objective_of(image_for(level), base, waves)
-        steps = minimise(objective, waves.nothing, _REACH, length)
-        best: list[float] = []
-        for x, found in islice(steps, left):
-            parameters = base + waves.change(x)
-            yield found.seen.step
-            left -= 1
-            best.append(min([found.value, *best[-1:]]))
-            patience, progress = _PATIENCE[level]
-            if len(best) > patience and best[-1] > (1 - progress) * best[-1 - patience]:
-                ended = _SLOW
-                break
-            if (
-                abs(found.seen.own - found.seen.judged) > _TRUSTED * found.seen.judged
-                and level is not FINE
-            ):
-                break
-        else:
-            ended = _LOWEST
-    return ended
+    levels = iter(LEVELS)
+    level = next(levels)
+    image = image_for(level)
+
+    def objective(x: Tensor) -> Evaluation[_Judged]:
+        x = x.detach().requires_grad_()
+        return evaluated(image, x, parameters + waves.change(x))
+
+    steps = minimise(objective, waves.nothing, _REACH, _longest_change(waves))
+    errors: list[float] = []  # squares of the lowest ones of this level
+    for _ in range(left):
+        try:
+            _, found = next(steps)
+        except StopIteration:
+            return _LOWEST
+        judged = found.seen
+        yield judged.step
+        errors.append(min([found.value, *errors[-1:]]))
+        slow = _is_slow(errors, *_PATIENCE[level])
+        if judged.error < _SMALLEST:
+            return _SMALL
+        if level is FINE and slow:
+            return _SLOW
+        if slow or abs(judged.own - judged.error) > _TRUSTED * judged.error:
+            level, errors = next(levels, FINE), []
+            image = image_for(level)
+            steps.send(True)  # what is known of the curvature stays good
+    return _LOWEST
+
+
+def _is_slow(best: list[float], steps: int, gain: float) -> bool:
+    """Whether the last steps have made an error better by less than a part; of its squares."""
+    return len(best) > steps and best[-1] > (1 - gain) ** 2 * best[-1 - steps]
 
 
 def _joined(first: Array, before: Array, locked: Mask | None) -> Array:
@@ -156,37 +167,32 @@ def _joined(first: Array, before: Array, locked: Mask | None) -> Array:
     return np.asarray(first + (before - first)[rim].mean())
 
 
-def _objective(
+def _evaluated(
     image: WideImage,
-    base: Tensor,
-    waves: Waves,
+    x: Tensor,
+    parameters: Tensor,
     *,
     judge: WideImage,
     free: HeightRange,
     smoothness: Smoothness | None,
-) -> Objective[_Judged]:
-    """What a level minimises over amplitudes of waves, and what ``judge`` says of each lens."""
-
-    def objective(x: Tensor) -> Evaluation[_Judged]:
-        x = x.detach().requires_grad_()
-        heights = free.heights(base + waves.change(x))
-        error, step = image.compare(heights)
-        value = error.square().sum()
-        if smoothness is not None:
-            penalty = smoothness.penalty(heights)
-            value = value + penalty
-        (gradient,) = torch.autograd.grad(value, [x])
-        check_gradient(gradient)
-        own = judged = error.detach().norm().item()
-        if image is not judge:
-            with torch.no_grad():
-                error, step = judge.compare(heights)
-            judged = error.norm().item()
-        if smoothness is not None:
-            step = smoothness.judged(step, penalty)
-        return Evaluation(value.item(), gradient, _Judged(step, own, judged))
-
-    return objective
+) -> Evaluation[_Judged]:
+    """What a level minimises over x, from which parameters come, and what ``judge`` says of it."""
+    heights = free.heights(parameters)
+    error, step = image.compare(heights)
+    value = error.square().sum()
+    if smoothness is not None:
+        penalty = smoothness.penalty(heights)
+        value = value + penalty
+    (gradient,) = torch.autograd.grad(value, [x])
+    check_gradient(gradient)
+    own = fine = error.detach().norm().item()
+    if image is not judge:
+        with torch.no_grad():
+            error, step = judge.compare(heights)
+        fine = error.norm().item()
+    if smoothness is not None:
+        step = smoothness.judged(step, penalty)
+    return Evaluation(value.item(), gradient, _Judged(step, own, fine))
 
 
 def _longest_change(waves: Waves) -> Callable[[Tensor], float]:

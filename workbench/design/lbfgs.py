@@ -2,7 +2,7 @@
 
 import math
 from collections import deque
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Generator
 from typing import Generic, NamedTuple, TypeVar
 
 import torch
@@ -32,7 +32,7 @@ def minimise(
     x: Tensor,
     reach: float = math.inf,
     length: Callable[[Tensor], float] = lambda step: step.abs().max().item(),
-) -> Iterator[tuple[Tensor, Evaluation[Seen]]]:
+) -> Generator[tuple[Tensor, Evaluation[Seen]], bool | None, None]:
     """Descend from ``x`` until no step along the search direction goes further down.
 
     Parameters
@@ -49,7 +49,8 @@ def minimise(
     Yields
     ------
     tuple[Tensor, Evaluation]
-        The beginning, then each accepted point.
+        The beginning, then each accepted point. Whoever has changed the objective sends True, and
+        gets the same point with its new value; the curvature is taken to be about the same.
 
     Notes
     -----
@@ -60,7 +61,8 @@ def minimise(
     pairs: deque[tuple[Tensor, Tensor]] = deque(maxlen=_MEMORY)
     here = objective(x)
     while True:
-        yield x, here
+        while (yield x, here):
+            here = objective(x)
         direction = _direction(pairs, here)
         slope = torch.dot(here.gradient, direction).item()
         if not slope < 0:
