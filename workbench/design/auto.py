@@ -46,8 +46,9 @@ _PATIENCE = {COARSE: (5, 0.05), FINE: (10, 0.05)}
 _TRUSTED = 0.15
 # The finest image cannot tell smaller errors from its own.
 _SMALLEST = 1e-3
-_SLOW = "converged: less than {1:.0%} better in {0} iterations".format(*_PATIENCE[FINE])
-_SMALL = f"converged: error below {_SMALLEST:.1%}"
+_STEPS, _GAIN = _PATIENCE[FINE]
+_SLOW = f"converged: less than {100 * _GAIN:g} % better in {_STEPS} iterations"
+_SMALL = f"converged: error below {100 * _SMALLEST:g} %"
 _LOWEST = "converged: no step makes the image better"
 
 
