@@ -40,17 +40,23 @@ _LOG = logging.getLogger(__name__)
 _failures: list[str] = []
 
 
-def jit(**options: Any) -> Callable[[Callable[..., Any]], Any]:
+def jit(*, allocates: bool = True, **options: Any) -> Callable[[Callable[..., Any]], Any]:
     """Compile a function at its first call with each signature, or take its code from disk.
 
     Parameters
     ----------
+    allocates : bool
+        Whether it, or what it calls, makes arrays or slices of arrays. One that does not needs no
+        count of who holds its arrays; otherwise numba may count at each call of a function that is
+        inlined, and all threads wait for the same counters.
     **options
         Those of `numba.njit`; compiled code never holds Python's lock.
     """
 
     def decorate(function: Callable[..., Any]) -> Any:
-        kernel = numba.njit(nogil=True, pipeline_class=_Compiler, **options)(function)
+        kernel = numba.njit(nogil=True, pipeline_class=_Compiler, _nrt=allocates, **options)(
+            function
+        )
         kernel._cache = _Kept(function)
         return kernel
 

@@ -28,20 +28,20 @@ EVEN = 1e-6
 _ZERO, _ONE = np.uintp(0), np.uintp(1)
 
 
-@jit(error_model="numpy", forceinline=True)
+@jit(allocates=False, error_model="numpy", forceinline=True)
 def _inner(parts, k):  # type: ignore[no-untyped-def]
     """Whether a node has neighbours on both sides in its grid, at the same distance."""
     return abs(parts[k, 0] - 0.5) < EVEN
 
 
-@jit(error_model="numpy", forceinline=True)
+@jit(allocates=False, error_model="numpy", forceinline=True)
 def _bend(before, here, after):  # type: ignore[no-untyped-def]
     """Second difference of hits; infinite where one of them is missing or far away."""
     bend = np.float64(before) + np.float64(after) - 2.0 * np.float64(here)
     return bend if abs(bend) < FARTHEST else np.inf
 
 
-@jit(error_model="numpy")
+@jit(allocates=False, error_model="numpy")
 def shift(hits, parts, begin, end, shifted):  # type: ignore[no-untyped-def]
     """Shift the hits of some rows of nodes.
 
@@ -74,7 +74,7 @@ def shift(hits, parts, begin, end, shifted):  # type: ignore[no-untyped-def]
             shifted[i, j] = min(max(place, -FARTHEST), FARTHEST)
 
 
-@jit(error_model="numpy")
+@jit(allocates=False, error_model="numpy")
 def shift_back(hits, parts, cotangent, begin, end, result):  # type: ignore[no-untyped-def]
     """Adjoint of `shift`, for some rows of nodes.
 

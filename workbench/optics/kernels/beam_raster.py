@@ -28,7 +28,7 @@ ROUNDING = 1e-15
 FARTHEST = 1e7
 
 
-@jit(error_model="numpy", forceinline=True)
+@jit(allocates=False, error_model="numpy", forceinline=True)
 def _corners(i, j, triangle):  # type: ignore[no-untyped-def]
     """Nodes of a triangle, in the order of its edges."""
     if (i + j) % 2 == 0:
@@ -40,7 +40,7 @@ def _corners(i, j, triangle):  # type: ignore[no-untyped-def]
     return i + 1, j, i + 1, j + 1, i, j + 1
 
 
-@jit(error_model="numpy", forceinline=True)
+@jit(allocates=False, error_model="numpy", forceinline=True)
 def _half_flux(flux, parts, i, j):  # type: ignore[no-untyped-def]
     """Flux of each of the two triangles of a cell."""
     along_u, along_v = parts
@@ -51,7 +51,7 @@ def _half_flux(flux, parts, i, j):  # type: ignore[no-untyped-def]
     )
 
 
-@jit(error_model="numpy")
+@jit(allocates=False, error_model="numpy")
 def densities(column, row, flux, parts, begin, end, density, image):  # type: ignore[no-untyped-def]
     """Flux per area of triangles, for cells with numbers from ``begin`` to ``end`` along u.
 
@@ -100,7 +100,7 @@ def densities(column, row, flux, parts, begin, end, density, image):  # type: ig
     return lands
 
 
-@jit(error_model="numpy", forceinline=True)
+@jit(allocates=False, error_model="numpy", forceinline=True)
 def _edge(kind, i, j):  # type: ignore[no-untyped-def]
     """One of the three edges that belong to a node: along u, along v, or the cell's diagonal.
 
@@ -122,7 +122,7 @@ def _edge(kind, i, j):  # type: ignore[no-untyped-def]
     return i + one, j, i, j + one, i + one, j + one, _ZERO, i + one, j + one, _ONE
 
 
-@jit(error_model="numpy", forceinline=True)
+@jit(allocates=False, error_model="numpy", forceinline=True)
 def _clip(start, way, last):  # type: ignore[no-untyped-def]
     """Parts of an edge between which it is on rows of the image."""
     if min(start, start + way) >= 0.0 and max(start, start + way) < last:
@@ -133,14 +133,14 @@ def _clip(start, way, last):  # type: ignore[no-untyped-def]
     return max(min(first, second), 0.0), min(max(first, second), 1.0)
 
 
-@jit(error_model="numpy", forceinline=True)
+@jit(allocates=False, error_model="numpy", forceinline=True)
 def _pixel(place, way, last):  # type: ignore[no-untyped-def]
     """Column that an edge enters at a place; −1 and ``last`` for all beside the image."""
     entered = np.floor(place) if way >= 0.0 else np.ceil(place) - 1.0
     return int(min(max(entered, -1.0), last))
 
 
-@jit(error_model="numpy", forceinline=True)
+@jit(allocates=False, error_model="numpy", forceinline=True)
 def _leaves(pixel, start, way, per_way, last):  # type: ignore[no-untyped-def]
     """Part of an edge at which it leaves a column."""
     if way > 0.0:
@@ -150,7 +150,7 @@ def _leaves(pixel, start, way, per_way, last):  # type: ignore[no-untyped-def]
     return np.inf
 
 
-@jit(error_model="numpy", forceinline=True)
+@jit(allocates=False, error_model="numpy", forceinline=True)
 def _add_edge(x, y, to_x, to_y, jump, steps):  # type: ignore[no-untyped-def]
     """Add what crosses an edge to ``steps``: what a pixel has more than its left neighbour."""
     n_y, n_x = steps.shape[0], steps.shape[1] - 1
@@ -199,7 +199,7 @@ def _add_edge(x, y, to_x, to_y, jump, steps):  # type: ignore[no-untyped-def]
             leaves_y = _leaves(i, y, d_y, per_y, n_y)
 
 
-@jit(error_model="numpy")
+@jit(allocates=False, error_model="numpy")
 def add_edges(column, row, density, begin, end, steps):  # type: ignore[no-untyped-def]
     """Add what crosses the edges that belong to nodes from ``begin`` to ``end`` along u.
 
@@ -223,7 +223,7 @@ def add_edges(column, row, density, begin, end, steps):  # type: ignore[no-untyp
                 _add_edge(column[a, b], row[a, b], column[c, d], row[c, d], jump, steps)
 
 
-@jit(error_model="numpy", forceinline=True)
+@jit(allocates=False, error_model="numpy", forceinline=True)
 def _see_edge(x, y, to_x, to_y, cotangent, right):  # type: ignore[no-untyped-def]
     """Integrals of a cotangent of the image along an edge.
 
@@ -279,7 +279,7 @@ def _see_edge(x, y, to_x, to_y, cotangent, right):  # type: ignore[no-untyped-de
     return beside * d_y, from_start, to_end
 
 
-@jit(error_model="numpy")
+@jit(allocates=False, error_model="numpy")
 def edges_back(column, row, density, cotangent, right, begin, end, d_column, d_row, d_density):  # type: ignore[no-untyped-def]
     """Adjoint of `add_edges`, for nodes from ``begin`` to ``end`` along u.
 
@@ -321,7 +321,7 @@ def edges_back(column, row, density, cotangent, right, begin, end, d_column, d_r
                 d_density[n, o, p] += beside
 
 
-@jit(error_model="numpy")
+@jit(allocates=False, error_model="numpy")
 def densities_back(  # type: ignore[no-untyped-def]
     column, row, density, parts, cotangent, d_density, begin, end, d_column, d_row, d_flux
 ):
