@@ -52,11 +52,10 @@ def jit(*, allocates: bool = True, **options: Any) -> Callable[[Callable[..., An
     **options
         Those of `numba.njit`; compiled code never holds Python's lock.
     """
+    made: dict[str, Any] = {"nogil": True, "pipeline_class": _Compiler, "_nrt": allocates}
 
     def decorate(function: Callable[..., Any]) -> Any:
-        kernel = numba.njit(nogil=True, pipeline_class=_Compiler, _nrt=allocates, **options)(
-            function
-        )
+        kernel = numba.njit(**made, **options)(function)
         kernel._cache = _Kept(function)
         return kernel
 
