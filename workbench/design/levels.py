@@ -29,8 +29,8 @@ class Level:
     per_control_point: float
 
 
-COARSE = Level(per_pixel=2.0, per_control_point=1.3)
-FINE = Level(per_pixel=4.0, per_control_point=2.6)
+COARSE = Level(per_pixel=1.5, per_control_point=1.3)
+FINE = Level(per_pixel=3.0, per_control_point=2.6)
 """The last level, by whose image all lenses are judged."""
 
 LEVELS = (COARSE, FINE)
