@@ -19,7 +19,7 @@ Array = npt.NDArray[np.float64]
 # Light and target are first carried on grids of half as many cells along each axis, down to this.
 _COARSEST = 64
 # A few rounds bring most pairs of images as near as a grid allows; one bright pixel takes more.
-_MOST_ROUNDS = 60
+MOST_ROUNDS = 60
 # It is enough when light and target are this near to each other, in cells: a root mean square over
 # both directions. What a further round brings nearer then is the rounding of maps to cells.
 _NEAR = 0.25
@@ -39,9 +39,17 @@ class Transport:
         Mass of the cells of equal grids with spacing 1; each sums to 1.
     weights : tuple[float, float]
         w along the two axes.
+    rounds : int
+        At most so many on the grid itself; see `improve`.
     """
 
-    def __init__(self, source: Array, target: Array, weights: tuple[float, float]) -> None:
+    def __init__(
+        self,
+        source: Array,
+        target: Array,
+        weights: tuple[float, float],
+        rounds: int = MOST_ROUNDS,
+    ) -> None:
         self._target, self._weights = target, weights
         self._waves = _laplacian(source.shape, weights)
         # Each potential has a step of its own: that of a dim wide image may be a thousand times
@@ -56,16 +64,16 @@ class Transport:
             self._progress = _COARSE_PROGRESS
             self._there = np.zeros_like(source)
             self._steps = (4 / max(source.max(), target.max()),) * 2
-        self.improve(source)
+        self.improve(source, rounds)
 
-    def improve(self, source: Array) -> None:
-        """Go on for a source that has changed a little."""
+    def improve(self, source: Array, rounds: int = MOST_ROUNDS) -> None:
+        """Go on for a source that has changed a little, for so many rounds or fewer."""
         target, weights = self._target, self._weights
         there, back = self._there, c_transform(self._there, *weights)
         value = float((there * source).sum() + (back * target).sum())
         step, step_back = self._steps
         nearest, idle = math.inf, 0
-        for _ in range(_MOST_ROUNDS):
+        for _ in range(rounds):
             before = step, step_back
             there, back, value, step, far = self._climb(there, back, source, target, value, step)
             back, there, value, step_back, far_back = self._climb(

@@ -11,15 +11,18 @@ The flux on the face and the heights in 2 depend on the face itself: all of it i
 
 import math
 from collections.abc import Iterator
+from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 import torch
 
 from workbench.design.limits import HeightLimits, bounded
+from workbench.design.loss import share
 from workbench.design.transport.back_and_forth import Transport
 from workbench.design.transport.face import SlopeFit
 from workbench.geometry.surface import ControlNet
+from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.glass import Glass
 from workbench.optics.path import Path
 from workbench.optics.reference import Reference
@@ -30,6 +33,11 @@ Array = npt.NDArray[np.float64]
 # Cells along each axis, of lens and screen alike; finer nets get more places for their slopes.
 _CELLS = 256
 _FITS = 2
+# Rounds of transport on the finest grid for a quick lens. Where the error of its image is less than
+# this, the descent does the rest sooner; else as many rounds follow as bring light nearer, and the
+# better one of both lenses is taken: each may be much better than the other.
+_FEW_ROUNDS, _GOOD = 1, 0.06
+_CELLS_PER_PIXEL, _MOST_CELLS = 2, 1024
 # Where no face could bend the light as wanted, the normal is kept along the axis by this part of
 # what it is where light goes straight on, n − 1.
 _UPRIGHT = 0.1
@@ -66,28 +74,59 @@ def transport_start(scene: Scene, target: Array) -> Array | None:
     heights, flux = next(passing, (None, None))
     if heights is None or flux is None:
         return None
-    transport = Transport(flux, wanted, (float(weights[0]), float(weights[1])))
-    for turn in range(2):
-        if turn > 0:
-            passed = light.flux(heights)
-            # A lens that reflects all of it totally is improved blindly.
-            transport.improve(flux if passed is None else passed)
+    transport = Transport(flux, wanted, (float(weights[0]), float(weights[1])), _FEW_ROUNDS)
+    faces = _Faces(scene, light, fit, limits)
+    heights = faces.bent(transport, heights)
+    # A lens that reflects all light totally is improved blindly.
+    passed = light.flux(heights)
+    flux = flux if passed is None else passed
+    transport.improve(flux, _FEW_ROUNDS)
+    heights = faces.bent(transport, heights)
+    error = _error(scene, target, limits.nearest(heights))
+    if error < _GOOD:
+        return heights
+    transport.improve(flux)
+    other = faces.bent(transport, heights)
+    return other if _error(scene, target, limits.nearest(other)) < error else heights
+
+
+class _Faces(NamedTuple):
+    """Finds faces that send light where a transport says."""
+
+    scene: Scene
+    light: "_Light"
+    fit: SlopeFit
+    limits: HeightLimits
+
+    def bent(self, transport: Transport, heights: Array) -> Array:
+        """Control heights of a face, from those of one like it."""
+        light, n, screen = self.light, self.scene.lens.index, self.scene.screen
         to_x, to_y = (
-            ((2 * to + 1) / cells - 1) * half_width
+            ((2 * to + 1) / len(to) - 1) * half_width
             for to, half_width in zip(transport.map(), screen.half_width, strict=True)
         )
         for _ in range(_FITS):
-            z = fit.surface(heights)
+            z = self.fit.surface(heights)
             d_x, d_y, d_z = light.direction(z)
             out_x, out_y, out_z = to_x - light.x, to_y - light.y, screen.z - z
             length = np.sqrt(out_x**2 + out_y**2 + out_z**2)
             # Snell's law as vectors: the normal is along n d_in − d_out.
-            n = lens.index
             normal_z = np.maximum(n * d_z - out_z / length, _UPRIGHT * (n - 1))
             slope_x = -(n * d_x - out_x / length) / normal_z
             slope_y = -(n * d_y - out_y / length) / normal_z
-            heights = limits.placed(fit.heights(slope_x, slope_y))
-    return heights
+            heights = self.limits.placed(self.fit.heights(slope_x, slope_y))
+        return heights
+
+
+def _error(scene: Scene, target: Array, heights: Array) -> float:
+    """How far the image of a lens is from the target, relative to this."""
+    cells = [math.ceil(_CELLS_PER_PIXEL * pixels) for pixels in scene.screen.pixels]
+    with torch.no_grad():
+        plan = BeamPlan(scene, (min(cells[0], _MOST_CELLS), min(cells[1], _MOST_CELLS)))
+        image = plan.trace({"exit": torch.as_tensor(heights)}).flux.double().numpy()
+    wanted = share(target)
+    error = image / max(image.sum(), np.finfo(float).tiny) - wanted
+    return float(np.linalg.norm(error) / np.linalg.norm(wanted))
 
 
 def _candidates(limits: HeightLimits) -> Iterator[Array]:
