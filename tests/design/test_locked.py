@@ -130,9 +130,13 @@ def test_locks_that_are_symmetric_leave_the_lens_symmetric(small, disc):
     locked = np.zeros((12, 10), bool)
     locked[:4] = locked[-4:] = True
     *_, last = run(scene, disc, None, {"exit": locked})
+    assert "mirror symmetry: a quarter of the rays" in last.notes
     np.testing.assert_allclose(
         last.state.heights["exit"], last.state.heights["exit"][::-1], atol=1e-9
     )
+    locked[5, 3] = True
+    *_, last = run(scene, disc, None, {"exit": locked})
+    assert not any("mirror" in note for note in last.notes)
 
 
 def test_kept_heights_have_no_gradient(small, locked, rng):

@@ -253,6 +253,65 @@ def test_grids_of_several_points_lie_between_each_other():
     np.testing.assert_allclose(np.diff(inner), 1 / 12)
 
 
+MIRRORED = pytest.mark.parametrize("mirrored", [(True, False), (False, True), (True, True)])
+
+
+def symmetric(values, mirrored):
+    """Mean of values (along x first) and their mirror images."""
+    for axis in (0, 1):
+        if mirrored[axis]:
+            values = (values + values.flip(axis)) / 2
+    return values
+
+
+@MIRRORED
+@pytest.mark.parametrize("kind", ["collimated", "point"])
+@pytest.mark.parametrize("steep", [0.01, 0.1], ids=["wavy", "with total reflection"])
+def test_a_part_of_a_mirrored_lens_gives_the_whole_image(make_scene, rng, kind, steep, mirrored):
+    source = SOURCES[kind] | ({} if kind == "collimated" else {"position": [0, 0, -4.0]})
+    scene = make_scene({"source": source, "screen.pixels": [20, 16], "lens.control_points": [9, 8]})
+    wavy = scene.lens.base.height + steep * rng.standard_normal(ControlNet.of(scene.lens).shape)
+    wavy = symmetric(torch.tensor(wavy), mirrored)
+    cotangent = torch.tensor(rng.standard_normal((16 + 2 * 3, 20 + 2 * 4)))
+    found = []
+    for promise in (mirrored, (False, False)):
+        plan = BeamPlan(scene, (36, 28), dtype=torch.float64, mirrored=promise)
+        heights = wavy.clone().requires_grad_()
+        image, account = plan.trace({"exit": heights}, (4, 3))
+        (gradient,) = torch.autograd.grad((image * cotangent).sum(), [heights])
+        found.append((image.detach(), gradient, account.to_data()))
+    (image, gradient, account), (whole, gradients, accounts) = found
+    torch.testing.assert_close(image, whole, rtol=0, atol=1e-13)
+    expected = symmetric(gradients, mirrored)
+    torch.testing.assert_close(gradient, expected, rtol=1e-7, atol=1e-8 * expected.abs().max())
+    assert account == pytest.approx(accounts, abs=1e-12)
+
+
+@MIRRORED
+def test_a_part_of_a_grid_of_points_gives_the_whole_image(make_scene, rng, mirrored):
+    source = SOURCES["grid"] | {"center": [0, 0, -4.0], "points": [2, 1]}
+    scene = make_scene({"source": source, "screen.pixels": [20, 16], "lens.control_points": [9, 8]})
+    wavy = scene.lens.base.height + 0.01 * rng.standard_normal(ControlNet.of(scene.lens).shape)
+    heights = {"exit": symmetric(torch.tensor(wavy), mirrored)}
+    part, whole = (
+        BeamPlan(scene, (200, 200), dtype=torch.float64, mirrored=promise).trace(heights)
+        for promise in (mirrored, (False, False))
+    )
+    # The diagonals of cells of the second point are not mirror images of those of the first.
+    assert (part.flux - whole.flux).norm() < 1e-4 * whole.flux.norm()
+    assert part.account.to_data() == pytest.approx(whole.account.to_data(), abs=1e-6)
+
+
+def test_notes_name_what_mirror_symmetry_leaves_out(make_scene):
+    def notes(cells, mirrored):
+        return " ".join(BeamPlan(make_scene(), cells, mirrored=mirrored).notes)
+
+    assert "mirror symmetry" not in notes((36, 28), (False, False))
+    assert "mirror symmetry: half of the rays" in notes((36, 28), (True, False))
+    assert "mirror symmetry: a quarter of the rays" in notes((36, 28), (True, True))
+    assert "mirror symmetry: half of the rays" in notes((36, 27), (True, True))
+
+
 def test_totally_reflected_light_is_in_the_account(make_scene):
     scene = make_scene({"lens.control_points": [8, 8], "lens.height_range": [-2.0, 2.0]})
     # A roof whose left half is far steeper than total reflection allows.

@@ -82,7 +82,7 @@ def auto_steps(room: Room) -> Generator[Step, None, str]:
     heights = {"exit": torch.tensor(before, device=device)}
     # All lenses are judged by the finest image, so that their losses can be compared.
     reach = reach_of(scene, heights)
-    judge = image_of(FINE, scene, target, reach)
+    judge = image_of(FINE, scene, target, reach, mirrored)
     step = judge.step(heights)
     if smoothness is not None:
         step = smoothness.judged(step, smoothness.penalty(heights))
@@ -95,9 +95,9 @@ def auto_steps(room: Room) -> Generator[Step, None, str]:
     else:
         parameters = free.parameters(_joined(room.limits.nearest(room.first), before, locked))
         reach = reach_of(scene, free.heights(parameters))
-        judge = image_of(FINE, scene, target, reach)
+        judge = image_of(FINE, scene, target, reach, mirrored)
     steps = _descend(
-        lambda level: judge if level is FINE else image_of(level, scene, target, reach),
+        lambda level: judge if level is FINE else image_of(level, scene, target, reach, mirrored),
         partial(_evaluated, judge=judge, free=free, smoothness=smoothness),
         parameters,
         Waves(parameters, _CUT, mirrored),

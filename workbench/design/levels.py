@@ -42,7 +42,13 @@ _FEWEST_CELLS = 24
 _FEW_CELLS = (128, 128)
 
 
-def image_of(level: Level, scene: Scene, target: Array, reach: tuple[float, float]) -> WideImage:
+def image_of(
+    level: Level,
+    scene: Scene,
+    target: Array,
+    reach: tuple[float, float],
+    mirrored: tuple[bool, bool] = (False, False),
+) -> WideImage:
     """The image by which a level compares lenses.
 
     Parameters
@@ -55,15 +61,17 @@ def image_of(level: Level, scene: Scene, target: Array, reach: tuple[float, floa
         The wanted image in any scale, row 0 at +y.
     reach : tuple[float, float]
         As for `WideImage`; see `reach_of`.
+    mirrored : tuple[bool, bool]
+        As for `WideImage`.
     """
     points = math.sqrt(scene.source.point_count)
     cells = [
         max(level.per_pixel * pixels, level.per_control_point * count) / points
         for pixels, count in zip(scene.screen.pixels, scene.lens.control_points, strict=True)
     ]
-    # An even number makes a mirrored lens a mirrored image.
+    # An even number makes a mirrored lens a mirrored image, of which half need be traced.
     m_x, m_y = (min(max(2 * math.ceil(count / 2), _FEWEST_CELLS), _MOST_CELLS) for count in cells)
-    return WideImage(scene, target, (m_x, m_y), reach)
+    return WideImage(scene, target, (m_x, m_y), reach, mirrored)
 
 
 def reach_of(scene: Scene, heights: Mapping[str, Tensor]) -> tuple[float, float]:

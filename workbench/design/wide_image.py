@@ -36,6 +36,8 @@ class WideImage:
         Cells of the light of each point of the source along x and y; see `BeamPlan`.
     reach : tuple[float, float]
         How far from the axis light falls.
+    mirrored : tuple[bool, bool]
+        Whether all lenses are mirror images of themselves in x, in y; see `BeamPlan`.
     """
 
     def __init__(
@@ -44,10 +46,11 @@ class WideImage:
         target: Array,
         cells: tuple[int, int],
         reach: tuple[float, float],
+        mirrored: tuple[bool, bool] = (False, False),
     ) -> None:
         (n_x, n_y), (r_x, r_y) = scene.screen.pixels, scene.screen.half_width
         m_x, m_y = _margin(reach[0] / r_x, n_x), _margin(reach[1] / r_y, n_y)
-        self._plan, self._margin = BeamPlan(scene, cells), (m_x, m_y)
+        self._plan, self._margin = BeamPlan(scene, cells, mirrored=mirrored), (m_x, m_y)
         self._pixel_area = scene.screen.pixel_area
         self._on_screen = (slice(m_y, m_y + n_y), slice(m_x, m_x + n_x))
         wanted = np.pad(share(target), ((m_y, m_y), (m_x, m_x)))

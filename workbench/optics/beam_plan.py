@@ -39,6 +39,9 @@ class BeamPlan:
         Float type of the trace; by default the one that the scene needs, see `precision_of`.
     fused : bool
         False asks for the reference.
+    mirrored : tuple[bool, bool]
+        The caller's promise that heights, lens and source are mirror images of themselves in x,
+        in y. Kernels then trace one half of the rays only, if the number of cells is even.
 
     Raises
     ------
@@ -53,14 +56,14 @@ class BeamPlan:
         net: ControlNet | None = None,
         dtype: torch.dtype | None = None,
         fused: bool = True,
+        mirrored: tuple[bool, bool] = (False, False),
     ) -> None:
         net = net or ControlNet.of(scene.lens)
         needed = precision_of(scene, net)
         path = Path.of(scene, net, dtype or needed, device_of(scene), Corners(*cells))
         self._pixels, self._half_width = scene.screen.pixels, scene.screen.half_width
-        self._splits = path.emitter.splits
         self._missed = path.steps[0].missed
-        self._kernel = beam_kernel_of(path)
+        self._kernel, self._promised = beam_kernel_of(path), mirrored
         fine = dtype is None and needed == torch.float64
         self._choice = Choice(
             path, None if self._kernel is None else self._kernel.name, fused, fine
@@ -70,7 +73,7 @@ class BeamPlan:
     def notes(self) -> tuple[str, ...]:
         """What was chosen for this scene and what is left out, in words, for a run's log."""
         notes = self._choice.notes(self._tracer.notes)
-        rays = math.prod(len(split) for split in self._splits)
+        rays = math.prod(len(split) for split in self._tracer.splits)
         notes.append(f"beams of light between {rays:,} rays: no noise, and no filter")
         return (*notes, *self._choice.defects())
 
@@ -105,11 +108,15 @@ class BeamPlan:
         Light
             With an image of shape (n_y + 2 m_y, n_x + 2 m_x).
         """
-        hits, account = self._tracer.nodes(heights)
+        tracer = self._tracer
+        hits, account = tracer.nodes(heights)
         (n_x, n_y), (m_x, m_y) = self._pixels, margin
         shift = hits.new_tensor([m_x, m_y, 0.0])[:, None, None]
         wide = (n_x + 2 * m_x, n_y + 2 * m_y)
-        image, landed = beam_image(hits + shift, wide, self._splits, self._choice.fused)
+        image, landed = beam_image(hits + shift, wide, tracer.splits, self._choice.fused)
+        for axis in (0, 1):
+            if tracer.mirrored[axis]:
+                image, landed = image + image.flip(1 - axis), 2 * landed
         on_screen = image.detach()[m_y : m_y + n_y, m_x : m_x + n_x].sum(dtype=torch.float64).item()
         lost = dict(account.lost)
         lost["off_screen"] += max(landed - on_screen, 0.0)
@@ -131,4 +138,4 @@ class BeamPlan:
     def _compiled(self) -> BeamTracer:
         if self._kernel is None:
             raise TypeError("there is no kernel for this path")
-        return self._kernel(self._choice.path)
+        return self._kernel(self._choice.path, self._promised)

@@ -8,7 +8,6 @@ import torch
 from torch import Tensor
 
 from workbench.optics.kernels.beam_image import Splits
-from workbench.optics.kernels.beam_nodes import EVEN
 from workbench.optics.kernels.beam_raster import FARTHEST, ROUNDING, SLIVER
 
 
@@ -20,7 +19,7 @@ def reference_beam_image(
     along_u, along_v = (torch.as_tensor(split, device=nodes.device) for split in splits[::-1])
     column, row = (_shifted(hits.double(), (along_u, along_v)) for hits in nodes[:2])
     flux = nodes[2].double()  # of nodes, then of cells
-    flux = flux[:-1] * along_u[:-1, 1:] + flux[1:] * along_u[1:, :1]
+    flux = flux[:-1] * along_u[:-1, 1:2] + flux[1:] * along_u[1:, :1]
     flux = flux[:, :-1] * along_v[:-1, 1] + flux[:, 1:] * along_v[1:, 0]
     edges, densities, image, landed = [], [], flux.new_zeros(n_y * n_x), 0.0
     for corners, here in _triangles(column.shape):
@@ -53,7 +52,7 @@ def _shifted(hits: Tensor, parts: tuple[Tensor, Tensor]) -> Tensor:
     for axis in (0, 1):
         lines, moved = hits.transpose(0, axis), shift.transpose(0, axis)
         bend = lines[2:] + lines[:-2] - 2 * lines[1:-1]
-        inner = (parts[axis][1:-1] - 0.5).abs().amax(1)[:, None] < EVEN
+        inner = parts[axis][1:-1, 2:] > 0
         moved[1:-1] += torch.where(inner & (bend.abs() < FARTHEST), bend, 0.0)
     return torch.where(hits.isfinite(), (hits - shift / 12).clamp(-FARTHEST, FARTHEST), torch.inf)
 

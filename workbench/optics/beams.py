@@ -30,10 +30,10 @@ def beam_image(
         Columns and rows of the image in which rays hit, infinite for those that never do; and
         their flux: a ray inside the grid stands for a cell around it, one at its rim for a half or
         a quarter of one. Rays are neighbours in the grid as they are in the lens.
-    splits : tuple of two ndarray, shape (m, 2) and (n, 2)
+    splits : tuple of two ndarray, shape (m, 3) and (n, 3)
         Which parts of the flux of a ray belong to the cells before and behind it, along the last
-        axis and along the one before. Several grids may lie side by side: no flux belongs to the
-        cells between them.
+        axis and along the one before; and 1 for rays between two cells of equal width. Several
+        grids may lie side by side: no flux belongs to the cells between them.
     pixels : tuple[int, int]
         (n_x, n_y).
     fused : bool

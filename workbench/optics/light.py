@@ -3,10 +3,14 @@
 from collections.abc import Mapping
 from typing import NamedTuple, Protocol
 
+import numpy as np
+import numpy.typing as npt
 from torch import Tensor
 
 from workbench.optics.account import Account
 from workbench.scene import Filter, Screen
+
+Array = npt.NDArray[np.float64]
 
 
 class Light(NamedTuple):
@@ -47,6 +51,16 @@ class BeamTracer(Protocol):
     @property
     def notes(self) -> list[str]:
         """What is special about it, in words."""
+        ...
+
+    @property
+    def mirrored(self) -> tuple[bool, bool]:
+        """Whether the nodes are one half of all in x, in y, and the others their mirror images."""
+        ...
+
+    @property
+    def splits(self) -> tuple[Array, Array]:
+        """What `workbench.optics.beams.beam_image` takes."""
         ...
 
     def nodes(self, heights: Mapping[str, Tensor]) -> Nodes:

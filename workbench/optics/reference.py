@@ -5,6 +5,8 @@ The fused kernels are held to it by tests; where there is no kernel, it does the
 
 from collections.abc import Mapping
 
+import numpy as np
+import numpy.typing as npt
 import torch
 from torch import Tensor
 
@@ -15,6 +17,8 @@ from workbench.optics.irradiance import reconstruct
 from workbench.optics.light import Light, Nodes
 from workbench.optics.path import Path
 from workbench.scene import Filter, Screen
+
+Array = npt.NDArray[np.float64]
 
 
 class Reference:
@@ -29,9 +33,12 @@ class Reference:
     ----------
     notes : list of str
         What is special about it, in words.
+    mirrored : tuple[bool, bool]
+        It traces all rays, mirror images or not.
     """
 
     def __init__(self, path: Path) -> None:
+        self.mirrored = False, False
         self._path, face = path, SampledFace.of(path)
         self._walk = path.walk if face is None else FaceSamples(face, path).walk
         self.notes = [] if face is None else [FaceSamples.note]
@@ -61,6 +68,11 @@ class Reference:
         left = rays.flux.detach().sum(dtype=torch.float64).item()
         account = Account(left, {name: flux.item() for name, flux in lost.items()})
         return Nodes(nodes, account)
+
+    @property
+    def splits(self) -> tuple[Array, Array]:
+        """See `workbench.optics.light.BeamTracer`."""
+        return self._path.emitter.splits
 
     def flux(self, heights: Mapping[str, Tensor], screen: Screen, filter: Filter) -> Tensor:
         """The image alone, for `torch.func` transforms, which no sums survive as numbers."""

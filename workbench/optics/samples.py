@@ -8,6 +8,9 @@ import numpy.typing as npt
 
 Array = npt.NDArray[np.float64]
 
+# Cells beside a ray that differ in width by less than twice this part count as equal.
+_EVEN = 1e-6
+
 
 class Corners(NamedTuple):
     """One ray at each corner of so many cells along x and y; see `workbench.optics.beams`."""
@@ -37,9 +40,12 @@ class Places(NamedTuple):
 
     @property
     def split(self) -> Array:
-        """Parts of what each ray stands for that lie before and behind it, shape (m, 2)."""
+        """Parts of what each ray stands for that lie before and behind it; and 1 where they equal.
+
+        An array of shape (m, 3).
+        """
         behind = (self.high - self.part) / (self.high - self.low)
-        return np.stack([1 - behind, behind], axis=1)
+        return np.stack([1 - behind, behind, np.abs(behind - 0.5) < _EVEN], axis=1)
 
 
 def cells(samples: Samples) -> int:

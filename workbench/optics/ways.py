@@ -46,7 +46,7 @@ class BeamKernel(Protocol):
         """See `Kernel`."""
         ...
 
-    def __call__(self, path: Path) -> BeamTracer:
+    def __call__(self, path: Path, mirrored: tuple[bool, bool]) -> BeamTracer:
         """A tracer of the path; see `workbench.optics.beam_plan.BeamPlan`."""
         ...
 

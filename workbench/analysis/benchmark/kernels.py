@@ -12,6 +12,7 @@ from workbench.analysis.benchmark.comparison import Measured, Variant, compare, 
 from workbench.analysis.benchmark.examples import Example, Notify, wavy
 from workbench.analysis.validation import validate
 from workbench.design.loss import paper_loss, share
+from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.plan import Plan, device_of
 from workbench.optics.sources import emitter_of
 from workbench.scene import Scene
@@ -38,8 +39,10 @@ class Descent:
         Threads to compute with; as many as usual by default.
     still : ndarray of bool, shape (n_u, n_v), optional
         Control points that do not move from one call to the next.
-    **plan
-        Options of `Plan`.
+    plan_of : callable
+        `Plan` or `BeamPlan`.
+    **options
+        Their options.
     """
 
     def __init__(
@@ -49,10 +52,11 @@ class Descent:
         dtype: torch.dtype = torch.float32,
         threads: int | None = None,
         still: npt.NDArray[np.bool_] | None = None,
-        **plan: Any,
+        plan_of: Callable[..., Plan | BeamPlan] = Plan,
+        **options: Any,
     ) -> None:
         device = device_of(example.scene)
-        self._plan = Plan(example.scene, dtype=dtype, **plan)
+        self._plan = plan_of(example.scene, dtype=dtype, **options)
         self._wanted = torch.as_tensor(share(example.target), dtype=dtype, device=device)
         # The lens moves a little from one call to the next, as it does in a design: the search for
         # intersections would otherwise begin where it ends.

@@ -1,6 +1,7 @@
 """What is saved by leaving out what a scene does not need: each with and without."""
 
 from collections.abc import Callable, Iterator
+from typing import Any
 
 import numpy as np
 import torch
@@ -10,6 +11,7 @@ from workbench.analysis.benchmark.examples import Example, Notify, wavy
 from workbench.analysis.benchmark.kernels import Descent, rays_of
 from workbench.design.levels import reach_of
 from workbench.design.wide_image import WideImage
+from workbench.optics.beam_plan import BeamPlan
 
 _SECONDS = 10.0  # for each question
 
@@ -63,9 +65,10 @@ def _mirrored(*axes: bool) -> list[Variant]:
     heights = wavy(example.scene)
     heights = (heights + heights[::-1]) / 2
     heights = (heights + heights[:, ::-1]) / 2
+    beams: dict[str, Any] = {"plan_of": BeamPlan, "cells": example.scene.source.samples}
     return _pair(
-        ("a part traced, the rest mirrored", Descent(example, heights, mirrored=axes)),
-        ("all traced", Descent(example, heights)),
+        ("a part traced, the rest mirrored", Descent(example, heights, mirrored=axes, **beams)),
+        ("all traced", Descent(example, heights, **beams)),
         rays_of(example.scene),
     )
 

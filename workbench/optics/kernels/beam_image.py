@@ -37,7 +37,7 @@ def compiled_beam_image(
 def compile_for(dtype: torch.dtype) -> None:
     """Compile the kernels for a float type by an image of one cell."""
     nodes = np.zeros((3, 2, 2), kind_of(dtype))
-    splits = np.array([[0.0, 1.0], [1.0, 0.0]])
+    splits = np.array([[0.0, 1.0, 0.0], [1.0, 0.0, 0.0]])
     _back(nodes, _forward(nodes, (2, 2), (splits, splits))[2], np.zeros((2, 2)))
 
 

@@ -23,15 +23,13 @@ from workbench.compiled import jit
 from workbench.optics.kernels.beam_raster import FARTHEST
 
 _PART = 1 / 12
-# Cells beside a node that differ in width by less than twice this part count as equal.
-EVEN = 1e-6
 _ZERO, _ONE = np.uintp(0), np.uintp(1)
 
 
 @jit(allocates=False, error_model="numpy", forceinline=True)
 def _inner(parts, k):  # type: ignore[no-untyped-def]
     """Whether a node has neighbours on both sides in its grid, at the same distance."""
-    return abs(parts[k, 0] - 0.5) < EVEN
+    return parts[k, 2] > 0.0
 
 
 @jit(allocates=False, error_model="numpy", forceinline=True)

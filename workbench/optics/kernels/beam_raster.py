@@ -61,8 +61,9 @@ def densities(column, row, flux, parts, begin, end, density, image):  # type: ig
         Hits of the nodes; infinite for those without.
     flux : array, shape (n + 1, m + 1)
         Flux of the nodes; those at the rim have a half or a quarter of a cell's.
-    parts : tuple of two arrays, shape (n + 1, 2) and (m + 1, 2), float64
-        Parts of a node's flux that go to the cells before and behind it along u, and along v.
+    parts : tuple of two arrays, shape (n + 1, 3) and (m + 1, 3), float64
+        Parts of a node's flux that go to the cells before and behind it along u, and along v; and
+        1 for nodes between two cells of equal width.
     begin, end : int
         Which cells.
     density : array, shape (n + 2, m + 2, 2), float64

@@ -17,22 +17,24 @@ import torch
 from torch import Tensor
 
 from workbench.geometry.surface import ControlNet
+from workbench.optics.halves import Halves
 from workbench.optics.interfaces import Refraction
 from workbench.optics.kernels.collimated_trace import LOOPS, Optics
 from workbench.optics.kernels.exit_face import ExitFace
 from workbench.optics.kernels.function import Sums, kind_of, trace
 from workbench.optics.kernels.grid import Axis, make_axis
 from workbench.optics.kernels.locked import Mask, Rays, count, split
-from workbench.optics.kernels.passes import GridPasses, Landing, note_of
+from workbench.optics.kernels.passes import GridPasses, Landing
 from workbench.optics.kernels.spread import Spread, make_canvases, make_spread, pad
 from workbench.optics.light import Light, Nodes
 from workbench.optics.path import Path, Step
 from workbench.optics.refraction import normal_reflectance
-from workbench.optics.samples import Corners, Samples, cells, places, shares
+from workbench.optics.samples import Samples, cells, places, shares
 from workbench.optics.sources import CollimatedEmitter
 from workbench.optics.surfaces import Plane
 from workbench.scene import BoxFilter, Filter, GaussianFilter, Screen
 
+Array = npt.NDArray[np.float64]
 AnyArray = npt.NDArray[np.floating[Any]]
 
 
@@ -68,16 +70,11 @@ class FusedCollimatedRays:
         if lens is None:
             raise TypeError("the kernel for collimated light does not match this path")
         net, samples, n = lens.face.net, lens.samples, lens.face.ratio
-        corners = isinstance(samples, Corners)
         self._face, self._dtype = lens.face, path.dtype
         kind = self._kind = kind_of(path.dtype)
-        self.mirrored = tuple(
-            wanted and along % 2 == 0 and not corners
-            for wanted, along in zip(mirrored, samples, strict=True)
-        )
-        across, up = (
-            _rays(net, samples, axis, halved, kind) for axis, halved in enumerate(self.mirrored)
-        )
+        self._halves, self._emitter = Halves.of(samples, (1, 1), mirrored), path.emitter
+        self.mirrored = self._halves.mirrored
+        across, up = (_rays(net, samples, axis, self._halves, kind) for axis in (0, 1))
         self._moving, self._still = split((across, up), locked)
         self._still_light: tuple[Screen, Filter, Tensor, Sums] | None = None
         self.traced = count(self._moving) / count((across, up))
@@ -98,10 +95,15 @@ class FusedCollimatedRays:
     def notes(self) -> list[str]:
         """See `workbench.optics.light.Tracer`."""
         notes = ["collimated light: entrance refraction and intersection left out"]
-        notes += note_of(self.mirrored)
+        notes += self._halves.notes
         if self.traced < 1:
             notes.append(f"locked control points: {self.traced:.0%} of the rays after the first")
         return notes
+
+    @property
+    def splits(self) -> tuple[Array, Array]:
+        """See `workbench.optics.light.BeamTracer`."""
+        return self._halves.splits(self._emitter.splits)
 
     def image(self, heights: Mapping[str, Tensor], screen: Screen, filter: Filter) -> Light:
         """Trace a lens; see `workbench.optics.light.Tracer`."""
@@ -149,12 +151,12 @@ class _ParallelLens(NamedTuple):
 
 
 def _rays(
-    net: ControlNet, samples: Samples, axis: int, halved: bool, kind: type[np.floating[Any]]
+    net: ControlNet, samples: Samples, axis: int, halves: Halves, kind: type[np.floating[Any]]
 ) -> Axis:
     """All rays along an axis, or the first half of them."""
-    part, share = places(samples, axis).part, shares(samples, axis)
-    some = slice(len(part) // 2 if halved else None)
-    return make_axis(net, axis, part[some], kind, share[some])
+    part = halves.first(places(samples, axis).part, axis)
+    share = halves.weighted(shares(samples, axis), axis)
+    return make_axis(net, axis, part, kind, share)
 
 
 def _together(parts: Sequence[tuple[Tensor, Sums]]) -> tuple[Tensor, Sums]:
@@ -167,7 +169,7 @@ def compile_for(dtype: torch.dtype) -> None:
     """Compile the kernels for a float type by tracing a few rays."""
     kind = kind_of(dtype)
     net = ControlNet((2, 2), (1, 1), (1.0, 1.0))
-    across, up = (_rays(net, (2, 2), axis, False, kind) for axis in (0, 1))
+    across, up = (_rays(net, (2, 2), axis, Halves(None, None), kind) for axis in (0, 1))
     numbers = Optics(*(kind(1.5) for _ in Optics._fields))
     screen = Screen(z=1.0, half_width=(1.0, 1.0), pixels=(2, 2))
     spread = make_spread(screen, GaussianFilter(), kind)

@@ -92,13 +92,14 @@ def _refract_back(light, spread, i, j, lanes, t):  # type: ignore[no-untyped-def
     for lane in range(np.uintp(lanes)):
         z_x, z_y = t[Z_X + lane], t[Z_Y + lane]
         q, bend = t[_Q + lane], t[_BEND + lane]
-        passes = t[WEIGHT + lane] > kind(0)
+        k = z_x * z_x + z_y * z_y
+        passes = one - optics.excess * k > optics.critical
         d_x = t[D_COLUMN + lane] * spread.per_x
         d_y = t[D_ROW + lane] * spread.per_y
         share = one / (one + optics.ratio * q)
         d_bend = d_x * z_x + d_y * z_y
         # weight = head_on (1 − g⁵), g = 1 − q s, s = 1 / √(1 + k)
-        s = one / np.sqrt(one + z_x * z_x + z_y * z_y)
+        s = one / np.sqrt(one + k)
         grazing = one - q * s
         fourth = grazing * grazing * (grazing * grazing)
         d_cos = kind(5) * fourth * wide[lane] * head_on * t[D_WEIGHT + lane]

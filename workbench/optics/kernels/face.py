@@ -14,13 +14,14 @@ from torch import Tensor
 from workbench.geometry.surface import ControlNet
 from workbench.optics.face_samples import FaceSamples, SampledFace
 from workbench.optics.glass import Glass
+from workbench.optics.halves import Halves
 from workbench.optics.kernels.exit_face import ExitFace
 from workbench.optics.kernels.face_numbers import Across, Optics, Up
 from workbench.optics.kernels.face_trace import LOOPS
 from workbench.optics.kernels.function import Sums, kind_of, trace
 from workbench.optics.kernels.grid import make_axis
 from workbench.optics.kernels.locked import Mask
-from workbench.optics.kernels.passes import GridPasses, Landing, note_of
+from workbench.optics.kernels.passes import GridPasses, Landing
 from workbench.optics.kernels.spread import Spread, make_canvases, make_spread, pad
 from workbench.optics.lattice import make_lattice
 from workbench.optics.light import Light, Nodes
@@ -29,6 +30,7 @@ from workbench.optics.refraction import normal_reflectance
 from workbench.optics.samples import places
 from workbench.scene import BoxFilter, Filter, GaussianFilter, Screen
 
+Array = npt.NDArray[np.float64]
 AnyArray = npt.NDArray[np.floating[Any]]
 
 
@@ -68,21 +70,18 @@ class FusedFaceSamples:
         self._before = {sampled.missed: lattice.missed, sampled.reflected: lattice.reflected}
         self._dtype, self._screen = path.dtype, path.receiver.screen
         kind = self._kind = kind_of(path.dtype)
-        counts = len(lattice.x.place), len(lattice.y.place)
-        self.mirrored = tuple(
-            wanted and count % 2 == 0 for wanted, count in zip(mirrored, counts, strict=True)
-        )
+        points = int(lattice.x.point.max()) + 1, int(lattice.y.point.max()) + 1
+        halves = self._halves = Halves.of(sampled.samples, points, mirrored)
+        self.mirrored, self._emitter = halves.mirrored, sampled.emitter
         across, up = (
-            make_axis(net, axis, along.t[: count // 2 if halved else count], kind)
-            for axis, (along, count, halved) in enumerate(
-                zip((lattice.x, lattice.y), counts, self.mirrored, strict=True)
-            )
+            make_axis(net, axis, halves.first(along.t, axis), kind)
+            for axis, along in enumerate((lattice.x, lattice.y))
         )
         self._bases = across, up
         m_x, m_y = (len(basis.place) for basis in self._bases)
         x, y = lattice.x, lattice.y
         passing = 1 - normal_reflectance(lens.index)
-        bright = x.width[:m_x] * (lattice.intensity * passing / lattice.distance**2)
+        bright = halves.weighted(x.width, 0) * (lattice.intensity * passing / lattice.distance**2)
         self._across = Across(
             x.place[:m_x],
             x.away[:m_x].astype(kind),
@@ -97,7 +96,7 @@ class FusedFaceSamples:
             y.reach[:m_y].astype(kind),
             y.beyond[:m_y].astype(kind),
             kind(1 / y.cell),
-            y.width[:m_y].astype(kind),
+            halves.weighted(y.width, 1).astype(kind),
         )
         n, lambertian = lens.index, source.emission == "lambertian"
         self._glass = Glass(lattice.distance, n, lambertian)
@@ -122,7 +121,12 @@ class FusedFaceSamples:
     @property
     def notes(self) -> list[str]:
         """See `workbench.optics.light.Tracer`."""
-        return [FaceSamples.note, *note_of(self.mirrored)]
+        return [FaceSamples.note, *self._halves.notes]
+
+    @property
+    def splits(self) -> tuple[Array, Array]:
+        """See `workbench.optics.light.BeamTracer`."""
+        return self._halves.splits(self._emitter.splits)
 
     def image(self, heights: Mapping[str, Tensor], screen: Screen, filter: Filter) -> Light:
         """Trace a lens; see `workbench.optics.light.Tracer`."""

@@ -240,10 +240,13 @@ def _refract_back(across, i, up, j, optics, spread, lanes, t):  # type: ignore[n
         )
         flux_rise = bright * density_rise + t[_D_BRIGHT + lane] * part_rise * density
         d_z += d_slope * d_slope_rise + d_flux * lean * flux_rise
-        lit = t[WEIGHT + lane] > zero
-        t[Z + lane] = d_z if lit else zero
-        t[Z_X + lane] = d_z_x if lit else zero
-        t[Z_Y + lane] = d_z_y if lit else zero
+        # Also where no flux is: the light of neighbours is spread up to this hit.
+        both2 = length2 * face2
+        square = n * n * lean * lean - excess * both2
+        passes = (depth > zero) & (lean > zero) & (square > optics.critical * both2)
+        t[Z + lane] = d_z if passes else zero
+        t[Z_X + lane] = d_z_x if passes else zero
+        t[Z_Y + lane] = d_z_y if passes else zero
 
 
 @jit(fastmath=FAST, error_model="numpy", forceinline=True)

@@ -23,13 +23,6 @@ class Landing:
         self.forward, self.backward = grid.land, grid.land_back
 
 
-def note_of(mirrored: tuple[bool, ...]) -> list[str]:
-    """What mirror symmetry leaves out, in words."""
-    if not any(mirrored):
-        return []
-    return [f"mirror symmetry: {'a quarter' if all(mirrored) else 'half'} of the rays"]
-
-
 class GridPasses(ABC):
     """The trace of one tensor grid of rays onto one screen, and its adjoint.
 
@@ -94,23 +87,25 @@ class GridPasses(ABC):
         canvas = pad(self._spread, cotangent)
         gradients = np.zeros((self._parts, *heights.shape))
         self._run(self._loops.trace_back, heights, [canvas] * self._parts, gradients)
-        gradient: AnyArray = gradients.sum(axis=0)
-        for axis in self._mirrored:  # the other half would have given the mirror image of this
-            gradient = (gradient + np.flip(gradient, axis)) / 2
-        return gradient
+        return self._of_both_halves(gradients.sum(axis=0))
 
     def land(self, heights: AnyArray) -> tuple[AnyArray, Sums]:
-        """Where the rays land, in place of an image; see `Loops.land`."""
+        """Where the rays land, in place of an image, without mirror images; see `Loops.land`."""
         nodes = np.empty((3, *(len(basis.place) for basis in self._bases[::-1])), heights.dtype)
         sums = np.zeros((self._parts, self._sums))
         self._run(self._loops.land, heights, [nodes] * self._parts, sums)
-        return nodes, self.account(sums.sum(axis=0).tolist())
+        return nodes, self.account((self.copies * sums.sum(axis=0)).tolist())
 
     def land_back(self, heights: AnyArray, cotangent: AnyArray) -> AnyArray:
-        """The adjoint of `land`."""
+        """The adjoint of `land`, for a cotangent to which mirror images have been added."""
         gradients = np.zeros((self._parts, *heights.shape))
         self._run(self._loops.land_back, heights, [cotangent] * self._parts, gradients)
-        return np.asarray(gradients.sum(axis=0))
+        return self._of_both_halves(gradients.sum(axis=0))
+
+    def _of_both_halves(self, gradient: AnyArray) -> AnyArray:
+        for axis in self._mirrored:  # the other half would have given the mirror image of this
+            gradient = (gradient + np.flip(gradient, axis)) / 2
+        return gradient
 
     def _run(
         self, kernel: Callable[..., None], heights: AnyArray, canvases: Any, results: AnyArray

@@ -26,7 +26,7 @@ class Emitter(Protocol):
 
     Attributes
     ----------
-    splits : tuple of two ndarray, shape (m_x, 2) and (m_y, 2)
+    splits : tuple of two ndarray, shape (m_x, 3) and (m_y, 3)
         Of rays at `workbench.optics.samples.Corners`, along x and y: which parts of their flux
         belong to the cells before and behind them. Rays of different points share no cell.
     """

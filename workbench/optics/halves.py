@@ -1,0 +1,80 @@
+"""Which rays stand for the first half of light that is its own mirror image, along x and y.
+
+Diagonals of cells are mirror images of each other too, where an even number of cells lies side by
+side: what half of the cells gives and its mirror image are the image of all.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from workbench.optics.samples import Corners, Samples
+
+Array = npt.NDArray[np.float64]
+
+
+class Halves(NamedTuple):
+    """Parts of the first rays along x and y that belong to the half that is traced.
+
+    Attributes
+    ----------
+    x, y : ndarray, shape (m,), optional
+        1 for most rays, 0.5 for one in the middle; and 0 for one behind it, which tells how the
+        light bends there. None where all rays are traced.
+    """
+
+    x: Array | None
+    y: Array | None
+
+    @classmethod
+    def of(cls, samples: Samples, points: tuple[int, int], wanted: tuple[bool, bool]) -> "Halves":
+        """Halves of the rays of so many points along x and y, where they are wanted and possible.
+
+        Those of an odd number of rays in the middles of cells are not, nor are those of an odd
+        number of cells, or of points beside one in the middle.
+        """
+        x, y = (_half(samples, axis, points[axis]) if wanted[axis] else None for axis in (0, 1))
+        return cls(x, y)
+
+    @property
+    def mirrored(self) -> tuple[bool, bool]:
+        """Whether half of the rays are traced along x, along y."""
+        return self.x is not None, self.y is not None
+
+    @property
+    def notes(self) -> list[str]:
+        """What is left out, in words."""
+        if not any(self.mirrored):
+            return []
+        return [f"mirror symmetry: {'a quarter' if all(self.mirrored) else 'half'} of the rays"]
+
+    def first(self, values: Array, axis: int) -> Array:
+        """What there is for all rays along an axis, for those that are traced."""
+        half = self[axis]
+        return values if half is None else values[: len(half)]
+
+    def weighted(self, flux: Array, axis: int) -> Array:
+        """The flux of rays along an axis that belongs to the traced half."""
+        half = self[axis]
+        return flux if half is None else flux[: len(half)] * half
+
+    def splits(self, whole: tuple[Array, Array]) -> tuple[Array, Array]:
+        """See `workbench.optics.beams.beam_image`; the middle ray's flux is all before it."""
+        x, y = (self.first(split, axis).copy() for axis, split in enumerate(whole))
+        for split, half in ((x, self.x), (y, self.y)):
+            if half is not None:
+                split[half < 1, :2] = 1.0, 0.0
+        return x, y
+
+
+def _half(samples: Samples, axis: int, points: int) -> Array | None:
+    if not isinstance(samples, Corners):
+        count = -(-samples[axis] // points) * points
+        return np.ones(count // 2) if count % 2 == 0 else None
+    count = samples[axis]
+    if points % 2 == 0:
+        return np.ones(points // 2 * (count + 2))
+    if points == 1 and count % 2 == 0:
+        return np.append(np.ones(count // 2), [0.5, 0.0])
+    return None
