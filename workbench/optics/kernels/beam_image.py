@@ -1,6 +1,6 @@
 """The image of beams of light, by threads, for torch; see `workbench.optics.beams`."""
 
-from itertools import pairwise
+from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -118,40 +118,31 @@ def _back(nodes: AnyArray, mesh: _Mesh, cotangent: Array) -> AnyArray:
     column, row, density, parted = mesh
     right = np.zeros((cotangent.shape[0], cotangent.shape[1] + 1))
     right[:, :-1] = np.cumsum(cotangent[:, ::-1], axis=1)[:, ::-1]
-    # Each part also writes to the nodes and cells next to its own: these are added up afterwards.
-    own = [end - begin + 1 for begin, end in pairwise(at)]
-    d_nodes = [np.zeros((3, count, columns)) for count in own]
-    d_cells = [np.zeros((count, columns + 1, 2)) for count in own]
+    d_nodes, d_density = np.zeros((3, rows + 1, columns)), np.zeros_like(density)
 
-    def look(part: int) -> None:
-        found = *d_nodes[part][:2], d_cells[part]
-        edges_back(column, row, density, cotangent, right, at[part], at[part + 1], *found)
+    def look(begin: int, end: int) -> None:
+        found = d_nodes[0, begin:], d_nodes[1, begin:], d_density[begin:]
+        edges_back(column, row, density, cotangent, right, begin, end, *found)
 
-    threads.run(look, parts)
-    d_density = _joined(d_cells, at)
+    def narrow(begin: int, end: int) -> None:
+        found = (part[begin:] for part in d_nodes)
+        densities_back(*mesh, cotangent, d_density, begin, min(end, rows - 1), *found)
 
-    def narrow(part: int) -> None:
-        cells = at[part], min(at[part + 1], rows - 1)
-        densities_back(*mesh, cotangent, d_density, *cells, *d_nodes[part])
-
-    threads.run(narrow, parts)
-    d_hits = [_joined([each[k] for each in d_nodes], at) for k in range(3)]
+    for work in (look, narrow):
+        _run_apart(work, at)
     result = np.empty_like(nodes)
-    result[2] = d_hits[2][:rows]
+    result[2] = d_nodes[2, :rows]
 
     def move(part: int) -> None:
         for k in range(2):
-            shift_back(nodes[k], parted, d_hits[k], at[part], at[part + 1], result[k])
+            shift_back(nodes[k], parted, d_nodes[k], at[part], at[part + 1], result[k])
 
     threads.run(move, parts)
     return result
 
 
-def _joined(slices: list[Array], at: list[int]) -> Array:
-    """Slices of an array, each of which goes one row into the next one."""
-    if len(slices) == 1:
-        return slices[0]
-    joined = np.zeros((at[-1] + 1, *slices[0].shape[1:]))
-    for begin, rows in zip(at, slices, strict=False):
-        joined[begin : begin + len(rows)] += rows
-    return joined
+def _run_apart(work: Callable[[int, int], None], at: list[int]) -> None:
+    """Work on parts at the same time, each of which also writes to the row behind its own."""
+    threads.run(lambda part: work(at[part], at[part + 1] - 1), len(at) - 1)
+    for end in at[1:]:  # the last row of a part writes to the first one of the next
+        work(end - 1, end)
