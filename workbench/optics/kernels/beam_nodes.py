@@ -27,16 +27,9 @@ _ZERO, _ONE = np.uintp(0), np.uintp(1)
 
 
 @jit(allocates=False, error_model="numpy", forceinline=True)
-def _inner(parts, k):  # type: ignore[no-untyped-def]
-    """Whether a node has neighbours on both sides in its grid, at the same distance."""
-    return parts[k, 2] > 0.0
-
-
-@jit(allocates=False, error_model="numpy", forceinline=True)
 def _bend(before, here, after):  # type: ignore[no-untyped-def]
-    """Second difference of hits; infinite where one of them is missing or far away."""
-    bend = np.float64(before) + np.float64(after) - 2.0 * np.float64(here)
-    return bend if abs(bend) < FARTHEST else np.inf
+    """Second difference of hits."""
+    return np.float64(before) + np.float64(after) - 2.0 * np.float64(here)
 
 
 @jit(allocates=False, error_model="numpy")
@@ -48,31 +41,32 @@ def shift(hits, parts, begin, end, shifted):  # type: ignore[no-untyped-def]
     hits : array, shape (n + 1, m + 1)
         Columns or rows in which rays hit; infinite for those that never do.
     parts : tuple of two arrays
-        See `workbench.optics.kernels.beam_raster.densities`; what ends a grid stays where it is.
+        See `workbench.optics.kernels.beam_raster.densities`; what ends a grid stays where it is,
+        and so does what has a neighbour that hits nowhere or far away.
     begin, end : int
         Which rows of nodes.
     shifted : array, shape (n + 1, m + 1), float64
         The result; infinite or within ``FARTHEST``.
     """
     along_u, along_v = parts
+    m = np.uintp(hits.shape[1])
     for i in range(np.uintp(begin), np.uintp(end)):
-        inner_i = _inner(along_u, i)
-        for j in range(np.uintp(hits.shape[1])):
-            here = np.float64(hits[i, j])
-            if not abs(here) < np.inf:
-                shifted[i, j] = np.inf
-                continue
-            place = here
-            if inner_i:
-                bend = _bend(hits[i - _ONE, j], here, hits[i + _ONE, j])
-                place -= _PART * bend if bend < np.inf else 0.0
-            if _inner(along_v, j):
-                bend = _bend(hits[i, j - _ONE], here, hits[i, j + _ONE])
-                place -= _PART * bend if bend < np.inf else 0.0
-            shifted[i, j] = min(max(place, -FARTHEST), FARTHEST)
+        # Loops along a row have no branches: the compiler makes vectors of them.
+        for j in range(m):
+            shifted[i, j] = hits[i, j]
+        if along_u[i, 2] > 0.0:
+            for j in range(m):
+                bend = _bend(hits[i - _ONE, j], hits[i, j], hits[i + _ONE, j])
+                shifted[i, j] -= _PART * bend if abs(bend) < FARTHEST else 0.0
+        for j in range(_ONE, m - _ONE):
+            bend = _bend(hits[i, j - _ONE], hits[i, j], hits[i, j + _ONE])
+            shifted[i, j] -= _PART * along_v[j, 2] * bend if abs(bend) < FARTHEST else 0.0
+        for j in range(m):
+            place = min(max(shifted[i, j], -FARTHEST), FARTHEST)
+            shifted[i, j] = place if abs(hits[i, j]) < np.inf else np.inf
 
 
-@jit(allocates=False, error_model="numpy")
+@jit(error_model="numpy")
 def shift_back(hits, parts, cotangent, begin, end, result):  # type: ignore[no-untyped-def]
     """Adjoint of `shift`, for some rows of nodes.
 
@@ -87,29 +81,24 @@ def shift_back(hits, parts, cotangent, begin, end, result):  # type: ignore[no-u
     """
     along_u, along_v = parts
     n, m = np.uintp(hits.shape[0]), np.uintp(hits.shape[1])
+    total = np.empty(m)
     for i in range(np.uintp(begin), np.uintp(end)):
         for j in range(m):
-            here = hits[i, j]
-            if not abs(here) < FARTHEST:
-                result[i, j] = 0
+            total[j] = cotangent[i, j]
+        # The matrix is symmetric, but for the rim: a node there is not shifted, but counts in the
+        # shift of its neighbour.
+        for k in range(3):
+            a, part = i + np.uintp(k) - _ONE, _PART * (-1.0 if k != 1 else 2.0)
+            if i + np.uintp(k) == _ZERO or a >= n or not along_u[a, 2] > 0.0:
                 continue
-            # The matrix is symmetric, but for the rim: a node there is not shifted, but counts in
-            # the shift of its neighbour. Its neighbours' bends are found again from the hits.
-            total = cotangent[i, j]
-            for k in range(3):
-                a = i + np.uintp(k)
-                if a == _ZERO or a > n or not _inner(along_u, a - _ONE):
-                    continue
-                a -= _ONE
+            for j in range(m):
                 bend = _bend(hits[a - _ONE, j], hits[a, j], hits[a + _ONE, j])
-                if bend < np.inf:
-                    total -= _PART * (1.0 if k != 1 else -2.0) * cotangent[a, j]
-            for k in range(3):
-                b = j + np.uintp(k)
-                if b == _ZERO or b > m or not _inner(along_v, b - _ONE):
-                    continue
-                b -= _ONE
+                total[j] += part * cotangent[a, j] if abs(bend) < FARTHEST else 0.0
+        for k in range(3):
+            part = _PART * (-1.0 if k != 1 else 2.0)
+            for b in range(_ONE, m - _ONE):
                 bend = _bend(hits[i, b - _ONE], hits[i, b], hits[i, b + _ONE])
-                if bend < np.inf:
-                    total -= _PART * (1.0 if k != 1 else -2.0) * cotangent[i, b]
-            result[i, j] = total
+                counts = part * along_v[b, 2] * cotangent[i, b]
+                total[b + np.uintp(k) - _ONE] += counts if abs(bend) < FARTHEST else 0.0
+        for j in range(m):
+            result[i, j] = total[j] if abs(hits[i, j]) < FARTHEST else 0.0

@@ -17,6 +17,7 @@ In each cell of nodes [i, i+1] × [j, j+1] the diagonal begins at (i, j) where i
 import numpy as np
 
 from workbench.compiled import jit
+from workbench.optics.kernels.beam_edge import add_edge, see_edge
 
 _ZERO, _ONE, _TWO = (np.uintp(k) for k in range(3))
 
@@ -123,83 +124,6 @@ def _edge(kind, i, j):  # type: ignore[no-untyped-def]
     return i + one, j, i, j + one, i + one, j + one, _ZERO, i + one, j + one, _ONE
 
 
-@jit(allocates=False, error_model="numpy", forceinline=True)
-def _clip(start, way, last):  # type: ignore[no-untyped-def]
-    """Parts of an edge between which it is on rows of the image."""
-    if min(start, start + way) >= 0.0 and max(start, start + way) < last:
-        return 0.0, 1.0
-    if way == 0.0:
-        return 1.0, 0.0
-    first, second = -start / way, (last - start) / way
-    return max(min(first, second), 0.0), min(max(first, second), 1.0)
-
-
-@jit(allocates=False, error_model="numpy", forceinline=True)
-def _pixel(place, way, last):  # type: ignore[no-untyped-def]
-    """Column that an edge enters at a place; −1 and ``last`` for all beside the image."""
-    entered = np.floor(place) if way >= 0.0 else np.ceil(place) - 1.0
-    return int(min(max(entered, -1.0), last))
-
-
-@jit(allocates=False, error_model="numpy", forceinline=True)
-def _leaves(pixel, start, way, per_way, last):  # type: ignore[no-untyped-def]
-    """Part of an edge at which it leaves a column."""
-    if way > 0.0:
-        return (pixel + 1 - start) * per_way if pixel < last else np.inf
-    if way < 0.0:
-        return (pixel - start) * per_way if pixel >= 0 else np.inf
-    return np.inf
-
-
-@jit(allocates=False, error_model="numpy", forceinline=True)
-def _add_edge(x, y, to_x, to_y, jump, steps):  # type: ignore[no-untyped-def]
-    """Add what crosses an edge to ``steps``: what a pixel has more than its left neighbour."""
-    n_y, n_x = steps.shape[0], steps.shape[1] - 1
-    d_x, d_y = to_x - x, to_y - y
-    if jump == 0.0 or d_y == 0.0:
-        return
-    if min(x, to_x) >= 0.0 and max(x, to_x) < n_x and min(y, to_y) >= 0.0 and max(y, to_y) < n_y:
-        j, k = np.int32(x), np.int32(y)
-        if j == np.int32(to_x) and k == np.int32(to_y):  # most edges are in one pixel
-            a, b = np.uintp(k), np.uintp(j)
-            light = d_y * jump
-            beyond = light * (0.5 * (x + to_x) - j)
-            steps[a, b] += light - beyond
-            steps[a, b + _ONE] += beyond
-            return
-    t, end = _clip(y, d_y, n_y)
-    if not t < end:
-        return
-    at = x + d_x * t
-    column = _pixel(at, d_x, n_x)
-    i = _pixel(y + d_y * t, d_y, n_y)
-    i = min(max(i, 0), n_y - 1)
-    per_x, per_y = 1.0 / d_x, 1.0 / d_y
-    step_x, step_y = (1 if d_x > 0.0 else -1), (1 if d_y > 0.0 else -1)
-    leaves_x, leaves_y = _leaves(column, x, d_x, per_x, n_x), _leaves(i, y, d_y, per_y, n_y)
-    while True:
-        until = min(leaves_x, leaves_y, end)
-        to = x + d_x * until
-        light = (until - t) * d_y * jump
-        if column < 0:
-            steps[i, 0] += light
-        elif column < n_x:
-            beyond = 0.5 * (at + to) - column
-            steps[i, column] += light * (1.0 - beyond)
-            steps[i, column + 1] += light * beyond
-        if until >= end:
-            return
-        t, at = until, to
-        if leaves_x <= leaves_y:
-            column += step_x
-            leaves_x = _leaves(column, x, d_x, per_x, n_x)
-        else:
-            i += step_y
-            if i < 0 or i >= n_y:
-                return
-            leaves_y = _leaves(i, y, d_y, per_y, n_y)
-
-
 @jit(allocates=False, error_model="numpy")
 def add_edges(column, row, density, begin, end, steps):  # type: ignore[no-untyped-def]
     """Add what crosses the edges that belong to nodes from ``begin`` to ``end`` along u.
@@ -221,63 +145,7 @@ def add_edges(column, row, density, begin, end, steps):  # type: ignore[no-untyp
                     continue
                 a, b, c, d, k, l, m, n, o, p = _edge(kind, i, j)  # noqa: E741
                 jump = density[k, l, m] - density[n, o, p]
-                _add_edge(column[a, b], row[a, b], column[c, d], row[c, d], jump, steps)
-
-
-@jit(allocates=False, error_model="numpy", forceinline=True)
-def _see_edge(x, y, to_x, to_y, cotangent, right):  # type: ignore[no-untyped-def]
-    """Integrals of a cotangent of the image along an edge.
-
-    Returns
-    -------
-    tuple of three float64
-        Of what lies to the right of the edge, by y; of what lies on it, by the part of the way
-        that is left to the end, and from the start.
-    """
-    n_y, n_x = cotangent.shape
-    d_x, d_y = to_x - x, to_y - y
-    if min(x, to_x) >= 0.0 and max(x, to_x) < n_x and min(y, to_y) >= 0.0 and max(y, to_y) < n_y:
-        j, k = np.int32(x), np.int32(y)
-        if j == np.int32(to_x) and k == np.int32(to_y):  # most edges are in one pixel
-            a, b = np.uintp(k), np.uintp(j)
-            here = 0.5 * cotangent[a, b]
-            ahead = j + 1.0 - 0.5 * (x + to_x)
-            return d_y * (right[a, b + _ONE] + 2 * here * ahead), here, here
-    beside, from_start, to_end = 0.0, 0.0, 0.0
-    t, end = _clip(y, d_y, n_y)
-    if not t < end:
-        return beside, from_start, to_end
-    at = x + d_x * t
-    column = _pixel(at, d_x, n_x)
-    i = _pixel(y + d_y * t, d_y, n_y)
-    i = min(max(i, 0), n_y - 1)
-    per_x, per_y = 1.0 / d_x, 1.0 / d_y
-    step_x, step_y = (1 if d_x > 0.0 else -1), (1 if d_y > 0.0 else -1)
-    leaves_x, leaves_y = _leaves(column, x, d_x, per_x, n_x), _leaves(i, y, d_y, per_y, n_y)
-    while True:
-        until = min(leaves_x, leaves_y, end)
-        to = x + d_x * until
-        if column < 0:
-            beside += (until - t) * right[i, 0]
-        elif column < n_x:
-            here = cotangent[i, column]
-            ahead = column + 1 - 0.5 * (at + to)
-            beside += (until - t) * (right[i, column + 1] + here * ahead)
-            later = 0.5 * (until + t) * (until - t) * here
-            to_end += later
-            from_start += (until - t) * here - later
-        if until >= end:
-            break
-        t, at = until, to
-        if leaves_x <= leaves_y:
-            column += step_x
-            leaves_x = _leaves(column, x, d_x, per_x, n_x)
-        else:
-            i += step_y
-            if i < 0 or i >= n_y:
-                break
-            leaves_y = _leaves(i, y, d_y, per_y, n_y)
-    return beside * d_y, from_start, to_end
+                add_edge(column[a, b], row[a, b], column[c, d], row[c, d], jump, steps)
 
 
 @jit(allocates=False, error_model="numpy")
@@ -310,7 +178,7 @@ def edges_back(column, row, density, cotangent, right, begin, end, d_column, d_r
                 x, y, to_x, to_y = column[a, b], row[a, b], column[c, d], row[c, d]
                 if not (abs(x + y) < np.inf and abs(to_x + to_y) < np.inf):
                     continue
-                beside, from_start, to_end = _see_edge(x, y, to_x, to_y, cotangent, right)
+                beside, from_start, to_end = see_edge(x, y, to_x, to_y, cotangent, right)
                 jump = density[k, l, m] - density[n, o, p]
                 across_x, across_y = (to_y - y) * jump, (x - to_x) * jump
                 a, c, k, n = a - first, c - first, k - first, n - first

@@ -1,0 +1,197 @@
+"""What one edge of a beam of light adds to the pixels that it crosses; and the adjoint.
+
+See `workbench.optics.kernels.beam_raster`. Most edges are in one pixel, and most others in two or
+three: these need no loop.
+"""
+
+import numpy as np
+
+from workbench.compiled import jit
+
+_ONE = np.uintp(1)
+
+
+@jit(allocates=False, error_model="numpy", forceinline=True)
+def _clip(start, way, last):  # type: ignore[no-untyped-def]
+    """Parts of an edge between which it is on rows of the image."""
+    if min(start, start + way) >= 0.0 and max(start, start + way) < last:
+        return 0.0, 1.0
+    if way == 0.0:
+        return 1.0, 0.0
+    first, second = -start / way, (last - start) / way
+    return max(min(first, second), 0.0), min(max(first, second), 1.0)
+
+
+@jit(allocates=False, error_model="numpy", forceinline=True)
+def _pixel(place, way, last):  # type: ignore[no-untyped-def]
+    """Column that an edge enters at a place; −1 and ``last`` for all beside the image."""
+    entered = np.floor(place) if way >= 0.0 else np.ceil(place) - 1.0
+    return int(min(max(entered, -1.0), last))
+
+
+@jit(allocates=False, error_model="numpy", forceinline=True)
+def _leaves(pixel, start, way, per_way, last):  # type: ignore[no-untyped-def]
+    """Part of an edge at which it leaves a column."""
+    if way > 0.0:
+        return (pixel + 1 - start) * per_way if pixel < last else np.inf
+    if way < 0.0:
+        return (pixel - start) * per_way if pixel >= 0 else np.inf
+    return np.inf
+
+
+@jit(allocates=False, error_model="numpy", forceinline=True)
+def _crossings(x, y, d_x, d_y, j, i, to_j, to_i):  # type: ignore[no-untyped-def]
+    """Where an edge between neighbouring pixels leaves the first, and where it enters the last.
+
+    Returns
+    -------
+    tuple of two float64, uintp and uintp
+        Parts of its way, then row and column of the pixel in which it is between them. That is the
+        last one already if these two have a side in common.
+    """
+    at_x = (max(j, to_j) - x) / d_x if j != to_j else 1.0
+    at_y = (max(i, to_i) - y) / d_y if i != to_i else 1.0
+    if at_x < at_y:
+        return at_x, at_y, np.uintp(i), np.uintp(to_j)
+    return at_y, at_x, np.uintp(to_i), np.uintp(j)
+
+
+@jit(allocates=False, error_model="numpy", forceinline=True)
+def _add_piece(begin, end, x, d_x, flow, i, j, steps):  # type: ignore[no-untyped-def]
+    """Add what crosses a piece of an edge, which is in one pixel."""
+    light = (end - begin) * flow
+    beyond = light * (x + 0.5 * (begin + end) * d_x - np.float64(j))
+    steps[i, j] += light - beyond
+    steps[i, j + _ONE] += beyond
+
+
+@jit(allocates=False, error_model="numpy", forceinline=True)
+def add_edge(x, y, to_x, to_y, jump, steps):  # type: ignore[no-untyped-def]
+    """Add what crosses an edge to ``steps``: what a pixel has more than its left neighbour."""
+    n_y, n_x = steps.shape[0], steps.shape[1] - 1
+    d_x, d_y = to_x - x, to_y - y
+    if jump == 0.0 or d_y == 0.0:
+        return
+    if min(x, to_x) >= 0.0 and max(x, to_x) < n_x and min(y, to_y) >= 0.0 and max(y, to_y) < n_y:
+        j, k, to_j, to_k = np.int32(x), np.int32(y), np.int32(to_x), np.int32(to_y)
+        if j == to_j and k == to_k:  # most edges are in one pixel
+            _add_piece(0.0, 1.0, x, d_x, d_y * jump, np.uintp(k), np.uintp(j), steps)
+            return
+        if abs(j - to_j) <= 1 and abs(k - to_k) <= 1:  # most others are in two or three
+            out, last, a, b = _crossings(x, y, d_x, d_y, j, k, to_j, to_k)
+            flow = d_y * jump
+            _add_piece(0.0, out, x, d_x, flow, np.uintp(k), np.uintp(j), steps)
+            _add_piece(out, last, x, d_x, flow, a, b, steps)
+            if last < 1.0:
+                _add_piece(last, 1.0, x, d_x, flow, np.uintp(to_k), np.uintp(to_j), steps)
+            return
+    t, end = _clip(y, d_y, n_y)
+    if not t < end:
+        return
+    at = x + d_x * t
+    column = _pixel(at, d_x, n_x)
+    i = _pixel(y + d_y * t, d_y, n_y)
+    i = min(max(i, 0), n_y - 1)
+    per_x, per_y = 1.0 / d_x, 1.0 / d_y
+    step_x, step_y = (1 if d_x > 0.0 else -1), (1 if d_y > 0.0 else -1)
+    leaves_x, leaves_y = _leaves(column, x, d_x, per_x, n_x), _leaves(i, y, d_y, per_y, n_y)
+    while True:
+        until = min(leaves_x, leaves_y, end)
+        to = x + d_x * until
+        light = (until - t) * d_y * jump
+        if column < 0:
+            steps[i, 0] += light
+        elif column < n_x:
+            beyond = 0.5 * (at + to) - column
+            steps[i, column] += light * (1.0 - beyond)
+            steps[i, column + 1] += light * beyond
+        if until >= end:
+            return
+        t, at = until, to
+        if leaves_x <= leaves_y:
+            column += step_x
+            leaves_x = _leaves(column, x, d_x, per_x, n_x)
+        else:
+            i += step_y
+            if i < 0 or i >= n_y:
+                return
+            leaves_y = _leaves(i, y, d_y, per_y, n_y)
+
+
+@jit(allocates=False, error_model="numpy", forceinline=True)
+def _see_piece(begin, end, x, d_x, i, j, cotangent, right):  # type: ignore[no-untyped-def]
+    """Integrals along a piece of an edge, which is in one pixel; see `see_edge`."""
+    part, middle, here = end - begin, 0.5 * (begin + end), cotangent[i, j]
+    ahead = np.float64(j) + 1.0 - (x + middle * d_x)
+    lit = part * here
+    later = middle * lit
+    return part * right[i, j + _ONE] + lit * ahead, lit - later, later
+
+
+@jit(allocates=False, error_model="numpy", forceinline=True)
+def see_edge(x, y, to_x, to_y, cotangent, right):  # type: ignore[no-untyped-def]
+    """Integrals of a cotangent of the image along an edge.
+
+    Returns
+    -------
+    tuple of three float64
+        Of what lies to the right of the edge, by y; of what lies on it, by the part of the way
+        that is left to the end, and from the start.
+    """
+    n_y, n_x = cotangent.shape
+    d_x, d_y = to_x - x, to_y - y
+    if min(x, to_x) >= 0.0 and max(x, to_x) < n_x and min(y, to_y) >= 0.0 and max(y, to_y) < n_y:
+        j, k, to_j, to_k = np.int32(x), np.int32(y), np.int32(to_x), np.int32(to_y)
+        if j == to_j and k == to_k:  # most edges are in one pixel
+            beside, from_start, to_end = _see_piece(
+                0.0, 1.0, x, d_x, np.uintp(k), np.uintp(j), cotangent, right
+            )
+            return beside * d_y, from_start, to_end
+        if abs(j - to_j) <= 1 and abs(k - to_k) <= 1:  # most others are in two or three
+            out, last, a, b = _crossings(x, y, d_x, d_y, j, k, to_j, to_k)
+            beside, from_start, to_end = _see_piece(
+                0.0, out, x, d_x, np.uintp(k), np.uintp(j), cotangent, right
+            )
+            more, start, end = _see_piece(out, last, x, d_x, a, b, cotangent, right)
+            beside, from_start, to_end = beside + more, from_start + start, to_end + end
+            if last < 1.0:
+                more, start, end = _see_piece(
+                    last, 1.0, x, d_x, np.uintp(to_k), np.uintp(to_j), cotangent, right
+                )
+                beside, from_start, to_end = beside + more, from_start + start, to_end + end
+            return beside * d_y, from_start, to_end
+    beside, from_start, to_end = 0.0, 0.0, 0.0
+    t, end = _clip(y, d_y, n_y)
+    if not t < end:
+        return beside, from_start, to_end
+    at = x + d_x * t
+    column = _pixel(at, d_x, n_x)
+    i = _pixel(y + d_y * t, d_y, n_y)
+    i = min(max(i, 0), n_y - 1)
+    per_x, per_y = 1.0 / d_x, 1.0 / d_y
+    step_x, step_y = (1 if d_x > 0.0 else -1), (1 if d_y > 0.0 else -1)
+    leaves_x, leaves_y = _leaves(column, x, d_x, per_x, n_x), _leaves(i, y, d_y, per_y, n_y)
+    while True:
+        until = min(leaves_x, leaves_y, end)
+        to = x + d_x * until
+        if column < 0:
+            beside += (until - t) * right[i, 0]
+        elif column < n_x:
+            here = cotangent[i, column]
+            ahead = column + 1 - 0.5 * (at + to)
+            beside += (until - t) * (right[i, column + 1] + here * ahead)
+            later = 0.5 * (until + t) * (until - t) * here
+            to_end += later
+            from_start += (until - t) * here - later
+        if until >= end:
+            break
+        t, at = until, to
+        if leaves_x <= leaves_y:
+            column += step_x
+            leaves_x = _leaves(column, x, d_x, per_x, n_x)
+        else:
+            i += step_y
+            if i < 0 or i >= n_y:
+                break
+            leaves_y = _leaves(i, y, d_y, per_y, n_y)
+    return beside * d_y, from_start, to_end
