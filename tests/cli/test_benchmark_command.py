@@ -3,8 +3,9 @@ import os
 
 import pytest
 
-from workbench.analysis.benchmark import suite
+from workbench.analysis.benchmark import frontier, suite
 from workbench.analysis.benchmark.comparison import Measured, table
+from workbench.analysis.benchmark.frontier import Course
 from workbench.analysis.benchmark.names import BENCHMARKS
 
 ROWS = [
@@ -115,5 +116,63 @@ def test_without_a_name_the_quick_one_runs(monkeypatch):
     asked = []
     monkeypatch.setattr("workbench.cli.benchmark.benchmark", lambda *given: asked.append(given))
     assert main(["benchmark"]) == 0
-    ((names, folder, iterations, as_json),) = asked
-    assert (names, folder.name, iterations, as_json) == (["quick"], "benchmark", None, False)
+    ((names, folder, *others),) = asked
+    assert (names, folder.name, others) == (["quick"], "benchmark", [None, None, False])
+
+
+@pytest.fixture
+def before(tmp_path, monkeypatch):
+    """Result of an earlier ``frontier``, and what a new one draws."""
+    drawn = []
+    courses = [
+        Course("flame", "paper", times=(1.0,), errors=(0.5,)),
+        Course("flame", "auto", times=(1.0, 2.0), errors=(0.5, 0.25)),
+        Course("gone", "auto", times=(1.0,), errors=(0.5,)),
+    ]
+    figures = {"seconds": 3.0, frontier.TITLE: frontier.table(courses).to_data()}
+    file = tmp_path / "old" / "frontier.json"
+    file.parent.mkdir()
+    file.write_text(json.dumps(figures))
+    benchmark = suite.SUITE["frontier"]._replace(measure=lambda *_: iter(courses[:1]))
+    monkeypatch.setitem(suite.SUITE, "frontier", benchmark)
+    monkeypatch.setattr("workbench.pictures.benchmark.draw", lambda *given: drawn.append(given[1]))
+    return file, drawn
+
+
+def test_curves_of_an_earlier_result_are_drawn_beside_the_new_ones(freeform, before, tmp_path):
+    file, drawn = before
+    status, *_ = freeform("benchmark", "frontier", "--against", file, "--output", tmp_path / "new")
+    assert status == 0
+    ((new, old),) = drawn
+    assert (new.method, old.method) == ("paper", "auto, before")
+    assert old.scene == "flame" and old.curve == [(1.0, 0.5), (2.0, 0.25)]
+    kept = json.loads((tmp_path / "new" / "frontier.json").read_text("utf-8"))
+    assert [row["method"] for row in kept[frontier.TITLE]] == ["paper"]
+
+
+@pytest.mark.parametrize("text", ["", "{}", '{"Ways": []}', f'{{"{frontier.TITLE}": [{{}}]}}'])
+def test_a_file_without_curves_is_refused(freeform, before, tmp_path, text):
+    file, drawn = before
+    file.write_text(text)
+    status, _, told = freeform("benchmark", "frontier", "--against", file, "--output", tmp_path)
+    assert (status, drawn) == (2, [])
+    assert f"{file}: has no curves" in told
+
+
+def test_an_earlier_result_is_neither_missing_nor_replaced(freeform, before, tmp_path):
+    file, drawn = before
+    missing, folder = tmp_path / "none.json", file.parent
+    for against, output, said in (
+        (missing, tmp_path, f"{missing}: cannot be read"),
+        (file, folder, "is the earlier result itself"),
+    ):
+        status, _, told = freeform(
+            "benchmark", "frontier", "--against", against, "--output", output
+        )
+        assert (status, drawn) == (2, []) and said in told
+
+
+def test_a_benchmark_without_curves_takes_no_earlier_result(freeform, before):
+    file, _ = before
+    status, _, told = freeform("benchmark", "kernels", "--against", file)
+    assert status == 2 and told.startswith("freeform: kernels: has no curves")

@@ -16,8 +16,10 @@ from workbench.pictures import benchmark
 from workbench.pictures.experiments import page
 
 COURSES = [
-    Course("flame", "paper", (0.1, 1.0, 10.0), (0.8, 0.5, 0.2), error=0.19),
-    Course("flame", "auto", (0.1, 1.0), (0.8, 0.1), error=0.09),
+    Course("flame", "paper", times=(0.1, 1.0, 10.0), errors=(0.8, 0.5, 0.2)),
+    Course(
+        "flame", "auto", times=(0.1, 1.0), errors=(0.8, 0.1), own_curve=((0.1, 0.7), (0.5, 0.2))
+    ),
     Course("letter", "auto", failure="no light"),
 ]
 MEASURED = [
@@ -72,6 +74,9 @@ def test_courses_have_a_panel_each_scene_and_a_line_each_method():
     for course in COURSES[:2]:
         np.testing.assert_array_equal(lines[course.method].get_xdata(), course.times)
         np.testing.assert_array_equal(lines[course.method].get_ydata(), course.errors)
+    own = flame.lines[-1]
+    assert own.get_color() == lines["auto"].get_color()
+    np.testing.assert_array_equal(own.get_xydata(), COURSES[1].own_curve)
     assert not letter.lines
 
 

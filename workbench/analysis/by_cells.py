@@ -76,8 +76,7 @@ class ByCells:
             Those of differences to the image by cells, for `Unscattered`.
         """
         irradiance = image.irradiance
-        error = relative_l2(irradiance, target)
-        bound = image.bound * _norm(irradiance) / _norm(target)
+        error, bound = image.error(target)
         difference = relative_l2(of_rays, irradiance)
         return cls(
             relative_l2_corrected=error,
@@ -112,8 +111,3 @@ class ByCells:
             "difference_corrected": self.unscattered.distance,
             "difference_corrected_interval": list(self.unscattered.interval),
         }
-
-
-def _norm(image: Array) -> float:
-    """Norm of an image that is divided by its sum."""
-    return float(np.linalg.norm(image)) / float(image.sum())

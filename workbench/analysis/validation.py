@@ -10,7 +10,6 @@ random rays are the second opinion then.
 
 import math
 from collections.abc import Generator, Mapping, Sequence
-from contextlib import closing
 from dataclasses import dataclass
 from typing import Any
 
@@ -25,7 +24,7 @@ from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import BATCHES
 from workbench.analysis.tracing.trace import Trace, added
 from workbench.analysis.tracing.train import Tally
-from workbench.analysis.watch import Watch, unwatched, within
+from workbench.analysis.watch import Watch, finished, unwatched, within
 from workbench.errors import RunFailed
 from workbench.optics.account import Account
 from workbench.scene import Scene
@@ -179,13 +178,7 @@ def validate(
     0.04
     """
     steps = validating(scene, target, heights, rays, seed, screen_z, pose, threads, accuracy)
-    with closing(steps):
-        while True:
-            try:
-                watch(next(steps))
-            except StopIteration as end:
-                found: Validation = end.value
-                return found
+    return finished(steps, watch)
 
 
 def validating(

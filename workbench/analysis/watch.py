@@ -19,6 +19,17 @@ def part_of(watch: Watch, before: int, count: int, of: int) -> Watch:
     return lambda part: watch((before + count * part) / of)
 
 
+def finished(steps: Generator[float, None, T], watch: Watch = unwatched) -> T:
+    """Take steps that yield the part of them that is done, to their end."""
+    with closing(steps):
+        while True:
+            try:
+                watch(next(steps))
+            except StopIteration as end:
+                found: T = end.value
+                return found
+
+
 def within(
     steps: Generator[float, None, T], part: Callable[[float], float]
 ) -> Generator[float, None, T]:

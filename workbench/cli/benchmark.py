@@ -8,13 +8,19 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from workbench.analysis.benchmark.names import BENCHMARKS
+from workbench.analysis.benchmark.names import BENCHMARKS, WITH_CURVES
 from workbench.cli.interruption import Interrupted, number_of
 from workbench.errors import Refused
 from workbench.files.atomic import check_writable, replacing
 
 
-def benchmark(names: Sequence[str], folder: Path, iterations: int | None, as_json: bool) -> None:
+def benchmark(
+    names: Sequence[str],
+    folder: Path,
+    iterations: int | None,
+    against: Path | None,
+    as_json: bool,
+) -> None:
     """Run benchmarks; each writes a table (Markdown and JSON) and a picture into a folder.
 
     Parameters
@@ -25,19 +31,24 @@ def benchmark(names: Sequence[str], folder: Path, iterations: int | None, as_jso
         Is made where it is missing; files of the same names are replaced.
     iterations : int, optional
         Upper limit of all designs, in place of their own.
+    against : Path, optional
+        JSON file of an earlier result, whose curves are drawn beside the new ones.
     as_json : bool
         Whether all figures are printed as one JSON object, instead of Markdown.
 
     Raises
     ------
     Refused
-        If there is no such benchmark, or the folder cannot be written.
+        If there is no such benchmark, the folder cannot be written, or the earlier result has no
+        curves or one of the benchmarks has none.
     KeyboardInterrupt
         After Ctrl-C; what was finished is written.
     """
     for name in names:
         if name not in BENCHMARKS:
             raise Refused(name, f"is no benchmark; there are {', '.join(BENCHMARKS)}")
+        if against is not None and name not in WITH_CURVES:
+            raise Refused(name, f"has no curves; --against is for {', '.join(WITH_CURVES)}")
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
@@ -47,6 +58,7 @@ def benchmark(names: Sequence[str], folder: Path, iterations: int | None, as_jso
     os.environ.setdefault("OMP_WAIT_POLICY", "PASSIVE")  # as for a design
     from workbench.analysis.benchmark.machine import Machine  # late: torch
 
+    earlier = _earlier(against)
     machine = Machine.here()
     if not as_json:
         print(machine.to_markdown(), flush=True)
@@ -55,7 +67,7 @@ def benchmark(names: Sequence[str], folder: Path, iterations: int | None, as_jso
     for name in names:
         rows, seconds, stop = _measure(name, iterations)
         if rows:
-            found[name] = _write(name, rows, seconds, folder, as_json)
+            found[name] = _write(name, rows, earlier, seconds, folder, as_json)
         if stop:
             break
     if as_json:
@@ -63,6 +75,15 @@ def benchmark(names: Sequence[str], folder: Path, iterations: int | None, as_jso
     if stop:
         kept = f"what was finished is in {folder}" if found else "nothing was finished"
         raise Interrupted(number_of(stop), f"interrupted; {kept}")
+
+
+def _earlier(against: Path | None) -> Sequence[Any]:
+    """Courses of an earlier result; late, since they need what the benchmarks need."""
+    if against is None:
+        return ()
+    from workbench.analysis.benchmark.earlier import earlier_courses
+
+    return earlier_courses(against)
 
 
 def _measure(
@@ -85,12 +106,18 @@ def _measure(
 
 
 def _write(
-    name: str, rows: Sequence[Any], seconds: float, folder: Path, as_json: bool
+    name: str,
+    rows: Sequence[Any],
+    earlier: Sequence[Any],
+    seconds: float,
+    folder: Path,
+    as_json: bool,
 ) -> dict[str, Any]:
     from workbench.analysis.benchmark.suite import SUITE
     from workbench.pictures.benchmark import draw
 
     tables = SUITE[name].tables(rows)
+    seen = [each for each in earlier if any(each.scene == row.scene for row in rows)]
     text = "\n".join(table.to_markdown() for table in tables)
     if not as_json:
         print(f"## {name} ({seconds:.0f} s)\n\n{text}", flush=True)
@@ -100,7 +127,7 @@ def _write(
     with replacing(folder / f"{name}.json") as file:
         file.write(json.dumps(figures, indent=1).encode())
     with replacing(folder / f"{name}.png") as file:
-        draw(name, rows, file)
+        draw(name, [*rows, *seen], file)
     return figures
 
 

@@ -18,9 +18,10 @@ _FONT = 8
 _DPI = 130
 _COLUMNS = 3
 COLOURS = {
-    "paper on torch": "#c3c7cd",
-    "paper": "#8a8f98",
+    "paper on torch": "#cbb8e4",
+    "paper": "#8e6bbf",
     "transport": "#e0912f",
+    "auto, before": "#9aa0a8",
     "auto": "#2f86d1",
 }
 _BAR = "#2f86d1"
@@ -47,8 +48,8 @@ class Course(Protocol):
         """Relative L2 errors at these times."""
 
     @property
-    def error(self) -> float | None:
-        """The last one, with the most rays."""
+    def own_curve(self) -> Sequence[tuple[float, float]]:
+        """Time and the method's own error after each iteration."""
 
 
 class Measured(Protocol):
@@ -116,8 +117,8 @@ def courses(rows: Sequence[Course]) -> Figure:
             if row.scene == scene and row.times:
                 colour = COLOURS.get(row.method)
                 axes.plot(row.times, row.errors, "o-", ms=3, lw=1.4, color=colour, label=row.method)
-                if row.error is not None:
-                    axes.plot(row.times[-1], row.error, "o", ms=7, mfc="none", color=colour)
+                if row.own_curve:
+                    axes.plot(*zip(*row.own_curve, strict=True), ".", ms=2, alpha=0.5, color=colour)
         axes.set_xscale("log")
         axes.set_yscale("log")
         axes.yaxis.set_major_formatter(FuncFormatter(_per_cent))
@@ -129,8 +130,8 @@ def courses(rows: Sequence[Course]) -> Figure:
         if axes.lines:
             axes.legend(fontsize=_FONT, frameon=False)
     figure.supxlabel(
-        "Relative L2 error of the best lens so far, traced anew by other means; "
-        "rings: the last lens, with the most rays.",
+        "Relative L2 error of the best lens so far. Lines: traced anew by other means; dots: own "
+        "error of the run, after each iteration.",
         fontsize=_FONT,
     )
     return figure
@@ -197,6 +198,7 @@ def _per_cent_of_1_2_5(value: float, _: object) -> str:
 _DRAWN: dict[str, Callable[[Sequence[Any]], Figure]] = {
     "quick": courses,
     "frontier": courses,
+    "large": courses,
     "kernels": comparisons,
     "precision": differences,
     "skips": comparisons,

@@ -1,21 +1,40 @@
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from workbench.analysis.benchmark import frontier
-from workbench.analysis.benchmark.frontier import Course, Effort, courses, table
-from workbench.analysis.benchmark.methods import METHODS
+from workbench.analysis.benchmark.fresh import Fresh
+from workbench.analysis.benchmark.frontier import Course, Effort, Verified, courses, table, verified
+from workbench.analysis.benchmark.methods import METHODS, Lens
 from workbench.analysis.validation import validate
 from workbench.errors import RunFailed
 
 
 @pytest.fixture
 def effort(make_example):
-    return Effort((make_example(),), iterations=4, rays=4000, final_rays=9000, step=1.01)
+    return Effort((make_example(),), tuple(METHODS), iterations=4, step=1.01, processes=1)
+
+
+@pytest.fixture
+def processes(monkeypatch):
+    """What is asked of fresh processes, none of which is started."""
+    asked = []
+
+    def fresh_design(example, iterations, times):
+        asked.append((example.name, iterations, times))
+        return Fresh(7.5, 300_000_000)
+
+    monkeypatch.setattr(frontier, "fresh_design", fresh_design)
+    return asked
 
 
 @pytest.fixture
 def scripted(monkeypatch, make_example):
-    """Methods whose lenses and times are known: ``scripted({"slow": [(t, waviness), ...]})``."""
+    """Methods whose lenses and times are known: ``scripted({"slow": [(t, waviness), ...]})``.
+
+    Each lens says that its own error is its waviness.
+    """
     example = make_example()
     rise = np.outer(np.cos(np.linspace(0, 3, 12)), np.cos(np.linspace(0, 3, 10)))
 
@@ -25,15 +44,13 @@ def scripted(monkeypatch, make_example):
     def put(scripts):
         methods = {
             name: lambda example, iterations, script=script: (
-                (seconds, lens(waviness)) for seconds, waviness in script
+                Lens(seconds, lens(waviness), waviness) for seconds, waviness in script
             )
             for name, script in scripts.items()
         }
         monkeypatch.setattr(frontier, "METHODS", methods)
-        effort = Effort((example,), None, rays=4000, final_rays=9000, step=2.0)
-        return effort, lambda waviness, rays: validate(
-            example.scene, example.target, {"exit": lens(waviness)}, rays
-        )
+        effort = Effort((example,), tuple(methods), None, step=2.0, processes=1)
+        return effort, lambda waviness, accuracy: verified(example, lens(waviness), accuracy)
 
     return put
 
@@ -44,26 +61,57 @@ def test_errors_are_those_of_the_independent_check(scripted, told):
     (course,) = courses(effort, told)
     # From 0.05 s on in steps of two, and the last one.
     assert course.times == (0.01, 0.3, 0.9, 1.0)
-    errors = [verified(waviness, 4000).relative_l2 for waviness in (0.0, 0.02, 0.04, 0.05)]
-    assert course.errors == tuple(errors)
-    last = verified(0.05, 9000)
-    assert (course.error, course.noise) == (last.relative_l2, last.noise)
-    assert course.efficiency == last.efficiency
-    assert course.seconds == 1.0 and course.memory > 0 and course.failure == ""
+    last = verified(0.05, 1e-3)
+    errors = [verified(waviness, 5e-3).error for waviness in (0.0, 0.02, 0.04)]
+    assert course.errors == (*errors, last.error)
+    assert (course.error, course.bound, course.efficiency) == last
+    assert 0 < course.bound < 1e-2
+    assert course.seconds == 1.0 and course.failure == ""
+    assert course.microseconds_a_pixel == 1e6 / 32**2
+    assert course.own_curve == tuple(script)
+    assert course.own == 0.05 and course.own_over_verified == 0.05 / course.error
     assert course.sooner == 1.0
     assert told.lines[-1] == ("small, one", "verifying 4 of 4")
 
 
 def test_speed_up_counts_from_the_slowest_method(scripted, told):
-    slow = [(1.0, 0.02), (8.0, 0.0)]
-    fast = [(0.5, 0.02), (1.0, 0.0), (2.0, 0.001)]
-    never = [(0.5, 0.02)]
+    slow = [(1.0, 0.3), (8.0, 0.0)]
+    fast = [(0.5, 0.3), (1.0, 0.0), (2.0, 0.001)]
+    never = [(0.5, 0.3)]
     effort, verified = scripted({"slow": slow, "fast": fast, "never": never})
-    assert verified(0.0, 4000).relative_l2 < verified(0.02, 4000).relative_l2
+    assert verified(0.0, 5e-3).error < verified(0.3, 5e-3).error
     assert [course.sooner for course in courses(effort, told)] == [1.0, 8.0, None]
 
 
-def test_every_method_runs_and_gets_better(effort, told):
+def test_cells_and_random_rays_verify_the_same(make_example, monkeypatch):
+    example = make_example()
+    lens = 0.5 + 0.02 * np.outer(np.cos(np.linspace(0, 3, 12)), np.cos(np.linspace(0, 3, 10)))
+    light = validate(example.scene, example.target, {"exit": lens}, 400_000)
+    cells = verified(example, lens)
+    low, high = light.relative_l2_corrected_interval
+    assert low - cells.bound < cells.error < high + cells.bound
+    assert cells.efficiency == pytest.approx(light.efficiency, rel=1e-3)
+
+    def refused(*_):
+        yield 1.0
+
+    monkeypatch.setattr(frontier, "imaging", refused)
+    rays = verified(example, lens)
+    assert abs(rays.error - cells.error) < rays.bound + cells.bound
+    assert rays.bound != cells.bound
+
+
+def test_auto_says_what_it_is_verified_to_be_and_what_a_user_waits(effort, told, processes):
+    effort = replace(effort, methods=("paper", "transport", "auto"))
+    paper, transport, auto = courses(effort, told)
+    assert processes == [("small", 4, 1)]
+    assert auto.waited == 7.5 and auto.megabytes == 300.0 and paper.waited is None
+    assert auto.own_over_verified == pytest.approx(1, abs=0.05)
+    assert auto.own_curve[-1][0] == auto.seconds
+    assert transport.own_curve == () and transport.own is None
+
+
+def test_every_method_runs_and_gets_better(effort, told, processes):
     found = list(courses(effort, told))
     assert [course.method for course in found] == list(METHODS)
     assert found[0].method == "paper on torch"
@@ -79,11 +127,12 @@ def test_a_failed_method_is_reported_and_the_others_run(scripted, told, monkeypa
     effort, _ = scripted({"fine": [(1.0, 0.0)]})
 
     def dark(example, iterations):
-        yield 0.1, np.full(example.scene.lens.control_points, 0.5)
+        yield Lens(0.1, np.full(example.scene.lens.control_points, 0.5))
         raise RunFailed("no light")
 
     methods = {"first": dark, **frontier.METHODS}
     monkeypatch.setattr(frontier, "METHODS", methods)
+    effort = replace(effort, methods=tuple(methods))
     failed, fine = courses(effort, told)
     assert failed.failure == "no light"
     assert failed.error is None and failed.sooner is None
@@ -91,23 +140,36 @@ def test_a_failed_method_is_reported_and_the_others_run(scripted, told, monkeypa
 
 
 def test_table_agrees_with_the_courses():
-    course = Course("flame", "auto", (0.1, 1.0), (0.5, 0.25), 1.0, 0.125, 0.001, 0.9, 2_000_000)
+    course = Course(
+        "flame",
+        "auto",
+        10_000,
+        (0.1, 1.0),
+        (0.5, 0.125),
+        ((0.1, 0.5), (1.0, 0.12)),
+        Verified(0.125, 0.001, 0.9),
+        3.0,
+        2_000_000,
+    )
     made = table([course])
     (data,) = made.to_data()
-    assert data["curve"] == [(0.1, 0.5), (1.0, 0.25)]
+    assert data["curve"] == [(0.1, 0.5), (1.0, 0.125)]
+    assert data["own_curve"] == ((0.1, 0.5), (1.0, 0.12)) and data["pixels"] == 10_000
     assert data["megabytes"] == 2.0 and data["sooner"] is None
     row = made.to_markdown().splitlines()[4]
-    assert row == "| flame | auto | 12.50% | 0.10% | 90.0% | 1.0 | – | 2 |  |"
+    assert row == (
+        "| flame | auto | 12.50% | 0.10% | 12.00% | 0.960 | 90.0% | 1.0 | 3.0 | 100 | 2 | – |  |"
+    )
 
 
 def test_time_to_an_error():
-    course = Course("flame", "auto", (0.1, 1.0, 2.0), (0.5, 0.25, 0.3))
+    course = Course("flame", "auto", times=(0.1, 1.0, 2.0), errors=(0.5, 0.25, 0.3))
     assert course.time_to(0.25) == 1.0
     assert course.time_to(0.6) == 0.1
     assert course.time_to(0.2) is None
 
 
-@pytest.mark.parametrize("make", [frontier.quick, frontier.frontier])
+@pytest.mark.parametrize("make", [frontier.quick, frontier.frontier, frontier.large])
 def test_an_effort_limits_iterations_and_has_scenes(make):
     assert make(7).iterations == 7
     scenes = [example.name for example in make(None).examples]

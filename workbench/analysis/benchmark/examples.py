@@ -1,19 +1,25 @@
 """The example scenes, ready to be measured."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 import resources
+from resources.drawings import photograph
 from workbench.design.limits import HeightLimits
 from workbench.geometry.surface import ControlNet
 from workbench.scene import Scene
 from workbench.targets import load_target
 
 Array = npt.NDArray[np.float64]
+
+_PHOTO = 256  # pixels of the shipped photograph a side
+_SEED = 13
+
 Notify = Callable[[str, str], None]
 """Called now and then with what is measured, and how far that is."""
 
@@ -38,13 +44,15 @@ class Example:
     target: Array
 
     @classmethod
-    def of(cls, name: str, **changes: Any) -> "Example":
+    def of(cls, name: str, image: Array | None = None, **changes: Any) -> "Example":
         """Read a shipped example.
 
         Parameters
         ----------
         name : str
             As in `resources.EXAMPLES`.
+        image : ndarray, shape (n_y, n_x), optional
+            The target, in place of the example's own.
         **changes
             Parts of the scene file to be changed: a dictionary is merged into its part, anything
             else takes its place. A source of another kind and another method replace theirs.
@@ -54,7 +62,55 @@ class Example:
         for part, change in changes.items():
             data[part] = _merged(data[part], change)
         scene = Scene.from_data(data)
-        return cls(name, shipped.group, scene, load_target(scene, shipped.file.parent))
+        target = load_target(scene, shipped.file.parent) if image is None else image
+        return cls(name, shipped.group, scene, target)
+
+    @classmethod
+    def photo(cls, size: int) -> "Example":
+        """The photograph at ``size`` pixels a side, with a net and rays in proportion."""
+        net = Scene.from_json(resources.path("examples", "photo.json").read_bytes()).lens
+        example = cls.of(
+            "photo",
+            photograph(size),
+            lens={"control_points": [n * size // _PHOTO for n in net.control_points]},
+            source={"rays": [2 * size, 2 * size]},
+            screen={"pixels": [size, size]},
+        )
+        return replace(example, name=f"photo-{size}")
+
+    @classmethod
+    def cloud(cls) -> "Example":
+        """A cloud, which no example has, through the photograph's lens."""
+        return replace(cls.of("photo", cloud(_PHOTO)), name="cloud")
+
+    def save(self, folder: Path) -> Path:
+        """Write the scene and its target into a folder.
+
+        Returns
+        -------
+        Path
+            The scene file.
+        """
+        np.save(folder / "target.npy", self.target)
+        scene = Scene.from_data(self.scene.to_data() | {"target": {"image": "target.npy"}})
+        file = folder / "scene.json"
+        file.write_text(scene.to_json(), "utf-8")
+        return file
+
+
+def cloud(size: int) -> Array:
+    """Noise with an amplitude of 1 / frequency: detail of every size, as in photographs of nature.
+
+    Returns
+    -------
+    ndarray, shape (size, size)
+        Values in [0, 1], the same ones each time.
+    """
+    noise = np.random.default_rng(_SEED).standard_normal((size, size))
+    frequency = np.hypot(np.fft.fftfreq(size)[:, None], np.fft.rfftfreq(size))
+    frequency[0, 0] = np.inf  # no mean
+    image = np.fft.irfft2(np.fft.rfft2(noise) / frequency, (size, size))
+    return np.asarray((image - image.min()) / np.ptp(image))
 
 
 def wavy(scene: Scene) -> Array:

@@ -4,25 +4,29 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import islice
-from typing import Any
+from typing import Any, NamedTuple
 
-import numpy as np
-import numpy.typing as npt
-
-from workbench.analysis.benchmark.examples import Example, Notify
-from workbench.analysis.benchmark.machine import PeakMemory
-from workbench.analysis.benchmark.methods import METHODS, Method
+from workbench.analysis.benchmark.examples import Array, Example, Notify
+from workbench.analysis.benchmark.fresh import fresh_design
+from workbench.analysis.benchmark.methods import METHODS, Lens, Method
 from workbench.analysis.benchmark.table import Column, Table
-from workbench.analysis.validation import Validation, validate
+from workbench.analysis.cells.image import ACCURACY, imaging
+from workbench.analysis.validation import validate
+from workbench.analysis.watch import finished
 from workbench.errors import Refused, RunFailed
 
-Array = npt.NDArray[np.float64]
+TITLE = "Verified error against time"
 
 _FIRST = 0.05  # s
 _WARM_UP = 3  # lenses of a run that nobody times: compilers and caches
+_ON_THE_WAY = 5e-3  # relative error of images that verify all lenses but the last
+_RAYS = 4_000_000  # where cells cannot verify a lens
+_FRESH = "auto"  # what ``freeform design`` runs
 _NOTE = (
-    "Verified error: relative L2 distance from the untouched target, by an independent trace of "
-    "the last lens; its standard error is beside it. Seconds are those of the method alone."
+    "Verified error: relative L2 distance of the last lens's image from the untouched target, by "
+    "cells of its face in another tracer; ± is the bound of that image's own error. Own error: the "
+    "same distance as the run itself reports it. Seconds are those of the method alone, waited is "
+    "the time of a fresh `freeform design`, and peak MB is the memory of that process."
 )
 
 
@@ -34,19 +38,37 @@ class Effort:
     ----------
     examples : tuple of Example
         The scenes.
+    methods : tuple of str
+        What designs them; speed is measured against the first.
     iterations : int or None
         Upper limit of every method; None leaves it to each.
-    rays, final_rays : int
-        Rays that verify a lens on the way, and the last one.
     step : float
         Factor from one time at which a lens is verified to the next.
+    processes : int
+        Fresh processes that design each scene.
     """
 
     examples: tuple[Example, ...]
+    methods: tuple[str, ...]
     iterations: int | None
-    rays: int
-    final_rays: int
     step: float
+    processes: int
+
+
+class Verified(NamedTuple):
+    """What an independent tracer says of a lens.
+
+    Attributes
+    ----------
+    error, bound : float
+        Relative L2 error, and how far from the true one it may be.
+    efficiency : float
+        Part of the emitted flux that lands on the screen.
+    """
+
+    error: float
+    bound: float
+    efficiency: float
 
 
 @dataclass(frozen=True)
@@ -57,15 +79,19 @@ class Course:
     ----------
     scene, method : str
         Their names.
+    pixels : int
+        Pixels of the screen.
     times, errors : tuple of float
         Verified error of the best lens after some times, s. The method's own time: verifying is
         not in it.
-    seconds : float
-        Time of the whole run.
-    error, noise, efficiency : float or None
-        Of the last lens, verified with the most rays; see `Validation`.
+    own_curve : tuple of (float, float)
+        Time and own error of the best lens after each iteration.
+    last : Verified or None
+        What is said of the last lens.
+    waited : float or None
+        Time that a fresh process takes, s.
     memory : int or None
-        Peak of the process while it ran, bytes.
+        Peak of that process, bytes.
     sooner : float or None
         How many times sooner than the first method this one has its lowest error, or a lower one;
         None if it never does.
@@ -75,20 +101,55 @@ class Course:
 
     scene: str
     method: str
+    pixels: int = 0
     times: tuple[float, ...] = ()
     errors: tuple[float, ...] = ()
-    seconds: float | None = None
-    error: float | None = None
-    noise: float | None = None
-    efficiency: float | None = None
+    own_curve: tuple[tuple[float, float], ...] = ()
+    last: Verified | None = None
+    waited: float | None = None
     memory: int | None = None
     sooner: float | None = None
     failure: str = ""
 
     @property
     def curve(self) -> list[tuple[float, float]]:
-        """Pairs of time and error."""
+        """Pairs of time and verified error."""
         return list(zip(self.times, self.errors, strict=True))
+
+    @property
+    def seconds(self) -> float | None:
+        """Time of the whole run."""
+        return self.times[-1] if self.last else None
+
+    @property
+    def microseconds_a_pixel(self) -> float | None:
+        """The same for each pixel."""
+        return None if self.seconds is None else 1e6 * self.seconds / self.pixels
+
+    @property
+    def error(self) -> float | None:
+        """Verified error of the last lens."""
+        return self.last and self.last.error
+
+    @property
+    def bound(self) -> float | None:
+        """How far from the true one that may be."""
+        return self.last and self.last.bound
+
+    @property
+    def efficiency(self) -> float | None:
+        """Part of the light that the last lens brings to the screen."""
+        return self.last and self.last.efficiency
+
+    @property
+    def own(self) -> float | None:
+        """Error of the last lens as the run itself sees it."""
+        return self.own_curve[-1][1] if self.last and self.own_curve else None
+
+    @property
+    def own_over_verified(self) -> float | None:
+        """Their ratio: 1 if the run tells the truth."""
+        return self.own / self.error if self.own and self.error else None
 
     @property
     def megabytes(self) -> float | None:
@@ -109,91 +170,113 @@ def quick(iterations: int | None) -> Effort:
         "run": {"iterations": 150},
     }
     examples = tuple(Example.of(name, **small) for name in ("tophat", "flame"))
-    return Effort(examples, iterations or 200, rays=500_000, final_rays=2_000_000, step=2.0)
+    return Effort(examples, tuple(METHODS), iterations or 200, step=2.0, processes=1)
 
 
 def frontier(iterations: int | None) -> Effort:
     """Every kind of scene at full size."""
-    names = ("tophat", "ball", "flame", "flame-point", "photo", "letter")
-    examples = tuple(map(Example.of, names))
-    return Effort(examples, iterations, rays=4_000_000, final_rays=16_000_000, step=math.sqrt(2))
+    names = ("tophat", "ball", "flame", "letter", "photo", "flame-point")
+    examples = (*map(Example.of, names), Example.cloud(), Example.photo(512))
+    methods = ("paper", "transport", "auto")
+    return Effort(examples, methods, iterations, step=math.sqrt(2), processes=3)
+
+
+def large(iterations: int | None) -> Effort:
+    """One scene in three sizes."""
+    examples = tuple(map(Example.photo, (256, 512, 1024)))
+    return Effort(examples, ("auto",), iterations, step=2.0, processes=1)
 
 
 def courses(effort: Effort, notify: Notify) -> Iterator[Course]:
     """Measure all methods on all scenes, one after the other."""
     for example in effort.examples:
         yardstick: Course | None = None
-        for name, method in METHODS.items():
-            course = _course(example, name, method, effort, notify)
+        for name in effort.methods:
+            course = _course(example, name, effort, notify)
             yardstick = yardstick or course
             yield replace(course, sooner=_sooner(course, yardstick))
 
 
 def table(found: Sequence[Course]) -> Table:
     """The courses as rows."""
-    first = next(iter(METHODS))
     columns = (
         Column("scene", "scene"),
         Column("method", "method"),
         Column("error", "verified error", ".2%"),
-        Column("noise", "±", ".2%"),
+        Column("bound", "±", ".2%"),
+        Column("own", "own error", ".2%"),
+        Column("own_over_verified", "own / verified", ".3f"),
         Column("efficiency", "light on the screen", ".1%"),
         Column("seconds", "seconds", ".1f"),
-        Column("sooner", f"times sooner at the best error of {first}", ".3g"),
+        Column("waited", "waited", ".1f"),
+        Column("microseconds_a_pixel", "µs a pixel", ".0f"),
         Column("megabytes", "peak MB", ".0f"),
+        Column("sooner", f"times sooner at the best error of {found[0].method}", ".3g"),
         Column("failure", "failed"),
+        Column("pixels", ""),
         Column("curve", ""),
+        Column("own_curve", ""),
     )
-    return Table("Verified error against time", columns, found, _NOTE)
+    return Table(TITLE, columns, found, _NOTE)
 
 
-def _course(example: Example, name: str, method: Method, effort: Effort, notify: Notify) -> Course:
-    course = Course(example.name, name)
+def _course(example: Example, name: str, effort: Effort, notify: Notify) -> Course:
+    course = Course(example.name, name, example.target.size)
     case = f"{example.name}, {name}"
     try:
-        for _ in islice(method(example, effort.iterations), _WARM_UP):
-            pass
-        peak = PeakMemory()
-        kept: list[tuple[float, Array]] = []
-        for seconds, lens in method(example, effort.iterations):
-            notify(case, f"{seconds:.1f} s")
-            if not kept or seconds >= max(_FIRST, effort.step * kept[-1][0]):
-                kept.append((seconds, lens))
-        memory = peak.bytes()
-        if seconds > kept[-1][0]:
-            kept.append((seconds, lens))
-        for number, (_, lens) in enumerate(kept):
-            notify(case, f"verifying {number + 1} of {len(kept)}")
-            course = replace(
-                course,
-                times=(*course.times, kept[number][0]),
-                errors=(*course.errors, _verified(example, lens, effort.rays).relative_l2),
-            )
-        last = _verified(example, lens, effort.final_rays)
+        kept: list[Lens] = []
+        own: list[tuple[float, float]] = []
+        for lens in _timed(METHODS[name], example, effort.iterations):
+            notify(case, f"{lens.seconds:.1f} s")
+            if lens.own is not None:
+                own.append((lens.seconds, lens.own))
+            if not kept or lens.seconds >= max(_FIRST, effort.step * kept[-1].seconds):
+                kept.append(lens)
+        if lens.seconds > kept[-1].seconds:
+            kept.append(lens)
+        course = replace(course, own_curve=tuple(own))
+        for number, lens in enumerate(kept, 1):
+            notify(case, f"verifying {number} of {len(kept)}")
+            accuracy = ACCURACY if number == len(kept) else _ON_THE_WAY
+            found = verified(example, lens.heights, accuracy)
+            times, errors = (*course.times, lens.seconds), (*course.errors, found.error)
+            course = replace(course, times=times, errors=errors)
+        course = replace(course, last=found)
+        if name == _FRESH:
+            notify(case, "in a fresh process")
+            iterations = effort.iterations or example.scene.run.iterations
+            waited, memory = fresh_design(example, iterations, effort.processes)
+            course = replace(course, waited=waited, memory=memory)
     except (Refused, RunFailed) as failure:
         return replace(course, failure=str(failure))
-    return replace(
-        course,
-        seconds=seconds,
-        error=last.relative_l2,
-        noise=last.noise,
-        efficiency=last.efficiency,
-        memory=memory,
-    )
+    return course
 
 
-def _verified(example: Example, lens: Array, rays: int) -> Validation:
+def _timed(method: Method, example: Example, iterations: int | None) -> Iterator[Lens]:
+    for _ in islice(method(example, iterations), _WARM_UP):
+        pass
+    return method(example, iterations)
+
+
+def verified(example: Example, lens: Array, accuracy: float = ACCURACY) -> Verified:
+    """Judge a lens by cells of that accuracy; by random rays where the source has many points."""
     # A method may design on a net of its own.
     net = {"control_points": lens.shape}
     scene = example.scene.model_copy(update={"lens": example.scene.lens.model_copy(update=net)})
-    return validate(scene, example.target, {"exit": lens}, rays)
+    image = finished(imaging(scene, {"exit": lens}, accuracy))
+    if image is None:
+        light = validate(scene, example.target, {"exit": lens}, _RAYS)
+        low, high = light.relative_l2_corrected_interval
+        return Verified(light.relative_l2_corrected, (high - low) / 2, light.efficiency)
+    efficiency = float(image.irradiance.sum()) * scene.screen.pixel_area
+    return Verified(*image.error(example.target), efficiency)
 
 
 def _sooner(course: Course, yardstick: Course) -> float | None:
     """Ratio of the times that both took to the lowest error that the yardstick ever has.
 
-    Both errors are measured with the same rays. A lens is verified at some times alone: the time
-    found is the first of these, and the true one may be less by the step.
+    A lens is verified at some times alone: the time found is the first of these, and the true one
+    may be less by the step.
     """
     if not yardstick.errors:
         return None

@@ -84,16 +84,23 @@ class PeakMemory:
 
     def bytes(self) -> int | None:
         """The peak so far; None where the system does not say."""
-        with suppress(OSError):
-            for line in Path("/proc/self/status").read_text("ascii").splitlines():
-                if line.startswith("VmHWM:"):
-                    return int(line.split()[1]) * 1024
+        if found := peak_memory("self"):
+            return found
         if sys.platform == "win32":
             return None
         import resource  # not there on Windows
 
         peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
         return peak if sys.platform == "darwin" else peak * 1024
+
+
+def peak_memory(process: int | str) -> int | None:
+    """The most memory that a process has held, bytes; None where the system does not say."""
+    with suppress(OSError):
+        for line in Path(f"/proc/{process}/status").read_text("utf-8", "replace").splitlines():
+            if line.startswith("VmHWM:"):
+                return int(line.split()[1]) * 1024
+    return None
 
 
 def _cpu() -> str:

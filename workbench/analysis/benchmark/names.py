@@ -3,12 +3,16 @@
 BENCHMARKS = {
     "quick": "verified error against time on two small scenes, within two minutes",
     "frontier": "verified error against time: every kind of scene, each method",
+    "large": "the same for a photograph of 256², 512² and 1024² pixels: time a pixel, memory",
     "kernels": "loss and gradient by tracer, float type, intersection, rays, filter, net, threads",
     "precision": "float32 against float64: image, loss and gradient of the examples",
     "skips": "what is saved by leaving out what a scene does not need",
     "paper": "all experiments of the paper: a table, and a page of pictures",
 }
 """What each measures."""
+
+WITH_CURVES = ("quick", "frontier", "large")
+"""Those that measure error against time."""
 
 DEFAULT = "quick"
 """What runs when none is named."""

@@ -41,6 +41,7 @@ def _courses(effort: Callable[[int | None], frontier.Effort]) -> Benchmark:
 SUITE = {
     "quick": _courses(frontier.quick),
     "frontier": _courses(frontier.frontier),
+    "large": _courses(frontier.large),
     "kernels": Benchmark(
         kernels.measurements, lambda rows: (comparison.table("Loss and gradient", rows),)
     ),

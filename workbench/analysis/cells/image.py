@@ -9,6 +9,7 @@ import numpy as np
 
 from workbench.analysis.cells.lattice import Lattice
 from workbench.analysis.cells.triangles import Array
+from workbench.analysis.metrics import relative_l2
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.train import OpticalTrain
 from workbench.analysis.watch import within
@@ -45,6 +46,12 @@ class CellImage:
     irradiance: Array
     bound: float
     cells: tuple[int, int]
+
+    def error(self, target: Array) -> tuple[float, float]:
+        """Relative L2 distance to a target in any scale, and the bound of its own error."""
+        image = self.irradiance
+        size = float(np.linalg.norm(image) / image.sum() / np.linalg.norm(target) * target.sum())
+        return relative_l2(image, target), self.bound * size
 
 
 def imaging(

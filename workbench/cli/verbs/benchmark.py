@@ -4,7 +4,7 @@ import argparse
 from pathlib import Path
 from typing import Any
 
-from workbench.analysis.benchmark.names import BENCHMARKS, DEFAULT
+from workbench.analysis.benchmark.names import BENCHMARKS, DEFAULT, WITH_CURVES
 from workbench.cli.verbs.kinds import count
 from workbench.cli.verbs.parser import add_verb
 from workbench.cli.verbs.shared import add_json
@@ -19,7 +19,7 @@ def add(commands: Any) -> None:
         commands,
         "benchmark",
         f"Measure run time against error. Ctrl-C keeps what is finished.\n\nbenchmarks:\n{names}",
-        ["benchmark", "benchmark frontier kernels --output measured/"],
+        ["benchmark", "benchmark frontier --output new/ --against old/frontier.json"],
         _run,
     )
     parser.add_argument(
@@ -29,10 +29,17 @@ def add(commands: Any) -> None:
         "--output",
         metavar="FOLDER",
         default=Path("benchmark"),
+        files=lambda folder: [folder / f"{name}.json" for name in WITH_CURVES],
         help="where tables and pictures go; default %(default)s",
     )
     parser.add_argument(
         "--iterations", metavar="N", type=count, help="of every design, in place of its own"
+    )
+    parser.add_input(
+        "--against",
+        role="the earlier result",
+        metavar="FILE.json",
+        help=f"earlier result, drawn beside the new one; for {', '.join(WITH_CURVES)}",
     )
     add_json(parser)
 
@@ -41,4 +48,4 @@ def _run(options: argparse.Namespace) -> None:
     from workbench.cli.benchmark import benchmark
 
     names = options.names or [DEFAULT]
-    benchmark(names, options.output, options.iterations, options.json)
+    benchmark(names, options.output, options.iterations, options.against, options.json)

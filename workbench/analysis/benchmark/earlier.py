@@ -1,0 +1,52 @@
+"""Curves of an earlier program, from the file that its benchmark wrote."""
+
+from pathlib import Path
+
+from pydantic import BaseModel, Field, FiniteFloat, ValidationError
+
+from workbench.analysis.benchmark.frontier import TITLE, Course
+from workbench.errors import Refused
+
+METHOD = "auto"
+"""The method whose curves are compared."""
+
+
+class _Row(BaseModel):
+    scene: str
+    method: str
+    curve: list[tuple[FiniteFloat, FiniteFloat]]
+
+
+class _File(BaseModel):
+    rows: list[_Row] = Field(alias=TITLE)
+
+
+def earlier_courses(path: Path) -> list[Course]:
+    """Read what ``auto`` was in an earlier result of ``freeform benchmark``.
+
+    Parameters
+    ----------
+    path : Path
+        The JSON file that a benchmark with curves has written.
+
+    Raises
+    ------
+    Refused
+        If it cannot be read or is no such file.
+    """
+    try:
+        file = _File.model_validate_json(path.read_bytes())
+    except OSError as error:
+        raise Refused(str(path), f"cannot be read: {error.strerror or error}") from error
+    except ValidationError as error:
+        raise Refused(str(path), "has no curves; frontier.json of a benchmark is needed") from error
+    return [
+        Course(
+            row.scene,
+            f"{METHOD}, before",
+            times=tuple(seconds for seconds, _ in row.curve),
+            errors=tuple(found for _, found in row.curve),
+        )
+        for row in file.rows
+        if row.method == METHOD
+    ]
