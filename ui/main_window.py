@@ -83,7 +83,8 @@ class MainWindow(QMainWindow):
         self.commands, self.messages, self.log = early.commands, early.messages, early.log
         self.forms, self.workspace, self.status = early.forms, early.workspace, early.status
         self.forms.image_asked.connect(self._choose_image)
-        CarriedLens(document, self.messages, self).noted.connect(self.log.add)
+        self._carried = CarriedLens(document, self.messages, self)
+        self._carried.noted.connect(self.log.add)
         UnitChange(document, self.messages, self)
         self._image = TargetImage(document, self.messages, self)
         steps = document.undo_stack
@@ -124,6 +125,8 @@ class MainWindow(QMainWindow):
         loaded.state_changed.connect(self._show_recent)
         loaded.control.ended.connect(self._end_run)
         self._lens.follow(loaded.control)
+        self._carried.followed = loaded.follow.follows
+        loaded.follow.said.connect(self._show_state)
         self._view_state.attach(loaded.views.scene)
         self._show_state()
         self.built.emit()
@@ -349,4 +352,8 @@ class MainWindow(QMainWindow):
             self.loaded.allow(look=now.resting, go_on=now.state == "idle")
         ended = "" if session.result is None else session.result.ended
         resting = now.state == "idle" and ended
-        self.status.show_state(ended[0].upper() + ended[1:] if resting else _STATES[now.state])
+        following = "" if self.loaded is None else self.loaded.follow.text
+        if following:
+            self.status.go_on(following)
+        else:
+            self.status.show_state(ended[0].upper() + ended[1:] if resting else _STATES[now.state])

@@ -228,8 +228,10 @@ def activate(widget, qtbot):
 
 @pytest.fixture
 def settings(tmp_path):
-    """What windows remember: nothing as yet."""
-    return QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat)
+    """What windows remember: nothing as yet, but that edits are not followed."""
+    settings = QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat)
+    settings.setValue("run/follow", False)
+    return settings
 
 
 @pytest.fixture

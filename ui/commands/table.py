@@ -109,6 +109,13 @@ COMMANDS = {
     ),
     "pause": Command("&Pause", "Hold the design; again to go on", "F6", "pause", checked=False),
     "stop": Command("S&top", "End the design and keep its best lens", "F7", "stop"),
+    "follow": Command(
+        "&Follow edits",
+        "Design the lens anew after every edit, while no run goes on",
+        "F9",
+        "follow",
+        checked=True,
+    ),
     "restore_run": Command(
         "&Restore run", "Give the design task and lens of the run chosen in the dock Runs"
     ),
@@ -253,7 +260,7 @@ MENUS: dict[str, list[Any]] = {
         None,
         "check",
     ],
-    "&Run": [*_RUN, None, "restore_run", "delete_run"],
+    "&Run": [*_RUN, None, "follow", None, "restore_run", "delete_run"],
     "&View": [
         "fit_view",
         *(f"{view}_view" for view in VIEWS),
@@ -273,7 +280,7 @@ MENUS: dict[str, list[Any]] = {
     "&Help": ["tour", "shortcuts", "palette", None, "about"],
 }
 _FILES, _STEPS = ["new_tophat", "open", "save"], ["undo", "redo"]
-TOOLBAR = [*_FILES, None, *_STEPS, None, *_RUN, None, *TOOLS, None, "fit_view"]
+TOOLBAR = [*_FILES, None, *_STEPS, None, *_RUN, "follow", None, *TOOLS, None, "fit_view"]
 """Names and separators, as in a menu."""
 LABELLED = _RUN
 """Those whose name stands beside the icon in the toolbar."""

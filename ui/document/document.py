@@ -178,6 +178,21 @@ class Document(QObject):
         """
         self.undo_stack.take(self._session, session, text, key)
 
+    def improve(self, session: Session) -> None:
+        """Go on with a better lens for the same task, as part of the last step.
+
+        Nothing is told: it is the same design, and whoever found the lens shows it. Undoing the
+        step takes the lens back, and redoing it brings the lens again. A design to which nothing
+        was done yet has no changes by this.
+
+        Parameters
+        ----------
+        session : Session
+            The open session with its better lens.
+        """
+        self._session = session
+        self.undo_stack.amend(session)
+
     def open(self, path: Path) -> None:
         """Open a session, or an untitled design from a scene file.
 

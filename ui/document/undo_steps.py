@@ -59,6 +59,15 @@ class UndoSteps(QUndoStack):
         self.push(_Step(self._go_to, before, after, text, key))
         self._forget_oldest()
 
+    def amend(self, after: Session) -> None:
+        """Let the last step lead to another session; nothing happens where there is no step."""
+        if not self.canUndo():
+            return
+        self._all()[self.index() - 1].lead_to(after)
+        if self.isClean():
+            self.resetClean()
+        self._forget_oldest()
+
     def origin(self, key: str) -> Session | None:
         """Where the step began that one with this key would become part of, if there is one."""
         if not key or self.isClean() or not self.canUndo():
@@ -114,6 +123,11 @@ class _Step(QUndoCommand):
         """
         return _Step(self._show, self.before, self.after, self.text(), key, done=True)
 
+    def lead_to(self, after: Session) -> None:
+        """End at another session than before."""
+        self.after = after
+        self.cost = _cost(self.before, after)
+
     def redo(self) -> None:
         if self._done:
             self._done = False
@@ -129,8 +143,7 @@ class _Step(QUndoCommand):
     def mergeWith(self, other: QUndoCommand) -> bool:
         if not isinstance(other, _Step) or other.key != self.key:
             return False
-        self.after = other.after
-        self.cost = _cost(self.before, self.after)
+        self.lead_to(other.after)
         # Qt deletes the other in the midst of `push`, after which PySide keeps its shell for ever.
         del other.before, other.after
         return True

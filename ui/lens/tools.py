@@ -51,9 +51,12 @@ class LensTools(QObject):
     ----------
     said : Signal(str)
         Why something does not move.
+    lens_taken : Signal()
+        A hand shapes the lens: nothing else may until the next edit.
     """
 
     said = Signal(str)
+    lens_taken = Signal()
 
     def __init__(
         self, document: "Document", control: "RunControl", view: "SceneView", parent: QObject
@@ -137,6 +140,7 @@ class LensTools(QObject):
         frame = self._view.frame
         if not self._may_change() or frame is None:
             return None
+        self.lens_taken.emit()
         draft = self._settling
         return (frame.state.heights if draft is None else draft.heights)["exit"]
 
@@ -177,6 +181,8 @@ class LensTools(QObject):
             return
         session = self._document.session
         self._view.hold_camera(session.scene)
+        if self._control.followed:  # what is shown next is another lens
+            return
         self._live.show(Draft(session, _lens_of(session), session.result))
 
     def _move_back(self) -> None:

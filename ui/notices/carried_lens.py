@@ -1,5 +1,6 @@
 """Tells what became of the lens when the task was edited, and how to go on."""
 
+from collections.abc import Callable
 from functools import partial
 
 import numpy as np
@@ -31,6 +32,8 @@ class CarriedLens(QObject):
 
     Attributes
     ----------
+    followed : callable
+        Whether an edit that leads to a session is followed by another lens: then nothing is said.
     noted : Signal(str)
         What is good to know.
     """
@@ -40,6 +43,7 @@ class CarriedLens(QObject):
     def __init__(self, document: Document, messages: MessageBar, parent: QObject) -> None:
         super().__init__(parent)
         self._document, self._messages = document, messages
+        self.followed: Callable[[Session], bool] = lambda _: False
         # The last change of a net: another one right after it is a change of mind.
         self._before: Session | None = None
         self._after: Session | None = None
@@ -52,7 +56,7 @@ class CarriedLens(QObject):
         if before is self._after and self._before is not None:
             before = self._before
         old, new = before.heights, after.heights
-        if old is None or after.result is before.result is not None:
+        if old is None or self.followed(after) or after.result is before.result is not None:
             return
         if before.scene.unit != after.scene.unit:  # converted, the lens with all the rest
             return

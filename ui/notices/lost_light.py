@@ -28,10 +28,11 @@ class LostLightNotice(QObject):
         super().__init__(control)
         self._document, self._messages = document, messages
         self._said = ""
-        control.ended.connect(self._say)
+        control.ended.connect(self.say)
         document.session_changed.connect(self._withdraw)
 
-    def _say(self) -> None:
+    def say(self) -> None:
+        """Say it of the lens that the document has."""
         result = self._document.session.result
         self._said = "" if result is None else result.state.account.advice
         if self._said and not self._messages.text:

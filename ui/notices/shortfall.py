@@ -50,8 +50,8 @@ class ShortfallNotice(QObject):
         self._stopped_to_widen = False
         control.runner.frame_ready.connect(self._look)
         control.ended.connect(self._end)
-        document.session_changed.connect(self._follow)
-        self._follow(document.session)
+        document.session_changed.connect(self.follow)
+        self.follow(document.session)
 
     def _look(self, frame: "Frame") -> None:
         """Say it once a run, as soon as it is known."""
@@ -71,7 +71,7 @@ class ShortfallNotice(QObject):
             self._stopped_to_widen = False
             self._widen()
 
-    def _follow(self, session: Session) -> None:
+    def follow(self, session: Session) -> None:
         """Of the lens that is open; what was said of another one is withdrawn."""
         shortfall = None if session.result is None else session.result.state.shortfall
         if shortfall is self._shown:

@@ -28,6 +28,9 @@ class RunControl(QObject):
 
     Attributes
     ----------
+    followed : bool
+        Whether lenses for the edits of the document come from elsewhere, so that no preview of it
+        is needed.
     ended : Signal()
         A run has ended, and the document has its result.
     gave_way : Signal(str)
@@ -40,6 +43,7 @@ class RunControl(QObject):
     def __init__(self, document: Document, parent: QObject) -> None:
         super().__init__(parent)
         self._document = document
+        self.followed = False
         self.runner = Runner(self)
         self.history = FrameHistory(self)
         self.runner.frame_ready.connect(self._keep)
@@ -95,7 +99,7 @@ class RunControl(QObject):
         self.runner.start(self._document.session, continue_run)
 
     def _show_preview(self) -> None:
-        if not self.busy:
+        if not (self.busy or self.followed):
             self.runner.preview(self._document.session)
 
     def _keep(self, frame: "Frame") -> None:

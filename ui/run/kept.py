@@ -12,6 +12,7 @@ from workbench.scene import Scene
 
 _BUDGET = 64 << 20  # bytes of all kept runs
 _NUMBER = re.compile(r"Run (\d+): ")
+_FOLLOWED = "Followed: "
 
 
 def with_run(
@@ -51,6 +52,21 @@ def with_run(
     return replace(session, runs=tuple(runs)), given_way
 
 
+def with_followed(session: Session, result: Result, budget: int = _BUDGET) -> Session:
+    """The session with a lens that has followed an edit.
+
+    It is kept as one run, which takes the place of the one that followed before, unless a person
+    has named that. It takes no room from other runs: where there is none, it is not kept.
+    """
+    session = replace(session, result=result)
+    name = f"{_FOLLOWED}{_description(session.scene)}"
+    others = [run for run in session.runs if not run.name.startswith(_FOLLOWED) or is_named(run)]
+    runs = [*others, KeptRun(name, session.scene, session.target, result)]
+    if not result.iterations or len(runs) > MOST_RUNS or distinct_bytes(*runs) > budget:
+        runs = others
+    return replace(session, runs=tuple(runs))
+
+
 def restored(session: Session, run: KeptRun) -> Session:
     """The session with a kept run's task and lens in place of its own."""
     again = session.with_scene(run.scene, run.target)  # for the locks, which hang on the net
@@ -78,7 +94,8 @@ def without(session: Session, runs: Iterable[KeptRun]) -> Session:
 def is_named(run: KeptRun) -> bool:
     """Whether a person gave a run its name."""
     number = _NUMBER.match(run.name)
-    return number is None or run.name[number.end() :] != _description(run.scene)
+    given = _FOLLOWED if number is None else number[0]
+    return run.name != given + _description(run.scene)
 
 
 def _next_number(runs: Iterable[KeptRun]) -> int:

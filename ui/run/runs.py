@@ -56,9 +56,9 @@ class Runs(QObject):
         table.renamed.connect(self._rename)
         table.restored.connect(self._restore)
         table.deleted.connect(self._delete)
-        document.session_changed.connect(self._show)
+        document.session_changed.connect(self.show)
         control.runner.state_changed.connect(self._follow)
-        self._show()
+        self.show()
 
     def slots(self) -> dict[str, Callable[[], object]]:
         """What commands do here."""
@@ -88,7 +88,8 @@ class Runs(QObject):
         error = self._document.verified.of(run)
         return "" if error is None else verified_error(error)
 
-    def _show(self) -> None:
+    def show(self) -> None:
+        """Show the runs that the document keeps now."""
         session = self._document.session
         self.table.show_runs(session.runs, self._current)
         self._compare()
@@ -121,7 +122,7 @@ class Runs(QObject):
             self._document.change(renamed(session, run, name.strip()), "rename run")
         except Refused as refused:
             self.refused.emit(f"The run is still called {run.name}: {refused.reason}")
-            self._show()
+            self.show()
 
     def _restore(self, run: KeptRun) -> None:
         self._document.change(restored(self._document.session, run), f"return to {run.name}")

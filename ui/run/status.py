@@ -76,6 +76,12 @@ class RunStatus:
         self._read.stop()
         self._state.setText(text)
 
+    def go_on(self, text: str) -> None:
+        """Say how far that is which goes on, once a sentence told before has been read."""
+        self._text = text
+        if not self._read.isActive():
+            self._state.setText(text)
+
     def tell(self, sentence: str) -> None:
         """Say something else for the time it takes to read it."""
         self._state.setText(sentence)

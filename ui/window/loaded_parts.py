@@ -18,11 +18,15 @@ from ui.notices.lost_light import LostLightNotice
 from ui.notices.postponed_edits import PostponedEdits
 from ui.notices.shortfall import ShortfallNotice
 from ui.run.control import RunControl
+from ui.run.follow import Follow
 from ui.run.log import RunLog
 from ui.run.runs import Runs
 from ui.shown.shown_lens import ShownLens
 from ui.views.views import Views
 from ui.window.production_panes import ProductionPanes
+
+FOLLOW = "run/follow"
+"""Setting that keeps whether edits are followed; they are by default."""
 
 if TYPE_CHECKING:
     from ui.shown.frame import Frame
@@ -57,6 +61,7 @@ class LoadedParts(QObject):
         self.check = Check(self)
         self.figures = CheckFigures(settings, early.commands["check"])
         self.runs = Runs(document, self.control, self)
+        self.follow = Follow(document, self.control, self)
         self.production = production = ProductionPanes(settings, self)
         plots = views.plots() | production.plots()
         self.plots = Plots(plots, document, messages, early.dialogs, self)
@@ -65,8 +70,10 @@ class LoadedParts(QObject):
         self._pictures = ScenePictures(views.scene, document, messages, early.dialogs, self)
         RunLog(document, self.control, early.log.add)
         begin = (early.commands[name].trigger for name in ("start", "continue"))
-        ShortfallNotice(document, self.control, messages, *begin)
-        LostLightNotice(document, self.control, messages)
+        shortfall = ShortfallNotice(document, self.control, messages, *begin)
+        lost_light = LostLightNotice(document, self.control, messages)
+        self.follow.settled.connect(lambda: shortfall.follow(document.session))
+        self.follow.settled.connect(lost_light.say)
         docked = {
             **views.docked,
             **production.panes,
@@ -85,6 +92,7 @@ class LoadedParts(QObject):
         self._connect_check()
         self._connect_commands()
         keep_colours(settings, early.commands)
+        self._connect_follow(settings)
         self.runs.refused.connect(messages.warn)
         self.tools.said.connect(messages.note)
         production.tolerances.failed.connect(messages.warn)
@@ -104,7 +112,7 @@ class LoadedParts(QObject):
 
     def close(self) -> None:
         """End all threads and free what VTK holds; safe to call twice."""
-        engines = (self.control, self.check, self.plots, self.runs, self.production)
+        engines = (self.follow, self.control, self.check, self.plots, self.runs, self.production)
         for part in (*engines, self.views, self.tools):
             part.close()
 
@@ -139,6 +147,19 @@ class LoadedParts(QObject):
         check.under_way_changed.connect(self._reword_check)
         check.summary_ready.connect(early.log.add)
         check.failed.connect(early.messages.warn)
+
+    def _connect_follow(self, settings: QSettings) -> None:
+        follow, early, command = self.follow, self._early, self._early.commands["follow"]
+        follow.settled.connect(self.runs.show)
+        follow.failed.connect(early.messages.warn)
+        follow.gave_up.connect(lambda why: early.messages.note(why, ("Follow", command.trigger)))
+        follow.gave_up.connect(lambda _: command.setChecked(False))
+        self.check.under_way_changed.connect(follow.hold)
+        self.tools.lens_taken.connect(follow.rest)
+        command.triggered.connect(lambda on: settings.setValue(FOLLOW, on))
+        early.commands.connect_toggles({"follow": follow.switch})
+        command.setChecked(bool(settings.value(FOLLOW, True, bool)))
+        follow.switch(command.isChecked())
 
     def _connect_commands(self) -> None:
         commands, control, begin = self._early.commands, self.control, self._early.begin

@@ -1,0 +1,385 @@
+"""Lenses that follow edits, from an engine that takes a step when a test lets it."""
+
+import threading
+from dataclasses import replace
+
+import pytest
+
+from ui.document.document import Document
+from ui.run import follow as followed
+from ui.run.control import RunControl
+from ui.run.follow import Follow
+from workbench.design.live import LiveDesign
+from workbench.scene import Scene
+
+_FREE = 10_000
+
+
+class Engine:
+    """Stands in for `workbench.design.run.run`; each snapshot but a first one needs leave."""
+
+    def __init__(self, snapshots, iterations=5):
+        self.leave = threading.Semaphore(_FREE)
+        self.asked, self.open, self.iterations = [], 0, iterations
+        self._snapshots = snapshots
+
+    def hold(self):
+        self.leave = threading.Semaphore(0)
+
+    def __call__(self, scene, target, start=None, locked=None):
+        self.asked.append((scene.screen.z, start is not None))
+        self.open += 1
+        try:
+            for iteration in range(self.iterations + 1):
+                if iteration:
+                    self.leave.acquire()
+                found = self._snapshots(iteration, self.iterations)
+                yield replace(found, state=replace(found.state, loss=1e-5 / (1 + iteration)))
+            return "converged"
+        finally:
+            self.open -= 1
+
+
+@pytest.fixture
+def engine(snapshots):
+    engine = Engine(snapshots)
+    yield engine
+    engine.leave.release(_FREE)
+
+
+class Desk:
+    """A document whose edits are followed, without a window."""
+
+    def __init__(self, session, engine, qtbot, patience_ms=30_000):
+        self.document, self.engine, self._qtbot = Document(session, "small"), engine, qtbot
+        self.control = RunControl(self.document, self.document)
+        self.control.runner._generate = engine
+        self.follow = Follow(
+            self.document, self.control, self.document, LiveDesign(engine), patience_ms
+        )
+        self.frames, self.settled, self.gave_up, self.failed = [], [], [], []
+        self.control.runner.frame_ready.connect(self.frames.append)
+        self.follow.settled.connect(lambda: self.settled.append(self.document.session))
+        self.follow.gave_up.connect(self.gave_up.append)
+        self.follow.failed.connect(self.failed.append)
+
+    @property
+    def steps(self):
+        return self.document.undo_stack.count()
+
+    def edit(self, z, key=""):
+        scene = self.document.session.scene
+        screen = scene.screen.model_copy(update={"z": z})
+        self.document.edit(scene.model_copy(update={"screen": screen}), "change", key)
+
+    def wait(self, settled=1):
+        self._qtbot.waitUntil(lambda: len(self.settled) >= settled)
+
+    def come_to_a_lens(self):
+        """Let the design go on until the document has a lens from it."""
+        while self.document.session.result is None:
+            self.step()
+
+    def step(self):
+        """Let the design make a step, and see what comes of it."""
+        self.engine.leave.release(1)
+        self._qtbot.wait(80)
+
+    def seen(self):
+        """Places of the screen of which a lens was seen that is none from before."""
+        zs = [f.session.scene.screen.z for f in self.frames if f.snapshot.iteration]
+        return list(dict.fromkeys(zs))
+
+    def close(self):
+        self.engine.leave.release(_FREE)
+        self.follow.close()
+        self.control.close()
+        self.document.deleteLater()
+
+
+@pytest.fixture
+def make_desk(engine, qtbot, designed, monkeypatch):
+    monkeypatch.setattr(followed, "is_compiled", lambda: True)
+    desks = []
+
+    def make(session=designed, on=True, **options):
+        desk = Desk(session, engine, qtbot, **options)
+        desks.append(desk)
+        if on:
+            desk.follow.switch(True)
+        return desk
+
+    yield make
+    for desk in desks:
+        desk.close()
+
+
+@pytest.fixture
+def desk(make_desk):
+    return make_desk()
+
+
+def test_an_edit_is_followed_by_a_lens_that_the_document_gets(desk):
+    desk.edit(7)
+    desk.wait()
+    session = desk.document.session
+    assert session.scene.screen.z == 7
+    assert session.result is not None
+    assert session.result.ended == "converged"
+    assert session.result.iterations == 5
+    assert desk.follow.text == ""
+
+
+def test_an_edit_and_its_lens_are_one_step_that_is_undone_and_redone_without_a_design(
+    desk, designed, qtbot
+):
+    desk.edit(7)
+    desk.wait()
+    lens, asked = desk.document.session.result, len(desk.engine.asked)
+    assert desk.steps == 1
+    desk.document.undo_stack.undo()
+    assert desk.document.session is designed
+    desk.document.undo_stack.redo()
+    assert desk.document.session.result is lens
+    qtbot.wait(300)  # a preview comes, and nothing else
+    assert len(desk.engine.asked) == asked
+
+
+def test_undo_during_a_design_keeps_the_best_lens_so_far_for_redo(desk, designed, qtbot):
+    desk.engine.iterations = 1000
+    desk.engine.hold()
+    desk.edit(7)
+    desk.come_to_a_lens()
+    lens = desk.document.session.result
+    desk.document.undo_stack.undo()
+    desk.engine.leave.release(_FREE)
+    qtbot.waitUntil(lambda: not desk.follow._background.running)
+    assert desk.document.session is designed
+    assert desk.settled == []
+    desk.document.undo_stack.redo()
+    assert desk.document.session.result is lens
+
+
+def test_edits_come_to_a_first_lens_and_the_latest_is_next(desk):
+    desk.engine.hold()
+    desk.edit(6)
+    desk.edit(7)
+    desk.edit(8)
+    desk.engine.leave.release(_FREE)
+    desk.wait()
+    assert desk.seen() == [6, 8]
+    assert [z for z, _ in desk.engine.asked] == [6, 8]
+    assert desk.document.session.scene.screen.z == 8
+    assert desk.document.session.result is not None
+
+
+def test_a_lens_of_an_earlier_edit_is_shown_and_not_kept(desk, qtbot):
+    desk.engine.hold()
+    desk.edit(6)
+    desk.edit(8)
+    while not desk.seen():
+        desk.step()
+    assert desk.seen() == [6]
+    assert desk.document.session.result is None
+
+
+def test_an_edit_ends_a_design_that_has_a_lens_within_one_iteration(desk, qtbot):
+    desk.engine.iterations = 1000
+    desk.engine.hold()
+    desk.edit(6)
+    desk.come_to_a_lens()
+    desk.edit(8)
+    while desk.seen() != [6, 8]:
+        desk.step()
+    assert desk.engine.open == 1
+
+
+def test_a_step_that_is_dragged_on_goes_on_from_the_lens_that_followed_last(desk, designed):
+    starts = []
+    live = desk.follow._live
+    snapshots = live.snapshots
+    live.snapshots = lambda session, goes_on: starts.append(goes_on) or snapshots(session, goes_on)
+    for settled, z in enumerate((6, 7, 8), 1):
+        desk.edit(z, key="drag")
+        desk.wait(settled)
+    assert starts == [False, True, True]
+    assert desk.steps == 1
+    desk.document.undo_stack.undo()
+    assert desk.document.session is designed
+    desk.edit(9)
+    desk.wait(4)
+    assert starts[-1] is False
+
+
+def test_nothing_is_designed_while_nothing_changes(desk, qtbot):
+    desk.edit(7)
+    desk.wait()
+    qtbot.waitUntil(lambda: not desk.follow._background.running)
+    assert not desk.follow._look.isActive()
+    assert desk.engine.open == 0
+
+
+def test_a_run_goes_first_and_what_follows_ends(desk, qtbot):
+    desk.engine.iterations = 1000
+    desk.engine.hold()
+    desk.edit(7)
+    desk.come_to_a_lens()
+    desk.control.start()
+    desk.engine.leave.release(5)
+    qtbot.waitUntil(lambda: not desk.follow._background.running)
+    assert desk.control.busy
+    assert desk.follow.text == ""
+    with qtbot.waitSignal(desk.control.ended):
+        desk.control.runner.stop()
+        desk.engine.leave.release(_FREE)
+    assert desk.settled == []
+
+
+def test_the_lens_of_a_run_is_kept_when_the_next_edit_is_followed(desk, qtbot):
+    with qtbot.waitSignal(desk.control.ended):
+        desk.control.start()
+    designed = desk.document.session
+    desk.edit(7)
+    desk.wait()
+    names = [run.name for run in desk.document.session.runs]
+    assert names == ["Run 1: auto, 12 × 10", "Followed: auto, 12 × 10"]
+    desk.document.undo_stack.undo()
+    assert desk.document.session is designed
+
+
+def test_one_kept_run_stands_for_all_lenses_that_follow(desk):
+    for settled, z in enumerate((6, 7, 8), 1):
+        desk.edit(z)
+        desk.wait(settled)
+    (run,) = desk.document.session.runs
+    assert run.scene.screen.z == 8
+    assert run.result is desk.document.session.result
+
+
+def test_an_edit_during_a_check_is_followed_after_it(desk, qtbot):
+    desk.follow.hold(True)
+    desk.edit(7)
+    qtbot.wait(300)
+    assert all(start for _, start in desk.engine.asked)  # previews
+    desk.follow.hold(False)
+    desk.wait()
+    assert desk.document.session.result is not None
+
+
+def test_what_follows_ends_when_a_check_begins(desk, qtbot):
+    desk.engine.hold()
+    desk.edit(7)
+    desk.come_to_a_lens()
+    lens = desk.document.session.result
+    desk.follow.hold(True)
+    desk.engine.leave.release(_FREE)
+    qtbot.waitUntil(lambda: not desk.follow._background.running)
+    desk.follow.hold(False)
+    assert desk.document.session.result is lens
+    assert desk.follow.text == ""
+
+
+def paper(scene):
+    return Scene.from_data({**scene.to_data(), "run": {"method": "paper"}})
+
+
+def test_the_method_of_the_paper_is_not_followed(make_desk, designed):
+    desk = make_desk(replace(designed, scene=paper(designed.scene)))
+    desk.edit(7)
+    assert not desk.follow.follows(desk.document.session)
+    assert desk.follow.text == ""
+    assert desk.document.session.result is None
+
+
+@pytest.mark.parametrize("change", ["unit", "iterations", "off"])
+def test_what_asks_for_no_other_lens_is_not_followed(change, make_desk, designed):
+    desk = make_desk(on=change != "off")
+    scene = designed.scene
+    if change == "unit":
+        desk.document.edit(scene.in_unit("mm"), "change of unit", "")
+    elif change == "iterations":
+        run = scene.run.model_copy(update={"iterations": 77})
+        desk.document.edit(scene.model_copy(update={"run": run}), "change", "")
+    else:
+        desk.edit(7)
+    assert desk.follow.text == ""
+    assert not desk.follow._background.running
+
+
+def test_switching_off_ends_what_follows_and_keeps_its_lens(desk, qtbot):
+    desk.engine.hold()
+    desk.edit(7)
+    desk.come_to_a_lens()
+    lens = desk.document.session.result
+    desk.follow.switch(False)
+    desk.engine.leave.release(_FREE)
+    qtbot.waitUntil(lambda: not desk.follow._background.running)
+    assert desk.document.session.result is lens
+    assert desk.follow.text == ""
+
+
+def test_a_machine_that_does_not_keep_up_is_left_alone(make_desk, qtbot):
+    desk = make_desk(patience_ms=50)
+    desk.engine.hold()
+    desk.edit(7)
+    qtbot.waitUntil(lambda: bool(desk.gave_up))
+    assert desk.gave_up[0].startswith("Edits are followed no longer: the first lens")
+    assert not desk.follow.follows(desk.document.session)
+    desk.engine.leave.release(_FREE)
+    qtbot.waitUntil(lambda: bool(desk.frames))  # the preview
+    assert desk.document.session.result is None
+
+
+def test_a_design_without_a_lens_gets_one_and_has_no_changes_by_it(make_desk, session):
+    desk = make_desk(session)
+    desk.wait()
+    assert desk.document.session.result is not None
+    assert desk.steps == 0
+    assert not desk.document.dirty
+
+
+def test_a_lens_that_is_opened_stays_until_somebody_edits(make_desk, designed, qtbot):
+    desk = make_desk(designed)
+    carried = replace(designed, result=None, start=designed.result.state.heights)
+    for session in (designed, carried):
+        desk.document.recover(session, "small", None, None)
+        qtbot.wait(300)
+        assert desk.document.session is session
+    assert desk.settled == []
+
+
+def test_a_lens_for_another_task_gives_way_by_a_step_of_its_own(make_desk, designed):
+    carried = replace(designed, result=None, start=designed.result.state.heights)
+    desk = make_desk(carried, on=False)
+    desk.follow.switch(True)
+    desk.wait()
+    assert desk.steps == 1
+    assert desk.document.session.result is not None
+    desk.document.undo_stack.undo()
+    assert desk.document.session is carried
+
+
+def test_a_lens_that_gets_better_after_saving_is_a_change(desk, qtbot, tmp_path):
+    desk.engine.hold()
+    desk.edit(7)
+    desk.come_to_a_lens()
+    desk.document.save(tmp_path / "lens.freeform")
+    assert not desk.document.dirty
+    desk.engine.leave.release(_FREE)
+    desk.wait()
+    assert desk.document.dirty
+
+
+def test_a_design_that_fails_says_why_and_leaves_the_task(make_desk, qtbot, monkeypatch):
+    desk = make_desk()
+
+    def generate(*_):
+        raise ZeroDivisionError("nothing there")
+        yield
+
+    desk.follow._live = LiveDesign(generate)
+    desk.edit(7)
+    qtbot.waitUntil(lambda: bool(desk.failed))
+    assert "nothing there" in desk.failed[0]
+    assert desk.document.session.scene.screen.z == 7
+    assert desk.follow.text == ""

@@ -1,0 +1,299 @@
+"""The lens follows every edit of the task, while no run goes on.
+
+1. One thread designs. An edit lets the design that is under way come to its first lens, which is
+   shown, and then the latest edit is next: whoever drags a slider sees lens after lens.
+2. Each lens is part of the step of its edit (`Document.improve`): whatever is done with the design
+   is done with the best lens so far, and undoing the edit takes it back.
+3. An edit changes the document once. Where it has changed more often something else was done, such
+   as undo or opening a file, and the lens that followed before is none to go on from.
+4. A run or a check goes first. What follows ends when one begins, and edits during a check are
+   followed after it; those during a run wait in the forms as ever.
+"""
+
+from dataclasses import dataclass
+from functools import partial
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, QTimer, Signal
+
+from ui.document.document import Document
+from ui.run.control import RunControl
+from ui.run.kept import with_followed
+from ui.run.worker import Job, work
+from ui.threads.background import Background
+from ui.threads.cores import leave_core_for_window
+from ui.threads.failure import sentence_of
+from workbench.design.live import LiveDesign, asks_for_another_lens, relative_error
+from workbench.optics.kernels.ready import is_compiled
+
+if TYPE_CHECKING:
+    from collections.abc import Generator
+
+    from workbench.design.snapshot import Result, Snapshot
+    from workbench.files.session import Session
+
+_FIRST_MS, _FRAME_MS = 15, 66  # between two looks for a lens: the first one, better ones
+_PATIENCE_MS = 3000
+_BEGUN = "Following: the first lens is under way"
+_SLOW = (
+    "Edits are followed no longer: the first lens of this design takes more than {:g} s here. "
+    "Start designs it."
+)
+
+
+@dataclass(eq=False)
+class _Design:
+    """What is designed, or will be next.
+
+    Attributes
+    ----------
+    session : Session
+        The task.
+    job : Job
+        What the thread does.
+    own_step : bool
+        Whether its lens is a step of its own: it follows no edit.
+    patient : bool
+        Whether its first lens may take long.
+    has_lens : bool
+        Whether there is a lens for it by now.
+    """
+
+    session: "Session"
+    job: Job
+    own_step: bool = False
+    patient: bool = False
+    has_lens: bool = False
+
+
+class Follow(QObject):
+    """Designs the lens of the document after every edit.
+
+    Parameters
+    ----------
+    document : Document
+        Gets each lens that is better than the one before.
+    control : RunControl
+        Shows the lenses; its runs go first.
+    live : LiveDesign, optional
+        Designs the lenses.
+    patience_ms : int
+        How long the first lens after an edit may take, on a machine that keeps up.
+
+    Attributes
+    ----------
+    said : Signal(str)
+        How far the lens is that follows; empty when none does any more.
+    settled : Signal()
+        The lens is as good as it gets, and the document has it.
+    failed : Signal(str)
+        Why a lens could not be designed.
+    gave_up : Signal(str)
+        The machine does not keep up: nothing is followed from now on.
+    """
+
+    said = Signal(str)
+    settled = Signal()
+    failed = Signal(str)
+    gave_up = Signal(str)
+
+    def __init__(
+        self,
+        document: Document,
+        control: RunControl,
+        parent: QObject,
+        live: LiveDesign | None = None,
+        patience_ms: int = _PATIENCE_MS,
+    ) -> None:
+        super().__init__(parent)
+        self._document, self._control = document, control
+        self._live = live or LiveDesign()
+        self._on = self._held = False
+        self._text = ""
+        self._changes = 0  # of the document, since what is followed was put there
+        self._chain = False  # whether the lens made last is one of the design before the next edit
+        self._wanted: Session | None = None  # whose lens is to follow
+        self._design: _Design | None = None  # in the thread
+        self._next: _Design | None = None
+        self._background = Background("follow", self, finish_first=True)
+        self._background.done.connect(self._end)
+        self._background.failed.connect(self._fail)
+        self._look = QTimer(self)
+        self._look.timeout.connect(self._take_frame)
+        self._limit = QTimer(self, singleShot=True, interval=patience_ms)
+        self._limit.timeout.connect(self._give_up)
+        document.edited.connect(self._follow)
+        document.session_changed.connect(self._note_change)
+        control.runner.state_changed.connect(self._give_way)
+
+    @property
+    def text(self) -> str:
+        """What was said last."""
+        return self._text
+
+    def follows(self, session: "Session") -> bool:
+        """Whether an edit that leads to this session is followed; experiments are not."""
+        return self._on and session.scene.run.method == "auto"
+
+    def switch(self, on: bool) -> None:
+        """Follow edits from now on, or do not; a lens that is missing is designed at once."""
+        self._on = on
+        session = self._document.session
+        if not on:
+            self.rest()
+        elif session.result is None and self.follows(session) and not self._control.busy:
+            self._begin(session, own_step=session.heights is not None, patient=True)
+
+    def hold(self, held: bool) -> None:
+        """Let something else go first, such as a check; what is edited meanwhile follows it."""
+        self._held = held
+        waiting = self._wanted
+        if held:
+            self.rest()
+        elif waiting is not None and not self._changes:
+            self._begin(waiting)
+
+    def close(self) -> None:
+        """End the thread; safe to call twice."""
+        self._on = False
+        self.rest()
+        self._background.close()
+        self._design = None
+
+    def _note_change(self, session: "Session") -> None:
+        """Count changes; what was opened without a lens gets one."""
+        self._changes += 1
+        opened = not self._document.undo_stack.count()
+        if opened and session.heights is None and self.follows(session):
+            self._begin(session, patient=True)
+
+    def _follow(self, before: "Session", after: "Session") -> None:
+        goes_on = self._chain and self._changes == 1
+        self._changes = 0
+        if not self.follows(after) or not asks_for_another_lens(before, after):
+            self._chain = False
+            self.rest()
+        elif self._held:
+            self._wanted, self._chain = after, False
+        else:
+            self._begin(after, goes_on)
+
+    def _begin(
+        self,
+        session: "Session",
+        goes_on: bool = False,
+        *,
+        own_step: bool = False,
+        patient: bool = False,
+    ) -> None:
+        """Design a lens as soon as the design under way has one."""
+        self._changes, self._chain = 0, True
+        self._wanted, self._control.followed = session, True
+        job = Job(session, generate=lambda *_: self._snapshots(session, goes_on))
+        self._next = _Design(session, job, own_step, patient)
+        self._background.begin(partial(work, job), self._next)
+        if self._design is None:
+            self._take_next()
+        elif self._design.has_lens:
+            self._design.job.gate.stop()
+        self._say(_BEGUN)
+
+    def _snapshots(self, session: "Session", goes_on: bool) -> "Generator[Snapshot, None, str]":
+        """Meant for the thread, which alone touches the lenses of before."""
+        leave_core_for_window()
+        return (yield from self._live.snapshots(session, goes_on))
+
+    def _take_next(self) -> None:
+        """The thread has begun with what was next, or rests."""
+        self._design, self._next = self._next, None
+        self._limit.stop()
+        if self._design is None:
+            self._look.stop()
+            return
+        self._look.start(_FIRST_MS)
+        if not self._design.patient and is_compiled():
+            self._limit.start()
+
+    def _take_frame(self) -> None:
+        design = self._design
+        if design is None or self._wanted is None:
+            return
+        if self._changes:  # by somebody else
+            self.rest()
+            return
+        frame = design.job.mailbox.take()
+        if frame is None:
+            return
+        self._control.show(frame)
+        if frame.snapshot.iteration:
+            self._note_lens(design)
+        best = design.job.best.take()
+        if best is not None and best.iterations and design.session is self._wanted:
+            self._put(design, best)
+
+    def _note_lens(self, design: _Design) -> None:
+        if not design.has_lens:
+            design.has_lens = True
+            self._limit.stop()
+            self._look.start(_FRAME_MS)
+        if self._next is not None:
+            design.job.gate.stop()
+
+    def _put(self, design: _Design, best: "Result") -> None:
+        """Give the document the best lens so far."""
+        session = with_followed(self._document.session, best)
+        if design.own_step:
+            design.own_step = False
+            self._document.change(session, "design of the lens that was missing")
+            self._changes = 0
+        else:
+            self._document.improve(session)
+        error = 100 * relative_error(best.state, session.target)
+        self._say(f"Following: error {error:.1f} %, still getting better")
+
+    def _end(self, design: _Design, _: object) -> None:
+        self._take_frame()
+        best = design.job.history.result()
+        wanted = self._is_wanted(design)
+        if wanted and best is not None and best.iterations:
+            self._put(design, best)  # with why it ended
+        self._take_next()
+        if wanted:
+            self.rest()
+            self.settled.emit()
+
+    def _fail(self, design: _Design, error: Exception) -> None:
+        wanted = self._is_wanted(design)
+        self._take_next()
+        if wanted:
+            self.rest()
+            self.failed.emit(sentence_of(error, "design of the lens"))
+
+    def _is_wanted(self, design: _Design) -> bool:
+        return design.session is self._wanted and not self._changes
+
+    def _give_way(self, state: str) -> None:
+        if state == "running":
+            self.rest()
+
+    def _give_up(self) -> None:
+        self._on = False
+        self.rest()
+        self.gave_up.emit(_SLOW.format(self._limit.interval() / 1000))
+
+    def rest(self) -> None:
+        """Design no more until the next edit, and let the control show the document's lens."""
+        self._background.stop()
+        self._next = None
+        if self._design is not None:
+            self._design.job.gate.stop()
+        self._look.stop()
+        self._limit.stop()
+        if self._wanted is not None:
+            self._wanted, self._control.followed = None, False
+            self._control.preview()
+            self._say("")
+
+    def _say(self, text: str) -> None:
+        self._text = text
+        self.said.emit(text)
