@@ -106,6 +106,7 @@ class MainWindow(QMainWindow):
         self._layout = Layout(self, self.workspace, settings)
         self._view_state = ViewState(self.commands, self._layout, self.log.add)
         self.loaded: LoadedParts | None = None
+        self._has_lens = False
         self._leaving = False  # whatever would be lost
         self._to_open: Path | None = None  # as soon as the run has ended
         self._closing = False  # as soon as the run has ended
@@ -126,7 +127,7 @@ class MainWindow(QMainWindow):
         loaded.control.ended.connect(self._end_run)
         self._lens.follow(loaded.control)
         self._carried.followed = loaded.follow.follows
-        loaded.follow.said.connect(self._show_state)
+        loaded.follow.said.connect(self._tell_of_following)
         self._view_state.attach(loaded.views.scene)
         self._show_state()
         self.built.emit()
@@ -328,6 +329,13 @@ class MainWindow(QMainWindow):
             action.setEnabled(not self._busy)  # also in the palette, which asks no menu
         menu.setEnabled(not (menu.isEmpty() or self._busy))
 
+    def _tell_of_following(self, text: str) -> None:
+        """Say how far a lens is, many times a second; little else changes by it."""
+        if text and self._has_lens == (self.document.session.heights is not None):
+            self.status.go_on(text)
+        else:
+            self._show_state()
+
     def _show_state(self) -> None:
         """What can be done depends on the run, on the result and on the undo stack."""
         stack, commands = self.document.undo_stack, self.commands
@@ -340,6 +348,7 @@ class MainWindow(QMainWindow):
             can_redo=stack.canRedo(),
             can_revert=self.document.path is not None and self.document.dirty,
         )
+        self._has_lens = now.has_lens
         commands.allow(now.allows())
         commands.explain(now.reasons())
         commands.reword(now.texts())

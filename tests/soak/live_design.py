@@ -157,9 +157,7 @@ def drag(desk: Desk, name: str, z: float, seconds: float) -> DragRow:
     ms = np.array(waits.ms)
     waits.deleteLater()
     rest = np.inf if found is None else found[0] - let_go
-    return DragRow(
-        name, len(seen) / seconds, rest, float(np.quantile(ms, 0.99)), float(ms.max())
-    )
+    return DragRow(name, len(seen) / seconds, rest, float(np.quantile(ms, 0.99)), float(ms.max()))
 
 
 def memory() -> float:

@@ -1,13 +1,13 @@
 """Memory of values that share their arrays."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import fields, is_dataclass
 
 import numpy as np
 
 
 def blocks(value: object) -> Iterator[tuple[int, int]]:
-    """Identity and bytes of each array and file in a value made of data classes and tuples.
+    """Identity and bytes of each array and file in a value made of data classes, tuples and maps.
 
     Some may come more than once.
     """
@@ -18,6 +18,8 @@ def blocks(value: object) -> Iterator[tuple[int, int]]:
     elif isinstance(value, tuple):
         for each in value:
             yield from blocks(each)
+    elif isinstance(value, Mapping):
+        yield from blocks((*value.values(),))
     elif is_dataclass(value):
         for field in fields(value):
             yield from blocks(getattr(value, field.name))

@@ -20,17 +20,17 @@ from dataclasses import replace
 import numpy as np
 import numpy.typing as npt
 
-from workbench.design.heights import Mask
 from workbench.design.lens_state import LensState
 from workbench.design.loss import share
 from workbench.design.run import run
 from workbench.design.session import Session
 from workbench.design.snapshot import History, Snapshot
 from workbench.errors import RunFailed
+from workbench.geometry.faces import NO_LOCKS, ControlHeights, Locks
 from workbench.scene import Scene
 
 Array = npt.NDArray[np.float64]
-Generate = Callable[[Scene, Array, Array | None, Mask | None], Generator[Snapshot, None, str]]
+Generate = Callable[[Scene, Array, ControlHeights | None, Locks], Generator[Snapshot, None, str]]
 
 # Relative error of a lens by transport where none was made for this target yet.
 _BY_TRANSPORT = 0.06
@@ -103,16 +103,18 @@ class LiveDesign:
             steps.close()
         return ended
 
-    def _near(self, session: Session) -> Array | None:
+    def _near(self, session: Session) -> ControlHeights | None:
         if self._last is None:
             return session.heights
         near = self._last.with_scene(session.scene, session.target).heights
         return session.heights if near is None else near
 
-    def _steps(self, session: Session, start: Array | None) -> Generator[Snapshot, None, str]:
+    def _steps(
+        self, session: Session, start: ControlHeights | None
+    ) -> Generator[Snapshot, None, str]:
         scene, target, locked = session.scene, session.target, session.locked
         scene = scene.model_copy(update={"run": scene.run.model_copy(update={"stages": ()})})
-        locks = locked is not None and bool(locked.any())
+        locks = any(mask.any() for mask in locked.values())
         present: Snapshot | None = None
         if start is not None:
             steps = self._generate(scene, target, start, locked)
@@ -143,7 +145,7 @@ class LiveDesign:
     ) -> Generator[Snapshot, None, str]:
         """A run from transport; the undesigned lens is left out where one has been seen."""
         spent = 0.0 if present is None else present.seconds
-        steps = self._generate(scene, target, None, None)
+        steps = self._generate(scene, target, None, NO_LOCKS)
         try:
             while True:
                 snapshot = next(steps)

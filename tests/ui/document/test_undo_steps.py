@@ -165,3 +165,43 @@ def test_merged_undo_steps_release_arrays(walk):
     gc.collect()
     assert walk.steps.count() == 1
     assert passed() is None
+
+
+def test_heights_of_a_lens_count_as_memory_of_a_step(walk):
+    cost = walk.steps.cost
+    heights = FaceArrays({"exit": np.zeros((300, 300))})
+    walk.go("design", result=lens().with_state(heights=heights))
+    walk.go("forget it", result=None)
+    assert walk.steps.cost - cost > MEGABYTE + heights["exit"].nbytes
+
+
+def test_an_amended_step_leads_to_the_other_session_and_stays_one_step(walk, session):
+    walk.go("edit", start=None)
+    better = replace(walk.now, result=lens())
+    walk.steps.amend(better)
+    assert walk.texts == ["edit"]
+    walk.steps.undo()
+    assert walk.now is session
+    walk.steps.redo()
+    assert walk.now is better
+
+
+def test_an_amended_step_is_no_longer_the_saved_one(walk):
+    walk.go("edit", start=None)
+    walk.steps.setClean()
+    walk.steps.amend(replace(walk.now, result=lens()))
+    assert not walk.steps.isClean()
+
+
+def test_without_a_step_there_is_nothing_to_amend(walk, session):
+    walk.steps.amend(replace(session, result=lens()))
+    assert walk.steps.isClean()
+    assert walk.steps.count() == 0
+
+
+def test_an_amended_step_costs_what_only_its_beginning_holds(walk):
+    walk.go("design", result=lens())
+    walk.go("edit", result=None)
+    before = walk.steps.cost
+    walk.steps.amend(replace(walk.now, result=walk.steps._all()[1].before.result))
+    assert walk.steps.cost < before - MEGABYTE // 2

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from ui.run.kept import is_named, renamed, restored, with_run, without
+from ui.run.kept import is_named, renamed, restored, with_followed, with_run, without
 from workbench.errors import Refused
 from workbench.files.header import MOST_RUNS
 from workbench.geometry.faces import NO_LOCKS, FaceArrays
@@ -107,3 +107,25 @@ def test_an_empty_or_too_long_name_is_refused(session, result):
     for name in ("", 101 * "x"):
         with pytest.raises(Refused, match=r"characters; 1 to 100"):
             renamed(session, session.runs[0], name)
+
+
+def test_a_lens_that_follows_takes_the_place_of_the_one_before(session, result):
+    session, _ = with_run(session, result)
+    for _ in range(3):
+        session = with_followed(session, result)
+    assert names(session) == ["Run 1: auto, 12 × 10", "Followed: auto, 12 × 10"]
+    assert not is_named(session.runs[-1])
+
+
+def test_a_followed_lens_that_a_person_has_named_stays(session, result):
+    session = with_followed(session, result)
+    session = renamed(session, session.runs[0], "Followed: the good one")
+    session = with_followed(session, result)
+    assert names(session) == ["Followed: the good one", "Followed: auto, 12 × 10"]
+
+
+def test_a_lens_that_follows_takes_no_room_from_runs(session, large):
+    session, _ = with_run(session, large(300))
+    session = with_followed(session, large(300), budget=500 * KILOBYTE)
+    assert names(session) == ["Run 1: auto, 12 × 10"]
+    assert session.result is not session.runs[0].result

@@ -1,0 +1,183 @@
+"""Lenses for a task that is edited: from the one that is there, or from transport."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from workbench.analysis.metrics import paper_loss, relative_l2
+from workbench.design.live import LiveDesign, asks_for_another_lens, relative_error
+from workbench.design.run import run
+from workbench.design.session import Session
+from workbench.design.snapshot import History
+from workbench.design.task import begin
+from workbench.geometry.faces import FaceArrays
+from workbench.scene import Scene, Stage
+
+
+@pytest.fixture(scope="module")
+def designed():
+    """A small top hat with a lens."""
+    scene = Scene.from_data(
+        {
+            "unit": "cm",
+            "lens": {"half_width": [1, 1], "refractive_index": 1.5, "control_points": [16, 16]},
+            "source": {"kind": "collimated"},
+            "screen": {"z": 5, "half_width": [1, 1], "pixels": [32, 32]},
+            "target": {"builtin": "tophat"},
+            "run": {"iterations": 20},
+        }
+    )
+    session = begin(scene, Path())
+    history = History()
+    for _ in history.follow(run(session.scene, session.target)):
+        pass
+    return replace(session, result=history.result())
+
+
+class Spy:
+    """The engine, and what it was asked."""
+
+    def __init__(self):
+        self.asked = []
+
+    def __call__(self, scene, target, start, locked):
+        self.asked.append((scene, start, locked))
+        return run(scene, target, start, locked)
+
+
+def moved(session, z):
+    screen = session.scene.screen.model_copy(update={"z": z})
+    scene = session.scene.model_copy(update={"screen": screen})
+    return session.with_scene(scene, session.target)
+
+
+def lenses(live, session, count, goes_on=False):
+    """The first snapshots for a session."""
+    steps = live.snapshots(session, goes_on)
+    found = [next(steps) for _ in range(count)]
+    steps.close()
+    return found
+
+
+def test_a_small_edit_goes_on_from_the_lens_that_is_there(designed):
+    spy = Spy()
+    edited = moved(designed, 5.01)
+    present, first = lenses(LiveDesign(spy), edited, 2)
+    assert len(spy.asked) == 1
+    assert present.state.heights == designed.result.state.heights
+    assert first.iteration == 1
+
+
+def test_a_large_edit_sends_the_light_anew_by_transport(designed):
+    spy = Spy()
+    edited = moved(designed, 9)
+    present, first = lenses(LiveDesign(spy), edited, 2)
+    assert [start is None for _, start, _ in spy.asked] == [False, True]
+    assert present.state.heights == designed.result.state.heights
+    assert (present.iteration, first.iteration) == (0, 1)
+    assert first.state.loss < present.state.loss / 2
+    assert present.best and first.best
+
+
+def test_a_lens_by_transport_that_is_worse_than_the_present_one_is_not_the_best(designed):
+    live = LiveDesign()
+    worst = lenses(live, replace(designed, result=None), 2)[1]
+    live._by_transport = designed.target, 0.0  # nothing is near enough
+    _, first = lenses(live, designed, 2)
+    assert first.state.loss == pytest.approx(worst.state.loss)
+    assert not first.best
+
+
+def test_what_transport_is_worth_is_learnt_from_the_last_lens_by_it(designed):
+    live = LiveDesign(Spy())
+    _, by_transport = lenses(live, replace(designed, result=None), 2)
+    target, error = live._by_transport
+    assert target is designed.target
+    assert error == relative_error(by_transport.state, target)
+
+
+def test_the_lens_that_was_made_last_is_gone_on_from_on_request(designed):
+    live = LiveDesign()
+    lenses(live, moved(designed, 5.01), 3)
+    last = live._last
+    edited = moved(designed, 5.02)
+    assert lenses(live, edited, 1, goes_on=True)[0].state.heights == last.result.state.heights
+    (present,) = lenses(live, edited, 1)
+    assert present.state.heights == designed.result.state.heights
+
+
+def test_locked_control_points_stay_however_large_the_edit_is(designed):
+    locked = np.zeros((16, 16), dtype=bool)
+    locked[:3] = True
+    edited = replace(moved(designed, 9), locked=FaceArrays({"exit": locked}))
+    *_, last = lenses(LiveDesign(), edited, 3)
+    before, after = edited.heights["exit"], last.state.heights["exit"]
+    assert np.array_equal(before[locked], after[locked])
+    assert not np.array_equal(before, after)
+
+
+def test_stages_are_left_out(designed):
+    spy = Spy()
+    stages = (Stage(iterations=5, control_points=(8, 8)),)
+    settings = designed.scene.run.model_copy(update={"stages": stages})
+    scene = designed.scene.model_copy(update={"run": settings})
+    for snapshot in lenses(LiveDesign(spy), Session(scene, designed.target), 2):
+        assert snapshot.stages == 1
+    assert spy.asked[0][0].run.stages == ()
+
+
+def test_a_lens_whose_light_misses_the_screen_gives_way_to_transport(designed):
+    spy = Spy()
+    heights = designed.heights["exit"]
+    tilt = np.linspace(-0.6, 0.6, 16)[:, None]
+    away = replace(designed, result=None, start=FaceArrays({"exit": heights + 1 + tilt}))
+    *_, last = lenses(LiveDesign(spy), away, 2)
+    assert [start is None for _, start, _ in spy.asked] == [False, True]
+    assert relative_error(last.state, designed.target) < 0.2
+
+
+def test_time_counts_from_the_first_look_at_the_present_lens(designed):
+    seconds = [each.seconds for each in lenses(LiveDesign(), moved(designed, 9), 4)]
+    assert seconds == sorted(seconds)
+
+
+def test_a_design_ends_as_the_run_does(designed):
+    steps = LiveDesign().snapshots(moved(designed, 5.01))
+    with pytest.raises(StopIteration) as end:
+        while True:
+            next(steps)
+    assert end.value.value
+
+
+def test_the_error_of_a_lens_is_that_of_the_image_that_its_loss_is_of(designed):
+    state, target = designed.result.state, designed.target
+    state = replace(state, loss=paper_loss(state.irradiance, target))
+    assert relative_error(state, target) == pytest.approx(relative_l2(state.irradiance, target))
+
+
+@pytest.mark.parametrize(
+    ("changes", "asks"),
+    [
+        ({"screen": {"z": 6}}, True),
+        ({"lens": {"control_points": [24, 24]}}, True),
+        ({"run": {"smoothness": 1e-3}}, True),
+        ({"run": {"min_radius": 0.5}}, True),
+        ({"run": {"iterations": 7}}, False),
+        ({"run": {"seed": 7}}, False),
+        ({}, False),
+    ],
+)
+def test_what_the_lens_is_for_asks_for_another_one(changes, asks, designed):
+    data = designed.scene.to_data()
+    for part, values in changes.items():
+        data[part] |= values
+    after = designed.with_scene(Scene.from_data(data), designed.target)
+    assert asks_for_another_lens(designed, after) is asks
+
+
+def test_another_unit_asks_for_no_other_lens_and_another_image_does(designed):
+    assert not asks_for_another_lens(designed, designed.in_unit("mm"))
+    image = designed.target[::-1] + np.arange(32)
+    assert asks_for_another_lens(designed, designed.with_scene(designed.scene, image))
