@@ -36,9 +36,10 @@ _FIRST_MS, _FRAME_MS = 15, 66  # between two looks for a lens: the first one, be
 _PATIENCE_MS = 3000
 _BEGUN = "Following: the first lens is under way"
 _SLOW = (
-    "Edits are followed no longer: the first lens of this design takes more than {:g} s here. "
-    "Start designs it."
+    "Edits are followed no longer: the first lens of this design takes more than {:g} s here, time "
+    "after time. Start designs it."
 )
+_TIMES = 2  # in succession that the first lens may be late, since the machine may be busy just once
 
 
 @dataclass(eq=False)
@@ -78,7 +79,7 @@ class Follow(QObject):
     live : LiveDesign, optional
         Designs the lenses.
     patience_ms : int
-        How long the first lens after an edit may take, on a machine that keeps up.
+        How long the first lens after an edit takes at most on a machine that keeps up.
 
     Attributes
     ----------
@@ -121,7 +122,8 @@ class Follow(QObject):
         self._look = QTimer(self)
         self._look.timeout.connect(self._take_frame)
         self._limit = QTimer(self, singleShot=True, interval=patience_ms)
-        self._limit.timeout.connect(self._give_up)
+        self._limit.timeout.connect(self._note_late_lens)
+        self._late = 0  # first lenses in succession
         document.edited.connect(self._follow)
         document.session_changed.connect(self._note_change)
         control.runner.state_changed.connect(self._give_way)
@@ -146,6 +148,8 @@ class Follow(QObject):
 
     def hold(self, held: bool) -> None:
         """Let something else go first, such as a check; what is edited meanwhile follows it."""
+        if held == self._held:
+            return
         self._held = held
         waiting = self._wanted
         if held:
@@ -234,7 +238,9 @@ class Follow(QObject):
     def _note_lens(self, design: _Design) -> None:
         if not design.has_lens:
             design.has_lens = True
-            self._limit.stop()
+            if self._limit.isActive():  # in time
+                self._limit.stop()
+                self._late = 0
             self._look.start(_FRAME_MS)
         if self._next is not None:
             design.job.gate.stop()
@@ -276,8 +282,11 @@ class Follow(QObject):
         if state == "running":
             self.rest()
 
-    def _give_up(self) -> None:
-        self._on = False
+    def _note_late_lens(self) -> None:
+        self._late += 1
+        if self._late < _TIMES:
+            return
+        self._on, self._late = False, 0
         self.rest()
         self.gave_up.emit(_SLOW.format(self._limit.interval() / 1000))
 

@@ -318,16 +318,38 @@ def test_switching_off_ends_what_follows_and_keeps_its_lens(desk, qtbot):
     assert desk.follow.text == ""
 
 
-def test_a_machine_that_does_not_keep_up_is_left_alone(make_desk, qtbot):
+def test_a_machine_that_does_not_keep_up_twice_is_left_alone(make_desk, qtbot):
     desk = make_desk(patience_ms=50)
     desk.engine.hold()
     desk.edit(7)
+    qtbot.waitUntil(lambda: desk.follow._late == 1)
+    assert desk.gave_up == []
+    desk.come_to_a_lens()
+    desk.edit(8)
+    desk.step()  # the design for the edit before ends
     qtbot.waitUntil(lambda: bool(desk.gave_up))
     assert desk.gave_up[0].startswith("Edits are followed no longer: the first lens")
     assert not desk.follow.follows(desk.document.session)
-    desk.engine.leave.release(_FREE)
-    qtbot.waitUntil(lambda: bool(desk.frames))  # the preview
     assert desk.document.session.result is None
+
+
+def test_a_first_lens_in_time_makes_up_for_a_late_one(make_desk, qtbot):
+    desk = make_desk(patience_ms=50)
+    desk.engine.hold()
+    desk.edit(7)
+    qtbot.waitUntil(lambda: desk.follow._late == 1)
+    desk.follow._limit.setInterval(30_000)
+    desk.engine.leave.release(_FREE)
+    desk.edit(8)
+    desk.wait()
+    assert desk.follow._late == 0
+
+
+def test_the_end_of_what_never_held_begins_nothing_anew(desk):
+    desk.edit(7)
+    desk.follow.hold(False)
+    desk.wait()
+    assert len(desk.engine.asked) == 1
 
 
 def test_a_design_without_a_lens_gets_one_and_has_no_changes_by_it(make_desk, session):

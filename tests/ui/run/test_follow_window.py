@@ -1,0 +1,123 @@
+"""Edits followed in the window, by the engine itself."""
+
+import pytest
+from PySide6.QtCore import QSettings
+
+from tests.ui.hands import editor, fill
+from ui.window.loaded_parts import FOLLOW
+
+pytestmark = pytest.mark.usefixtures("kernels", "display")
+
+_PATIENCE_MS = 100_000
+
+
+@pytest.fixture
+def open_following(settings, open_window):
+    """Opens windows whose edits are followed, however slow the machine is just now."""
+
+    def make(session):
+        settings.setValue(FOLLOW, True)
+        window = open_window(session)
+        window.build()
+        window.loaded.follow._limit.setInterval(_PATIENCE_MS)
+        return window
+
+    return make
+
+
+@pytest.fixture
+def following(open_following, designed, qtbot):
+    """A window of a small lens."""
+    window = open_following(designed)
+    qtbot.waitUntil(lambda: window.loaded.views.scene.frame is not None)
+    return window
+
+
+def settled(window, qtbot):
+    return qtbot.waitSignal(window.loaded.follow.settled)
+
+
+def test_a_value_that_is_typed_is_followed_and_undone_as_one_step(following, designed, qtbot):
+    window, document = following, following.document
+    texts = []
+    window.loaded.follow.said.connect(texts.append)
+    with settled(window, qtbot):
+        fill(qtbot, editor(window.forms, "screen.z"), "6")
+    result = document.session.result
+    assert document.session.scene.screen.z == 6
+    assert result.iterations > 0
+    assert any("still getting better" in text for text in texts)
+    assert texts[-1] == ""
+    assert window.status.text == result.ended[0].upper() + result.ended[1:]
+    assert [run.name for run in document.session.runs] == ["Followed: auto, 12 × 10"]
+    window.commands["undo"].trigger()
+    assert document.session is designed
+    window.commands["redo"].trigger()
+    assert document.session.result is result
+
+
+def test_the_log_says_nothing_of_lenses_that_follow(following, qtbot):
+    lines = following.log.toPlainText()
+    with settled(following, qtbot):
+        fill(qtbot, editor(following.forms, "screen.z"), "6")
+    assert following.log.toPlainText() == lines
+
+
+def test_a_run_keeps_edits_waiting_and_they_are_followed_after_it(following, qtbot, as_run):
+    window, frames = following, []
+    check = window.loaded.runs.check
+    window.loaded.control.ended.disconnect(check._finish)  # a check of its lens takes long
+    window.loaded.control.runner._generate = as_run(10_000, 0.001)
+    window.loaded.control.runner.frame_ready.connect(frames.append)
+    window.commands["start"].trigger()
+    qtbot.waitUntil(lambda: any(frame.snapshot.iteration for frame in frames))
+    fill(qtbot, editor(window.forms, "screen.z"), "6")
+    assert window.loaded.follow.text == ""
+    with settled(window, qtbot):
+        window.commands["stop"].trigger()
+    names = [run.name for run in window.document.session.runs]
+    assert names == ["Run 1: auto, 12 × 10", "Followed: auto, 12 × 10"]
+
+
+def test_the_choice_to_follow_is_kept(following, settings):
+    following.commands["follow"].trigger()
+    assert not following.loaded.follow.follows(following.document.session)
+    settings.sync()
+    kept = QSettings(settings.fileName(), QSettings.Format.IniFormat)
+    assert kept.value(FOLLOW, True, bool) is False
+
+
+def test_a_window_that_follows_designs_the_lens_that_an_example_lacks(
+    open_following, session, qtbot
+):
+    window = open_following(session)
+    qtbot.waitUntil(lambda: window.document.session.result is not None)
+    assert window.commands["export"].isEnabled()
+    assert not window.isWindowModified()
+
+
+def test_a_source_that_is_dragged_is_followed_in_one_step(open_following, make_session, qtbot):
+    point = {"kind": "point", "position": [0, 0, -4]}
+    window = open_following(make_session({"source": point}))
+    qtbot.waitUntil(lambda: window.document.session.result is not None)
+    tools, before = window.loaded.tools, window.document.session
+    follow, source = window.loaded.follow, before.scene.source
+    qtbot.waitUntil(lambda: follow.text == "")
+    before = window.document.session
+    tools._count()
+    for x in (0.02, 0.04, 0.06):
+        tools._move(source.model_copy(update={"position": (x, 0.0, -4.0)}))
+        qtbot.wait(50)
+    qtbot.waitUntil(lambda: window.document.session.result is not None)
+    assert window.document.session.scene.source.position == (0.06, 0.0, -4.0)
+    assert window.document.undo_stack.count() == 1
+    window.commands["undo"].trigger()
+    assert window.document.session is before
+
+
+def test_a_hand_that_takes_the_lens_ends_what_follows(following, qtbot):
+    window = following
+    fill(qtbot, editor(window.forms, "screen.z"), "6")
+    qtbot.waitUntil(lambda: window.document.session.result is not None)
+    assert window.loaded.tools._heights() is not None
+    assert window.loaded.follow.text == ""
