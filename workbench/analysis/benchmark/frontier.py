@@ -19,7 +19,7 @@ TITLE = "Verified error against time"
 
 _FIRST = 0.05  # s
 _WARM_UP = 3  # lenses of a run that nobody times: compilers and caches
-_ON_THE_WAY = 5e-3  # relative error of images that verify all lenses but the last
+_ON_THE_WAY = 1e-2  # relative error of images that verify all lenses but the last
 _RAYS = 4_000_000  # where cells cannot verify a lens
 _FRESH = "auto"  # what ``freeform design`` runs
 _NOTE = (
