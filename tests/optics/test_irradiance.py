@@ -8,7 +8,6 @@ import torch
 from hypothesis import given
 from hypothesis import strategies as st
 
-from workbench.optics.filtered import expected_image
 from workbench.optics.irradiance import reconstruct
 from workbench.scene import BoxFilter, GaussianFilter, Screen
 
@@ -104,25 +103,6 @@ def test_gradient_is_that_of_central_differences(x, y, alpha, size):
 
     at = [torch.tensor([c], dtype=torch.float64, requires_grad=True) for c in (x, y)]
     assert torch.autograd.gradcheck(brightness, at, eps=1e-6, atol=1e-6)
-
-
-@pytest.mark.parametrize("filter", FILTERS[:4], ids=str)
-def test_expected_image_is_the_mean_of_many_rays(filter, rng):
-    wanted = rng.random((8, 12))
-    pixels = rng.choice(96, size=400_000, p=wanted.ravel() / wanted.sum())
-    row, column = np.divmod(pixels, 12)
-    x = torch.as_tensor((column + rng.random(pixels.size)) * 0.5 - 3)
-    y = torch.as_tensor(2 - (row + rng.random(pixels.size)) * 0.5)
-    weight = torch.full_like(x, wanted.sum() / pixels.size)
-    flux = reconstruct(x, y, weight, SCREEN, filter).numpy()
-    assert flux == pytest.approx(expected_image(wanted, filter), abs=0.03)
-
-
-def test_expected_image_of_even_light_is_even_inside():
-    filter = GaussianFilter(size=(3, 3), alpha=1.0)
-    image = expected_image(np.ones((8, 12)), filter)
-    assert image[1:-1, 1:-1] == pytest.approx(1, abs=1e-14)
-    assert (image[0] < 1).all()
 
 
 def test_a_million_rays_in_one_pixel_are_all_counted():
