@@ -1,4 +1,4 @@
-"""Tells the phases of each run, and what was chosen for its trace, as they come."""
+"""Tells the stages of each run, and what was chosen for its trace, as they come."""
 
 from collections.abc import Callable
 from typing import TYPE_CHECKING

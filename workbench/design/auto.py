@@ -61,7 +61,7 @@ class _Judged(NamedTuple):
 
 
 def auto_steps(room: Room) -> Generator[Step, None, str]:
-    """Evaluate lens after lens through all phases; see `workbench.design.run.run`.
+    """Evaluate lens after lens, at one level after the other; see `workbench.design.run.run`.
 
     Returns
     -------

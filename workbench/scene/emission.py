@@ -60,7 +60,7 @@ class MeshMethod(Part):
 Intersection = Annotated[
     ExactMethod | MeshMethod,
     Kinds("method", default="exact"),
-    about("Intersection", "How it is found where a ray meets the exit face."),
+    about("Intersection", "How it is found where a ray of the paper's method meets the exit face."),
 ]
 Emission = Annotated[
     Literal["uniform", "lambertian"],
@@ -75,8 +75,8 @@ Sampling = Annotated[
     Choices((("sobol", "Low discrepancy"),)),
     about(
         "Sampling",
-        "How directions are drawn. Low discrepancy (Sobol) spreads them evenly and needs far fewer "
-        "rays; random is noisier, as in the paper.",
+        "How directions of the paper's method are drawn. Low discrepancy (Sobol) spreads them "
+        "evenly and needs far fewer rays; random is noisier, as in the paper.",
     ),
 ]
 Fresh = Annotated[
@@ -85,7 +85,6 @@ Fresh = Annotated[
     about(
         "Fresh rays",
         "Draw new rays for each iteration of the paper's method, so that the lens cannot fit "
-        "itself to one set of them. Automatic compares lenses by the same rays and does not have "
-        "this.",
+        "itself to one set of them. Automatic does not have this.",
     ),
 ]

@@ -58,7 +58,12 @@ class Stage(Part):
     ] = None
     source: Annotated[Source | None, about("Source", "Where the light comes from.")] = None
     filter: Annotated[
-        Filter | None, about("Image filter", "How a ray's light is shared among pixels.")
+        Filter | None,
+        about(
+            "Image filter",
+            "How a ray's light is shared among pixels, by the paper's method and in derivative "
+            "maps. Automatic has no filter.",
+        ),
     ] = None
 
 

@@ -124,8 +124,9 @@ class CollimatedSource(AnySource):
         tuple[RayCount, RayCount],
         about(
             "Rays",
-            "Rays traced along x and y in each iteration. More rays give a smoother image and take "
-            "longer; at least two per pixel and axis are good.",
+            "Rays along x and y in each iteration of the paper's method, and for derivative maps. "
+            "More give a smoother image and take longer; at least two per pixel and axis are "
+            "good. Automatic chooses its own.",
         ),
     ] = (512, 512)
     along_axis: ClassVar[bool] = True
@@ -231,8 +232,9 @@ class PointSource(LightOfPoints):
         int,
         about(
             "Rays",
-            "Rays traced in each iteration, those that miss the lens included. More give a "
-            "smoother image and take longer; at least four per pixel are good.",
+            "Rays in each iteration of the paper's method, and for derivative maps, those that "
+            "miss the lens included. More give a smoother image and take longer; at least four "
+            "per pixel are good. Automatic chooses its own.",
             ge=1,
             le=_MOST,
         ),
@@ -308,8 +310,9 @@ class GridSource(LightOfPoints):
         int,
         about(
             "Rays per point",
-            "Rays from each point of the grid. What they add up to makes the image smooth; few "
-            "from each of many points are enough.",
+            "Rays from each point of the grid, for the paper's method and derivative maps. What "
+            "they add up to makes the image smooth; few from each of many points are enough. "
+            "Automatic chooses its own.",
             ge=1,
             le=_MOST,
         ),

@@ -57,7 +57,12 @@ class Scene(Part):
     source: Annotated[Source, about("Source", "Where the light comes from.")]
     screen: Annotated[Screen, about("Screen", "Where the light is wanted.")]
     filter: Annotated[
-        Filter, about("Image filter", "How a ray's light is shared among pixels.")
+        Filter,
+        about(
+            "Image filter",
+            "How a ray's light is shared among pixels, by the paper's method and in derivative "
+            "maps. Automatic has no filter.",
+        ),
     ] = GaussianFilter()
     target: Annotated[Target, about("Target", "The image that the light shall draw on the screen.")]
     run: Annotated[Run, about("Run", "How the design is found.")] = AutoRun()
