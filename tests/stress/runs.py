@@ -1,5 +1,6 @@
 """What has to hold for every run of the best method, however extreme its task."""
 
+from contextlib import suppress
 from typing import Any
 
 import numpy as np
@@ -37,14 +38,19 @@ def target(kind: str, scene: Scene) -> npt.NDArray[np.float64]:
 
 def check_run(case: Case, image: str, monkeypatch: pytest.MonkeyPatch) -> str:
     """Run a few iterations; returns the sentence with which the run refused or failed, or none."""
-    phases: list[list[float]] = []
+    levels: list[list[float]] = []
     minimise = auto.minimise
 
     def watched(*args: Any) -> Any:
-        phases.append([])
-        for x, found in minimise(*args):
-            phases[-1].append(found.value)
-            yield x, found
+        steps, changed = minimise(*args), None
+        levels.append([])
+        with suppress(StopIteration):
+            while True:
+                x, found = steps.send(changed)
+                if changed:  # the same lens by another image
+                    levels.append([])
+                levels[-1].append(found.value)
+                changed = yield x, found
 
     monkeypatch.setattr(auto, "minimise", watched)
     scene = case.scene
@@ -72,6 +78,6 @@ def check_run(case: Case, image: str, monkeypatch: pytest.MonkeyPatch) -> str:
         assert said.strip()
         assert "\n" not in said
     assert (np.diff(best) < 0).all()
-    for values in phases:
+    for values in levels:
         assert (np.diff(values) <= 0).all()
     return said
