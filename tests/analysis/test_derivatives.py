@@ -39,11 +39,11 @@ def make(make_scene):
 
 
 def flat(scene):
-    return np.full(scene.lens.control_points, scene.lens.base.height)
+    return np.full(scene.lens.net_shape, scene.lens.base.height)
 
 
 def wavy(scene, rng):
-    return flat(scene) + 0.02 * rng.normal(size=scene.lens.control_points)
+    return flat(scene) + 0.02 * rng.normal(size=scene.lens.net_shape)
 
 
 def derivative_of(scene, heights, weights, index):

@@ -18,7 +18,7 @@ RAYS = 20_000
 def lens(make_scene):
     scene = make_scene()
     n_x, n_y = scene.screen.pixels
-    return scene, np.ones((n_y, n_x)), {"exit": np.full(scene.lens.control_points, 0.5)}
+    return scene, np.ones((n_y, n_x)), {"exit": np.full(scene.lens.net_shape, 0.5)}
 
 
 def driven(steps):

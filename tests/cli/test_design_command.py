@@ -48,6 +48,15 @@ class TestDone:
         )
         assert progress.splitlines()[-1].startswith("10/10  loss ")
 
+    def test_the_net_that_was_chosen_is_printed_once(self, freeform, scene_file, out):
+        data = json.loads(scene_file.read_text())
+        data["lens"]["control_points"] = "auto"
+        scene_file.write_text(json.dumps(data))
+        status, _, progress = freeform("design", scene_file, "-o", out, "--iterations", "1")
+        n_u, n_v = read_session(out).scene.lens.net_shape
+        assert status == 0
+        assert progress.count(f"control points: {n_u} × {n_v}, chosen for this task") == 1
+
     def test_a_too_small_height_range_is_reported_in_a_line_and_in_the_figures(
         self, freeform, scene_file, scene_data, out
     ):

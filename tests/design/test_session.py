@@ -22,7 +22,7 @@ def session(make_scene, rng):
     n_x, n_y = scene.screen.pixels
     result = Result(
         LensState(
-            heights=FaceArrays({"exit": 0.5 + 0.01 * rng.normal(size=scene.lens.control_points)}),
+            heights=FaceArrays({"exit": 0.5 + 0.01 * rng.normal(size=scene.lens.net_shape)}),
             irradiance=np.ones((n_y, n_x)),
             loss=1.0,
             account=account_of(1.0, 0.9, 0.0, 0.0, 0.0, 0.0, 0.04, 0.06),
@@ -161,7 +161,7 @@ def test_another_outline_removes_the_lens(session):
 
 
 def test_locks_stay_with_their_control_points_wherever_these_are(session):
-    locked = FaceArrays({"exit": np.zeros(session.scene.lens.control_points, dtype=bool)})
+    locked = FaceArrays({"exit": np.zeros(session.scene.lens.net_shape, dtype=bool)})
     session = replace(session, locked=locked)
     assert edited(session, lens__half_width=[2.0, 2.0]).locked is locked
     assert edited(session, screen__z=7.0).locked is locked

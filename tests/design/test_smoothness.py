@@ -87,7 +87,7 @@ def test_excess_of_a_quadratic_face(make_scene):
 
 def test_excess_begins_where_the_maps_say(make_scene, rng):
     scene = make_scene({"run.min_radius": 1.0})
-    heights = 0.5 + 0.02 * rng.random(scene.lens.control_points)
+    heights = 0.5 + 0.02 * rng.random(scene.lens.net_shape)
     u, v = (2 * (n - p) + 1 for n, p in zip((12, 10), (3, 3), strict=True))
     maps = surface_maps(scene.lens, heights, (u, v))
     radius = 1 / max(maps.concave.max(), maps.convex.max())

@@ -16,11 +16,11 @@ DTYPES = [torch.float32, torch.float64]
 
 
 def flat(scene):
-    return torch.full(scene.lens.control_points, scene.lens.base.height, dtype=torch.float64)
+    return torch.full(scene.lens.net_shape, scene.lens.base.height, dtype=torch.float64)
 
 
 def wavy(scene, rng, amplitude=0.02):
-    return flat(scene) + amplitude * torch.as_tensor(rng.normal(size=scene.lens.control_points))
+    return flat(scene) + amplitude * torch.as_tensor(rng.normal(size=scene.lens.net_shape))
 
 
 @pytest.mark.parametrize("dtype", DTYPES)

@@ -63,7 +63,7 @@ def test_irradiance_behind_a_thin_plate_falls_with_a_power_of_the_cosine(
 ):
     source = POINT | {"position": [0, 0, -1.0], "emission": emission}
     scene = make_scene({"source": source, **THIN_PLATE})
-    heights = torch.full(scene.lens.control_points, 1e-6, dtype=torch.float64)
+    heights = torch.full(scene.lens.net_shape, 1e-6, dtype=torch.float64)
     # 50 rows and columns of samples light a pixel; its edges cut one off, or do not.
     traced = Plan(scene, samples=(1001, 1003), dtype=torch.float64).trace({"exit": heights})
     expected = behind_thin_plate(scene, emission, power)
@@ -138,7 +138,7 @@ def test_each_point_of_a_grid_gives_the_light_that_it_gives_alone(make_scene):
 @pytest.mark.parametrize("dtype", DTYPES)
 def test_the_account_adds_up_and_nothing_is_nan(make_scene, rng, source, amplitude, dtype):
     scene = make_scene({"source": source, "lens.degree": [2, 3]})
-    noise = torch.as_tensor(rng.uniform(-1, 1, size=scene.lens.control_points))
+    noise = torch.as_tensor(rng.uniform(-1, 1, size=scene.lens.net_shape))
     heights = (3.0 + amplitude * noise).requires_grad_()
     for fused in (False, True):
         plan = Plan(scene, samples=(60, 50), dtype=dtype, fused=fused)
@@ -224,7 +224,7 @@ def test_samples_are_dense_before_a_source_that_is_near_a_thin_lens(make_scene, 
 
 def test_half_of_the_dense_samples_see_a_mirror_image(make_scene):
     scene = make_scene(THIN | {"source": POINT | {"position": [0, 0, -1e-3]}})
-    heights = torch.full(scene.lens.control_points, 0.01, dtype=torch.float64)
+    heights = torch.full(scene.lens.net_shape, 0.01, dtype=torch.float64)
     whole, quarter = (
         Plan(scene, samples=(400, 400), mirrored=halved, dtype=torch.float64).trace(
             {"exit": heights}

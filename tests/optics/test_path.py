@@ -44,7 +44,7 @@ def test_what_arrives_and_what_is_lost_adds_up_to_all_light(make_scene, source, 
 def test_lost_rays_stay_in_the_bundle_without_flux(make_scene):
     scene = make_scene({"source": POINT})
     path = Path.of(scene, ControlNet.of(scene.lens), torch.float64)
-    steep = torch.full(scene.lens.control_points, 3.5, dtype=torch.float64)
+    steep = torch.full(scene.lens.net_shape, 3.5, dtype=torch.float64)
     arrival = path.walk({"exit": steep})
     assert arrival.rays.flux.shape == path.rays.flux.shape
     assert not arrival.rays.alive.all()

@@ -80,7 +80,7 @@ class TestFlatPlate:
         """A thin plate leaves the inverse square and the cosines: cos³, Lambertian cos⁴."""
         source = {"kind": "point", "position": [0, 0, -1.0], "rays": 1 << 20}
         scene = make_scene({"source": source | {"emission": emission}, **THIN_PLATE})
-        heights = torch.full(scene.lens.control_points, 1e-6, dtype=torch.float64)
+        heights = torch.full(scene.lens.net_shape, 1e-6, dtype=torch.float64)
         traced = Plan(scene, dtype=torch.float64).trace({"exit": heights})
         expected = behind_thin_plate(scene, emission, power)
         assert traced.flux.numpy() == pytest.approx(expected, rel=0.02)
@@ -123,7 +123,7 @@ def test_a_spherical_lens_focuses_where_the_lens_maker_says(make_scene):
 @pytest.mark.parametrize("dtype", DTYPES)
 def test_the_account_adds_up_and_nothing_is_nan(make_scene, rng, source, amplitude, kind, dtype):
     scene = make_scene({"filter": {"kind": kind}, "source": source, "lens.degree": [2, 3]})
-    noise = torch.as_tensor(rng.uniform(-1, 1, size=scene.lens.control_points))
+    noise = torch.as_tensor(rng.uniform(-1, 1, size=scene.lens.net_shape))
     heights = (3.5 + amplitude * noise).requires_grad_()
     traced = Plan(scene, dtype=dtype).trace({"exit": heights})
     emitted, where = parts(traced.account)
@@ -254,7 +254,7 @@ class TestHardCases:
             }
         )
         heights = torch.linspace(0.4, 0.6, (degree[0] + 1) * (degree[1] + 1))
-        heights = heights.view(scene.lens.control_points).double()
+        heights = heights.view(scene.lens.net_shape).double()
         account = self.gradient_of(Plan(scene, dtype=dtype), heights)
         assert account.lost["missed_lens"] + account.lost["left_side"] < 0.9999
 

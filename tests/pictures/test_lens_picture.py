@@ -12,7 +12,7 @@ from workbench.pictures.lens import LensPicture
 @pytest.fixture
 def state():
     def make(scene, offset=0.0, rays=(5, 5)):
-        heights = np.full(scene.lens.control_points, 0.5 + offset)
+        heights = np.full(scene.lens.net_shape, 0.5 + offset)
         return (
             sample_surface(scene.lens, heights, (17, 17)),
             ray_paths(scene, {"exit": heights}, rays),

@@ -82,6 +82,6 @@ def test_small_numbers_beside_the_bar_are_written_out(make_scene):
 def test_a_plate_has_no_height_in_spite_of_rounding(make_scene, rng):
     scene = make_scene()
     image = SurfaceImage(Figure().subplots(), scene, ASPECTS[0])
-    noise = 1e-16 * rng.standard_normal(scene.lens.control_points)
+    noise = 1e-16 * rng.standard_normal(scene.lens.net_shape)
     image.update(scene.lens.base.height + noise)
     assert not image.values.any()

@@ -173,7 +173,7 @@ def test_every_icon_is_known():
 )
 def test_derivative_examples_are_the_cases_of_the_paper(name, sum_below, reaches_border):
     scene = Scene.from_json(_named(name).file.read_bytes())
-    flat = np.full(scene.lens.control_points, scene.lens.base.height)
+    flat = np.full(scene.lens.net_shape, scene.lens.base.height)
     found = irradiance_derivative(scene, {"exit": flat}, (4, 4))
     inside = np.count_nonzero(found.map[1:-1, 1:-1])
     assert (np.count_nonzero(found.map) > inside) == reaches_border

@@ -102,7 +102,7 @@ def test_the_converted_lens_sends_the_same_flux_to_each_pixel(
 ):
     lens = {"lens.base": base, "lens.half_width": [1.0, half_width], "source": source}
     scene = Scene.from_data(changed({"unit": units[0], **lens}))
-    heights = 0.5 + 0.02 * np.random.default_rng(seed).normal(size=scene.lens.control_points)
+    heights = 0.5 + 0.02 * np.random.default_rng(seed).normal(size=scene.lens.net_shape)
     other = scene.in_unit(units[1])
     one = flux(scene, heights, seed)
     two = flux(other, heights * (other.screen.z / scene.screen.z), seed)

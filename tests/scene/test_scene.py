@@ -139,7 +139,7 @@ REFUSED = [
     ("target", {}, "target.image: missing; it is required"),
     ("run", {"method": "best"}, "run.method: 'best' is not available; allowed: 'auto', 'paper'"),
     ("run.seed", -1, "run.seed: -1 is too small; at least 0"),
-    ("version", 2, "version: 2 is not available; allowed: 1"),
+    ("version", 3, "version: 3 is not available; allowed: 1 or 2"),
     ("unit", "foot", "unit: 'foot' is not available; allowed: 'mm', 'cm', 'm' or 'inch'"),
 ]
 

@@ -61,7 +61,7 @@ class Here:
                 continue
             n_x, n_y = task.scene.screen.pixels
             account = account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1)
-            heights = np.full(task.scene.lens.control_points, 0.5)
+            heights = np.full(task.scene.lens.net_shape, 0.5)
             result = Result(
                 LensState(
                     heights=FaceArrays({"exit": heights}),

@@ -70,7 +70,7 @@ class Brush:
         lens = self._view.lens
         if lens is None:
             return None
-        shape = lens.control_points
+        shape = lens.net_shape
         last = self._last or (shape[0] // 2, shape[1] // 2)
         i, j = (
             min(max(at + by, 0), n - 1) for at, by, n in zip(last, (right, up), shape, strict=True)
@@ -88,7 +88,7 @@ class Brush:
         """What it takes along around a control point, shape (n_u, n_v)."""
         lens = self._view.lens
         assert lens is not None
-        touched = np.zeros(lens.control_points, dtype=bool)
+        touched = np.zeros(lens.net_shape, dtype=bool)
         block, weights = bump(ControlNet.of(lens), index, self.radius)
         touched[block] = weights > 0
         return touched

@@ -104,7 +104,7 @@ class Lock(BrushTool):
         if lens is None or not self._may():
             return
         before = self._view.locked
-        locked = np.zeros(lens.control_points, dtype=bool) if before is None else before.copy()
+        locked = np.zeros(lens.net_shape, dtype=bool) if before is None else before.copy()
         self._paint = _Paint(before, locked, not locked[index])
         self._touch(index)
 

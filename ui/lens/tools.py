@@ -221,7 +221,7 @@ class LensTools(QObject):
     def _lock(self, change: Callable[[Mask], Mask], text: str) -> None:
         if self._is_idle():
             session = self._document.session
-            unlocked = np.zeros(session.scene.lens.control_points, dtype=bool)
+            unlocked = np.zeros(session.scene.lens.net_shape, dtype=bool)
             self._set_locked(change(session.locked.get("exit", unlocked)), text)
 
     def _set_locked(self, locked: Mask, text: str) -> None:

@@ -12,6 +12,7 @@ from ui.widgets.message_bar import MessageBar, Offer
 from workbench.files.session import Session
 from workbench.geometry.approximation import deviation, nearest_finer
 from workbench.geometry.surface import ControlNet
+from workbench.scene import AutoNet
 from workbench.scene.lens import LARGEST_NET
 
 _NET = "lens.control_points"
@@ -77,6 +78,12 @@ class CarriedLens(QObject):
                 f"The lens is changed by up to {moved:.2g} {unit} to be within its new "
                 "limits. Continue goes on from there, and Undo takes the change back.",
             )
+        elif net != other and isinstance(after.scene.lens.control_points, AutoNet):
+            self._say_of(
+                after,
+                f"The program takes {_size(other.shape)} control points now. Continue goes on from "
+                "the lens that was there, carried over, and Undo takes the change back.",
+            )
         elif net != other:
             self._before, self._after = before, after
             if other.contains(net):
@@ -91,7 +98,7 @@ class CarriedLens(QObject):
             )
 
     def _ask(self, before: Session, after: Session, off: float) -> None:
-        net, wanted = ControlNet.of(before.scene.lens), after.scene.lens.control_points
+        net, wanted = ControlNet.of(before.scene.lens), after.scene.lens.net_shape
         unit = after.scene.unit
         exact = nearest_finer(net, wanted, LARGEST_NET)
         offers: list[Offer] = []

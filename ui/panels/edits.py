@@ -131,7 +131,11 @@ def edited_scene(scene: Scene, edits: Iterable[Edit]) -> Scene:
         for path, value in edit.changes.items():
             holder, last = holder_of(data, path)
             holder[last] = _read(value, path, data["unit"])
-    return Scene.from_data(data) if data else scene
+    if not data:
+        return scene
+    found = Scene.from_data(data)
+    # Where nothing is changed, a net that was chosen stays chosen.
+    return scene if found.to_data() == scene.to_data() else found
 
 
 def _read(value: object, path: str, unit: str) -> object:

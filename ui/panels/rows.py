@@ -6,6 +6,7 @@ from typing import Any
 
 from PySide6.QtCore import Signal
 
+from ui.panels.auto_row import AutoRow
 from ui.panels.edits import holder_of, value_at
 from ui.panels.fields import Changes, CheckRow, ChoiceRow, Condition, NumberRow, Row, TextRow
 from ui.panels.optional import OptionalRow
@@ -114,6 +115,8 @@ def value_row(field: FieldDescription, path: str, otherwise: str = "") -> Row:
         return TextRow(path, label, tip)
     between = field.between if field.count > 1 else ""
     numbers = (between, field.count, field.number is int)
+    if field.auto:
+        return AutoRow(path, label, tip, field.measure, *numbers)
     if field.optional:
         return OptionalRow(path, label, tip, field.measure, _stand_in(field), *numbers)
     return NumberRow(path, label, tip, field.measure, *numbers)

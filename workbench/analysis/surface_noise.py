@@ -44,7 +44,7 @@ def with_noise(
         Its control heights.
     """
     for axis, (r, n, p) in enumerate(
-        zip(lens.half_width, lens.control_points, lens.degree, strict=True)
+        zip(lens.half_width, lens.net_shape, lens.degree, strict=True)
     ):
         split = math.ceil(_SPANS * 2 * r / (scale * (n - p)))
         control_points = _refined(control_points, axis, r, p, split)
@@ -67,7 +67,7 @@ def _refined(control_points: Array, axis: int, half_width: float, degree: int, s
 def _noise(lens: Lens, scale: float, rng: np.random.Generator) -> Array:
     """Control heights of a random face with a root mean square of 1 about a mean of 0."""
     samplers, widths = [], []
-    for r, n, p in zip(lens.half_width, lens.control_points, lens.degree, strict=True):
+    for r, n, p in zip(lens.half_width, lens.net_shape, lens.degree, strict=True):
         knots = _knots(r, n - p, p)
         middles = (np.arange(4 * (n - p)) + 0.5) * (r / (2 * (n - p))) - r
         samplers.append(BSpline(knots, np.eye(n), p)(middles))
@@ -75,9 +75,9 @@ def _noise(lens: Lens, scale: float, rng: np.random.Generator) -> Array:
         widths.append(scale / 2 / (2 * r / (n - p)))
     # Filtered beyond the edge too, so that the noise is the same there as elsewhere.
     margins = [
-        min(math.ceil(4 * width), n) for width, n in zip(widths, lens.control_points, strict=True)
+        min(math.ceil(4 * width), n) for width, n in zip(widths, lens.net_shape, strict=True)
     ]
-    size = [n + 2 * m for n, m in zip(lens.control_points, margins, strict=True)]
+    size = [n + 2 * m for n, m in zip(lens.net_shape, margins, strict=True)]
     white = gaussian_filter(rng.standard_normal(size), widths, mode="wrap")
     heights = white[margins[0] : size[0] - margins[0], margins[1] : size[1] - margins[1]]
     surface = samplers[0] @ heights @ samplers[1].T

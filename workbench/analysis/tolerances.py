@@ -211,7 +211,7 @@ def perturbed(
     >>> from workbench.files.session import open_design
     >>> from workbench.geometry.faces import FaceArrays
     >>> task = open_design(path("examples", "tophat.json"))
-    >>> plate = FaceArrays({"exit": np.full(task.scene.lens.control_points, 0.5)})
+    >>> plate = FaceArrays({"exit": np.full(task.scene.lens.net_shape, 0.5)})
     >>> within = Tolerances(decentre=0.01)
     >>> nominal, *others = perturbed(task.scene, task.target, plate, within, samples=3, rays=10_000)
     >>> len(others), round(nominal.efficiency, 4)

@@ -73,6 +73,6 @@ def _check_net(part: Scene, finished: Scene) -> None:
     if freeform_nets(part.lens) != freeform_nets(finished.lens):
         raise Refused(
             "lens.control_points",
-            f"{list(part.lens.control_points)} are not the control points of the finished lens "
+            f"{list(part.lens.net_shape)} are not the control points of the finished lens "
             "that are locked; leave the stage's net out or unlock them",
         )

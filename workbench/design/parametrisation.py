@@ -24,7 +24,7 @@ def parameter_count(scene: Scene) -> int:
     on the input 1; the two others are linked to the layer before, fully or within the
     neighbourhood. Every link has a weight and every neuron a bias.
     """
-    neurons = math.prod(scene.lens.control_points)
+    neurons = math.prod(scene.lens.net_shape)
     match _parametrisation(scene):
         case "sparse":
             links = link_count(scene.lens)
@@ -38,7 +38,7 @@ def parameter_count(scene: Scene) -> int:
 def link_count(lens: Lens) -> int:
     """Links into a layer whose neurons see (2p + 1) × (2q + 1) neighbours, less at the border."""
     return math.prod(
-        n * (2 * p + 1) - p * (p + 1) for n, p in zip(lens.control_points, lens.degree, strict=True)
+        n * (2 * p + 1) - p * (p + 1) for n, p in zip(lens.net_shape, lens.degree, strict=True)
     )
 
 

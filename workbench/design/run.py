@@ -15,6 +15,7 @@ import numpy.typing as npt
 from workbench.design.auto import auto_steps
 from workbench.design.heights import Mask
 from workbench.design.needs import check_parts
+from workbench.design.net import definite
 from workbench.design.paper import paper_steps
 from workbench.design.room import Room
 from workbench.design.snapshot import Snapshot
@@ -22,7 +23,7 @@ from workbench.design.step import Step
 from workbench.errors import RunFailed
 from workbench.geometry.faces import NO_LOCKS, ControlHeights, FaceArrays
 from workbench.geometry.surface import freeform_nets
-from workbench.scene import Lens, PaperRun, Scene
+from workbench.scene import AutoNet, Lens, PaperRun, Scene
 
 Array = npt.NDArray[np.float64]
 
@@ -75,9 +76,10 @@ def run(
     >>> for snapshot in run(task.scene, task.target):
     ...     if snapshot.iteration == 2:
     ...         break
-    >>> snapshot.state.heights["exit"].shape == task.scene.lens.control_points
+    >>> snapshot.state.heights["exit"].shape == task.scene.lens.net_shape
     True
     """
+    scene = definite(scene, target)
     parts = scene.parts()
     locked = {face: mask for face, mask in locked.items() if mask.any()}
     done = all(face in locked and locked[face].all() for face in freeform_nets(scene.lens))
@@ -121,7 +123,7 @@ def run(
                 best=best,
                 stage=stage,
                 stages=len(parts),
-                notes=(*step.notes, *room.notes),
+                notes=(*_net_notes(scene), *step.notes, *room.notes),
             )
             iteration += 1
         else:
@@ -129,6 +131,13 @@ def run(
         if stage + 1 < len(parts) and best_heights is not None:
             start = _carried(best_heights, part.lens, parts[stage + 1].lens)
     return ended
+
+
+def _net_notes(scene: Scene) -> tuple[str, ...]:
+    """The net of the finished lens, where the program has chosen it."""
+    if not isinstance(scene.lens.control_points, AutoNet):
+        return ()
+    return ("control points: {} × {}, chosen for this task".format(*scene.lens.net_shape),)
 
 
 def _carried(heights: ControlHeights, lens: Lens, other: Lens) -> ControlHeights:

@@ -10,6 +10,7 @@ import numpy.typing as npt
 from workbench import units
 from workbench.design.lens_state import scaled
 from workbench.design.limits import HeightLimits, bounded
+from workbench.design.net import definite
 from workbench.design.snapshot import Result
 from workbench.errors import Refused
 from workbench.geometry.approximation import project
@@ -105,7 +106,8 @@ class Session:
     Attributes
     ----------
     scene : Scene
-        The design task, with an absolute ``target.image``.
+        The design task, with an absolute ``target.image``. Where it leaves the number of control
+        points to the program, it is that of the lens that is there, or is chosen.
     target : ndarray, shape (n_y, n_x)
         The target image before normalisation and filtering, row 0 at +y.
     result : Result, optional
@@ -142,6 +144,11 @@ class Session:
     start: ControlHeights | None = None
     picture: bytes | None = None
 
+    def __post_init__(self) -> None:
+        if self.scene.lens.known_shape is None:
+            there = None if self.heights is None else self.heights["exit"].shape
+            object.__setattr__(self, "scene", _on_net(self.scene, self.target, there))
+
     @property
     def heights(self) -> ControlHeights | None:
         """Control heights of the lens as it stands: the result's, or those to start from."""
@@ -157,6 +164,8 @@ class Session:
         long as the control points that they are about. A scene that is converted to another unit
         takes the lens along.
         """
+        # Locks are about the control points that are there.
+        scene = _on_net(scene, target, self.scene.lens.net_shape if self.locked else None)
         unit = scene.unit
         if unit != self.scene.unit and target is self.target and scene == self.scene.in_unit(unit):
             return self.in_unit(unit)
@@ -232,6 +241,14 @@ def result_of(session: Session, name: str = "session") -> Result:
         "its lens was designed for another task, which was edited afterwards; "
         "freeform design goes on from it",
     )
+
+
+def _on_net(scene: Scene, target: Array, there: tuple[int, ...] | None) -> Scene:
+    """A scene with a definite net: the one that is there, if that is good for it."""
+    if scene.lens.known_shape is None and there is not None:
+        n_u, n_v = there
+        return scene.with_net((n_u, n_v))
+    return definite(scene, target)
 
 
 def task_of(scene: Scene) -> Scene:

@@ -59,8 +59,9 @@ def with_file(session: Session, folder: Path) -> Session:
     Refused
         If the target cannot be drawn.
     """
-    task = begin(session.scene, folder)
-    return replace(session.with_scene(session.scene, task.target), picture=task.picture)
+    scene = session.scene.with_net(None)  # another target may be worth another one
+    task = begin(scene, folder)
+    return replace(session.with_scene(scene, task.target), picture=task.picture)
 
 
 def _drawing(scene: Scene) -> tuple[object, ...]:

@@ -11,10 +11,11 @@ from workbench.errors import Refused
 from workbench.files.figures import Figures, VerifiedFigures
 from workbench.files.json_text import check_fields_once
 from workbench.refusals import refusal
-from workbench.scene import Part, Scene
+from workbench.scene import AutoNet, Part, Scene
+from workbench.scene.lens import NetSize
 
-VERSION: Final = 1
-"""Of the session files that this program writes; it reads no newer ones."""
+VERSION: Final = 2
+"""Of the newest session files that this program reads."""
 
 MOST_RUNS = 64
 """Most kept runs in a session."""
@@ -25,11 +26,15 @@ LARGEST_VIEW = 1 << 16
 _DEEPEST_VIEW = 16
 
 
+NetShape = tuple[NetSize, NetSize]
+
+
 class RunHeader(Part):
     """A kept run; the scene in it is validated by itself."""
 
     name: Annotated[str, Field(min_length=1, max_length=LONGEST_NAME)]
     scene: dict[str, Any]
+    control_points: NetShape | None = None
     result: Figures
     verified: VerifiedFigures | None = None
 
@@ -38,8 +43,9 @@ class Header(Part):
     """The whole text; the scene in it is validated by itself."""
 
     format: Literal["freeform-session"] = "freeform-session"
-    version: Literal[1] = VERSION
+    version: Literal[1, 2]
     scene: dict[str, Any]
+    control_points: NetShape | None = None  # what "auto" has come to
     result: Figures | None = None
     runs: tuple[RunHeader, ...] | None = None
     view: dict[str, Any] | None = None
@@ -88,8 +94,14 @@ def read_header(text: bytes, where: str) -> Header:
     return header
 
 
-def read_part(scene: dict[str, Any], where: str) -> Scene:
-    """Read one of the scenes that the text holds.
+def chosen_net(scene: Scene) -> NetShape | None:
+    """The numbers of control points to be kept beside a scene that says ``"auto"``."""
+    auto = isinstance(scene.lens.control_points, AutoNet)
+    return scene.lens.known_shape if auto else None
+
+
+def read_part(scene: dict[str, Any], net: NetShape | None, where: str) -> Scene:
+    """Read one of the scenes that the text holds, with the net that was chosen for it.
 
     Raises
     ------
@@ -97,7 +109,8 @@ def read_part(scene: dict[str, Any], where: str) -> Scene:
         If it is not possible.
     """
     try:
-        return Scene.from_data(scene)
+        found = Scene.from_data(scene)
+        return found if net is None else found.with_net(net)
     except Refused as refused:
         raise Refused(f"{where}: {refused.path}", refused.reason) from None
 

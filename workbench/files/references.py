@@ -34,7 +34,7 @@ def _scenes(path: Path) -> list[Scene]:
         where = entries.where(HEADER)
         header = read_header(entries.content(HEADER, LARGEST_TEXT), where)
     texts = [header.scene, *(run.scene for run in header.runs or ())]
-    return [with_absolute_image(read_part(text, where), path) for text in texts]
+    return [with_absolute_image(read_part(text, None, where), path) for text in texts]
 
 
 def is_one_file(path: Path, other: Path) -> bool:

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from workbench import __version__
+from workbench.design.net import definite
 from workbench.design.picture import LARGEST_PICTURE
 from workbench.design.session import KeptRun as KeptRun  # to be had from here, too
 from workbench.design.session import Session as Session
@@ -16,7 +17,15 @@ from workbench.files.designs import entries_of, names_of, read_heights, read_res
 from workbench.files.entries import Entries
 from workbench.files.figures import Figures, VerifiedFigures
 from workbench.files.fingerprint import digest
-from workbench.files.header import MOST_RUNS, Header, RunHeader, plain_view, read_header, read_part
+from workbench.files.header import (
+    MOST_RUNS,
+    Header,
+    RunHeader,
+    chosen_net,
+    plain_view,
+    read_header,
+    read_part,
+)
 from workbench.files.npy import Array, Mask, write_array
 from workbench.files.scene import (
     LARGEST_TEXT,
@@ -133,9 +142,9 @@ def read_session(path: Path) -> Session:
         entries = Entries(path, file)
         where = entries.where(HEADER)
         header = read_header(entries.content(HEADER, LARGEST_TEXT), where)
-        scene = with_absolute_image(read_part(header.scene, where), path)
+        scene = _scene_of(header, where, entries, "", path)
         runs = [
-            (run, _scene_of(run, f"{where}: runs[{number}].scene", path))
+            (run, _scene_of(run, f"{where}: runs[{number}].scene", entries, _folder(number), path))
             for number, run in enumerate(header.runs or ())
         ]
         names = {HEADER} | names_of(entries, "", scene, header.result)
@@ -170,13 +179,17 @@ def _header(session: Session, path: Path) -> Header:
         RunHeader(
             name=run.name,
             scene=with_portable_image(run.scene, path).to_data(),
+            control_points=chosen_net(run.scene),
             result=Figures.of(run.result),
             verified=None if run.verified is None else VerifiedFigures(**run.verified._asdict()),
         )
         for run in session.runs
     ]
+    scenes = [session.scene, *(run.scene for run in session.runs)]
     return Header(
+        version=max(scene.needed_version for scene in scenes),
         scene=with_portable_image(session.scene, path).to_data(),
+        control_points=chosen_net(session.scene),
         result=None if session.result is None else Figures.of(session.result),
         runs=tuple(runs) or None,
         view=plain_view(session.view, f"{path}: view"),
@@ -184,8 +197,14 @@ def _header(session: Session, path: Path) -> Header:
     )
 
 
-def _scene_of(run: RunHeader, where: str, path: Path) -> Scene:
-    return with_absolute_image(read_part(run.scene, where), path)
+def _scene_of(
+    header: Header | RunHeader, where: str, entries: Entries, folder: str, path: Path
+) -> Scene:
+    """The scene of a design; of a program that does not say what it took, with our choice."""
+    scene = read_part(header.scene, header.control_points, where)
+    if scene.lens.known_shape is None:
+        scene = definite(scene, read_target(entries, folder, scene))
+    return with_absolute_image(scene, path)
 
 
 def _read_runs(entries: Entries, runs: Sequence[tuple[RunHeader, Scene]]) -> Iterator[KeptRun]:

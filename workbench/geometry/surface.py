@@ -108,7 +108,7 @@ class ControlNet:
     @classmethod
     def of(cls, lens: Lens) -> "ControlNet":
         """The net that a lens asks for."""
-        return cls(lens.control_points, lens.degree, lens.half_width)
+        return cls(lens.net_shape, lens.degree, lens.half_width)
 
     @cached_property
     def knots(self) -> tuple[Array, Array]:

@@ -4,6 +4,7 @@ Field by field this is the scene file (``*.json``), so a scene that exists is a 
 possible: whatever cannot be built, traced or made is refused here, with the path of the field.
 """
 
+from workbench.scene.auto_net import AutoNet
 from workbench.scene.emission import ExactMethod, MeshMethod
 from workbench.scene.fields import LENGTH, FieldDescription, Measure
 from workbench.scene.kinds import Kinds
@@ -30,6 +31,7 @@ from workbench.scene.task import Scene, Unit
 
 __all__ = [
     "LENGTH",
+    "AutoNet",
     "AutoRun",
     "BallTarget",
     "Base",

@@ -43,10 +43,12 @@ class MeshMethod(Part):
 
     def check_for(self, lens: Lens) -> None:
         """Refuse more triangles than there is memory for."""
+        if lens.known_shape is None:
+            return  # checked with what the program chooses
         across, up = (
             (count - degree) * n
             for count, degree, n in zip(
-                lens.control_points, lens.degree, self.subdivisions, strict=True
+                lens.known_shape, lens.degree, self.subdivisions, strict=True
             )
         )
         if across * up > _MOST:

@@ -16,6 +16,8 @@ from pydantic import BaseModel, Field, GetJsonSchemaHandler
 from pydantic.fields import FieldInfo
 from pydantic_core import CoreSchema
 
+from workbench.scene.auto_net import AutoNet
+
 _FAR = 1e9  # a limit that nobody meets
 _SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
@@ -119,9 +121,11 @@ class FieldDescription:
     tip : str
         What it is, and why one would change it.
     type : object
-        Of its values, without None.
+        Of its values, without None and `AutoNet`.
     optional : bool
         Whether it may be left out for no value.
+    auto : bool
+        Whether the program may choose its numbers.
     marks : tuple
         Limits, and marks of this module.
     """
@@ -131,6 +135,7 @@ class FieldDescription:
     tip: str
     type: Any
     optional: bool
+    auto: bool
     marks: tuple[object, ...]
 
     def mark(self, kind: type[Mark]) -> Mark | None:
@@ -204,14 +209,14 @@ class FieldDescription:
 def describe(name: str, field: FieldInfo) -> FieldDescription:
     """What a field of a pydantic model says of itself."""
     bare, marks = _unmarked(field.annotation)
-    members = [member for member in get_args(bare) if member is not NoneType]
-    optional = NoneType in get_args(bare)
-    if optional and len(members) == 1:
+    members = [member for member in get_args(bare) if member not in (NoneType, AutoNet)]
+    optional, auto = (each in get_args(bare) for each in (NoneType, AutoNet))
+    if (optional or auto) and len(members) == 1:
         bare, inner = _unmarked(members[0])
         marks += inner
     title = field.title or name.replace("_", " ").capitalize()
     return FieldDescription(
-        name, title, field.description or "", bare, optional, (*field.metadata, *marks)
+        name, title, field.description or "", bare, optional, auto, (*field.metadata, *marks)
     )
 
 

@@ -11,6 +11,7 @@ from pydantic import ConfigDict, Field, field_validator
 from workbench import materials
 from workbench.errors import Refused, shown
 from workbench.scene import limits
+from workbench.scene.auto_net import AutoNet, NumbersOrAuto
 from workbench.scene.fields import LENGTH, RANGE, Measure, about
 from workbench.scene.kinds import Kinds
 from workbench.scene.part import NonNegative, Part, Positive
@@ -147,11 +148,13 @@ class Lens(Part):
         ),
     ] = (3, 3)
     control_points: Annotated[
-        tuple[NetSize, NetSize],
+        tuple[NetSize, NetSize] | AutoNet,
+        NumbersOrAuto(),
         about(
             "Control points",
             "Number of control points along x and y. More of them draw finer detail and take "
-            "longer.",
+            "longer. Automatic takes what the target's detail, the screen's pixels and the size of "
+            "the source are worth; the paper's method then has nets like those of the paper.",
         ),
     ]
     base: Annotated[
@@ -213,8 +216,8 @@ class Lens(Part):
     def check(self) -> None:
         """Refuse what cannot be computed with, and what cannot be made."""
         self._check_lengths()
-        for axis in (0, 1):
-            count, degree = self.control_points[axis], self.degree[axis]
+        for axis, count in enumerate(self.known_shape or ()):
+            degree = self.degree[axis]
             if count < degree + 1:
                 raise Refused(
                     f"lens.control_points[{axis}]",
@@ -246,9 +249,38 @@ class Lens(Part):
         limits.check_lengths(heights, self.half_width, limits.HEIGHT)
 
     def remarks(self) -> Mapping[str, str]:
-        """The index of a named material."""
-        named = isinstance(self.refractive_index, str)
-        return {"refractive_index": f"n = {self.index:.5f}"} if named else {}
+        """The index of a named material, and the control points that the program has chosen."""
+        remarks = {}
+        if isinstance(self.refractive_index, str):
+            remarks["refractive_index"] = f"n = {self.index:.5f}"
+        if isinstance(self.control_points, AutoNet) and self.control_points.shape is not None:
+            remarks["control_points"] = "{} × {}".format(*self.control_points.shape)
+        return remarks
+
+    @property
+    def net_shape(self) -> tuple[int, int]:
+        """Numbers of control points along x and y: as given, or as the program has chosen.
+
+        Raises
+        ------
+        Refused
+            If it has yet to choose; a `Session`, which has a target, is a task where it has.
+        """
+        if self.known_shape is None:
+            raise Refused("lens.control_points", "'auto' needs a target to choose for; numbers")
+        return self.known_shape
+
+    @property
+    def known_shape(self) -> tuple[int, int] | None:
+        """As `net_shape`; None where the program has yet to choose."""
+        points = self.control_points
+        return points.shape if isinstance(points, AutoNet) else points
+
+    def with_net(self, shape: tuple[int, int] | None) -> "Lens":
+        """A lens for whose ``"auto"`` the program has chosen a net; None takes a choice back."""
+        if not isinstance(self.control_points, AutoNet):
+            return self
+        return self.altered(control_points=AutoNet(shape))
 
     def _check_range(self, low: float, high: float) -> None:
         """Refuse a height range that leaves a control point nowhere to be."""

@@ -48,7 +48,7 @@ class Stage(Part):
     ] = None
     control_points: Annotated[
         tuple[NetSize, NetSize] | None,
-        Fallback("lens.control_points"),
+        Fallback("lens.net_shape"),
         about(
             "Control points",
             "Numbers of control points along x and y in this stage. A coarse net moves light over "

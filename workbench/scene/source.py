@@ -15,6 +15,7 @@ from workbench.scene.fields import LENGTH, PLACE, about
 from workbench.scene.kinds import Kinds
 from workbench.scene.lens import Lens
 from workbench.scene.part import NonNegative, Part
+from workbench.scene.screen import Screen
 
 if TYPE_CHECKING:
     from workbench.scene.task import Scene
@@ -82,6 +83,13 @@ class AnySource(Part):
     def nearest_z(self) -> float:
         """Where it comes closest to the lens, scene units."""
         return -math.inf if self.place is None else self.place[2]
+
+    def blur(self, lens: Lens, screen: Screen) -> tuple[float, float]:
+        """Widths along x and y of what one place of the lens makes of it on the screen.
+
+        Scene units, about: as behind a pinhole.
+        """
+        return 0.0, 0.0
 
     def check_before(self, lens: Lens) -> None:
         """Refuse a lens that it cannot light.
@@ -355,6 +363,12 @@ class GridSource(LightOfPoints):
         x, y = self.axes
         places = np.broadcast_arrays(x[:, None], y, self.center[2])
         return np.stack(places, axis=-1).reshape(-1, 3)
+
+    def blur(self, lens: Lens, screen: Screen) -> tuple[float, float]:
+        """Its extent, times how much farther the screen is from the lens than it is."""
+        farther = (screen.z - lens.highest) / (lens.entrance_z - self.center[2])
+        r_x, r_y = self.half_width
+        return 2 * r_x * farther, 2 * r_y * farther
 
     def remarks(self) -> Mapping[str, str]:
         """All its rays."""

@@ -3,12 +3,13 @@
 import json
 from typing import Annotated, Any, Literal, Self
 
-from pydantic import ValidationError
+from pydantic import AfterValidator, ValidationError, field_serializer
 
 from workbench import units
 from workbench.errors import Refused
 from workbench.refusals import refusal
 from workbench.scene import limits
+from workbench.scene.auto_net import AutoNet
 from workbench.scene.fields import about
 from workbench.scene.lens import Lens
 from workbench.scene.part import Part
@@ -44,7 +45,8 @@ class Scene(Part):
     """
 
     format: Literal["freeform-scene"] = "freeform-scene"
-    version: Literal[1] = 1
+    # Which one a file said is forgotten, or the same scene would differ: needed_version is written.
+    version: Annotated[Literal[1, 2], AfterValidator(lambda given: 1)] = 1
     unit: Annotated[
         Unit,
         about(
@@ -95,6 +97,15 @@ class Scene(Part):
             lengths.append(("run.min_radius", self.run.min_radius))
         limits.check_lengths(lengths, self.lens.half_width, limits.FAR)
 
+    @field_serializer("version")
+    def _written_version(self, given: int) -> int:
+        return self.needed_version
+
+    @property
+    def needed_version(self) -> Literal[1, 2]:
+        """The oldest version of the file format that knows all that the scene has."""
+        return 2 if isinstance(self.lens.control_points, AutoNet) else 1
+
     @property
     def image(self) -> str | None:
         """Image file of the target; None for a built-in shape."""
@@ -136,6 +147,20 @@ class Scene(Part):
                 raise Refused(f"run.stages[{number}].{path}", refused.reason) from None
         last = self.run.model_copy(update={"stages": (), "iterations": left})
         return (*parts, self.model_copy(update={"run": last}))
+
+    def with_net(self, shape: tuple[int, int] | None) -> Self:
+        """The scene with what its ``"auto"`` control points come to; see `Lens.with_net`."""
+        lens = self.lens.with_net(shape)
+        return self if lens is self.lens else self.altered(lens=lens)
+
+    def settled(self) -> Self:
+        """The scene with numbers in place of what the program has chosen."""
+        lens = self.lens
+        if lens.known_shape is None:
+            return self
+        return self.model_copy(
+            update={"lens": lens.model_copy(update={"control_points": lens.known_shape})}
+        )
 
     def _during(self, stage: Stage) -> Self:
         """The scene with what a stage changes."""

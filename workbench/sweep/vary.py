@@ -72,7 +72,7 @@ def varied(scene: Scene, changes: dict[str, Value]) -> Scene:
         If that scene is not possible.
     """
     data = scene.model_dump(mode="json", exclude_unset=True, exclude_none=True)
-    full = scene.to_data()
+    full = scene.settled().to_data()
     for path, value in changes.items():
         _put(data, full, path, value)
     return Scene.from_data(data)

@@ -127,7 +127,7 @@ def test_a_failed_method_is_reported_and_the_others_run(scripted, told, monkeypa
     effort, _ = scripted({"fine": [(1.0, 0.0)]})
 
     def dark(example, iterations):
-        yield Lens(0.1, np.full(example.scene.lens.control_points, 0.5))
+        yield Lens(0.1, np.full(example.scene.lens.net_shape, 0.5))
         raise RunFailed("no light")
 
     methods = {"first": dark, **frontier.METHODS}

@@ -18,7 +18,7 @@ def make_design(make_scene, rng):
         changes = {"lens.half_width": [1.0, 0.7]} | (changes or {})
         scene = make_scene(changes)
         if heights is None:
-            heights = 0.5 + 0.05 * rng.normal(size=scene.lens.control_points)
+            heights = 0.5 + 0.05 * rng.normal(size=scene.lens.net_shape)
         n_x, n_y = scene.screen.pixels
         result = Result(
             LensState(

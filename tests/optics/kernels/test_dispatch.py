@@ -15,7 +15,7 @@ from workbench.optics.surfaces import BSplineSurface
 
 
 def lens(scene, seed=3):
-    noise = np.random.default_rng(seed).normal(size=scene.lens.control_points)
+    noise = np.random.default_rng(seed).normal(size=scene.lens.net_shape)
     return torch.tensor(scene.lens.base.height + 0.01 * noise)
 
 

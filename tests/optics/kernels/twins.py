@@ -6,7 +6,7 @@ import torch
 
 def lens(scene, seed, amplitude):
     """Heights that are wild from an amplitude of 0.3 on: folds, total reflection, stray light."""
-    noise = np.random.default_rng(seed).normal(size=scene.lens.control_points)
+    noise = np.random.default_rng(seed).normal(size=scene.lens.net_shape)
     return torch.tensor(scene.lens.base.height + amplitude * noise)
 
 

@@ -68,7 +68,7 @@ def test_the_figures_are_those_of_the_engine(pane, bowl, session):
 
 def test_rounding_is_neither_slope_nor_sag(pane, session, frames, qtbot):
     rng = np.random.default_rng(1)
-    heights = 0.5 + 1e-15 * rng.standard_normal(session.scene.lens.control_points)
+    heights = 0.5 + 1e-15 * rng.standard_normal(session.scene.lens.net_shape)
     pane.show_frame(frames(1, session, heights=FaceArrays({"exit": heights})))
     shown = pane._figures.found
     qtbot.waitUntil(lambda: shown["thickest"].text() == "0.5 cm", timeout=10_000)

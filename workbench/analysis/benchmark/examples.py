@@ -11,6 +11,7 @@ import numpy.typing as npt
 import resources
 from resources.drawings import photograph
 from workbench.design.limits import HeightLimits
+from workbench.design.net import definite
 from workbench.geometry.surface import ControlNet
 from workbench.scene import Scene
 from workbench.targets import load_target
@@ -63,16 +64,14 @@ class Example:
             data[part] = _merged(data[part], change)
         scene = Scene.from_data(data)
         target = load_target(scene, shipped.file.parent) if image is None else image
-        return cls(name, shipped.group, scene, target)
+        return cls(name, shipped.group, definite(scene, target), target)
 
     @classmethod
     def photo(cls, size: int) -> "Example":
-        """The photograph at ``size`` pixels a side, with a net and rays in proportion."""
-        net = Scene.from_json(resources.path("examples", "photo.json").read_bytes()).lens
+        """The photograph at ``size`` pixels a side, with rays in proportion."""
         example = cls.of(
             "photo",
             photograph(size),
-            lens={"control_points": [n * size // _PHOTO for n in net.control_points]},
             source={"rays": [2 * size, 2 * size]},
             screen={"pixels": [size, size]},
         )

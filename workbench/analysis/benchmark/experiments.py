@@ -183,7 +183,7 @@ def design(example: Example, method: str, rays: int, notify: Notify) -> Design:
 def derivative(example: Example) -> Derivative:
     """Derivative of the flat lens's image with respect to the control point in its middle."""
     scene = example.scene
-    n_u, n_v = scene.lens.control_points
+    n_u, n_v = scene.lens.net_shape
     flat = {"exit": np.full((n_u, n_v), scene.lens.base.height)}
     found = irradiance_derivative(scene, flat, (n_u // 2, n_v // 2))
     return Derivative(

@@ -53,7 +53,7 @@ def _auto(example: Example, iterations: int | None) -> Iterator[Lens]:
 
 
 def _paper(example: Example, iterations: int | None) -> Iterator[Lens]:
-    n_u, n_v = example.scene.lens.control_points
+    n_u, n_v = example.scene.lens.net_shape
     net = {"control_points": (min(n_u, _PAPER_NET), min(n_v, _PAPER_NET))}
     lens = example.scene.lens.model_copy(update=net)
     coarse = replace(example, scene=example.scene.model_copy(update={"lens": lens}))

@@ -27,7 +27,7 @@ class SplineFace:
         self.missed = missed
         knots = [
             np.concatenate([np.full(p, -r), np.linspace(-r, r, n - p + 1), np.full(p, r)])
-            for r, n, p in zip(lens.half_width, lens.control_points, lens.degree, strict=True)
+            for r, n, p in zip(lens.half_width, lens.net_shape, lens.degree, strict=True)
         ]
         # A spline is never steeper than the steepest of its derivative's coefficients.
         steepest = []

@@ -1,0 +1,95 @@
+"""Sessions of scenes that leave the net to the program: what it took stands in the file."""
+
+import json
+import zipfile
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from tests.accounts import account_of
+from workbench.design.lens_state import LensState
+from workbench.design.session import KeptRun
+from workbench.design.snapshot import Result
+from workbench.files.scene import read_scene, write_scene
+from workbench.files.session import Session, read_session, write_session
+from workbench.geometry.faces import FaceArrays
+
+
+@pytest.fixture
+def session(make_scene, rng):
+    scene = make_scene({"lens.control_points": "auto", "screen.pixels": [8, 6]})
+    return Session(scene, rng.random((6, 8)))
+
+
+@pytest.fixture
+def path(tmp_path):
+    return tmp_path / "lens.freeform"
+
+
+def result_on(shape, rng):
+    account = account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1)
+    heights = FaceArrays({"exit": 0.5 + 0.01 * rng.random(shape)})
+    return Result(LensState(heights, rng.random((6, 8)), 0.5, account), rng.random(3), 1.0)
+
+
+def header_of(path):
+    with zipfile.ZipFile(path) as archive:
+        return json.loads(archive.read("session.json"))
+
+
+def with_header(path, **changes):
+    with zipfile.ZipFile(path) as archive:
+        entries = {name: archive.read(name) for name in archive.namelist()}
+    header = {**json.loads(entries["session.json"]), **changes}
+    kept = {name: value for name, value in header.items() if value is not None}
+    entries["session.json"] = json.dumps(kept).encode()
+    with zipfile.ZipFile(path, "w") as archive:
+        for name, content in entries.items():
+            archive.writestr(name, content)
+
+
+def test_a_session_says_what_the_program_took(session, path):
+    write_session(session, path)
+    header = header_of(path)
+    assert (header["version"], header["scene"]["version"]) == (2, 2)
+    assert header["scene"]["lens"]["control_points"] == "auto"
+    assert header["control_points"] == [12, 9]
+    assert read_session(path).scene == session.scene
+
+
+def test_a_session_with_numbers_stays_version_1(make_scene, rng, path):
+    write_session(Session(make_scene(), rng.random((32, 32))), path)
+    header = header_of(path)
+    assert header["version"] == header["scene"]["version"] == 1
+    assert "control_points" not in header
+
+
+def test_a_lens_keeps_the_net_that_was_chosen_for_it(session, path, rng):
+    """Another program, or a later one, may choose another net for the same task."""
+    other = replace(session, scene=session.scene.with_net((10, 7)), result=result_on((10, 7), rng))
+    write_session(other, path)
+    again = read_session(path)
+    assert again.scene.lens.net_shape == (10, 7)
+    np.testing.assert_array_equal(again.heights["exit"], other.heights["exit"])
+
+
+def test_kept_runs_keep_theirs(session, path, rng):
+    scene, result = session.scene.with_net((10, 7)), result_on((10, 7), rng)
+    write_session(replace(session, runs=(KeptRun("first", scene, session.target, result),)), path)
+    again = read_session(path)
+    assert again.scene.lens.net_shape == (12, 9)
+    assert again.runs[0].scene == scene
+
+
+def test_a_file_that_does_not_say_what_was_taken_gets_a_choice(session, path):
+    write_session(session, path)
+    with_header(path, control_points=None)
+    assert read_session(path).scene == session.scene
+
+
+def test_scene_files_hold_auto_and_nothing_else(session, tmp_path):
+    path = tmp_path / "scene.json"
+    write_scene(session.scene, path)
+    assert read_scene(path) == session.scene.with_net(None)
+    assert json.loads(path.read_text())["version"] == 2
