@@ -98,7 +98,7 @@ class PlotView(View):
 
     def _draw(self, session: "Session", frame: "Frame | None") -> None:
         anew = frame is None or self._anew
-        if anew or self._shown is None or not same_task(self._shown, session):
+        if anew or self._shown is None or not self._looks_alike(self._shown, session):
             self._canvas.animate(self._begin(self._canvas.begin(), session))
             self._anew = False
         self._shown = session
@@ -138,6 +138,10 @@ class PlotView(View):
 
     def _why_small(self) -> str:
         return "" if self._roomy else self._NO_ROOM
+
+    def _looks_alike(self, one: "Session", other: "Session") -> bool:
+        """Whether the empty pictures of two designs are the same."""
+        return same_task(one, other)
 
     def _begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
         """Put an empty picture of a design on the axes; the artists that will change."""

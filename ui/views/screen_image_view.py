@@ -88,6 +88,10 @@ class ScreenImageView(ImageView):
         for tool, icon in self._icons.items():
             tool.setIcon(theme.icon(icon, self.palette()))
 
+    def _looks_alike(self, one: "Session", other: "Session") -> bool:
+        alike = one.scene.screen == other.scene.screen and one.scene.unit == other.scene.unit
+        return alike and one.target is other.target  # whatever the lens and its light are
+
     def _begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
         artists = super()._begin(axes, session)
         look: dict[str, Any] = {"color": _MARK, "linewidth": 0.9, "visible": False}
