@@ -38,6 +38,7 @@ class AutoRow(NumberRow):
     def show_scene(self, scene: Any, pending: Set[str]) -> None:
         """Show the scene's numbers, or what the program has chosen."""
         Row.show_scene(self, scene, pending)
+        self._unit.hide()  # what was chosen stands in the fields
         value = value_at(scene, self.path)
         auto = isinstance(value, AutoNet)
         self._shape = value.shape if isinstance(value, AutoNet) else value
