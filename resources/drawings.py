@@ -78,8 +78,10 @@ def letter(size: int) -> Array:
     outline = TextPath(
         (0, 0), "R", size=1000, prop=FontProperties(family="DejaVu Sans", weight="bold")
     )
-    polygons = [polygon[:-1] for polygon in outline.to_polygons()]  # the last point is the first
-    low, high = outline.get_extents().min, outline.get_extents().max
+    # The last point of each is the first.
+    polygons = [np.asarray(polygon)[:-1] for polygon in outline.to_polygons()]
+    extents = outline.get_extents()
+    low, high = np.asarray(extents.min), np.asarray(extents.max)
     scale = 1.5 / (high - low).max()
     body, hole = sorted(
         ((polygon - (low + high) / 2) * scale for polygon in polygons), key=np.ptp, reverse=True
