@@ -135,7 +135,7 @@ def edited_scene(scene: Scene, edits: Iterable[Edit]) -> Scene:
         return scene
     found = Scene.from_data(data)
     # Where nothing is changed, a net that was chosen stays chosen.
-    return scene if found.to_data() == scene.to_data() else found
+    return scene if found == scene.with_net(None) else found
 
 
 def _read(value: object, path: str, unit: str) -> object:
