@@ -23,7 +23,7 @@ from torch import Tensor
 
 from workbench.design.heights import HeightRange, Mask
 from workbench.design.lbfgs import Evaluation, minimise
-from workbench.design.levels import COARSE, FINE, LEVELS, Level, image_of, reach_of
+from workbench.design.levels import FINE, LEVELS, Level, image_of, reach_of
 from workbench.design.loss import check_gradient
 from workbench.design.room import Room
 from workbench.design.smoothness import Smoothness
@@ -40,14 +40,13 @@ Array = npt.NDArray[np.float64]
 _REACH = 0.3
 # Waves with more periods per lens than this are made small in proportion.
 _CUT = 4.0
-# A level ends when so many steps together make the image better by less than this part.
-_PATIENCE = {COARSE: (5, 0.05), FINE: (10, 0.05)}
+# A level ends when steps together make the image better by less than this part: five steps with so
+# many beams, or more where each costs less.
+_GAIN, _STEPS, _BEAMS, _MOST_STEPS = 0.05, 5, 768**2, 20
 # A coarse level ends as soon as its error differs from the true one by more than this part of it.
 _TRUSTED = 0.15
 # The finest image cannot tell smaller errors from its own.
 _SMALLEST = 1e-3
-_STEPS, _GAIN = _PATIENCE[FINE]
-_SLOW = f"converged: less than {100 * _GAIN:g} % better in {_STEPS} iterations"
 _SMALL = f"converged: error below {100 * _SMALLEST:g} %"
 _LOWEST = "converged: no step makes the image better"
 
@@ -140,21 +139,17 @@ def _descend(
         judged = found.seen
         yield judged.step
         errors.append(min([found.value, *errors[-1:]]))
-        slow = _is_slow(errors, *_PATIENCE[level])
+        patience = min(max(_STEPS, round(_STEPS * _BEAMS / image.beams)), _MOST_STEPS)
+        slow = len(errors) > patience and errors[-1] > (1 - _GAIN) ** 2 * errors[-1 - patience]
         if judged.error < _SMALLEST:
             return _SMALL
         if level is FINE and slow:
-            return _SLOW
+            return f"converged: less than {100 * _GAIN:g} % better in {patience} iterations"
         if slow or abs(judged.own - judged.error) > _TRUSTED * judged.error:
             level, errors = next(levels, FINE), []
             image = image_for(level)
             steps.send(True)  # what is known of the curvature stays good
     return _LOWEST
-
-
-def _is_slow(best: list[float], steps: int, gain: float) -> bool:
-    """Whether the last steps have made an error better by less than a part; of its squares."""
-    return len(best) > steps and best[-1] > (1 - gain) ** 2 * best[-1 - steps]
 
 
 def _joined(first: Array, before: Array, locked: Mask | None) -> Array:

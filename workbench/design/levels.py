@@ -30,7 +30,7 @@ class Level:
 
 
 COARSE = Level(per_pixel=1.5, per_control_point=1.3)
-FINE = Level(per_pixel=3.0, per_control_point=2.6)
+FINE = Level(per_pixel=3.0, per_control_point=2.0)
 """The last level, by whose image all lenses are judged."""
 
 LEVELS = (COARSE, FINE)

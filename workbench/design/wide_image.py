@@ -38,6 +38,11 @@ class WideImage:
         How far from the axis light falls.
     mirrored : tuple[bool, bool]
         Whether all lenses are mirror images of themselves in x, in y; see `BeamPlan`.
+
+    Attributes
+    ----------
+    beams : int
+        Cells that are traced, those of all points together.
     """
 
     def __init__(
@@ -51,6 +56,8 @@ class WideImage:
         (n_x, n_y), (r_x, r_y) = scene.screen.pixels, scene.screen.half_width
         m_x, m_y = _margin(reach[0] / r_x, n_x), _margin(reach[1] / r_y, n_y)
         self._plan, self._margin = BeamPlan(scene, cells, mirrored=mirrored), (m_x, m_y)
+        halves = 2 ** sum(mirrored)
+        self.beams = cells[0] * cells[1] * scene.source.point_count // halves
         self._pixel_area = scene.screen.pixel_area
         self._on_screen = (slice(m_y, m_y + n_y), slice(m_x, m_x + n_x))
         wanted = np.pad(share(target), ((m_y, m_y), (m_x, m_x)))
