@@ -60,9 +60,6 @@ class LossView(PlotView):
             return ""
         return "The loss is drawn here while a design runs. Run > Start begins one."
 
-    def _looks_alike(self, one: "Session", other: "Session") -> bool:
-        return True  # axes of a loss show nothing of its design
-
     def _begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
         against = _AGAINST[chosen_of(self._against)]
         log_x, log_y = (action.isChecked() for action in self._logarithmic)
