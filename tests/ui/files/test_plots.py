@@ -84,11 +84,13 @@ def test_numbers_are_saved(plots, views, frame, tmp_path, qtbot):
 
 
 def test_a_file_that_cannot_be_written_is_reported(plots, tmp_path):
-    plots.save("loss", tmp_path / "missing" / "loss.png")
+    folder = tmp_path / "plots"
+    folder.mkdir()
+    plots.save("loss", folder / "missing" / "loss.png")
     assert "missing" in plots._messages.text
-    plots.save("loss", tmp_path / "loss.bmp")
+    plots.save("loss", folder / "loss.bmp")
     assert plots._messages.text == "loss.bmp: a plot is saved as one of .png, .svg, .csv"
-    assert list(tmp_path.iterdir()) == []
+    assert list(folder.iterdir()) == []
 
 
 def test_a_hidden_plot_is_replaced_by_a_visible_one(plots, views):
