@@ -42,7 +42,7 @@ _REACH = 0.3
 _CUT = 4.0
 # A level ends when steps together make the image better by less than this part: five steps with so
 # many beams, or more where each costs less.
-_GAIN, _STEPS, _BEAMS, _MOST_STEPS = 0.05, 5, 768**2, 20
+_GAIN, _STEPS, _BEAMS, _MOST_STEPS = 0.05, 5, 768**2, 8
 # A coarse level ends as soon as its error differs from the true one by more than this part of it.
 _TRUSTED = 0.15
 # The finest image cannot tell smaller errors from its own.
