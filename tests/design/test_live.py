@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 
 from workbench.analysis.metrics import paper_loss, relative_l2
-from workbench.design.live import LiveDesign, asks_for_another_lens, relative_error
+from workbench.design.live import LiveDesign, asks_for_another_lens
+from workbench.design.loss import relative_error
 from workbench.design.run import run
 from workbench.design.session import Session
 from workbench.design.snapshot import History

@@ -26,7 +26,7 @@ from ui.main_window import MainWindow
 from workbench.analysis.benchmark.machine import Machine
 from workbench.analysis.benchmark.table import Column, Table
 from workbench.analysis.kernels import compile_all
-from workbench.design.live import relative_error
+from workbench.design.loss import relative_error
 from workbench.files.session import open_design
 
 _TURN = 0.002  # seconds of the event loop between two looks

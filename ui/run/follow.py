@@ -23,7 +23,8 @@ from ui.run.worker import Job, work
 from ui.threads.background import Background
 from ui.threads.cores import leave_core_for_window
 from ui.threads.failure import sentence_of
-from workbench.design.live import LiveDesign, asks_for_another_lens, relative_error
+from workbench.design.live import LiveDesign, asks_for_another_lens
+from workbench.design.loss import relative_error
 from workbench.optics.kernels.ready import is_compiled
 
 if TYPE_CHECKING:

@@ -22,7 +22,7 @@ import numpy as np
 import numpy.typing as npt
 
 from workbench.design.lens_state import LensState
-from workbench.design.loss import share
+from workbench.design.loss import relative_error
 from workbench.design.run import run
 from workbench.design.session import Session
 from workbench.design.snapshot import History, Snapshot
@@ -162,11 +162,6 @@ class LiveDesign:
         finally:
             steps.close()
         return ended
-
-
-def relative_error(state: LensState, target: Array) -> float:
-    """Relative L2 error of a lens's image as the design sees it: ‖I − T‖ / ‖T‖."""
-    return float(state.loss * target.size**0.5 / np.linalg.norm(share(target)))
 
 
 def asks_for_another_lens(before: Session, after: Session) -> bool:

@@ -5,6 +5,7 @@ import numpy.typing as npt
 import torch
 from torch import Tensor
 
+from workbench.design.lens_state import LensState
 from workbench.errors import RunFailed
 from workbench.optics.account import LOSSES, Account
 
@@ -36,6 +37,11 @@ def paper_loss(flux: Tensor, target_share: Tensor) -> Tensor:
     difference = flux / torch.where(total > 0, total, 1.0) - target_share
     loss: Tensor = torch.linalg.vector_norm(difference) / difference.numel() ** 0.5
     return loss
+
+
+def relative_error(state: LensState, target: npt.NDArray[np.float64]) -> float:
+    """Relative L2 error of a lens's image as the design sees it: ‖I − T‖ / ‖T‖."""
+    return float(state.loss * target.size**0.5 / np.linalg.norm(share(target)))
 
 
 def check_light(flux: Tensor, account: Account) -> None:

@@ -6,6 +6,8 @@ import pytest
 from workbench.analysis.validation import validate
 from workbench.design.evaluation import undesigned
 from workbench.design.transport import transport_start
+from workbench.optics import beam_plan
+from workbench.optics.beams import beam_image
 
 SOURCES = {
     "collimated": {"kind": "collimated", "rays": [64, 64]},
@@ -99,3 +101,17 @@ def test_a_base_with_total_reflection_is_replaced_by_a_plate(make_scene, corner)
     )
     heights = transport_start(scene, corner)
     assert validate(scene, corner, {"exit": heights}, 200_000).relative_l2 < 0.5
+
+
+def test_the_first_lens_of_many_points_is_judged_by_few_beams_of_each(make_scene, monkeypatch):
+    seen = []
+
+    def trace(nodes, *rest):
+        seen.append(nodes[0].numel())
+        return beam_image(nodes, *rest)
+
+    monkeypatch.setattr(beam_plan, "beam_image", trace)
+    source = {"kind": "grid", "center": [0, 0, -5], "half_width": [0.2, 0.2], "points": [9, 9]}
+    scene = make_scene({"source": source | {"rays": 10}, "screen.pixels": [256, 256]})
+    assert transport_start(scene, np.ones((256, 256))) is not None
+    assert 0 < max(seen) < 2 * (1.5 * 256) ** 2

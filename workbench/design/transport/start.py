@@ -17,12 +17,12 @@ import numpy as np
 import numpy.typing as npt
 import torch
 
+from workbench.design.levels import COARSE, image_of
 from workbench.design.limits import HeightLimits, bounded
-from workbench.design.loss import share
+from workbench.design.loss import relative_error
 from workbench.design.transport.back_and_forth import Transport
 from workbench.design.transport.face import SlopeFit
 from workbench.geometry.surface import ControlNet
-from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.glass import Glass
 from workbench.optics.path import Path
 from workbench.optics.reference import Reference
@@ -37,7 +37,6 @@ _FITS = 2
 # this, the descent does the rest sooner; else as many rounds follow as bring light nearer, and the
 # better one of both lenses is taken: each may be much better than the other.
 _FEW_ROUNDS, _GOOD = 1, 0.06
-_CELLS_PER_PIXEL, _MOST_CELLS = 2, 1024
 # Where no face could bend the light as wanted, the normal is kept along the axis by this part of
 # what it is where light goes straight on, n − 1.
 _UPRIGHT = 0.1
@@ -119,14 +118,9 @@ class _Faces(NamedTuple):
 
 
 def _error(scene: Scene, target: Array, heights: Array) -> float:
-    """How far the image of a lens is from the target, relative to this."""
-    cells = [math.ceil(_CELLS_PER_PIXEL * pixels) for pixels in scene.screen.pixels]
-    with torch.no_grad():
-        plan = BeamPlan(scene, (min(cells[0], _MOST_CELLS), min(cells[1], _MOST_CELLS)))
-        image = plan.trace({"exit": torch.as_tensor(heights)}).flux.double().numpy()
-    wanted = share(target)
-    error = image / max(image.sum(), np.finfo(float).tiny) - wanted
-    return float(np.linalg.norm(error) / np.linalg.norm(wanted))
+    """How far the image of a lens is from the target, in the image by which a descent begins."""
+    image = image_of(COARSE, scene, target, scene.screen.half_width)
+    return relative_error(image.step({"exit": torch.as_tensor(heights)}).state, target)
 
 
 def _candidates(limits: HeightLimits) -> Iterator[Array]:
