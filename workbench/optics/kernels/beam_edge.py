@@ -30,12 +30,12 @@ def _pixel(place, way, last):  # type: ignore[no-untyped-def]
 
 
 @jit(allocates=False, error_model="numpy", forceinline=True)
-def _leaves(pixel, start, way, per_way, last):  # type: ignore[no-untyped-def]
+def _leaves(pixel, start, way, last):  # type: ignore[no-untyped-def]
     """Part of an edge at which it leaves a column."""
     if way > 0.0:
-        return (pixel + 1 - start) * per_way if pixel < last else np.inf
+        return (pixel + 1 - start) / way if pixel < last else np.inf
     if way < 0.0:
-        return (pixel - start) * per_way if pixel >= 0 else np.inf
+        return (pixel - start) / way if pixel >= 0 else np.inf
     return np.inf
 
 
@@ -54,6 +54,32 @@ def _crossings(x, y, d_x, d_y, j, i, to_j, to_i):  # type: ignore[no-untyped-def
     if at_x < at_y:
         return at_x, at_y, np.uintp(i), np.uintp(to_j)
     return at_y, at_x, np.uintp(to_i), np.uintp(j)
+
+
+@jit(allocates=False, error_model="numpy", forceinline=True)
+def _enter(x, y, d_x, d_y, n_x, n_y):  # type: ignore[no-untyped-def]
+    """Where an edge enters the rows of the image, and where it leaves them or ends.
+
+    Returns
+    -------
+    tuple
+        Parts of its way for both; column and row of the first pixel, and the parts of the way at
+        which it leaves these.
+    """
+    t, end = _clip(y, d_y, n_y)
+    column = _pixel(x + d_x * t, d_x, n_x)
+    i = min(max(_pixel(y + d_y * t, d_y, n_y), 0), n_y - 1)
+    return t, end, column, i, _leaves(column, x, d_x, n_x), _leaves(i, y, d_y, n_y)
+
+
+@jit(allocates=False, error_model="numpy", forceinline=True)
+def _go_on(column, i, leaves_x, leaves_y, x, y, d_x, d_y, n_x, n_y):  # type: ignore[no-untyped-def]
+    """The next pixel of an edge, and the parts of its way at which it leaves column and row."""
+    if leaves_x <= leaves_y:
+        column += 1 if d_x > 0.0 else -1
+        return column, i, _leaves(column, x, d_x, n_x), leaves_y
+    i += 1 if d_y > 0.0 else -1
+    return column, i, leaves_x, _leaves(i, y, d_y, n_y)
 
 
 @jit(allocates=False, error_model="numpy", forceinline=True)
@@ -85,37 +111,17 @@ def add_edge(x, y, to_x, to_y, jump, steps):  # type: ignore[no-untyped-def]
             if last < 1.0:
                 _add_piece(last, 1.0, x, d_x, flow, np.uintp(to_k), np.uintp(to_j), steps)
             return
-    t, end = _clip(y, d_y, n_y)
-    if not t < end:
-        return
-    at = x + d_x * t
-    column = _pixel(at, d_x, n_x)
-    i = _pixel(y + d_y * t, d_y, n_y)
-    i = min(max(i, 0), n_y - 1)
-    per_x, per_y = 1.0 / d_x, 1.0 / d_y
-    step_x, step_y = (1 if d_x > 0.0 else -1), (1 if d_y > 0.0 else -1)
-    leaves_x, leaves_y = _leaves(column, x, d_x, per_x, n_x), _leaves(i, y, d_y, per_y, n_y)
-    while True:
+    t, end, column, i, leaves_x, leaves_y = _enter(x, y, d_x, d_y, n_x, n_y)
+    while t < end and 0 <= i < n_y:
         until = min(leaves_x, leaves_y, end)
-        to = x + d_x * until
-        light = (until - t) * d_y * jump
         if column < 0:
-            steps[i, 0] += light
+            steps[i, 0] += (until - t) * d_y * jump
         elif column < n_x:
-            beyond = 0.5 * (at + to) - column
-            steps[i, column] += light * (1.0 - beyond)
-            steps[i, column + 1] += light * beyond
-        if until >= end:
-            return
-        t, at = until, to
-        if leaves_x <= leaves_y:
-            column += step_x
-            leaves_x = _leaves(column, x, d_x, per_x, n_x)
-        else:
-            i += step_y
-            if i < 0 or i >= n_y:
-                return
-            leaves_y = _leaves(i, y, d_y, per_y, n_y)
+            _add_piece(t, until, x, d_x, d_y * jump, np.uintp(i), np.uintp(column), steps)
+        t = until
+        column, i, leaves_x, leaves_y = _go_on(
+            column, i, leaves_x, leaves_y, x, y, d_x, d_y, n_x, n_y
+        )
 
 
 @jit(allocates=False, error_model="numpy", forceinline=True)
@@ -161,37 +167,18 @@ def see_edge(x, y, to_x, to_y, cotangent, right):  # type: ignore[no-untyped-def
                 beside, from_start, to_end = beside + more, from_start + start, to_end + end
             return beside * d_y, from_start, to_end
     beside, from_start, to_end = 0.0, 0.0, 0.0
-    t, end = _clip(y, d_y, n_y)
-    if not t < end:
-        return beside, from_start, to_end
-    at = x + d_x * t
-    column = _pixel(at, d_x, n_x)
-    i = _pixel(y + d_y * t, d_y, n_y)
-    i = min(max(i, 0), n_y - 1)
-    per_x, per_y = 1.0 / d_x, 1.0 / d_y
-    step_x, step_y = (1 if d_x > 0.0 else -1), (1 if d_y > 0.0 else -1)
-    leaves_x, leaves_y = _leaves(column, x, d_x, per_x, n_x), _leaves(i, y, d_y, per_y, n_y)
-    while True:
+    t, end, column, i, leaves_x, leaves_y = _enter(x, y, d_x, d_y, n_x, n_y)
+    while t < end and 0 <= i < n_y:
         until = min(leaves_x, leaves_y, end)
-        to = x + d_x * until
         if column < 0:
             beside += (until - t) * right[i, 0]
         elif column < n_x:
-            here = cotangent[i, column]
-            ahead = column + 1 - 0.5 * (at + to)
-            beside += (until - t) * (right[i, column + 1] + here * ahead)
-            later = 0.5 * (until + t) * (until - t) * here
-            to_end += later
-            from_start += (until - t) * here - later
-        if until >= end:
-            break
-        t, at = until, to
-        if leaves_x <= leaves_y:
-            column += step_x
-            leaves_x = _leaves(column, x, d_x, per_x, n_x)
-        else:
-            i += step_y
-            if i < 0 or i >= n_y:
-                break
-            leaves_y = _leaves(i, y, d_y, per_y, n_y)
+            more, start, rest = _see_piece(
+                t, until, x, d_x, np.uintp(i), np.uintp(column), cotangent, right
+            )
+            beside, from_start, to_end = beside + more, from_start + start, to_end + rest
+        t = until
+        column, i, leaves_x, leaves_y = _go_on(
+            column, i, leaves_x, leaves_y, x, y, d_x, d_y, n_x, n_y
+        )
     return beside * d_y, from_start, to_end

@@ -64,98 +64,97 @@ def make_loops(name: str, ahead: Any, back: Any, own: int) -> Loops:
     """
     numbers = int(OWN) + own * BATCH
 
-    def trace(heights, bases, light, spread, begin, end, canvas, sums):  # type: ignore[no-untyped-def]
-        rows = make_rows(heights)
-        t = np.empty(numbers, heights.dtype)
-        work = workspace(spread, heights)
-        column, row, weight = t[COLUMN:ROW], t[ROW:WEIGHT], t[WEIGHT:D_COLUMN]
-        blocks = (end - begin + BATCH - 1) // BATCH
-        for block in range(blocks):
-            i = begin + (end - begin) * block // blocks
-            lanes = begin + (end - begin) * (block + 1) // blocks - i
-            contract(heights, bases[0], i, lanes, rows)
-            for j in range(len(bases[1].first)):
-                blend(rows, bases[1], j, lanes, t)
-                found = ahead(light, spread, i, j, lanes, t)
-                on_screen, beside = scatter(spread, column, row, weight, lanes, work, canvas)
-                sums[0] += on_screen
-                sums[1] += beside
-                for k in range(len(found)):
-                    sums[2 + k] += found[k]
+    def ahead_to(take: Any) -> Any:
+        def loop(heights, bases, light, spread, begin, end, taken, sums):  # type: ignore[no-untyped-def]
+            rows = make_rows(heights)
+            t = np.empty(numbers, heights.dtype)
+            work = workspace(spread, heights)
+            blocks = (end - begin + BATCH - 1) // BATCH
+            for block in range(blocks):
+                i = begin + (end - begin) * block // blocks
+                lanes = begin + (end - begin) * (block + 1) // blocks - i
+                contract(heights, bases[0], i, lanes, rows)
+                for j in range(len(bases[1].first)):
+                    blend(rows, bases[1], j, lanes, t)
+                    found = ahead(light, spread, i, j, lanes, t)
+                    on_screen, beside = take(spread, t, i, j, lanes, work, taken)
+                    sums[0] += on_screen
+                    sums[1] += beside
+                    for k in range(len(found)):
+                        sums[2 + k] += found[k]
 
-    def trace_back(heights, bases, light, spread, begin, end, cotangent, gradient):  # type: ignore[no-untyped-def]
-        kind = heights.dtype.type
-        rows = make_rows(heights)
-        d_rows = make_rows(heights)
-        t = np.empty(numbers, heights.dtype)
-        work = workspace(spread, heights)
-        column, row, weight = t[COLUMN:ROW], t[ROW:WEIGHT], t[WEIGHT:D_COLUMN]
-        d_column, d_row, d_weight = t[D_COLUMN:D_ROW], t[D_ROW:D_WEIGHT], t[D_WEIGHT:OWN]
-        blocks = (end - begin + BATCH - 1) // BATCH
-        for block in range(blocks):
-            i = begin + (end - begin) * block // blocks
-            lanes = begin + (end - begin) * (block + 1) // blocks - i
-            contract(heights, bases[0], i, lanes, rows)
-            d_rows[:] = kind(0)
-            for j in range(len(bases[1].first)):
-                blend(rows, bases[1], j, lanes, t)
-                ahead(light, spread, i, j, lanes, t)
-                gather(
-                    spread, column, row, weight, lanes, work, cotangent, d_column, d_row, d_weight
-                )
-                back(light, spread, i, j, lanes, t)
-                blend_back(d_rows, bases[1], j, lanes, t)
-            contract_back(d_rows, bases[0], i, lanes, gradient)
+        return loop
 
-    def land(heights, bases, light, spread, begin, end, nodes, sums):  # type: ignore[no-untyped-def]
-        rows = make_rows(heights)
-        t = np.empty(numbers, heights.dtype)
-        blocks = (end - begin + BATCH - 1) // BATCH
-        for block in range(blocks):
-            i = begin + (end - begin) * block // blocks
-            lanes = begin + (end - begin) * (block + 1) // blocks - i
-            contract(heights, bases[0], i, lanes, rows)
-            for j in range(len(bases[1].first)):
-                blend(rows, bases[1], j, lanes, t)
-                found = ahead(light, spread, i, j, lanes, t)
-                column, row, flux = nodes[0, j, i:], nodes[1, j, i:], nodes[2, j, i:]
-                total = 0.0
-                for lane in range(np.uintp(lanes)):
-                    column[lane] = t[COLUMN + lane]
-                    row[lane] = t[ROW + lane]
-                    flux[lane] = t[WEIGHT + lane]
-                    total += t[WEIGHT + lane]
-                sums[0] += total
-                for k in range(len(found)):
-                    sums[2 + k] += found[k]
+    def back_from(give: Any) -> Any:
+        def loop(heights, bases, light, spread, begin, end, cotangent, gradient):  # type: ignore[no-untyped-def]
+            kind = heights.dtype.type
+            rows = make_rows(heights)
+            d_rows = make_rows(heights)
+            t = np.empty(numbers, heights.dtype)
+            work = workspace(spread, heights)
+            blocks = (end - begin + BATCH - 1) // BATCH
+            for block in range(blocks):
+                i = begin + (end - begin) * block // blocks
+                lanes = begin + (end - begin) * (block + 1) // blocks - i
+                contract(heights, bases[0], i, lanes, rows)
+                d_rows[:] = kind(0)
+                for j in range(len(bases[1].first)):
+                    blend(rows, bases[1], j, lanes, t)
+                    ahead(light, spread, i, j, lanes, t)
+                    give(spread, t, i, j, lanes, work, cotangent)
+                    back(light, spread, i, j, lanes, t)
+                    blend_back(d_rows, bases[1], j, lanes, t)
+                contract_back(d_rows, bases[0], i, lanes, gradient)
 
-    def land_back(heights, bases, light, spread, begin, end, cotangent, gradient):  # type: ignore[no-untyped-def]
-        kind = heights.dtype.type
-        rows = make_rows(heights)
-        d_rows = make_rows(heights)
-        t = np.empty(numbers, heights.dtype)
-        blocks = (end - begin + BATCH - 1) // BATCH
-        for block in range(blocks):
-            i = begin + (end - begin) * block // blocks
-            lanes = begin + (end - begin) * (block + 1) // blocks - i
-            contract(heights, bases[0], i, lanes, rows)
-            d_rows[:] = kind(0)
-            for j in range(len(bases[1].first)):
-                blend(rows, bases[1], j, lanes, t)
-                ahead(light, spread, i, j, lanes, t)
-                column, row, flux = cotangent[0, j, i:], cotangent[1, j, i:], cotangent[2, j, i:]
-                for lane in range(np.uintp(lanes)):
-                    t[D_COLUMN + lane] = column[lane]
-                    t[D_ROW + lane] = row[lane]
-                    t[D_WEIGHT + lane] = flux[lane]
-                back(light, spread, i, j, lanes, t)
-                blend_back(d_rows, bases[1], j, lanes, t)
-            contract_back(d_rows, bases[0], i, lanes, gradient)
+        return loop
 
-    return Loops(*(_kernel(each, name) for each in (trace, trace_back, land, land_back)))
+    return Loops(
+        _kernel(ahead_to(_to_image), f"{name}_trace"),
+        _kernel(back_from(_from_image), f"{name}_trace_back"),
+        _kernel(ahead_to(_to_nodes), f"{name}_land"),
+        _kernel(back_from(_from_nodes), f"{name}_land_back"),
+    )
+
+
+@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+def _to_image(spread, t, i, j, lanes, work, canvas):  # type: ignore[no-untyped-def]
+    """Add a batch to a canvas."""
+    column, row, weight = t[COLUMN:ROW], t[ROW:WEIGHT], t[WEIGHT:D_COLUMN]
+    return scatter(spread, column, row, weight, lanes, work, canvas)
+
+
+@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+def _from_image(spread, t, i, j, lanes, work, cotangent):  # type: ignore[no-untyped-def]
+    """Adjoint of `_to_image`."""
+    column, row, weight = t[COLUMN:ROW], t[ROW:WEIGHT], t[WEIGHT:D_COLUMN]
+    d_column, d_row, d_weight = t[D_COLUMN:D_ROW], t[D_ROW:D_WEIGHT], t[D_WEIGHT:OWN]
+    gather(spread, column, row, weight, lanes, work, cotangent, d_column, d_row, d_weight)
+
+
+@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+def _to_nodes(spread, t, i, j, lanes, work, nodes):  # type: ignore[no-untyped-def]
+    """Put a batch among the nodes; its flux, and none beside."""
+    column, row, flux = nodes[0, j, i:], nodes[1, j, i:], nodes[2, j, i:]
+    total = 0.0
+    for lane in range(np.uintp(lanes)):
+        column[lane] = t[COLUMN + lane]
+        row[lane] = t[ROW + lane]
+        flux[lane] = t[WEIGHT + lane]
+        total += t[WEIGHT + lane]
+    return total, 0.0
+
+
+@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+def _from_nodes(spread, t, i, j, lanes, work, cotangent):  # type: ignore[no-untyped-def]
+    """Adjoint of `_to_nodes`."""
+    column, row, flux = cotangent[0, j, i:], cotangent[1, j, i:], cotangent[2, j, i:]
+    for lane in range(np.uintp(lanes)):
+        t[D_COLUMN + lane] = column[lane]
+        t[D_ROW + lane] = row[lane]
+        t[D_WEIGHT + lane] = flux[lane]
 
 
 def _kernel(function: Callable[..., None], name: str) -> Callable[..., None]:
-    function.__qualname__ = f"{name}_{function.__name__}"  # by which its code is kept
+    function.__qualname__ = name  # by which its code is kept
     kernel: Callable[..., None] = jit(fastmath=FAST, error_model="numpy")(function)
     return kernel
