@@ -4,11 +4,10 @@ from typing import Annotated
 
 import pytest
 
-from workbench.scene import LENGTH, Kinds, Lens, Scene
+from workbench.scene import LENGTH, CollimatedSource, GridSource, Kinds, Lens, PointSource, Scene
 from workbench.scene.fields import Measure, about
 from workbench.scene.part import Part, Positive
 from workbench.scene.run import Stage
-from workbench.scene.source import CollimatedSource, GridSource, PointSource
 
 
 def parts(part=Scene):

@@ -1,0 +1,160 @@
+"""A grid of points that stands for an extended source."""
+
+import math
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Annotated, Any, Literal, Self
+
+import numpy as np
+import numpy.typing as npt
+from pydantic import ConfigDict, Field
+
+from workbench.errors import Refused
+from workbench.scene import limits
+from workbench.scene.fields import LENGTH, PLACE, about
+from workbench.scene.lens import Lens
+from workbench.scene.part import NonNegative
+from workbench.scene.points import MOST_RAYS, LightOfPoints, Place, PointSource, in_front
+from workbench.scene.screen import Screen
+
+if TYPE_CHECKING:
+    from workbench.scene.task import Scene
+
+Array = npt.NDArray[np.float64]
+
+PointCount = Annotated[int, Field(ge=1, le=512)]
+
+
+class GridSource(LightOfPoints):
+    """Many points of equal intensity, standing for a source of some size.
+
+    Each emits into a cone of its own that just covers the entrance face, so its part of the flux
+    goes with what that cone takes of its light.
+    """
+
+    model_config = ConfigDict(title="Grid of points")
+
+    middle = "center"
+
+    kind: Literal["grid"]
+    center: Annotated[
+        Place,
+        LENGTH,
+        PLACE,
+        about(
+            "Centre",
+            "The middle of the grid: x, y and z. All points have the same z, before the entrance "
+            "face.",
+        ),
+    ]
+    half_width: Annotated[
+        tuple[NonNegative, NonNegative],
+        LENGTH,
+        about(
+            "Half width",
+            "Half of the grid's extent along x and y. No detail of the image can be sharper than "
+            "the image that the lens makes of this.",
+        ),
+    ]
+    points: Annotated[
+        tuple[PointCount, PointCount],
+        about(
+            "Points",
+            "Points along x and y, the outer ones on the rim. More of them come closer to an "
+            "evenly bright source.",
+        ),
+    ]
+    rays: Annotated[
+        int,
+        about(
+            "Rays per point",
+            "Rays from each point of the grid, for the paper's method and derivative maps. What "
+            "they add up to makes the image smooth; few from each of many points are enough. "
+            "Automatic chooses its own.",
+            ge=1,
+            le=MOST_RAYS,
+        ),
+    ] = 1000
+
+    @classmethod
+    def begun(cls, scene: "Scene") -> dict[str, Any]:
+        """Where the scene's source is, half as wide as the lens."""
+        x, y = scene.lens.half_width
+        place = scene.source.place or in_front(scene.lens)
+        return {"center": place, "half_width": (x / 2, y / 2), "points": (25, 25)}
+
+    @property
+    def ray_count(self) -> int:
+        """All its rays."""
+        return self.rays * math.prod(self.points)
+
+    @property
+    def mirrored(self) -> tuple[bool, bool]:
+        """Where its middle is on the axis."""
+        return self.center[0] == 0, self.center[1] == 0
+
+    @property
+    def point(self) -> PointSource:
+        """Its middle."""
+        return PointSource(kind="point", position=self.center, emission=self.emission)
+
+    @property
+    def axes(self) -> tuple[Array, Array]:
+        """The x of its columns, shape (m_x,), and the y of its rows of points, shape (m_y,)."""
+        x, y = (
+            middle + (np.linspace(-r, r, count) if count > 1 else np.zeros(1))
+            for middle, r, count in zip(self.center, self.half_width, self.points, strict=False)
+        )
+        return x, y
+
+    @property
+    def positions(self) -> Array:
+        """Where its points are, shape (m_x m_y, 3): y runs first."""
+        x, y = self.axes
+        places = np.broadcast_arrays(x[:, None], y, self.center[2])
+        return np.stack(places, axis=-1).reshape(-1, 3)
+
+    def blur(self, lens: Lens, screen: Screen) -> tuple[float, float]:
+        """Its extent, times how much farther the screen is from the lens than it is."""
+        farther = (screen.z - lens.highest) / (lens.entrance_z - self.center[2])
+        r_x, r_y = self.half_width
+        return 2 * r_x * farther, 2 * r_y * farther
+
+    def remarks(self) -> Mapping[str, str]:
+        """All its rays."""
+        return {"rays": f"= {self.ray_count:,} in all"}
+
+    def check_before(self, lens: Lens) -> None:
+        """Refuse a lens as a single point does; refuse more rays than there is memory for."""
+        if self.ray_count > MOST_RAYS:
+            raise Refused(
+                "source.rays",
+                f"{self.rays} from each of {math.prod(self.points)} points are too many; "
+                f"at most {MOST_RAYS} rays in all",
+            )
+        extent = [(f"source.half_width[{axis}]", r) for axis, r in enumerate(self.half_width)]
+        limits.check_lengths(extent, lens.half_width, limits.FARTHEST)
+        super().check_before(lens)
+
+    def seen(self, most: tuple[int, int]) -> Array:
+        """Points spread over the same extent; see `AnySource.seen`."""
+        x, y = (min(pair) for pair in zip(self.points, most, strict=True))
+        return self.model_copy(update={"points": (x, y)}).positions
+
+    @property
+    def corners(self) -> Array:
+        """Its outermost points, shape (n, 3); none where there is nothing to widen."""
+        return self.seen((2, 2)) if max(self.points) > 1 else np.zeros((0, 3))
+
+    def shrunk(self, factor: float) -> Self:
+        """A grid of another size about the same middle."""
+        x, y = self.half_width
+        return self.model_copy(update={"half_width": (factor * x, factor * y)})
+
+    def widened(self, corner: Array, digits: int) -> Self:
+        """A grid about the same middle with a corner at a place; see `AnySource.widened`."""
+        wide = (np.round(np.abs(corner - self.center), digits) + 0.0).tolist()  # without -0
+        # Along an axis with a single point there is nothing to widen.
+        axes = zip(wide, self.half_width, self.points, strict=False)
+        return self.model_copy(
+            update={"half_width": tuple(new if count > 1 else old for new, old, count in axes)}
+        )

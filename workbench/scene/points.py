@@ -1,0 +1,244 @@
+"""What all light sources have in common, and the point that stands for any of them."""
+
+import math
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self
+
+import numpy as np
+import numpy.typing as npt
+from pydantic import ConfigDict
+
+from workbench.errors import Refused
+from workbench.scene import limits
+from workbench.scene.emission import Emission, ExactMethod, Fresh, Intersection, Sampling
+from workbench.scene.fields import LENGTH, PLACE, about
+from workbench.scene.lens import Lens
+from workbench.scene.part import Part
+from workbench.scene.screen import Screen
+
+if TYPE_CHECKING:
+    from workbench.scene.task import Scene
+
+Array = npt.NDArray[np.float64]
+
+# A new source stands this many lens half-widths before the entrance face.
+_DISTANCE = 5.0
+MOST_RAYS = 1 << 24
+"""That a source may ask for."""
+Place = tuple[float, float, float]
+
+
+class AnySource(Part):
+    """What each kind of source says of itself, so that nobody has to ask for its kind.
+
+    Here it is said of light that comes from infinitely far: it has no place that could be seen.
+    """
+
+    along_axis: ClassVar[bool] = False
+    """Whether all its rays go along +z."""
+
+    @property
+    def place(self) -> Place | None:
+        """Its middle, scene units."""
+        return None
+
+    @property
+    def ray_count(self) -> int:
+        """Rays that it asks for in all, at least."""
+        return 1
+
+    @property
+    def samples(self) -> tuple[int, int]:
+        """As many as a grid of its rays has along x and y."""
+        return math.isqrt(self.ray_count), math.isqrt(self.ray_count)
+
+    @property
+    def mirrored(self) -> tuple[bool, bool]:
+        """Whether its light is surely its own mirror image in x, in y."""
+        return False, False
+
+    @property
+    def point(self) -> "PointSource | None":
+        """The point that stands for it in rough plans; None if it has no place."""
+        return None if self.place is None else PointSource(kind="point", position=self.place)
+
+    @property
+    def point_count(self) -> int:
+        """How many points emit its light; infinitely far light counts as that of one."""
+        return 1
+
+    @property
+    def redrawn(self) -> bool:
+        """Whether each iteration of the paper's method has rays of its own."""
+        return False
+
+    @property
+    def subdivisions(self) -> tuple[int, int] | None:
+        """Of each knot span, where its rays meet triangles in place of the B-spline itself."""
+        return None
+
+    @property
+    def nearest_z(self) -> float:
+        """Where it comes closest to the lens, scene units."""
+        return -math.inf if self.place is None else self.place[2]
+
+    def blur(self, lens: Lens, screen: Screen) -> tuple[float, float]:
+        """Widths along x and y of what one place of the lens makes of it on the screen.
+
+        Scene units, about: as behind a pinhole.
+        """
+        return 0.0, 0.0
+
+    def check_before(self, lens: Lens) -> None:
+        """Refuse a lens that it cannot light.
+
+        Raises
+        ------
+        Refused
+            With the path of the field, the value and what is allowed.
+        """
+
+    def seen(self, most: tuple[int, int]) -> Array:
+        """Points to draw it with, shape (n, 3): no more than ``most`` along x and y."""
+        return np.zeros((0, 3)) if self.place is None else np.array([self.place])
+
+    @property
+    def corners(self) -> Array:
+        """Points by which it is widened, shape (n, 3)."""
+        return np.zeros((0, 3))
+
+    def placed(self, place: Place) -> Self:
+        """The same source with its middle elsewhere."""
+        return self
+
+    def shrunk(self, factor: float) -> Self:
+        """The same source of another size about its middle."""
+        return self
+
+    def widened(self, corner: Array, digits: int) -> Self:
+        """The same source with a corner at a place, shape (3,); lengths have so many decimals."""
+        return self
+
+
+class LightOfPoints(AnySource):
+    """What points have in common: each emits into a cone that just covers the entrance face."""
+
+    middle: ClassVar[str]
+    """Name of the field that holds its middle."""
+
+    kind: str
+    rays: int
+    emission: Emission = "uniform"
+    sampling: Sampling = "sobol"
+    fresh: Fresh = False
+    intersection: Intersection = ExactMethod()
+
+    @property
+    def place(self) -> Place:
+        """Its middle, scene units."""
+        place: Place = getattr(self, self.middle)
+        return place
+
+    @property
+    def positions(self) -> Array:
+        """Where its points are, scene units, shape (n, 3); all have the same z."""
+        return np.array([self.place])
+
+    @property
+    def point_count(self) -> int:
+        """How many there are."""
+        return len(self.positions)
+
+    @property
+    def axes(self) -> tuple[Array, Array] | None:
+        """The x of its columns and the y of its rows of points; None where they are no grid."""
+        return None
+
+    @property
+    def redrawn(self) -> bool:
+        """As its field says."""
+        return self.fresh
+
+    @property
+    def subdivisions(self) -> tuple[int, int] | None:
+        """Those of its triangle mesh."""
+        return self.intersection.subdivisions
+
+    def check_before(self, lens: Lens) -> None:
+        """Refuse a lens that is not behind it, or too near, too far or too fine."""
+        x, y, z = self.place
+        path = f"source.{self.middle}"
+        if z >= lens.entrance_z:
+            raise Refused(
+                f"{path}[2]",
+                f"{z:g} is not before the entrance face; less than {lens.entrance_z:g}",
+            )
+        aside = [(f"{path}[0]", x), (f"{path}[1]", y)]
+        limits.check_lengths(aside, lens.half_width, limits.FARTHEST)
+        limits.check_way(f"{path}[2]", lens.entrance_z - z, lens.half_width)
+        self.intersection.check_for(lens)
+
+    def placed(self, place: Place) -> Self:
+        """The same source with its middle elsewhere."""
+        return self.model_copy(update={self.middle: place})
+
+
+class PointSource(LightOfPoints):
+    """Light from one point into the cone that just covers the entrance face."""
+
+    model_config = ConfigDict(title="Point source")
+
+    middle = "position"
+
+    kind: Literal["point"]
+    position: Annotated[
+        Place,
+        LENGTH,
+        PLACE,
+        about(
+            "Position",
+            "Where the point is: x, y and z. It has to stand before the entrance face; off the "
+            "axis it lights the lens askew.",
+        ),
+    ]
+    rays: Annotated[
+        int,
+        about(
+            "Rays",
+            "Rays in each iteration of the paper's method, and for derivative maps, those that "
+            "miss the lens included. More give a smoother image and take longer; at least four "
+            "per pixel are good. Automatic chooses its own.",
+            ge=1,
+            le=MOST_RAYS,
+        ),
+    ] = 500_000
+
+    @classmethod
+    def begun(cls, scene: "Scene") -> dict[str, Any]:
+        """Where the scene's source is."""
+        return {"position": scene.source.place or in_front(scene.lens)}
+
+    @property
+    def ray_count(self) -> int:
+        """All its rays."""
+        return self.rays
+
+    @property
+    def mirrored(self) -> tuple[bool, bool]:
+        """Where it is on the axis."""
+        return self.position[0] == 0, self.position[1] == 0
+
+    @property
+    def point(self) -> Self:
+        """It is one."""
+        return self
+
+    @property
+    def axes(self) -> tuple[Array, Array]:
+        """The x and the y of its points, shape (1,) each."""
+        x, y, _ = self.position
+        return np.array([x]), np.array([y])
+
+
+def in_front(lens: Lens) -> Place:
+    """On the axis, far enough away for the lens to bend all its light."""
+    return (0.0, 0.0, lens.entrance_z - _DISTANCE * max(lens.half_width))
