@@ -3,14 +3,18 @@
 import json
 from typing import Annotated, Any, Literal, Self
 
-from pydantic import AfterValidator, ValidationError, field_serializer
+from pydantic import (
+    AfterValidator,
+    SerializerFunctionWrapHandler,
+    ValidationError,
+    model_serializer,
+)
 
 from workbench import units
 from workbench.errors import Refused
 from workbench.refusals import refusal
 from workbench.scene import limits
-from workbench.scene.auto_net import AutoNet
-from workbench.scene.fields import about
+from workbench.scene.fields import Version, about
 from workbench.scene.lens import Lens
 from workbench.scene.part import Part
 from workbench.scene.run import AutoRun, Run, Stage, during
@@ -46,7 +50,7 @@ class Scene(Part):
 
     format: Literal["freeform-scene"] = "freeform-scene"
     # Which one a file said is forgotten, or the same scene would differ: needed_version is written.
-    version: Annotated[Literal[1, 2], AfterValidator(lambda given: 1)] = 1
+    version: Annotated[Version, AfterValidator(lambda given: 1)] = 1
     unit: Annotated[
         Unit,
         about(
@@ -97,14 +101,10 @@ class Scene(Part):
             lengths.append(("run.min_radius", self.run.min_radius))
         limits.check_lengths(lengths, self.lens.half_width, limits.FAR)
 
-    @field_serializer("version")
-    def _written_version(self, given: int) -> int:
-        return self.needed_version
-
-    @property
-    def needed_version(self) -> Literal[1, 2]:
-        """The oldest version of the file format that knows all that the scene has."""
-        return 2 if isinstance(self.lens.control_points, AutoNet) else 1
+    @model_serializer(mode="wrap")
+    def _written(self, write: SerializerFunctionWrapHandler) -> dict[str, Any]:
+        version = self.needed_version
+        return self.known_to(version, write(self)) | {"version": version}
 
     @property
     def image(self) -> str | None:
