@@ -13,10 +13,19 @@ _EVEN = 1e-6
 
 
 class Corners(NamedTuple):
-    """One ray at each corner of so many cells along x and y; see `workbench.optics.beams`."""
+    """One ray at each corner of so many cells along x and y; see `workbench.optics.beams`.
+
+    Attributes
+    ----------
+    x, y : int
+        Cells.
+    origins : int
+        From how many origins light comes through them, where the source leaves that open.
+    """
 
     x: int
     y: int
+    origins: int = 1
 
 
 Samples = tuple[int, int] | Corners

@@ -13,12 +13,13 @@ from torch import Tensor
 from workbench.optics.rays import RayBundle
 from workbench.optics.samples import Samples
 from workbench.optics.sources.collimated import CollimatedEmitter
+from workbench.optics.sources.origins import Origins
 from workbench.optics.sources.points import PointEmitter
 from workbench.scene import CollimatedSource, GridSource, Lens, PointSource, Source
 
 Array = npt.NDArray[np.float64]
 
-__all__ = ["CollimatedEmitter", "Emitter", "PointEmitter", "emitter_of"]
+__all__ = ["CollimatedEmitter", "Emitter", "Origins", "PointEmitter", "emitter_of"]
 
 
 class Emitter(Protocol):
@@ -26,10 +27,17 @@ class Emitter(Protocol):
 
     Attributes
     ----------
+    origins : Origins
+        Where its light comes from.
     splits : tuple of two ndarray, shape (m_x, 3) and (m_y, 3)
         Of rays at `workbench.optics.samples.Corners`, along x and y: which parts of their flux
         belong to the cells before and behind them. Rays of different points share no cell.
     """
+
+    @property
+    def origins(self) -> Origins:
+        """See above."""
+        ...
 
     @property
     def splits(self) -> tuple[Array, Array]:

@@ -1,5 +1,7 @@
 """Parallel light along the axis."""
 
+import math
+
 import numpy as np
 import numpy.typing as npt
 import torch
@@ -7,6 +9,7 @@ from torch import Tensor
 
 from workbench.optics.rays import RayBundle
 from workbench.optics.samples import Corners, Samples, cells, places, shares
+from workbench.optics.sources.origins import Origins
 from workbench.scene import CollimatedSource, Lens
 
 Array = npt.NDArray[np.float64]
@@ -34,6 +37,12 @@ class CollimatedEmitter:
         self, source: CollimatedSource, lens: Lens, samples: Samples | None = None
     ) -> None:
         self.samples, self._lens = samples or source.rays, lens
+
+    @property
+    def origins(self) -> Origins:
+        """One direction; see `Emitter`."""
+        area = 4 * math.prod(self._lens.half_width)
+        return Origins(np.array([[0.0, 0.0, 1.0]]), True, np.array([1 / area]))
 
     @property
     def splits(self) -> tuple[Array, Array]:

@@ -1,0 +1,128 @@
+"""From where light comes to the entrance face: points, or directions of light from infinitely far.
+
+Light of any size stands as a set of such origins, each with its part of the flux.
+"""
+
+import math
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+import torch
+
+from workbench.optics.rays import RayBundle, Vector
+from workbench.optics.samples import Corners, places, places_of_points
+from workbench.scene import Lens
+
+Array = npt.NDArray[np.float64]
+Index = npt.NDArray[np.intp]
+
+
+class Lit(NamedTuple):
+    """Light at places of the entrance face; arrays of one shape.
+
+    Attributes
+    ----------
+    direction : tuple of three ndarray
+        Unit vectors.
+    density : ndarray
+        Flux per area of the face.
+    """
+
+    direction: tuple[Array, Array, Array]
+    density: Array
+
+
+class Origins(NamedTuple):
+    """Where the light of a source comes from, k places with their flux.
+
+    Attributes
+    ----------
+    places : ndarray, shape (k, 3)
+        Points, scene units; or, where infinite, unit vectors in which the light goes.
+    infinite : bool
+        Whether the light of each origin is parallel.
+    flux : ndarray, shape (k,)
+        Of points, flux per solid angle straight ahead, to +z. Of directions, flux per area of a
+        plane across the direction, in the middle of the beam. All light of the source together,
+        what misses the lens included, is 1.
+    lambertian : bool
+        Of points: whether intensity falls with the cosine to +z; else it is even.
+    waist : float
+        Of directions: 1/e² radius of the flux per area about the line through the middle of the
+        entrance face; infinite for even light.
+    """
+
+    places: Array
+    infinite: bool
+    flux: Array
+    lambertian: bool = False
+    waist: float = math.inf
+
+    def light(self, x: Array, y: Array, z: float, origin: Index) -> Lit:
+        """Light of origins at places of the entrance face.
+
+        Parameters
+        ----------
+        x, y : ndarray
+            Places, scene units.
+        z : float
+            Where the face is.
+        origin : ndarray of int
+            From which origin the light comes there; all three broadcast against each other.
+
+        Examples
+        --------
+        Two points one above the other, seen from the middle of the face:
+
+        >>> import numpy as np
+        >>> pair = Origins(np.array([[0.0, -3, -4], [0, 0, -4]]), False, np.array([1.0, 1]))
+        >>> pair.light(np.zeros(1), np.zeros(1), 0.0, np.array([0, 1])).density
+        array([0.032 , 0.0625])
+        """
+        place = self.places[origin]
+        if self.infinite:
+            d_x, d_y, d_z = np.moveaxis(place, -1, 0)
+            beside2 = np.square(x) + np.square(y) - np.square(x * d_x + y * d_y)
+            density = self.flux[origin] * d_z * np.exp(-2 * beside2 / self.waist**2)
+            return Lit(_alike(d_x, d_y, d_z, density), density)
+        away = np.broadcast_arrays(x - place[..., 0], y - place[..., 1], z - place[..., 2])
+        distance = np.sqrt(np.square(away).sum(axis=0))
+        d_x, d_y, d_z = (part / distance for part in away)
+        density = self.flux[origin] * d_z / distance**2
+        return Lit((d_x, d_y, d_z), density * d_z if self.lambertian else density)
+
+
+def through_corners(origins: Origins, lens: Lens, corners: Corners) -> RayBundle:
+    """Rays through corners of cells of the entrance face, shape (m_x, m_y for each origin)."""
+    count = len(origins.places)
+    across, up = places(corners, 0), places_of_points(corners, 1, count)
+    r_x, r_y = lens.half_width
+    x, y = ((2 * along.part - 1) * r for along, r in ((across, r_x), (up, r_y)))
+    area = 4 * r_x * r_y * (across.high - across.low)[:, None] * (up.high - up.low)
+    origin = np.repeat(np.arange(count), len(up.part) // count)
+    lit = origins.light(x[:, None], y, lens.entrance_z, origin)
+    place = np.broadcast_arrays(x[:, None], y, np.full(area.shape, lens.entrance_z))
+    alive = torch.ones(area.shape, dtype=torch.bool)
+    return RayBundle(
+        vector(place), vector(lit.direction), torch.as_tensor(lit.density * area), alive
+    )
+
+
+def splits_of(corners: Corners, origins: tuple[int, int]) -> tuple[Array, Array]:
+    """Splits of the flux at corners (see `Emitter`) for so many origins along x and y."""
+    x, y = (places_of_points(corners, axis, count).split for axis, count in enumerate(origins))
+    return x, y
+
+
+def vector(parts: Sequence[Array]) -> Vector:
+    """Arrays as tensors with memory of their own."""
+    x, y, z = (torch.as_tensor(np.ascontiguousarray(part)) for part in parts)
+    return x, y, z
+
+
+def _alike(d_x: Array, d_y: Array, d_z: Array, other: Array) -> tuple[Array, Array, Array]:
+    """Directions in the shape of another array."""
+    x, y, z = (np.broadcast_to(part, other.shape) for part in (d_x, d_y, d_z))
+    return x, y, z
