@@ -51,7 +51,7 @@ def derivative_of(scene, heights, weights, index):
     leaf = torch.tensor(heights, requires_grad=True)
     flux = Plan(scene, dtype=torch.float64).flux({"exit": leaf})
     (flux * torch.as_tensor(weights)).sum().backward()
-    return leaf.grad[index].item() / scene.screen.pixel_area
+    return leaf.grad[index].item() / scene.screen.pixel_measure
 
 
 @pytest.mark.parametrize("case", ["a", "b"])
@@ -62,7 +62,7 @@ def test_light_is_conserved_where_no_border_pixel_is_reached(make, case):
     border[1:-1, 1:-1] = False
     assert not found.map[border].any()
     assert abs(found.sum) < 1e-14 * found.flux
-    assert found.sum == pytest.approx(found.map.sum() * scene.screen.pixel_area, abs=1e-14)
+    assert found.sum == pytest.approx(found.map.sum() * scene.screen.pixel_measure, abs=1e-14)
 
 
 def test_light_is_all_but_conserved_where_border_pixels_are_reached(make):
@@ -145,7 +145,7 @@ def test_differences_of_images_agree(make, rng, case, source):
         moved = torch.tensor(heights)
         moved[index] += sign * step
         images.append(plan.flux({"exit": moved}).numpy())
-    differences = (images[0] - images[1]) / (2 * step * scene.screen.pixel_area)
+    differences = (images[0] - images[1]) / (2 * step * scene.screen.pixel_measure)
     # The truncated filter has kinks, and few rays within a step of one make all the difference.
     error = np.linalg.norm(found.map - differences) / np.linalg.norm(differences)
     assert error < 1e-4

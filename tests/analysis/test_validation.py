@@ -174,7 +174,7 @@ def test_the_optimisers_trace_agrees(rough):
     traced = plan.trace({"exit": torch.tensor(heights)})
     for name, value in found.account.to_data().items():
         assert value == pytest.approx(traced.account.to_data()[name], abs=2e-4)
-    expected = traced.flux.numpy() / scene.screen.pixel_area
+    expected = traced.flux.numpy() / scene.screen.pixel_measure
     error = np.linalg.norm(found.irradiance - expected) / np.linalg.norm(expected)
     assert error < 0.01
 

@@ -189,7 +189,7 @@ def test_another_unit_keeps_the_lens_and_its_light(session):
     np.testing.assert_allclose(
         after.state.heights["exit"], 10 * before.state.heights["exit"], rtol=1e-15
     )
-    pixels = [each.scene.screen.pixel_area for each in (session, found)]
+    pixels = [each.scene.screen.pixel_measure for each in (session, found)]
     np.testing.assert_allclose(
         after.state.irradiance * pixels[1], before.state.irradiance * pixels[0], rtol=1e-14
     )

@@ -80,4 +80,4 @@ def behind_thin_plate(scene, emission, power):
     # Intensity on the axis: 1 over the solid angle of the cap, or over that of its projection.
     rim = 1 / np.sqrt(3)
     whole = 2 * np.pi * (1 - rim) if emission == "uniform" else np.pi * (1 - rim**2)
-    return profile * scene.screen.pixel_area / (whole * 4)
+    return profile * scene.screen.pixel_measure / (whole * 4)

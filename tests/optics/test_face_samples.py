@@ -219,7 +219,7 @@ def test_samples_are_dense_before_a_source_that_is_near_a_thin_lens(make_scene, 
         .flux
     )
     exact = validate(scene, np.ones((16, 16)), {"exit": heights.numpy()}, 1 << 19).irradiance
-    assert distance(flux, torch.tensor(exact * scene.screen.pixel_area)) < 0.1
+    assert distance(flux, torch.tensor(exact * scene.screen.pixel_measure)) < 0.1
 
 
 def test_half_of_the_dense_samples_see_a_mirror_image(make_scene):

@@ -27,7 +27,7 @@ def axes():
 
 def test_target_irradiance_carries_unit_flux(scene, rng):
     target = rng.random((4, 8))
-    flux = target_irradiance(scene, target).sum() * scene.screen.pixel_area
+    flux = target_irradiance(scene, target).sum() * scene.screen.pixel_measure
     assert flux == pytest.approx(1, abs=1e-12)
 
 

@@ -205,7 +205,7 @@ def test_image_rows_run_down_from_plus_y():
     assert screen.to_pixels(-2.0, 1.0) == (0, 0)
     assert screen.to_pixels(2.0, -1.0) == (8, 4)
     assert screen.to_pixels(0.25, 0.25) == (4.5, 1.5)
-    assert screen.pixel_area == 0.25
+    assert screen.pixel_measure == 0.25
 
 
 def test_a_scene_cannot_be_changed(make_scene):

@@ -107,7 +107,7 @@ def test_light_is_conserved(tmp_path_factory, shape, pixels, half_width, padding
     assert light.shape == pixels[::-1]
     assert light.min() >= 0
     assert light.max() <= 1 + 1e-12
-    assert light.sum() * task.screen.pixel_area == pytest.approx(flux, rel=1e-9)
+    assert light.sum() * task.screen.pixel_measure == pytest.approx(flux, rel=1e-9)
 
 
 def test_only_ratios_count(load):

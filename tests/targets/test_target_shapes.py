@@ -21,7 +21,7 @@ def test_coverage_of_a_polygon_adds_up_to_its_area(pixels, half_width):
     raster = screen(pixels, half_width)
     covered = coverage(np.stack([x, y], axis=1), raster)
     assert covered.shape == pixels[::-1]
-    assert covered.sum() * raster.pixel_area == pytest.approx(area, rel=1e-10)
+    assert covered.sum() * raster.pixel_measure == pytest.approx(area, rel=1e-10)
 
 
 def test_coverage_of_a_rectangle_pixel_by_pixel():
@@ -49,7 +49,7 @@ def test_coverage_refines_consistently():
 def test_disc_area(pixels, half_width):
     raster = screen(pixels, half_width)
     radius = 0.6 * min(half_width)
-    area = top_hat(raster, radius).sum() * raster.pixel_area
+    area = top_hat(raster, radius).sum() * raster.pixel_measure
     assert area == pytest.approx(np.pi * radius**2, rel=1e-5)
 
 

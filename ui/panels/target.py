@@ -54,8 +54,8 @@ class TargetPanel(PartPanel):
     def show_session(self, session: Session, present: Set[Row], pending: Set[str]) -> None:
         """Show the target's settings and the image itself."""
         super().show_session(session, present, pending)
-        screen = session.scene.screen
-        self._thumbnail.show_target(session.target, screen.half_width[0] / screen.half_width[1])
+        r_u, r_v = session.scene.receiver.half_extent
+        self._thumbnail.show_target(session.target, r_u / r_v)
 
     def _finish(self) -> dict[str, object]:
         target = self.session.scene.target

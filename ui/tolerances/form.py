@@ -117,7 +117,7 @@ class ToleranceForm(QWidget):
                 "lenses": 100,
                 "seed": 1,
             }
-        if before is None or (before.lens, before.screen) != (scene.lens, scene.screen):
+        if before is None or (before.lens, before.receiver) != (scene.lens, scene.receiver):
             for row in self._rows:  # what was refused may be possible now
                 row.refuse("")
         self._show()

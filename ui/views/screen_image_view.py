@@ -31,7 +31,7 @@ class OnScreen:
 
     def half_width(self, session: "Session") -> tuple[float, float]:
         """Half of the screen."""
-        return session.scene.screen.half_width
+        return session.scene.receiver.half_extent
 
     def unit(self, length: str) -> str:
         """Flux per area."""
@@ -89,7 +89,7 @@ class ScreenImageView(ImageView):
             tool.setIcon(theme.icon(icon, self.palette()))
 
     def _looks_alike(self, one: "Session", other: "Session") -> bool:
-        alike = one.scene.screen == other.scene.screen and one.scene.unit == other.scene.unit
+        alike = one.scene.receiver == other.scene.receiver and one.scene.unit == other.scene.unit
         return alike and one.target is other.target  # whatever the lens and its light are
 
     def _begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":

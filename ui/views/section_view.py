@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
     from ui.shown.frame import Frame
     from workbench.files.session import Session
-    from workbench.scene import Scene, Screen
+    from workbench.scene import AnyReceiver, Scene
 
 _DIRECTIONS = ("x", "y", "line")
 _TIP = (
@@ -82,18 +82,18 @@ class SectionView(PlotView):
         if step is None or self._shown is None or keys & _Keys.AltModifier:
             super().keyPressEvent(event)
             return
-        screen = self._shown.scene.screen
+        receiver = self._shown.scene.receiver
         pixels = tuple((_FAR if keys & _Keys.ShiftModifier else 1) * k for k in step)
         if self._along != "line":
-            (self._place,) = _moved(screen, pixels, self._place)
+            (self._place,) = _moved(receiver, pixels, self._place)
         else:
             assert self._line is not None  # since the picture began
             start, end = self._line
             if keys & _Keys.ControlModifier:
-                (end,) = _moved(screen, pixels, end)
+                (end,) = _moved(receiver, pixels, end)
             else:
-                start, end = _moved(screen, pixels, start, end)
-            if math.dist(screen.to_pixels(*start), screen.to_pixels(*end)) >= _SHORTEST:
+                start, end = _moved(receiver, pixels, start, end)
+            if math.dist(receiver.to_pixels(*start), receiver.to_pixels(*end)) >= _SHORTEST:
                 self._line = start, end
         self._turn()
 
@@ -129,7 +129,7 @@ class SectionView(PlotView):
         self._turn()
 
     def _begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
-        r_x, r_y = session.scene.screen.half_width
+        r_x, r_y = session.scene.receiver.half_extent
 
         def beyond(place: Place) -> bool:  # on a larger screen
             return abs(place[0]) > r_x or abs(place[1]) > r_y
@@ -155,9 +155,9 @@ class SectionView(PlotView):
         return cut_through(scene, self._along, self._place)
 
 
-def _moved(screen: "Screen", pixels: "Sequence[int]", *places: Place) -> list[Place]:
+def _moved(receiver: "AnyReceiver", pixels: "Sequence[int]", *places: Place) -> list[Place]:
     """Places so many pixels to the right and up, together, none beyond the screen."""
-    at, edge = np.array(places), np.array(screen.half_width)
-    by = 2 * edge / screen.pixels * pixels
+    at, edge = np.array(places), np.array(receiver.half_extent)
+    by = 2 * edge / receiver.pixels * pixels
     by = by.clip(-edge - at.min(axis=0), edge - at.max(axis=0))
     return [(x, y) for x, y in (at + by).clip(-edge, edge).tolist()]

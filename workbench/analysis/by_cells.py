@@ -10,6 +10,7 @@ import numpy.typing as npt
 from workbench.analysis.cells.image import CellImage
 from workbench.analysis.metrics import paper_loss, relative_l2, root
 from workbench.analysis.scatter import Unscattered
+from workbench.scene import AnyReceiver
 
 Array = npt.NDArray[np.float64]
 
@@ -58,7 +59,7 @@ class ByCells:
         cls,
         image: CellImage,
         target: Array,
-        pixel_area: float,
+        receiver: AnyReceiver,
         of_rays: Array,
         products: Sequence[float],
     ) -> "ByCells":
@@ -70,8 +71,8 @@ class ByCells:
             The image by cells.
         target, of_rays : ndarray, shape (n_y, n_x)
             The target and the image of random rays, in any scale.
-        pixel_area : float
-            Area of a pixel, scene units squared.
+        receiver : AnyReceiver
+            What the images are on.
         products : sequence of float
             Those of differences to the image by cells, for `Unscattered`.
         """
@@ -82,7 +83,7 @@ class ByCells:
             relative_l2_corrected=error,
             relative_l2_corrected_interval=(max(error - bound, 0.0), error + bound),
             loss=paper_loss(irradiance, target),
-            efficiency=float(irradiance.sum()) * pixel_area,
+            efficiency=receiver.total(irradiance),
             bound=image.bound,
             cells=image.cells,
             difference=difference,

@@ -114,7 +114,7 @@ def cross_check(
     """
     check_body(scene, heights)
     theirs = MitsubaScene(scene, heights)
-    half, area = -(-rays // 2), scene.screen.pixel_area
+    half, measure = -(-rays // 2), scene.receiver.pixel_measure
     light = {
         "mitsuba": [theirs.flux(half, seed + k, part_of(watch, k, 1, 4)) for k in (0, 1)],
         "ours": [
@@ -126,7 +126,7 @@ def cross_check(
                 seed + k,
                 watch=part_of(watch, 2 + k, 1, 4),
             )[0]
-            * area
+            * measure
             for k in (0, 1)
         ],
     }

@@ -106,7 +106,7 @@ def irradiance_derivative(
     return DerivativeMap(
         index=index,
         position=(float(x[index[0]]), float(y[index[1]])),
-        map=np.asarray(change.cpu().numpy() / scene.screen.pixel_area),
+        map=np.asarray(change.cpu().numpy() / scene.receiver.pixel_measure),
         sum=change.sum().item(),
         flux=flux.sum(dtype=torch.float64).item(),
     )

@@ -108,13 +108,13 @@ def focus_series(
     >>> [focus.z for focus in series]
     [4.0, 5.0, 6.0]
     """
-    at_once = max(_LARGEST_IMAGES // (8 * math.prod(scene.screen.pixels)), 1)
+    at_once = max(_LARGEST_IMAGES // (8 * math.prod(scene.receiver.pixels)), 1)
     for first in range(0, len(distances), at_once):
         some = distances[first : first + at_once]
         part = part_of(watch, first, len(some), len(distances))
         images = through_focus(scene, heights, some, rays, watch=part)
         for z, image in zip(some, images, strict=True):
-            flux = float(image.sum()) * scene.screen.pixel_area
+            flux = scene.receiver.total(image)
             yield Focus(z, relative_l2(image, target), flux, _small(image))
         del images, image  # large ones must not wait for the next
 

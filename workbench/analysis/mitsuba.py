@@ -57,7 +57,7 @@ class MitsubaScene:
 
     def __init__(self, scene: Scene, heights: Mapping[str, Array]) -> None:
         self._mi = mi = _mitsuba()
-        (r_x, r_y), (n_x, n_y) = scene.screen.half_width, scene.screen.pixels
+        (r_x, r_y), (n_x, n_y) = scene.receiver.half_extent, scene.receiver.pixels
         if not math.isclose(r_x / n_x, r_y / n_y, rel_tol=1e-6):
             raise Refused(
                 "screen.pixels",
@@ -67,7 +67,7 @@ class MitsubaScene:
         # Mitsuba counts in single precision and has thresholds made for lengths of about 1.
         self._scene, self._unit = scene, max(scene.lens.half_width)
         lights, self._emitted = mitsuba_lights(mi, scene.source, scene.lens, self._unit)
-        self._pixel_area = scene.screen.pixel_area / self._unit**2
+        self._pixel_measure = scene.receiver.pixel_measure / self._unit**2
         self._rendered: Any = mi.load_dict(
             {
                 "type": "scene",
@@ -97,7 +97,7 @@ class MitsubaScene:
         ndarray, shape (n_y, n_x)
             Row 0 at +y.
         """
-        n_x, n_y = self._scene.screen.pixels
+        n_x, n_y = self._scene.receiver.pixels
         samples = -(-rays // (n_x * n_y))
         passes = min(-(-samples * n_x * n_y // _AT_ONCE), samples)
         samples = -(-samples // passes)
@@ -110,7 +110,7 @@ class MitsubaScene:
             watch(done / passes)
         # Scattered evenly into the half-sphere.
         irradiance = math.pi / passes * radiance
-        return np.asarray(irradiance * self._pixel_area / self._emitted)
+        return np.asarray(irradiance * self._pixel_measure / self._emitted)
 
     def _body(self, heights: Array) -> dict[str, Any]:
         """Both faces of the lens, and walls that swallow what leaves by the sides."""
@@ -192,7 +192,7 @@ class MitsubaScene:
 
     def _camera(self) -> dict[str, Any]:
         """Its picture is the screen, exactly."""
-        screen, (n_x, n_y) = self._scene.screen, self._scene.screen.pixels
+        screen, (n_x, n_y) = self._scene.screen, self._scene.receiver.pixels
         z, r_x = screen.z / self._unit, screen.half_width[0] / self._unit
         behind = [0, 0, z + _AWAY * r_x]
         return {

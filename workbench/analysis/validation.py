@@ -228,7 +228,7 @@ def validating(
     if account.on_screen == 0:
         raise RunFailed("no light of this lens reaches the screen, so there is no image to judge")
     irradiance = total.flux.reshape(target.shape)
-    irradiance /= total.emitted * scene.screen.pixel_area
+    irradiance /= total.emitted * scene.receiver.pixel_measure
     references = [target] if image is None else [target, image.irradiance]
     products = yield from within(
         _products(second, irradiance, references, threads),
@@ -240,8 +240,7 @@ def validating(
     corrected = Unscattered.of(products[0])
     by_cells = None
     if image is not None:
-        area = scene.screen.pixel_area
-        by_cells = ByCells.of(image, target, area, irradiance, products[1])
+        by_cells = ByCells.of(image, target, scene.receiver, irradiance, products[1])
     return Validation(
         loss=paper_loss(irradiance, target),
         relative_l2=error,
@@ -327,9 +326,9 @@ def through_focus(
         del batch
         watch(trace.part)
     assert total is not None
-    n_x, n_y = scene.screen.pixels
+    n_x, n_y = scene.receiver.pixels
     images: Array = total.flux.reshape(-1, n_y, n_x)
-    images /= total.emitted * scene.screen.pixel_area
+    images /= total.emitted * scene.receiver.pixel_measure
     return images
 
 

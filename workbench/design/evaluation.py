@@ -101,8 +101,8 @@ class Evaluator:
         check_light(traced.flux, traced.account)
         loss = paper_loss(traced.flux, self._wanted)
         check_finite(loss, traced.account)
-        area = self._scene.screen.pixel_area
-        state = LensState.traced(heights, traced.flux, area, loss, traced.account)
+        measure = self._scene.receiver.pixel_measure
+        state = LensState.traced(heights, traced.flux, measure, loss, traced.account)
         return Step(state, self._plan.notes)
 
     def _tensors(self, heights: ControlHeights) -> dict[str, Tensor]:

@@ -46,7 +46,7 @@ class LensState:
         cls,
         heights: "Mapping[str, Tensor]",
         flux: "Tensor",
-        pixel_area: float,
+        pixel_measure: float | Array,
         loss: "Tensor",
         account: Account,
     ) -> Self:
@@ -58,15 +58,15 @@ class LensState:
             Control heights of each freeform face by its name.
         flux : Tensor, shape (n_y, n_x)
             Light in each pixel.
-        pixel_area : float
-            Area of a pixel.
+        pixel_measure : float or ndarray
+            What each pixel covers; see `workbench.scene.AnyReceiver`.
         loss : Tensor
             Paper's loss, one number.
         account : Account
             Where the light goes.
         """
         irradiance = _copy(flux)
-        irradiance /= pixel_area
+        irradiance /= pixel_measure
         copies = FaceArrays({face: _sealed(_copy(each)) for face, each in heights.items()})
         return cls(copies, _sealed(irradiance), loss.item(), account)
 

@@ -70,7 +70,7 @@ def image_of(
     finer = _MIRRORED ** sum(mirrored) / math.sqrt(scene.source.point_count)
     cells = [
         max(level.per_pixel * pixels, level.per_control_point * count) * finer
-        for pixels, count in zip(scene.screen.pixels, scene.lens.net_shape, strict=True)
+        for pixels, count in zip(scene.receiver.pixels, scene.lens.net_shape, strict=True)
     ]
     # An even number makes a mirrored lens a mirrored image, of which half need be traced.
     m_x, m_y = (min(max(2 * math.ceil(count / 2), _FEWEST_CELLS), _MOST_CELLS) for count in cells)

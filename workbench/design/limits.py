@@ -107,5 +107,5 @@ def bounded(scene: Scene) -> Lens:
     lens = scene.lens
     if lens.height_range is not None or lens.max_thickness is not None:
         return lens
-    thickness = (lens.highest + scene.screen.z) / 2 - lens.entrance_z
+    thickness = (lens.highest + scene.receiver.nearest_z) / 2 - lens.entrance_z
     return lens.model_copy(update={"max_thickness": thickness})

@@ -76,12 +76,12 @@ def _chosen(scene: Scene, target: Array) -> tuple[int, int]:
         min(_worth_of_target(target, axis), _worth_of_light(blur, half_width))
         for axis, blur, half_width in zip(
             (1, 0),
-            scene.source.blur(scene.lens, scene.screen),
-            scene.screen.half_width,
+            scene.source.blur(scene.lens, scene.receiver),
+            scene.receiver.half_extent,
             strict=True,
         )
     )
-    pixels, degree = scene.screen.pixels, scene.lens.degree
+    pixels, degree = scene.receiver.pixels, scene.lens.degree
     return _count(pixels[0], across, degree[0]), _count(pixels[1], up, degree[1])
 
 

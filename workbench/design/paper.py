@@ -48,8 +48,8 @@ def paper_steps(room: Room, settings: PaperRun) -> Generator[Step, None, NoRetur
         check_light(traced.flux.detach(), traced.account)
         loss = paper_loss(traced.flux, wanted)
         check_finite(loss, traced.account)
-        area = scene.screen.pixel_area
-        state = LensState.traced(heights, traced.flux, area, loss, traced.account)
+        measure = scene.receiver.pixel_measure
+        state = LensState.traced(heights, traced.flux, measure, loss, traced.account)
         step = Step(state, plan.notes)
         if smoothness is not None:
             loss = smoothness.merit(loss, smoothness.penalty(heights))

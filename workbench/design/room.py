@@ -166,6 +166,7 @@ class Room:
 
 def _natural(scene: Scene) -> float:
     """Rise of a face that bends the light at the rim by half of the screen's width, about."""
-    lens, screen = scene.lens, scene.screen
-    slope = max(screen.half_width) / ((screen.z - lens.highest) * (lens.index - 1))
+    lens, receiver = scene.lens, scene.receiver
+    wide = zip(receiver.half_extent, receiver.per_radian(lens.highest), strict=True)
+    slope = max(r / (far * (lens.index - 1)) for r, far in wide)
     return max(lens.half_width) * min(slope, 1.0)

@@ -66,4 +66,4 @@ def with_file(session: Session, folder: Path) -> Session:
 
 def _drawing(scene: Scene) -> tuple[object, ...]:
     """All that the target's image depends on."""
-    return scene.target, scene.screen.half_width, scene.screen.pixels
+    return scene.target, scene.receiver.half_extent, scene.receiver.pixels

@@ -53,12 +53,12 @@ class WideImage:
         reach: tuple[float, float],
         mirrored: tuple[bool, bool] = (False, False),
     ) -> None:
-        (n_x, n_y), (r_x, r_y) = scene.screen.pixels, scene.screen.half_width
+        (n_x, n_y), (r_x, r_y) = scene.receiver.pixels, scene.receiver.half_extent
         m_x, m_y = _margin(reach[0] / r_x, n_x), _margin(reach[1] / r_y, n_y)
         self._plan, self._margin = BeamPlan(scene, cells, mirrored=mirrored), (m_x, m_y)
         halves = 2 ** sum(mirrored)
         self.beams = cells[0] * cells[1] * scene.source.point_count // halves
-        self._pixel_area = scene.screen.pixel_area
+        self._pixel_measure = scene.receiver.pixel_measure
         self._on_screen = (slice(m_y, m_y + n_y), slice(m_x, m_x + n_x))
         wanted = np.pad(share(target), ((m_y, m_y), (m_x, m_x)))
         self._wanted = torch.as_tensor(wanted, dtype=torch.float32, device=device_of(scene))
@@ -89,7 +89,7 @@ class WideImage:
         loss = paper_loss(flux, self._wanted[self._on_screen])
         check_finite(loss, account)
         merit = None if flux.sum() > 0 else math.inf
-        state = LensState.traced(heights, flux, self._pixel_area, loss, account)
+        state = LensState.traced(heights, flux, self._pixel_measure, loss, account)
         return Step(state, self._plan.notes, merit)
 
 

@@ -66,7 +66,7 @@ def read_target(entries: Entries, folder: str, scene: Scene) -> Array:
     Refused
         If it is not as the scene implies, or it is dark.
     """
-    n_x, n_y = scene.screen.pixels
+    n_x, n_y = scene.receiver.pixels
     target = entries.array(folder + _TARGET, (n_y, n_x))
     if target.min() < 0 or not target.any():
         raise Refused(
@@ -105,8 +105,8 @@ def read_heights(
 
 def _read_face(entries: Entries, name: str, scene: Scene, shape: tuple[int, int]) -> Array:
     heights = entries.array(name, shape)
-    entrance, screen = scene.lens.entrance_z, scene.screen.z
-    farthest = _FARTHEST * abs(screen - entrance)
+    entrance = scene.lens.entrance_z
+    farthest = _FARTHEST * abs(scene.receiver.nearest_z - entrance)
     away = np.abs(heights - entrance)
     if away.max() > farthest:
         i, j = np.unravel_index(away.argmax(), away.shape)
@@ -119,15 +119,16 @@ def _read_face(entries: Entries, name: str, scene: Scene, shape: tuple[int, int]
 
 
 def _read_irradiance(entries: Entries, name: str, scene: Scene, figures: Figures) -> Array:
-    n_x, n_y = scene.screen.pixels
+    n_x, n_y = scene.receiver.pixels
     irradiance = entries.array(name, (n_y, n_x))
-    most = _BRIGHTEST * figures.ledger.emitted / scene.screen.pixel_area
-    if np.abs(irradiance).max() > most:
-        row, column = np.unravel_index(np.abs(irradiance).argmax(), irradiance.shape)
+    most = figures.ledger.emitted / np.broadcast_to(scene.receiver.pixel_measure, irradiance.shape)
+    brightness = np.abs(irradiance) / most
+    if brightness.max() > _BRIGHTEST:
+        row, column = np.unravel_index(brightness.argmax(), irradiance.shape)
         raise Refused(
             f"{entries.where(name)}[{row}, {column}]",
             f"{irradiance[row, column]:.5g} is more than all light of the source in this pixel; "
-            f"{most / _BRIGHTEST:.5g} would be all of it",
+            f"{most[row, column]:.5g} would be all of it",
         )
     return irradiance
 

@@ -89,7 +89,7 @@ def write_session(session: Session, path: Path) -> str:
     >>> from resources import path
     >>> fingerprint = write_session(
     ...     open_design(path("examples", "tophat.json")), Path("tophat.freeform"))
-    >>> read_session(Path("tophat.freeform")).scene.screen.pixels
+    >>> read_session(Path("tophat.freeform")).scene.receiver.pixels
     (256, 256)
     """
     text = _header(session, path).model_dump_json(indent=2, exclude_none=True).encode()

@@ -39,7 +39,7 @@ def check_body(scene: Scene, heights: Mapping[str, Array], screen_z: float | Non
         With the place and the height there.
     """
     entrance = scene.lens.entrance_z
-    screen = scene.screen.z if screen_z is None else screen_z
+    screen = scene.receiver.nearest_z if screen_z is None else screen_z
     gap = _TOUCH * max(scene.lens.half_width)
     exit_face = heights["exit"]
     # The face lies in the convex hull of its control points: nearly always they alone tell.

@@ -61,7 +61,7 @@ class BeamPlan:
         net = net or ControlNet.of(scene.lens)
         needed = precision_of(scene, net)
         path = Path.of(scene, net, dtype or needed, device_of(scene), Corners(*cells))
-        self._pixels, self._half_width = scene.screen.pixels, scene.screen.half_width
+        self._pixels, self._half_width = scene.receiver.pixels, scene.receiver.half_extent
         self._missed = path.steps[0].missed
         self._kernel, self._promised = beam_kernel_of(path), mirrored
         fine = dtype is None and needed == torch.float64

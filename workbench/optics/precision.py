@@ -51,7 +51,7 @@ def shift_of(scene: Scene, net: ControlNet | None = None) -> float:
     Heights are rounded to a part ε of the largest, so slopes to that over the distance of control
     points; light is bent by n − 1 times the slope. Directions of rays from points are rounded, too.
     """
-    lens, screen = scene.lens, scene.screen
+    lens, receiver = scene.lens, scene.receiver
     net = net or ControlNet.of(lens)
     rise = _RISE * max(lens.half_width)
     low, high = (
@@ -67,6 +67,11 @@ def shift_of(scene: Scene, net: ControlNet | None = None) -> float:
     largest = max(abs(low - level), abs(high - level))
     density = max(count / r for count, r in zip(net.shape, net.half_width, strict=True))
     bent = (lens.index - 1) * largest * density
-    pixels = max(m / (2 * r) for m, r in zip(screen.pixels, screen.half_width, strict=True))
-    # From the lowest point of the lens, the farthest from the screen.
-    return torch.finfo(torch.float32).eps * (screen.z - low) * pixels * (bent + steepest)
+    # From the lowest point of the lens, the farthest from the receiver.
+    pixels_per_radian = max(
+        far * m / (2 * r)
+        for far, m, r in zip(
+            receiver.per_radian(low), receiver.pixels, receiver.half_extent, strict=True
+        )
+    )
+    return torch.finfo(torch.float32).eps * pixels_per_radian * (bent + steepest)

@@ -262,7 +262,7 @@ def _half_height(camera: Any) -> float:
 def in_view(scene: Scene) -> bool:
     """Whether the source stands where a picture can show it together with the lens."""
     source, lens = scene.source, scene.lens
-    width = 2 * max(*lens.half_width, *scene.screen.half_width)
+    width = 2 * max(*lens.half_width, *scene.receiver.half_extent)
     reach = _FARTHEST * max(scene.screen.z - lens.entrance_z, width)
     return lens.entrance_z - source.nearest_z <= reach
 

@@ -194,7 +194,7 @@ def _block(block: SubFigure, design: Design) -> None:
 
 
 def _image(axes: Axes, scene: Scene, image: Array, colours: str, ends: tuple[float, float]) -> None:
-    r_x, r_y = scene.screen.half_width
+    r_x, r_y = scene.receiver.half_extent
     axes.imshow(image, cmap=colours, vmin=ends[0], vmax=ends[1], extent=(-r_x, r_x, -r_y, r_y))
     axes.set_xticks([])
     axes.set_yticks([])

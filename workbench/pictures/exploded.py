@@ -53,7 +53,7 @@ def _lens_width(scene: Scene) -> float:
 
 
 def _screen_scale(scene: Scene) -> float:
-    return min(1.0, _WIDTH * _lens_width(scene) / (2 * max(scene.screen.half_width)))
+    return min(1.0, _WIDTH * _lens_width(scene) / (2 * max(scene.receiver.half_extent)))
 
 
 def _drawn_screen_z(scene: Scene) -> float:

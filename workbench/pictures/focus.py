@@ -53,7 +53,7 @@ def draw_focus(
     parts = figure.subfigures(2, 1, height_ratios=[rows, 1.5], squeeze=False)
     above, below = parts[:, 0]
     top = full_scale(scene, target)
-    r_x, r_y = scene.screen.half_width
+    r_x, r_y = scene.receiver.half_extent
     panels = above.subplots(rows, columns, squeeze=False).ravel()
     for axes in panels:
         axes.set_axis_off()

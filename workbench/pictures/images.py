@@ -52,7 +52,7 @@ def target_irradiance(scene: Scene, target: npt.NDArray[Any]) -> Array:
     if not peak > 0:
         return np.zeros(target.shape)
     ratios = target / peak  # first, so that neither tiny nor huge images lose their sum
-    return np.asarray(ratios / (float(ratios.sum()) * scene.screen.pixel_area), dtype=np.float64)
+    return np.asarray(ratios / scene.receiver.total(ratios), dtype=np.float64)
 
 
 def signed_error(scene: Scene, target: npt.NDArray[Any], irradiance: Array) -> Array:

@@ -226,7 +226,7 @@ class LensPicture:
         self._face.point_data.active_normals = shapes.normals(surface)
 
     def _add_screen(self) -> None:
-        (r_x, r_y), z = self._scene.screen.half_width, self._scene.screen.z
+        (r_x, r_y), z = self._scene.receiver.half_extent, self._scene.screen.z
         corners = np.array([[-r_x, -r_y, z], [r_x, -r_y, z], [r_x, r_y, z], [-r_x, r_y, z]])
         plane = pv.PolyData(corners, faces=[4, 0, 1, 2, 3])
         # Texture rows count upwards in VTK: the last row of an image lies at its origin.
@@ -234,7 +234,7 @@ class LensPicture:
         self._texels = pv.ImageData()
         self._texture = pv.Texture()
         self._texture.SetInputDataObject(self._texels)
-        n_x, n_y = self._scene.screen.pixels
+        n_x, n_y = self._scene.receiver.pixels
         self._paint_screen(np.zeros((n_y, n_x)))
         self._add(plane, body=True, texture=self._texture, lighting=False)
         # A touch larger than the plane, which would swallow parts of it.

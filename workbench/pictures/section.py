@@ -48,8 +48,8 @@ def cut_through(scene: Scene, along: str, place: Place) -> Cut:
     """The pixels beside each other along "x" or "y" through a place on the screen."""
     unit, (x, y) = scene.unit, place
     axis = "xy".index(along)
-    r, n = scene.screen.half_width[axis], scene.screen.pixels[axis]
-    column, row = (math.floor(at) for at in scene.screen.to_pixels(*place))
+    r, n = scene.receiver.half_extent[axis], scene.receiver.pixels[axis]
+    column, row = (math.floor(at) for at in scene.receiver.to_pixels(*place))
     middles = np.linspace(r / n - r, r - r / n, n)  # of pixels
     if along == "x":
         return Cut(
@@ -67,7 +67,7 @@ def cut_between(scene: Scene, start: Place, end: Place) -> Cut:
     """The line from one place on the screen to another, with a place for each pixel it passes."""
     (x_0, y_0), (x_1, y_1) = start, end
     length = math.hypot(x_1 - x_0, y_1 - y_0)
-    (first_x, first_y), (last_x, last_y) = (scene.screen.to_pixels(*p) for p in (start, end))
+    (first_x, first_y), (last_x, last_y) = (scene.receiver.to_pixels(*p) for p in (start, end))
     count = 1 + max(1, math.ceil(math.hypot(last_x - first_x, last_y - first_y)))
     part = np.linspace(0, 1, count)
     return Cut(
@@ -159,7 +159,7 @@ class SectionCurves:
         bool
             Whether more than `artists` changed, so that the whole figure has to be drawn.
         """
-        flux = float(irradiance.sum()) * self._scene.screen.pixel_area
+        flux = self._scene.receiver.total(irradiance)
         self._light_line.set_data(cut.along, values_along(irradiance, cut))
         self._target_line.set_data(cut.along, flux * values_along(self._target, cut))
         if self._shown == (cut.name, cut.ends):

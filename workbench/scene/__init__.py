@@ -7,13 +7,15 @@ possible: whatever cannot be built, traced or made is refused here, with the pat
 from workbench.scene.auto_net import AutoNet
 from workbench.scene.emission import ExactMethod, MeshMethod
 from workbench.scene.fields import LENGTH, FieldDescription, Measure
+from workbench.scene.filter import BoxFilter, Filter, GaussianFilter
 from workbench.scene.grid_source import GridSource
 from workbench.scene.kinds import Kinds
 from workbench.scene.lens import Base, FlatBase, Lens, SphereBase
 from workbench.scene.part import NonNegative, Part, Positive
 from workbench.scene.points import LightOfPoints, PointSource
+from workbench.scene.receiver import AnyReceiver
 from workbench.scene.run import AutoRun, PaperRun, Run, RunSettings, Stage
-from workbench.scene.screen import BoxFilter, Filter, GaussianFilter, Screen
+from workbench.scene.screen import Screen
 from workbench.scene.source import CollimatedSource, Source
 from workbench.scene.target import (
     BallTarget,
@@ -27,6 +29,7 @@ from workbench.scene.task import Scene, Unit
 
 __all__ = [
     "LENGTH",
+    "AnyReceiver",
     "AutoNet",
     "AutoRun",
     "BallTarget",

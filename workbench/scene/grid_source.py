@@ -14,7 +14,7 @@ from workbench.scene.fields import LENGTH, PLACE, about
 from workbench.scene.lens import Lens
 from workbench.scene.part import NonNegative
 from workbench.scene.points import MOST_RAYS, LightOfPoints, Place, PointSource, in_front
-from workbench.scene.screen import Screen
+from workbench.scene.receiver import AnyReceiver
 
 if TYPE_CHECKING:
     from workbench.scene.task import Scene
@@ -113,11 +113,11 @@ class GridSource(LightOfPoints):
         places = np.broadcast_arrays(x[:, None], y, self.center[2])
         return np.stack(places, axis=-1).reshape(-1, 3)
 
-    def blur(self, lens: Lens, screen: Screen) -> tuple[float, float]:
-        """Its extent, times how much farther the screen is from the lens than it is."""
-        farther = (screen.z - lens.highest) / (lens.entrance_z - self.center[2])
-        r_x, r_y = self.half_width
-        return 2 * r_x * farther, 2 * r_y * farther
+    def blur(self, lens: Lens, receiver: AnyReceiver) -> tuple[float, float]:
+        """Its angles as seen from the lens, times how far they move light."""
+        (r_x, r_y), (farther_x, farther_y) = self.half_width, receiver.per_radian(lens.highest)
+        way = lens.entrance_z - self.center[2]
+        return 2 * r_x * (farther_x / way), 2 * r_y * (farther_y / way)
 
     def remarks(self) -> Mapping[str, str]:
         """All its rays."""

@@ -13,7 +13,7 @@ from workbench.scene.emission import Emission, ExactMethod, Fresh, Intersection,
 from workbench.scene.fields import LENGTH, PLACE, about
 from workbench.scene.lens import Lens
 from workbench.scene.part import Part
-from workbench.scene.screen import Screen
+from workbench.scene.receiver import AnyReceiver
 
 if TYPE_CHECKING:
     from workbench.scene.task import Scene
@@ -81,10 +81,10 @@ class AnySource(Part):
         """Where it comes closest to the lens, scene units."""
         return -math.inf if self.place is None else self.place[2]
 
-    def blur(self, lens: Lens, screen: Screen) -> tuple[float, float]:
-        """Widths along x and y of what one place of the lens makes of it on the screen.
+    def blur(self, lens: Lens, receiver: AnyReceiver) -> tuple[float, float]:
+        """Widths along x and y of what one place of the lens makes of it on the receiver.
 
-        Scene units, about: as behind a pinhole.
+        In its coordinates, about: as behind a pinhole.
         """
         return 0.0, 0.0
 

@@ -15,10 +15,12 @@ from workbench.errors import Refused
 from workbench.refusals import refusal
 from workbench.scene import limits
 from workbench.scene.fields import Version, about
+from workbench.scene.filter import Filter, GaussianFilter
 from workbench.scene.lens import Lens
 from workbench.scene.part import Part
+from workbench.scene.receiver import AnyReceiver
 from workbench.scene.run import AutoRun, Run, Stage, during
-from workbench.scene.screen import Filter, GaussianFilter, Screen
+from workbench.scene.screen import Screen
 from workbench.scene.source import Source
 from workbench.scene.target import Target
 
@@ -77,12 +79,7 @@ class Scene(Part):
         """Refuse parts that do not go together, and stages that are not possible."""
         self._check_lengths()
         self.source.check_before(self.lens)
-        if self.screen.z <= self.lens.highest:
-            raise Refused(
-                "screen.z",
-                f"{self.screen.z:g} may touch the lens; "
-                f"more than {self.lens.highest:g}, the highest that the exit face can become",
-            )
+        self.receiver.check_behind(self.lens)
         for field in ("smoothness", "min_radius"):
             value = getattr(self.run, field)
             if value is not None and min(self.lens.degree) < 2:
@@ -105,6 +102,11 @@ class Scene(Part):
     def _written(self, write: SerializerFunctionWrapHandler) -> dict[str, Any]:
         version = self.needed_version
         return self.known_to(version, write(self)) | {"version": version}
+
+    @property
+    def receiver(self) -> AnyReceiver:
+        """Where the light is wanted."""
+        return self.screen
 
     @property
     def image(self) -> str | None:

@@ -1,24 +1,24 @@
-"""How much of every screen pixel a polygon covers, exactly."""
+"""How much of every pixel of a receiver a polygon covers, exactly."""
 
 from collections.abc import Iterable
 
 import numpy as np
 import numpy.typing as npt
 
-from workbench.scene import Screen
+from workbench.scene import AnyReceiver
 
 Array = npt.NDArray[np.float64]
 
 
-def coverage(outline: npt.ArrayLike, screen: Screen) -> Array:
+def coverage(outline: npt.ArrayLike, receiver: AnyReceiver) -> Array:
     """Fraction of each pixel's area inside a polygon.
 
     Parameters
     ----------
     outline : array_like, shape (n, 2)
-        Corners (x, y) of a simple polygon within the screen, scene units; either sense of
-        rotation.
-    screen : Screen
+        Corners (x, y) of a simple polygon within the receiver, from its middle, in its coordinates;
+        either sense of rotation.
+    receiver : AnyReceiver
         Pixel raster.
 
     Returns
@@ -26,17 +26,17 @@ def coverage(outline: npt.ArrayLike, screen: Screen) -> Array:
     ndarray, shape (n_y, n_x)
         Values in [0, 1]; their sum times the pixel area is the polygon's area.
     """
-    return paint([(outline, 1.0)], screen)
+    return paint([(outline, 1.0)], receiver)
 
 
-def paint(polygons: Iterable[tuple[npt.ArrayLike, float]], screen: Screen) -> Array:
+def paint(polygons: Iterable[tuple[npt.ArrayLike, float]], receiver: AnyReceiver) -> Array:
     """Sum of polygons, each of one grey, averaged over the area of every pixel.
 
     Parameters
     ----------
     polygons : iterable of (outline, grey)
         Outlines as `coverage` takes them.
-    screen : Screen
+    receiver : AnyReceiver
         Pixel raster.
 
     Returns
@@ -44,11 +44,11 @@ def paint(polygons: Iterable[tuple[npt.ArrayLike, float]], screen: Screen) -> Ar
     ndarray, shape (n_y, n_x)
         Sum of grey × coverage.
     """
-    n_x, n_y = screen.pixels
+    n_x, n_y = receiver.pixels
     change = np.zeros((n_y, n_x + 1))  # from pixel to pixel along a row
     for outline, grey in polygons:
-        x, y = np.asarray(outline, dtype=np.float64).T
-        corners = np.stack(screen.to_pixels(x, y), axis=1)  # [n, (column, row)]
+        u, v = (np.asarray(outline, dtype=np.float64) + receiver.middle).T
+        corners = np.stack(receiver.to_pixels(u, v), axis=1)  # [n, (column, row)]
         edges = list(zip(corners, np.roll(corners, -1, axis=0), strict=True))
         turning = np.sign(sum(a[0] * b[1] - a[1] * b[0] for a, b in edges))
         start, end = np.concatenate([_cut_at_pixel_edges(a, b) for a, b in edges]).swapaxes(0, 1)

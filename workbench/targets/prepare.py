@@ -1,4 +1,4 @@
-"""From the target in the scene to light on the pixels of the screen."""
+"""From the target in the scene to light on the pixels of the receiver."""
 
 from io import BytesIO
 from pathlib import Path
@@ -9,7 +9,7 @@ from scipy.ndimage import gaussian_filter
 from scipy.sparse import csr_array
 
 from workbench.errors import Refused
-from workbench.scene import ImageTarget, Scene, Screen
+from workbench.scene import AnyReceiver, ImageTarget, Scene
 from workbench.targets.coverage import coverage
 from workbench.targets.image import decode_image, read_image
 from workbench.targets.shapes import draw
@@ -48,21 +48,21 @@ def load_target(scene: Scene, folder: Path, kept: bytes | None = None) -> Array:
     Refused
         If the image file cannot be used or nothing is left that is bright.
     """
-    target, screen = scene.target, scene.screen
+    target, receiver = scene.target, scene.receiver
     inside = 1 - 2 * target.padding
-    half_x, half_y = (inside * half_width for half_width in screen.half_width)
+    half_x, half_y = (inside * half_width for half_width in receiver.half_extent)
     if isinstance(target, ImageTarget):
-        path, side = folder / target.image, min(_FINENESS * max(screen.pixels), _FINEST)
+        path, side = folder / target.image, min(_FINENESS * max(receiver.pixels), _FINEST)
         read = read_image(path, side) if kept is None else decode_image(path, BytesIO(kept), side)
         picture = _bright_pixels(path, read, target.invert)
         rows, columns = picture.shape
         scale = min(half_x / columns, half_y / rows)
-        light = _resample(picture, (scale * columns, scale * rows), screen)
+        light = _resample(picture, (scale * columns, scale * rows), receiver)
     else:
-        light = draw(target, screen, inside)
+        light = draw(target, receiver, inside)
         if target.invert:
             frame = [(-half_x, -half_y), (half_x, -half_y), (half_x, half_y), (-half_x, half_y)]
-            light = np.maximum(coverage(frame, screen) - light, 0.0)
+            light = np.maximum(coverage(frame, receiver) - light, 0.0)
     if not light.any():
         raise Refused("target", "is too small to light any pixel of the screen; enlarge the shape")
     blurred: Array = gaussian_filter(light, target.blur, mode="constant")
@@ -83,14 +83,14 @@ def _bright_pixels(path: Path, picture: Array, invert: bool) -> Array:
     return picture
 
 
-def _resample(picture: Array, half_width: tuple[float, float], screen: Screen) -> Array:
-    """Average a picture that spans ±half_width on the screen over the screen's pixels."""
-    half_x, half_y = half_width
-    left, top = screen.to_pixels(-half_x, half_y)
-    right, bottom = screen.to_pixels(half_x, -half_y)
+def _resample(picture: Array, half_width: tuple[float, float], receiver: AnyReceiver) -> Array:
+    """Average a picture that spans ±half_width on the receiver over its pixels."""
+    (half_u, half_v), (u, v) = half_width, receiver.middle
+    left, top = receiver.to_pixels(u - half_u, v + half_v)
+    right, bottom = receiver.to_pixels(u + half_u, v - half_v)
     rows, columns = picture.shape
-    down = _overlap(np.linspace(top, bottom, rows + 1), screen.pixels[1])  # [n_y, rows]
-    across = _overlap(np.linspace(left, right, columns + 1), screen.pixels[0])  # [n_x, columns]
+    down = _overlap(np.linspace(top, bottom, rows + 1), receiver.pixels[1])  # [n_y, rows]
+    across = _overlap(np.linspace(left, right, columns + 1), receiver.pixels[0])  # [n_x, columns]
     light: Array = down @ picture @ across.T
     return light
 

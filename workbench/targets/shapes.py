@@ -5,7 +5,7 @@ from itertools import combinations
 import numpy as np
 import numpy.typing as npt
 
-from workbench.scene import BallTarget, FlameTarget, Screen, TopHatTarget
+from workbench.scene import AnyReceiver, BallTarget, FlameTarget, TopHatTarget
 from workbench.targets.coverage import coverage, paint
 
 Array = npt.NDArray[np.float64]
@@ -41,14 +41,16 @@ _TOWARDS_LIGHT = np.array([-0.6, 0.7, 0.35])
 _DARKEST = 0.15
 
 
-def draw(target: TopHatTarget | FlameTarget | BallTarget, screen: Screen, scale: float) -> Array:
+def draw(
+    target: TopHatTarget | FlameTarget | BallTarget, receiver: AnyReceiver, scale: float
+) -> Array:
     """Draw a built-in target.
 
     Parameters
     ----------
     target : TopHatTarget, FlameTarget or BallTarget
-        Shape and its size relative to the smaller half-width of the screen.
-    screen : Screen
+        Shape and its size relative to the smaller half-extent of the receiver.
+    receiver : AnyReceiver
         Pixel raster.
     scale : float
         Shrinks the shape about the centre, in (0, 1].
@@ -58,18 +60,18 @@ def draw(target: TopHatTarget | FlameTarget | BallTarget, screen: Screen, scale:
     ndarray, shape (n_y, n_x)
         Values in [0, 1], row 0 at +y; black outside the shape.
     """
-    unit = scale * min(screen.half_width)
+    unit = scale * min(receiver.half_extent)
     match target:
         case TopHatTarget():
-            return top_hat(screen, unit * target.radius)
+            return top_hat(receiver, unit * target.radius)
         case FlameTarget():
-            return flame(screen, 2 * unit * target.height)
+            return flame(receiver, 2 * unit * target.height)
         case BallTarget():
-            return ball(screen, unit * target.radius)
+            return ball(receiver, unit * target.radius)
 
 
-def top_hat(screen: Screen, radius: float) -> Array:
-    """Uniform disc; ``radius`` in scene units.
+def top_hat(receiver: AnyReceiver, radius: float) -> Array:
+    """Uniform disc; ``radius`` in coordinates of the receiver.
 
     Returns
     -------
@@ -77,22 +79,22 @@ def top_hat(screen: Screen, radius: float) -> Array:
         Fraction of each pixel inside the disc.
     """
     angle = 2 * np.pi * np.arange(_CORNERS_OF_DISC) / _CORNERS_OF_DISC
-    return coverage(radius * np.stack([np.cos(angle), np.sin(angle)], axis=1), screen)
+    return coverage(radius * np.stack([np.cos(angle), np.sin(angle)], axis=1), receiver)
 
 
-def flame(screen: Screen, height: float) -> Array:
-    """Logo of a flame with three curved tongues; ``height`` in scene units.
+def flame(receiver: AnyReceiver, height: float) -> Array:
+    """Logo of a flame with three curved tongues; ``height`` in coordinates of the receiver.
 
     Returns
     -------
     ndarray, shape (n_y, n_x)
         Fraction of each pixel inside the flame.
     """
-    return paint(((height * _closed_curve(np.array(tongue)), 1.0) for tongue in _TONGUES), screen)
+    return paint(((height * _closed_curve(np.array(tongue)), 1.0) for tongue in _TONGUES), receiver)
 
 
-def ball(screen: Screen, radius: float) -> Array:
-    """Ball of flat triangular facets, each of one grey; ``radius`` in scene units.
+def ball(receiver: AnyReceiver, radius: float) -> Array:
+    """Ball of flat triangular facets, each of one grey; ``radius`` in coordinates of the receiver.
 
     Returns
     -------
@@ -100,7 +102,7 @@ def ball(screen: Screen, radius: float) -> Array:
         Grey between 0.15 and 1 on the ball, linear in Lambert's cosine.
     """
     facets, greys = _ball_facets()
-    return paint(zip(radius * facets, greys, strict=True), screen)
+    return paint(zip(radius * facets, greys, strict=True), receiver)
 
 
 def _closed_curve(curves: Array) -> Array:

@@ -123,9 +123,10 @@ def wavy(scene: Scene) -> Array:
     x, y = ControlNet.of(scene.lens).positions
     r_x, r_y = scene.lens.half_width
     rise = np.cos(np.pi * x / r_x)[:, None] * np.cos(1.5 * np.pi * y / r_y + 0.5)[None, :]
-    distance = scene.screen.z - scene.lens.base.height
-    # A slope s bends light by (n − 1) s, which moves it on the screen by that times the distance.
-    slope = 0.1 * min(scene.screen.half_width) / distance / (scene.lens.index - 1)
+    receiver = scene.receiver
+    # A slope s bends light by (n − 1) s.
+    wide = zip(receiver.half_extent, receiver.per_radian(scene.lens.base.height), strict=True)
+    slope = min(0.1 * r / far for r, far in wide) / (scene.lens.index - 1)
     height = slope * min(r_x, r_y) / (1.5 * np.pi)
     limits = HeightLimits.of(scene.lens, ControlNet.of(scene.lens))
     height = min(height, 0.4 * float((limits.upper - limits.lower).min()))

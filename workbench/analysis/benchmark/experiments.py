@@ -191,7 +191,7 @@ def derivative(example: Example) -> Derivative:
         scene=scene,
         map=found.map,
         sum=found.sum,
-        moved=float(found.map.clip(0).sum()) * scene.screen.pixel_area,
+        moved=scene.receiver.total(found.map.clip(0)),
         pixels=int(np.count_nonzero(found.map)),
     )
 

@@ -268,7 +268,7 @@ def verified(example: Example, lens: Array, accuracy: float = ACCURACY) -> Verif
         light = validate(scene, example.target, {"exit": lens}, _RAYS)
         low, high = light.relative_l2_corrected_interval
         return Verified(light.relative_l2_corrected, (high - low) / 2, light.efficiency)
-    efficiency = float(image.irradiance.sum()) * scene.screen.pixel_area
+    efficiency = scene.receiver.total(image.irradiance)
     return Verified(*image.error(example.target), efficiency)
 
 

@@ -101,7 +101,7 @@ def _pixels() -> list[Variant]:
 
         return once
 
-    beyond = tuple(4 * r for r in scene.screen.half_width)
+    beyond = tuple(4 * r for r in scene.receiver.half_extent)
     rays = rays_of(scene)
     return [
         Variant("left out", descent(reach_of(scene, {"exit": heights.detach()})), rays),

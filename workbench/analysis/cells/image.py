@@ -98,7 +98,7 @@ def imaging(
     RunFailed
         If no light reaches the screen.
     """
-    check_body(scene, heights, scene.screen.z)
+    check_body(scene, heights)
     plane = np.array([scene.screen.z])
     train = OpticalTrain.of(scene, heights, 1, 0, Pose() if pose is None else pose, plane)
     images: list[Array] = []
@@ -116,7 +116,7 @@ def imaging(
         return None
     if not images[-1].any():
         raise RunFailed("no light of this lens reaches the screen, so there is no image to judge")
-    return CellImage(images[-1] / scene.screen.pixel_area, bound, cells)
+    return CellImage(images[-1] / scene.receiver.pixel_measure, bound, cells)
 
 
 def _done(level: int, part: float) -> float:

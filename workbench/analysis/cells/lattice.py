@@ -50,7 +50,7 @@ class Lattice:
         cells: tuple[int, int],
         lifted: tuple[bool, bool] | None = None,
     ) -> None:
-        self._train, self._pixels = train, scene.screen.pixels
+        self._train, self._pixels = train, scene.receiver.pixels
         p, q = scene.lens.degree
         self._lifted = (p > 2, q > 2) if lifted is None else lifted
         self._x, self._y = (

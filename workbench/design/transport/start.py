@@ -119,7 +119,7 @@ class _Faces(NamedTuple):
 
 def _error(scene: Scene, target: Array, heights: Array) -> float:
     """How far the image of a lens is from the target, in the image by which a descent begins."""
-    image = image_of(COARSE, scene, target, scene.screen.half_width)
+    image = image_of(COARSE, scene, target, scene.receiver.half_extent)
     return relative_error(image.step({"exit": torch.as_tensor(heights)}).state, target)
 
 
