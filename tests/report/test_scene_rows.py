@@ -35,6 +35,7 @@ def leaves(data, path=""):
         {"source": {"kind": "point", "position": [0, 0, -5]}},
         {"source": {"kind": "grid", "center": [0, 0, -5], "half_width": [1, 1], "points": [3, 3]}},
         {"run": {"method": "paper", "learning_rate": 0.01}},
+        {"lens.outline": "ellipse"},
     ],
 )
 def test_every_field_of_the_scene_has_a_row(make_scene, changes):

@@ -12,7 +12,7 @@ from workbench import materials
 from workbench.errors import Refused, shown
 from workbench.scene import limits
 from workbench.scene.auto_net import AutoNet, NumbersOrAuto
-from workbench.scene.fields import LENGTH, RANGE, Measure, about
+from workbench.scene.fields import LENGTH, RANGE, SINCE_2, Measure, about
 from workbench.scene.kinds import Kinds
 from workbench.scene.part import NonNegative, Part, Positive
 
@@ -123,6 +123,15 @@ class Lens(Part):
         LENGTH,
         about("Half width", "Half of the lens's extent along x and y. All of it is lit."),
     ]
+    outline: Annotated[
+        Literal["rectangle", "ellipse"],
+        SINCE_2,
+        about(
+            "Outline",
+            "The shape of the lens as seen along the axis; the half widths of an ellipse are its "
+            "semi-axes. Light beside it misses the lens.",
+        ),
+    ] = "rectangle"
     entrance_z: Annotated[
         float,
         LENGTH,

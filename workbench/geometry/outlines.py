@@ -1,0 +1,191 @@
+"""Outlines of a lens: what of its bounding rectangle is glass.
+
+A new outline is a class here, a row in ``_OUTLINES``, and its name in `workbench.scene.lens`.
+"""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+import numpy.typing as npt
+
+from workbench.scene import Lens
+
+Array = npt.NDArray[np.float64]
+Mask = npt.NDArray[np.bool_]
+
+
+class Outline(Protocol):
+    """A centred, convex outline that is its own mirror image in x and in y."""
+
+    @property
+    def half_width(self) -> tuple[float, float]:
+        """Half-widths of its bounding rectangle, scene units."""
+        ...
+
+    @property
+    def area(self) -> float:
+        """Its area, scene units squared."""
+        ...
+
+    def contains(self, x: npt.ArrayLike, y: npt.ArrayLike) -> Mask:
+        """Whether places are inside it or on it; x and y broadcast."""
+        ...
+
+    def area_inside(
+        self, x: tuple[npt.ArrayLike, npt.ArrayLike], y: tuple[npt.ArrayLike, npt.ArrayLike]
+    ) -> Array:
+        """Area of what of cells is inside: closed form, scene units squared.
+
+        Parameters
+        ----------
+        x, y : tuple of two array_like
+            Low and high ends of the cells along both axes; all four broadcast.
+        """
+        ...
+
+    def from_square(self, u: npt.ArrayLike, v: npt.ArrayLike) -> tuple[Array, Array]:
+        """Places (x, y) of a smooth map of the square [-1, 1]² onto it, its rim onto its rim."""
+        ...
+
+    def stretch(self, u: npt.ArrayLike, v: npt.ArrayLike) -> Array:
+        """Area over area of the square at places of `from_square`."""
+        ...
+
+    def boundary(self, count: int) -> Array:
+        """A closed polyline, counterclockwise from +x; shape (m, 2), at least so many points."""
+        ...
+
+
+@dataclass(frozen=True)
+class Rectangle:
+    """The whole bounding rectangle; an `Outline`."""
+
+    half_width: tuple[float, float]
+
+    @property
+    def area(self) -> float:
+        """See `Outline`."""
+        return 4 * self.half_width[0] * self.half_width[1]
+
+    def contains(self, x: npt.ArrayLike, y: npt.ArrayLike) -> Mask:
+        """See `Outline.contains`."""
+        r_x, r_y = self.half_width
+        return np.asarray((np.abs(x) <= r_x) & (np.abs(y) <= r_y))
+
+    def area_inside(
+        self, x: tuple[npt.ArrayLike, npt.ArrayLike], y: tuple[npt.ArrayLike, npt.ArrayLike]
+    ) -> Array:
+        """See `Outline.area_inside`."""
+        width, height = (
+            np.clip(np.asarray(high), -r, r) - np.clip(np.asarray(low), -r, r)
+            for (low, high), r in zip((x, y), self.half_width, strict=True)
+        )
+        return np.asarray(width * height)
+
+    def from_square(self, u: npt.ArrayLike, v: npt.ArrayLike) -> tuple[Array, Array]:
+        """See `Outline.from_square`."""
+        r_x, r_y = self.half_width
+        x, y = np.broadcast_arrays(np.asarray(u) * r_x, np.asarray(v) * r_y)
+        return x, y
+
+    def stretch(self, u: npt.ArrayLike, v: npt.ArrayLike) -> Array:
+        """See `Outline.stretch`."""
+        return np.full(np.broadcast(u, v).shape, self.area / 4)
+
+    def boundary(self, count: int) -> Array:
+        """See `Outline.boundary`."""
+        side = np.linspace(-1, 1, -(-count // 4), endpoint=False)
+        one = np.ones_like(side)
+        u = np.concatenate([one, -side, -one, side])
+        v = np.concatenate([side, one, -side, -one])
+        return _closed(np.stack([u, v], axis=1) * self.half_width)
+
+
+@dataclass(frozen=True)
+class Ellipse:
+    """An ellipse with the half-widths as semi-axes; an `Outline`."""
+
+    half_width: tuple[float, float]
+
+    @property
+    def area(self) -> float:
+        """See `Outline`."""
+        return float(np.pi * self.half_width[0] * self.half_width[1])
+
+    def contains(self, x: npt.ArrayLike, y: npt.ArrayLike) -> Mask:
+        """See `Outline.contains`."""
+        r_x, r_y = self.half_width
+        return np.asarray(np.square(np.divide(x, r_x)) + np.square(np.divide(y, r_y)) <= 1)
+
+    def area_inside(
+        self, x: tuple[npt.ArrayLike, npt.ArrayLike], y: tuple[npt.ArrayLike, npt.ArrayLike]
+    ) -> Array:
+        """See `Outline.area_inside`."""
+        r_x, r_y = self.half_width
+        left, right, low, high = np.broadcast_arrays(
+            *(np.divide(end, r_x) for end in x), *(np.divide(end, r_y) for end in y)
+        )
+        area = _under(right, high) - _under(left, high) - _under(right, low) + _under(left, low)
+        # Of cells that are not cut, without the rounding of four large numbers.
+        nearest, farthest = (
+            sum(np.square(part) for part in parts)
+            for parts in (
+                (np.clip(0.0, left, right), np.clip(0.0, low, high)),
+                (np.maximum(-left, right), np.maximum(-low, high)),
+            )
+        )
+        area = np.where(farthest <= 1, (right - left) * (high - low), area.clip(min=0))
+        return np.asarray(np.where(nearest >= 1, 0.0, area) * (r_x * r_y))
+
+    def from_square(self, u: npt.ArrayLike, v: npt.ArrayLike) -> tuple[Array, Array]:
+        """See `Outline.from_square`; lines of one u or v become arcs of ellipses."""
+        across, up = self._shrinking(u, v)
+        r_x, r_y = self.half_width
+        return np.asarray(np.multiply(u, r_x) * across), np.asarray(np.multiply(v, r_y) * up)
+
+    def stretch(self, u: npt.ArrayLike, v: npt.ArrayLike) -> Array:
+        """See `Outline.stretch`; 0 at the corners of the square, where its angles open."""
+        across, up = self._shrinking(u, v)
+        r_x, r_y = self.half_width
+        return np.asarray(r_x * r_y * (1 - (np.square(u) + np.square(v)) / 2) / (across * up))
+
+    def boundary(self, count: int) -> Array:
+        """See `Outline.boundary`."""
+        angle = np.linspace(0, 2 * np.pi, count, endpoint=False)
+        return _closed(np.stack([np.cos(angle), np.sin(angle)], axis=1) * self.half_width)
+
+    @staticmethod
+    def _shrinking(u: npt.ArrayLike, v: npt.ArrayLike) -> tuple[Array, Array]:
+        """How much x and y shrink at places of the square."""
+        return np.sqrt(1 - np.square(v) / 2), np.sqrt(1 - np.square(u) / 2)
+
+
+_OUTLINES: Mapping[str, Callable[[tuple[float, float]], Outline]] = {
+    "rectangle": Rectangle,
+    "ellipse": Ellipse,
+}
+
+
+def outline_of(lens: Lens) -> Outline:
+    """The outline of a lens."""
+    return _OUTLINES[lens.outline](lens.half_width)
+
+
+def _under(x: Array, y: Array) -> Array:
+    """Area of the unit disc between the axes and lines through (x, y): odd in both."""
+    far, high = np.abs(x).clip(max=1), np.abs(y).clip(max=1)
+    corner = np.sqrt(1 - high**2)  # where the line y = const meets the circle
+    beyond = np.maximum(far, corner)
+    area = high * np.minimum(far, corner) + _under_arc(beyond) - _under_arc(corner)
+    return np.asarray(np.sign(x) * np.sign(y) * area)
+
+
+def _under_arc(x: Array) -> Array:
+    """Area under the unit circle from 0 to x."""
+    return np.asarray((x * np.sqrt(1 - x**2) + np.arcsin(x)) / 2)
+
+
+def _closed(places: Array) -> Array:
+    return np.concatenate([places, places[:1]])
