@@ -1,0 +1,269 @@
+import io
+import tracemalloc
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tests.measured.rays.files import dat, rays, text, tm25
+from workbench.errors import Refused
+from workbench.measured.rays import RaySet, read_rays
+from workbench.measured.rays.rayset import Columns, gathered
+
+TABLE = rays(1000)
+
+
+def read(content: bytes, name: str = "led.tm25ray") -> RaySet:
+    return read_rays(Path(name), io.BytesIO(content))
+
+
+def holds(found: RaySet, table: np.ndarray) -> bool:
+    whole = np.column_stack([found.position, found.direction, found.flux])
+    return np.allclose(whole, table[:, :7], rtol=1e-6, atol=1e-7) and found.in_file == len(table)
+
+
+def test_tm25_files_hold_their_rays_in_millimetres() -> None:
+    found = read(tm25(TABLE))
+
+    assert holds(found, TABLE)
+    assert found.unit == "mm"
+    assert found.total == pytest.approx(TABLE[:, 6].sum())
+
+
+def test_optional_columns_of_tm25_files_are_at_their_places() -> None:
+    stokes, luminous, index = np.zeros((1000, 6)), 2 * TABLE[:, 6:], np.ones((1000, 1))
+    flags = (1, 1, 1, 1, 1, 1, 0, 1)
+    index[::2] = 2
+    table = np.hstack([TABLE, np.full((1000, 1), 555), luminous, stokes, index, np.ones((1000, 2))])
+    spectra = np.array([[400, 1.0], [500, 2], [600, 1]]), np.array([[450, 1.0], [650, 1]])
+
+    found = read(tm25(table, flags, spectra, names=("phase", "field"), text="by hand!"))
+
+    assert np.allclose(found.flux, luminous[:, 0])
+    assert found.wavelength_nm is not None and (found.wavelength_nm == 555).all()
+    assert found.spectrum is not None
+    assert (found.spectrum == index[:, 0] - 1).all()
+    assert all((a == b).all() for a, b in zip(found.spectra, spectra, strict=True))
+
+
+def test_rays_without_any_flux_in_their_columns_are_alike() -> None:
+    found = read(tm25(TABLE[:, :6], (1, 1, 0, 0, 0, 0, 0, 0)))
+
+    assert (found.flux == 1).all()
+
+
+@pytest.mark.parametrize(("number", "unit"), list(enumerate(("m", "inch", "cm", "feet", "mm"))))
+def test_opticstudio_files_hold_their_rays_and_unit(number: int, unit: str) -> None:
+    found = read(dat(TABLE, number), "led.DAT")
+
+    assert holds(found, TABLE)
+    assert found.unit == unit
+
+
+def test_opticstudio_files_hold_wavelengths_in_micrometres() -> None:
+    found = read(dat(np.column_stack([TABLE, np.full(1000, 0.555)])), "led.dat")
+
+    assert holds(found, TABLE)
+    assert np.allclose(found.wavelength_nm, 555)
+
+
+def test_opticstudio_files_of_text_are_read() -> None:
+    found = read(text(TABLE, " ", "\r\n", head="1000 4\r\n"), "led.dat")
+
+    assert holds(found, TABLE)
+    assert found.unit == "mm"
+
+
+@pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])
+@pytest.mark.parametrize("separator", [",", ";", "\t", " ", ", "])
+def test_text_is_read_whatever_stands_between_its_columns(separator: str, end: str) -> None:
+    assert holds(read(text(TABLE, separator, end), "led.csv"), TABLE)
+
+
+@pytest.mark.parametrize("separator", [";", "\t", " "])
+def test_decimal_commas_are_read(separator: str) -> None:
+    assert holds(read(text(TABLE, separator).replace(b".", b","), "led.csv"), TABLE)
+
+
+@pytest.mark.parametrize(
+    ("head", "unit"),
+    [
+        ("x,y,z,l,m,n,flux\n", None),
+        ("x [mm],y [mm],z [mm],cos x,cos y,cos z,flux\n", "mm"),
+        ("# measured today\n# x (in), y (in)\n", "inch"),
+        ("\ufeffx,y,z,l,m,n,flux\r\n", None),
+        ("", None),
+    ],
+)
+def test_titles_above_the_rays_may_name_their_unit(head: str, unit: str | None) -> None:
+    found = read(text(TABLE, head=head), "led.csv")
+
+    assert holds(found, TABLE)
+    assert found.unit == unit
+
+
+def test_an_eighth_column_of_text_is_the_wavelength() -> None:
+    found = read(text(np.column_stack([TABLE, np.full(1000, 450.0)])), "led.csv")
+
+    assert np.allclose(found.wavelength_nm, 450)
+
+
+def test_directions_are_made_unit_vectors() -> None:
+    table = TABLE.copy()
+    table[:, 3:6] *= 1.004
+
+    lengths = np.linalg.norm(read(tm25(table)).direction, axis=1)
+
+    assert np.allclose(lengths, 1, atol=1e-6)
+
+
+def with_value(row: int, column: int, value: float) -> np.ndarray:
+    table = TABLE.copy()
+    table[row, column] = value
+    return table
+
+
+@pytest.mark.parametrize(
+    ("content", "said"),
+    [
+        (b"", "is cut off within its header"),
+        (tm25(TABLE)[:5000], "is cut off within its header"),
+        (tm25(TABLE)[:-10], "header says 1000 rays of 7 numbers, and the 27990 bytes"),
+        (tm25(TABLE) + b"more", "header says 1000 rays"),
+        (tm25(TABLE, count=1 << 62), "header says 4611686018427387904 rays"),
+        (tm25(TABLE, version=2020), "of version 2020; 2013 is known"),
+        (tm25(TABLE).replace(b"TM25", b"TM26"), "does not begin with TM25"),
+        (tm25(TABLE, flags=(1, 0, 1, 0, 0, 0, 0, 0)), "flags of its columns"),
+        (tm25(TABLE, flags=(1, 1, 7, 0, 0, 0, 0, 0)), "flags of its columns"),
+        (tm25(TABLE[:0]), "has no rays"),
+        (tm25(with_value(5, 0, np.nan)), "ray 6 has a value that is no finite number"),
+        (tm25(with_value(5, 6, -1)), "ray 6 has a negative flux"),
+        (tm25(with_value(5, 3, 2)), "ray 6 has a direction that is no unit vector"),
+        (tm25(np.hstack([TABLE[:, :6], np.zeros((1000, 1))])), "none of its rays has any flux"),
+        (
+            tm25(np.hstack([TABLE, np.full((1000, 1), 3)]), (1, 1, 1, 0, 0, 0, 0, 1)),
+            "none of the 0",
+        ),
+    ],
+)
+def test_tm25_files_that_are_wrong_are_refused_in_a_sentence(content: bytes, said: str) -> None:
+    with pytest.raises(Refused, match=r"^led\.tm25ray: cannot be used: ") as refused:
+        read(content)
+
+    assert said in str(refused.value)
+
+
+def test_spectra_of_lying_length_are_refused() -> None:
+    content = bytearray(tm25(TABLE, spectra=[np.ones((3, 2))]))
+    content[36288:36292] = (1 << 30).to_bytes(4, "little")
+
+    with pytest.raises(Refused, match="spectra has 1073741824 points"):
+        read(bytes(content))
+
+
+@pytest.mark.parametrize(
+    ("content", "said"),
+    [
+        (b"", "begins neither"),
+        (dat(TABLE)[:100], "is cut off within its header"),
+        (dat(TABLE)[:-1], "header says 1000 rays, and the 27999 bytes"),
+        (dat(TABLE, identifier=1009), "begins neither"),
+        (dat(TABLE, unit=9), "its unit is 9"),
+        (dat(TABLE, count=7), "header says 7 rays"),
+        (text(TABLE, " ", head="999 4\n"), "says 999 rays, and there are 1000"),
+    ],
+)
+def test_opticstudio_files_that_are_wrong_are_refused(content: bytes, said: str) -> None:
+    with pytest.raises(Refused, match=r"^led\.dat: cannot be used: ") as refused:
+        read(content, "led.dat")
+
+    assert said in str(refused.value)
+
+
+@pytest.mark.parametrize(
+    ("content", "said"),
+    [
+        (b"", "has no rays"),
+        (b"x,y,z,l,m,n,flux\n", "has no rays"),
+        (b"0,0,0,0,0,1\n", "first ray has 6 numbers"),
+        (text(TABLE) + b"1,2,3\n", "has no rays"),
+        (text(TABLE) + b"one,2,3,4,5,6,7\n", "has no rays"),
+        (text(TABLE)[:-30].rpartition(b",")[0], "behind ray 999 it has 4 columns; 7 as above"),
+        (b"\0" * 5000, "has"),
+        (text(TABLE, ", ").replace(b".", b","), "first ray has"),
+    ],
+)
+def test_text_that_is_wrong_is_refused(content: bytes, said: str) -> None:
+    with pytest.raises(Refused, match=r"^led\.csv: cannot be used: ") as refused:
+        read(content, "led.csv")
+
+    assert said in str(refused.value)
+    assert len(str(refused.value)) < 200
+
+
+def test_other_files_are_refused() -> None:
+    with pytest.raises(Refused, match=r"is no ray file; \.tm25ray, \.dat, \.csv are known"):
+        read(b"", "led.ray")
+
+
+def test_many_rays_are_thinned_and_their_flux_stays() -> None:
+    table = rays(100_000)
+
+    found = gathered(iter(np.split(table, 10)), Columns(), 100_000, "mm", most=1000)
+
+    assert 1000 <= len(found.flux) <= 1010
+    assert found.in_file == 100_000
+    assert found.total == pytest.approx(table[:, 6].sum(dtype=float), rel=1e-6)
+    kept = {row.tobytes() for row in found.position}
+    assert kept < {row.tobytes() for row in np.ascontiguousarray(table[:, :3])}
+
+
+def test_thinned_rays_are_drawn_by_their_flux() -> None:
+    table = rays(100_000)
+    table[:, 6] = np.where(table[:, 0] > 0, 3.0, 1.0)
+
+    found = gathered(iter([table]), Columns(), 100_000, "mm", most=10_000)
+
+    right = found.flux[found.position[:, 0] > 0].sum() / found.flux.sum()
+    assert right == pytest.approx(0.75, abs=0.01)
+    bright = (found.position[:, 0] > 0).mean()
+    assert 0.7 < bright < 0.76  # one in two without that
+
+
+def test_memory_does_not_grow_with_the_file() -> None:
+    def chunks(count: int):  # type: ignore[no-untyped-def]
+        for _ in range(count):
+            yield rays(100_000)
+
+    peaks = []
+    for count in (10, 40):
+        tracemalloc.start()
+        gathered(chunks(count), Columns(), 100_000 * count, "mm", most=10_000)
+        peaks.append(tracemalloc.get_traced_memory()[1])
+        tracemalloc.stop()
+
+    assert peaks[1] < 1.1 * peaks[0]
+
+
+@pytest.mark.parametrize("name", ["led.tm25ray", "led.dat", "led.csv"])
+def test_files_that_are_cut_or_damaged_anywhere_are_read_or_refused(name: str) -> None:
+    table = rays(50)
+    content = {"led.tm25ray": tm25, "led.dat": dat, "led.csv": text}[name](table)
+    generator = np.random.default_rng(4)
+    places = generator.integers(0, len(content), 400)
+    if name == "led.tm25ray":  # where it is not zero
+        places = np.concatenate([places % 300, 36288 + places % 1400])
+    for place in places[:150]:
+        try:
+            found = read(content[:place], name)
+        except Refused as refused:
+            assert str(refused).startswith(f"{name}: cannot be used: ")
+        else:  # a line of text may end sooner, and others be missing
+            assert name == "led.csv" and found.in_file <= 50
+    for place in places:
+        damaged = bytearray(content)
+        damaged[place] = generator.integers(256)
+        try:
+            assert np.isfinite(read(bytes(damaged), name).total)
+        except Refused as refused:
+            assert str(refused).startswith(f"{name}: cannot be used: ")

@@ -1,0 +1,74 @@
+"""IES LM-63 of 1986, 1991, 1995, 2002 and 2019.
+
+Numbers run on over lines and are told by their order: the ten that say how the light was measured,
+three of the ballast, angles γ, angles C, and the intensities plane by plane.
+"""
+
+import numpy as np
+
+from workbench.measured.photometry.table import IntensityTable, table_of
+from workbench.measured.text import count, lines_of, number, readings
+
+_MOST_ANGLES = 4096
+_VERSIONS = ("IESNA91", "IESNA:LM-63-1995", "IESNA:LM-63-2002", "IES:LM-63-2019")
+_TYPE_C = 1
+_TYPES = {1: "C", 2: "B", 3: "A"}
+
+
+def read_ies(content: bytes) -> IntensityTable:
+    """Read the content of an IES file.
+
+    Raises
+    ------
+    ValueError
+        With what is wrong.
+    """
+    lines = lines_of(content)
+    version = lines[0].replace(" ", "").upper()
+    if version.startswith("IES") and not version.startswith(_VERSIONS):
+        raise ValueError(
+            f"it says to be of version {lines[0][:30]!r}; known are {', '.join(_VERSIONS)}"
+        )
+    tilt = next((k for k, line in enumerate(lines) if line.upper().startswith("TILT=")), None)
+    if tilt is None:
+        raise ValueError("it has no line that begins with TILT=, as each IES file has")
+    told = lines[tilt].partition("=")[2].strip().upper()
+    if told not in ("NONE", "INCLUDE"):
+        raise ValueError(f"its TILT is in another file, {told[:30]!r}; NONE or INCLUDE is needed")
+    text = "\n".join(lines[tilt + 1 :])
+    refused = None
+    for words in readings(text):
+        try:
+            return _table(words, told == "INCLUDE")
+        except ValueError as error:
+            refused = refused or error
+    raise refused or ValueError("it ends behind its TILT")
+
+
+def _table(words: list[str], tilted: bool) -> IntensityTable:
+    words = words[_length_of_tilt(words) :] if tilted else words
+    if len(words) < 13:
+        raise ValueError(f"it is cut off: {len(words)} of 13 numbers stand before its angles")
+    multiplier = number(words[2])
+    n_gamma, n_c = (count(word, 1, _MOST_ANGLES) for word in words[3:5])
+    kind = count(words[5], 1, 3)
+    if kind != _TYPE_C:
+        raise ValueError(f"it is of photometric type {_TYPES[kind]}; type C is needed")
+    factor = multiplier * number(words[10])  # of the ballast
+    needed = 13 + n_gamma + n_c + n_gamma * n_c
+    if len(words) != needed:
+        what = "is cut off" if len(words) < needed else "goes on behind its end"
+        raise ValueError(
+            f"it {what}: its header makes {needed} numbers, and there are {len(words)}"
+        )
+    numbers = np.array([number(word) for word in words[13:]])
+    gamma, c, candela = np.split(numbers, [n_gamma, n_gamma + n_c])
+    return table_of(c, gamma, factor * candela.reshape(n_c, n_gamma))
+
+
+def _length_of_tilt(words: list[str]) -> int:
+    """How many numbers tell of lamps that shine differently when tilted: here they are upright."""
+    if len(words) < 2:
+        raise ValueError("it is cut off within its TILT")
+    # How a lamp stands, the number of angles, these, and as many factors.
+    return 2 + 2 * count(words[1], 0, _MOST_ANGLES)

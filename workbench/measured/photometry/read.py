@@ -1,0 +1,42 @@
+"""Reads a photometric file by what its name says it is."""
+
+from collections.abc import Callable, Mapping
+from pathlib import PurePath
+from typing import BinaryIO
+
+from workbench.errors import Refused, visible
+from workbench.measured.photometry.ies import read_ies
+from workbench.measured.photometry.ldt import read_ldt
+from workbench.measured.photometry.table import IntensityTable
+
+_READERS: Mapping[str, Callable[[bytes], IntensityTable]] = {".ies": read_ies, ".ldt": read_ldt}
+ENDINGS = tuple(_READERS)
+"""Endings of the names of photometric files."""
+_LARGEST = 1 << 24  # bytes; the largest tables that are measured have a tenth
+
+
+def read_photometry(name: PurePath, file: BinaryIO) -> IntensityTable:
+    """Read the intensity by direction that a photometric file holds.
+
+    Parameters
+    ----------
+    name : PurePath
+        What refusals call it; its ending tells the format.
+    file : BinaryIO
+        Its content.
+
+    Raises
+    ------
+    Refused
+        If it is of another format, damaged, or nothing that a lamp can shine like.
+    """
+    reader = _READERS.get(name.suffix.lower())
+    if reader is None:
+        raise Refused(str(name), f"is no photometric file; {' or '.join(ENDINGS)} is needed")
+    content = file.read(_LARGEST + 1)
+    if len(content) > _LARGEST:
+        raise Refused(str(name), f"has more than {_LARGEST >> 20} MB, too many for such a file")
+    try:
+        return reader(content)
+    except ValueError as error:
+        raise Refused(str(name), f"cannot be used: {visible(str(error))}") from error

@@ -1,0 +1,145 @@
+"""Intensity by direction on planes of C and angles γ, as goniophotometers measure it."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+import numpy.typing as npt
+
+Array = npt.NDArray[np.float64]
+
+_NODES = 8  # of the rule for one interval of γ: exact for the sine at any step
+
+
+@dataclass(frozen=True, eq=False)
+class IntensityTable:
+    """Intensity in cd at angles of type C, all around; linear between them, 0 beyond the last γ.
+
+    γ counts from the nadir of the luminaire. Seen from the lamp along the nadir, C counts
+    clockwise: counterclockwise for who looks down on a luminaire from above.
+
+    Attributes
+    ----------
+    c : ndarray, shape (n_c,)
+        Degrees, ascending; the first is 0 and the last 360.
+    gamma : ndarray, shape (n_g,)
+        Degrees, ascending, within 0 to 180.
+    candela : ndarray, shape (n_c, n_g)
+        Finite, not negative, not all zero; the first and the last row are the same plane.
+    """
+
+    c: Array
+    gamma: Array
+    candela: Array
+
+    @cached_property
+    def lumens(self) -> float:
+        """Flux into all directions, lm: the exact integral of what is between the angles."""
+        node, weight = np.polynomial.legendre.leggauss(_NODES)
+        edges = np.radians(self.gamma)
+        width = np.diff(edges)[:, None]
+        part = (node + 1) / 2
+        angle = edges[:-1, None] + width * part
+        measure = np.sin(angle) * width * weight / 2  # [intervals, nodes]
+        before, behind = (measure * (1 - part)).sum(1), (measure * part).sum(1)
+        along = self.candela[:, :-1] @ before + self.candela[:, 1:] @ behind
+        return float(np.trapezoid(along, np.radians(self.c)))
+
+    def at(self, direction: Array) -> Array:
+        """Intensity into directions, cd.
+
+        Parameters
+        ----------
+        direction : ndarray, shape (..., 3)
+            Unit vectors: the nadir is +z, C0 is +x and C90 is −y.
+        """
+        x, y, z = np.moveaxis(direction, -1, 0)
+        gamma = np.degrees(np.arctan2(np.hypot(x, y), z))
+        c = np.degrees(np.arctan2(-y, x)) % 360.0
+        i, in_c = _between(self.c, c)
+        j, in_gamma = _between(self.gamma, gamma)
+        table = self.candela
+        low = (1 - in_gamma) * table[i, j] + in_gamma * table[i, j + 1]
+        high = (1 - in_gamma) * table[i + 1, j] + in_gamma * table[i + 1, j + 1]
+        within = (gamma >= self.gamma[0]) & (gamma <= self.gamma[-1])
+        found: Array = np.where(within, (1 - in_c) * low + in_c * high, 0.0)
+        return found
+
+
+def table_of(c: Array, gamma: Array, candela: Array) -> IntensityTable:
+    """A table of what a file holds.
+
+    Parameters
+    ----------
+    c, candela
+        As for `all_around`.
+    gamma : ndarray, shape (n_g,)
+        As of `IntensityTable`.
+
+    Raises
+    ------
+    ValueError
+        With what is wrong.
+    """
+    if len(gamma) < 2:
+        raise ValueError("it has a single angle γ; at least two are needed")
+    for name, angles in (("C", c), ("γ", gamma)):
+        if (np.diff(angles) <= 0).any():
+            raise ValueError(f"its angles {name} do not ascend")
+    if gamma[0] < 0 or gamma[-1] > 180:
+        raise ValueError(f"its angles γ go from {gamma[0]:g}° to {gamma[-1]:g}°; within 0° to 180°")
+    if candela.min() < 0:
+        raise ValueError(f"it has an intensity of {candela.min():g} cd; none can be negative")
+    around, planes = all_around(c, candela)
+    table = IntensityTable(around, gamma, planes)
+    if not 0 < table.lumens < np.inf:
+        raise ValueError("it gives no light: all its intensities are 0")
+    return table
+
+
+def all_around(c: Array, candela: Array) -> tuple[Array, Array]:
+    """Planes from 0° to 360°, of those that stand for their mirror images as well.
+
+    Parameters
+    ----------
+    c : ndarray, shape (n,)
+        Ascending: one for all; or over a quarter from 0; or over a half; or over all, with the last
+        one or without.
+    candela : ndarray, shape (n, n_g)
+        The planes.
+
+    Raises
+    ------
+    ValueError
+        If the angles are none of these.
+    """
+    if len(c) == 1:
+        return np.array([0.0, 360.0]), np.repeat(candela, 2, axis=0)
+    if (c[0], c[-1]) == (0, 90):
+        c, candela = _mirrored(c, candela)
+    if c[-1] - c[0] == 180 and c[0] in (-90, 0, 90):
+        c, candela = _mirrored(c, candela)
+    if c[0] == 0 and 180 < c[-1] < 360:
+        c, candela = np.append(c, 360.0), np.vstack([candela, candela[:1]])
+    if c[-1] - c[0] != 360:
+        raise ValueError(
+            f"its planes of C go from {c[0]:g}° to {c[-1]:g}°, which is no known symmetry"
+        )
+    turned = c[:-1] % 360  # the last plane is the first one
+    order = np.argsort(turned)
+    if turned[order[0]] != 0:
+        raise ValueError("it has no plane C0")
+    around = np.append(order, order[0])
+    return np.append(turned[order], 360.0), candela[around]
+
+
+def _mirrored(c: Array, candela: Array) -> tuple[Array, Array]:
+    """Planes over twice their way, the second half a mirror image of the first."""
+    return np.append(c, 2 * c[-1] - c[-2::-1]), np.vstack([candela, candela[-2::-1]])
+
+
+def _between(angles: Array, values: Array) -> tuple[npt.NDArray[np.intp], Array]:
+    """The interval that each value is in, and how far it is through it, in 0 to 1."""
+    index = np.clip(np.searchsorted(angles, values, side="right") - 1, 0, len(angles) - 2)
+    part = (values - angles[index]) / (angles[index + 1] - angles[index])
+    return index, np.clip(part, 0.0, 1.0)

@@ -1,0 +1,80 @@
+"""Rays of OpticStudio (.dat): binary, or as text.
+
+Binary: a header of 208 bytes and 7 numbers a ray, 8 with wavelengths in µm, as float32 in little
+endian. Text: a line with the number of rays and of the unit, and one with 7 numbers for each ray.
+"""
+
+from typing import BinaryIO
+
+import numpy as np
+
+from workbench.measured.rays.chunks import records, size_of
+from workbench.measured.rays.rayset import Columns, RaySet, gathered
+from workbench.measured.rays.table import read_below
+from workbench.measured.text import count
+
+HEADER = np.dtype(
+    [
+        ("identifier", "<i4"),
+        ("rays", "<u4"),
+        ("description", "S100"),
+        ("source_flux", "<f4"),
+        ("flux", "<f4"),
+        ("wavelength_um", "<f4"),
+        ("angles", "<f4", 4),
+        ("unit", "<u4"),
+        ("placement", "<f4", 9),
+        ("unused", "<f4", 4),
+        ("format", "<i4"),
+        ("flux_type", "<i4"),
+        ("reserved", "<i4", 2),
+    ]
+)
+"""Of a binary file."""
+IDENTIFIER = 1010
+UNITS = ("m", "inch", "cm", "feet", "mm")
+_WIDTHS = {0: 7, 2: 8}
+
+
+def read_dat(file: BinaryIO) -> RaySet:
+    """Read rays of an open file.
+
+    Raises
+    ------
+    ValueError
+        With what is wrong.
+    """
+    size = size_of(file)
+    content = file.read(HEADER.itemsize)
+    if len(content) >= 4 and np.frombuffer(content[:4], "<i4")[0] == IDENTIFIER:
+        return _binary(file, content, size)
+    head = content.split(b"\n")[0].split(b"\r")[0]
+    words = head.decode("latin-1").split()
+    if len(words) != 2 or not all(word.isdecimal() for word in words):
+        raise ValueError("it begins neither like a binary source file nor like one of text")
+    rays, unit = count(words[0], 0, 1 << 40), UNITS[count(words[1], 0, 4)]
+    file.seek(len(head))
+    found = read_below(file, unit)
+    if found.in_file != rays:
+        raise ValueError(f"its first line says {rays} rays, and there are {found.in_file}")
+    return found
+
+
+def _binary(file: BinaryIO, content: bytes, size: int) -> RaySet:
+    if len(content) < HEADER.itemsize:
+        raise ValueError("it is cut off within its header")
+    header = np.frombuffer(content, HEADER)[0]
+    width = _WIDTHS.get(int(header["format"]))
+    if width is None:
+        raise ValueError(f"its rays are of format {header['format']}; 0 or 2 is known")
+    if header["unit"] >= len(UNITS):
+        raise ValueError(f"its unit is {header['unit']}; 0 to {len(UNITS) - 1} are known")
+    rays, left = int(header["rays"]), size - HEADER.itemsize
+    if rays * width * 4 != left:
+        raise ValueError(
+            f"its header says {rays} rays, and the {left} bytes behind it are "
+            f"{left / (4 * width):.10g} of them"
+        )
+    columns = Columns(wavelength=7 if width == 8 else None)
+    unit = UNITS[int(header["unit"])]
+    return gathered(records(file, rays, width), columns, rays, unit, to_nm=1000)

@@ -1,0 +1,116 @@
+"""Rays as text: a line for each, x, y, z, the direction and flux, and perhaps a wavelength in nm.
+
+Columns are apart by commas, by semicolons, tabs or spaces; decimal commas go with all of these but
+the first. A line of titles may stand above, with the unit of length in brackets: "x [mm]".
+"""
+
+import io
+import re
+from collections.abc import Iterator
+from typing import BinaryIO
+
+import numpy as np
+
+from workbench import units
+from workbench.errors import shown
+from workbench.measured.rays.chunks import size_of
+from workbench.measured.rays.rayset import Columns, Floats, RaySet, gathered
+
+_AT_ONCE = 1 << 24  # bytes
+_UNIT = re.compile(r"\[\s*(\w+)\s*\]|\(\s*(\w+)\s*\)")
+_LONGEST_LINE = 1 << 12
+
+
+def read_csv(file: BinaryIO) -> RaySet:
+    """Read rays of an open file.
+
+    Raises
+    ------
+    ValueError
+        With what is wrong.
+    """
+    size_of(file)
+    beginning = file.read(_LONGEST_LINE)
+    skipped = len(beginning) - len(beginning.removeprefix(b"\xef\xbb\xbf"))
+    unit = None
+    while True:
+        file.seek(skipped)
+        line = re.split(rb"\r\n|\n|\r", file.read(_LONGEST_LINE))[0]
+        text = line.decode("latin-1").strip()
+        if not line and not file.read(1):
+            raise ValueError("it has no rays")
+        if text and not text.startswith("#") and not re.search(r"[A-Za-df-z]", text):
+            break
+        found = _UNIT.search(text)
+        unit = unit or (_named(found[1] or found[2]) if found else None)
+        skipped += max(len(line), 1)
+        file.seek(skipped)
+        skipped += len(re.match(rb"(\r\n|\n|\r)?", file.read(2))[0])  # type: ignore[index]
+    file.seek(skipped)
+    return read_below(file, unit)
+
+
+def read_below(file: BinaryIO, unit: str | None) -> RaySet:
+    """Read the lines of rays from where a file is read; raises as `read_csv`."""
+    start = file.tell()
+    size = size_of(file)
+    file.seek(start)
+    sample = re.split(rb"[\r\n]+", file.read(_LONGEST_LINE).strip())[0]
+    if not sample:
+        raise ValueError("it has no rays")
+    separator, comma = _marks(sample)
+    width = len(sample.split(separator or None))
+    if width not in (7, 8):
+        raise ValueError(f"its first ray has {width} numbers; 7, or 8 with a wavelength")
+    file.seek(start)
+    about = (size - start) // max(len(sample), 1) + 1
+    columns = Columns(wavelength=7 if width == 8 else None)
+    return gathered(_chunks(file, separator, comma, width), columns, about, unit)
+
+
+def _named(unit: str) -> str | None:
+    return {"in": "inch", "ft": "feet"}.get(unit, unit) if unit in (*units.METRES, "in") else None
+
+
+def _marks(line: bytes) -> tuple[bytes, bool]:
+    """What stands between columns, nothing for spaces, and whether commas are decimal points."""
+    for mark in (b";", b"\t"):
+        if mark in line:
+            return mark, b"," in line
+    if b"," in line and len(line.split()) in (7, 8) and not re.search(rb",\s", line):
+        return b"", True
+    return (b",", False) if b"," in line else (b"", False)
+
+
+def _chunks(file: BinaryIO, separator: bytes, comma: bool, width: int) -> Iterator[Floats]:
+    rest, line = b"", 0
+    while content := file.read(_AT_ONCE):
+        content = rest + content
+        end = max(content.rfind(b"\n"), content.rfind(b"\r")) + 1
+        if not end and len(content) > _AT_ONCE:
+            raise ValueError("it has a line without an end")
+        rest, content = content[end:], content[:end]
+        if content.strip():
+            table = _numbers(content, separator, comma, width, line)
+            line += len(table)
+            yield table
+    if rest.strip():
+        yield _numbers(rest, separator, comma, width, line)
+
+
+def _numbers(content: bytes, separator: bytes, comma: bool, width: int, line: int) -> Floats:
+    if b"\0" in content:
+        raise ValueError("it is no text")
+    content = content.replace(b"\r\n", b"\n").replace(b"\r", b"\n")
+    if comma:
+        content = content.replace(b",", b".")
+    delimiter = separator.decode() or None
+    try:
+        text = io.StringIO(content.decode("latin-1"))
+        table = np.loadtxt(text, np.float32, delimiter=delimiter, comments=None, ndmin=2)
+    except ValueError as error:
+        reason = str(error).split(";")[0]
+        raise ValueError(f"behind ray {line} it has no rays: {shown(reason)}") from None
+    if table.shape[1] != width:
+        raise ValueError(f"behind ray {line} it has {table.shape[1]} columns; {width} as above")
+    return table

@@ -1,0 +1,119 @@
+"""Rays by IES TM-25-13 (.tm25ray).
+
+A header of 36,288 bytes, spectra filled up to a multiple of 32 bytes, 512 bytes for the name of
+each column that the standard does not know, a text, and then the rays as float32, all in little
+endian. Of the columns, those that flags in the header name are there, in a fixed order.
+"""
+
+from collections.abc import Iterator
+from typing import BinaryIO
+
+import numpy as np
+
+from workbench.measured.rays.chunks import records, size_of
+from workbench.measured.rays.rayset import Columns, Floats, RaySet, gathered
+
+HEADER = np.dtype(
+    [
+        ("magic", "S4"),
+        ("version", "<i4"),
+        ("method", "<i4"),
+        ("luminous_flux", "<f4"),
+        ("radiant_flux", "<f4"),
+        ("rays", "<u8"),
+        ("date", "S28"),
+        ("start", "<i4"),
+        ("spectral", "<i4"),
+        ("wavelength", "<f4"),
+        ("shortest", "<f4"),
+        ("longest", "<f4"),
+        ("spectra", "<i4"),
+        ("more_columns", "<i4"),
+        ("text", "<i4"),
+        ("reserved", "V168"),
+        ("flags", "<i4", 8),
+        ("descriptions", "<U1000", 9),
+    ]
+)
+"""The header; its flags are of position, direction, and of those in `FLAGGED`."""
+VERSION = 2013
+FLAGGED = ("radiant_flux", "wavelength", "luminous_flux", "stokes", "tristimulus", "spectrum")
+"""Which columns each flag behind the first two stands for."""
+_WIDTH = {"stokes": 6, "tristimulus": 2}  # in columns; of the others 1
+_NAME = 512  # bytes of the name of a column
+_MOST_SPECTRA, _MOST_POINTS, _MOST_COLUMNS, _MOST_TEXT = 10_000, 100_000, 100, 1 << 26
+
+
+def read_tm25(file: BinaryIO) -> RaySet:
+    """Read rays of an open file.
+
+    Raises
+    ------
+    ValueError
+        With what is wrong.
+    """
+    size = size_of(file)
+    header = np.frombuffer(_bytes(file, HEADER.itemsize, "its header"), HEADER)[0]
+    if header["magic"] != b"TM25":
+        raise ValueError("it does not begin with TM25")
+    if header["version"] != VERSION:
+        raise ValueError(f"it is of version {header['version']}; {VERSION} is known")
+    columns, width = _columns(header)
+    spectra = tuple(_spectra(file, int(header["spectra"])))
+    _skip(file, _NAME * _count(header, "more_columns", _MOST_COLUMNS))
+    _skip(file, _count(header, "text", _MOST_TEXT))
+    rays, left = int(header["rays"]), size - file.tell()
+    if rays * width * 4 != left:
+        raise ValueError(
+            f"its header says {rays} rays of {width} numbers, and the {max(left, 0)} bytes behind "
+            f"it are {max(left, 0) / (4 * width):.10g} of them"
+        )
+    return gathered(records(file, rays, width), columns, rays, "mm", spectra)
+
+
+def _columns(header: np.void) -> tuple[Columns, int]:
+    """Where columns are, and how many there are."""
+    flags = header["flags"]
+    if not np.isin(flags, (0, 1)).all() or not flags[:2].all():
+        raise ValueError(f"the flags of its columns are {flags.tolist()}; 1, 1 and then 0 or 1")
+    at, width = {}, 6
+    for name, flag in zip(FLAGGED, flags[2:], strict=True):
+        if flag:
+            at[name] = width
+            width += _WIDTH.get(name, 1)
+    width += _count(header, "more_columns", _MOST_COLUMNS)
+    # What eyes see of it, where both are told; all rays are alike where neither is.
+    flux = at.get("luminous_flux", at.get("radiant_flux"))
+    return Columns(flux, at.get("wavelength"), at.get("spectrum")), width
+
+
+def _spectra(file: BinaryIO, number: int) -> Iterator[Floats]:
+    if not 0 <= number <= _MOST_SPECTRA:
+        raise ValueError(f"its header says {number} spectra; from 0 to {_MOST_SPECTRA}")
+    taken = 0
+    for _ in range(number):
+        points = int(np.frombuffer(_bytes(file, 4, "its spectra"), "<i4")[0])
+        if not 0 < points <= _MOST_POINTS:
+            raise ValueError(f"one of its spectra has {points} points; from 1 to {_MOST_POINTS}")
+        content = _bytes(file, 8 * points, "its spectra")
+        yield np.frombuffer(content, "<f4").reshape(points, 2).astype(np.float32)
+        taken += 4 + 8 * points
+    _skip(file, -taken % 32)
+
+
+def _count(header: np.void, name: str, most: int) -> int:
+    value = int(header[name])
+    if not 0 <= value <= most:
+        raise ValueError(f"its header says {value} for {name.replace('_', ' ')}; from 0 to {most}")
+    return value
+
+
+def _skip(file: BinaryIO, length: int) -> None:
+    file.seek(length, 1)
+
+
+def _bytes(file: BinaryIO, length: int, what: str) -> bytes:
+    content = file.read(length)
+    if len(content) < length:
+        raise ValueError(f"it is cut off within {what}")
+    return content
