@@ -27,8 +27,8 @@ def test_a_sharp_target_gets_one_and_a_half_control_points_per_pixel(chosen):
     assert chosen() == (300, 180)
 
 
-def test_no_more_control_points_are_chosen_than_transport_has_time_for(chosen, rng):
-    assert chosen({"screen.pixels": [700, 40]}, rng.random((40, 700))) == (512, 60)
+def test_no_more_control_points_are_chosen_than_a_lens_may_have(chosen, rng):
+    assert chosen({"screen.pixels": [700, 40]}, rng.random((40, 700))) == (1024, 60)
 
 
 def test_a_high_degree_has_the_control_points_that_it_needs(chosen, rng):

@@ -19,13 +19,11 @@ import numpy as np
 import numpy.typing as npt
 
 from workbench.scene import PaperRun, Scene
+from workbench.scene.lens import LARGEST_NET
 
 Array = npt.NDArray[np.float64]
 
 _PER_PIXEL = 1.5
-# The first lens by transport takes a time that grows with the third power of the net: 4 s of a
-# processor on 384 x 384 control points, more than 40 s on 768 x 768.
-_MOST = 512
 # Parts of that for targets and sources with less detail: steps, so that a stroke of a brush in the
 # target seldom changes the net, and with it the locks.
 _PARTS = (1.0, 0.75, 0.5, 0.375, 0.25, 0.1875, 0.125)
@@ -90,7 +88,7 @@ def _count(pixels: int, worth: float, degree: int) -> int:
     most = _PER_PIXEL * pixels
     needed = max(worth, _FEWEST)
     part = min((part for part in _PARTS if part * most >= needed), default=1.0)
-    return min(max(math.ceil(part * most), degree + 1), _MOST)
+    return min(max(math.ceil(part * most), degree + 1), LARGEST_NET)
 
 
 def _worth_of_target(target: Array, axis: int) -> float:
