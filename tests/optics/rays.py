@@ -9,6 +9,8 @@ from workbench.optics.rays import RayBundle
 class Given:
     """An emitter of given rays."""
 
+    by_area, beside = False, 0.0
+
     def __init__(self, rays):
         self._rays = rays
 

@@ -1,5 +1,7 @@
 """The image of beams of light: exact cases, its twin, its gradient, and light that folds."""
 
+import itertools
+
 import numpy as np
 import pytest
 import torch
@@ -201,11 +203,13 @@ SOURCES = {
 }
 
 
-@pytest.fixture(params=SOURCES)
+@pytest.fixture(params=[*itertools.product(SOURCES, ["rectangle", "ellipse"])], ids="-".join)
 def lit(request, make_scene):
+    source, outline = request.param
     return make_scene(
         {
-            "source": SOURCES[request.param],
+            "lens.outline": outline,
+            "source": SOURCES[source],
             "screen.pixels": [20, 16],
             "lens.control_points": [9, 8],
         }
@@ -265,11 +269,23 @@ def symmetric(values, mirrored):
 
 
 @MIRRORED
-@pytest.mark.parametrize("kind", ["collimated", "point"])
+@pytest.mark.parametrize(
+    ("kind", "outline"),
+    [("collimated", "rectangle"), ("point", "rectangle"), ("collimated", "ellipse")],
+)
 @pytest.mark.parametrize("steep", [0.01, 0.1], ids=["wavy", "with total reflection"])
-def test_a_part_of_a_mirrored_lens_gives_the_whole_image(make_scene, rng, kind, steep, mirrored):
+def test_a_part_of_a_mirrored_lens_gives_the_whole_image(
+    make_scene, rng, kind, outline, steep, mirrored
+):
     source = SOURCES[kind] | ({} if kind == "collimated" else {"position": [0, 0, -4.0]})
-    scene = make_scene({"source": source, "screen.pixels": [20, 16], "lens.control_points": [9, 8]})
+    scene = make_scene(
+        {
+            "source": source,
+            "lens.outline": outline,
+            "screen.pixels": [20, 16],
+            "lens.control_points": [9, 8],
+        }
+    )
     wavy = scene.lens.base.height + steep * rng.standard_normal(ControlNet.of(scene.lens).shape)
     wavy = symmetric(torch.tensor(wavy), mirrored)
     cotangent = torch.tensor(rng.standard_normal((16 + 2 * 3, 20 + 2 * 4)))

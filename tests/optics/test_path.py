@@ -6,6 +6,7 @@ import torch
 
 from tests.optics.points import GRID, INDEX, POINT, smooth
 from tests.optics.rays import Given, bundle
+from workbench.geometry.outlines import Rectangle
 from workbench.geometry.surface import ControlNet
 from workbench.optics.interfaces import Passed, Refraction
 from workbench.optics.path import Path, Step
@@ -54,7 +55,7 @@ def test_lost_rays_stay_in_the_bundle_without_flux(make_scene):
 
 
 def test_light_beside_the_first_face_is_named_as_that_face_says(make_scene):
-    plate = Plane("front", 0.0, (1.0, 1.0))
+    plate = Plane("front", 0.0, Rectangle((1.0, 1.0)))
     path = Path(
         Given(bundle([[0.5, 0, -2], [3, 0, -2]], [[0, 0, 1], [0, 0, 1]], [0.5, 0.5])),
         [Step(plate, Refraction(1.0, INDEX, "front_reflection"), "beside")],
@@ -76,7 +77,7 @@ def test_a_plate_in_pieces_is_the_plate(make_scene, source):
     net = ControlNet.of(scene.lens)
     whole = Path.of(scene, net, torch.float64)
     between = [
-        Step(Plane(f"inner {z}", z - whole.datum, (9.0, 9.0)), Unchanged(), "aside")
+        Step(Plane(f"inner {z}", z - whole.datum, Rectangle((9.0, 9.0))), Unchanged(), "aside")
         for z in (0.1, 0.2)
     ]
     entrance, *rest = whole.steps

@@ -7,6 +7,7 @@ import torch
 from tests.optics.kernels.twins import account
 from tests.optics.points import GRID, POINT, smooth
 from tests.optics.rays import Given, bundle
+from workbench.geometry.outlines import Rectangle
 from workbench.geometry.surface import ControlNet
 from workbench.optics.interfaces import Passed
 from workbench.optics.kernels.collimated import FusedCollimatedRays
@@ -78,7 +79,9 @@ def test_another_step_before_the_exit_face_needs_no_other_kernel(make_scene):
     scene = make_scene({"source": POINT})
     path = path_of(scene)
     entrance, exit_face = path.steps
-    pane = entrance._replace(surface=Plane("pane", 0.1, (0.5, 0.5)), interface=Unchanged())
+    pane = entrance._replace(
+        surface=Plane("pane", 0.1, Rectangle((0.5, 0.5))), interface=Unchanged()
+    )
     stopped = changed(path, steps=[entrance, pane, exit_face])
     assert kind(stopped) is FusedPointRays
     lights = [

@@ -5,15 +5,18 @@ A new outline is a class here, a row in ``_OUTLINES``, and its name in `workbenc
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Protocol
+from typing import TYPE_CHECKING, Any, ClassVar, Protocol, TypeVar
 
 import numpy as np
 import numpy.typing as npt
 
 from workbench.scene import Lens
 
+if TYPE_CHECKING:
+    from torch import Tensor
+
 Array = npt.NDArray[np.float64]
-Mask = npt.NDArray[np.bool_]
+AnyArray = TypeVar("AnyArray", npt.NDArray[Any], "Tensor")
 
 
 class Outline(Protocol):
@@ -29,7 +32,12 @@ class Outline(Protocol):
         """Its area, scene units squared."""
         ...
 
-    def contains(self, x: npt.ArrayLike, y: npt.ArrayLike) -> Mask:
+    @property
+    def whole(self) -> bool:
+        """Whether it is all of its bounding rectangle."""
+        ...
+
+    def contains(self, x: AnyArray, y: AnyArray) -> AnyArray:
         """Whether places are inside it or on it; x and y broadcast."""
         ...
 
@@ -63,16 +71,17 @@ class Rectangle:
     """The whole bounding rectangle; an `Outline`."""
 
     half_width: tuple[float, float]
+    whole: ClassVar[bool] = True
 
     @property
     def area(self) -> float:
         """See `Outline`."""
         return 4 * self.half_width[0] * self.half_width[1]
 
-    def contains(self, x: npt.ArrayLike, y: npt.ArrayLike) -> Mask:
+    def contains(self, x: AnyArray, y: AnyArray) -> AnyArray:
         """See `Outline.contains`."""
         r_x, r_y = self.half_width
-        return np.asarray((np.abs(x) <= r_x) & (np.abs(y) <= r_y))
+        return (abs(x) <= r_x) & (abs(y) <= r_y)
 
     def area_inside(
         self, x: tuple[npt.ArrayLike, npt.ArrayLike], y: tuple[npt.ArrayLike, npt.ArrayLike]
@@ -108,16 +117,17 @@ class Ellipse:
     """An ellipse with the half-widths as semi-axes; an `Outline`."""
 
     half_width: tuple[float, float]
+    whole: ClassVar[bool] = False
 
     @property
     def area(self) -> float:
         """See `Outline`."""
         return float(np.pi * self.half_width[0] * self.half_width[1])
 
-    def contains(self, x: npt.ArrayLike, y: npt.ArrayLike) -> Mask:
+    def contains(self, x: AnyArray, y: AnyArray) -> AnyArray:
         """See `Outline.contains`."""
         r_x, r_y = self.half_width
-        return np.asarray(np.square(np.divide(x, r_x)) + np.square(np.divide(y, r_y)) <= 1)
+        return (x / r_x) ** 2 + (y / r_y) ** 2 <= 1
 
     def area_inside(
         self, x: tuple[npt.ArrayLike, npt.ArrayLike], y: tuple[npt.ArrayLike, npt.ArrayLike]

@@ -1,17 +1,21 @@
 """How much of the light of points enters the lens, by quadrature over the entrance face."""
 
+import math
 from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
+from workbench.geometry.outlines import Outline, outline_of
 from workbench.optics.cap import Caps, covering_caps
 from workbench.optics.refraction import normal_reflectance
 from workbench.scene import Lens, LightOfPoints
 
 Array = npt.NDArray[np.float64]
 
+# Steps around an outline: for so many of the distance of a point, at least and at most.
+_PER_LENGTH, _FEWEST, _MOST = 100, 512, 1 << 15
 _NODE, _WEIGHT = np.polynomial.legendre.leggauss(20)
 
 
@@ -43,6 +47,11 @@ def entering(source: LightOfPoints, lens: Lens) -> Entering:
         raise TypeError("the account of points that are no grid is not known")
     lambertian, intensity = source.emission == "lambertian", intensity_of(source, lens)
     distance = lens.entrance_z - source.nearest_z
+    outline = outline_of(lens)
+    if not outline.whole:
+        feet = source.positions[:, :2]
+        met, refracted = intensity * _through(outline, feet, distance, lens.index, lambertian)
+        return Entering(intensity, missed=1 - met, reflected=met - refracted)
     (x, weight_x), (y, weight_y) = (
         _nodes(centre, r, distance) for centre, r in zip(source.axes, lens.half_width, strict=True)
     )
@@ -55,6 +64,34 @@ def entering(source: LightOfPoints, lens: Lens) -> Entering:
         refracted += np.einsum("jab,a,jb", passing, weight, weight_y)
     met, refracted = intensity * float(met), intensity * float(refracted)
     return Entering(intensity, missed=1 - met, reflected=met - refracted)
+
+
+def _through(
+    outline: Outline, feet: Array, distance: float, index: float, lambertian: bool
+) -> Array:
+    """Light of points of intensity 1 on a face with a smooth outline, and what enters it.
+
+    By Green's theorem it is the integral of the light within r of the foot of the point, over the
+    angle of the way around: the rule of equal steps is exact beyond all powers there.
+    """
+    steps = math.ceil(_PER_LENGTH * max(outline.half_width) / distance)
+    rim = outline.boundary(min(max(steps, _FEWEST), _MOST))[:-1]
+    step = 2 * np.pi / len(rim)  # of sines; between neighbours these differ by less than step says
+    forward = (np.roll(rim, -1, axis=0) - np.roll(rim, 1, axis=0)) * (step / np.sin(step) / 2)
+    found = np.zeros(2)
+    part, weight = (_NODE + 1) / 2, _WEIGHT / 2
+    for foot in feet:
+        x, y = (rim - foot).T
+        r2 = x**2 + y**2
+        slant = np.sqrt(r2 + distance**2)
+        versine = r2 / (slant * (slant + distance))  # 1 − cos, with all digits of a far point
+        t = versine[:, None] * part
+        flux = versine[:, None] * weight * (1 - t if lambertian else 1.0)
+        passing = flux * (1 - normal_reflectance(index)) * (1 - t**5)
+        across = x * forward[:, 1] - y * forward[:, 0]
+        turn = np.divide(across, r2, where=r2 > 0, out=np.zeros_like(r2))
+        found += turn @ flux.sum(axis=1), turn @ passing.sum(axis=1)
+    return found
 
 
 def intensity_of(source: LightOfPoints, lens: Lens) -> float:

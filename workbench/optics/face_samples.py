@@ -7,6 +7,7 @@ import numpy as np
 import torch
 from torch import Tensor
 
+from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import ControlNet, GridBasis
 from workbench.optics.arrival import Arrival
 from workbench.optics.glass import Glass
@@ -45,7 +46,11 @@ class SampledFace(NamedTuple):
 
     @classmethod
     def of(cls, path: Path) -> "SampledFace | None":
-        """Light of a grid of which samples are wanted, a flat face and a B-spline; else None."""
+        """Light of a grid of which samples are wanted, a flat face and a B-spline; else None.
+
+        All light on the samples must come through the entrance face, but for what a straight rim
+        of it keeps off: so beside an outline of another form there is no point.
+        """
         match path.emitter, path.steps:
             case (
                 PointEmitter(samples=tuple() as samples) as emitter,
@@ -53,9 +58,15 @@ class SampledFace(NamedTuple):
                     Step(Plane(), Refraction(reflected=reflected), missed),
                     Step(BSplineSurface(net=net)) as exit_face,
                 ),
-            ) if emitter.source.axes is not None:
+            ) if emitter.source.axes is not None and _before_the_lens(emitter):
                 return cls(emitter, samples, missed, reflected, net, exit_face)
         return None
+
+
+def _before_the_lens(emitter: PointEmitter) -> bool:
+    """Whether an outline that has curves has all points before it."""
+    outline = outline_of(emitter.lens)
+    return outline.whole or bool(outline.contains(*emitter.source.positions[:, :2].T).all())
 
 
 class FaceSamples:
@@ -114,6 +125,8 @@ class FaceSamples:
         self._away_y = constant(lattice.y.away)[None, :]
         self._glass = Glass(lattice.distance, lens.index, source.emission == "lambertian")
         self._area = constant(lattice.x.width)[:, None], constant(lattice.y.width)
+        if not (outline := outline_of(lens)).whole:
+            self._area = constant(lattice.areas(outline)), constant(np.ones(1))
         # Flux per area right before the points, but for Fresnel's loss.
         self._brightest = lattice.intensity / lattice.distance**2
         self._rims = [

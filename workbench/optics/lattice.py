@@ -5,6 +5,7 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from workbench.geometry.outlines import Outline
 from workbench.optics.entering import entering
 from workbench.optics.samples import Corners, Places, Samples, interleaving, places_of_points
 from workbench.scene import Lens, LightOfPoints
@@ -23,10 +24,12 @@ class Axis(NamedTuple):
     ----------
     place : ndarray
         Middles of cells of the aperture, scene units: of equal ones, unless the source is near.
+    low, high : ndarray
+        Ends of what of the aperture is nearer to a sample than to others of its point.
     t : ndarray
         The same as parts of the way from one side of the aperture to the other.
     width : ndarray
-        What of the aperture is nearer to a sample than to others of its point.
+        From one end to the other.
     point : ndarray of int
         Number of the point.
     away : ndarray
@@ -41,6 +44,8 @@ class Axis(NamedTuple):
     """
 
     place: Array
+    low: Array
+    high: Array
     t: Array
     width: Array
     point: npt.NDArray[np.int64]
@@ -71,6 +76,11 @@ class Lattice(NamedTuple):
     intensity: float
     missed: float
     reflected: float
+
+    def areas(self, outline: Outline) -> Array:
+        """Area inside an outline of what each sample stands for, shape (m_x, m_y)."""
+        x, y = self.x, self.y
+        return outline.area_inside((x.low[:, None], x.high[:, None]), (y.low, y.high))
 
 
 def make_lattice(source: LightOfPoints, lens: Lens, samples: Samples) -> Lattice:
@@ -128,7 +138,7 @@ def _axis(
 ) -> Axis:
     part, low, high = sampled
     place = _spread(part, centre, half_width, lit)
-    width = _spread(high, centre, half_width, lit) - _spread(low, centre, half_width, lit)
+    begin, end = (_spread(ends, centre, half_width, lit) for ends in (low, high))
     cell = 2 * half_width * float((high - low).max())
     sign = np.sign(centre) * (np.abs(centre) > half_width)
     reach = np.where(sign == 0, 0.0, half_width - np.abs(centre))[point]
@@ -137,8 +147,10 @@ def _axis(
     beyond = np.where(side == 0, cell, half_width - side * place)
     return Axis(
         place,
+        begin,
+        end,
         (place / half_width + 1) / 2,
-        width,
+        end - begin,
         point,
         place - centre[point],
         reach,

@@ -10,6 +10,7 @@ from typing import NamedTuple
 import torch
 from torch import Tensor
 
+from workbench.geometry.outlines import Rectangle, outline_of
 from workbench.geometry.surface import ControlNet
 from workbench.optics.arrival import Arrival
 from workbench.optics.interfaces import Interface, Refraction
@@ -97,13 +98,19 @@ class Path:
         """The path of a scene, with control heights on a net; ``samples`` as for `emitter_of`."""
         lens, n, source = scene.lens, scene.lens.index, scene.source
         datum = lens.base.height if source.along_axis else lens.entrance_z
-        entrance = Plane("entrance", lens.entrance_z - datum, lens.half_width)
-        exit_face = BSplineSurface("exit", net, datum, dtype, device, source.subdivisions)
+        emitter, outline = emitter_of(source, lens, samples), outline_of(lens)
+        # Of light by area, what is outside the outline is out of the flux before the first face.
+        before = Rectangle(lens.half_width) if emitter.by_area else outline
+        behind = before if source.along_axis else outline
+        entrance = Plane("entrance", lens.entrance_z - datum, before)
+        exit_face = BSplineSurface(
+            "exit", net, datum, dtype, device, source.subdivisions, outline=behind
+        )
         steps = (
             Step(entrance, Refraction(1.0, n, "fresnel_entrance"), "missed_lens"),
             Step(exit_face, Refraction(n, 1.0, "fresnel_exit"), "left_side"),
         )
-        emitter, receiver = emitter_of(source, lens, samples), PlaneReceiver(scene.screen, datum)
+        receiver = PlaneReceiver(scene.screen, datum)
         return cls(emitter, steps, receiver, datum, scene.run.seed, dtype, device)
 
     @property
@@ -175,6 +182,9 @@ class Path:
         rays = self.emitter.rays(self._seed, self._draw)
         rays = rays._replace(position=_lifted(rays.position, -self.datum))
         rays, lost, _ = _through(self._fixed, rays, {})
+        if self.emitter.beside:
+            beside = torch.tensor(self.emitter.beside, dtype=torch.float64)
+            lost = _added(lost, {self.steps[0].missed: beside})
         self._lost = {name: flux.to(self.device) for name, flux in lost.items()}
         return _living(rays)
 

@@ -7,6 +7,7 @@ import numpy as np
 import numpy.typing as npt
 import torch
 
+from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import ControlNet
 from workbench.optics.path import Path
 from workbench.optics.rays import Vector
@@ -45,7 +46,7 @@ def ray_paths(scene: Scene, heights: Mapping[str, Array], count: tuple[int, int]
     heights : mapping of str to ndarray, shape (n_u, n_v)
         Control heights of each freeform face by its name, scene units.
     count : tuple[int, int]
-        Numbers of rays along x and y, spread over the aperture.
+        Numbers of rays along x and y, spread over the aperture; those beside the lens are left out.
     """
     lens, screen = scene.lens, scene.screen
     x, y = (torch.as_tensor(c) for c in _grid(lens, count))
@@ -68,9 +69,10 @@ def _rows(place: Vector, count: int) -> Array:
 
 
 def _grid(lens: Lens, count: tuple[int, int]) -> tuple[Array, Array]:
-    """Middles (x, y) of equal cells of the aperture, each of shape (n,)."""
+    """Middles (x, y) of equal cells of the aperture that are in the lens, each of shape (n,)."""
     x, y = (
         ((np.arange(m) + 0.5) / m * 2 - 1) * r for m, r in zip(count, lens.half_width, strict=True)
     )
     grid_x, grid_y = np.meshgrid(x, y, indexing="ij")
-    return grid_x.ravel(), grid_y.ravel()
+    inside = outline_of(lens).contains(grid_x, grid_y)
+    return grid_x[inside], grid_y[inside]

@@ -6,6 +6,8 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from workbench.geometry.outlines import Outline
+
 Array = npt.NDArray[np.float64]
 
 # Cells beside a ray that differ in width by less than twice this part count as equal.
@@ -94,6 +96,20 @@ def places_of_points(samples: Corners, axis: int, points: int) -> Places:
         inner = (np.arange(count) + shift) / count
         each.append(_between(np.concatenate([[0.0], inner, [1.0]])))
     return Places(*(np.concatenate(parts) for parts in zip(*each, strict=True)))
+
+
+def parts_inside(outline: Outline, across: Places, up: Places) -> Array:
+    """Which part of what each ray stands for is inside an outline, by area; shape (m_x, m_y).
+
+    Exactly 1 or 0 where the outline does not cut it.
+    """
+    r_x, r_y = outline.half_width
+    (left, right), (low, high) = (
+        tuple((2 * end - 1) * r for end in (along.low, along.high))
+        for along, r in ((across, r_x), (up, r_y))
+    )
+    inside = outline.area_inside((left[:, None], right[:, None]), (low, high))
+    return np.asarray(inside / ((right - left)[:, None] * (high - low)))
 
 
 def interleaving(points: int) -> npt.NDArray[np.int64]:

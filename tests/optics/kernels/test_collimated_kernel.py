@@ -44,6 +44,7 @@ def scenes(draw):
     return {
         "lens.degree": list(degree),
         "lens.control_points": [p + draw(st.integers(1, 9)) for p in degree],
+        "lens.outline": draw(st.sampled_from(["rectangle", "ellipse"])),
         "lens.half_width": [draw(st.floats(0.5, 2.0)), draw(st.floats(0.5, 2.0))],
         "lens.refractive_index": draw(st.floats(1.1, 2.0)),
         "source.rays": [draw(st.integers(1, 90)), draw(st.integers(1, 90))],

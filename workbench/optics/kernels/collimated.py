@@ -69,18 +69,20 @@ class FusedCollimatedRays:
         lens = _ParallelLens.of(path)
         if lens is None:
             raise TypeError("the kernel for collimated light does not match this path")
-        net, samples, n = lens.face.net, lens.samples, lens.face.ratio
+        net, samples, n = lens.face.net, lens.emitter.samples, lens.face.ratio
         self._face, self._dtype = lens.face, path.dtype
         kind = self._kind = kind_of(path.dtype)
         self._halves, self._emitter = Halves.of(samples, (1, 1), mirrored), path.emitter
         self.mirrored = self._halves.mirrored
         across, up = (_rays(net, samples, axis, self._halves, kind) for axis in (0, 1))
+        self._all, self._inside = (across, up), lens.emitter.inside
         self._moving, self._still = split((across, up), locked)
         self._still_light: tuple[Screen, Filter, Tensor, Sums] | None = None
         self.traced = count(self._moving) / count((across, up))
         self._level, self._screen = path.datum, path.receiver.screen
         reflected = normal_reflectance(n)
-        self._before = {lens.missed: 0.0, lens.reflected: reflected}
+        beside = lens.emitter.beside
+        self._before = {lens.missed: beside, lens.reflected: reflected * (1 - beside)}
         arriving = (1 - reflected) / cells(samples)
         self._optics = Optics(
             kind(n),
@@ -104,6 +106,16 @@ class FusedCollimatedRays:
     def splits(self) -> tuple[Array, Array]:
         """See `workbench.optics.light.BeamTracer`."""
         return self._halves.splits(self._emitter.splits)
+
+    def inside(self, rays: Rays) -> Array:
+        """Part of what some rays stand for that is glass: a row for each v, or one for all."""
+        if self._inside is None:
+            return np.ones((1, len(rays[0].place)))
+        columns, rows = (
+            np.searchsorted(every.place, some.place)
+            for every, some in zip(self._all, rays, strict=True)
+        )
+        return self._inside[columns].T[rows]
 
     def image(self, heights: Mapping[str, Tensor], screen: Screen, filter: Filter) -> Light:
         """Trace a lens; see `workbench.optics.light.Tracer`."""
@@ -133,7 +145,7 @@ class FusedCollimatedRays:
 class _ParallelLens(NamedTuple):
     """What the kernel is for: parallel light, a flat face across it and a B-spline."""
 
-    samples: Samples
+    emitter: CollimatedEmitter
     missed: str
     reflected: str
     face: ExitFace
@@ -143,10 +155,10 @@ class _ParallelLens(NamedTuple):
         face = ExitFace.of(path)
         match path.emitter, path.steps:
             case (
-                CollimatedEmitter(samples=samples),
+                CollimatedEmitter() as emitter,
                 (Step(Plane(), Refraction(reflected=reflected), missed), _),
             ) if face is not None:
-                return cls(samples, missed, reflected, face)
+                return cls(emitter, missed, reflected, face)
         return None
 
 
@@ -175,7 +187,8 @@ def compile_for(dtype: torch.dtype) -> None:
     spread = make_spread(screen, GaussianFilter(), kind)
     canvas = make_canvases(spread, 1)[0]
     heights, gradient = np.zeros(net.shape, kind), np.zeros(net.shape)
-    light = across.place.astype(kind), up.place.astype(kind), across.share, up.share, numbers
+    wide = across.share[None, :]
+    light = across.place.astype(kind), up.place.astype(kind), wide, up.share, numbers
     given = heights, (across, up), light, spread, 0, 2
     LOOPS.trace(*given, canvas, np.zeros(3))
     LOOPS.trace_back(*given, pad(spread, np.zeros((2, 2), kind)), gradient)
@@ -193,15 +206,16 @@ class _Passes(GridPasses):
         columns = spread.column_0 + spread.per_x * across.place
         rows = spread.row_0 + spread.per_y * up.place
         kind = spread.per_x.dtype
+        wide = source.inside(rays) * across.share
         self._light = (
             columns.astype(kind),
             rows.astype(kind),
-            across.share,
+            np.ascontiguousarray(wide, kind),
             up.share,
             source._optics,
         )
         self._arriving = float(source._optics.arriving)
-        shares = float(across.share.sum(dtype=float) * up.share.sum(dtype=float))
+        shares = float((wide.sum(axis=1, dtype=float) * up.share).sum(dtype=float))
         self._flux = self.copies * shares * self._arriving
 
     def light(self, heights: AnyArray) -> tuple[Any, ...]:

@@ -59,7 +59,8 @@ def _refract(light, spread, i, j, lanes, t):  # type: ignore[no-untyped-def]
     (z_x, z_y) (n² − 1) / (1 + n q).
     """
     columns, rows, wide, high, optics = light
-    place, row, wide, head_on = columns[i:], rows[j], wide[i:], optics.head_on * high[j]
+    wide = wide[j if len(wide) > 1 else 0][i:]
+    place, row, head_on = columns[i:], rows[j], optics.head_on * high[j]
     kind = t.dtype.type
     one = kind(1)
     passed = kind(0)
@@ -86,7 +87,8 @@ def _refract(light, spread, i, j, lanes, t):  # type: ignore[no-untyped-def]
 @jit(fastmath=FAST, error_model="numpy", forceinline=True)
 def _refract_back(light, spread, i, j, lanes, t):  # type: ignore[no-untyped-def]
     """Adjoint of `_refract`; the cotangents of z, z_x, z_y take the place of these."""
-    wide, head_on, optics = light[2][i:], light[4].head_on * light[3][j], light[4]
+    wide, head_on, optics = light[2], light[4].head_on * light[3][j], light[4]
+    wide = wide[j if len(wide) > 1 else 0][i:]
     kind = t.dtype.type
     one, two, half = kind(1), kind(2), kind(0.5)
     for lane in range(np.uintp(lanes)):
@@ -115,5 +117,5 @@ def _refract_back(light, spread, i, j, lanes, t):  # type: ignore[no-untyped-def
 
 
 LOOPS = make_loops("collimated", _refract, _refract_back, own=2)
-"""For light of rays with these columns and rows, the shares of a cell for which they stand along u
-and v, and numbers of the trace."""
+"""For light of rays with these columns and rows, the shares of a cell for which they stand along u,
+as one row for all v or a row for each, and along v, and numbers of the trace."""

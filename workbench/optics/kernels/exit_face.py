@@ -40,15 +40,15 @@ class ExitFace(NamedTuple):
 
     @classmethod
     def of(cls, path: Path) -> "ExitFace | None":
-        """The only face of a path that depends on heights; None where that is no such face."""
+        """The only face of a path that depends on heights; None where that is no such rectangle."""
         match path.shaped:
             case (
                 Step(
-                    BSplineSurface(name=name, net=net, subdivisions=subdivisions),
+                    BSplineSurface(name=name, net=net, subdivisions=subdivisions, outline=outline),
                     Refraction(ratio=ratio, reflected=reflected),
                     missed,
                 ),
-            ) if ratio > 1:
+            ) if ratio > 1 and outline.whole:
                 return cls(name, net, subdivisions is not None, ratio, missed, reflected)
         return None
 

@@ -29,6 +29,11 @@ class Emitter(Protocol):
     ----------
     origins : Origins
         Where its light comes from.
+    by_area : bool
+        Whether its rays stand for cells of the entrance face, and their flux for what of these is
+        inside the outline of the lens: a ray beside it may stand for a cell that is cut.
+    beside : float
+        Flux that misses the lens by the outline, and is in none of the rays.
     splits : tuple of two ndarray, shape (m_x, 3) and (m_y, 3)
         Of rays at `workbench.optics.samples.Corners`, along x and y: which parts of their flux
         belong to the cells before and behind them. Rays of different points share no cell.
@@ -40,12 +45,22 @@ class Emitter(Protocol):
         ...
 
     @property
+    def by_area(self) -> bool:
+        """See above."""
+        ...
+
+    @property
+    def beside(self) -> float:
+        """See above."""
+        ...
+
+    @property
     def splits(self) -> tuple[Array, Array]:
         """See above."""
         ...
 
     def rays(self, seed: int, draw: int = 0) -> RayBundle:
-        """Rays of the source, in float64; their flux adds up to 1.
+        """Rays of the source, in float64; with what is ``beside``, their flux adds up to 1.
 
         Parameters
         ----------

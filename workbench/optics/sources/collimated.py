@@ -7,8 +7,9 @@ import numpy.typing as npt
 import torch
 from torch import Tensor
 
+from workbench.geometry.outlines import outline_of
 from workbench.optics.rays import RayBundle
-from workbench.optics.samples import Corners, Samples, cells, places, shares
+from workbench.optics.samples import Corners, Samples, cells, parts_inside, places, shares
 from workbench.optics.sources.origins import Origins
 from workbench.scene import CollimatedSource, Lens
 
@@ -33,16 +34,33 @@ class CollimatedEmitter:
         Rays along x and y.
     """
 
+    by_area = True
+
     def __init__(
         self, source: CollimatedSource, lens: Lens, samples: Samples | None = None
     ) -> None:
         self.samples, self._lens = samples or source.rays, lens
+        self._outline = outline_of(lens)
 
     @property
     def origins(self) -> Origins:
         """One direction; see `Emitter`."""
         area = 4 * math.prod(self._lens.half_width)
         return Origins(np.array([[0.0, 0.0, 1.0]]), True, np.array([1 / area]))
+
+    @property
+    def beside(self) -> float:
+        """See `Emitter`."""
+        if self._outline.whole:
+            return 0.0
+        return 1 - self._outline.area / (4 * math.prod(self._lens.half_width))
+
+    @property
+    def inside(self) -> Array | None:
+        """Which part of what each ray stands for is glass, shape (m_x, m_y); None where all is."""
+        if self._outline.whole:
+            return None
+        return parts_inside(self._outline, *(places(self.samples, axis) for axis in (0, 1)))
 
     @property
     def splits(self) -> tuple[Array, Array]:
@@ -60,6 +78,8 @@ class CollimatedEmitter:
         if isinstance(self.samples, Corners):
             across, up = (torch.as_tensor(shares(self.samples, axis)) for axis in (0, 1))
             flux = flux * across[:, None] * up
+        if (inside := self.inside) is not None:
+            flux = flux * torch.as_tensor(inside)
         return rays._replace(flux=flux)
 
     def towards(self, x: Tensor, y: Tensor) -> RayBundle:

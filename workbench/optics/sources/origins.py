@@ -11,8 +11,9 @@ import numpy as np
 import numpy.typing as npt
 import torch
 
+from workbench.geometry.outlines import outline_of
 from workbench.optics.rays import RayBundle, Vector
-from workbench.optics.samples import Corners, places, places_of_points
+from workbench.optics.samples import Corners, parts_inside, places, places_of_points
 from workbench.scene import Lens
 
 Array = npt.NDArray[np.float64]
@@ -95,12 +96,16 @@ class Origins(NamedTuple):
 
 
 def through_corners(origins: Origins, lens: Lens, corners: Corners) -> RayBundle:
-    """Rays through corners of cells of the entrance face, shape (m_x, m_y for each origin)."""
+    """Rays through corners of cells of the entrance face, shape (m_x, m_y for each origin).
+
+    Their flux is that of what of the cells is inside the outline of the lens.
+    """
     count = len(origins.places)
     across, up = places(corners, 0), places_of_points(corners, 1, count)
     r_x, r_y = lens.half_width
     x, y = ((2 * along.part - 1) * r for along, r in ((across, r_x), (up, r_y)))
     area = 4 * r_x * r_y * (across.high - across.low)[:, None] * (up.high - up.low)
+    area *= parts_inside(outline_of(lens), across, up)
     origin = np.repeat(np.arange(count), len(up.part) // count)
     lit = origins.light(x[:, None], y, lens.entrance_z, origin)
     place = np.broadcast_arrays(x[:, None], y, np.full(area.shape, lens.entrance_z))

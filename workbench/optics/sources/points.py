@@ -33,6 +33,8 @@ class PointEmitter:
         As given.
     """
 
+    beside = 0.0
+
     def __init__(
         self,
         source: LightOfPoints,
@@ -40,6 +42,11 @@ class PointEmitter:
         samples: Samples | None = None,
     ) -> None:
         self.source, self.lens, self.samples = source, lens, samples
+
+    @property
+    def by_area(self) -> bool:
+        """See `Emitter`."""
+        return isinstance(self.samples, Corners)
 
     @property
     def origins(self) -> Origins:

@@ -7,6 +7,7 @@ import numpy as np
 import torch
 from torch import Tensor
 
+from workbench.geometry.outlines import Outline, Rectangle
 from workbench.geometry.patches import Patches
 from workbench.geometry.surface import ControlNet, GridBasis
 from workbench.optics.intersection import Bundle, ExactIntersection, Met
@@ -16,7 +17,7 @@ from workbench.optics.surfaces.surface import Meeting
 
 
 class BSplineSurface:
-    """Face over a rectangle whose control heights are free; a `Surface`.
+    """Face whose control heights are free, on a net over a rectangle; a `Surface`.
 
     Parameters
     ----------
@@ -31,10 +32,12 @@ class BSplineSurface:
     subdivisions : tuple[int, int], optional
         Of each knot span along x and y: rays then meet triangles, as in the paper, in place of the
         B-spline itself.
+    outline : Outline, optional
+        What of the rectangle is glass; all of it by default.
 
     Attributes
     ----------
-    net, subdivisions
+    net, subdivisions, outline
         As given.
 
     Notes
@@ -53,8 +56,9 @@ class BSplineSurface:
         dtype: torch.dtype,
         device: torch.device | str = "cpu",
         subdivisions: tuple[int, int] | None = None,
+        outline: Outline | None = None,
     ) -> None:
-        self.name = name
+        self.name, self.outline = name, outline or Rectangle(net.half_width)
         self.kind = "B-spline" if subdivisions is None else "triangle mesh"
         self.net, self.subdivisions = net, subdivisions
         self._datum, self._dtype, self._device = datum, dtype, device
@@ -66,7 +70,9 @@ class BSplineSurface:
         above = (heights[self.name] - self._datum).to(self._dtype)
         if self._met_before is None or self._met_before[0] is not rays:
             self._met_before = rays, self._way(rays)
-        return self._met_before[1].meet(above)
+        meeting = self._met_before[1].meet(above)
+        x, y, _ = meeting.position
+        return meeting._replace(met=meeting.met & self.outline.contains(x.detach(), y.detach()))
 
     def _way(self, rays: RayBundle) -> "_Way":
         x, y, _ = rays.position

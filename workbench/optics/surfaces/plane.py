@@ -1,10 +1,11 @@
-"""A plane across the axis, with a rectangular outline."""
+"""A plane across the axis, with an outline."""
 
 from collections.abc import Mapping
 
 import torch
 from torch import Tensor
 
+from workbench.geometry.outlines import Outline
 from workbench.optics.rays import RayBundle
 from workbench.optics.surfaces.surface import Meeting
 
@@ -18,21 +19,21 @@ class Plane:
         What it is called.
     z : float
         Where it is, counted from the datum of the path.
-    half_width : tuple[float, float]
-        Half-widths of its outline, scene units.
+    outline : Outline
+        What of the plane is glass.
 
     Attributes
     ----------
-    z, half_width
+    z, outline
         As given.
     """
 
     kind = "plane"
     freeform = False
 
-    def __init__(self, name: str, z: float, half_width: tuple[float, float]) -> None:
+    def __init__(self, name: str, z: float, outline: Outline) -> None:
         self.name = name
-        self.z, self.half_width = z, half_width
+        self.z, self.outline = z, outline
 
     def meet(self, rays: RayBundle, heights: Mapping[str, Tensor]) -> Meeting:
         """Where rays meet the plane; see `Surface.meet`."""
@@ -40,7 +41,6 @@ class Plane:
         forward = d_z > 0
         way = torch.where(forward, (self.z - z) / torch.where(forward, d_z, 1.0), 0.0)
         x, y = x + way * d_x, y + way * d_y
-        r_x, r_y = self.half_width
-        met = rays.alive & forward & (x.abs() <= r_x) & (y.abs() <= r_y)
+        met = rays.alive & forward & self.outline.contains(x, y)
         zero, one = torch.zeros_like(d_z), torch.ones_like(d_z)
         return Meeting((x, y, torch.full_like(d_z, self.z)), (zero, zero, one), met)

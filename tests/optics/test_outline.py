@@ -1,0 +1,112 @@
+"""Light of a lens with an elliptic outline: what is beside it misses the lens, exactly by area."""
+
+import math
+
+import numpy as np
+import pytest
+import torch
+
+from workbench.geometry.outlines import Ellipse, Rectangle
+from workbench.geometry.surface import ControlNet
+from workbench.optics.beam_plan import BeamPlan
+from workbench.optics.entering import entering
+from workbench.optics.path import Path
+from workbench.optics.paths import ray_paths
+from workbench.optics.plan import Plan
+from workbench.optics.samples import Corners, parts_inside, places
+
+POINT = {"kind": "point", "position": [0.1, -0.2, -4.0], "rays": 1 << 16}
+ROUND = {"lens.outline": "ellipse", "lens.half_width": [1.0, 0.8]}
+
+
+def plate(scene):
+    return {"exit": torch.full(scene.lens.net_shape, 0.5, dtype=torch.float64)}
+
+
+@pytest.mark.parametrize("fused", [True, False])
+@pytest.mark.parametrize("cells", [(1, 1), (6, 5), (64, 50)])
+def test_parallel_light_beside_the_ellipse_misses_the_lens_exactly(make_scene, cells, fused):
+    scene = make_scene(ROUND)
+    image, account = BeamPlan(scene, cells, fused=fused, dtype=torch.float64).trace(plate(scene))
+    assert account.lost["missed_lens"] == pytest.approx(1 - math.pi / 4, abs=1e-14)
+    assert account.lost["left_side"] == pytest.approx(0, abs=1e-14)
+    assert account.lost["fresnel_entrance"] == pytest.approx(0.04 * math.pi / 4, rel=1e-12)
+    assert account.on_screen + sum(account.lost.values()) == pytest.approx(1, abs=1e-12)
+    assert image.sum().item() == pytest.approx(account.on_screen, abs=1e-12)
+
+
+def test_the_image_of_a_plate_is_the_ellipse(make_scene):
+    """Pixels that the rim does not cut are dark, or as bright as those behind a rectangle."""
+    scene = make_scene(ROUND | {"screen.pixels": [40, 32]})
+    image, _ = BeamPlan(scene, (320, 320), dtype=torch.float64).trace(plate(scene))
+    x, y = np.linspace(-1, 1, 41), np.linspace(1, -1, 33)[:, None]
+    inside = Ellipse((1.0, 0.8)).area_inside((x[:-1], x[1:]), (y[1:], y[:-1]))
+    expected = torch.tensor(inside) / (4 * 0.8) * 0.96**2
+    assert (image - expected).abs().max() < 0.01 * expected.max()
+    assert (image - expected).abs().sum() < 1e-3 * expected.sum()
+
+
+@pytest.mark.parametrize("emission", ["uniform", "lambertian"])
+@pytest.mark.parametrize("place", [[0.3, -0.2, -5.0], [3, 0, -1.0], [0.6, 0.5, -1e-3]])
+def test_light_of_a_point_through_the_ellipse_is_that_of_many_rays(make_scene, place, emission):
+    source = POINT | {"position": place, "rays": 1 << 17, "emission": emission}
+    scene = make_scene(ROUND | {"source": source})
+    light = entering(scene.source, scene.lens)
+    lost = Path.of(scene, ControlNet.of(scene.lens)).lost
+    assert light.missed == pytest.approx(lost["missed_lens"].item(), abs=1e-3)
+    assert light.reflected == pytest.approx(lost["fresnel_entrance"].item(), abs=1e-3)
+
+
+def test_a_round_face_seen_from_its_axis(make_scene):
+    for distance in (1e-3, 0.5, 5.0, 1e4):
+        changes = {"lens.outline": "ellipse", "source": POINT | {"position": [0, 0, -distance]}}
+        scene = make_scene(changes)
+        disc, cap = (
+            r2 / (distance**2 + r2 + distance * math.hypot(distance, math.sqrt(r2)))
+            for r2 in (1, 2)
+        )
+        light = entering(scene.source, scene.lens)
+        assert 1 - light.missed == pytest.approx(disc / cap, rel=1e-12)
+
+
+def test_slanted_rays_that_meet_the_wall_leave_by_the_side(make_scene):
+    scene = make_scene(ROUND | {"source": POINT | {"position": [0, 0, -1.0]}})
+    wide = make_scene(
+        ROUND | {"source": POINT | {"position": [0, 0, -1.0]}, "lens.outline": "rectangle"}
+    )
+    found, whole = (
+        Plan(each, dtype=torch.float64).trace(plate(each)).account.lost for each in (scene, wide)
+    )
+    assert found["left_side"] > 0.05
+    assert found["missed_lens"] > whole["missed_lens"] + 0.05
+
+
+def test_no_ray_to_look_at_passes_beside_the_lens(make_scene):
+    scene = make_scene(ROUND)
+    paths = ray_paths(scene, {"exit": np.full(scene.lens.net_shape, 0.5)}, (9, 7))
+    assert 0 < len(paths.points) < 9 * 7
+    assert Ellipse((1.0, 0.8)).contains(*paths.points[:, 1, :2].T).all()
+
+
+def test_parts_of_cells_are_whole_for_a_rectangle():
+    along = [places(Corners(5, 4), axis) for axis in (0, 1)]
+    np.testing.assert_allclose(parts_inside(Rectangle((2.0, 1.0)), *along), 1, rtol=1e-14)
+
+
+@pytest.mark.parametrize("source", [{"kind": "collimated"}, POINT])
+def test_the_gradient_at_the_rim_is_that_of_differences(make_scene, source, rng):
+    scene = make_scene(ROUND | {"source": source, "lens.control_points": [9, 8]})
+    heights = 0.5 + 0.01 * torch.tensor(rng.standard_normal((9, 8)))
+    plan = BeamPlan(scene, (40, 36), dtype=torch.float64)
+    cotangent = torch.tensor(rng.standard_normal((32, 32)))
+
+    def value(heights):
+        return (plan.trace({"exit": heights}).flux * cotangent).sum()
+
+    leaf = heights.clone().requires_grad_()
+    (gradient,) = torch.autograd.grad(value(leaf), leaf)
+    for i, j in ((4, 0), (1, 1), (8, 4), (7, 6)):
+        step = torch.zeros_like(heights)
+        step[i, j] = 1e-6
+        differences = (value(heights + step) - value(heights - step)) / 2e-6
+        assert gradient[i, j].item() == pytest.approx(differences.item(), rel=1e-4, abs=1e-7)
