@@ -180,7 +180,12 @@ _OUTLINES: Mapping[str, Callable[[tuple[float, float]], Outline]] = {
 
 def outline_of(lens: Lens) -> Outline:
     """The outline of a lens."""
-    return _OUTLINES[lens.outline](lens.half_width)
+    return outline_named(lens.outline, lens.half_width)
+
+
+def outline_named(name: str, half_width: tuple[float, float]) -> Outline:
+    """An outline by its name in a scene, with the half-widths of its bounding rectangle."""
+    return _OUTLINES[name](half_width)
 
 
 def _under(x: Array, y: Array) -> Array:

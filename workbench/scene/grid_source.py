@@ -115,9 +115,19 @@ class GridSource(LightOfPoints):
 
     def blur(self, lens: Lens, receiver: AnyReceiver) -> tuple[float, float]:
         """Its angles as seen from the lens, times how far they move light."""
-        (r_x, r_y), (farther_x, farther_y) = self.half_width, receiver.per_radian(lens.highest)
         way = lens.entrance_z - self.center[2]
-        return 2 * r_x * (farther_x / way), 2 * r_y * (farther_y / way)
+        x, y = (
+            2 * r * farther / way if count > 1 else 0.0
+            for r, farther, count in zip(
+                self.half_width, receiver.per_radian(lens.highest), self.points, strict=True
+            )
+        )
+        return x, y
+
+    @property
+    def blur_points(self) -> tuple[int, int]:
+        """Its points."""
+        return self.points
 
     def remarks(self) -> Mapping[str, str]:
         """All its rays."""

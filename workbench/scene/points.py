@@ -88,6 +88,16 @@ class AnySource(Part):
         """
         return 0.0, 0.0
 
+    @property
+    def blur_shape(self) -> Literal["rectangle", "ellipse"]:
+        """What that is like."""
+        return "rectangle"
+
+    @property
+    def blur_points(self) -> tuple[int, int] | None:
+        """How many points along x and y it is made of; None where it is evenly bright."""
+        return None
+
     def check_before(self, lens: Lens) -> None:
         """Refuse a lens that it cannot light.
 

@@ -1,0 +1,80 @@
+"""Blur of a source on pixels: exact integrals, and enough places in a pixel."""
+
+import numpy as np
+import pytest
+
+from workbench.extended.blur import Blur
+
+BLURS = [
+    Blur((3.0, 5.0)),
+    Blur((2.4, 0.0)),
+    Blur((5.95, 5.95), "ellipse"),
+    Blur((3.2, 12.7), "ellipse"),
+    Blur((8.0, 6.0), points=(5, 3)),
+    Blur((90.0, 30.0), points=(25, 1)),
+]
+
+
+@pytest.mark.parametrize("finer", [1, 2])
+@pytest.mark.parametrize("blur", BLURS)
+def test_each_kernel_holds_all_light_about_its_middle(blur, finer):
+    kernels = blur.kernels(finer)
+    x, y = blur.offsets(finer)
+    m_x, m_y = blur.margin
+    assert kernels.shape == (len(x) * len(y), 2 * m_y + 1, 2 * m_x + 1)
+    assert (kernels >= 0).all()
+    np.testing.assert_allclose(kernels.sum(axis=(1, 2)), 1, atol=1e-12)
+
+
+def test_kernel_of_an_ellipse_is_the_part_of_its_area_in_each_pixel():
+    blur = Blur((4.6, 7.2), "ellipse")
+    (m_x, m_y), (x, y) = blur.margin, blur.offsets()
+    fine = (np.arange(400) + 0.5) / 400 - 0.5
+    for kernel, (up, across) in zip(blur.kernels(), [(v, u) for v in y for u in x], strict=True):
+        for row, column in ((m_y, m_x), (m_y + 3, m_x), (m_y - 2, m_x + 1), (m_y + 1, m_x + 2)):
+            inside = np.hypot(
+                (column - m_x + fine - across)[None, :] / 2.3,
+                (row - m_y + fine - up)[:, None] / 3.6,
+            )
+            share = (inside <= 1).mean() / (np.pi * 2.3 * 3.6)
+            assert kernel[row, column] == pytest.approx(share, abs=2e-4)
+
+
+def test_few_places_stand_for_a_rectangle_anywhere_in_a_pixel():
+    # The light of a rectangle at any place is a mean of that at places about it.
+    blur = Blur((2.6, 3.0))
+    x, y = blur.offsets()
+    np.testing.assert_allclose(x, [-0.2, 0.2], atol=1e-9)
+    np.testing.assert_allclose(y, [0.0], atol=1e-9)
+    left, right = blur.kernels()
+    for place in (-0.15, 0.0, 0.1):
+        edges = np.arange(-blur.margin[0] - 0.5, blur.margin[0] + 1) - place
+        across = np.diff(edges.clip(-1.3, 1.3)) / 2.6
+        part = (place + 0.2) / 0.4
+        np.testing.assert_allclose(((1 - part) * left + part * right)[2], across / 3, atol=1e-12)
+
+
+def test_light_of_points_is_in_the_pixels_that_they_are_in():
+    (kernel,) = Blur((4.0, 0.0), points=(3, 1)).kernels()
+    np.testing.assert_allclose(
+        kernel, np.array([[0, 0, 0, 0, 0, 0, 0], [0, 1, 0, 1, 0, 1, 0], [0] * 7]) / 3
+    )
+
+
+def test_blur_of_a_scene_is_that_behind_a_pinhole(make_scene):
+    source = {"kind": "grid", "center": [0, 0, -4], "half_width": [0.2, 0.1], "points": [5, 3]}
+    scene = make_scene({"source": source, "screen.z": 9})
+    blur = Blur.of(scene)
+    (n_x, n_y), (r_x, r_y) = scene.receiver.pixels, scene.receiver.half_extent
+    farther = (9 - scene.lens.highest) / 4
+    assert blur.widths == pytest.approx(
+        (0.4 * farther * n_x / (2 * r_x), 0.2 * farther * n_y / (2 * r_y))
+    )
+    assert blur.points == (5, 3)
+
+
+def test_sources_without_an_extent_hide_nothing(make_scene):
+    point = {"kind": "point", "position": [0, 0, -4]}
+    single = {"kind": "grid", "center": [0, 0, -4], "half_width": [1, 1], "points": [1, 1]}
+    for changes in ({}, {"source": point}, {"source": single}):
+        assert Blur.of(make_scene(changes)).within_a_pixel

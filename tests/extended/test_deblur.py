@@ -1,0 +1,133 @@
+"""The least error of blurred light: against exact solutions, and what has to hold of any bound."""
+
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from scipy.ndimage import gaussian_filter
+from scipy.optimize import nnls
+
+from workbench.analysis.metrics import relative_l2
+from workbench.extended.blur import Blur
+from workbench.extended.blurring import Blurring
+from workbench.extended.certificate import Certifier
+from workbench.extended.deblur import deblur
+
+
+def letters(n_y: int, n_x: int) -> np.ndarray:
+    """A small target with edges, that is not its own mirror image."""
+    target = np.full((n_y, n_x), 0.05)
+    target[2:-2, 2:5] = 1
+    target[2:5, 2:-3] = 0.7
+    return target
+
+
+def images_of_places(blur: Blur, shape: tuple[int, int], finer: int = 1) -> np.ndarray:
+    """Images of light at all places, summed directly and normalised; shape (pixels, places)."""
+    (n_y, n_x), (m_x, m_y) = shape, blur.margin
+    found = []
+    for kernel in blur.kernels(finer):
+        for row in range(-m_y, n_y + m_y):
+            for column in range(-m_x, n_x + m_x):
+                wide = np.zeros((n_y + 4 * m_y, n_x + 4 * m_x))
+                r, c = row + m_y, column + m_x
+                wide[r : r + 2 * m_y + 1, c : c + 2 * m_x + 1] = kernel
+                image = wide[2 * m_y : 2 * m_y + n_y, 2 * m_x : 2 * m_x + n_x]
+                if image.sum() > 1e-6:
+                    found.append((image / image.sum()).ravel())
+    return np.array(found).T
+
+
+def least_error(images: np.ndarray, target: np.ndarray) -> float:
+    """The exact least error: a mean of images is sought, by an active-set method."""
+    wanted = target.ravel() / target.sum()
+    heavy = 1e3
+    matrix = np.vstack([images, heavy * np.ones(images.shape[1])])
+    parts, _ = nnls(matrix, np.append(wanted, heavy))
+    parts /= parts.sum()
+    return float(np.linalg.norm(images @ parts - wanted) / np.linalg.norm(wanted))
+
+
+@pytest.mark.parametrize(
+    "blur", [Blur((3.0, 3.0)), Blur((2.5, 3.0)), Blur((4.0, 3.0), points=(3, 2))]
+)
+def test_bound_is_just_below_the_exact_least_error(blur):
+    target = letters(12, 10)
+    exact = least_error(images_of_places(blur, target.shape), target)
+    found = deblur(target, blur)
+    assert 0.95 * exact < found.bound <= exact + 1e-9
+    assert exact - 1e-9 <= found.error < 1.01 * exact
+
+
+def test_bound_of_a_disc_holds_for_light_at_finer_places():
+    target = letters(9, 8)
+    blur = Blur((3.4, 3.4), "ellipse")
+    exact = least_error(images_of_places(blur, target.shape, finer=2), target)
+    found = deblur(target, blur)
+    assert 0.8 * exact < found.bound <= exact + 1e-9
+
+
+def test_certificate_of_any_image_is_below_the_exact_least_error(rng):
+    target = letters(12, 10)
+    blur = Blur((3.0, 3.0))
+    exact = least_error(images_of_places(blur, target.shape), target)
+    certifier = Certifier(blur.kernels(), target / target.sum())
+    for _ in range(20):
+        image = gaussian_filter(rng.normal(size=target.shape), 1)
+        assert certifier.bound(image) <= exact + 1e-9
+
+
+def test_blur_by_frequencies_is_the_direct_sum(rng):
+    blur = Blur((3.4, 2.2), "ellipse")
+    kernels, shape = blur.kernels(), (7, 9)
+    blurring = Blurring(kernels, shape)
+    light = np.zeros((len(kernels), *blurring.grid))
+    places = light[:, *blurring.places]
+    places[:] = rng.random(places.shape)
+    direct = np.zeros((7 + 4 * blur.margin[1], 9 + 4 * blur.margin[0]))
+    _, rows, columns = kernels.shape
+    for kernel, lit in zip(kernels, places, strict=True):
+        for (row, column), flux in np.ndenumerate(lit):
+            direct[row : row + rows, column : column + columns] += flux * kernel
+    np.testing.assert_allclose(blurring.image(light), direct[blurring.seen], atol=1e-12)
+    image = rng.random(shape)
+    np.testing.assert_allclose(
+        (blurring.image(light) * image).sum(), (light * blurring.back(image)).sum()
+    )
+
+
+def test_image_found_is_that_of_the_light_found():
+    target = letters(24, 20)
+    blur = Blur((4.0, 4.0))
+    found = deblur(target, blur)
+    assert found.image.sum() == pytest.approx(1)
+    assert (found.light >= 0).all()
+    assert relative_l2(found.image, target) == pytest.approx(found.error, rel=1e-5)
+    blurring = Blurring(blur.kernels(), target.shape)
+    light = np.zeros((1, *blurring.grid))
+    light[0][blurring.places] = found.light
+    np.testing.assert_allclose(blurring.image(light), found.image, atol=1e-7)
+
+
+def test_bound_grows_with_the_source():
+    target = letters(32, 32)
+    for shape in ("rectangle", "ellipse"):
+        found = [deblur(target, Blur((d, d), shape)) for d in (1.0, 2.0, 4.0, 8.0, 16.0)]
+        assert found[0].bound == found[0].error == 0
+        assert all(a.error < b.bound for a, b in pairwise(found))
+
+
+def test_scale_of_the_target_does_not_count():
+    target = letters(16, 16)
+    blur = Blur((3.0, 3.0))
+    assert deblur(1e6 * target, blur).bound == pytest.approx(deblur(target, blur).bound, rel=1e-3)
+
+
+def test_target_that_is_blurred_light_is_in_reach(rng):
+    blur = Blur((5.0, 5.0), "ellipse")
+    blurring = Blurring(blur.kernels(), (32, 32))
+    light = np.zeros((len(blur.kernels()), *blurring.grid))
+    light[0][blurring.places] = gaussian_filter(rng.random((38, 38)), 1) ** 8
+    found = deblur(blurring.image(light), blur)
+    assert found.bound < 1e-6
+    assert found.error < 2e-3

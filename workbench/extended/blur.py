@@ -1,0 +1,153 @@
+"""The blur that a source of some size lays over the pixels of a receiver."""
+
+import math
+from dataclasses import dataclass, replace
+from typing import Literal, Self
+
+import numpy as np
+import numpy.typing as npt
+
+from workbench.geometry.outlines import outline_named
+from workbench.scene import Scene
+
+Array = npt.NDArray[np.float64]
+
+# Where a blur is smooth along an axis, so many places of it in each pixel tell it from all others:
+# (least width in pixels, places).
+_PLACES = ((20.0, 1), (9.0, 2), (0.0, 4))
+# Places in a pixel along an axis, at most.
+_MOST_PLACES = 8
+# Width in pixels of what has none along an axis.
+_LEAST = 1e-6
+
+
+@dataclass(frozen=True)
+class Blur:
+    """What one place of a lens makes of a source on the pixels of a receiver.
+
+    Attributes
+    ----------
+    widths : tuple[float, float]
+        Full widths along x and y, pixels.
+    shape : str
+        An evenly bright rectangle or ellipse of these widths.
+    points : tuple[int, int], optional
+        In place of an even shape, so many points along x and y, the outer ones on its rim.
+    """
+
+    widths: tuple[float, float]
+    shape: Literal["rectangle", "ellipse"] = "rectangle"
+    points: tuple[int, int] | None = None
+
+    @classmethod
+    def of(cls, scene: Scene) -> Self:
+        """The blur that a scene's source lays over its receiver, the same all over the lens."""
+        source, receiver = scene.source, scene.receiver
+        x, y = (
+            width * pixels / (2 * half)
+            for width, pixels, half in zip(
+                source.blur(scene.lens, receiver),
+                receiver.pixels,
+                receiver.half_extent,
+                strict=True,
+            )
+        )
+        return cls((x, y), source.blur_shape, source.blur_points)
+
+    def scaled(self, factor: float) -> Self:
+        """That of a source so many times as wide, or on so many times as many pixels."""
+        x, y = self.widths
+        return replace(self, widths=(factor * x, factor * y))
+
+    @property
+    def within_a_pixel(self) -> bool:
+        """Whether it hides nothing: all of it fits into one pixel."""
+        return max(self.widths) <= 1
+
+    @property
+    def margin(self) -> tuple[int, int]:
+        """Pixels along x and y that it takes on each side of the one that its middle is in."""
+        x, y = (math.floor(width / 2 + 1) for width in self.widths)
+        return x, y
+
+    def offsets(self, finer: int = 1) -> tuple[Array, Array]:
+        """Places of its middle along x and y to look at, pixels from the middle of a pixel.
+
+        The light of a rectangle in a pixel is linear between the places where one of its edges
+        meets one of a pixel, that of points is the same all the way between two such places: these
+        few places stand for all. Of an ellipse there are some, evenly spread.
+
+        Parameters
+        ----------
+        finer : int
+            Times as many places, where a few do not stand for all.
+
+        Returns
+        -------
+        tuple of two ndarray
+            In (-0.5, 0.5], ascending.
+        """
+        x, y = (self._offsets(axis, finer) for axis in (0, 1))
+        return x, y
+
+    def _offsets(self, axis: int, finer: int) -> Array:
+        width = max(self.widths[axis], _LEAST)
+        if self.points is None and self.shape == "rectangle":
+            return _in_pixel(np.array([-width / 2, width / 2]) + 0.5)
+        if self.points is not None:
+            edges = _in_pixel(0.5 - self._points(axis))
+            if len(edges) <= _MOST_PLACES:
+                return _in_pixel((edges + np.append(edges[1:], edges[0] + 1)) / 2)
+        places = next(count for least, count in _PLACES if width >= least)
+        count = min(places * finer, _MOST_PLACES)
+        return _in_pixel(np.arange(count) / count)
+
+    def kernels(self, finer: int = 1) -> Array:
+        """Light in each pixel about that of its middle, for all pairs of `offsets`.
+
+        Returns
+        -------
+        ndarray, shape (places, 2 m_y + 1, 2 m_x + 1)
+            Exact integrals over pixels, each kernel summing to 1, for margins m; rows go up.
+        """
+        x, y = self.offsets(finer)
+        (left, right), (low, high) = (
+            (edges[..., :-1], edges[..., 1:])
+            for edges in (
+                np.arange(-m - 0.5, m + 1) - offsets[:, None]
+                for m, offsets in zip(self.margin, (x, y), strict=True)
+            )
+        )
+        if self.points is not None:
+            across, up = (
+                _shares(self._points(axis), edges)
+                for axis, edges in enumerate(((left, right), (low, high)))
+            )
+            found = up[:, None, :, None] * across[None, :, None, :]
+        else:
+            r_x, r_y = (max(width, _LEAST) / 2 for width in self.widths)
+            outline = outline_named(self.shape, (r_x, r_y))
+            ends = (
+                (left[None, :, None, :], right[None, :, None, :]),
+                (low[:, None, :, None], high[:, None, :, None]),
+            )
+            found = outline.area_inside(*ends) / outline.area
+        return np.asarray(found.reshape(-1, *found.shape[2:]))
+
+    def _points(self, axis: int) -> Array:
+        """Where its points are along an axis, pixels from its middle."""
+        assert self.points is not None
+        count, half = self.points[axis], self.widths[axis] / 2
+        return np.linspace(-half, half, count) if count > 1 else np.zeros(1)
+
+
+def _in_pixel(places: Array) -> Array:
+    """Different places within a pixel, in (-0.5, 0.5]."""
+    found = np.unique(np.round(places - np.ceil(places - 0.5), 9))
+    return found[found > -0.5]
+
+
+def _shares(points: Array, edges: tuple[Array, Array]) -> Array:
+    """Parts of points in cells between low and high edges; shape of these."""
+    low, high = (each[..., None] for each in edges)
+    return np.asarray(((points >= low) & (points < high)).mean(axis=-1))

@@ -1,0 +1,97 @@
+"""What no image of blurred light can be below: the dual of its distance from a target.
+
+All images v of light have v = Σ u_y k_y, where k_y ≥ 0 is the blur about a place y and u ≥ 0; only
+their shape counts, so Σ v = 1 as for the target t. For any image w and any number c with
+
+    ⟨k_y, w⟩ ≥ c ⟨k_y, 1⟩  for all places y
+
+follows ⟨v, w⟩ ≥ c, and with the inequality of Cauchy and Schwarz
+
+    ‖v − t‖ ‖w‖ ≥ ⟨v − t, w⟩ ≥ c − ⟨t, w⟩.
+
+So no image comes closer to t than (c − ⟨t, w⟩) / ‖w‖. For the closest image v, both sides are equal
+for w = v − t and c = ⟨v, w⟩. For an image that is merely close some places fail, by
+
+    r(y) = c − ⟨k_y, w⟩ / ⟨k_y, 1⟩ > 0.
+
+Let δ(x) be the largest r of all places whose blur touches the pixel x. Then ⟨k_y, δ⟩ is at least
+r(y) ⟨k_y, 1⟩, and w + δ fails nowhere. Few places fail, and by little: it is hardly larger than w.
+"""
+
+import numpy as np
+import numpy.typing as npt
+from scipy.ndimage import maximum_filter
+from scipy.optimize import minimize_scalar
+
+from workbench.extended.blurring import Blurring
+
+Array = npt.NDArray[np.float64]
+
+# Less than this part of the blur in the image is rounding.
+_GRAZING = 1e-9
+# The number c is sought this far about its first guess, in typical sizes of w, with so many tries.
+_BELOW, _ABOVE, _TRIES = 1.0, 0.1, 8
+
+
+class Certifier:
+    """Certifies bounds for one blur and one target.
+
+    Parameters
+    ----------
+    kernels : ndarray, shape (places, 2 m_y + 1, 2 m_x + 1)
+        The blur of light at each of some places in a pixel, which stand for all; float64.
+    target : ndarray, shape (n_y, n_x)
+        The wanted image; its sum is 1.
+    """
+
+    def __init__(self, kernels: Array, target: Array) -> None:
+        n_y, n_x = target.shape
+        self._target, self._size = target, float(np.linalg.norm(target))
+        self._footprint = kernels.shape[1:]
+        margins = kernels.shape[1] // 2, kernels.shape[2] // 2
+        self._image = tuple(slice(m, m + n) for m, n in zip(margins, target.shape, strict=True))
+        # One place after the other: there may be many.
+        self._each = [Blurring(kernel[None], (n_y, n_x)) for kernel in kernels]
+        ones = np.ones_like(target)
+        self._shares = [blurring.back(ones)[0][blurring.places] for blurring in self._each]
+
+    def bound(self, residual: Array) -> float:
+        """The least error, relative L2, that an image w = ``residual`` certifies.
+
+        Parameters
+        ----------
+        residual : ndarray, shape (n_y, n_x)
+            Any image; that of blurred light less the target where this is close.
+        """
+        w = residual.astype(np.float64)
+        spread = float(np.linalg.norm(w)) / np.sqrt(w.size)
+        if spread == 0:
+            return 0.0
+        least = self._least_means(w)
+        guess = float(((self._target + w) * w).sum() / (self._target + w).sum())
+
+        def lost(c: float) -> float:
+            mended = w + self._mending(c, least)
+            return -(c - float((self._target * mended).sum())) / float(np.linalg.norm(mended))
+
+        tried = minimize_scalar(
+            lost,
+            bounds=(guess - _BELOW * spread, guess + _ABOVE * spread),
+            method="bounded",
+            options={"xatol": 0.0, "maxiter": _TRIES},
+        )
+        return max(-min(lost(guess), float(tried.fun)) / self._size, 0.0)
+
+    def _least_means(self, w: Array) -> Array:
+        """⟨k_y, w⟩ / ⟨k_y, 1⟩, the least of all places in each pixel and about the image."""
+        least = np.full(self._shares[0].shape, np.inf)
+        for blurring, share in zip(self._each, self._shares, strict=True):
+            seen = share > _GRAZING
+            means = blurring.back(w)[0][blurring.places][seen] / share[seen]
+            least[seen] = np.minimum(least[seen], means)
+        return least
+
+    def _mending(self, c: float, least: Array) -> Array:
+        """The image δ that has to be added to w."""
+        fails = (c - least).clip(min=0.0)
+        return np.asarray(maximum_filter(fails, self._footprint, mode="constant")[self._image])
