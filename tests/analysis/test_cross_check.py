@@ -55,11 +55,12 @@ class TestWithMitsuba:
         x, y = x[:, None], y[None, :]
         return 0.5 - 0.05 * x**2 + 0.03 * y**2 + 0.04 * x + 0.03 * x * y**2 - 0.02 * y
 
+    @pytest.mark.parametrize("outline", ["rectangle", "ellipse"])
     @pytest.mark.parametrize("source", SOURCES.values(), ids=SOURCES)
-    def test_both_see_the_same(self, make_scene, source):
+    def test_both_see_the_same(self, make_scene, source, outline):
         screen = {"z": 4.0, "half_width": [1.2, 0.9], "pixels": [32, 24]}
         changes = {"lens.half_width": [1.0, 0.8], "source": source, "screen": screen}
-        scene = make_scene(changes)
+        scene = make_scene(changes | {"lens.outline": outline})
         lens = self.lopsided(scene)
         found = cross_check(scene, np.ones((24, 32)), {"exit": lens}, 200_000)
         assert found.difference == pytest.approx(found.noise, rel=0.15)

@@ -18,6 +18,7 @@ from workbench import system_libraries
 from workbench.analysis.mitsuba_lights import mitsuba_lights
 from workbench.analysis.watch import Watch, unwatched
 from workbench.errors import Refused
+from workbench.geometry.outlines import Rectangle, outline_of
 from workbench.geometry.surface import ControlNet
 from workbench.scene import Scene
 
@@ -113,14 +114,14 @@ class MitsubaScene:
         return np.asarray(irradiance * self._pixel_measure / self._emitted)
 
     def _body(self, heights: Array) -> dict[str, Any]:
-        """Both faces of the lens, and walls that swallow what leaves by the sides."""
+        """Both faces of the lens, and what swallows light beside it or out of its sides."""
         lens, net = self._scene.lens, ControlNet.of(self._scene.lens)
         cells = [n - p for n, p in zip(net.shape, net.degree, strict=True)]
         u, v = (np.linspace(0, 1, spans * -(-_CELLS // spans) + 1) for spans in cells)
-        z, slope_x, slope_y = net.grid(u, v).evaluate(heights)
-        x, y = ((2 * t - 1) * r for t, r in zip((u, v), lens.half_width, strict=True))
-        exit_face = _stacked(x[:, None], y, z) / self._unit
-        entrance = _stacked(x[[0, -1], None], y[[0, -1]], lens.entrance_z) / self._unit
+        u, v, outline = 2 * u - 1, 2 * v - 1, outline_of(lens)
+        x, y, z, slope_x, slope_y = net.over(outline, u, v, heights)
+        exit_face = _stacked(x, y, z) / self._unit
+        entrance = _stacked(x, y, lens.entrance_z) / self._unit
         index = np.arange(z.size).reshape(z.shape)
         rim = np.concatenate([index[:-1, 0], index[-1, :-1], index[:0:-1, -1], index[0, :0:-1]])
         top = exit_face.reshape(-1, 3)[np.append(rim, rim[0])]
@@ -128,11 +129,17 @@ class MitsubaScene:
         glass = self._mi.load_dict({"type": "dielectric", "int_ior": lens.index, "ext_ior": 1.0})
         black = self._mi.load_dict(_BLACK)
         normals = _stacked(-slope_x, -slope_y, 1.0)
-        return {
+        body = {
             "exit": self._mesh(exit_face, glass, normals),
             "entrance": self._mesh(entrance[:, ::-1], glass),
             "walls": self._mesh(np.stack([foot, top], axis=1), black),
         }
+        if not outline.whole:  # black out to the bounding rectangle, where the baffle begins
+            around = Rectangle(lens.half_width).from_square(u[:, None], v)
+            box = (_stacked(*around, lens.entrance_z) / self._unit).reshape(-1, 3)
+            frame = np.stack([box[np.append(rim, rim[0])], foot], axis=1)
+            body["frame"] = self._mesh(frame, black)
+        return body
 
     def _mesh(self, places: Array, material: Any, normals: Array | None = None) -> Any:
         """Places of shape (m, n, 3) as triangles; counterclockwise if they run along x and y."""
@@ -156,7 +163,7 @@ class MitsubaScene:
         return mesh
 
     def _baffle(self) -> dict[str, Any]:
-        """Black rectangles around the entrance face."""
+        """Black rectangles around that of the entrance face."""
         r_x, r_y = (r / self._unit for r in self._scene.lens.half_width)
         z, to = self._scene.lens.entrance_z / self._unit, self._mi.ScalarTransform4f
         wide, beside_x, beside_y = _BAFFLE, (r_x + _BAFFLE) / 2, (r_y + _BAFFLE) / 2

@@ -53,6 +53,10 @@ class Outline(Protocol):
         """
         ...
 
+    def evenly(self, a: Array, b: Array) -> tuple[Array, Array]:
+        """Places (x, y) that fill it as evenly as (a, b) fill the square [0, 1]²."""
+        ...
+
     def from_square(self, u: npt.ArrayLike, v: npt.ArrayLike) -> tuple[Array, Array]:
         """Places (x, y) of a smooth map of the square [-1, 1]² onto it, its rim onto its rim."""
         ...
@@ -92,6 +96,11 @@ class Rectangle:
             for (low, high), r in zip((x, y), self.half_width, strict=True)
         )
         return np.asarray(width * height)
+
+    def evenly(self, a: Array, b: Array) -> tuple[Array, Array]:
+        """See `Outline.evenly`."""
+        r_x, r_y = self.half_width
+        return (a * 2 - 1) * r_x, (b * 2 - 1) * r_y
 
     def from_square(self, u: npt.ArrayLike, v: npt.ArrayLike) -> tuple[Array, Array]:
         """See `Outline.from_square`."""
@@ -148,6 +157,12 @@ class Ellipse:
         )
         area = np.where(farthest <= 1, (right - left) * (high - low), area.clip(min=0))
         return np.asarray(np.where(nearest >= 1, 0.0, area) * (r_x * r_y))
+
+    def evenly(self, a: Array, b: Array) -> tuple[Array, Array]:
+        """See `Outline.evenly`: rings and sectors."""
+        r_x, r_y = self.half_width
+        radius, angle = np.sqrt(a), 2 * np.pi * b
+        return r_x * radius * np.cos(angle), r_y * radius * np.sin(angle)
 
     def from_square(self, u: npt.ArrayLike, v: npt.ArrayLike) -> tuple[Array, Array]:
         """See `Outline.from_square`; lines of one u or v become arcs of ellipses."""

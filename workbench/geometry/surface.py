@@ -9,12 +9,14 @@ import numpy.typing as npt
 
 from workbench.geometry.basis import basis_matrix, local_basis
 from workbench.geometry.knots import clamped_knots, greville, insertion_matrix
+from workbench.geometry.outlines import Outline
 from workbench.scene import Lens
 
 if TYPE_CHECKING:
     import torch
 
 Array = npt.NDArray[np.float64]
+_AT_ONCE = 1 << 15  # places at which basis functions are held at once
 # Evaluation is indexing and matrix products alone, so arrays and tensors go the same way.
 AnyArray = TypeVar("AnyArray", npt.NDArray[np.float64], "torch.Tensor")
 
@@ -151,6 +153,41 @@ class ControlNet:
             parts.append((first[:, None] + np.arange(degree + 1), values, slopes))
         (index_x, along_x, slope_x), (index_y, along_y, slope_y) = parts
         return PointBasis(index_x, index_y, along_x, slope_x, along_y, slope_y)
+
+    def over(self, outline: Outline, u: Array, v: Array, heights: Array) -> tuple[Array, ...]:
+        """The face on a grid that fills an outline of the lens.
+
+        Parameters
+        ----------
+        outline : Outline
+            Within the aperture.
+        u, v : ndarray, shapes (m_x,), (m_y,)
+            Coordinates in [-1, 1] of the square that is mapped onto the outline.
+        heights : ndarray, shape (n_u, n_v)
+            Control heights.
+
+        Returns
+        -------
+        tuple of five ndarray, shape (m_x, m_y)
+            x, y, height and slopes dz/dx, dz/dy.
+        """
+        x, y = outline.from_square(u[:, None], v)
+        if outline.whole:
+            return x, y, *self.grid((u + 1) / 2, (v + 1) / 2).evaluate(heights)
+        return x, y, *self.at(x, y, heights)
+
+    def at(self, x: Array, y: Array, heights: Array) -> tuple[Array, Array, Array]:
+        """Height and slopes dz/dx, dz/dy at any places of one shape, in scene units."""
+        u, v = (
+            ((place.ravel() / r + 1) / 2).clip(0, 1)
+            for place, r in zip((x, y), self.half_width, strict=True)
+        )
+        found = np.empty((3, u.size))
+        for first in range(0, u.size, _AT_ONCE):
+            some = slice(first, first + _AT_ONCE)
+            found[:, some] = self.points(u[some], v[some]).evaluate(heights)
+        z, slope_x, slope_y = found.reshape(3, *x.shape)
+        return z, slope_x, slope_y
 
     def contains(self, coarser: "ControlNet") -> bool:
         """Whether each surface of a coarser net is one of this net too: see `refine`."""

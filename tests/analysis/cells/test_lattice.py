@@ -13,6 +13,7 @@ from workbench.analysis.cells.lattice import Lattice
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.train import OpticalTrain
 from workbench.analysis.validation import validate
+from workbench.geometry.outlines import Ellipse
 
 PLATE = (1 - 0.04) ** 2
 POINT = {"kind": "point", "position": [0.3, -0.2, -4.0]}
@@ -55,6 +56,19 @@ class TestPlate:
             shares.append(np.diff(ends) / 2)
         assert image == pytest.approx(PLATE * np.outer(shares[1], shares[0]), abs=1e-14)
         assert image.sum() == pytest.approx(PLATE, rel=1e-12)
+
+    def test_an_ellipse_converges_to_the_parts_of_pixels_within_it(self, make_scene):
+        changes = {"lens.outline": "ellipse", "lens.half_width": [1.0, 0.8]}
+        scene = make_scene(changes | {"screen.pixels": [20, 24]})
+        x, y = np.linspace(-1, 1, 21), np.linspace(1, -1, 25)[:, None]
+        inside = Ellipse((1.0, 0.8)).area_inside((x[:-1], x[1:]), (y[1:], y[:-1]))
+        exact = PLATE * inside / (4 * 0.8)
+        plate = np.full((12, 10), 0.5)
+        coarse, fine = (distance(flux_of(scene, plate, (n, n)), exact) for n in (80, 160))
+        assert fine < 0.3 * coarse
+        assert fine < 5e-4
+        image = flux_of(scene, plate, (160, 160))
+        assert image.sum() == pytest.approx(PLATE * math.pi / 4, rel=1e-4)
 
     def test_a_prism_moves_it(self, make_scene):
         scene = make_scene({"screen.half_width": [2.0, 2.0]})

@@ -10,6 +10,7 @@ from workbench.analysis.tracing.interfaces import DielectricBoundary
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.receivers import PlaneDetector
 from workbench.analysis.tracing.surfaces import FlatFace, SplineFace
+from workbench.geometry.outlines import Rectangle
 
 UP = np.array([[0.0, 0.0, 1.0]])
 
@@ -24,7 +25,7 @@ def at(*places):
 
 
 class TestFlatFace:
-    face = FlatFace(2.0, (1.0, 0.5), "missed_lens")
+    face = FlatFace(2.0, Rectangle((1.0, 0.5)), "missed_lens")
 
     def test_rays_are_taken_to_its_plane(self):
         rays = TracedRays(at([0, 0, 0], [0.5, 0, 1]), inclined(-10), np.ones(2))

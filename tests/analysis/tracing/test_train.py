@@ -6,6 +6,7 @@ import pytest
 from workbench.analysis.tracing.elements import Crossings, TracedRays
 from workbench.analysis.tracing.surfaces import FlatFace
 from workbench.analysis.tracing.train import OpticalTrain, Tally
+from workbench.geometry.outlines import Rectangle
 
 UP = np.array([[0.0, 0.0, 1.0]])
 
@@ -13,7 +14,7 @@ UP = np.array([[0.0, 0.0, 1.0]])
 class Lamp:
     """Even light over a square, along the axis."""
 
-    rays = 20_000
+    rays, beside = 20_000, 0.0
 
     def batch(self, number):
         place = np.random.default_rng(number).uniform(-1, 1, (self.rays, 3))
@@ -46,7 +47,10 @@ class Halves:
 
 
 def test_elements_of_new_kinds_are_followed_and_their_losses_counted():
-    faces = [(FlatFace(0.0, (1.0, 0.5), "missed_lens"), GreyFilter()), (RoundFace(), GreyFilter())]
+    faces = [
+        (FlatFace(0.0, Rectangle((1.0, 0.5)), "missed_lens"), GreyFilter()),
+        (RoundFace(), GreyFilter()),
+    ]
     train = OpticalTrain(Lamp(), faces, Halves())
     tally = Tally(1, 2)
     for rays in train.source.batch(1):

@@ -11,8 +11,10 @@ import numpy.typing as npt
 
 from workbench.analysis.cells.lift import lift
 from workbench.analysis.cells.triangles import Array, Canvas, fill_cells
+from workbench.analysis.tracing.elements import TracedRays
 from workbench.analysis.tracing.in_order import in_order
 from workbench.analysis.tracing.train import OpticalTrain, Tally
+from workbench.geometry.outlines import outline_of
 from workbench.scene import Scene
 
 Index = npt.NDArray[np.intp]
@@ -28,7 +30,10 @@ _FAR = 1e7
 
 
 class Lattice:
-    """Cells of equal size that cover the entrance face, lit from each origin of the light.
+    """Cells that cover the entrance face, lit from each origin of the light.
+
+    They are equal on a square, which `workbench.geometry.outlines` maps onto the outline of the
+    lens: no cell is cut by it.
 
     Parameters
     ----------
@@ -53,10 +58,9 @@ class Lattice:
         self._train, self._pixels = train, scene.receiver.pixels
         p, q = scene.lens.degree
         self._lifted = (p > 2, q > 2) if lifted is None else lifted
-        self._x, self._y = (
-            np.linspace(-r, r, n + 1) for r, n in zip(scene.lens.half_width, cells, strict=True)
-        )
-        self._width = tuple(2 * r / n for r, n in zip(scene.lens.half_width, cells, strict=True))
+        self._outline = outline_of(scene.lens)
+        self._u, self._v = (np.linspace(-1, 1, n + 1) for n in cells)
+        self._width = tuple(2 / n for n in cells)
         self._rows = max(_AT_ONCE // (cells[1] + 1) - 3, 4)  # of cells traced together
         self._strips = [
             (origin, first)
@@ -100,36 +104,41 @@ class Lattice:
 
     def _fill(self, canvas: Canvas, origin: int, first: int) -> None:
         """Add the light of one origin through a strip of cells."""
-        last = min(first + self._rows, len(self._x) - 1)
+        last = min(first + self._rows, len(self._u) - 1)
         # With a row of nodes on both sides, for second differences.
-        before, behind = max(first - 1, 0), min(last + 1, len(self._x) - 1)
-        nodes, flux = self._nodes(origin, self._x[before : behind + 1], self._y)
+        before, behind = max(first - 1, 0), min(last + 1, len(self._u) - 1)
+        nodes, flux = self._nodes(origin, self._u[before : behind + 1, None], self._v)
         nodes = lift(nodes, flux, self._lifted)
         strip = slice(first - before, last - before + 1)
-        mixed = np.empty((last - first, len(self._y) - 1), dtype=bool)
+        mixed = np.empty((last - first, len(self._v) - 1), dtype=bool)
         fill_cells(nodes[strip], flux[strip], first % 2, (canvas.here, canvas.behind), mixed)
         i, j = np.nonzero(mixed)
         at_once = max(_AT_ONCE // _SAMPLES**2, 1)
         for some in range(0, len(i), at_once):
             self._sample(canvas, origin, first + i[some:][:at_once], j[some:][:at_once])
 
-    def _nodes(self, origin: int, x: Array, y: Array) -> tuple[Array, Array]:
+    def _nodes(self, origin: int, u: Array, v: Array) -> tuple[Array, Array]:
         """Where light meets the screen, in pixels, and its flux per cell; 0 for what is lost."""
-        rays = self._train.source.through(origin, np.repeat(x, len(y)), np.tile(y, len(x)))
+        rays, area = self._through(origin, u, v)
         places, flux = np.zeros((len(rays.flux), 2)), np.empty(len(rays.flux))
         self._train.hits(rays, places, flux)
         lost = ~(np.abs(places) < _FAR).all(axis=1)  # also where there is no number
         places[lost], flux[lost] = 0.0, 0.0
-        flux *= math.prod(self._width)
-        return places.reshape(len(x), len(y), 2), flux.reshape(len(x), len(y))
+        shape = len(u), len(v)
+        return places.reshape(*shape, 2), (flux * area).reshape(shape)
+
+    def _through(self, origin: int, u: Array, v: Array) -> tuple[TracedRays, Array]:
+        """Rays through places of the square, and the areas of cells there."""
+        x, y = (np.ravel(part) for part in self._outline.from_square(u, v))
+        area = self._outline.stretch(u, v).ravel() * math.prod(self._width)
+        return self._train.source.through(origin, x, y), area
 
     def _sample(self, canvas: Canvas, origin: int, i: Index, j: Index) -> None:
         """Add the light of cells of which a part is lost, ray by ray."""
         within = (np.arange(_SAMPLES) + 0.5) / _SAMPLES
-        x = self._x[i][:, None, None] + within[:, None] * self._width[0]
-        y = self._y[j][:, None, None] + within * self._width[1]
-        rays = self._train.source.through(origin, *map(np.ravel, np.broadcast_arrays(x, y)))
-        share = math.prod(self._width) / _SAMPLES**2
+        u = self._u[i][:, None, None] + within[:, None] * self._width[0]
+        v = self._v[j][:, None, None] + within * self._width[1]
+        rays, area = self._through(origin, u, v)
         tally = Tally(1, canvas.here.size)
-        self._train.walk(rays._replace(flux=rays.flux * share), tally)
+        self._train.walk(rays._replace(flux=rays.flux * area / _SAMPLES**2), tally)
         canvas.here += tally.flux.reshape(canvas.here.shape)

@@ -65,11 +65,14 @@ class RandomSource(Protocol):
 
     Attributes
     ----------
+    beside : float
+        Flux that misses the lens by its outline and is in none of the rays, over that of all rays.
     rays : int
         How many there are in all batches together.
     """
 
     rays: int
+    beside: float
 
     def batch(self, number: int) -> Iterator[TracedRays]:
         """The rays of one of the batches, some at a time."""

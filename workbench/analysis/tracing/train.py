@@ -17,6 +17,7 @@ from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.receivers import PlaneDetector
 from workbench.analysis.tracing.sources import light_source
 from workbench.analysis.tracing.surfaces import FlatFace, SplineFace
+from workbench.geometry.outlines import outline_of
 from workbench.scene import Scene
 
 # Rays followed together: what is made of them on the way stays within the cache.
@@ -99,7 +100,7 @@ class OpticalTrain:
     ) -> "OpticalTrain":
         """The train of a scene; for the parameters see `Trace`."""
         lens, n = scene.lens, scene.lens.index
-        entrance = FlatFace(0.0, lens.half_width, "missed_lens")
+        entrance = FlatFace(0.0, outline_of(lens), "missed_lens")
         exit_face = SplineFace(lens, heights["exit"], "left_side")
         return cls(
             light_source(scene.source, lens, pose, rays, seed),
@@ -112,7 +113,10 @@ class OpticalTrain:
 
     def walk(self, rays: TracedRays, tally: Tally) -> None:
         """Follow rays from the source to the receiver, and add their light to a tally."""
-        tally.emitted += float(rays.flux.sum())
+        flux = float(rays.flux.sum())
+        tally.emitted += flux * (1 + self.source.beside)
+        if self.source.beside:
+            tally.lose(self.faces[0][0].missed, flux * self.source.beside)
         for some in rays.split(_AT_ONCE):
             self._follow(some, tally)
 

@@ -7,6 +7,7 @@ import numpy as np
 from workbench.analysis.tracing.elements import Array, TracedRays
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import Cells
+from workbench.geometry.outlines import outline_of
 from workbench.scene import CollimatedSource, Lens
 
 
@@ -20,18 +21,20 @@ class CollimatedLight:
     def __init__(
         self, source: CollimatedSource, lens: Lens, pose: Pose, rays: int, seed: int
     ) -> None:
-        self._half_width = r_x, r_y = lens.half_width
+        r_x, r_y = lens.half_width
+        self._outline = outline_of(lens)
         self._direction = pose.axis()[None, :]
         self._cells = Cells(rays, r_x / r_y, seed)
         self.rays = self._cells.count
+        # Of the rectangle around the lens, all is lit, and rays are drawn on the glass alone.
         self.origins, self.emitted = 1, 4 * r_x * r_y
+        self.beside = self.emitted / self._outline.area - 1
 
     def batch(self, number: int) -> Iterator[TracedRays]:
         """Rays that begin on the entrance face; see `RandomSource.batch`."""
-        r_x, r_y = self._half_width
         for a, b in self._cells.batch(number):
             position = np.zeros((len(a), 3))
-            position[:, 0], position[:, 1] = (a * 2 - 1) * r_x, (b * 2 - 1) * r_y
+            position[:, 0], position[:, 1] = self._outline.evenly(a, b)
             yield TracedRays(position, self._direction, np.ones(len(a)))
 
     def through(self, origin: int, x: Array, y: Array) -> TracedRays:

@@ -20,6 +20,8 @@ class PointLight:
     are those of `light_source`.
     """
 
+    beside = 0.0
+
     def __init__(self, source: LightOfPoints, lens: Lens, pose: Pose, rays: int, seed: int) -> None:
         self._seed = seed
         # Flux goes with the cosine to this; even light has none.

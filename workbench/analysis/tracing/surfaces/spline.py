@@ -1,4 +1,4 @@
-"""A B-spline over the entrance face, with its rectangular outline."""
+"""A B-spline over the entrance face, with the outline of the lens."""
 
 import math
 
@@ -7,6 +7,7 @@ from scipy.interpolate import BSpline
 
 from workbench.analysis.tracing.elements import Array, Crossings, TracedRays
 from workbench.analysis.tracing.surfaces.spline_kernels import Spline, meet
+from workbench.geometry.outlines import outline_of
 from workbench.scene import Lens
 
 
@@ -50,6 +51,7 @@ class SplineFace:
             highest=float(heights.max()),
             steepest_x=steepest[0],
             steepest_y=steepest[1],
+            curved=not outline_of(lens).whole,
         )
 
     def meet(self, rays: TracedRays) -> Crossings:

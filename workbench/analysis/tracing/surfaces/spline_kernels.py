@@ -34,6 +34,8 @@ class Spline(NamedTuple):
         Lowest and highest control height.
     steepest_x, steepest_y : float
         Bounds of the face's slopes.
+    curved : bool
+        Whether the aperture is an ellipse, not a rectangle.
     """
 
     control: Array
@@ -47,6 +49,7 @@ class Spline(NamedTuple):
     highest: float
     steepest_x: float
     steepest_y: float
+    curved: bool
 
 
 @jit(error_model="numpy")
@@ -169,9 +172,23 @@ def _room(half_width, place, slope):  # type: ignore[no-untyped-def]
 
 
 @jit(error_model="numpy")
+def _side(spline, x, y, slope_x, slope_y):  # type: ignore[no-untyped-def]
+    """Rise of an inclined ray up to the lens's side."""
+    if not spline.curved:
+        return min(_room(spline.r_x, x, slope_x), _room(spline.r_y, y, slope_y))
+    # Where the ray leaves the unit circle: a t² + 2 b t = c, with c not negative within.
+    x, y = x / spline.r_x, y / spline.r_y
+    slope_x, slope_y = slope_x / spline.r_x, slope_y / spline.r_y
+    a, b = slope_x * slope_x + slope_y * slope_y, x * slope_x + y * slope_y
+    c = max(1 - x * x - y * y, 0.0)
+    root = math.sqrt(b * b + a * c)
+    return c / (root + b) if b > 0 else (root - b) / a
+
+
+@jit(error_model="numpy")
 def _meet(spline, x, y, z, slope_x, slope_y, basis):  # type: ignore[no-untyped-def]
     """Rise of an inclined ray to where it first meets the face; −∞ if it leaves at the side."""
-    side = min(_room(spline.r_x, x, slope_x), _room(spline.r_y, y, slope_y))
+    side = _side(spline, x, y, slope_x, slope_y)
     slack = 1e-13 * spline.highest
     low = min(side, spline.lowest - z - slack)
     high = min(side, spline.highest - z + slack)
