@@ -7,6 +7,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from tests.lamps import crooked_lamp
 from workbench import system_libraries
 from workbench.analysis import mitsuba as other
 from workbench.analysis.cross_check import cross_check
@@ -72,6 +73,9 @@ class TestWithMitsuba:
         assert found.mitsuba.efficiency == pytest.approx(found.ours.efficiency, rel=slack)
         error = found.mitsuba.relative_l2_corrected
         assert error == pytest.approx(found.ours.relative_l2_corrected, abs=found.noise)
+
+    def test_both_see_the_light_of_a_photometric_file(self, make_scene, tmp_path):
+        self.test_both_see_the_same(make_scene, crooked_lamp(tmp_path))
 
     @pytest.mark.parametrize("emission", ["uniform", "lambertian"])
     def test_points_of_a_near_grid_have_the_same_intensity(self, make_scene, emission):

@@ -13,7 +13,7 @@ from ui.document.verified_errors import VerifiedErrors
 from workbench.design.snapshot import Result
 from workbench.design.task import with_file, with_task
 from workbench.files.fingerprint import fingerprint
-from workbench.files.scene import with_absolute_image
+from workbench.files.scene import with_absolute_files
 from workbench.files.session import (
     Session,
     is_session,
@@ -142,7 +142,7 @@ class Document(QObject):
         # One step is one edit: what was lost on the way comes back with the value it hung on.
         old = self.undo_stack.origin(key) or self._session
         # A relative path typed by hand starts beside the file, as it will when saved there.
-        scene = with_absolute_image(scene, self.suggested_path)
+        scene = with_absolute_files(scene, self.suggested_path)
         if scene == self._session.scene:
             return
         after = with_task(old, scene, self.suggested_path.parent)

@@ -4,9 +4,21 @@ import math
 from collections.abc import Callable, Mapping
 from typing import Any
 
+import numpy as np
+
 from workbench.analysis.tracing.sources.cones import covering_cones
+from workbench.analysis.tracing.sources.turning import file_axes
 from workbench.errors import Refused
-from workbench.scene import CollimatedSource, GridSource, Lens, LightOfPoints, PointSource, Source
+from workbench.measured.lamps import intensity_of
+from workbench.scene import (
+    CollimatedSource,
+    GridSource,
+    Lens,
+    LightOfPoints,
+    PhotometricSource,
+    PointSource,
+    Source,
+)
 
 # In half-widths of the lens: how far before it parallel light starts.
 _BEFORE = 0.1
@@ -14,6 +26,8 @@ _BEFORE = 0.1
 _DISK = 1e-4
 # Mitsuba's spots fade at their rims, here beyond the cone.
 _FADE = 1e-3
+# Pixels along each side of the slide of a lamp.
+_SLIDE = 1024
 _EVEN = {"type": "rgb", "value": 1.0}
 
 Lights = tuple[dict[str, Any], float]
@@ -85,8 +99,36 @@ def _points(mi: Any, source: LightOfPoints, lens: Lens, unit: float) -> Lights:
     return lights, emitted
 
 
+def _lamp(mi: Any, source: PhotometricSource, lens: Lens, unit: float) -> Lights:
+    """A spot into the cone that just covers the lens, behind a slide with its intensities."""
+    point = np.array([source.position]) / unit
+    half_width = (lens.half_width[0] / unit, lens.half_width[1] / unit)
+    cone = covering_cones(point, half_width, lens.entrance_z / unit)
+    axis, angle = cone.axis[0], 2 * math.asin(math.sqrt(cone.versine[0] / 2))
+    look = mi.ScalarTransform4f().look_at(point[0], point[0] + axis, [1, 0, 0])
+    # Directions through the middles of the slide's pixels; the slide is as wide as the cone.
+    tangent = (2 * (np.arange(_SLIDE) + 0.5) / _SLIDE - 1) * math.tan(angle * (1 + _FADE))
+    x, y = np.meshgrid(tangent, tangent)
+    local = np.stack([x, y, np.ones_like(x)], axis=-1)
+    local /= np.linalg.norm(local, axis=-1, keepdims=True)
+    ahead = local @ np.array(look.matrix)[:3, :3].T
+    table = intensity_of(source)
+    intensity = table.at(file_axes(source.rotation).inv().apply(ahead.reshape(-1, 3)))
+    slide = mi.Bitmap(intensity.reshape(x.shape).astype(np.float32)[..., None])
+    light = {
+        "type": "spot",
+        "to_world": look,
+        "intensity": _EVEN,
+        "texture": {"type": "bitmap", "bitmap": slide, "raw": True, "wrap_mode": "clamp"},
+        "beam_width": math.degrees(angle),
+        "cutoff_angle": math.degrees(angle) * (1 + _FADE),
+    }
+    return {"light": light}, table.lumens
+
+
 _LIGHTS: Mapping[type, Callable[[Any, Any, Lens, float], Lights]] = {
     CollimatedSource: _sheet,
     PointSource: _points,
     GridSource: _points,
+    PhotometricSource: _lamp,
 }

@@ -342,7 +342,7 @@ def with_screen_at(scene: Scene, z: float) -> Scene:
     """
     data = scene.to_data()
     data["screen"]["z"] = z
-    return Scene.from_data(data)
+    return Scene.from_data(data).carrying(scene.light_files)
 
 
 def _account(tally: Tally) -> Account:

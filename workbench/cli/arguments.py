@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from workbench import __version__
 from workbench.cli.verbs import (
     benchmark,
-    bound,
     design,
     export,
     manufacture,
@@ -20,7 +19,6 @@ from workbench.cli.verbs.parser import Parser
 
 VERBS = {
     "design": design,
-    "bound": bound,
     "sweep": sweep,
     "validate": validate,
     "tolerances": tolerances,

@@ -11,6 +11,7 @@ from workbench.cli.interruption import Interrupted, Interruption
 from workbench.cli.keeping import Keeper
 from workbench.cli.progress import Progress
 from workbench.design.design_run import DesignRun
+from workbench.design.light_files import why_light_is_not_kept
 from workbench.design.picture import why_not_kept
 from workbench.design.snapshot import Result
 from workbench.files.atomic import check_writable
@@ -45,6 +46,8 @@ def design(path: Path, output: Path, iterations: int | None, seconds: float, as_
     """
     session = open_design(path)
     if not is_session(path) and (said := why_not_kept(session.scene, session.picture)):
+        print(said, file=sys.stderr)
+    if not is_session(path) and (said := why_light_is_not_kept(session.scene)):
         print(said, file=sys.stderr)
     run = DesignRun(session, iterations)
     session = run.session

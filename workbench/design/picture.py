@@ -26,12 +26,15 @@ def picture_of(scene: Scene, folder: Path) -> bytes | None:
         None for a built-in shape, and for a file that cannot be read or is larger than
         `LARGEST_PICTURE`.
     """
-    if scene.image is None:
-        return None
+    return None if scene.image is None else content_of(folder / scene.image)
+
+
+def content_of(path: Path) -> bytes | None:
+    """The content of a file; None if it cannot be read or is larger than `LARGEST_PICTURE`."""
     try:
-        with opened(folder / scene.image) as file:
+        with opened(path) as file:
             content = file.read(LARGEST_PICTURE + 1)
-    except Refused:  # whoever draws the target says so
+    except Refused:  # whoever needs it says so
         return None
     return content if len(content) <= LARGEST_PICTURE else None
 

@@ -3,6 +3,7 @@
 from dataclasses import replace
 from pathlib import Path
 
+from workbench.design.light_files import with_light
 from workbench.design.picture import picture_of
 from workbench.design.session import Session
 from workbench.scene import Scene
@@ -21,10 +22,11 @@ def begin(scene: Scene, folder: Path) -> Session:
     Raises
     ------
     Refused
-        If the target cannot be drawn.
+        If the target cannot be drawn, or a file of light cannot be used.
     """
     from workbench.targets import load_target  # late: scipy.ndimage takes long to import
 
+    scene = with_light(scene, folder)
     picture = picture_of(scene, folder)
     return Session(scene, load_target(scene, folder, picture), picture=picture)
 
@@ -41,6 +43,7 @@ def with_task(session: Session, scene: Scene, folder: Path) -> Session:
     Refused
         If the target cannot be drawn.
     """
+    scene = with_light(scene.carrying(session.scene.light_files), folder)
     if _drawing(scene) == _drawing(session.scene.in_unit(scene.unit)):
         return session.with_scene(scene, session.target)
     if session.picture is None or scene.image != session.scene.image:

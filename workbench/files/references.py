@@ -8,22 +8,26 @@ from pathlib import Path
 
 from workbench.files.entries import Entries
 from workbench.files.header import read_header, read_part
-from workbench.files.scene import LARGEST_TEXT, read_scene, with_absolute_image
+from workbench.files.scene import LARGEST_TEXT, read_scene, with_absolute_files
 from workbench.files.session import HEADER, is_session
 from workbench.reading import opened
 from workbench.scene import Scene
 
 
-def images_of(path: Path) -> tuple[Path, ...]:
-    """Image files that a scene file, or a session with the runs kept in it, refers to.
+def files_of(path: Path) -> tuple[tuple[str, Path], ...]:
+    """Files that a scene file, or a session with the runs kept in it, refers to.
+
+    Returns
+    -------
+    tuple of (str, Path)
+        With the field that names each: ``target.image``.
 
     Raises
     ------
     Refused
         If the file cannot be read or its scene is not possible.
     """
-    images = (scene.image for scene in _scenes(path))
-    return tuple(Path(image) for image in images if image is not None)
+    return tuple((field, Path(name)) for scene in _scenes(path) for field, name in scene.files())
 
 
 def _scenes(path: Path) -> list[Scene]:
@@ -34,7 +38,7 @@ def _scenes(path: Path) -> list[Scene]:
         where = entries.where(HEADER)
         header = read_header(entries.content(HEADER, LARGEST_TEXT), where)
     texts = [header.scene, *(run.scene for run in header.runs or ())]
-    return [with_absolute_image(read_part(text, None, where), path) for text in texts]
+    return [with_absolute_files(read_part(text, None, where), path) for text in texts]
 
 
 def is_one_file(path: Path, other: Path) -> bool:

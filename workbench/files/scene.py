@@ -24,7 +24,7 @@ def read_scene(path: Path) -> Scene:
     Returns
     -------
     Scene
-        With an absolute ``target.image``.
+        With absolute names of files.
 
     Raises
     ------
@@ -46,43 +46,42 @@ def read_scene(path: Path) -> Scene:
         if refused.path == "scene":  # no field of it, but all
             raise Refused(str(path), refused.reason) from None
         raise
-    return with_absolute_image(scene, path)
+    return with_absolute_files(scene, path)
 
 
 def write_scene(scene: Scene, path: Path) -> None:
-    """Write a scene file; ``target.image`` becomes relative where it lies below its folder.
+    """Write a scene file; names of files below its folder become relative.
 
     Raises
     ------
     Refused
         If it cannot be written; what was at ``path`` before is still there.
     """
-    text = with_portable_image(scene, path).to_json()
+    text = with_portable_files(scene, path).to_json()
     with replacing(path) as file:
         file.write(text.encode())
 
 
-def with_absolute_image(scene: Scene, path: Path) -> Scene:
-    """The scene of a file, with an image that is found from every folder."""
-    if scene.image is None:
-        return scene
+def with_absolute_files(scene: Scene, path: Path) -> Scene:
+    """The scene of a file, with names of files that are found from every folder."""
     # Not resolve(): a link stays a link, so that scene and image still lie side by side.
-    return _with_image(scene, os.path.abspath(path.parent / scene.image))
+    return scene.with_files(
+        {field: os.path.abspath(path.parent / name) for field, name in scene.files()}
+    )
 
 
-def with_portable_image(scene: Scene, path: Path) -> Scene:
-    """The scene for a file, with an image that is found beside it wherever both are moved to."""
-    if scene.image is None:
-        return scene
-    image, folder = Path(scene.image), Path(os.path.abspath(path.parent))
-    name = image.relative_to(folder).as_posix() if image.is_relative_to(folder) else str(image)
+def with_portable_files(scene: Scene, path: Path) -> Scene:
+    """The scene for a file, with files that are found beside it wherever both are moved to."""
+    folder = Path(os.path.abspath(path.parent))
+    return scene.with_files(
+        {field: _portable(field, Path(name), folder) for field, name in scene.files()}
+    )
+
+
+def _portable(field: str, file: Path, folder: Path) -> str:
+    name = file.relative_to(folder).as_posix() if file.is_relative_to(folder) else str(file)
     try:
         name.encode()
     except UnicodeEncodeError as error:
-        raise Refused("target.image", f"{name!r} is no text and cannot be kept in one") from error
-    return _with_image(scene, name)
-
-
-def _with_image(scene: Scene, image: str) -> Scene:
-    target = scene.target.model_copy(update={"image": image})
-    return scene.model_copy(update={"target": target})
+        raise Refused(field, f"{name!r} is no text and cannot be kept in one") from error
+    return name

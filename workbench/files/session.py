@@ -2,7 +2,7 @@
 
 import re
 import zipfile
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 from workbench import __version__
@@ -26,12 +26,13 @@ from workbench.files.header import (
     read_header,
     read_part,
 )
+from workbench.files.light_files import light_entries, names_of_light, with_kept_light
 from workbench.files.npy import Array, Mask, write_array
 from workbench.files.scene import (
     LARGEST_TEXT,
     read_scene,
-    with_absolute_image,
-    with_portable_image,
+    with_absolute_files,
+    with_portable_files,
 )
 from workbench.geometry.faces import FaceArrays
 from workbench.geometry.surface import freeform_nets
@@ -110,6 +111,8 @@ def write_session(session: Session, path: Path) -> str:
             for name, array in arrays.items():
                 with archive.open(name, "w") as entry:
                     write_array(entry, array)
+            for name, light in _light_of(session).items():
+                archive.writestr(name, light)
             if session.picture is not None:
                 archive.writestr(_picture_entry(session.scene), session.picture)
         file.seek(0)
@@ -142,12 +145,14 @@ def read_session(path: Path) -> Session:
         entries = Entries(path, file)
         where = entries.where(HEADER)
         header = read_header(entries.content(HEADER, LARGEST_TEXT), where)
-        scene = _scene_of(header, where, entries, "", path)
+        scene = _scene_of(header, where, entries, "", path, {})
+        light = scene.light_files
         runs = [
-            (run, _scene_of(run, f"{where}: runs[{number}].scene", entries, _folder(number), path))
-            for number, run in enumerate(header.runs or ())
+            (run, _scene_of(run, f"{where}: runs[{k}].scene", entries, _folder(k), path, light))
+            for k, run in enumerate(header.runs or ())
         ]
         names = {HEADER} | names_of(entries, "", scene, header.result)
+        names |= names_of_light(entries, "", scene)
         nets = freeform_nets(scene.lens)
         locks = {face: _LOCKED[face] for face in nets if _LOCKED[face] in entries}
         names.update(locks.values())
@@ -159,6 +164,7 @@ def read_session(path: Path) -> Session:
             names.add(_picture_entry(scene))
         for number, (run, task) in enumerate(runs):
             names |= names_of(entries, _folder(number), task, run.result)
+            names |= names_of_light(entries, _folder(number), task)
         entries.check_names(names)
         return Session(
             scene,
@@ -172,13 +178,21 @@ def read_session(path: Path) -> Session:
         )
 
 
+def _light_of(session: Session) -> dict[str, bytes]:
+    """Files of light by names of entries; those of kept runs where they are others."""
+    found = light_entries("", session.scene, {})
+    for number, run in enumerate(session.runs):
+        found |= light_entries(_folder(number), run.scene, session.scene.light_files)
+    return found
+
+
 def _header(session: Session, path: Path) -> Header:
     if len(session.runs) > MOST_RUNS:
         raise Refused(str(path), f"would hold {len(session.runs)} kept runs; at most {MOST_RUNS}")
     runs = [
         RunHeader(
             name=run.name,
-            scene=with_portable_image(run.scene, path).to_data(),
+            scene=with_portable_files(run.scene, path).to_data(),
             control_points=chosen_net(run.scene),
             result=Figures.of(run.result),
             verified=None if run.verified is None else VerifiedFigures(**run.verified._asdict()),
@@ -188,7 +202,7 @@ def _header(session: Session, path: Path) -> Header:
     scenes = [session.scene, *(run.scene for run in session.runs)]
     return Header(
         version=max(scene.needed_version for scene in scenes),
-        scene=with_portable_image(session.scene, path).to_data(),
+        scene=with_portable_files(session.scene, path).to_data(),
         control_points=chosen_net(session.scene),
         result=None if session.result is None else Figures.of(session.result),
         runs=tuple(runs) or None,
@@ -198,13 +212,18 @@ def _header(session: Session, path: Path) -> Header:
 
 
 def _scene_of(
-    header: Header | RunHeader, where: str, entries: Entries, folder: str, path: Path
+    header: Header | RunHeader,
+    where: str,
+    entries: Entries,
+    folder: str,
+    path: Path,
+    light: Mapping[str, bytes | None],
 ) -> Scene:
     """The scene of a design; of a program that does not say what it took, with our choice."""
     scene = read_part(header.scene, header.control_points, where)
     if scene.lens.known_shape is None:
         scene = definite(scene, read_target(entries, folder, scene))
-    return with_absolute_image(scene, path)
+    return with_kept_light(entries, folder, with_absolute_files(scene, path), light)
 
 
 def _read_runs(entries: Entries, runs: Sequence[tuple[RunHeader, Scene]]) -> Iterator[KeptRun]:

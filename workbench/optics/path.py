@@ -22,6 +22,9 @@ from workbench.optics.sources import Emitter, emitter_of
 from workbench.optics.surfaces import BSplineSurface, Plane, Surface
 from workbench.scene import Scene
 
+# Less light than this is none: rays that carry all of it add up to 1 but for so much.
+_ROUNDING = 1e-12
+
 
 class Step(NamedTuple):
     """A face on the way of the light.
@@ -181,10 +184,10 @@ class Path:
         """The source's rays before the first freeform face, in float64; tells what is lost."""
         rays = self.emitter.rays(self._seed, self._draw)
         rays = rays._replace(position=_lifted(rays.position, -self.datum))
+        passing = 1 - _total(rays)
         rays, lost, _ = _through(self._fixed, rays, {})
-        if self.emitter.beside:
-            beside = torch.tensor(self.emitter.beside, dtype=torch.float64)
-            lost = _added(lost, {self.steps[0].missed: beside})
+        if passing > _ROUNDING:
+            lost = _added(lost, {self.steps[0].missed: rays.flux.new_tensor(passing)})
         self._lost = {name: flux.to(self.device) for name, flux in lost.items()}
         return _living(rays)
 
@@ -205,6 +208,12 @@ def _through(
         places.append(meeting.position)
         rays = passed.rays
     return rays, account, places
+
+
+def _total(rays: RayBundle) -> float:
+    """Flux of all rays; what is missing to 1 passes the first face by."""
+    x, y, _ = rays.position
+    return float((rays.flux + torch.zeros_like(x + y)).sum())
 
 
 def _added(account: Mapping[str, Tensor], more: Mapping[str, Tensor]) -> dict[str, Tensor]:

@@ -11,6 +11,7 @@ from workbench.scene.filter import BoxFilter, Filter, GaussianFilter
 from workbench.scene.grid_source import GridSource
 from workbench.scene.kinds import Kinds
 from workbench.scene.lens import Base, FlatBase, Lens, SphereBase
+from workbench.scene.measured_source import MeasuredSource, PhotometricSource, RayFileSource
 from workbench.scene.part import NonNegative, Part, Positive
 from workbench.scene.points import LightOfPoints, PointSource
 from workbench.scene.receiver import AnyReceiver
@@ -49,12 +50,15 @@ __all__ = [
     "Lens",
     "LightOfPoints",
     "Measure",
+    "MeasuredSource",
     "MeshMethod",
     "NonNegative",
     "PaperRun",
     "Part",
+    "PhotometricSource",
     "PointSource",
     "Positive",
+    "RayFileSource",
     "Run",
     "RunSettings",
     "Scene",

@@ -122,6 +122,14 @@ class Since:
 
 SINCE_2 = Since(2)
 
+
+@dataclass(frozen=True)
+class NamesFile:
+    """Mark of a field that names a file; a relative path starts at the folder of the scene file."""
+
+
+FILE = NamesFile()
+
 Mark = TypeVar("Mark")
 
 

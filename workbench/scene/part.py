@@ -1,6 +1,6 @@
 """What all parts of a scene have in common."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from functools import cache
 from inspect import get_annotations
@@ -10,7 +10,7 @@ from pydantic import BaseModel, ConfigDict, Field, model_validator
 
 from workbench import units
 from workbench.errors import Refused
-from workbench.scene.fields import FieldDescription, Since, Version, describe
+from workbench.scene.fields import FieldDescription, NamesFile, Since, Version, describe
 
 if TYPE_CHECKING:
     from workbench.scene.task import Scene
@@ -67,6 +67,32 @@ class Part(BaseModel):
         }
         return self.altered(**changes)
 
+    def files(self) -> Iterator[tuple[str, str]]:
+        """Fields that name files, as paths from this part, and the names."""
+        for field in self.fields():
+            value = getattr(self, field.name)
+            if field.mark(NamesFile):
+                yield field.name, value
+            for index, part in _parts_in(value):
+                yield from ((f"{field.name}{index}.{path}", name) for path, name in part.files())
+
+    def with_files(self, names: Mapping[str, str]) -> Self:
+        """The same part with other names of files, by the paths of `files`."""
+        changes: dict[str, Any] = {}
+        for field in self.fields():
+            value = getattr(self, field.name)
+            if field.name in names:
+                changes[field.name] = names[field.name]
+            for index, part in _parts_in(value):
+                before = f"{field.name}{index}."
+                inner = {
+                    k.removeprefix(before): v for k, v in names.items() if k.startswith(before)
+                }
+                if inner:
+                    value = _replaced(value, part, part.with_files(inner))
+                    changes[field.name] = value
+        return self.model_copy(update=changes)
+
     @property
     def needed_version(self) -> Version:
         """The oldest version of the file format that knows all that the part has."""
@@ -108,6 +134,23 @@ class Part(BaseModel):
     def begun(cls, scene: "Scene") -> dict[str, Any]:
         """What a new part of this kind begins with in a scene, beside defaults."""
         return {}
+
+
+def _parts_in(value: Any) -> Iterator[tuple[str, "Part"]]:
+    """Parts that a field holds, with what stands behind the field's name in their paths."""
+    if isinstance(value, Part):
+        yield "", value
+    elif isinstance(value, tuple):
+        for number, each in enumerate(value):
+            if isinstance(each, Part):
+                yield f"[{number}]", each
+
+
+def _replaced(value: Any, old: "Part", new: "Part") -> Any:
+    """A field's value with one of its parts replaced."""
+    if isinstance(value, tuple):
+        return tuple(new if each is old else each for each in value)
+    return new
 
 
 def _version_of(value: Any) -> Version:

@@ -1,6 +1,7 @@
 """What all light sources have in common, and the point that stands for any of them."""
 
 import math
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self
 
 import numpy as np
@@ -97,6 +98,18 @@ class AnySource(Part):
     def blur_points(self) -> tuple[int, int] | None:
         """How many points along x and y it is made of; None where it is evenly bright."""
         return None
+
+    @property
+    def light_files(self) -> Mapping[str, bytes | None]:
+        """Files that hold its light, by name: what they hold, where that is carried along."""
+        return {}
+
+    def carrying(self, files: Mapping[str, bytes | None]) -> Self:
+        """The same source with what its files hold, as far as that is given."""
+        return self
+
+    def measured_in(self, unit: str) -> None:
+        """Keep the unit of the scene's lengths, if it is needed: a file has one of its own."""
 
     def check_before(self, lens: Lens) -> None:
         """Refuse a lens that it cannot light.

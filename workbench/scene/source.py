@@ -8,6 +8,7 @@ from pydantic import ConfigDict, Field
 from workbench.scene.fields import about
 from workbench.scene.grid_source import GridSource
 from workbench.scene.kinds import Kinds
+from workbench.scene.measured_source import PhotometricSource
 from workbench.scene.points import AnySource, PointSource
 
 if TYPE_CHECKING:
@@ -49,4 +50,4 @@ class CollimatedSource(AnySource):
         return True, True
 
 
-Source = Annotated[CollimatedSource | PointSource | GridSource, Kinds("kind")]
+Source = Annotated[CollimatedSource | PointSource | GridSource | PhotometricSource, Kinds("kind")]

@@ -4,7 +4,7 @@ from typing import Annotated, Literal
 
 from pydantic import ConfigDict
 
-from workbench.scene.fields import Measure, about
+from workbench.scene.fields import FILE, Measure, about
 from workbench.scene.kinds import Kinds
 from workbench.scene.part import Part
 
@@ -49,6 +49,7 @@ class ImageTarget(Finish):
 
     image: Annotated[
         str,
+        FILE,
         about(
             "Image",
             "Image file; bright pixels get much light, black ones and transparent ones none. "

@@ -1,6 +1,7 @@
 """The scene as a whole: parts that fit together."""
 
 import json
+from collections.abc import Mapping
 from typing import Annotated, Any, Literal, Self
 
 from pydantic import (
@@ -78,6 +79,7 @@ class Scene(Part):
     def check(self) -> None:
         """Refuse parts that do not go together, and stages that are not possible."""
         self._check_lengths()
+        self.source.measured_in(self.unit)
         self.source.check_before(self.lens)
         self.receiver.check_behind(self.lens)
         for field in ("smoothness", "min_radius"):
@@ -112,6 +114,24 @@ class Scene(Part):
     def image(self) -> str | None:
         """Image file of the target; None for a built-in shape."""
         return self.target.file
+
+    @property
+    def light_files(self) -> dict[str, bytes | None]:
+        """Files of its sources, by name: what they hold, where that is carried along."""
+        return {
+            name: data
+            for number in range(len(self.run.stages) + 1)
+            for name, data in self.source_of(number).light_files.items()
+        }
+
+    def carrying(self, files: Mapping[str, bytes | None]) -> Self:
+        """The scene with what files of its sources hold, as far as that is given."""
+        stages = tuple(
+            stage.model_copy(update={"source": stage.source and stage.source.carrying(files)})
+            for stage in self.run.stages
+        )
+        run = self.run.model_copy(update={"stages": stages}) if stages else self.run
+        return self.model_copy(update={"source": self.source.carrying(files), "run": run})
 
     def source_of(self, stage: int) -> Source:
         """The source of a stage, by its number; behind all stages that of the scene itself."""
@@ -189,7 +209,7 @@ class Scene(Part):
         if unit == self.unit:
             return self
         scaled = self.scaled(units.ratio(self.unit, unit))  # which is checked
-        return scaled.model_copy(update={"unit": unit})
+        return scaled.altered(unit=unit)
 
     @classmethod
     def from_json(cls, text: str | bytes) -> Self:

@@ -15,7 +15,7 @@ import numpy.typing as npt
 from workbench import __version__
 from workbench.design.task import with_task
 from workbench.errors import Refused
-from workbench.files.scene import with_absolute_image
+from workbench.files.scene import with_absolute_files
 from workbench.files.session import Session, open_design
 from workbench.scene import Scene
 from workbench.sweep.vary import MOST_POINTS, Value, Variation, shown, varied
@@ -76,8 +76,11 @@ def key_of(session: Session, rays: int) -> str:
     """
     data = session.scene.to_data() | {"target": None}
     told = json.dumps([data, session.target.shape, rays, __version__], sort_keys=True)
-    content = np.ascontiguousarray(session.target, dtype="<f8")
-    return hashlib.sha256(told.encode() + content.tobytes()).hexdigest()
+    digest = hashlib.sha256(told.encode())
+    digest.update(np.ascontiguousarray(session.target, dtype="<f8").tobytes())
+    for light in session.scene.light_files.values():
+        digest.update(light or b"")
+    return digest.hexdigest()
 
 
 def points(paths: Sequence[Path], variations: Sequence[Variation]) -> list[Point]:
@@ -108,6 +111,6 @@ def points(paths: Sequence[Path], variations: Sequence[Variation]) -> list[Point
 
 def _scene(base: Scene, changes: dict[str, Value], path: Path) -> Scene | Refused:
     try:
-        return with_absolute_image(varied(base, changes), path)
+        return with_absolute_files(varied(base, changes), path)
     except Refused as refused:
         return refused

@@ -75,7 +75,7 @@ def varied(scene: Scene, changes: dict[str, Value]) -> Scene:
     full = scene.settled().to_data()
     for path, value in changes.items():
         _put(data, full, path, value)
-    return Scene.from_data(data)
+    return Scene.from_data(data).carrying(scene.light_files)
 
 
 def _values(path: str, text: str) -> list[Value]:

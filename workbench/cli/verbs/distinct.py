@@ -13,7 +13,7 @@ class Input(NamedTuple):
     Attributes
     ----------
     path : Path
-        The file. Images that it refers to are read as well.
+        The file. Those that it refers to are read as well.
     role : str
         What refusals call it: "the session".
     """
@@ -57,21 +57,22 @@ def check_distinct(inputs: Sequence[Input], outputs: Sequence[Output]) -> None:
                 raise Refused(str(output.path), f"is {role} itself; another file is needed")
     if twice := named_twice(output.path for output in outputs):
         raise Refused(str(twice), "is named twice; each file is written once")
-    # What is not there yet cannot be an image either, and then none has to be looked for.
+    # What is not there yet cannot be such a file either, and then none has to be looked for.
     replaced = [output.path for output in outputs if output.path.exists()]
     for path in [path for path, _ in inputs if replaced]:
-        for image in _images(path):
+        for field, file in _files(path):
             for output_path in replaced:
-                if is_one_file(output_path, image):
+                if is_one_file(output_path, file):
+                    role = "target image" if field == "target.image" else "file of light"
                     raise Refused(
-                        str(output_path), f"is the target image of {path}; another file is needed"
+                        str(output_path), f"is the {role} of {path}; another file is needed"
                     )
 
 
-def _images(path: Path) -> tuple[Path, ...]:
-    from workbench.files.references import images_of
+def _files(path: Path) -> tuple[tuple[str, Path], ...]:
+    from workbench.files.references import files_of
 
     try:
-        return images_of(path)
+        return files_of(path)
     except Refused:  # by the command itself, which reads the same file
         return ()

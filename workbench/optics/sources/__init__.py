@@ -14,8 +14,16 @@ from workbench.optics.rays import RayBundle
 from workbench.optics.samples import Samples
 from workbench.optics.sources.collimated import CollimatedEmitter
 from workbench.optics.sources.origins import Origins
+from workbench.optics.sources.photometric import PhotometricEmitter
 from workbench.optics.sources.points import PointEmitter
-from workbench.scene import CollimatedSource, GridSource, Lens, PointSource, Source
+from workbench.scene import (
+    CollimatedSource,
+    GridSource,
+    Lens,
+    PhotometricSource,
+    PointSource,
+    Source,
+)
 
 Array = npt.NDArray[np.float64]
 
@@ -86,6 +94,7 @@ _EMITTERS: Mapping[type, Callable[[Any, Lens, Samples | None], Emitter]] = {
     CollimatedSource: CollimatedEmitter,
     PointSource: PointEmitter,
     GridSource: PointEmitter,
+    PhotometricSource: PhotometricEmitter,
 }
 
 

@@ -5,7 +5,7 @@ Light of any size stands as a set of such origins, each with its part of the flu
 
 import math
 from collections.abc import Sequence
-from typing import NamedTuple
+from typing import NamedTuple, Protocol
 
 import numpy as np
 import numpy.typing as npt
@@ -35,6 +35,22 @@ class Lit(NamedTuple):
     density: Array
 
 
+class Pattern(Protocol):
+    """How the intensity of points depends on direction."""
+
+    def at(self, origin: Index, direction: tuple[Array, Array, Array]) -> Array:
+        """Intensity in any unit, which `Origins.flux` goes with.
+
+        Parameters
+        ----------
+        origin : ndarray of int
+            Of which point.
+        direction : tuple of three ndarray
+            Unit vectors, with which the points broadcast.
+        """
+        ...
+
+
 class Origins(NamedTuple):
     """Where the light of a source comes from, k places with their flux.
 
@@ -53,6 +69,8 @@ class Origins(NamedTuple):
     waist : float
         Of directions: 1/e² radius of the flux per area about the line through the middle of the
         entrance face; infinite for even light.
+    pattern : Pattern, optional
+        Of points: intensity by direction; flux per solid angle is ``flux`` times that.
     """
 
     places: Array
@@ -60,6 +78,7 @@ class Origins(NamedTuple):
     flux: Array
     lambertian: bool = False
     waist: float = math.inf
+    pattern: Pattern | None = None
 
     def light(self, x: Array, y: Array, z: float, origin: Index) -> Lit:
         """Light of origins at places of the entrance face.
@@ -92,6 +111,8 @@ class Origins(NamedTuple):
         distance = np.sqrt(np.square(away).sum(axis=0))
         d_x, d_y, d_z = (part / distance for part in away)
         density = self.flux[origin] * d_z / distance**2
+        if self.pattern is not None:
+            density = density * self.pattern.at(origin, (d_x, d_y, d_z))
         return Lit((d_x, d_y, d_z), density * d_z if self.lambertian else density)
 
 

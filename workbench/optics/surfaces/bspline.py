@@ -125,8 +125,9 @@ class _Searching:
         device: torch.device | str,
         subdivisions: tuple[int, int] | None,
     ) -> None:
-        self._rays = rays
-        self._lines = Bundle.of(rays)
+        lines = Bundle.of(rays)
+        self._alive, self._shape = rays.alive, lines.x.shape
+        self._lines = Bundle(*(part.flatten() for part in lines))
         self._patches = Patches(net, dtype, device)
         self._intersection: ExactIntersection | MeshIntersection
         if subdivisions is not None:
@@ -141,7 +142,11 @@ class _Searching:
         x = self._lines.x + self._lines.slope_x * met.depth
         y = self._lines.y + self._lines.slope_y * met.depth
         _, slope_x, slope_y = self._patches.evaluate(table, self._patches.place(x, y))
-        return _met_at((x, y, met.depth), slope_x, slope_y, met.found & self._rays.alive)
+        x, y, z, slope_x, slope_y = (
+            part.view(self._shape) for part in (x, y, met.depth, slope_x, slope_y)
+        )
+        found = met.found.view(self._shape) & self._alive
+        return _met_at((x, y, z), slope_x, slope_y, found)
 
 
 def _met_at(

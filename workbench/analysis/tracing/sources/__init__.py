@@ -9,13 +9,22 @@ from typing import Any
 from workbench.analysis.tracing.elements import LightSource
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.collimated import CollimatedLight
+from workbench.analysis.tracing.sources.photometric import PhotometricLight
 from workbench.analysis.tracing.sources.points import PointLight
-from workbench.scene import CollimatedSource, GridSource, Lens, PointSource, Source
+from workbench.scene import (
+    CollimatedSource,
+    GridSource,
+    Lens,
+    PhotometricSource,
+    PointSource,
+    Source,
+)
 
 _SOURCES: Mapping[type, Callable[[Any, Lens, Pose, int, int], LightSource]] = {
     CollimatedSource: CollimatedLight,
     PointSource: PointLight,
     GridSource: PointLight,
+    PhotometricSource: PhotometricLight,
 }
 
 

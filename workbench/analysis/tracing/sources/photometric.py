@@ -1,0 +1,68 @@
+"""Light of a small lamp whose intensity by direction stands in a file."""
+
+from collections.abc import Iterator
+
+import numpy as np
+from scipy.interpolate import RegularGridInterpolator
+
+from workbench.analysis.tracing.elements import Array, TracedRays
+from workbench.analysis.tracing.pose import Pose
+from workbench.analysis.tracing.sources.cells import BATCHES, Cells
+from workbench.analysis.tracing.sources.turning import file_axes
+from workbench.geometry.outlines import outline_of
+from workbench.measured.lamps import intensity_of
+from workbench.scene import Lens, PhotometricSource
+
+
+class PhotometricLight:
+    """Light of one point, of which rays through the entrance face are drawn; a `LightSource`.
+
+    What goes elsewhere is one ray of each batch that misses the face. The parameters are those of
+    `light_source`.
+    """
+
+    beside = 0.0
+
+    def __init__(
+        self, source: PhotometricSource, lens: Lens, pose: Pose, rays: int, seed: int
+    ) -> None:
+        r_x, r_y = lens.half_width
+        self._outline, self._beside = outline_of(lens), 2 * r_x
+        self._point = pose.to_lens(np.array([source.position]), lens.entrance_z)[0]
+        # Directions as the lens sees them, into those of the file.
+        turned = file_axes(source.rotation)
+        to_scene, _ = pose.to_scene(lens.entrance_z)
+        self._to_file = turned.inv().as_matrix() @ to_scene
+        table = intensity_of(source)
+        self._intensity = RegularGridInterpolator(
+            (table.c, table.gamma), table.candela, bounds_error=False, fill_value=0.0
+        )
+        self._cells = Cells(rays, r_x / r_y, seed)
+        self.rays = self._cells.count + BATCHES
+        self.origins, self.emitted = 1, table.lumens
+        # Each ray stands for so much of the face, in all batches together.
+        self._area = self._outline.area / self._cells.count
+
+    def batch(self, number: int) -> Iterator[TracedRays]:
+        """Rays that begin on the entrance face; see `RandomSource.batch`."""
+        missing = self.emitted / BATCHES
+        for a, b in self._cells.batch(number):
+            rays = self.through(0, *self._outline.evenly(a, b))
+            rays.flux[:] *= self._area
+            missing -= float(rays.flux.sum())
+            yield rays
+        beside = np.array([[self._beside, 0.0, 0.0]])
+        yield TracedRays(beside, np.array([[0.0, 0.0, 1.0]]), np.array([max(missing, 0.0)]))
+
+    def through(self, origin: int, x: Array, y: Array) -> TracedRays:
+        """Rays through places of the entrance face; see `FaceLight.through`."""
+        position = np.column_stack([x, y, np.zeros_like(x)])
+        way = position - self._point
+        square = np.einsum("ij,ij->i", way, way)
+        direction = way / np.sqrt(square)[:, None]
+        seen = direction @ self._to_file.T
+        # Counterclockwise for who looks against the light: the nadir is +z.
+        c = np.rad2deg(np.arctan2(-seen[:, 1], seen[:, 0])) % 360
+        gamma = np.rad2deg(np.arccos(seen[:, 2].clip(-1, 1)))
+        flux = self._intensity(np.column_stack([c, gamma])) * direction[:, 2].clip(min=0) / square
+        return TracedRays(position, direction, flux)

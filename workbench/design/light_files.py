@@ -1,0 +1,47 @@
+"""The files of a scene's sources, kept with a design as the picture of its target is."""
+
+from pathlib import Path
+
+from workbench.design.picture import LARGEST_PICTURE, content_of
+from workbench.errors import Refused
+from workbench.measured.lamps import check_file
+from workbench.scene import Scene
+
+
+def with_light(scene: Scene, folder: Path) -> Scene:
+    """The scene with what its sources' files hold, those that are not too large to be kept.
+
+    Parameters
+    ----------
+    scene : Scene
+        Its sources are used. What they carry already stays.
+    folder : Path
+        Where relative names start.
+
+    Raises
+    ------
+    Refused
+        If a file cannot be read or used.
+    """
+    missing = [name for name, data in scene.light_files.items() if data is None]
+    if missing:
+        scene = scene.carrying({name: content_of(folder / name) for name in missing})
+    for number in range(len(scene.run.stages) + 1):
+        try:
+            check_file(scene.source_of(number))
+        except Refused as refused:
+            if number == len(scene.run.stages):
+                raise
+            raise Refused(f"run.stages[{number}].{refused.path}", refused.reason) from refused
+    return scene
+
+
+def why_light_is_not_kept(scene: Scene) -> str:
+    """A sentence for people whose design cannot keep a file of light; empty where it does."""
+    for name, data in scene.light_files.items():
+        if data is None:
+            return (
+                f"The design does not keep {name}, which has more than "
+                f"{LARGEST_PICTURE >> 20} MB: the file is needed wherever the design is used."
+            )
+    return ""

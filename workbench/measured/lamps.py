@@ -1,0 +1,94 @@
+"""The light of sources that name a file: read once, from what is carried along or from disk."""
+
+import io
+import os
+from collections.abc import Callable
+from functools import lru_cache
+from pathlib import Path
+from typing import BinaryIO, TypeVar
+
+from workbench.errors import Refused
+from workbench.measured.photometry import IntensityTable, read_photometry
+from workbench.measured.rays import RaySet, read_rays
+from workbench.reading import opened
+from workbench.scene import MeasuredSource, PhotometricSource, RayFileSource
+
+T = TypeVar("T")
+
+
+def intensity_of(source: PhotometricSource) -> IntensityTable:
+    """The intensity by direction of a source's file.
+
+    Raises
+    ------
+    Refused
+        If the file cannot be read or used.
+    """
+    return _read(source, _intensity)
+
+
+def rays_of(source: RayFileSource) -> RaySet:
+    """The rays of a source's file, in the unit of the file.
+
+    Raises
+    ------
+    Refused
+        If the file cannot be read or used, or nothing says the unit of its lengths.
+    """
+    rays = _read(source, _rays)
+    if rays.unit is None and source.file_unit is None:
+        raise Refused("source.file_unit", f"missing; '{source.file}' does not name its unit")
+    return rays
+
+
+def check_file(source: object) -> None:
+    """Refuse a source whose file cannot be used.
+
+    Raises
+    ------
+    Refused
+        See `intensity_of` and `rays_of`.
+    """
+    match source:
+        case PhotometricSource():
+            intensity_of(source)
+        case RayFileSource():
+            rays_of(source)
+
+
+def _read(
+    source: MeasuredSource, read: Callable[[str, bytes | None, tuple[int, ...] | None], T]
+) -> T:
+    try:
+        if source.content is not None:
+            return read(source.file, source.content, None)
+        return read(source.file, None, _state(source.file))
+    except Refused as refused:
+        raise Refused("source.file", f"'{refused.path}' {refused.reason}") from refused
+
+
+def _state(file: str) -> tuple[int, ...] | None:
+    """What changes when the file does; None where it is not there."""
+    try:
+        found = os.stat(file)
+    except (OSError, ValueError):
+        return None
+    return found.st_mtime_ns, found.st_size, found.st_ino
+
+
+# Read again and again: by each run, check and picture.
+@lru_cache(maxsize=8)
+def _intensity(file: str, data: bytes | None, state: object) -> IntensityTable:
+    return _from(file, data, read_photometry)
+
+
+@lru_cache(maxsize=2)
+def _rays(file: str, data: bytes | None, state: object) -> RaySet:
+    return _from(file, data, read_rays)
+
+
+def _from(file: str, data: bytes | None, read: Callable[[Path, BinaryIO], T]) -> T:
+    if data is not None:
+        return read(Path(file), io.BytesIO(data))
+    with opened(Path(file)) as content:
+        return read(Path(file), content)

@@ -1,0 +1,218 @@
+"""Light that was measured: a lamp's intensity by direction, or its rays, in a file."""
+
+import math
+from collections.abc import Mapping
+from dataclasses import replace
+from pathlib import PurePath
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self
+
+import numpy as np
+import numpy.typing as npt
+from pydantic import ConfigDict, Field, PrivateAttr
+
+from workbench.errors import Refused
+from workbench.scene import limits
+from workbench.scene.content import Content
+from workbench.scene.fields import FILE, LENGTH, PLACE, Measure, Version, about
+from workbench.scene.lens import Lens
+from workbench.scene.points import MOST_RAYS, AnySource, Place, PointSource, in_front
+
+if TYPE_CHECKING:
+    from workbench.scene.task import Scene
+
+Array = npt.NDArray[np.float64]
+
+Angle = Annotated[float, Field(ge=-360, le=360)]
+_FileUnit = Literal["mm", "cm", "m", "inch"]
+_Rotation = Annotated[
+    tuple[Angle, Angle, Angle],
+    Measure("°", "degrees"),
+    PLACE,
+    about(
+        "Rotation",
+        "How the lamp is turned about its own origin: about the axis x, then about y, then about "
+        "z.",
+    ),
+]
+_Rays = Annotated[
+    int,
+    about(
+        "Rays",
+        "Rays in each iteration of the paper's method, and for derivative maps. Automatic chooses "
+        "its own.",
+        ge=1,
+        le=MOST_RAYS,
+    ),
+]
+
+
+class MeasuredSource(AnySource):
+    """What light of files has in common: a file, where the lamp stands, and how it is turned."""
+
+    since: ClassVar[Version] = 2
+    endings: ClassVar[tuple[str, ...]]
+    """Endings of the names of its files."""
+
+    file: str
+    position: Place
+    rotation: _Rotation = (0.0, 0.0, 0.0)
+    rays: _Rays = 500_000
+    _content: Content = PrivateAttr(default_factory=Content)
+
+    @property
+    def content(self) -> bytes | None:
+        """What the file holds, where that is carried along."""
+        return self._content.data
+
+    @property
+    def light_files(self) -> Mapping[str, bytes | None]:
+        """Its file."""
+        return {self.file: self.content}
+
+    def carrying(self, files: Mapping[str, bytes | None]) -> Self:
+        """The same source with what its file holds; see `AnySource.carrying`."""
+        data = files.get(self.file)
+        if data is None or data is self.content:
+            return self
+        copy = self.model_copy()
+        copy._content = replace(self._content, data=data)
+        return copy
+
+    @property
+    def unit(self) -> str:
+        """Unit of the scene's lengths."""
+        return self._content.unit
+
+    def measured_in(self, unit: str) -> None:
+        """Keep the unit of the scene's lengths; see `AnySource.measured_in`."""
+        self._content = replace(self._content, unit=unit)
+
+    def check(self) -> None:
+        """Refuse a file that is surely of another kind."""
+        if PurePath(self.file).suffix.lower() not in self.endings:
+            raise Refused(
+                "source.file", f"'{self.file}' is none of these: {', '.join(self.endings)}"
+            )
+
+    @property
+    def place(self) -> Place:
+        """Where the origin of its file is."""
+        return self.position
+
+    @property
+    def ray_count(self) -> int:
+        """As many as it asks for."""
+        return self.rays
+
+    @property
+    def matrix(self) -> Array:
+        """Turns directions of the file into those of the scene, shape (3, 3)."""
+        turned = np.eye(3)
+        for axis, degrees in enumerate(self.rotation):
+            i, j = (axis + 1) % 3, (axis + 2) % 3
+            about = np.eye(3)
+            cos, sin = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+            about[i, i] = about[j, j] = cos
+            about[j, i], about[i, j] = sin, -sin
+            turned = about @ turned
+        return turned
+
+    def placed(self, place: Place) -> Self:
+        """The same source elsewhere."""
+        return self.model_copy(update={"position": place})
+
+    def check_before(self, lens: Lens) -> None:
+        """Refuse a place that is too far from the lens to compute with."""
+        x, y, z = self.position
+        aside = [("source.position[0]", x), ("source.position[1]", y), ("source.position[2]", z)]
+        limits.check_lengths(aside, lens.half_width, limits.FARTHEST)
+
+
+class PhotometricSource(MeasuredSource):
+    """A small lamp whose intensity by direction stands in a photometric file."""
+
+    model_config = ConfigDict(title="Photometric file")
+    endings = (".ies", ".ldt")
+
+    kind: Literal["photometric"]
+    file: Annotated[
+        str,
+        FILE,
+        about(
+            "File",
+            "Intensity by direction, in a file of IES LM-63 (.ies) or EULUMDAT (.ldt). Its nadir "
+            "looks along +z, C0 along +x and C90 along −y. A relative path starts at the scene "
+            "file's folder.",
+            min_length=1,
+        ),
+    ]
+    position: Annotated[
+        Place,
+        LENGTH,
+        PLACE,
+        about("Position", "Where the lamp is: x, y and z. It has to stand before the lens."),
+    ]
+
+    @classmethod
+    def begun(cls, scene: "Scene") -> dict[str, Any]:
+        """Where the scene's source is."""
+        return {"position": scene.source.place or in_front(scene.lens)}
+
+    @property
+    def point(self) -> PointSource:
+        """As if it shone alike everywhere."""
+        return PointSource(kind="point", position=self.position)
+
+    def check_before(self, lens: Lens) -> None:
+        """Refuse a lens that is not behind it, or too near or too far, as a point does."""
+        super().check_before(lens)
+        z = self.position[2]
+        if z >= lens.entrance_z:
+            raise Refused(
+                "source.position[2]",
+                f"{z:g} is not before the entrance face; less than {lens.entrance_z:g}",
+            )
+        limits.check_way("source.position[2]", lens.entrance_z - z, lens.half_width)
+
+
+class RayFileSource(MeasuredSource):
+    """A lamp whose rays stand in a ray file, as they were measured or simulated."""
+
+    model_config = ConfigDict(title="Ray file")
+    endings = (".tm25ray", ".dat", ".csv")
+
+    kind: Literal["ray_file"]
+    file: Annotated[
+        str,
+        FILE,
+        about(
+            "File",
+            "Rays in a file of IES TM-25 (.tm25ray), of OpticStudio (.dat), or of text (.csv) with "
+            "the columns x, y, z, l, m, n and flux. A relative path starts at the scene file's "
+            "folder.",
+            min_length=1,
+        ),
+    ]
+    position: Annotated[
+        Place,
+        LENGTH,
+        PLACE,
+        about("Position", "Where the origin of the file is: x, y and z."),
+    ] = (0.0, 0.0, 0.0)
+    file_unit: Annotated[
+        _FileUnit | None,
+        about(
+            "Unit of the file",
+            "Unit of the lengths in the file. Left empty, it is the one that the file names.",
+        ),
+    ] = None
+
+    @classmethod
+    def begun(cls, scene: "Scene") -> dict[str, Any]:
+        """Where the scene's source is."""
+        return {"position": scene.source.place or in_front(scene.lens)}
+
+    @property
+    def point(self) -> PointSource:
+        """As if all its rays came from its origin."""
+        return PointSource(kind="point", position=self.position)
