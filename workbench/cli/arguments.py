@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from workbench import __version__
 from workbench.cli.verbs import (
     benchmark,
+    bound,
     design,
     export,
     manufacture,
@@ -19,6 +20,7 @@ from workbench.cli.verbs.parser import Parser
 
 VERBS = {
     "design": design,
+    "bound": bound,
     "sweep": sweep,
     "validate": validate,
     "tolerances": tolerances,

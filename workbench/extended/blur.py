@@ -33,6 +33,16 @@ class Blur:
         An evenly bright rectangle or ellipse of these widths.
     points : tuple[int, int], optional
         In place of an even shape, so many points along x and y, the outer ones on its rim.
+
+    Examples
+    --------
+    A sun 0.533° wide on a screen at 500 mm whose pixels are 0.78 mm wide:
+
+    >>> import math
+    >>> sun = 500 * math.radians(0.533) / 0.78
+    >>> blur = Blur((sun, sun), "ellipse")
+    >>> blur.margin, len(blur.kernels())
+    ((3, 3), 16)
     """
 
     widths: tuple[float, float]
@@ -41,7 +51,10 @@ class Blur:
 
     @classmethod
     def of(cls, scene: Scene) -> Self:
-        """The blur that a scene's source lays over its receiver, the same all over the lens."""
+        """The blur that a scene's source lays over its receiver, the same all over the lens.
+
+        Points that are closer than a pixel are the even light that they stand for.
+        """
         source, receiver = scene.source, scene.receiver
         x, y = (
             width * pixels / (2 * half)
@@ -52,7 +65,10 @@ class Blur:
                 strict=True,
             )
         )
-        return cls((x, y), source.blur_shape, source.blur_points)
+        points = source.blur_points
+        if points is not None and x <= points[0] - 1 and y <= points[1] - 1:
+            points = None
+        return cls((x, y), source.blur_shape, points)
 
     def scaled(self, factor: float) -> Self:
         """That of a source so many times as wide, or on so many times as many pixels."""

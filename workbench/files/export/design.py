@@ -10,6 +10,7 @@ import numpy.typing as npt
 
 from workbench import units
 from workbench.design.snapshot import Result
+from workbench.geometry.outlines import Outline, outline_of
 from workbench.geometry.surface import ControlNet, GridBasis
 from workbench.scene import Scene
 
@@ -57,6 +58,11 @@ class Design:
     def net(self) -> ControlNet:
         """Control net of the exit face."""
         return ControlNet.of(self.scene.lens)
+
+    @cached_property
+    def outline(self) -> Outline:
+        """What of the aperture is glass."""
+        return outline_of(self.scene.lens)
 
     @property
     def largest_chord_error(self) -> float:

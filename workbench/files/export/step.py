@@ -1,17 +1,21 @@
 """STEP (ISO 10303-21, AP214): the lens as one solid whose exit face is *the* B-spline surface.
 
 Four sides and the entrance face are planes, bounded by straight lines and by the B-spline curves
-at the rim of the exit face. Nothing is fitted, and no number is rounded. The header tells neither
-user nor time, so the same lens gives the same file.
+at the rim of the exit face. Nothing is fitted, and no number is rounded. The wall of an elliptic
+lens is an ellipse that is extruded, in four quarters; there the rim of the exit face is fitted, as
+no B-spline curve is on both faces, and what remains is told. The header tells neither user nor
+time, so the same lens gives the same file.
 """
 
-from collections.abc import Iterable, Sequence
-from typing import BinaryIO
+from collections.abc import Callable, Iterable, Sequence
+from functools import partial
+from typing import BinaryIO, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
 from workbench.files.export.design import METRES, Design, Deviation
+from workbench.files.export.rim import Rim
 
 Array = npt.NDArray[np.float64]
 
@@ -37,13 +41,19 @@ _RISING = (True, True, False, False)  # whether that is the way around
 def write_step(design: Design, file: BinaryIO) -> Deviation:
     """Write the lens as a solid."""
     model = _Model()
-    solid = _solid(model, design)
-    _product(model, solid, _context(model, design))
+    size = max(design.scene.lens.half_width)
+    rim = None if design.outline.whole else Rim.of(design, _TOLERANCE * size)
+    tolerance = max(_TOLERANCE * size, 0.0 if rim is None else rim.off)
+    solid = _solid(model, design, _straight if rim is None else partial(_arcs, rim))
+    _product(model, solid, _context(model, design, tolerance))
     file.write(_HEADER.encode())
     file.writelines(f"#{i}={entity};\n".encode() for i, entity in enumerate(model.entities, 1))
     file.write(_FOOTER.encode())
     written = np.array([float(_real(z)) for z in design.heights.flat])
-    return Deviation("rounding", float(np.abs(written - design.heights.ravel()).max()), design.unit)
+    rounding = float(np.abs(written - design.heights.ravel()).max())
+    if rim is None:
+        return Deviation("rounding", rounding, design.unit)
+    return Deviation("error of the rim", max(rounding, rim.off), design.unit)
 
 
 class _Model:
@@ -93,34 +103,104 @@ class _Model:
         return self.add(f"ADVANCED_FACE('',({bound}),{surface},.T.)")
 
 
-def _solid(model: _Model, design: Design) -> str:
-    x, y = design.net.positions
+class _Side(NamedTuple):
+    """A side of the lens; its curves go from one corner to the next.
+
+    Attributes
+    ----------
+    upper, lower : sequence of float
+        Its first corner, counterclockwise as seen from above, on the exit and on the entrance face.
+    top, foot : str
+        Curves along its edges.
+    rising : bool
+        Whether these go counterclockwise.
+    wall : str
+        Its surface.
+    """
+
+    upper: Sequence[float]
+    lower: Sequence[float]
+    top: str
+    foot: str
+    rising: bool
+    wall: str
+
+
+def _straight(
+    model: _Model, design: Design, net: list[list[str]], places: Array
+) -> tuple[_Side, ...]:
+    """The sides of a rectangle."""
     entrance_z = design.scene.lens.entrance_z
+    rims = ([row[0] for row in net], net[-1], [row[-1] for row in net], net[0])
+    upper = [places[corner].tolist() for corner in _CORNERS]
+    lower = [[*place[:2], entrance_z] for place in upper]
+    sides = []
+    for side, rim in enumerate(rims):
+        curve = _curve(model, design.net.degree[side % 2], rim, design.net.knots[side % 2])
+        first = lower[side if _RISING[side] else (side + 1) % 4]
+        foot = model.line(first, _ALONG[side])
+        plane = model.plane(lower[side], _OUTWARD[side], _ALONG[side])
+        sides.append(_Side(upper[side], lower[side], curve, foot, _RISING[side], plane))
+    return tuple(sides)
+
+
+def _arcs(
+    rim: Rim, model: _Model, design: Design, net: list[list[str]], places: Array
+) -> tuple[_Side, ...]:
+    """The quarters of an ellipse."""
+    (r_x, r_y), entrance_z = design.net.half_width, design.scene.lens.entrance_z
+    middle = (0.0, 0.0, entrance_z)
+    wide = r_x >= r_y  # readers want the longer semi-axis first
+    placement = model.placement(middle, (0, 0, 1), (1, 0, 0) if wide else (0, 1, 0))
+    if r_x == r_y:
+        foot = model.add(f"CIRCLE('',{placement},{_real(r_x)})")
+        wall = model.add(f"CYLINDRICAL_SURFACE('',{placement},{_real(r_x)})")
+    else:
+        axes = ",".join(map(_real, (max(r_x, r_y), min(r_x, r_y))))
+        foot = model.add(f"ELLIPSE('',{placement},{axes})")
+        upwards = model.add(f"VECTOR('',{model.direction((0, 0, 1))},1.)")
+        wall = model.add(f"SURFACE_OF_LINEAR_EXTRUSION('',{foot},{upwards})")
+    sides = []
+    for quarter in rim.quarters:
+        points = [model.point(place) for place in quarter.c.tolist()]
+        curve = _curve(model, quarter.k, points, quarter.t)
+        upper = quarter(0.0).tolist()
+        sides.append(_Side(upper, [*upper[:2], entrance_z], curve, foot, True, wall))
+    return tuple(sides)
+
+
+_Sides = Callable[[_Model, Design, list[list[str]], Array], tuple[_Side, ...]]
+
+
+def _solid(model: _Model, design: Design, sides_of: _Sides) -> str:
+    x, y = design.net.positions
     places = np.stack(np.broadcast_arrays(x[:, None], y, design.heights), axis=-1)
     net = [[model.point(place) for place in row] for row in places.tolist()]
     surface = _surface(model, design, net)
 
-    rims = ([row[0] for row in net], net[-1], [row[-1] for row in net], net[0])
-    upper = [places[corner].tolist() for corner in _CORNERS]
-    lower = [[*place[:2], entrance_z] for place in upper]
-    over, under = ([model.vertex(place) for place in corners] for corners in (upper, lower))
+    sides = sides_of(model, design, net, places)
+    over, under = (
+        [model.vertex(place) for place in corners]
+        for corners in ([side.upper for side in sides], [side.lower for side in sides])
+    )
     tops, bottoms = [], []
-    for side, rim in enumerate(rims):
-        ends = (side, (side + 1) % 4) if _RISING[side] else ((side + 1) % 4, side)
-        curve = _curve(model, design, side % 2, rim)
-        tops.append((model.edge(over[ends[0]], over[ends[1]], curve), _RISING[side]))
-        foot = model.line(lower[ends[0]], _ALONG[side])
-        bottoms.append((model.edge(under[ends[0]], under[ends[1]], foot), _RISING[side]))
-    uprights = [model.edge(under[k], over[k], model.line(lower[k], (0, 0, 1))) for k in range(4)]
+    for number, side in enumerate(sides):
+        ends = number, (number + 1) % 4
+        first, last = ends if side.rising else ends[::-1]
+        tops.append((model.edge(over[first], over[last], side.top), side.rising))
+        bottoms.append((model.edge(under[first], under[last], side.foot), side.rising))
+    uprights = [
+        model.edge(under[k], over[k], model.line(sides[k].lower, (0, 0, 1))) for k in range(4)
+    ]
 
     faces = [model.face(surface, tops)]
-    for side in range(4):
-        plane = model.plane(lower[side], _OUTWARD[side], _ALONG[side])
-        top, forward = tops[side]
-        around = [bottoms[side], (uprights[(side + 1) % 4], True)]
-        faces.append(model.face(plane, [*around, (top, not forward), (uprights[side], False)]))
+    for number, side in enumerate(sides):
+        top, forward = tops[number]
+        around = [bottoms[number], (uprights[(number + 1) % 4], True)]
+        loop = [*around, (top, not forward), (uprights[number], False)]
+        faces.append(model.face(side.wall, loop))
     below = [(edge, not forward) for edge, forward in reversed(bottoms)]
-    faces.append(model.face(model.plane(lower[0], (0, 0, -1), (1, 0, 0)), below))
+    faces.append(model.face(model.plane(sides[0].lower, (0, 0, -1), (1, 0, 0)), below))
     shell = model.add(f"CLOSED_SHELL('',{_list(faces)})")
     return model.add(f"MANIFOLD_SOLID_BREP('freeform lens',{shell})")
 
@@ -134,10 +214,10 @@ def _surface(model: _Model, design: Design, net: list[list[str]]) -> str:
     )
 
 
-def _curve(model: _Model, design: Design, axis: int, points: list[str]) -> str:
-    multiplicities, knots = _knots(design.net.knots[axis])
+def _curve(model: _Model, degree: int, points: list[str], along: Array) -> str:
+    multiplicities, knots = _knots(along)
     return model.add(
-        f"B_SPLINE_CURVE_WITH_KNOTS('',{design.net.degree[axis]},{_list(points)},.UNSPECIFIED.,"
+        f"B_SPLINE_CURVE_WITH_KNOTS('',{degree},{_list(points)},.UNSPECIFIED.,"
         f".F.,.F.,{multiplicities},{knots},.UNSPECIFIED.)"
     )
 
@@ -148,7 +228,7 @@ def _knots(knots: Array) -> tuple[str, str]:
     return _list(map(str, counts.tolist())), _list(map(_real, values.tolist()))
 
 
-def _context(model: _Model, design: Design) -> str:
+def _context(model: _Model, design: Design, tolerance: float) -> str:
     """Units and tolerance."""
     if design.unit == "inch":
         millimetre = model.add("(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.))")
@@ -163,9 +243,8 @@ def _context(model: _Model, design: Design) -> str:
         length = model.add(f"(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT({prefix},.METRE.))")
     angle = model.add("(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.))")
     solid_angle = model.add("(NAMED_UNIT(*)SI_UNIT($,.STERADIAN.)SOLID_ANGLE_UNIT())")
-    tolerance = _real(_TOLERANCE * max(design.scene.lens.half_width))
     uncertainty = model.add(
-        f"UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE({tolerance}),{length},"
+        f"UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE({_real(tolerance)}),{length},"
         "'distance_accuracy_value','')"
     )
     return model.add(

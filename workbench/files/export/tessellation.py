@@ -36,12 +36,14 @@ class Body(NamedTuple):
 
 
 class Tessellation(NamedTuple):
-    """The exit face over a grid of rectangles, each cut along the diagonal from −x −y to +x +y.
+    """The exit face over a grid of cells, each cut along the diagonal from −x −y to +x +y.
+
+    The cells are rectangles; those of an ellipse are what `workbench.geometry.outlines` makes of
+    equal rectangles, so that the rim has no steps: its vertices are on it.
 
     Attributes
     ----------
-    x : ndarray, shape (m_x,)
-    y : ndarray, shape (m_y,)
+    x, y : ndarray, shape (m_x, 1) and (1, m_y), or (m_x, m_y)
     z : ndarray, shape (m_x, m_y)
         Scene units.
     entrance_z : float
@@ -84,24 +86,44 @@ class Tessellation(NamedTuple):
                 f"at least {2 * rounding:.3g}",
             )
         allowed = largest - rounding
+        if not design.outline.whole:
+            return cls._mapped(design, allowed)
         bends = [_most(design, order) for order in ((2, 0), (1, 1), (0, 2))]
         steps = []
         for axis, bend in ((0, bends[0]), (1, bends[2])):
             sharpest = (bend + bends[1]).max(axis=1 - axis)
             span = 2 * design.scene.lens.half_width[axis] / len(sharpest)
             steps.append(np.maximum(np.ceil(span * np.sqrt(sharpest / (4 * allowed))), 1))
-        cells = math.prod(float(s.sum()) for s in steps)
-        if cells > _MOST_CELLS:
-            raise Refused(
-                "--chord-error",
-                f"{largest:.3g} {design.unit} takes {2 * cells:.0f} triangles, more than "
-                f"{2 * _MOST_CELLS}; about {1.1 * largest * cells / _MOST_CELLS:.2g} is possible",
-            )
+        _check_cells(math.prod(float(s.sum()) for s in steps), design)
         x, y = (
             (2 * _divided(s.astype(int)) - 1) * r
             for s, r in zip(steps, design.scene.lens.half_width, strict=True)
         )
-        return cls(x, y, design.surface(x, y)[0], design.scene.lens.entrance_z)
+        z = design.surface(x, y)[0]
+        return cls(x[:, None], y[None, :], z, design.scene.lens.entrance_z)
+
+    @classmethod
+    def _mapped(cls, design: Design, allowed: float) -> "Tessellation":
+        """Equal cells of a square, mapped onto the outline: as many as keep the chord error.
+
+        Of triangles with sides up to d, linear interpolation is off by at most d² |D²z| / 6; the
+        rim is off by no more than its own chords. Fewer do where the face bends little at most
+        places, so it is tried out.
+        """
+        r = np.array(design.net.half_width)
+        bend = sum(float(_most(design, order).max()) for order in ((2, 0), (1, 1), (0, 2)))
+        enough = math.ceil(2 * r.max() * math.sqrt(bend / (6 * allowed)))
+        rim = math.ceil(math.sqrt(r.max() / (2 * allowed)))
+        count = max(rim, math.ceil(enough / 4), 8)
+        while True:
+            _check_cells(float(count) ** 2, design)
+            side = np.linspace(-1, 1, count + 1)
+            x, y, z, _, _ = design.net.over(design.outline, side, side, design.heights)
+            found = cls(x, y, z, design.scene.lens.entrance_z)
+            off = found.chord_error(design) / allowed
+            if off <= 1:
+                return found
+            count = math.ceil(count * max(1.05 * math.sqrt(off), 1.1))
 
     def rounded(self) -> "Tessellation":
         """The same in single precision, as some formats keep it."""
@@ -111,7 +133,7 @@ class Tessellation(NamedTuple):
     def body(self) -> Body:
         """The closed body: exit face, four walls, entrance face."""
         m_x, m_y = self.z.shape
-        top = np.stack(np.broadcast_arrays(self.x[:, None], self.y, self.z), axis=-1)
+        top = np.stack(np.broadcast_arrays(self.x, self.y, self.z), axis=-1)
         index = np.arange(m_x * m_y).reshape(m_x, m_y)
         # Counterclockwise, seen from above.
         rim = np.concatenate([index[:-1, 0], index[-1, :-1], index[:0:-1, -1], index[0, :0:-1]])
@@ -139,14 +161,16 @@ class Tessellation(NamedTuple):
 
     def chord_error(self, design: Design) -> float:
         """Largest distance, along z, between triangles and exit face, on a grid in each cell."""
-        x, y = _subdivided(self.x), _subdivided(self.y)
+        if not design.outline.whole:
+            return self._chord_error_of_mapped(design)
+        x, y = _subdivided(self.x[:, 0]), _subdivided(self.y[0])
         by_column = design.heights @ design.basis(x[:1], y).along_y
         u = (x / design.net.half_width[0] + 1) / 2
         first, along_x = local_basis(design.net.knots[0], design.net.degree[0], u)
         row = first[:, None] + np.arange(along_x.shape[1])
         # Places in a cell: s along x, t along y, j the cell's column.
         s = np.linspace(0, 1, _LOOKS + 1)[:, None]
-        j = np.minimum(np.arange(by_column.shape[1]) // _LOOKS, len(self.y) - 2)
+        j = np.minimum(np.arange(by_column.shape[1]) // _LOOKS, self.z.shape[1] - 2)
         t = np.arange(by_column.shape[1]) / _LOOKS - j
         high, low = np.maximum(s, t), np.minimum(s, t)
         largest = 0.0
@@ -158,6 +182,31 @@ class Tessellation(NamedTuple):
             exact = np.einsum("kp,kpj->kj", along_x[places], by_column[row[places]])
             largest = max(largest, float(np.abs(flat - exact).max()))
         return largest
+
+    def _chord_error_of_mapped(self, design: Design) -> float:
+        """As `chord_error`, for cells that are no rectangles."""
+        places = np.stack(np.broadcast_arrays(self.x, self.y, self.z), axis=-1)
+        a, b, c, d = places[:-1, :-1], places[1:, :-1], places[1:, 1:], places[:-1, 1:]
+        largest = 0.0
+        for i in range(_LOOKS + 1):
+            for j in range(_LOOKS + 1 - i):
+                s, t = i / _LOOKS, j / _LOOKS
+                for corner in (b, d):
+                    x, y, flat = np.moveaxis((1 - s - t) * corner + s * a + t * c, -1, 0)
+                    exact = design.net.at(x, y, design.heights)[0]
+                    largest = max(largest, float(np.abs(flat - exact).max()))
+        return largest
+
+
+def _check_cells(cells: float, design: Design) -> None:
+    """Refuse a chord error that takes too many triangles."""
+    if cells > _MOST_CELLS:
+        largest = design.largest_chord_error
+        raise Refused(
+            "--chord-error",
+            f"{largest:.3g} {design.unit} takes {2 * cells:.0f} triangles, more than "
+            f"{2 * _MOST_CELLS}; about {1.1 * largest * cells / _MOST_CELLS:.2g} is possible",
+        )
 
 
 def _most(design: Design, order: tuple[int, int]) -> Array:

@@ -1,0 +1,69 @@
+"""The bound of a scene: what is said of it, and that it holds for lenses that are traced."""
+
+import numpy as np
+import pytest
+
+from workbench.analysis.metrics import relative_l2
+from workbench.analysis.validation import validate
+from workbench.extended.blur import Blur
+from workbench.extended.bound import Bound
+
+GRID = {"kind": "grid", "center": [0, 0, -4], "half_width": [0.3, 0.3], "points": [9, 9]}
+
+
+def square(pixels: int) -> np.ndarray:
+    target = np.zeros((pixels, pixels))
+    target[pixels // 4 : -pixels // 4, pixels // 4 : -pixels // 4] = 1
+    return target
+
+
+def test_source_without_an_extent_has_no_bound(make_scene):
+    found = Bound(make_scene(), np.ones((32, 32)))
+    assert found.relative_l2 == found.half_as_wide == 0
+    assert found.on_receiver == found.on_target == 1
+    (sentence,) = found.sentences
+    assert "a single point or direction" in sentence
+
+
+def test_source_with_an_extent_is_told_its_least_error(make_scene):
+    found = Bound(make_scene({"source": GRID}), square(32))
+    assert 0 < found.relative_l2 <= found.deblurred.error
+    assert found.half_as_wide < found.relative_l2
+    sentence, *_ = found.sentences
+    assert f"below {100 * found.relative_l2:.1f} % with this source" in sentence
+    assert f"half as wide would allow {100 * found.half_as_wide:.1f} %" in sentence
+
+
+def test_image_of_the_source_that_is_larger_than_the_receiver_limits_the_light(make_scene):
+    source = GRID | {"half_width": [2.0, 1.0], "points": [100, 100]}
+    scene = make_scene({"source": source})
+    found = Bound(scene, square(32))
+    (b_x, b_y), (n_x, n_y) = found.blur.widths, scene.receiver.pixels
+    assert b_x > n_x and b_y > n_y
+    assert found.on_receiver == pytest.approx(n_x * n_y / (b_x * b_y), rel=1e-3)
+    assert found.on_target == pytest.approx(found.on_receiver / 4, rel=1e-3)
+    assert any(
+        f"At most {100 * found.on_receiver:.0f} % of the light can land on the receiver" in each
+        for each in found.sentences
+    )
+
+
+def test_points_closer_than_a_pixel_are_even_light(make_scene):
+    assert Blur.of(make_scene({"source": GRID | {"points": [100, 100]}})).points is None
+    assert Blur.of(make_scene({"source": GRID | {"points": [2, 100]}})).points == (2, 100)
+
+
+def test_no_lens_of_some_shapes_is_below_the_bound(make_scene, rng):
+    # Flat, curved and rough ones, by the independent check.
+    scene = make_scene({"source": GRID})
+    target = square(32)
+    found = Bound(scene, target)
+    n_u, n_v = scene.lens.net_shape
+    u, v = np.linspace(-1, 1, n_u)[:, None], np.linspace(-1, 1, n_v)
+    for heights in (
+        np.full((n_u, n_v), 0.5),
+        0.5 - 0.1 * (u**2 + v**2),
+        0.5 - 0.2 * u**2 + 0.002 * rng.normal(size=(n_u, n_v)),
+    ):
+        image = validate(scene, target, {"exit": heights}, 200_000).irradiance
+        assert relative_l2(image, target) > found.relative_l2

@@ -1,0 +1,34 @@
+"""``freeform bound``."""
+
+import json
+from pathlib import Path
+
+from workbench.extended.bound import Bound
+from workbench.files.session import open_design
+
+
+def bound(path: Path, as_json: bool) -> None:
+    """Print the least error that a lens can reach with the source of a scene.
+
+    Parameters
+    ----------
+    path : Path
+        Scene or session.
+    as_json : bool
+        Whether figures are printed as JSON.
+
+    Raises
+    ------
+    Refused
+        If the scene cannot be read.
+    """
+    session = open_design(path)
+    found = Bound(session.scene, session.target)
+    if as_json:
+        print(json.dumps(found.to_data()))
+        return
+    for sentence in found.sentences:
+        print(sentence)
+    print("\nAssumptions")
+    for assumption in found.assumptions:
+        print(f"  {assumption}")

@@ -1,0 +1,143 @@
+"""The least error that any lens can reach with a source of some size, and the light it can use."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from workbench.extended.blur import Blur
+from workbench.extended.blurring import Blurring
+from workbench.extended.deblur import Deblurred, deblur
+from workbench.scene import Scene
+
+Array = npt.NDArray[np.float64]
+
+# Parts of the target's peak up to where a pixel is black.
+_BLACK = 0.01
+# More light than this is all of it.
+_ALL = 0.995
+
+
+@dataclass(frozen=True, eq=False)
+class Bound:
+    """What no lens of a scene can be better than. Each figure is found when it is asked for.
+
+    Parameters
+    ----------
+    scene : Scene
+        The design task.
+    target : ndarray, shape (n_y, n_x)
+        The wanted image in any scale, row 0 at +y.
+
+    Examples
+    --------
+    >>> from resources import path
+    >>> from workbench.files.session import open_design
+    >>> task = open_design(path("examples", "flame-point.json"))
+    >>> Bound(task.scene, task.target).sentences
+    ('The light comes from a single point or direction: its size sets no bound.',)
+    """
+
+    scene: Scene
+    target: Array
+
+    @cached_property
+    def blur(self) -> Blur:
+        """The blur of the source on the receiver, pixels."""
+        return Blur.of(self.scene)
+
+    @cached_property
+    def deblurred(self) -> Deblurred:
+        """The light that, blurred, comes closest to the target; a second or some."""
+        return deblur(self.target, self.blur)
+
+    @property
+    def relative_l2(self) -> float:
+        """The least error, certified: relative L2, images divided by their sums."""
+        return self.deblurred.bound
+
+    @cached_property
+    def half_as_wide(self) -> float:
+        """The error that the blur of a source half as wide allows."""
+        return deblur(self.target, self.blur.scaled(0.5)).error
+
+    @cached_property
+    def on_receiver(self) -> float:
+        """The most that can land on the receiver, as a part of the light that leaves the lens."""
+        return self._most_light(np.ones_like(self.target))
+
+    @cached_property
+    def on_target(self) -> float:
+        """The most that can land where the target is not black, as a part of that light."""
+        return self._most_light((self.target > _BLACK * self.target.max()).astype(np.float64))
+
+    def _most_light(self, region: Array) -> float:
+        """Étendue: the largest part of a blur that fits into a region.
+
+        What the source sends through each part of the lens fills its blur evenly, and no lens can
+        make that smaller.
+        """
+        if self.blur.within_a_pixel:
+            return 1.0
+        shape = region.shape[0], region.shape[1]
+        share = Blurring(self.blur.kernels(), shape).back(region).max()
+        return min(float(share), 1.0)
+
+    @property
+    def assumptions(self) -> tuple[str, ...]:
+        """What the figures rest on."""
+        x, y = self.blur.widths
+        if self.blur.within_a_pixel:
+            return ("small angles: each part of the lens blurs as a pinhole in it",)
+        finest = len(self.blur.offsets(finer=2)[0]), len(self.blur.offsets(finer=2)[1])
+        exact = self.blur.points is None and self.blur.shape == "rectangle"
+        anywhere = (
+            "anywhere" if exact else f"at {finest[0]} x {finest[1]} places in each pixel, or more"
+        )
+        return (
+            "small angles: each part of the lens blurs as a pinhole in it",
+            f"one blur over the whole lens, {x:.3g} x {y:.3g} pixels",
+            f"light may go {anywhere}, beside the receiver too",
+            "the error is relative L2, both images divided by their sums on the receiver",
+        )
+
+    @property
+    def sentences(self) -> tuple[str, ...]:
+        """All that is to be said of it."""
+        if max(self.blur.widths) == 0:
+            return ("The light comes from a single point or direction: its size sets no bound.",)
+        if self.blur.within_a_pixel:
+            return ("The source blurs the image by less than a pixel: its size sets no bound.",)
+        found = [
+            f"No lens of this size can be below {percent(self.relative_l2)} with this source; "
+            f"a source half as wide would allow {percent(self.half_as_wide)}."
+        ]
+        for most, where in (
+            (self.on_receiver, "on the receiver"),
+            (self.on_target, "where the target is not black"),
+        ):
+            if most < _ALL:
+                found.append(
+                    f"At most {100 * most:.0f} % of the light can land {where}: the image of the "
+                    "source alone is larger, and no lens makes it smaller (étendue)."
+                )
+        return tuple(found)
+
+    def to_data(self) -> dict[str, Any]:
+        """All figures, for JSON."""
+        return {
+            "relative_l2_bound": self.relative_l2,
+            "relative_l2_reached": self.deblurred.error,
+            "relative_l2_half_as_wide": self.half_as_wide,
+            "efficiency_bound": self.on_receiver,
+            "on_target_bound": self.on_target,
+            "blur_pixels": list(self.blur.widths),
+            "assumptions": list(self.assumptions),
+        }
+
+
+def percent(error: float) -> str:
+    """An error with two or three figures."""
+    return f"{100 * error:.{1 if error >= 0.01 else 2}f} %"
