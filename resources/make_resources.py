@@ -88,8 +88,15 @@ def example(name: str) -> Scene:
 def _fine(shape: str, fineness: int) -> dict[str, Any]:
     """A net as fine as the target is worth; on twice as many pixels one that begins soon."""
     data = _first(shape, fineness)
-    data["lens"]["control_points"] = "auto" if fineness == 1 else [192, 192]
+    if fineness == 1:
+        return _in_version_2(data)
+    data["lens"]["control_points"] = [192, 192]
     return data
+
+
+def _in_version_2(data: dict[str, Any]) -> dict[str, Any]:
+    """With a net that the program chooses, and exact reflections."""
+    return data | {"version": 2, "lens": data["lens"] | {"control_points": "auto"}}
 
 
 def _first(shape: str, fineness: int = 1) -> dict[str, Any]:
@@ -147,10 +154,8 @@ def _lit_from(source: dict[str, Any]) -> dict[str, Any]:
     """The lens has to collect the light first: it needs more room for its heights."""
     data = _first("flame")
     data["lens"] |= {"base": {"shape": "flat", "height": 0.6}, "height_range": [-0.4, 0.4]}
-    if source["kind"] == "point":
-        data["lens"]["control_points"] = "auto"
     data["source"] = source
-    return data
+    return _in_version_2(data) if source["kind"] == "point" else data
 
 
 def _first_from_a_point() -> dict[str, Any]:

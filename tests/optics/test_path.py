@@ -13,6 +13,7 @@ from workbench.optics.path import Path, Step
 from workbench.optics.rays import RayBundle
 from workbench.optics.receivers import PlaneReceiver
 from workbench.optics.surfaces import Plane
+from workbench.optics.transmittance import TransmittanceLaw
 
 COLLIMATED = {"kind": "collimated", "rays": [40, 30]}
 SOURCES = pytest.mark.parametrize(
@@ -58,7 +59,11 @@ def test_light_beside_the_first_face_is_named_as_that_face_says(make_scene):
     plate = Plane("front", 0.0, Rectangle((1.0, 1.0)))
     path = Path(
         Given(bundle([[0.5, 0, -2], [3, 0, -2]], [[0, 0, 1], [0, 0, 1]], [0.5, 0.5])),
-        [Step(plate, Refraction(1.0, INDEX, "front_reflection"), "beside")],
+        [
+            Step(
+                plate, Refraction(TransmittanceLaw.schlick(1 / INDEX), "front_reflection"), "beside"
+            )
+        ],
         PlaneReceiver(make_scene().screen, 0.0),
         datum=0.0,
         seed=0,

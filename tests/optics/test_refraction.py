@@ -1,16 +1,12 @@
-"""Snell's law, Schlick's approximation and the critical angle."""
+"""Snell's law and the critical angle."""
 
 import math
 
 import pytest
 import torch
 
-from workbench.optics.refraction import (
-    normal_reflectance,
-    refract,
-    root_where_positive,
-    schlick_transmittance,
-)
+from workbench.optics.refraction import refract, root_where_positive
+from workbench.optics.transmittance import TransmittanceLaw
 
 DTYPES = [torch.float32, torch.float64]
 
@@ -43,8 +39,9 @@ def test_light_goes_straight_on_where_the_index_does_not_change():
         assert torch.equal(before, after)
 
 
+@pytest.mark.parametrize("law", [TransmittanceLaw.schlick(1.5), TransmittanceLaw.fresnel(1.5)])
 @pytest.mark.parametrize("dtype", DTYPES)
-def test_beyond_the_critical_angle_nothing_passes_and_nothing_is_nan(dtype):
+def test_beyond_the_critical_angle_nothing_passes_and_nothing_is_nan(dtype, law):
     critical = math.asin(1 / 1.5)
     angles = torch.linspace(0, math.pi / 2, 1001, dtype=dtype).requires_grad_()
     direction = (angles.sin(), torch.zeros_like(angles), angles.cos())
@@ -52,7 +49,7 @@ def test_beyond_the_critical_angle_nothing_passes_and_nothing_is_nan(dtype):
     expected = angles.detach() < critical
     near = (angles.detach() - critical).abs() < 1e-3
     assert torch.equal(out.passes[~near], expected[~near])
-    weight = torch.where(out.passes, schlick_transmittance(out.cos_out, 1.5), 0.0)
+    weight = torch.where(out.passes, law.at(out.cos_in, out.cos_out), 0.0)
     (sum(out.direction).sum() + weight.sum()).backward()
     assert torch.isfinite(angles.grad).all()
     assert (weight[~out.passes] == 0).all()
@@ -65,9 +62,3 @@ def test_masked_roots_have_no_gradient(dtype):
     root.sum().backward()
     assert positive.tolist() == [False, False, True]
     assert square.grad.tolist() == [0, 0, 1]
-
-
-def test_schlick_at_its_two_ends():
-    ends = schlick_transmittance(torch.tensor([1.0, 0.0], dtype=torch.float64), 1.5)
-    assert ends.tolist() == pytest.approx([0.96, 0.0], abs=1e-15)
-    assert normal_reflectance(1.5) == pytest.approx(0.04)

@@ -56,7 +56,7 @@ REFUSED = [
     ("lens.half_width", 1, "lens.half_width: 1 is not a list"),
     ("lens.degree", [0, 3], "lens.degree[0]: 0 is too small; at least 1"),
     ("lens.degree", [3, 8], "lens.degree[1]: 8 is too large; at most 7"),
-    ("lens.sag", 1, "lens.sag: unknown field; known here: base, control_points"),
+    ("lens.sag", 1, "lens.sag: unknown field; known here: absorption, base"),
     ("lens.base", {"shape": "cone"}, "lens.base.shape: 'cone' is not available; allowed: 'flat'"),
     ("lens.base", {"height": 1, "radius": 2}, "lens.base.radius: unknown field"),
     (

@@ -69,6 +69,12 @@ LOSSES: Mapping[str, Loss] = {
         "a source nearer to the axis lets it in",
         always=True,
     ),
+    "absorbed": Loss(
+        "Absorbed",
+        "The part that the glass absorbs of the light that comes to the exit face.",
+        "is absorbed by the glass",
+        "a thinner lens or a clearer glass lets more of it through",
+    ),
     "fresnel_exit": Loss(
         "Reflected on exit",
         "The part that the exit face reflects of the light that it refracts.",

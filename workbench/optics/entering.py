@@ -9,7 +9,7 @@ import numpy.typing as npt
 
 from workbench.geometry.outlines import Outline, outline_of
 from workbench.optics.cap import Caps, covering_caps
-from workbench.optics.refraction import normal_reflectance
+from workbench.optics.transmittance import TransmittanceLaw
 from workbench.scene import Lens, LightOfPoints
 
 Array = npt.NDArray[np.float64]
@@ -46,11 +46,11 @@ def entering(source: LightOfPoints, lens: Lens) -> Entering:
     if source.axes is None:
         raise TypeError("the account of points that are no grid is not known")
     lambertian, intensity = source.emission == "lambertian", intensity_of(source, lens)
-    distance = lens.entrance_z - source.nearest_z
+    law, distance = TransmittanceLaw.of(lens)[0], lens.entrance_z - source.nearest_z
     outline = outline_of(lens)
     if not outline.whole:
         feet = source.positions[:, :2]
-        met, refracted = intensity * _through(outline, feet, distance, lens.index, lambertian)
+        met, refracted = intensity * _through(outline, feet, distance, law, lambertian)
         return Entering(intensity, missed=1 - met, reflected=met - refracted)
     (x, weight_x), (y, weight_y) = (
         _nodes(centre, r, distance) for centre, r in zip(source.axes, lens.half_width, strict=True)
@@ -59,7 +59,7 @@ def entering(source: LightOfPoints, lens: Lens) -> Entering:
     for row, weight in zip(x, weight_x, strict=True):
         cos = distance / np.sqrt(distance**2 + row[:, None] ** 2 + y[:, None, :] ** 2)
         flux = cos**3 * (cos if lambertian else 1.0) / distance**2
-        passing = flux * (1 - normal_reflectance(lens.index)) * (1 - (1 - cos) ** 5)
+        passing = flux * law.at(cos, np.sqrt(1 - law.ratio**2 * (1 - cos) * (1 + cos)))
         met += np.einsum("jab,a,jb", flux, weight, weight_y)
         refracted += np.einsum("jab,a,jb", passing, weight, weight_y)
     met, refracted = intensity * float(met), intensity * float(refracted)
@@ -67,7 +67,7 @@ def entering(source: LightOfPoints, lens: Lens) -> Entering:
 
 
 def _through(
-    outline: Outline, feet: Array, distance: float, index: float, lambertian: bool
+    outline: Outline, feet: Array, distance: float, law: TransmittanceLaw, lambertian: bool
 ) -> Array:
     """Light of points of intensity 1 on a face with a smooth outline, and what enters it.
 
@@ -87,7 +87,7 @@ def _through(
         versine = r2 / (slant * (slant + distance))  # 1 − cos, with all digits of a far point
         t = versine[:, None] * part
         flux = versine[:, None] * weight * (1 - t if lambertian else 1.0)
-        passing = flux * (1 - normal_reflectance(index)) * (1 - t**5)
+        passing = flux * law.at(1 - t, np.sqrt(1 - law.ratio**2 * t * (2 - t)))
         across = x * forward[:, 1] - y * forward[:, 0]
         turn = np.divide(across, r2, where=r2 > 0, out=np.zeros_like(r2))
         found += turn @ flux.sum(axis=1), turn @ passing.sum(axis=1)

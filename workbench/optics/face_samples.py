@@ -18,6 +18,7 @@ from workbench.optics.rays import RayBundle
 from workbench.optics.samples import Samples
 from workbench.optics.sources import PointEmitter
 from workbench.optics.surfaces import BSplineSurface, Meeting, Plane
+from workbench.optics.transmittance import TransmittanceLaw
 
 
 class SampledFace(NamedTuple):
@@ -31,6 +32,8 @@ class SampledFace(NamedTuple):
         Samples along x and y; the points of a grid share them.
     missed, reflected : str
         Names of light that is lost before and at the entrance face.
+    entering : TransmittanceLaw
+        How the entrance face refracts.
     net : ControlNet
         Where the control heights of the exit face sit.
     exit : Step
@@ -41,6 +44,7 @@ class SampledFace(NamedTuple):
     samples: Samples
     missed: str
     reflected: str
+    entering: TransmittanceLaw
     net: ControlNet
     exit: Step
 
@@ -55,11 +59,11 @@ class SampledFace(NamedTuple):
             case (
                 PointEmitter(samples=tuple() as samples) as emitter,
                 (
-                    Step(Plane(), Refraction(reflected=reflected), missed),
+                    Step(Plane(), Refraction(law=law, reflected=reflected), missed),
                     Step(BSplineSurface(net=net)) as exit_face,
                 ),
             ) if emitter.source.axes is not None and _before_the_lens(emitter):
-                return cls(emitter, samples, missed, reflected, net, exit_face)
+                return cls(emitter, samples, missed, reflected, law, net, exit_face)
         return None
 
 
@@ -123,7 +127,7 @@ class FaceSamples:
         self._y = constant(lattice.y.place)[None, :]
         self._away_x = constant(lattice.x.away)[:, None]
         self._away_y = constant(lattice.y.away)[None, :]
-        self._glass = Glass(lattice.distance, lens.index, source.emission == "lambertian")
+        self._glass = Glass(lattice.distance, face.entering, source.emission == "lambertian")
         self._area = constant(lattice.x.width)[:, None], constant(lattice.y.width)
         if not (outline := outline_of(lens)).whole:
             self._area = constant(lattice.areas(outline)), constant(np.ones(1))

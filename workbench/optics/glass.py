@@ -19,7 +19,7 @@ from typing import NamedTuple
 import torch
 from torch import Tensor
 
-from workbench.optics.refraction import schlick_transmittance
+from workbench.optics.transmittance import TransmittanceLaw
 
 _MOST_STEPS = 100
 
@@ -50,14 +50,15 @@ class Glass:
     ----------
     distance : float
         From the point to the face.
-    index : float
-        Refractive index.
+    law : TransmittanceLaw
+        The index, and how the face refracts.
     lambertian : bool
         Whether the point's intensity falls with the cosine to the axis.
     """
 
-    def __init__(self, distance: float, index: float, lambertian: bool) -> None:
-        self._distance, self._index, self._lambertian = distance, index, lambertian
+    def __init__(self, distance: float, law: TransmittanceLaw, lambertian: bool) -> None:
+        self._distance, self._law, self._lambertian = distance, law, lambertian
+        self._index = 1 / law.ratio
         self._known: tuple[float, float, torch.dtype, int] | None = None
 
     def light(self, radius2: Tensor, depth: Tensor) -> Light:
@@ -75,7 +76,8 @@ class Glass:
 
         steepness = self._steepness(part, radius2)
         cos = (1 + part.square() * (radius2 / self._distance**2)).rsqrt()
-        behind = cos * cos.square() * schlick_transmittance(cos, self._index)
+        inside = (1 + part.square() * (radius2 * steepness.square())).rsqrt()
+        behind = cos * cos.square() * self._law.at(cos, inside)
         if self._lambertian:
             behind = behind * cos
         spread = self._excess(part, radius2, depth)[1]

@@ -20,6 +20,7 @@ from workbench.optics.receivers import PlaneReceiver
 from workbench.optics.samples import Samples
 from workbench.optics.sources import Emitter, emitter_of
 from workbench.optics.surfaces import BSplineSurface, Plane, Surface
+from workbench.optics.transmittance import TransmittanceLaw
 from workbench.scene import Scene
 
 # Less light than this is none: rays that carry all of it add up to 1 but for so much.
@@ -99,7 +100,8 @@ class Path:
         samples: Samples | None = None,
     ) -> "Path":
         """The path of a scene, with control heights on a net; ``samples`` as for `emitter_of`."""
-        lens, n, source = scene.lens, scene.lens.index, scene.source
+        lens, source = scene.lens, scene.source
+        entering, leaving = TransmittanceLaw.of(lens)
         datum = lens.base.height if source.along_axis else lens.entrance_z
         emitter, outline = emitter_of(source, lens, samples), outline_of(lens)
         # Of light by area, what is outside the outline is out of the flux before the first face.
@@ -110,8 +112,8 @@ class Path:
             "exit", net, datum, dtype, device, source.subdivisions, outline=behind
         )
         steps = (
-            Step(entrance, Refraction(1.0, n, "fresnel_entrance"), "missed_lens"),
-            Step(exit_face, Refraction(n, 1.0, "fresnel_exit"), "left_side"),
+            Step(entrance, Refraction(entering, "fresnel_entrance"), "missed_lens"),
+            Step(exit_face, Refraction(leaving, "fresnel_exit", lens.absorption), "left_side"),
         )
         receiver = PlaneReceiver(scene.screen, datum)
         return cls(emitter, steps, receiver, datum, scene.run.seed, dtype, device)

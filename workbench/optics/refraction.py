@@ -60,22 +60,3 @@ def root_where_positive(square: Tensor) -> tuple[Tensor, Tensor]:
     """
     positive = square > 16 * torch.finfo(square.dtype).eps
     return torch.where(positive, square, 1.0).sqrt(), positive
-
-
-def schlick_transmittance(cos_thin: Tensor, index: float) -> Tensor:
-    """Part of the light that is refracted, by Schlick's approximation (1994, eq. 24).
-
-    Parameters
-    ----------
-    cos_thin : Tensor
-        Cosine of the angle in the optically thinner medium, the larger of the two angles.
-    index : float
-        Refractive index of the denser medium over that of the thinner.
-    """
-    grazing = 1 - cos_thin
-    return (1 - normal_reflectance(index)) * (1 - grazing.square().square() * grazing)
-
-
-def normal_reflectance(index: float) -> float:
-    """Part of the light that is reflected at normal incidence."""
-    return ((index - 1) / (index + 1)) ** 2

@@ -12,7 +12,7 @@ from workbench import materials
 from workbench.errors import Refused, shown
 from workbench.scene import limits
 from workbench.scene.auto_net import AutoNet, NumbersOrAuto
-from workbench.scene.fields import LENGTH, RANGE, SINCE_2, Measure, about
+from workbench.scene.fields import LENGTH, PLACE, RANGE, SINCE_2, Choices, Measure, about
 from workbench.scene.kinds import Kinds
 from workbench.scene.part import NonNegative, Part, Positive
 
@@ -23,6 +23,7 @@ Degree = Annotated[int, Field(ge=1, le=7)]
 LARGEST_NET = 1024
 """Control points along an axis, at most."""
 NetSize = Annotated[int, Field(ge=2, le=LARGEST_NET)]
+Reflectance = Annotated[float, Field(ge=0, lt=1)]
 _BaseHeight = Annotated[
     float, LENGTH, about("Base at z", "Where the base crosses the optical axis.")
 ]
@@ -148,6 +149,36 @@ class Lens(Part):
         Measure("µm"),
         about("Wavelength", "Vacuum wavelength at which the material's index is taken."),
     ] = None
+    absorption: Annotated[
+        NonNegative,
+        Measure(power=-1),
+        SINCE_2,
+        about(
+            "Absorption",
+            "How much the glass absorbs per length: light falls as exp(−absorption · path). Clear "
+            "glass and acrylic absorb some 0.0002 per mm.",
+        ),
+    ] = 0.0
+    reflection: Annotated[
+        Literal["fresnel", "schlick", "none"],
+        Choices((("fresnel", "Fresnel, exact"), ("schlick", "Schlick, approximate"))),
+        SINCE_2,
+        about(
+            "Reflection",
+            "What bare faces reflect: by Fresnel's equations for unpolarised light, by Schlick's "
+            "approximation to them, as in the paper, or nothing. Under total reflection all of it.",
+        ),
+    ] = "schlick"
+    coating: Annotated[
+        tuple[Reflectance, Reflectance] | None,
+        PLACE,
+        SINCE_2,
+        about(
+            "Coating",
+            "Part of the light that an antireflection coating reflects, at the entrance face and "
+            "at the exit face, at all angles: 0.005 is a good one. Left empty, faces are bare.",
+        ),
+    ] = None
     degree: Annotated[
         tuple[Degree, Degree],
         about(
@@ -244,6 +275,8 @@ class Lens(Part):
             )
         if self.height_range is not None:
             self._check_range(*self.height_range)
+        undesigned = max(self.base.extent(self.half_width)[0], self.floor) - self.entrance_z
+        limits.check_absorption(self.absorption, undesigned)
 
     def _check_lengths(self) -> None:
         """Refuse lengths beside which the digits of the lens's shape are lost."""

@@ -4,6 +4,7 @@ All lengths are judged by the lens. Within these limits no square overflows, not
 height loses the digits that make its shape, and light of a point arrives.
 """
 
+import math
 from collections.abc import Iterable
 
 from workbench.errors import Refused
@@ -14,6 +15,8 @@ HEIGHT = 1e6
 """Heights of the faces, at most, in half-widths of the lens."""
 FAR = 1e9
 """Radii, and lengths on the screen's side, at most, in half-widths of the lens."""
+DARKEST = 1e-6
+"""Part of the light that the glass lets through, at least."""
 FARTHEST, NEAREST = 1e12, 1e-10
 """Ways from a source, at most and at least, in half-widths of the lens."""
 
@@ -57,6 +60,22 @@ def check_index(index: float) -> None:
         raise Refused(
             "lens.refractive_index",
             f"{index:g} is more than any material has; at most {LARGEST_INDEX:g}",
+        )
+
+
+def check_absorption(absorption: float, thickness: float) -> None:
+    """Refuse glass that is as good as black in a lens of some thickness.
+
+    Raises
+    ------
+    Refused
+        With the absorption, and the largest.
+    """
+    if absorption * thickness > -math.log(DARKEST):
+        raise Refused(
+            "lens.absorption",
+            f"{absorption:g} leaves less than {DARKEST:g} of the light behind {thickness:g} of "
+            f"glass; at most {-math.log(DARKEST) / thickness:g}",
         )
 
 

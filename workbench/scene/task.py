@@ -31,6 +31,12 @@ MOST_STAGES = 100
 """Most stages of a run: each is checked as a scene of its own."""
 
 
+class _Said(Part, extra="ignore"):
+    """What a file says of itself."""
+
+    version: Version = 1
+
+
 class Scene(Part):
     """A whole design task. Only lens, source, screen and target are required.
 
@@ -221,9 +227,13 @@ class Scene(Part):
             With the path of the field, the value and what is allowed.
         """
         try:
-            return cls.model_validate_json(text)
+            scene = cls.model_validate_json(text)
+            version = _Said.model_validate_json(text).version
         except ValidationError as error:
             raise refusal(error, cls) from None
+        if version >= 2 and "reflection" not in scene.lens.model_fields_set:
+            return scene.altered(lens=scene.lens.altered(reflection="fresnel"))
+        return scene
 
     @classmethod
     def from_data(cls, data: dict[str, Any]) -> Self:

@@ -81,6 +81,40 @@ class TestDielectricBoundary:
         assert lost == pytest.approx({"total_reflection": 0, "fresnel_exit": 2 * reflectance})
         assert behind_it.flux == pytest.approx([2 * (1 - reflectance)])
 
+    @pytest.mark.parametrize(("before", "behind"), [(1.0, 1.5), (1.5, 1.0)])
+    @pytest.mark.parametrize("degrees", [0.0, 25.0, 41.0])
+    def test_fresnel_by_the_angles(self, before, behind, degrees):
+        """In Fresnel's own form, of sines and tangents."""
+        crossings = Crossings(at([0, 0, 0]), UP, np.array([2.0]), 0.0)
+        rays = TracedRays(at([0, 0, 0]), inclined(degrees), np.array([2.0]))
+        boundary = DielectricBoundary(before, behind, "fresnel_exit", "fresnel")
+        _, lost = boundary.turn(rays, crossings)
+        outside = math.radians(degrees)
+        inside = math.asin(math.sin(outside) * before / behind)
+        both = outside - inside, outside + inside
+        across, within = (
+            (shape(both[0]) / shape(both[1])) ** 2 if degrees else 0.04
+            for shape in (math.sin, math.tan)
+        )
+        assert lost["fresnel_exit"] == pytest.approx(across + within, rel=1e-12)
+
+    def test_a_coating_reflects_the_same_at_all_angles(self):
+        crossings = Crossings(at([0, 0, 0]), UP, np.array([2.0]), 0.0)
+        boundary = DielectricBoundary(1.5, 1.0, "fresnel_exit", 0.01)
+        for degrees in (0.0, 30.0, 41.0):
+            rays = TracedRays(at([0, 0, 0]), inclined(degrees), np.array([2.0]))
+            behind, lost = boundary.turn(rays, crossings)
+            assert lost == pytest.approx({"total_reflection": 0, "fresnel_exit": 0.02})
+            assert behind.flux == pytest.approx([1.98])
+
+    def test_light_is_absorbed_by_the_length_of_its_way(self):
+        start, end = at([0, 0, 0], [1, 2, 3]), at([3, 4, 0], [1, 2, 3])
+        crossings = Crossings(end, UP, np.array([1.0, 2.0]), 0.0)
+        boundary = DielectricBoundary(1.5, 1.0, "fresnel_exit", 0.0, absorption=0.2)
+        behind, lost = boundary.turn(TracedRays(start, inclined(0), np.ones(2)), crossings)
+        assert behind.flux == pytest.approx([math.exp(-1), 2], rel=1e-14)
+        assert lost["absorbed"] == pytest.approx(1 - math.exp(-1), rel=1e-14)
+
     @pytest.mark.parametrize("degrees", [10.0, 60.0])  # the second is reflected totally
     def test_one_direction_for_all_rays_is_as_good_as_one_for_each(self, degrees, rng):
         boundary, flux = DielectricBoundary(1.5, 1.0, "fresnel_exit"), rng.random(20)

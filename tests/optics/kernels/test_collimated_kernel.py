@@ -9,7 +9,7 @@ import torch
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from tests.optics.kernels.twins import account, lens, with_gradient
+from tests.optics.kernels.twins import account, lens, losses, with_gradient
 from workbench.geometry.surface import ControlNet
 from workbench.optics.kernels.collimated import FusedCollimatedRays
 from workbench.optics.path import Path
@@ -41,7 +41,7 @@ def scenes(draw):
     if kind == "gaussian":
         filter["size"] = draw(st.lists(st.sampled_from([1, 3, 5]), min_size=2, max_size=2))
         filter["alpha"] = draw(st.sampled_from([0.1, 1.0, 8.0]))
-    return {
+    return draw(losses()) | {
         "lens.degree": list(degree),
         "lens.control_points": [p + draw(st.integers(1, 9)) for p in degree],
         "lens.outline": draw(st.sampled_from(["rectangle", "ellipse"])),

@@ -6,7 +6,7 @@ import torch
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from tests.optics.kernels.twins import account, lens, with_gradient
+from tests.optics.kernels.twins import account, lens, losses, with_gradient
 from workbench.geometry.surface import ControlNet
 from workbench.optics.kernels.face import FusedFaceSamples
 from workbench.optics.path import Path
@@ -29,7 +29,7 @@ def scenes(draw):
         source = {"kind": "grid", "center": position, "emission": emission, "rays": 1}
         source["half_width"] = [draw(st.floats(0, 2)), draw(st.floats(0, 2))]
         source["points"] = [draw(st.integers(1, 6)), draw(st.integers(1, 6))]
-    return {
+    return draw(losses()) | {
         "lens.degree": list(degree),
         "lens.control_points": [p + draw(st.integers(1, 9)) for p in degree],
         "lens.half_width": [draw(st.floats(0.5, 2.0)), draw(st.floats(0.5, 2.0))],

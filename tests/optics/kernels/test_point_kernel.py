@@ -81,6 +81,20 @@ def test_image_account_and_gradient_are_the_references(make_scene, rng, source, 
     same(scene, twins(scene, dtype), face(scene, kind, rng), rng, dtype)
 
 
+LOSSES = [
+    {"lens.reflection": "fresnel", "lens.absorption": 0.7},
+    {"lens.reflection": "none"},
+    {"lens.coating": [0.01, 0.2], "lens.absorption": 2.0},
+]
+
+
+@pytest.mark.parametrize("dtype", DTYPES)
+@pytest.mark.parametrize("losses", LOSSES)
+def test_losses_on_the_way(make_scene, rng, losses, dtype):
+    scene = make_scene({"source": ASIDE, "filter": SMOOTH} | losses)
+    same(scene, twins(scene, dtype), face(scene, "wavy", rng), rng, dtype)
+
+
 @pytest.mark.parametrize("degree", [(1, 1), (1, 4), (2, 3), (3, 2), (4, 5), (6, 1), (7, 7)])
 def test_degrees(make_scene, rng, degree):
     scene = make_scene({"source": ASIDE, "filter": SMOOTH, "lens.degree": degree})

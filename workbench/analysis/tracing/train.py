@@ -12,7 +12,7 @@ from workbench.analysis.tracing.elements import (
     LightSource,
     TracedRays,
 )
-from workbench.analysis.tracing.interfaces import DielectricBoundary
+from workbench.analysis.tracing.interfaces import DielectricBoundary, reflectances
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.receivers import PlaneDetector
 from workbench.analysis.tracing.sources import light_source
@@ -100,13 +100,17 @@ class OpticalTrain:
     ) -> "OpticalTrain":
         """The train of a scene; for the parameters see `Trace`."""
         lens, n = scene.lens, scene.lens.index
+        entering, leaving = reflectances(lens)
         entrance = FlatFace(0.0, outline_of(lens), "missed_lens")
         exit_face = SplineFace(lens, heights["exit"], "left_side")
         return cls(
             light_source(scene.source, lens, pose, rays, seed),
             (
-                (entrance, DielectricBoundary(1.0, n, "fresnel_entrance")),
-                (exit_face, DielectricBoundary(n, 1.0, "fresnel_exit")),
+                (entrance, DielectricBoundary(1.0, n, "fresnel_entrance", entering)),
+                (
+                    exit_face,
+                    DielectricBoundary(n, 1.0, "fresnel_exit", leaving, lens.absorption),
+                ),
             ),
             PlaneDetector(scene.screen, planes, lens, pose),
         )

@@ -26,6 +26,7 @@ from workbench.geometry.surface import ControlNet
 from workbench.optics.glass import Glass
 from workbench.optics.path import Path
 from workbench.optics.reference import Reference
+from workbench.optics.transmittance import TransmittanceLaw
 from workbench.scene import Scene
 
 Array = npt.NDArray[np.float64]
@@ -145,7 +146,8 @@ class _Light:
             x, y, z = point.position
             self._away_x, self._away_y = self.x - x, self.y - y
             lambertian = point.emission == "lambertian"
-            self._glass = Glass(self._entrance_z - z, scene.lens.index, lambertian)
+            entering, _ = TransmittanceLaw.of(scene.lens)
+            self._glass = Glass(self._entrance_z - z, entering, lambertian)
         path = Path.of(scene, net, torch.float64, samples=(cells, cells))
         self._reference = Reference(path)
 

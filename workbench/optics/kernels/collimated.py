@@ -28,10 +28,10 @@ from workbench.optics.kernels.passes import GridPasses, Landing
 from workbench.optics.kernels.spread import Spread, make_canvases, make_spread, pad
 from workbench.optics.light import Light, Nodes
 from workbench.optics.path import Path, Step
-from workbench.optics.refraction import normal_reflectance
 from workbench.optics.samples import Samples, cells, places, shares
 from workbench.optics.sources import CollimatedEmitter
 from workbench.optics.surfaces import Plane
+from workbench.optics.transmittance import TransmittanceLaw
 from workbench.scene import BoxFilter, Filter, GaussianFilter, Screen
 
 Array = npt.NDArray[np.float64]
@@ -69,7 +69,7 @@ class FusedCollimatedRays:
         lens = _ParallelLens.of(path)
         if lens is None:
             raise TypeError("the kernel for collimated light does not match this path")
-        net, samples, n = lens.face.net, lens.emitter.samples, lens.face.ratio
+        net, samples, n = lens.face.net, lens.emitter.samples, lens.face.law.ratio
         self._face, self._dtype = lens.face, path.dtype
         kind = self._kind = kind_of(path.dtype)
         self._halves, self._emitter = Halves.of(samples, (1, 1), mirrored), path.emitter
@@ -80,17 +80,17 @@ class FusedCollimatedRays:
         self._still_light: tuple[Screen, Filter, Tensor, Sums] | None = None
         self.traced = count(self._moving) / count((across, up))
         self._level, self._screen = path.datum, path.receiver.screen
-        reflected = normal_reflectance(n)
-        beside = lens.emitter.beside
-        self._before = {lens.missed: beside, lens.reflected: reflected * (1 - beside)}
-        arriving = (1 - reflected) / cells(samples)
+        entering, beside = lens.entering.at(1.0, 1.0), lens.emitter.beside
+        self._before = {lens.missed: beside, lens.reflected: (1 - entering) * (1 - beside)}
         self._optics = Optics(
             kind(n),
             kind(n * n - 1),
             kind(path.receiver.z),
             kind(16 * np.finfo(kind).eps),
-            kind(arriving),
-            kind(arriving * (1 - normal_reflectance(n))),
+            kind(entering / cells(samples)),
+            kind(-lens.entrance_z),
+            kind(lens.face.absorption),
+            lens.face.law.cast(kind),
         )
 
     @property
@@ -146,7 +146,9 @@ class _ParallelLens(NamedTuple):
     """What the kernel is for: parallel light, a flat face across it and a B-spline."""
 
     emitter: CollimatedEmitter
+    entrance_z: float
     missed: str
+    entering: TransmittanceLaw
     reflected: str
     face: ExitFace
 
@@ -156,9 +158,9 @@ class _ParallelLens(NamedTuple):
         match path.emitter, path.steps:
             case (
                 CollimatedEmitter() as emitter,
-                (Step(Plane(), Refraction(reflected=reflected), missed), _),
+                (Step(Plane(z=z), Refraction(law=law, reflected=reflected), missed), _),
             ) if face is not None:
-                return cls(emitter, missed, reflected, face)
+                return cls(emitter, z, missed, law, reflected, face)
         return None
 
 
@@ -182,7 +184,8 @@ def compile_for(dtype: torch.dtype) -> None:
     kind = kind_of(dtype)
     net = ControlNet((2, 2), (1, 1), (1.0, 1.0))
     across, up = (_rays(net, (2, 2), axis, Halves(None, None), kind) for axis in (0, 1))
-    numbers = Optics(*(kind(1.5) for _ in Optics._fields))
+    law = TransmittanceLaw.fresnel(1.5).cast(kind)
+    numbers = Optics._make([*(kind(1.5) for _ in Optics._fields[:-1]), law])
     screen = Screen(z=1.0, half_width=(1.0, 1.0), pixels=(2, 2))
     spread = make_spread(screen, GaussianFilter(), kind)
     canvas = make_canvases(spread, 1)[0]
@@ -190,10 +193,10 @@ def compile_for(dtype: torch.dtype) -> None:
     wide = across.share[None, :]
     light = across.place.astype(kind), up.place.astype(kind), wide, up.share, numbers
     given = heights, (across, up), light, spread, 0, 2
-    LOOPS.trace(*given, canvas, np.zeros(3))
+    LOOPS.trace(*given, canvas, np.zeros(4))
     LOOPS.trace_back(*given, pad(spread, np.zeros((2, 2), kind)), gradient)
     nodes = np.zeros((3, 2, 2), kind)
-    LOOPS.land(*given, nodes, np.zeros(3))
+    LOOPS.land(*given, nodes, np.zeros(4))
     LOOPS.land_back(*given, nodes, gradient)
 
 
@@ -201,7 +204,7 @@ class _Passes(GridPasses):
     """The trace of one set of rays onto one screen, and its adjoint."""
 
     def __init__(self, source: FusedCollimatedRays, rays: Rays, spread: Spread) -> None:
-        super().__init__(LOOPS, rays, spread, source.mirrored, sums=3)
+        super().__init__(LOOPS, rays, spread, source.mirrored, sums=4)
         across, up = rays
         columns = spread.column_0 + spread.per_x * across.place
         rows = spread.row_0 + spread.per_y * up.place
@@ -224,11 +227,13 @@ class _Passes(GridPasses):
 
     def account(self, sums: list[float]) -> Sums:
         """See `GridPasses`."""
-        on_screen, beside, passed = sums
+        on_screen, beside, passed, absorbed = sums
         passed *= self._arriving
+        absorbed *= self._arriving
         return Sums(
             on_screen,
             off_screen=beside,
-            total_reflection=self._flux - passed,
+            total_reflection=self._flux - absorbed - passed,
             reflected=passed - on_screen - beside,
+            absorbed=absorbed,
         )

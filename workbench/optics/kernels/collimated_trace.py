@@ -18,9 +18,11 @@ from workbench.optics.kernels.rows import (
 )
 from workbench.optics.kernels.spread import BATCH
 from workbench.optics.kernels.taps import FAST
+from workbench.optics.kernels.transmittance import transmittance, transmittance_slopes
+from workbench.optics.transmittance import TransmittanceLaw
 
 # Numbers of a batch beside those of all kinds.
-_Q, _BEND = (OWN + np.uintp(BATCH * k) for k in range(2))
+_Q, _BEND, _FADE = (OWN + np.uintp(BATCH * k) for k in range(3))
 
 
 class Optics(NamedTuple):
@@ -38,8 +40,12 @@ class Optics(NamedTuple):
         Squared cosines below this count as total reflection.
     arriving : floating
         Flux of a ray before the exit face.
-    head_on : floating
-        Flux of a ray that leaves at a right angle.
+    lift : floating
+        That level, above the entrance face.
+    absorption : floating
+        Of the glass, per length.
+    law : TransmittanceLaw
+        How the exit face refracts.
     """
 
     ratio: np.floating[Any]
@@ -47,7 +53,9 @@ class Optics(NamedTuple):
     drop: np.floating[Any]
     critical: np.floating[Any]
     arriving: np.floating[Any]
-    head_on: np.floating[Any]
+    lift: np.floating[Any]
+    absorption: np.floating[Any]
+    law: TransmittanceLaw
 
 
 @jit(fastmath=FAST, error_model="numpy", forceinline=True)
@@ -60,7 +68,7 @@ def _refract(light, spread, i, j, lanes, t):  # type: ignore[no-untyped-def]
     """
     columns, rows, wide, high, optics = light
     wide = wide[j if len(wide) > 1 else 0][i:]
-    place, row, head_on = columns[i:], rows[j], optics.head_on * high[j]
+    place, row, arriving = columns[i:], rows[j], optics.arriving * high[j]
     kind = t.dtype.type
     one = kind(1)
     passed = kind(0)
@@ -71,9 +79,9 @@ def _refract(light, spread, i, j, lanes, t):  # type: ignore[no-untyped-def]
         passes = square > optics.critical
         q = np.sqrt(square if passes else one)
         bend = (optics.drop - t[Z + lane]) * optics.excess / (one + optics.ratio * q)
-        grazing = one - q / np.sqrt(one + k)
-        fourth = grazing * grazing * (grazing * grazing)
-        weight = wide[lane] * head_on * (one - fourth * grazing) if passes else kind(0)
+        cos_in = one / np.sqrt(one + k)
+        part = transmittance(optics.law, cos_in, q * cos_in)
+        weight = wide[lane] * arriving * part if passes else kind(0)
         t[_Q + lane] = q
         t[_BEND + lane] = bend
         column = place[lane] + spread.per_x * z_x * bend
@@ -81,13 +89,62 @@ def _refract(light, spread, i, j, lanes, t):  # type: ignore[no-untyped-def]
         t[ROW + lane] = row + spread.per_y * z_y * bend
         t[WEIGHT + lane] = weight
         passed += wide[lane] if passes else kind(0)
-    return (np.float64(passed * high[j]),)
+    return np.float64(passed * high[j])
+
+
+@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+def _absorb(light, i, j, lanes, t):  # type: ignore[no-untyped-def]
+    """Take from the flux of rays what the glass absorbs.
+
+    Returns
+    -------
+    tuple of two float64
+        Flux that is refracted then, as `_refract` says it, and flux that is absorbed.
+    """
+    wide, high, optics = light[2], light[3][j], light[4]
+    wide = wide[j if len(wide) > 1 else 0][i:]
+    kind = t.dtype.type
+    passed, absorbed = kind(0), kind(0)
+    for lane in range(np.uintp(lanes)):
+        passes = t[COLUMN + lane] < kind(np.inf)
+        left = np.exp(-optics.absorption * abs(t[Z + lane] + optics.lift))
+        t[WEIGHT + lane] = t[WEIGHT + lane] * left if passes else kind(0)
+        passed += wide[lane] * left if passes else kind(0)
+        absorbed += wide[lane] * (kind(1) - left)
+        t[_FADE + lane] = left
+    return np.float64(passed * high), np.float64(absorbed * high)
+
+
+@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+def _ahead(light, spread, i, j, lanes, t):  # type: ignore[no-untyped-def]
+    """From the face to the screen; flux that is refracted, and that was absorbed before."""
+    passed, absorbed = _refract(light, spread, i, j, lanes, t), 0.0
+    if light[4].absorption > t.dtype.type(0):
+        passed, absorbed = _absorb(light, i, j, lanes, t)
+    return passed, absorbed
+
+
+@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+def _back(light, spread, i, j, lanes, t):  # type: ignore[no-untyped-def]
+    """Adjoint of `_ahead`."""
+    absorption, lift = light[4].absorption, light[4].lift
+    if not absorption > t.dtype.type(0):
+        _refract_back(light, spread, i, j, lanes, t)
+        return
+    for lane in range(np.uintp(lanes)):
+        left = t[_FADE + lane]
+        per_depth = absorption if t[Z + lane] + lift > t.dtype.type(0) else -absorption
+        t[_FADE + lane] = per_depth * t[D_WEIGHT + lane] * t[WEIGHT + lane]
+        t[D_WEIGHT + lane] *= left
+    _refract_back(light, spread, i, j, lanes, t)
+    for lane in range(np.uintp(lanes)):
+        t[Z + lane] -= t[_FADE + lane]
 
 
 @jit(fastmath=FAST, error_model="numpy", forceinline=True)
 def _refract_back(light, spread, i, j, lanes, t):  # type: ignore[no-untyped-def]
     """Adjoint of `_refract`; the cotangents of z, z_x, z_y take the place of these."""
-    wide, head_on, optics = light[2], light[4].head_on * light[3][j], light[4]
+    wide, arriving, optics = light[2], light[4].arriving * light[3][j], light[4]
     wide = wide[j if len(wide) > 1 else 0][i:]
     kind = t.dtype.type
     one, two, half = kind(1), kind(2), kind(0.5)
@@ -100,14 +157,14 @@ def _refract_back(light, spread, i, j, lanes, t):  # type: ignore[no-untyped-def
         d_y = t[D_ROW + lane] * spread.per_y
         share = one / (one + optics.ratio * q)
         d_bend = d_x * z_x + d_y * z_y
-        # weight = head_on (1 − g⁵), g = 1 − q s, s = 1 / √(1 + k)
+        # weight = arriving T(s, q s), s = 1 / √(1 + k)
         s = one / np.sqrt(one + k)
-        grazing = one - q * s
-        fourth = grazing * grazing * (grazing * grazing)
-        d_cos = kind(5) * fourth * wide[lane] * head_on * t[D_WEIGHT + lane]
-        d_q = d_cos * s - d_bend * bend * optics.ratio * share
+        d_cos_in, d_cos_out = transmittance_slopes(optics.law, s, q * s)
+        d_part = wide[lane] * arriving * t[D_WEIGHT + lane]
+        d_q = d_part * d_cos_out * s - d_bend * bend * optics.ratio * share
         # q = √(1 − (n² − 1) k)
-        d_k = -half * (d_cos * q * s * s * s + d_q * optics.excess / q)
+        d_s = d_part * (d_cos_in + d_cos_out * q)
+        d_k = -half * (d_s * s * s * s + d_q * optics.excess / q)
         d_z_x = d_x * bend + two * z_x * d_k
         d_z_y = d_y * bend + two * z_y * d_k
         d_z = -d_bend * optics.excess * share
@@ -116,6 +173,6 @@ def _refract_back(light, spread, i, j, lanes, t):  # type: ignore[no-untyped-def
         t[Z_Y + lane] = d_z_y if passes else kind(0)
 
 
-LOOPS = make_loops("collimated", _refract, _refract_back, own=2)
+LOOPS = make_loops("collimated", _ahead, _back, own=3)
 """For light of rays with these columns and rows, the shares of a cell for which they stand along u,
 as one row for all v or a row for each, and along v, and numbers of the trace."""

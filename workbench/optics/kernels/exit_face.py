@@ -12,6 +12,7 @@ from workbench.optics.kernels.function import Sums
 from workbench.optics.light import Light
 from workbench.optics.path import Path, Step
 from workbench.optics.surfaces import BSplineSurface
+from workbench.optics.transmittance import TransmittanceLaw
 
 
 class ExitFace(NamedTuple):
@@ -25,8 +26,10 @@ class ExitFace(NamedTuple):
         Where its control heights sit.
     mesh : bool
         Whether triangles stand for it.
-    ratio : float
-        Refractive index before it over that behind it, above 1.
+    law : TransmittanceLaw
+        How it refracts; the refractive index before it is larger than that behind it.
+    absorption : float
+        Of the medium before it, per length.
     missed, reflected : str
         Names of light that does not meet it, and that it reflects where the rest is refracted.
     """
@@ -34,7 +37,8 @@ class ExitFace(NamedTuple):
     name: str
     net: ControlNet
     mesh: bool
-    ratio: float
+    law: TransmittanceLaw
+    absorption: float
     missed: str
     reflected: str
 
@@ -45,11 +49,12 @@ class ExitFace(NamedTuple):
             case (
                 Step(
                     BSplineSurface(name=name, net=net, subdivisions=subdivisions, outline=outline),
-                    Refraction(ratio=ratio, reflected=reflected),
+                    Refraction(law=law, reflected=reflected, absorption=absorption),
                     missed,
                 ),
-            ) if ratio > 1 and outline.whole:
-                return cls(name, net, subdivisions is not None, ratio, missed, reflected)
+            ) if law.ratio > 1 and outline.whole:
+                mesh = subdivisions is not None
+                return cls(name, net, mesh, law, absorption, missed, reflected)
         return None
 
     def light(self, flux: Tensor, sums: Sums, before: Mapping[str, float]) -> Light:
@@ -60,6 +65,7 @@ class ExitFace(NamedTuple):
             ("total_reflection", sums.total_reflection),
             (self.reflected, sums.reflected),
             (self.missed, sums.missed),
+            *([("absorbed", sums.absorbed)] if self.absorption > 0 else []),
         ):
             lost[name] = lost.get(name, 0.0) + part
         return Light(flux, Account(sums.on_screen, lost))

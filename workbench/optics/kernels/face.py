@@ -26,8 +26,8 @@ from workbench.optics.kernels.spread import Spread, make_canvases, make_spread, 
 from workbench.optics.lattice import make_lattice
 from workbench.optics.light import Light, Nodes
 from workbench.optics.path import Path
-from workbench.optics.refraction import normal_reflectance
 from workbench.optics.samples import places
+from workbench.optics.transmittance import TransmittanceLaw
 from workbench.scene import BoxFilter, Filter, GaussianFilter, Screen
 
 Array = npt.NDArray[np.float64]
@@ -80,8 +80,7 @@ class FusedFaceSamples:
         self._bases = across, up
         m_x, m_y = (len(basis.place) for basis in self._bases)
         x, y = lattice.x, lattice.y
-        passing = 1 - normal_reflectance(lens.index)
-        bright = halves.weighted(x.width, 0) * (lattice.intensity * passing / lattice.distance**2)
+        bright = halves.weighted(x.width, 0) * (lattice.intensity / lattice.distance**2)
         self._across = Across(
             x.place[:m_x],
             x.away[:m_x].astype(kind),
@@ -99,7 +98,7 @@ class FusedFaceSamples:
             halves.weighted(y.width, 1).astype(kind),
         )
         n, lambertian = lens.index, source.emission == "lambertian"
-        self._glass = Glass(lattice.distance, n, lambertian)
+        self._glass = Glass(lattice.distance, sampled.entering, lambertian)
         self._widest = float(np.hypot(np.abs(x.away).max(), np.abs(y.away).max()))
         apparent = n * lattice.distance
         self._level = lens.base.height
@@ -113,7 +112,9 @@ class FusedFaceSamples:
             kind(self._lift),
             kind(self._screen.z - self._level),
             kind(16 * np.finfo(kind).eps),
-            kind(passing),
+            kind(face.absorption),
+            sampled.entering.cast(kind),
+            face.law.cast(kind),
             near=bool((n * n - 1) ** 0.5 * self._widest > apparent),
             rims=bool(x.reach.any() or y.reach.any()),
         )
@@ -155,16 +156,17 @@ def compile_for(dtype: torch.dtype) -> None:
     pair, one = np.ones(2, kind), kind(1)
     across = Across(pair, pair, pair, pair, one, pair)
     up = Up(pair, pair, pair, pair, one, pair)
-    optics = Optics._make([*(kind(1.5) for _ in Optics._fields[:-2]), False, False])
+    laws = TransmittanceLaw.fresnel(1 / 1.5).cast(kind), TransmittanceLaw.fresnel(1.5).cast(kind)
+    optics = Optics._make([*(kind(1.5) for _ in Optics._fields[:-4]), *laws, False, False])
     screen = Screen(z=1.0, half_width=(1.0, 1.0), pixels=(2, 2))
     spread = make_spread(screen, GaussianFilter(), kind)
     canvas = make_canvases(spread, 1)[0]
     heights, gradient = np.zeros(net.shape, kind), np.zeros(net.shape)
     given = heights, bases, (across, up, optics, 1), spread, 0, 2
-    LOOPS.trace(*given, canvas, np.zeros(4))
+    LOOPS.trace(*given, canvas, np.zeros(5))
     LOOPS.trace_back(*given, pad(spread, np.zeros((2, 2), kind)), gradient)
     nodes = np.zeros((3, 2, 2), kind)
-    LOOPS.land(*given, nodes, np.zeros(4))
+    LOOPS.land(*given, nodes, np.zeros(5))
     LOOPS.land_back(*given, nodes, gradient)
 
 
@@ -172,7 +174,7 @@ class _Passes(GridPasses):
     """The trace of one set of samples onto one screen, and its adjoint."""
 
     def __init__(self, samples: FusedFaceSamples, spread: Spread) -> None:
-        super().__init__(LOOPS, samples._bases, spread, samples.mirrored, sums=4)
+        super().__init__(LOOPS, samples._bases, spread, samples.mirrored, sums=5)
         self._samples = samples
         kind, across, up = samples._kind, samples._across, samples._up
         columns = (spread.column_0 + spread.per_x * across.place).astype(kind)
@@ -185,12 +187,13 @@ class _Passes(GridPasses):
 
     def account(self, sums: list[float]) -> Sums:
         """See `GridPasses`."""
-        on_screen, beside, met, passed = sums
+        on_screen, beside, met, passed, absorbed = sums
         entered = 1 - sum(self._samples._before.values())
         return Sums(
             on_screen,
             off_screen=beside,
             total_reflection=met - passed,
             reflected=passed - on_screen - beside,
-            missed=entered - met,
+            missed=entered - met - absorbed,
+            absorbed=absorbed,
         )

@@ -5,6 +5,8 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from workbench.optics.transmittance import TransmittanceLaw
+
 Number = np.floating[Any]
 AnyArray = npt.NDArray[np.floating[Any]]
 
@@ -62,8 +64,10 @@ class Optics(NamedTuple):
         How far the screen is above that level.
     critical : floating
         Squared cosines below this count as total reflection.
-    head_on : floating
-        Part of the light that leaves at a right angle.
+    absorption : floating
+        Of the glass, per length.
+    entering, leaving : TransmittanceLaw
+        How entrance and exit face refract.
     near : bool
         Whether points are so near that Newton's method needs the better start.
     rims : bool
@@ -78,6 +82,8 @@ class Optics(NamedTuple):
     lift: Number
     drop: Number
     critical: Number
-    head_on: Number
+    absorption: Number
+    entering: TransmittanceLaw
+    leaving: TransmittanceLaw
     near: bool
     rims: bool

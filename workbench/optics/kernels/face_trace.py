@@ -26,10 +26,11 @@ from workbench.optics.kernels.rows import (
 )
 from workbench.optics.kernels.spread import BATCH
 from workbench.optics.kernels.taps import FAST
+from workbench.optics.kernels.transmittance import transmittance, transmittance_slopes
 
 # Numbers of a batch beside those of all kinds.
-_DEPTH, _PART, _BRIGHT, _D_BRIGHT, _G, _COS, _NARROW, _Q, _GAMMA, _AHEAD = (
-    OWN + np.uintp(BATCH * k) for k in range(10)
+_DEPTH, _PART, _BRIGHT, _D_BRIGHT, _G, _COS, _NARROW, _Q, _GAMMA, _AHEAD, _FLUX, _WAY = (
+    OWN + np.uintp(BATCH * k) for k in range(12)
 )
 
 
@@ -86,6 +87,41 @@ def _see_points(across, i, up, j, optics, lanes, t):  # type: ignore[no-untyped-
 
 
 @jit(fastmath=FAST, error_model="numpy", forceinline=True)
+def _absorb(away_x, away_y, optics, lanes, t):  # type: ignore[no-untyped-def]
+    """Take from the brightness of points what the glass absorbs on the way to each sample.
+
+    The way is t L. Its slope by the depth is (1 + (L² − 1) dρ_e/dρ) / L.
+    """
+    kind = t.dtype.type
+    one, c2 = kind(1), optics.apparent * optics.apparent
+    for lane in range(np.uintp(lanes)):
+        depth, part = t[_DEPTH + lane], t[_PART + lane]
+        enters2 = part * part * (away_x[lane] * away_x[lane] + away_y * away_y)
+        g2 = one / (c2 + optics.excess * enters2)
+        g, length2 = np.sqrt(g2), one + enters2 * g2
+        narrow = one / (one + depth * (c2 * g2) * g)
+        length = np.sqrt(length2)
+        way = optics.absorption * depth * length
+        rise = optics.absorption * (one + (length2 - one) * narrow) / length
+        by_part = rise / (part * g * narrow)  # since dp/dt = −p g dρ_e/dρ
+        left = np.exp(-way)
+        t[_WAY + lane] = way
+        t[_D_BRIGHT + lane] = left * (t[_D_BRIGHT + lane] + t[_BRIGHT + lane] * by_part)
+        t[_BRIGHT + lane] *= left
+
+
+@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+def _absorbed(lanes, t):  # type: ignore[no-untyped-def]
+    """Flux that the glass has taken from what met the face."""
+    kind = t.dtype.type
+    absorbed = kind(0)
+    for lane in range(np.uintp(lanes)):
+        # Behind glass that is as good as black the numbers end before the light does.
+        absorbed += t[_FLUX + lane] * (np.exp(min(t[_WAY + lane], kind(60))) - kind(1))
+    return np.float64(absorbed)
+
+
+@jit(fastmath=FAST, error_model="numpy", forceinline=True)
 def _seen(reach, beyond, per_cell, bent):  # type: ignore[no-untyped-def]
     """Part of a sample's cell that sees its point along one axis, and its slope by p.
 
@@ -124,16 +160,15 @@ def _refract(across, i, up, j, optics, spread, lanes, t):  # type: ignore[no-unt
         narrow = one / (one + depth * (c * c * g2) * g)  # dρ_e/dρ
         cos2 = optics.distance2 / (optics.distance2 + enters2)
         cos = np.sqrt(cos2)
-        grazing = one - cos
-        fourth = grazing * grazing * (grazing * grazing)
-        behind = cos2 * cos * (plain + optics.lambert * cos) * (one - fourth * grazing)
+        length2 = one + enters2 * g2
+        entering = transmittance(optics.entering, cos, one / np.sqrt(length2))
+        behind = cos2 * cos * (plain + optics.lambert * cos) * entering
         slope = part * g
         s_x, s_y = away_x * slope, away_y * slope
         lean = one - s_x * z_x - s_y * z_y
         met = (depth > zero) & (lean > zero)
         flux = t[_BRIGHT + lane] * behind * part * narrow * lean if met else zero
 
-        length2 = one + enters2 * g2
         both2 = length2 * (one + z_x * z_x + z_y * z_y)
         square = n * n * lean * lean - optics.excess * both2
         passes = met & (square > optics.critical * both2)
@@ -143,16 +178,16 @@ def _refract(across, i, up, j, optics, spread, lanes, t):  # type: ignore[no-unt
         goes_on = (onward > zero) & (onward * onward > kind(1e-12) * length2)
         ahead = one / (onward if goes_on else one)
         path = (optics.drop - z) * ahead
-        cos_out = q / np.sqrt(both2)
-        grazing = one - cos_out
-        fourth = grazing * grazing * (grazing * grazing)
-        weight = flux * optics.head_on * (one - fourth * grazing) if passes else zero
+        one_by_both = one / np.sqrt(both2)
+        leaving = transmittance(optics.leaving, lean * one_by_both, q * one_by_both)
+        weight = flux * leaving if passes else zero
         reaches = passes & goes_on
         column = place[lane] + spread.per_x * (n * s_x - gamma * z_x) * path
         row = y + spread.per_y * (n * s_y - gamma * z_y) * path
         t[COLUMN + lane] = column if reaches else kind(np.inf)
         t[ROW + lane] = row
         t[WEIGHT + lane] = weight
+        t[_FLUX + lane] = flux
         t[_G + lane] = g
         t[_COS + lane] = cos
         t[_NARROW + lane] = narrow
@@ -191,20 +226,21 @@ def _refract_back(across, i, up, j, optics, spread, lanes, t):  # type: ignore[n
         path = (optics.drop - z) * ahead
         one_by_q = one / q
         one_by_both = one / np.sqrt(length2 * face2)
-        cos_out = q * one_by_both
-        grazing = one - cos
-        fourth = grazing * grazing * (grazing * grazing)
-        enters = one - fourth * grazing
+        cos_in, cos_out = lean * one_by_both, q * one_by_both
+        cos_glass = one / np.sqrt(length2)
+        enters = transmittance(optics.entering, cos, cos_glass)
+        enters_slope, glass_slope = transmittance_slopes(optics.entering, cos, cos_glass)
+        enters_slope += glass_slope * cos / (n * n * cos_glass)
         cosines = cos * cos * cos * (plain + optics.lambert * cos)
         density = cosines * enters * part * narrow
         flux = bright * density * lean
 
         # The light's weight.
-        grazing = one - cos_out
-        d_weight = t[D_WEIGHT + lane] * optics.head_on
-        out_fourth = grazing * grazing * (grazing * grazing)
-        d_flux = d_weight * (one - out_fourth * grazing)
-        d_cos_out = d_weight * flux * kind(5) * out_fourth
+        d_weight = t[D_WEIGHT + lane]
+        d_flux = d_weight * transmittance(optics.leaving, cos_in, cos_out)
+        d_cos_in, d_cos_out = transmittance_slopes(optics.leaving, cos_in, cos_out)
+        d_cos_in *= d_weight * flux
+        d_cos_out *= d_weight * flux
         # The hit.
         d_x, d_y = t[D_COLUMN + lane] * spread.per_x, t[D_ROW + lane] * spread.per_y
         d_path = d_x * (n * s_x - gamma * z_x) + d_y * (n * s_y - gamma * z_y)
@@ -218,10 +254,11 @@ def _refract_back(across, i, up, j, optics, spread, lanes, t):  # type: ignore[n
         d_square = half * d_q * one_by_q
         d_length2 = -d_square * excess * face2
         d_face2 = -d_square * excess * length2
-        half_cos = half * d_cos_out * cos_out * (one_by_both * one_by_both)
+        half_cos = half * (d_cos_in * cos_in + d_cos_out * cos_out) * (one_by_both * one_by_both)
         d_length2 += d_gamma * gamma / length2 - half_cos * face2
         d_face2 -= half_cos * length2
         d_lean = two * d_square * n * n * lean - n * shared + d_flux * bright * density
+        d_lean += d_cos_in * one_by_both
         # Slopes of the light and of the face.
         d_s_x, d_s_y = n * d_x - d_lean * z_x, n * d_y - d_lean * z_y
         d_slope = d_s_x * away_x + d_s_y * away_y + two * radius2 * slope * d_length2
@@ -232,7 +269,7 @@ def _refract_back(across, i, up, j, optics, spread, lanes, t):  # type: ignore[n
         part_rise = -slope * narrow
         d_slope_rise = g * bent * part_rise
         spread_rise = bent * g + kind(3) * depth * bent * (one - bent) * g2 * narrow
-        behind_rise = (one - cos * cos) * (power * enters + kind(5) * fourth * cos) * g * narrow
+        behind_rise = (one - cos * cos) * (power * enters + enters_slope * cos) * g * narrow
         density_rise = (
             cosines
             * narrow
@@ -251,11 +288,21 @@ def _refract_back(across, i, up, j, optics, spread, lanes, t):  # type: ignore[n
 
 @jit(fastmath=FAST, error_model="numpy", forceinline=True)
 def _ahead(light, spread, i, j, lanes, t):  # type: ignore[no-untyped-def]
-    """From the face to the screen; flux that met the face, and that was not totally reflected."""
+    """From the face to the screen.
+
+    Returns
+    -------
+    tuple of three float64
+        Flux that met the face, that was not totally reflected, and that was absorbed before.
+    """
     across, up, optics, steps = light
     _find_part(across.away[i:], up.away[j], optics, steps, lanes, t)
     _see_points(across, i, up, j, optics, lanes, t)
-    return _refract(across, i, up, j, optics, spread, lanes, t)
+    absorbs = optics.absorption > t.dtype.type(0)
+    if absorbs:
+        _absorb(across.away[i:], up.away[j], optics, lanes, t)
+    met, passed = _refract(across, i, up, j, optics, spread, lanes, t)
+    return met, passed, _absorbed(lanes, t) if absorbs else 0.0
 
 
 @jit(fastmath=FAST, error_model="numpy", forceinline=True)
@@ -265,5 +312,5 @@ def _back(light, spread, i, j, lanes, t):  # type: ignore[no-untyped-def]
     _refract_back(across, i, up, j, optics, spread, lanes, t)
 
 
-LOOPS = make_loops("face", _ahead, _back, own=10)
+LOOPS = make_loops("face", _ahead, _back, own=12)
 """For light of samples ``across`` and ``up``, numbers of the trace and steps of Newton's method."""

@@ -12,13 +12,14 @@ AnyArray = npt.NDArray[np.floating[Any]]
 
 
 class Sums(NamedTuple):
-    """Flux that met the exit face and reached the screen, or passed it by, or what else it did."""
+    """Flux that reached the screen, passed it by, or was lost at the exit face or before it."""
 
     on_screen: float
     off_screen: float
     total_reflection: float
     reflected: float
     missed: float = 0.0
+    absorbed: float = 0.0
 
 
 class Passes(Protocol):

@@ -21,6 +21,7 @@ from workbench.optics.kernels.locked import Mask
 from workbench.optics.kernels.point_face import Face, heights_cotangent, make_table
 from workbench.optics.kernels.point_order import Sorted, arrange
 from workbench.optics.kernels.point_trace import (
+    ABSORBED,
     BESIDE,
     FRESNEL,
     ON_SCREEN,
@@ -28,7 +29,6 @@ from workbench.optics.kernels.point_trace import (
     SIDE,
     SUMS,
     TOTAL,
-    Glass,
     adjoint,
     make_glass,
 )
@@ -36,6 +36,7 @@ from workbench.optics.kernels.point_trace import trace as trace_rays
 from workbench.optics.kernels.spread import Spread, add_up, make_canvases, make_spread, pad
 from workbench.optics.light import Light
 from workbench.optics.path import Path
+from workbench.optics.transmittance import TransmittanceLaw
 from workbench.scene import Filter, GaussianFilter, Screen
 
 AnyArray = npt.NDArray[np.floating[Any]]
@@ -78,7 +79,7 @@ class FusedPointRays:
         self._path, self._exit = path, face
         self.kind = kind_of(path.dtype)
         self.face = Face(face.net, path.dtype)
-        self.glass = make_glass(face.ratio, path.receiver.z, self.kind)
+        self.glass = make_glass(face.law, path.receiver.z, face.absorption, self.kind)
         self._sorted: Sorted | None = None
 
     def image(self, heights: Mapping[str, Tensor], screen: Screen, filter: Filter) -> Light:
@@ -134,7 +135,7 @@ class _Passes:
         more = known.interruptions + max(runs - fewest, 0)
         rays.remember(known._replace(depths=depths, fewest=fewest, interruptions=more))
         self._table, self._bundle, self._depths = table, known.bundle, depths
-        parts = total[[ON_SCREEN, BESIDE, TOTAL, FRESNEL, SIDE]].tolist()
+        parts = total[[ON_SCREEN, BESIDE, TOTAL, FRESNEL, SIDE, ABSORBED]].tolist()
         return add_up(spread, canvases), Sums(*parts)
 
     def backward(self, heights: AnyArray, cotangent: AnyArray) -> AnyArray:
@@ -160,7 +161,7 @@ def compile_for(dtype: torch.dtype) -> None:
     face, heights = Face(net, dtype), np.zeros(net.shape, kind)
     known = arrange(face.net, None, np.zeros((5, 1), kind), np.zeros(1, kind))
     bounds, table = face.bounds(heights, known.steepest), make_table(heights, face.powers)
-    glass = Glass(*(kind(1.5) for _ in Glass._fields))
+    glass = make_glass(TransmittanceLaw.fresnel(1.5), 1.5, 0.0, kind)
     screen = Screen(z=1.0, half_width=(1.0, 1.0), pixels=(2, 2))
     spread = make_spread(screen, GaussianFilter(), kind)
     canvas, d_table = make_canvases(spread, 1)[0], np.zeros(table.shape)

@@ -45,12 +45,13 @@ from workbench.optics.kernels.point_patches import (
 )
 from workbench.optics.kernels.spread import BATCH, gather, scatter, workspace
 from workbench.optics.kernels.taps import FAST
-from workbench.optics.refraction import normal_reflectance
+from workbench.optics.kernels.transmittance import transmittance, transmittance_slopes
+from workbench.optics.transmittance import TransmittanceLaw
 
 # Sums that a trace returns: flux on the screen, beside it, totally reflected, reflected by Fresnel,
-# left through the side; and the number of runs of rays that began in the same patch.
-ON_SCREEN, BESIDE, TOTAL, FRESNEL, SIDE, RUNS = range(6)
-SUMS = 6
+# left through the side, absorbed; and the number of runs of rays that began in the same patch.
+ON_SCREEN, BESIDE, TOTAL, FRESNEL, SIDE, ABSORBED, RUNS = range(7)
+SUMS = 7
 
 
 class Glass(NamedTuple):
@@ -60,26 +61,31 @@ class Glass(NamedTuple):
     ----------
     eta, tilt : floating
         Refractive index η, and 1 − η².
-    passing : floating
-        Part of the light that is refracted at normal incidence.
     critical : floating
         Squared cosines up to here count as total reflection.
     distance : floating
         From the entrance face to the screen.
+    absorption : floating
+        Of the glass, per length.
+    law : TransmittanceLaw
+        How the exit face refracts.
     """
 
     eta: np.floating[Any]
     tilt: np.floating[Any]
-    passing: np.floating[Any]
     critical: np.floating[Any]
     distance: np.floating[Any]
+    absorption: np.floating[Any]
+    law: TransmittanceLaw
 
 
-def make_glass(index: float, distance: float, kind: type[np.floating[Any]]) -> Glass:
-    """Prepare a lens of some index, and a screen at some distance, for kernels of a float type."""
-    passing, critical = 1 - normal_reflectance(index), 16 * float(np.finfo(kind).eps)
-    numbers = (index, 1 - index**2, passing, critical, distance)
-    return Glass(*(kind(number) for number in numbers))
+def make_glass(
+    law: TransmittanceLaw, distance: float, absorption: float, kind: type[np.floating[Any]]
+) -> Glass:
+    """Prepare a lens, and a screen at some distance, for kernels of a float type."""
+    critical = 16 * float(np.finfo(kind).eps)
+    numbers = (law.ratio, 1 - law.ratio**2, critical, distance, absorption)
+    return Glass._make([*map(kind, numbers), law.cast(kind)])
 
 
 @jit(fastmath=FAST, error_model="numpy")
@@ -122,6 +128,8 @@ def trace(net, bounds, table, glass, spread, bundle, last, first, end, depths, c
             w[at(DEPTH, ray)] = depth[ray]
         sums[RUNS] += meet(net, bounds, table, w, count, patch, before, columns)
         _polish(net, w, count)
+        if glass.absorption > kind(0):
+            sums[ABSORBED] += _absorb(glass, w, count)
         _hit(net, glass, spread, w, count)
         _account(w, count, sums)
         on_screen, beside = scatter(spread, column, row, weight, count, work, canvas)
@@ -167,6 +175,8 @@ def adjoint(net, table, glass, spread, bundle, depths, first, end, cotangent, d_
         place(net, w, count, patch)
         fill(table, patch, count, columns)
         evaluate_bends(columns, w, count)
+        if glass.absorption > kind(0):
+            _absorb(glass, w, count)
         _hit(net, glass, spread, w, count)
         gather(spread, column, row, weight, count, work, cotangent, d_column, d_row, d_weight)
         _hit_adjoint(net, glass, spread, w, count)
@@ -227,7 +237,7 @@ def _hit(net, glass, spread, w, count):  # type: ignore[no-untyped-def]
     """Columns, rows and weights of rays on the screen."""
     kind = w.dtype.type
     for ray in range(count):
-        d_z, z_x, z_y, length, _, cos_out, along, passes, onward = _bend(net, glass, w, ray)
+        d_z, z_x, z_y, length, cos_in, cos_out, along, passes, onward = _bend(net, glass, w, ray)
         depth = w[at(DEPTH, ray)]
         a, b = w[at(SLOPE_X, ray)], w[at(SLOPE_Y, ray)]
         by_normal = along * length
@@ -237,11 +247,24 @@ def _hit(net, glass, spread, w, count):  # type: ignore[no-untyped-def]
         y = w[at(Y, ray)] + b * depth + (glass.eta * d_z * b - by_normal * z_y) * path
         w[at(COLUMN, ray)] = spread.column_0 + spread.per_x * x if onward else kind(np.inf)
         w[at(ROW, ray)] = spread.row_0 + spread.per_y * y if onward else kind(np.inf)
-        grazing = kind(1) - cos_out
-        square = grazing * grazing
-        weight = w[at(FLUX, ray)] * glass.passing * (kind(1) - square * square * grazing)
+        weight = w[at(FLUX, ray)] * transmittance(glass.law, cos_in, cos_out)
         w[at(WEIGHT, ray)] = weight if passes else kind(0)
         w[at(PASSES, ray)] = kind(1) if passes else kind(0)
+
+
+@jit(fastmath=FAST, error_model="numpy")
+def _absorb(glass, w, count):  # type: ignore[no-untyped-def]
+    """Take from rays that met the face what the glass absorbs; gives that flux."""
+    kind = w.dtype.type
+    one, absorbed = kind(1), kind(0)
+    for ray in range(count):
+        a, b = w[at(SLOPE_X, ray)], w[at(SLOPE_Y, ray)]
+        way = w[at(DEPTH, ray)] * math.sqrt(one + a * a + b * b)
+        met = w[at(STATE, ray)] == kind(MET)
+        left = w[at(FLUX, ray)] * math.exp(-glass.absorption * way) if met else w[at(FLUX, ray)]
+        absorbed += w[at(FLUX, ray)] - left
+        w[at(FLUX, ray)] = left
+    return np.float64(absorbed)
 
 
 @jit(fastmath=FAST, error_model="numpy")
@@ -286,13 +309,12 @@ def _hit_adjoint(net, glass, spread, w, count):  # type: ignore[no-untyped-def]
         c_z_x, c_z_y = -c_out_x * by_normal, -c_out_y * by_normal
         c_length = c_by_normal * along
         c_cosines = -c_by_normal * by_normal / (cos_out + glass.eta * cos_in)
-        grazing = kind(1) - cos_out
-        square = grazing * grazing
-        c_cos_out = c_cosines
-        c_cos_out += (
-            w[at(D_WEIGHT, ray)] * w[at(FLUX, ray)] * glass.passing * kind(5) * square * square
-        )
+        by_in, by_out = transmittance_slopes(glass.law, cos_in, cos_out)
+        c_part = w[at(D_WEIGHT, ray)] * w[at(FLUX, ray)]
+        c_cos_out = c_cosines + c_part * by_out
         c_cos_in = glass.eta * (c_cosines + c_cos_out * glass.eta * cos_in / cos_out)
+        c_cos_in += c_part * by_in
+        c_depth -= w[at(D_WEIGHT, ray)] * w[at(WEIGHT, ray)] * glass.absorption / d_z
         c_length += c_cos_in * cos_in / length
         c_normal = c_length * length * length * length
         c_z_x -= c_cos_in * d_x * length + c_normal * z_x

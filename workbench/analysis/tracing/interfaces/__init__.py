@@ -1,5 +1,5 @@
 """What a face does to the light that meets it: a file for each kind."""
 
-from workbench.analysis.tracing.interfaces.dielectric import DielectricBoundary
+from workbench.analysis.tracing.interfaces.dielectric import DielectricBoundary, reflectances
 
-__all__ = ["DielectricBoundary"]
+__all__ = ["DielectricBoundary", "reflectances"]

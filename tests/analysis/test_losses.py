@@ -1,0 +1,124 @@
+"""Reflection, coating and absorption: in closed form, and the same in all tracers."""
+
+import math
+
+import numpy as np
+import pytest
+import torch
+
+from workbench.analysis.validation import validate
+from workbench.errors import RunFailed
+from workbench.geometry.surface import ControlNet
+from workbench.optics.path import Path
+from workbench.optics.plan import Plan
+
+PLATE = {"exit": np.full((12, 10), 0.5)}
+LOSSES = {
+    "fresnel": {"lens.reflection": "fresnel"},
+    "schlick": {"lens.reflection": "schlick"},
+    "none": {"lens.reflection": "none"},
+    "coating": {"lens.coating": [0.01, 0.02]},
+    "absorption": {"lens.reflection": "fresnel", "lens.absorption": 0.4},
+}
+SOURCES = {
+    "collimated": {"kind": "collimated", "rays": [64, 64]},
+    "point": {"kind": "point", "position": [0.3, 0.2, -1.5], "rays": 20000},
+    "grid": {
+        "kind": "grid",
+        "center": [0.2, 0, -2],
+        "half_width": [0.4, 0.2],
+        "points": [3, 2],
+        "rays": 5000,
+    },
+}
+
+
+def checked(scene, heights):
+    """Account of the independent check."""
+    return validate(scene, np.ones((32, 32)), heights, 100_000).account
+
+
+def walked(scene, heights):
+    """Account of the walk in float64."""
+    path = Path.of(scene, ControlNet.of(scene.lens), torch.float64)
+    leaf = {name: torch.as_tensor(z) for name, z in heights.items()}
+    arrival = path.walk(leaf)
+    lost = {name: flux.item() for name, flux in arrival.lost.items()}
+    return arrival.rays.flux.sum().item(), lost
+
+
+def planned(scene, heights):
+    """Account of the trace that a design takes, in float64."""
+    plan = Plan(scene, dtype=torch.float64)
+    return plan.trace({name: torch.as_tensor(z) for name, z in heights.items()}).account
+
+
+@pytest.mark.parametrize("reflection", ["fresnel", "schlick", "none"])
+def test_a_plate_absorbs_by_its_thickness_and_no_other_law(make_scene, reflection):
+    scene = make_scene({"lens.absorption": 0.6, "lens.reflection": reflection})
+    bare = 1.0 if reflection == "none" else 0.96
+    passing = bare * math.exp(-0.6 * 0.5)
+    for account in (checked(scene, PLATE), planned(scene, PLATE)):
+        assert account.on_screen == pytest.approx(passing * bare, rel=1e-12)
+        assert account.lost["absorbed"] == pytest.approx(bare - passing, rel=1e-12)
+        assert account.lost["fresnel_exit"] == pytest.approx(passing * (1 - bare), abs=1e-12)
+    arrived, lost = walked(scene, PLATE)
+    assert arrived == pytest.approx(passing * bare, rel=1e-12)
+    assert lost["absorbed"] == pytest.approx(bare - passing, rel=1e-12)
+
+
+def test_a_coated_plate(make_scene):
+    scene = make_scene({"lens.coating": [0.01, 0.02], "lens.reflection": "fresnel"})
+    for account in (checked(scene, PLATE), planned(scene, PLATE)):
+        assert account.lost["fresnel_entrance"] == pytest.approx(0.01, rel=1e-12)
+        assert account.lost["fresnel_exit"] == pytest.approx(0.99 * 0.02, rel=1e-12)
+        assert account.on_screen == pytest.approx(0.99 * 0.98, rel=1e-12)
+
+
+def test_glass_that_absorbs_nothing_has_no_such_entry(make_scene):
+    scene = make_scene()
+    for account in (checked(scene, PLATE), planned(scene, PLATE)):
+        assert "absorbed" not in account.lost
+    assert "absorbed" not in walked(scene, PLATE)[1]
+
+
+@pytest.mark.parametrize("losses", LOSSES.values(), ids=LOSSES)
+@pytest.mark.parametrize("source", SOURCES.values(), ids=SOURCES)
+def test_design_and_check_lose_the_same_light_and_all_adds_up(make_scene, source, losses):
+    screen = {"screen.half_width": [4.0, 4.0]}
+    scene = make_scene({"source": source, "lens.refractive_index": 1.8} | screen | losses)
+    x, y = ControlNet.of(scene.lens).positions
+    heights = {"exit": 0.5 - 0.1 * x[:, None] ** 2 + 0.06 * x[:, None] * y[None, :]}
+    check, design = checked(scene, heights), planned(scene, heights)
+    for account in (check, design):
+        assert account.on_screen + sum(account.lost.values()) == pytest.approx(1, abs=1e-9)
+    assert check.lost.keys() == design.lost.keys()
+    assert check.to_data() == pytest.approx(design.to_data(), abs=2e-3)
+
+
+def test_steep_light_tells_exact_reflection_from_its_approximation(make_scene):
+    """At 60° and an index of 3.5 Fresnel's equations reflect less than Schlick's approximation."""
+    far = {"kind": "point", "position": [170.0, 0, -100.0], "rays": 4000}
+    changes = {"source": far, "lens.refractive_index": 3.5, "screen.half_width": [40.0, 40.0]}
+    found = {}
+    for reflection in ("fresnel", "schlick"):
+        scene = make_scene(changes | {"lens.reflection": reflection})
+        account = checked(scene, PLATE)
+        met = account.emitted - account.lost["missed_lens"]
+        found[reflection] = account.lost["fresnel_entrance"] / met
+        design = planned(scene, PLATE)
+        assert design.to_data() == pytest.approx(account.to_data(), abs=5e-3)
+    cosine = 100 / math.hypot(170, 100)
+    inside = math.sqrt(1 - (1 - cosine**2) / 3.5**2)
+    across = ((cosine - 3.5 * inside) / (cosine + 3.5 * inside)) ** 2
+    within = ((3.5 * cosine - inside) / (3.5 * cosine + inside)) ** 2
+    head_on = (2.5 / 4.5) ** 2
+    assert found["fresnel"] == pytest.approx((across + within) / 2, abs=2e-3)
+    assert found["schlick"] == pytest.approx(head_on + (1 - head_on) * (1 - cosine) ** 5, abs=2e-3)
+
+
+def test_glass_that_is_black_for_the_lens_at_hand_is_said(make_scene):
+    """The scene is possible for the undesigned lens; this one is thicker."""
+    scene = make_scene({"lens.absorption": 27.0, "lens.height_range": [0.0, 40.0], "screen.z": 99})
+    with pytest.raises(RunFailed, match="no light of this lens reaches the screen"):
+        checked(scene, {"exit": np.full((12, 10), 40.0)})

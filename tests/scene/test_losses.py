@@ -1,0 +1,79 @@
+"""Fields of losses: versions of files, and what is refused."""
+
+import json
+
+import pytest
+
+from workbench.errors import Refused
+from workbench.scene import Scene
+
+
+def read(data, version, **lens):
+    given = {key: value for key, value in data["lens"].items() if key not in lens} | lens
+    return Scene.from_data(data | {"version": version, "lens": given})
+
+
+class TestVersions:
+    def test_a_file_of_version_1_means_schlick_and_is_written_as_it_was(self, scene_data):
+        scene = read(scene_data, 1)
+        assert scene.lens.reflection == "schlick"
+        written = scene.to_data()
+        assert written["version"] == 1
+        assert not {"reflection", "coating", "absorption"} & written["lens"].keys()
+
+    def test_a_file_of_version_2_means_fresnel_if_it_does_not_say(self, scene_data):
+        scene = read(scene_data, 2)
+        assert scene.lens.reflection == "fresnel"
+        assert scene.to_data()["version"] == 2
+        assert scene.to_data()["lens"]["reflection"] == "fresnel"
+
+    @pytest.mark.parametrize("reflection", ["fresnel", "schlick", "none"])
+    def test_a_file_of_version_2_means_what_it_says(self, scene_data, reflection):
+        scene = read(scene_data, 2, reflection=reflection)
+        assert scene.lens.reflection == reflection
+        assert Scene.from_json(scene.to_json()) == scene
+
+    def test_a_scene_that_needs_version_2_for_something_else_says_its_reflection(self, scene_data):
+        scene = read(scene_data, 1, control_points="auto")
+        assert scene.lens.reflection == "schlick"
+        written = scene.to_data()
+        assert written["version"] == 2 and written["lens"]["reflection"] == "schlick"
+        assert Scene.from_data(written) == scene
+
+    def test_coating_and_absorption_come_back(self, scene_data):
+        scene = read(scene_data, 2, coating=[0.0, 0.02], absorption=0.003)
+        assert Scene.from_json(scene.to_json()) == scene
+        assert scene.to_data()["version"] == 2
+
+
+def test_absorption_is_per_length(scene_data):
+    scene = read(scene_data, 2, absorption=0.5).in_unit("mm")
+    assert scene.lens.absorption == pytest.approx(0.05)
+    assert scene.lens.half_width == (10, 10)
+
+
+@pytest.mark.parametrize(
+    ("lens", "path", "said"),
+    [
+        ({"reflection": "mirror"}, "lens.reflection", "'fresnel', 'schlick' or 'none'"),
+        ({"coating": [0.1, 1.0]}, "lens.coating[1]", "1.0"),
+        ({"coating": [-0.1, 0.0]}, "lens.coating[0]", "-0.1"),
+        ({"coating": [0.1]}, "lens.coating[1]", "missing"),
+        ({"coating": 0.01}, "lens.coating", "a list"),
+        ({"absorption": -1e-9}, "lens.absorption", "-1e-09"),
+        ({"absorption": "clear"}, "lens.absorption", "clear"),
+        ({"absorption": 30.0}, "lens.absorption", "at most 27.6"),
+    ],
+)
+def test_what_is_impossible_is_refused_with_its_path(scene_data, lens, path, said):
+    with pytest.raises(Refused) as refused:
+        read(scene_data, 2, **lens)
+    assert refused.value.path == path
+    assert said in refused.value.reason
+
+
+@pytest.mark.parametrize("number", ["NaN", "Infinity"])
+def test_numbers_that_are_none_are_refused(scene_data, number):
+    text = json.dumps(scene_data).replace('"degree"', f'"absorption": {number}, "degree"')
+    with pytest.raises(Refused):
+        Scene.from_json(text)
