@@ -10,7 +10,7 @@ import pytest
 from tests.lamps import crooked_lamp
 from workbench import system_libraries
 from workbench.analysis import mitsuba as other
-from workbench.analysis.cross_check import cross_check
+from workbench.analysis.cross_check import bare_and_clear, cross_check
 from workbench.errors import Refused
 from workbench.geometry.surface import ControlNet
 
@@ -41,6 +41,22 @@ def test_the_extra_is_named_where_it_is_missing(make_scene, monkeypatch):
     monkeypatch.setitem(sys.modules, "mitsuba", None)
     with pytest.raises(Refused, match=r"freeform-lens-workbench\[mitsuba\]"):
         other.MitsubaScene(make_scene(), {"exit": np.full((12, 10), 0.5)})
+
+
+class TestBareAndClear:
+    def test_what_mitsuba_does_not_have_is_left_out_and_named(self, make_scene):
+        lossy = {"lens.coating": [0.01, 0.02], "lens.absorption": 0.3}
+        scene, left_out = bare_and_clear(make_scene(lossy))
+        assert left_out == ("coating", "absorption")
+        assert scene == make_scene({"lens.reflection": "fresnel"})
+        scene, left_out = bare_and_clear(make_scene({"lens.reflection": "none"}))
+        assert left_out == ("faces that reflect nothing",)
+        assert scene == make_scene({"lens.reflection": "fresnel"})
+
+    @pytest.mark.parametrize("reflection", ["fresnel", "schlick"])
+    def test_of_bare_and_clear_lenses_nothing_is_left_out(self, make_scene, reflection):
+        scene = make_scene({"lens.reflection": reflection})
+        assert bare_and_clear(scene) == (scene, ())
 
 
 class TestWithMitsuba:
@@ -86,6 +102,23 @@ class TestWithMitsuba:
         found = cross_check(scene, np.ones((16, 16)), {"exit": np.full((12, 10), 0.5)}, 200_000)
         assert found.difference_corrected < 0.05
         assert found.mitsuba.efficiency == pytest.approx(found.ours.efficiency, rel=0.02)
+
+    def test_steep_light_of_exact_faces_is_as_bright_for_both(self, make_scene):
+        """Schlick's approximation lets 4 % more of it through."""
+        source = {"kind": "point", "position": [6.0, 0.0, -3.0]}
+        screen = {"z": 4.0, "half_width": [12.0, 12.0], "pixels": [8, 8]}
+        changes = {"source": source, "screen": screen}
+        plate, target = {"exit": np.full((12, 10), 0.5)}, np.ones((8, 8))
+        found = {
+            reflection: cross_check(
+                make_scene(changes | {"lens.reflection": reflection}), target, plate, 400_000
+            )
+            for reflection in ("fresnel", "schlick")
+        }
+        exact, approximate = (each.ours.efficiency for each in found.values())
+        theirs = found["fresnel"].mitsuba.efficiency
+        assert exact == pytest.approx(theirs, rel=0.01)
+        assert approximate > 1.03 * theirs
 
     def test_light_through_a_plate(self, make_scene):
         """Head-on, Fresnel's equations are Schlick's approximation."""

@@ -58,6 +58,8 @@ class CrossCheck:
         What each of them says of the lens.
     rays : int
         Rays of each.
+    left_out : tuple of str
+        What of the lens both are without, since Mitsuba does not have it; see `bare_and_clear`.
     """
 
     difference: float
@@ -67,6 +69,7 @@ class CrossCheck:
     ours: Seen
     mitsuba: Seen
     rays: int
+    left_out: tuple[str, ...] = ()
 
     def to_data(self) -> dict[str, Any]:
         """The figures by name, for JSON."""
@@ -78,6 +81,7 @@ class CrossCheck:
             "ours": vars(self.ours),
             "mitsuba": vars(self.mitsuba),
             "rays": self.rays,
+            "left_out": list(self.left_out),
         }
 
 
@@ -91,8 +95,9 @@ def cross_check(
 ) -> CrossCheck:
     """Trace a lens by our independent tracer and by Mitsuba, and compare.
 
-    Our tracer takes Schlick's approximation for the reflectance, Mitsuba Fresnel's equations for
-    unpolarised light; the difference is in the result. In both what is reflected is lost.
+    Mitsuba takes Fresnel's equations for unpolarised light; where the scene takes Schlick's
+    approximation, the difference is in the result. In both what is reflected is lost. Coatings,
+    faces that reflect nothing and absorption are left out of both.
 
     Parameters
     ----------
@@ -113,6 +118,7 @@ def cross_check(
         If no light reaches the screen.
     """
     check_body(scene, heights)
+    scene, left_out = bare_and_clear(scene)
     theirs = MitsubaScene(scene, heights)
     half, measure = -(-rays // 2), scene.receiver.pixel_measure
     light = {
@@ -144,7 +150,26 @@ def cross_check(
         ours=_seen(light["ours"], target),
         mitsuba=_seen(light["mitsuba"], target),
         rays=2 * half,
+        left_out=left_out,
     )
+
+
+def bare_and_clear(scene: Scene) -> tuple[Scene, tuple[str, ...]]:
+    """The scene without what Mitsuba's glass cannot have, and what that was.
+
+    Its faces are bare and reflect by Fresnel's equations, and its light tracer knows no media.
+    """
+    lens = scene.lens
+    left_out = {
+        "coating": lens.coating is not None,
+        "faces that reflect nothing": lens.coating is None and lens.reflection == "none",
+        "absorption": lens.absorption > 0,
+    }
+    reflection = lens.reflection
+    if left_out["coating"] or left_out["faces that reflect nothing"]:
+        reflection = "fresnel"
+    lens = lens.altered(coating=None, absorption=0.0, reflection=reflection)
+    return scene.altered(lens=lens), tuple(name for name, there in left_out.items() if there)
 
 
 def _seen(halves: list[Array], target: Array) -> Seen:

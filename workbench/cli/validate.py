@@ -166,6 +166,8 @@ def _print_compared(found: CrossCheck) -> None:
         ("efficiency", found.ours.efficiency, found.mitsuba.efficiency),
     ):
         print(f"{name:<18}{ours:<10.5f}{theirs:.5f}")
+    if found.left_out:
+        print(f"{'left out of both':<18}{', '.join(found.left_out)}")
 
 
 def _print_series(series: Sequence[Focus]) -> None:
