@@ -91,7 +91,7 @@ class TestWithMitsuba:
         assert error == pytest.approx(found.ours.relative_l2_corrected, abs=found.noise)
 
     def test_both_see_the_light_of_a_photometric_file(self, make_scene, tmp_path):
-        self.test_both_see_the_same(make_scene, crooked_lamp(tmp_path))
+        self.test_both_see_the_same(make_scene, crooked_lamp(tmp_path), "rectangle")
 
     @pytest.mark.parametrize("emission", ["uniform", "lambertian"])
     def test_points_of_a_near_grid_have_the_same_intensity(self, make_scene, emission):
