@@ -11,6 +11,8 @@ class Given:
 
     by_area, beside = False, 0.0
 
+    samples = None
+
     def __init__(self, rays):
         self._rays = rays
 
@@ -23,7 +25,9 @@ class Given:
 
 def with_rays(path, rays):
     """A path with given rays in place of those of its source."""
-    return Path(Given(rays), path.steps, path.receiver, path.datum, 0, path.dtype)
+    return Path(
+        Given(rays), path.steps, path.receiver, path.datum, path.level, path.outline, 0, path.dtype
+    )
 
 
 def bundle(position, direction, flux):

@@ -37,7 +37,14 @@ def path_of(scene, samples=None):
 
 def changed(path, emitter=None, steps=None):
     return Path(
-        emitter or path.emitter, steps or path.steps, path.receiver, path.datum, 0, path.dtype
+        emitter or path.emitter,
+        steps or path.steps,
+        path.receiver,
+        path.datum,
+        path.level,
+        path.outline,
+        0,
+        path.dtype,
     )
 
 

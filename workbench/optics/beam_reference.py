@@ -22,7 +22,7 @@ def reference_beam_image(
     flux = flux[:-1] * along_u[:-1, 1:2] + flux[1:] * along_u[1:, :1]
     flux = flux[:, :-1] * along_v[:-1, 1] + flux[:, 1:] * along_v[1:, 0]
     edges, densities, image, landed = [], [], flux.new_zeros(n_y * n_x), 0.0
-    for corners, here in _triangles(column.shape):
+    for corners, here in _triangles(column.shape, along_u):
         x, y = (hits.flatten()[corners] for hits in (column, row))  # [triangles, 3]
         half = 0.5 * flux[here]
         hit = (x + y).isfinite().all(1)
@@ -57,13 +57,17 @@ def _shifted(hits: Tensor, parts: tuple[Tensor, Tensor]) -> Tensor:
     return torch.where(hits.isfinite(), (hits - shift / 12).clamp(-FARTHEST, FARTHEST), torch.inf)
 
 
-def _triangles(shape: torch.Size) -> list[tuple[Tensor, Tensor]]:
-    """Nodes of the triangles 0, and of the triangles 1, of even and of odd cells; and the cells."""
+def _triangles(shape: torch.Size, along_u: Tensor) -> list[tuple[Tensor, Tensor]]:
+    """Nodes of the triangles 0, and of the triangles 1, of even and of odd cells; and the cells.
+
+    Cells are counted anew in each grid of several that lie side by side.
+    """
     n, m = (count - 1 for count in shape)
     i, j = torch.meshgrid(torch.arange(n), torch.arange(m), indexing="ij")
     a = i * (m + 1) + j
     b, c, d = a + m + 1, a + m + 2, a + 1  # the corners in turn
-    even = (i + j) % 2 == 0
+    first = torch.where(along_u[:n, 0] == 0, torch.arange(n), 0).cummax(0).values.long()
+    even = (i - first[:, None] + j) % 2 == 0
     return [
         (torch.stack([corner[cells] for corner in corners], 1), cells)
         for cells, corners in (

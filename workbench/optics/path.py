@@ -10,7 +10,7 @@ from typing import NamedTuple
 import torch
 from torch import Tensor
 
-from workbench.geometry.outlines import Rectangle, outline_of
+from workbench.geometry.outlines import Outline, Rectangle, outline_of
 from workbench.geometry.surface import ControlNet
 from workbench.optics.arrival import Arrival
 from workbench.optics.interfaces import Interface, Refraction
@@ -59,6 +59,10 @@ class Path:
     datum : float
         z of the scene from which the elements count z: near the face, so that float32 keeps the
         digits that make its shape.
+    level : float
+        z of the scene near the mean height of the freeform face.
+    outline : Outline
+        Of the lens.
     seed : int
         Of the source's rays.
     dtype, device
@@ -66,7 +70,7 @@ class Path:
 
     Attributes
     ----------
-    emitter, steps, receiver, datum, dtype, device
+    emitter, steps, receiver, datum, level, outline, dtype, device
         As they were given.
     shaped : tuple of Step
         Those of the steps that depend on control heights: the first freeform face and all behind.
@@ -78,11 +82,14 @@ class Path:
         steps: Sequence[Step],
         receiver: PlaneReceiver,
         datum: float,
+        level: float,
+        outline: Outline,
         seed: int,
         dtype: torch.dtype = torch.float32,
         device: torch.device | str = "cpu",
     ) -> None:
-        self.emitter, self.steps, self.receiver, self.datum = emitter, tuple(steps), receiver, datum
+        self.emitter, self.steps, self.receiver = emitter, tuple(steps), receiver
+        self.datum, self.level, self.outline = datum, level, outline
         self.dtype, self.device, self._seed, self._draw = dtype, device, seed, 0
         fixed = next((i for i, step in enumerate(steps) if step.surface.freeform), len(steps))
         self._fixed, self.shaped = self.steps[:fixed], self.steps[fixed:]
@@ -116,7 +123,8 @@ class Path:
             Step(exit_face, Refraction(leaving, "fresnel_exit", lens.absorption), "left_side"),
         )
         receiver = PlaneReceiver(scene.screen, datum)
-        return cls(emitter, steps, receiver, datum, scene.run.seed, dtype, device)
+        level, seed = lens.base.height, scene.run.seed
+        return cls(emitter, steps, receiver, datum, level, outline, seed, dtype, device)
 
     @property
     def rays(self) -> RayBundle:

@@ -3,7 +3,7 @@
 The fused kernels are held to it by tests; where there is no kernel, it does the work.
 """
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 import numpy as np
 import numpy.typing as npt
@@ -16,6 +16,7 @@ from workbench.optics.face_samples import FaceSamples, SampledFace
 from workbench.optics.irradiance import reconstruct
 from workbench.optics.light import Light, Nodes
 from workbench.optics.path import Path
+from workbench.optics.shared_grid import SharedGrid, SharedSamples
 from workbench.scene import Filter, Screen
 
 Array = npt.NDArray[np.float64]
@@ -39,9 +40,16 @@ class Reference:
 
     def __init__(self, path: Path) -> None:
         self.mirrored = False, False
-        self._path, face = path, SampledFace.of(path)
-        self._walk = path.walk if face is None else FaceSamples(face, path).walk
-        self.notes = [] if face is None else [FaceSamples.note]
+        self._path = path
+        self._walk: Callable[[Mapping[str, Tensor]], Arrival] = path.walk
+        self.notes: list[str] = []
+        face, self._shared = SampledFace.of(path), SharedGrid.of(path)
+        if face is not None and (self._shared is None or path.outline.whole):
+            self._shared = None
+            self._walk, self.notes = FaceSamples(face, path).walk, [FaceSamples.note]
+        elif self._shared is not None:
+            self._walk = SharedSamples(self._shared, path).walk
+            self.notes = [SharedSamples.note]
 
     def arrival(self, heights: Mapping[str, Tensor]) -> Arrival:
         """The light of a lens at the receiver, before it becomes an image."""
@@ -72,7 +80,8 @@ class Reference:
     @property
     def splits(self) -> tuple[Array, Array]:
         """See `workbench.optics.light.BeamTracer`."""
-        return self._path.emitter.splits
+        grids = self._path.emitter if self._shared is None else self._shared
+        return grids.splits
 
     def flux(self, heights: Mapping[str, Tensor], screen: Screen, filter: Filter) -> Tensor:
         """The image alone, for `torch.func` transforms, which no sums survive as numbers."""

@@ -9,6 +9,7 @@ from typing import Protocol
 from workbench.optics.kernels.collimated import FusedCollimatedRays
 from workbench.optics.kernels.face import FusedFaceSamples
 from workbench.optics.kernels.locked import Mask
+from workbench.optics.kernels.origins import FusedOrigins
 from workbench.optics.kernels.point import FusedPointRays
 from workbench.optics.light import BeamTracer, Tracer
 from workbench.optics.path import Path
@@ -51,7 +52,7 @@ class BeamKernel(Protocol):
         ...
 
 
-_BEAM_KERNELS: tuple[BeamKernel, ...] = (FusedCollimatedRays, FusedFaceSamples)
+_BEAM_KERNELS: tuple[BeamKernel, ...] = (FusedCollimatedRays, FusedFaceSamples, FusedOrigins)
 _KERNELS: tuple[Kernel, ...] = (FusedCollimatedRays, FusedFaceSamples, FusedPointRays)
 
 

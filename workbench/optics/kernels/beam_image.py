@@ -1,6 +1,7 @@
 """The image of beams of light, by threads, for torch; see `workbench.optics.beams`."""
 
 from collections.abc import Callable
+from itertools import pairwise
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -60,7 +61,11 @@ class _Image(torch.autograd.Function):
         lands: list[float],
     ) -> Tensor:
         hits = nodes.detach().contiguous().numpy()
-        image, landed, ctx.mesh = _forward(hits, pixels, splits)
+        ctx.splits, ctx.mesh = splits, None
+        if grids := _grids(splits):
+            image, landed = _forward_by_grids(hits, pixels, splits, grids)
+        else:
+            image, landed, ctx.mesh = _forward(hits, pixels, splits)
         lands.append(landed)
         ctx.save_for_backward(nodes)
         return torch.from_numpy(image.astype(hits.dtype))
@@ -69,9 +74,21 @@ class _Image(torch.autograd.Function):
     @once_differentiable
     def backward(ctx: Any, cotangent: Tensor) -> tuple[Tensor, None, None, None]:
         (nodes,) = ctx.saved_tensors
-        hits = nodes.detach().contiguous().numpy()
-        result = _back(hits, ctx.mesh, cotangent.double().contiguous().numpy())
+        hits, seen = nodes.detach().contiguous().numpy(), cotangent.double().contiguous().numpy()
+        if ctx.mesh is None:
+            result = _back_by_grids(hits, seen, ctx.splits, _grids(ctx.splits))
+        else:
+            result = _back(hits, ctx.mesh, seen)
         return torch.from_numpy(result), None, None, None
+
+
+def _grids(splits: Splits) -> list[slice]:
+    """Rows of grids that lie side by side, if there are several."""
+    along_v = splits[1]
+    first = np.flatnonzero(along_v[:, 0] == 0)
+    if len(first) < 2:
+        return []
+    return [slice(*ends) for ends in pairwise([*first.tolist(), len(along_v)])]
 
 
 def _bounds(rows: int, nodes: int) -> tuple[list[int], int]:
@@ -106,9 +123,75 @@ def _forward(
 
     for work in (move, spread, draw):
         threads.run(work, parts)
-    image = slivers.sum(axis=0) - np.cumsum(steps.sum(axis=0)[:, :n_x], axis=1)
-    image[image < ROUNDING * sum(landed)] = 0.0
-    return image, sum(landed), _Mesh(column, row, density, parted)
+    return _finished(slivers, steps, sum(landed)), sum(landed), _Mesh(column, row, density, parted)
+
+
+def _finished(slivers: Array, steps: Array, landed: float) -> Array:
+    """The image of all threads."""
+    image = slivers.sum(axis=0) - np.cumsum(steps.sum(axis=0)[:, :-1], axis=1)
+    image[image < ROUNDING * landed] = 0.0
+    return np.asarray(image)
+
+
+def _forward_by_grids(
+    nodes: AnyArray, pixels: tuple[int, int], splits: Splits, grids: list[slice]
+) -> tuple[Array, float]:
+    """As `_forward`, one grid after the other: each stays within the cache of a processor."""
+    n_x, n_y = pixels
+    at = threads.bounds(len(grids), min(torch.get_num_threads(), len(grids)))
+    parts = len(at) - 1
+    slivers, steps = np.zeros((parts, n_y, n_x)), np.zeros((parts, n_y, n_x + 1))
+    landed = [0.0] * parts
+
+    def work(part: int) -> None:
+        for rows in grids[at[part] : at[part + 1]]:
+            mesh, lands = _triangles(nodes[:, rows], (splits[1][rows], splits[0]), slivers[part])
+            add_edges(*mesh[:3], 0, len(mesh.row), steps[part])
+            landed[part] += lands
+
+    threads.run(work, parts)
+    return _finished(slivers, steps, sum(landed)), sum(landed)
+
+
+def _triangles(nodes: AnyArray, parted: tuple[Array, Array], image: Array) -> tuple[_Mesh, float]:
+    """Triangles of one grid, and the flux that lands; those without area are added to an image."""
+    rows, columns = nodes.shape[1:]
+    column, row = np.empty((2, rows, columns))
+    density = np.zeros((rows + 1, columns + 1, 2))
+    shift(nodes[0], parted, 0, rows, column)
+    shift(nodes[1], parted, 0, rows, row)
+    lands = densities(column, row, nodes[2], parted, 0, rows - 1, density, image)
+    return _Mesh(column, row, density, parted), lands
+
+
+def _back_by_grids(
+    nodes: AnyArray, cotangent: Array, splits: Splits, grids: list[slice]
+) -> AnyArray:
+    """As `_back`; the triangles are made again, which is cheaper than to keep them all."""
+    at = threads.bounds(len(grids), min(torch.get_num_threads(), len(grids)))
+    right, result = _to_the_right(cotangent), np.empty_like(nodes)
+
+    def work(part: int) -> None:
+        aside = np.zeros_like(cotangent)
+        for rows in grids[at[part] : at[part + 1]]:
+            mesh, _ = _triangles(nodes[:, rows], (splits[1][rows], splits[0]), aside)
+            count, columns = mesh.row.shape
+            d_nodes, d_density = np.zeros((3, count + 1, columns)), np.zeros_like(mesh.density)
+            edges_back(*mesh[:3], cotangent, right, 0, count, d_nodes[0], d_nodes[1], d_density)
+            densities_back(*mesh, cotangent, d_density, 0, count - 1, *d_nodes)
+            result[2, rows] = d_nodes[2, :count]
+            for k in range(2):
+                shift_back(nodes[k, rows], mesh.parts, d_nodes[k], 0, count, result[k, rows])
+
+    threads.run(work, len(at) - 1)
+    return result
+
+
+def _to_the_right(cotangent: Array) -> Array:
+    """Sums over all pixels from each one to the right end of its row."""
+    right = np.zeros((cotangent.shape[0], cotangent.shape[1] + 1))
+    right[:, :-1] = np.cumsum(cotangent[:, ::-1], axis=1)[:, ::-1]
+    return right
 
 
 def _back(nodes: AnyArray, mesh: _Mesh, cotangent: Array) -> AnyArray:
@@ -116,8 +199,7 @@ def _back(nodes: AnyArray, mesh: _Mesh, cotangent: Array) -> AnyArray:
     rows, columns = nodes.shape[1:]
     at, parts = _bounds(rows, nodes[0].size)
     column, row, density, parted = mesh
-    right = np.zeros((cotangent.shape[0], cotangent.shape[1] + 1))
-    right[:, :-1] = np.cumsum(cotangent[:, ::-1], axis=1)[:, ::-1]
+    right = _to_the_right(cotangent)
     d_nodes, d_density = np.zeros((3, rows + 1, columns)), np.zeros_like(density)
 
     def look(begin: int, end: int) -> None:

@@ -10,7 +10,8 @@ product is light again. All of it is computed in float64: where the density is h
 row cancels.
 
 In each cell of nodes [i, i+1] × [j, j+1] the diagonal begins at (i, j) where i + j is even, else at
-(i+1, j): errors by the twist of the light cancel between neighbours. Triangle 0 holds the edge from
+(i+1, j): errors by the twist of the light cancel between neighbours. Grids of several that lie side
+by side are drawn one by one. Triangle 0 holds the edge from
 (i, j) to (i+1, j), triangle 1 the opposite one.
 """
 

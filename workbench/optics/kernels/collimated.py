@@ -154,7 +154,7 @@ class _ParallelLens(NamedTuple):
 
     @classmethod
     def of(cls, path: Path) -> "_ParallelLens | None":
-        face = ExitFace.of(path)
+        face = ExitFace.rectangular(path)
         match path.emitter, path.steps:
             case (
                 CollimatedEmitter() as emitter,

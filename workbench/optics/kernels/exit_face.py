@@ -26,6 +26,8 @@ class ExitFace(NamedTuple):
         Where its control heights sit.
     mesh : bool
         Whether triangles stand for it.
+    whole : bool
+        Whether it fills the rectangle of its net.
     law : TransmittanceLaw
         How it refracts; the refractive index before it is larger than that behind it.
     absorption : float
@@ -37,6 +39,7 @@ class ExitFace(NamedTuple):
     name: str
     net: ControlNet
     mesh: bool
+    whole: bool
     law: TransmittanceLaw
     absorption: float
     missed: str
@@ -44,7 +47,7 @@ class ExitFace(NamedTuple):
 
     @classmethod
     def of(cls, path: Path) -> "ExitFace | None":
-        """The only face of a path that depends on heights; None where that is no such rectangle."""
+        """The only face of a path that depends on heights; None where that is no such face."""
         match path.shaped:
             case (
                 Step(
@@ -52,10 +55,16 @@ class ExitFace(NamedTuple):
                     Refraction(law=law, reflected=reflected, absorption=absorption),
                     missed,
                 ),
-            ) if law.ratio > 1 and outline.whole:
+            ) if law.ratio > 1:
                 mesh = subdivisions is not None
-                return cls(name, net, mesh, law, absorption, missed, reflected)
+                return cls(name, net, mesh, outline.whole, law, absorption, missed, reflected)
         return None
+
+    @classmethod
+    def rectangular(cls, path: Path) -> "ExitFace | None":
+        """As `of`; None for a face that fills not all of its rectangle, too."""
+        face = cls.of(path)
+        return face if face is not None and face.whole else None
 
     def light(self, flux: Tensor, sums: Sums, before: Mapping[str, float]) -> Light:
         """An image, and the account of its light; ``before`` is lost before this face, by name."""

@@ -53,7 +53,7 @@ class FusedFaceSamples:
     @staticmethod
     def matches(path: Path) -> bool:
         """Whether it traces what the reference makes of a path."""
-        return SampledFace.of(path) is not None and ExitFace.of(path) is not None
+        return SampledFace.of(path) is not None and ExitFace.rectangular(path) is not None
 
     def __init__(
         self,
@@ -61,7 +61,7 @@ class FusedFaceSamples:
         mirrored: tuple[bool, bool] = (False, False),
         locked: Mask | None = None,
     ) -> None:
-        sampled, face = SampledFace.of(path), ExitFace.of(path)
+        sampled, face = SampledFace.of(path), ExitFace.rectangular(path)
         if sampled is None or face is None:
             raise TypeError("the kernel for samples does not match this path")
         source, lens, net = sampled.emitter.source, sampled.emitter.lens, face.net

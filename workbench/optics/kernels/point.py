@@ -64,7 +64,7 @@ class FusedPointRays:
     @staticmethod
     def matches(path: Path) -> bool:
         """Whether it traces what the walk along a path does."""
-        face = ExitFace.of(path)
+        face = ExitFace.rectangular(path)
         return face is not None and not face.mesh
 
     def __init__(
@@ -73,7 +73,7 @@ class FusedPointRays:
         mirrored: tuple[bool, bool] = (False, False),
         locked: Mask | None = None,
     ) -> None:
-        face = ExitFace.of(path)
+        face = ExitFace.rectangular(path)
         if face is None:
             raise TypeError("the kernel for rays that search does not match this path")
         self._path, self._exit = path, face

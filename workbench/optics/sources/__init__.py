@@ -35,6 +35,8 @@ class Emitter(Protocol):
 
     Attributes
     ----------
+    samples : tuple[int, int] or Corners, optional
+        Rays along x and y that were asked for; see `emitter_of`.
     origins : Origins
         Where its light comes from.
     by_area : bool
@@ -46,6 +48,11 @@ class Emitter(Protocol):
         Of rays at `workbench.optics.samples.Corners`, along x and y: which parts of their flux
         belong to the cells before and behind them. Rays of different points share no cell.
     """
+
+    @property
+    def samples(self) -> Samples | None:
+        """See above."""
+        ...
 
     @property
     def origins(self) -> Origins:

@@ -46,7 +46,7 @@ class PhotometricEmitter:
     def __init__(
         self, source: PhotometricSource, lens: Lens, samples: Samples | None = None
     ) -> None:
-        self._source, self._lens, self._samples = source, lens, samples
+        self._source, self._lens, self.samples = source, lens, samples
         table = intensity_of(source)
         pattern = TurnedTable(table, source.matrix)
         self.origins = Origins(
@@ -58,25 +58,25 @@ class PhotometricEmitter:
     @property
     def by_area(self) -> bool:
         """Where they are corners of cells; see `Emitter`."""
-        return isinstance(self._samples, Corners)
+        return isinstance(self.samples, Corners)
 
     @property
     def splits(self) -> tuple[Array, Array]:
         """See `Emitter`."""
-        if not isinstance(self._samples, Corners):
+        if not isinstance(self.samples, Corners):
             raise TypeError("these rays are no corners of cells")
-        return splits_of(self._samples, (1, 1))
+        return splits_of(self.samples, (1, 1))
 
     def rays(self, seed: int, draw: int = 0) -> RayBundle:
         """Rays through low-discrepancy places of the face, or at corners; see `Emitter.rays`.
 
         No ray stands for light that passes the face by.
         """
-        if isinstance(self._samples, Corners):
-            return through_corners(self.origins, self._lens, self._samples)
+        if isinstance(self.samples, Corners):
+            return through_corners(self.origins, self._lens, self.samples)
         from scipy.stats import qmc  # late: it takes most of a second to import
 
-        count = self._source.rays if self._samples is None else math.prod(self._samples)
+        count = self._source.rays if self.samples is None else math.prod(self.samples)
         sobol = qmc.Sobol(2, seed=np.random.default_rng([seed, draw]))
         across, up = sobol.random_base2(max(count - 1, 1).bit_length())[:count].T
         r_x, r_y = self._lens.half_width

@@ -1,0 +1,253 @@
+"""Light in the glass at samples of the exit face: slopes, flux, and how both go with the depth.
+
+All that a sample's light in the glass depends on is its depth t below the entrance face, so the
+derivatives by it are taken on the way, and the way back is three products.
+
+Light from infinitely far goes along one slope s everywhere: what is seen of a sample's part of the
+face through the entrance face is its part shifted by −s t. Light of points is that of
+`workbench.optics.glass`: with ρ the sample's distance from its point's axis and p = ρ_e / ρ, the
+slope is p g away, and what is seen is the sample's part narrowed by p.
+"""
+
+import numpy as np
+
+from workbench.compiled import jit
+from workbench.optics.kernels.grid import Z
+from workbench.optics.kernels.rows import OWN
+from workbench.optics.kernels.spread import BATCH
+from workbench.optics.kernels.taps import FAST
+from workbench.optics.kernels.transmittance import transmittance, transmittance_slopes
+
+_ONE = np.uintp(1)
+# In the middle of the lens no distance to an outline has a direction.
+_CENTRE = 1e-12
+# Numbers of a batch: slopes in the glass, flux of a level sample, what the glass has taken of it,
+# and derivatives by the depth.
+S_X, S_Y, BRIGHT, ABSORBED, D_S_X, D_S_Y, D_BRIGHT, NEXT = (
+    OWN + np.uintp(BATCH * k) for k in range(8)
+)
+"""The first number that is free for the rest of the way."""
+
+
+@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+def _weigh(points, k, x, y, medium, lanes, t):  # type: ignore[no-untyped-def]
+    """Weigh light with the pattern of its point, by bilinear interpolation."""
+    kind = t.dtype.type
+    zero, one = kind(0), kind(1)
+    pattern = points.patterns[k]
+    last = kind(len(pattern) - 1)
+    for lane in range(np.uintp(lanes)):
+        depth = max(t[Z + lane] + medium.lift, zero)
+        s_x, s_y = t[S_X + lane], t[S_Y + lane]
+        u = (x[lane] - s_x * depth) * points.per_x + last / kind(2)
+        v = (y - s_y * depth) * points.per_y + last / kind(2)
+        d_u = -(s_x + depth * t[D_S_X + lane]) * points.per_x
+        d_v = -(s_y + depth * t[D_S_Y + lane]) * points.per_y
+        d_u, d_v = d_u if zero < u < last else zero, d_v if zero < v < last else zero
+        u, v = min(max(u, zero), last), min(max(v, zero), last)
+        i, j = np.uintp(min(u, last - one)), np.uintp(min(v, last - one))
+        u, v = u - kind(i), v - kind(j)
+        a, b = pattern[i, j], pattern[i, j + _ONE]
+        c, d = pattern[i + _ONE, j], pattern[i + _ONE, j + _ONE]
+        low, high = a + (b - a) * v, c + (d - c) * v
+        value = low + (high - low) * u
+        rise = (high - low) * d_u + ((b - a) * (one - u) + (d - c) * u) * d_v
+        bright = t[BRIGHT + lane]
+        t[BRIGHT + lane] = bright * value
+        t[D_BRIGHT + lane] = t[D_BRIGHT + lane] * value + bright * rise
+
+
+@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+def _seen(low, high, d_low, d_high, half_width):  # type: ignore[no-untyped-def]
+    """What of an interval lies within the entrance face, and its derivative."""
+    zero = type(low)(0)
+    within = min(high, half_width) - max(low, -half_width)
+    rise = (d_high if high < half_width else zero) - (d_low if low > -half_width else zero)
+    return max(within, zero), rise if within > zero else zero
+
+
+@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+def from_sky(sky, k, across, i, up, j, outline, medium, lanes, t):  # type: ignore[no-untyped-def]
+    """Light of one direction at a batch of samples."""
+    zero = t.dtype.type(0)
+    s_x, s_y, flux = sky.slope_x[k], sky.slope_y[k], sky.flux[k]
+    low, high, low_y, high_y = across.low[i:], across.high[i:], up.low[j], up.high[j]
+    r_x, r_y = across.half_width, up.half_width
+    for lane in range(np.uintp(lanes)):
+        depth = t[Z + lane] + medium.lift
+        shift_x, shift_y = s_x * depth, s_y * depth
+        wide_x, rise_x = _seen(low[lane] - shift_x, high[lane] - shift_x, -s_x, -s_x, r_x)
+        wide_y, rise_y = _seen(low_y - shift_y, high_y - shift_y, -s_y, -s_y, r_y)
+        lit = depth > zero
+        t[S_X + lane] = s_x
+        t[S_Y + lane] = s_y
+        t[D_S_X + lane] = zero
+        t[D_S_Y + lane] = zero
+        t[BRIGHT + lane] = flux * wide_x * wide_y if lit else zero
+        t[D_BRIGHT + lane] = flux * (rise_x * wide_y + wide_x * rise_y) if lit else zero
+    if sky.narrowing > zero:
+        _narrow(sky, k, across.place[i:], up.place[j], medium, lanes, t)
+    _leave_out(across, i, up, j, outline, medium, lanes, t)
+    _absorb(medium, lanes, t)
+
+
+@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+def _narrow(sky, k, x, y, medium, lanes, t):  # type: ignore[no-untyped-def]
+    """Let the flux of a beam fall from its middle: in a loop of its own, exp does not vectorise."""
+    two = t.dtype.type(2)
+    s_x, s_y, a_x, a_y = sky.slope_x[k], sky.slope_y[k], sky.air_x[k], sky.air_y[k]
+    for lane in range(np.uintp(lanes)):
+        depth = t[Z + lane] + medium.lift
+        e_x, e_y = x[lane] - s_x * depth, y - s_y * depth
+        along = e_x * a_x + e_y * a_y
+        beside2 = e_x * e_x + e_y * e_y - along * along
+        rise = -two * (e_x * s_x + e_y * s_y - along * (s_x * a_x + s_y * a_y))
+        left = np.exp(-sky.narrowing * beside2)
+        bright = t[BRIGHT + lane] * left
+        t[BRIGHT + lane] = bright
+        t[D_BRIGHT + lane] = t[D_BRIGHT + lane] * left - bright * sky.narrowing * rise
+
+
+@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+def _held(x, y, d_x, d_y, wide, high, outline):  # type: ignore[no-untyped-def]
+    """About how much of a sample's part is inside a curved outline, and its derivative."""
+    kind = type(x)
+    zero, one, two, centre = kind(0), kind(1), kind(2), kind(_CENTRE)
+    level = np.sqrt(max(x * x * outline.by_x2 + y * y * outline.by_y2, centre))
+    d_level = (x * d_x * outline.by_x2 + y * d_y * outline.by_y2) / level
+    wide, high = wide * outline.by_x2, high * outline.by_y2
+    across = max(abs(x) * wide + abs(y) * high, centre)
+    d_across = (d_x if x > zero else -d_x) * wide + (d_y if y > zero else -d_y) * high
+    over = level * (one - level) / across
+    rise = (d_level * (one - two * level) - over * d_across) / across
+    part = kind(0.5) + over
+    partly = (part > zero) & (part < one)
+    return min(max(part, zero), one), rise if partly else zero
+
+
+@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+def _leave_out(across, i, up, j, outline, medium, lanes, t):  # type: ignore[no-untyped-def]
+    """What a curved outline keeps off: at the exit face by area, and at the entrance face."""
+    if not outline.curved:
+        return
+    zero, one = t.dtype.type(0), t.dtype.type(1)
+    x, low, high, inside = across.place[i:], across.low[i:], across.high[i:], outline.inside[j, i:]
+    y, tall = up.place[j], up.high[j] - up.low[j]
+    for lane in range(np.uintp(lanes)):
+        depth = max(t[Z + lane] + medium.lift, zero)
+        s_x, s_y, wide = t[S_X + lane], t[S_Y + lane], high[lane] - low[lane]
+        d_x, d_y = -s_x - depth * t[D_S_X + lane], -s_y - depth * t[D_S_Y + lane]
+        here, _ = _held(x[lane], y, zero, zero, wide, tall, outline)
+        there, rise = _held(x[lane] - s_x * depth, y - s_y * depth, d_x, d_y, wide, tall, outline)
+        whole = there >= here
+        by_here = one / (here if here > zero else one)
+        part = inside[lane] * (one if whole else there * by_here)
+        d_part = inside[lane] * (zero if whole else rise * by_here)
+        bright = t[BRIGHT + lane]
+        t[BRIGHT + lane] = bright * part
+        t[D_BRIGHT + lane] = t[D_BRIGHT + lane] * part + bright * d_part
+
+
+@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+def _absorb(medium, lanes, t):  # type: ignore[no-untyped-def]
+    """What the glass takes on the way to the face."""
+    one, zero = t.dtype.type(1), t.dtype.type(0)
+    if medium.absorption == zero:
+        for lane in range(np.uintp(lanes)):
+            t[ABSORBED + lane] = zero
+        return
+    for lane in range(np.uintp(lanes)):
+        depth = max(t[Z + lane] + medium.lift, zero)
+        s_x, s_y = t[S_X + lane], t[S_Y + lane]
+        stretch = np.sqrt(one + s_x * s_x + s_y * s_y)
+        longer = stretch + depth * (s_x * t[D_S_X + lane] + s_y * t[D_S_Y + lane]) / stretch
+        left = np.exp(-medium.absorption * depth * stretch)
+        bright = t[BRIGHT + lane]
+        t[ABSORBED + lane] = bright * (one - left)
+        t[BRIGHT + lane] = bright * left
+        t[D_BRIGHT + lane] = left * (t[D_BRIGHT + lane] - bright * medium.absorption * longer)
+
+
+@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+def from_point(points, k, across, i, up, j, outline, medium, lanes, t):  # type: ignore[no-untyped-def]
+    """Light of one point at a batch of samples."""
+    kind = t.dtype.type
+    zero, one, three = kind(0), kind(1), kind(3)
+    c, excess, n = points.apparent, medium.excess, medium.ratio
+    p_x, p_y, flux, lambert = points.x[k], points.y[k], points.flux[k], points.lambert
+    place, low, high = across.place[i:], across.low[i:], across.high[i:]
+    away_y, low_y, high_y = up.place[j] - p_y, up.low[j] - p_y, up.high[j] - p_y
+    r_x, r_y = across.half_width, up.half_width
+    for lane in range(np.uintp(lanes)):
+        # p is between the two lower bounds of it and 1, and Newton's steps from below never fail.
+        depth = max(t[Z + lane] + medium.lift, zero)
+        away_x = place[lane] - p_x
+        widening = excess * (away_x * away_x + away_y * away_y)
+        steep = one - depth / np.sqrt(widening) if widening > zero else zero
+        t[BRIGHT + lane] = max(c / (c + depth), steep)
+    for _ in range(points.steps):
+        for lane in range(np.uintp(lanes)):
+            depth = max(t[Z + lane] + medium.lift, zero)
+            away_x = place[lane] - p_x
+            widening = excess * (away_x * away_x + away_y * away_y)
+            part = t[BRIGHT + lane]
+            g = one / np.sqrt(c * c + part * part * widening)
+            bent = c * g
+            off = part * (one + depth * g) - one
+            t[BRIGHT + lane] = part - off / (one + depth * (bent * bent) * g)
+    for lane in range(np.uintp(lanes)):
+        depth, part = max(t[Z + lane] + medium.lift, zero), t[BRIGHT + lane]
+        away_x = place[lane] - p_x
+        radius2 = away_x * away_x + away_y * away_y
+        enters2 = part * part * radius2
+        g2 = one / (c * c + excess * enters2)
+        g = np.sqrt(g2)
+        bent = c * c * g2 * g
+        narrow = one / (one + depth * bent)  # dρ_e/dρ
+        rise = -g * narrow  # dp/dt over p
+        d_part = part * rise
+        d_g = -g * g2 * excess * enters2 * rise
+        d_narrow = -narrow * narrow * (bent + three * depth * c * c * g2 * d_g)
+
+        cos2 = points.distance2 / (points.distance2 + enters2)
+        cos = np.sqrt(cos2)
+        d_cos = -cos * (one - cos2) * rise
+        # Behind the face the cosine to the axis is n d g over what the slope makes of 1.
+        cos_glass = np.sqrt(one - (one - cos2) / (n * n))
+        enters = transmittance(points.law, cos, cos_glass)
+        by_in, by_out = transmittance_slopes(points.law, cos, cos_glass)
+        d_enters = (by_in + by_out * cos / (n * n * cos_glass)) * d_cos
+        lit = cos2 * cos * (one - lambert + lambert * cos)
+        d_lit = cos2 * (three * (one - lambert) + kind(4) * lambert * cos) * d_cos
+
+        wide_x, rise_x = _seen(
+            p_x + part * (low[lane] - p_x),
+            p_x + part * (high[lane] - p_x),
+            d_part * (low[lane] - p_x),
+            d_part * (high[lane] - p_x),
+            r_x,
+        )
+        wide_y, rise_y = _seen(
+            p_y + part * low_y, p_y + part * high_y, d_part * low_y, d_part * high_y, r_y
+        )
+        # What is seen of the sample's part is its width on the entrance face over p, and light of
+        # a ring around the axis is on 1 / (p dρ_e/dρ) of its area.
+        area, d_area = wide_x * wide_y, rise_x * wide_y + wide_x * rise_y
+        ring = narrow / part
+        d_ring = d_narrow / part - ring * rise
+        slope = part * g
+        d_slope = d_part * g + part * d_g
+        both = flux * lit * enters
+        t[S_X + lane] = away_x * slope
+        t[S_Y + lane] = away_y * slope
+        t[D_S_X + lane] = away_x * d_slope
+        t[D_S_Y + lane] = away_y * d_slope
+        seen = t[Z + lane] + medium.lift > zero
+        t[BRIGHT + lane] = both * area * ring if seen else zero
+        t[D_BRIGHT + lane] = flux * (d_lit * enters + lit * d_enters) * area * ring + both * (
+            d_area * ring + area * d_ring
+        )
+    if len(points.patterns):
+        _weigh(points, k, across.place[i:], up.place[j], medium, lanes, t)
+    _leave_out(across, i, up, j, outline, medium, lanes, t)
+    _absorb(medium, lanes, t)

@@ -1,0 +1,149 @@
+"""Where light that has left the lens lands, in pixels: on a plane, or by its direction alone."""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from workbench.compiled import jit
+from workbench.optics.kernels.grid import Z
+from workbench.optics.kernels.origin_trace import D_O_X, D_O_Y, D_O_Z, D_P_Z, O_X, O_Y, O_Z
+from workbench.optics.kernels.rows import COLUMN, D_COLUMN, D_ROW, ROW
+from workbench.optics.kernels.taps import FAST
+from workbench.optics.receivers import PlaneReceiver
+
+Number = np.floating[Any]
+Triple = tuple[Number, Number, Number]
+
+
+class Landing(NamedTuple):
+    """A receiver, in the trace's float type.
+
+    Attributes
+    ----------
+    far : bool
+        Whether it counts light by its direction alone.
+    normal : tuple of three floating
+        Of a plane.
+    beyond : floating
+        Distance of a plane from the origin along its normal; z counts from the level of heights.
+    column, row : tuple of three floating
+        Columns and rows for each length along x, y and z of a place on a plane. Of a far field the
+        first of each: columns for each radian of H, rows for each of V.
+    column_0, row_0 : floating
+        Those of the origin; or of the direction +z.
+    """
+
+    far: bool
+    normal: Triple
+    beyond: Number
+    column: Triple
+    row: Triple
+    column_0: Number
+    row_0: Number
+
+
+def landing_of(receiver: PlaneReceiver, level: float, kind: type[Number]) -> Landing:
+    """A receiver for kernels of a float type; z counts from a level above the datum of the path."""
+    screen = receiver.screen
+    (r_x, r_y), (n_x, n_y) = screen.half_width, screen.pixels
+    zero = kind(0)
+    return Landing(
+        False,
+        (zero, zero, kind(1)),
+        kind(receiver.z - level),
+        (kind(n_x / (2 * r_x)), zero, zero),
+        (zero, kind(-n_y / (2 * r_y)), zero),
+        kind(n_x / 2),
+        kind(n_y / 2),
+    )
+
+
+@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+def receive(landing, across, i, up, j, lanes, t):  # type: ignore[no-untyped-def]
+    """Columns and rows of a batch; columns are infinite for light that does not get there."""
+    if landing.far:
+        _receive_direction(landing, lanes, t)
+    else:
+        _receive_place(landing, across.place[i:], up.place[j], lanes, t)
+
+
+@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+def _receive_place(landing, x, y, lanes, t):  # type: ignore[no-untyped-def]
+    kind = t.dtype.type
+    zero, one, tiny = kind(0), kind(1), kind(1e-12)
+    (n_x, n_y, n_z), (c_x, c_y, c_z), (r_x, r_y, r_z) = landing.normal, landing.column, landing.row
+    for lane in range(np.uintp(lanes)):
+        o_x, o_y, o_z, z = t[O_X + lane], t[O_Y + lane], t[O_Z + lane], t[Z + lane]
+        speed = n_x * o_x + n_y * o_y + n_z * o_z
+        length2 = o_x * o_x + o_y * o_y + o_z * o_z
+        gap = landing.beyond - (n_x * x[lane] + n_y * y + n_z * z)
+        arrives = (speed > zero) & (gap > zero) & (speed * speed > tiny * length2)
+        way = gap / (speed if arrives else one)
+        h_x, h_y, h_z = x[lane] + o_x * way, y + o_y * way, z + o_z * way
+        column = landing.column_0 + c_x * h_x + c_y * h_y + c_z * h_z
+        t[COLUMN + lane] = column if arrives else kind(np.inf)
+        t[ROW + lane] = landing.row_0 + r_x * h_x + r_y * h_y + r_z * h_z
+
+
+@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+def _receive_direction(landing, lanes, t):  # type: ignore[no-untyped-def]
+    kind = t.dtype.type
+    per_h, per_v = landing.column[0], landing.row[0]
+    for lane in range(np.uintp(lanes)):
+        o_x, o_y, o_z = t[O_X + lane], t[O_Y + lane], t[O_Z + lane]
+        aside = np.sqrt(o_x * o_x + o_z * o_z)
+        column = landing.column_0 + per_h * np.arctan2(o_x, o_z)
+        t[COLUMN + lane] = column if o_z > kind(0) else kind(np.inf)
+        t[ROW + lane] = landing.row_0 + per_v * np.arctan2(o_y, aside)
+
+
+@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+def receive_back(landing, across, i, up, j, lanes, t):  # type: ignore[no-untyped-def]
+    """Adjoint of `receive`: cotangents of the direction, and of the height."""
+    if landing.far:
+        _receive_direction_back(landing, lanes, t)
+    else:
+        _receive_place_back(landing, across.place[i:], up.place[j], lanes, t)
+
+
+@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+def _receive_place_back(landing, x, y, lanes, t):  # type: ignore[no-untyped-def]
+    kind = t.dtype.type
+    zero, one, tiny = kind(0), kind(1), kind(1e-12)
+    (n_x, n_y, n_z), (c_x, c_y, c_z), (r_x, r_y, r_z) = landing.normal, landing.column, landing.row
+    for lane in range(np.uintp(lanes)):
+        o_x, o_y, o_z, z = t[O_X + lane], t[O_Y + lane], t[O_Z + lane], t[Z + lane]
+        speed = n_x * o_x + n_y * o_y + n_z * o_z
+        length2 = o_x * o_x + o_y * o_y + o_z * o_z
+        gap = landing.beyond - (n_x * x[lane] + n_y * y + n_z * z)
+        arrives = (speed > zero) & (gap > zero) & (speed * speed > tiny * length2)
+        by_speed = (one if arrives else zero) / (speed if arrives else one)
+        way = gap * by_speed
+        d_column, d_row = t[D_COLUMN + lane], t[D_ROW + lane]
+        d_h_x = d_column * c_x + d_row * r_x
+        d_h_y = d_column * c_y + d_row * r_y
+        d_h_z = d_column * c_z + d_row * r_z
+        d_gap = (d_h_x * o_x + d_h_y * o_y + d_h_z * o_z) * by_speed
+        d_speed = -d_gap * way
+        t[D_O_X + lane] = way * d_h_x + d_speed * n_x
+        t[D_O_Y + lane] = way * d_h_y + d_speed * n_y
+        t[D_O_Z + lane] = way * d_h_z + d_speed * n_z
+        t[D_P_Z + lane] = (d_h_z if arrives else zero) - d_gap * n_z
+
+
+@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+def _receive_direction_back(landing, lanes, t):  # type: ignore[no-untyped-def]
+    kind = t.dtype.type
+    zero, one = kind(0), kind(1)
+    per_h, per_v = landing.column[0], landing.row[0]
+    for lane in range(np.uintp(lanes)):
+        o_x, o_y, o_z = t[O_X + lane], t[O_Y + lane], t[O_Z + lane]
+        aside2 = o_x * o_x + o_z * o_z
+        aside = np.sqrt(aside2)
+        d_h = t[D_COLUMN + lane] * per_h / (aside2 if o_z > zero else one)
+        d_v = t[D_ROW + lane] * per_v / (aside2 + o_y * o_y if o_z > zero else one)
+        d_aside = -d_v * o_y / (aside if o_z > zero else one)
+        t[D_O_X + lane] = d_h * o_z + d_aside * o_x
+        t[D_O_Y + lane] = d_v * aside
+        t[D_O_Z + lane] = d_aside * o_z - d_h * o_x
+        t[D_P_Z + lane] = zero

@@ -1,0 +1,368 @@
+"""Light of many origins by samples of the exit face that they all share: the reference.
+
+A grid of places on the exit face sees the light of each origin once, wherever that entered. So the
+face is evaluated once for all origins, no ray has to search for it, and the compiled twin
+(`workbench.optics.kernels.origins`) needs some 10 ns for a ray.
+"""
+
+import math
+from collections.abc import Mapping
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+import torch
+from torch import Tensor
+
+from workbench.geometry.outlines import Outline
+from workbench.geometry.surface import ControlNet, GridBasis
+from workbench.optics.arrival import Arrival
+from workbench.optics.glass import Glass
+from workbench.optics.interfaces import Refraction
+from workbench.optics.path import Path, Step
+from workbench.optics.rays import RayBundle, Vector
+from workbench.optics.samples import Corners, Places, parts_inside, places
+from workbench.optics.sources.origins import Origins
+from workbench.optics.surfaces import BSplineSurface, Meeting, Plane
+from workbench.optics.transmittance import TransmittanceLaw
+
+Array = npt.NDArray[np.float64]
+
+# Places along an axis of the entrance face at which patterns are looked up: of all origins
+# together, and of each at least and at most.
+_PATTERN, _FEWEST, _MOST = 2048, 65, 513
+# In the middle of the lens no distance to the outline has a direction.
+_CENTRE = 1e-12
+_NODE, _WEIGHT = np.polynomial.legendre.leggauss(20)
+
+
+class SharedGrid(NamedTuple):
+    """A path whose exit face is sampled for all origins of its light.
+
+    Attributes
+    ----------
+    origins : Origins
+        Where the light comes from; points are all at one distance from the entrance face.
+    corners : Corners
+        Cells between the samples.
+    entrance_z : float
+        Where the entrance face is, scene units.
+    entrance, exit : Step
+        The faces.
+    law : TransmittanceLaw
+        Of the entrance face.
+    net : ControlNet
+        Where the control heights of the exit face sit.
+    outline : Outline
+        Of the lens.
+    missed, reflected : str
+        Names of light that is lost before and at the entrance face.
+    """
+
+    origins: Origins
+    corners: Corners
+    entrance_z: float
+    entrance: Step
+    exit: Step
+    law: TransmittanceLaw
+    net: ControlNet
+    outline: Outline
+    missed: str
+    reflected: str
+
+    @classmethod
+    def of(cls, path: Path) -> "SharedGrid | None":
+        """Light whose corners are wanted, a flat face and a B-spline; else None."""
+        emitter = path.emitter
+        if not isinstance(emitter.samples, Corners):
+            return None
+        origins = emitter.origins
+        match path.steps:
+            case (
+                Step(Plane(z=z), Refraction(law=law, reflected=reflected), missed) as entrance,
+                Step(BSplineSurface(net=net, subdivisions=None), Refraction()) as exit_face,
+            ) if origins.infinite or np.ptp(origins.places[:, 2]) == 0:
+                z, corners = z + path.datum, emitter.samples
+                elements = z, entrance, exit_face, law, net, path.outline
+                return cls(origins, corners, *elements, missed, reflected)
+        return None
+
+    @property
+    def half_width(self) -> tuple[float, float]:
+        """Of the faces, scene units."""
+        return self.net.half_width
+
+    @property
+    def distance(self) -> float:
+        """From points to the entrance face; 0 of light from infinitely far."""
+        if self.origins.infinite:
+            return 0.0
+        return self.entrance_z - float(self.origins.places[0, 2])
+
+    def before(self) -> dict[str, float]:
+        """Flux that is lost before the glass, by its names in the light account: by quadrature."""
+        met = passed = 0.0
+        for origin, place in enumerate(self.origins.places):
+            x, y, area = _nodes(self.origins, place, self.outline, self.entrance_z)
+            lit = self.origins.light(x, y, self.entrance_z, np.array(origin))
+            flux = torch.as_tensor(lit.density * area)
+            met += float(flux.sum())
+            passed += float(_turned(self.entrance, (x, y), lit.direction, flux).flux.sum())
+        return {self.missed: 1 - met, self.reflected: met - passed}
+
+    def patterns(self) -> Array | None:
+        """Intensities of each origin towards places of the entrance face, over its `flux`.
+
+        Values between are those of bilinear interpolation. Shape (origins, n, n): from −x to x,
+        and from −y to y in the last axis. None where no pattern was given.
+        """
+        pattern = self.origins.pattern
+        if pattern is None:
+            return None
+        count = len(self.origins.flux)
+        n = min(max(int(_PATTERN / math.sqrt(count)), _FEWEST), _MOST)
+        (r_x, r_y), way = self.half_width, np.linspace(-1, 1, n)
+        place = self.origins.places[:, None, None]
+        x, y = way[:, None] * r_x - place[..., 0], way * r_y - place[..., 1]
+        away = np.broadcast_arrays(x, y, self.entrance_z - place[..., 2])
+        distance = np.sqrt(np.square(away).sum(axis=0))
+        direction = (away[0] / distance, away[1] / distance, away[2] / distance)
+        return pattern.at(np.arange(count)[:, None, None], direction)
+
+    @property
+    def lines(self) -> tuple[Places, Places]:
+        """Samples along x and y, and what each stands for, as parts of the way across the lens."""
+        return places(self.corners, 0), places(self.corners, 1)
+
+    @property
+    def inside(self) -> Array:
+        """Which part of what each sample stands for is inside the outline, shape (m_x, m_y)."""
+        return parts_inside(self.outline, *self.lines)
+
+    @property
+    def splits(self) -> tuple[Array, Array]:
+        """See `workbench.optics.light.BeamTracer`: origins one after the other along y."""
+        across, up = self.lines
+        return across.split, np.tile(up.split, (len(self.origins.places), 1))
+
+
+def _turned(
+    entrance: Step, place: tuple[Array, Array], direction: tuple[Array, Array, Array], flux: Tensor
+) -> RayBundle:
+    """Light behind the entrance face."""
+    alive = torch.ones(flux.shape, dtype=torch.bool)
+    x, y, d_x, d_y, d_z = (torch.tensor(part) for part in (*place, *direction))
+    zero, one = torch.zeros_like(flux), torch.ones_like(flux)
+    position = (x, y, zero)
+    rays = RayBundle(position, (d_x, d_y, d_z), flux, alive)
+    return entrance.interface.turn(rays, Meeting(position, (zero, zero, one), alive)).rays
+
+
+def _nodes(
+    origins: Origins, place: Array, outline: Outline, entrance_z: float
+) -> tuple[Array, Array, Array]:
+    """Gauss-Legendre nodes on the entrance face as an origin sees it, and their areas."""
+    if origins.infinite:
+        middle, scale = (0.0, 0.0), min(origins.waist, max(outline.half_width))
+    else:
+        middle, scale = (place[0], place[1]), entrance_z - place[2]
+    (u, w_u), (v, w_v) = (
+        _along(m / r, scale / r) for m, r in zip(middle, outline.half_width, strict=True)
+    )
+    x, y = outline.from_square(u[:, None], v)
+    return x, y, outline.stretch(u[:, None], v) * w_u[:, None] * w_v
+
+
+def _along(middle: float, scale: float) -> tuple[Array, Array]:
+    """Nodes from −1 to 1, and their widths.
+
+    In a = arsinh((u − middle) / scale) the light is smooth at a scale of 1, however near its
+    origin is.
+    """
+    low, high = (math.asinh((end - middle) / scale) for end in (-1.0, 1.0))
+    panels = math.ceil(high - low)
+    part = ((np.arange(panels)[:, None] + (_NODE + 1) / 2) / panels).ravel()
+    a = low + (high - low) * part
+    weight = (high - low) / panels * np.tile(_WEIGHT / 2, panels)
+    return middle + scale * np.sinh(a), scale * weight * np.cosh(a)
+
+
+class SharedSamples:
+    """A tensor grid of samples of the exit face, with all that does not depend on the heights.
+
+    Parameters
+    ----------
+    shared : SharedGrid
+        What is sampled.
+    path : Path
+        The path of the light.
+    """
+
+    note = "samples on the exit face, shared by all origins of the light"
+
+    def __init__(self, shared: SharedGrid, path: Path) -> None:
+        self._shared, self._path, self._before = shared, path, shared.before()
+        # Near the mean height of the surface float32 keeps the digits that make its shape.
+        self._level, self._thickness = path.level, path.level - shared.entrance_z
+        self._entrance = shared.entrance_z - path.datum
+        self._index = 1 / shared.law.ratio
+
+        def constant(values: Array) -> Tensor:
+            return torch.as_tensor(values, dtype=path.dtype, device=path.device).contiguous()
+
+        across, up = shared.lines
+        basis = shared.net.grid(across.part, up.part)
+        self._basis = GridBasis(
+            *(constant(part) for part in (
+                basis.along_x, basis.slope_x, basis.along_y, basis.slope_y
+            ))
+        )  # fmt: skip
+        r_x, r_y = shared.net.half_width
+        shape_x, shape_y = (-1, 1, 1), (1, 1, -1)  # [samples along x, origins, samples along y]
+        self._x, self._low_x, self._high_x = (
+            constant((2 * part - 1) * r_x).reshape(shape_x) for part in across
+        )
+        self._y, self._low_y, self._high_y = (
+            constant((2 * part - 1) * r_y).reshape(shape_y) for part in up
+        )
+        # A curved outline leaves light out by what of a sample's part it holds.
+        whole = shared.outline.whole
+        self._half_width = (r_x, r_y) if whole else (math.inf, math.inf)
+        self._inside = None if whole else constant(shared.inside)[:, None]
+        patterns = shared.patterns()
+        self._patterns = None if patterns is None else constant(patterns)
+        self._flux = constant(shared.origins.flux).reshape(1, -1, 1)
+        self._at = tuple(constant(part).reshape(1, -1, 1) for part in shared.origins.places.T)
+
+    def walk(self, heights: Mapping[str, Tensor]) -> Arrival:
+        """Follow the light from the exit face to the receiver; see `Path.walk`."""
+        surface, interface, missed = self._shared.exit
+        above = (heights[surface.name] - self._level).to(self._x.dtype)
+        z, face_x, face_y = (part[:, None] for part in self._basis.evaluate(above))
+        depth = z + self._thickness
+        inside = depth > 0
+        depth = torch.where(inside, depth, 0.0)
+        from_origin = self._from_sky if self._shared.origins.infinite else self._from_points
+        place, direction, flux = from_origin(depth)
+        if self._inside is not None:
+            flux = flux * self._inside * self._through_outline(*place)
+
+        shape = flux.shape
+        zero, one = flux.new_zeros(()), flux.new_ones(())
+        alive = inside.expand(shape)
+        rays = RayBundle((*place, flux.new_tensor(self._entrance)), direction, flux, alive)
+        behind = self._shared.entrance.interface.turn(
+            rays, Meeting(rays.position, (zero, zero, one), alive)
+        )
+        d_x, d_y, d_z = behind.rays.direction
+        # The face takes in more or less light than the plane z = const, as it leans to it or away.
+        lean = 1 - (d_x * face_x + d_y * face_y) / d_z
+        met = alive & (lean > 0)  # a face that leans away further has met the light before
+        flux = torch.where(met, behind.rays.flux * lean, 0.0)
+        length = (face_x.square() + face_y.square() + 1).rsqrt()
+        at = (self._x, self._y, depth + self._entrance)
+        normal = (-face_x * length, -face_y * length, length)
+        rays = RayBundle(rays.position, behind.rays.direction, flux, met)
+        passed = interface.turn(rays, Meeting(at, normal, met))
+        with torch.no_grad():
+            lost = {name: part.sum(dtype=torch.float64) for name, part in passed.lost.items()}
+            for name, before in self._before.items():
+                lost[name] = flux.new_tensor(before, dtype=torch.float64)
+            # What entered and did not come to the face; with the error of the sum over samples.
+            entered = 1 - sum(self._before.values())
+            lost[missed] = entered - flux.sum(dtype=torch.float64)
+        side_by_side = shape[0], shape[1] * shape[2]
+        out = _reshaped(passed.rays, shape, side_by_side)
+        return Arrival(*self._path.receiver.places(out), out, lost)
+
+    def _through_outline(self, x: Tensor, y: Tensor) -> Tensor:
+        """Part of what the outline holds of each sample that comes through it at the entrance.
+
+        Exactly 1 of light that goes straight on.
+        """
+        here = self._held(self._x, self._y)
+        part = self._held(x, y) / torch.where(here > 0, here, 1.0)
+        return torch.where(here > 0, part.clamp_max(1), 1.0)
+
+    def _held(self, x: Tensor, y: Tensor) -> Tensor:
+        """About how much of what a sample stands for is inside the outline around (x, y)."""
+        r_x, r_y = self._shared.half_width
+        level = ((x / r_x).square() + (y / r_y).square()).clamp_min(_CENTRE).sqrt()
+        across = x.abs() * (self._high_x - self._low_x) / r_x**2
+        across = across + y.abs() * (self._high_y - self._low_y) / r_y**2
+        return (0.5 + level * (1 - level) / across.clamp_min(_CENTRE)).clamp(0, 1)
+
+    def _from_sky(self, depth: Tensor) -> tuple[tuple[Tensor, Tensor], Vector, Tensor]:
+        """Places on the entrance face, directions before it and flux that meets it."""
+        d_x, d_y, d_z = self._at
+        down = (1 - (d_x.square() + d_y.square()) / self._index**2).sqrt() * self._index
+        shift_x, shift_y = d_x / down * depth, d_y / down * depth
+        wide_x = _seen(self._low_x - shift_x, self._high_x - shift_x, self._half_width[0])
+        wide_y = _seen(self._low_y - shift_y, self._high_y - shift_y, self._half_width[1])
+        x, y = self._x - shift_x, self._y - shift_y
+        beside2 = x.square() + y.square() - (x * d_x + y * d_y).square()
+        even = self._flux * d_z * torch.exp(-2 * beside2 / self._shared.origins.waist**2)
+        flux = even * wide_x * wide_y
+        return (x, y), (d_x, d_y, d_z), flux
+
+    def _from_points(self, depth: Tensor) -> tuple[tuple[Tensor, Tensor], Vector, Tensor]:
+        """As `_from_sky`."""
+        p_x, p_y, _ = self._at
+        distance = self._shared.distance
+        away_x, away_y = self._x - p_x, self._y - p_y
+        radius2 = away_x.square() + away_y.square()
+        glass = Glass(distance, self._shared.law, lambertian=False)
+        light = glass.light(radius2, depth)
+        part = light.part
+        apparent = distance * self._index
+        narrow = 1 / (1 + depth * (apparent * light.steepness).square() * light.steepness)
+        wide_x = _seen(
+            p_x + part * (self._low_x - p_x), p_x + part * (self._high_x - p_x), self._half_width[0]
+        )
+        wide_y = _seen(
+            p_y + part * (self._low_y - p_y), p_y + part * (self._high_y - p_y), self._half_width[1]
+        )
+        cos = (1 + part.square() * radius2 / distance**2).rsqrt()
+        lit = cos.square() * cos / distance**2
+        if self._shared.origins.lambertian:
+            lit = lit * cos
+        # Of a ring around the axis 1 / (p dρ_e/dρ) is lit, of a sample's part 1 / p².
+        flux = self._flux * lit * wide_x * wide_y * narrow / part
+        x, y = p_x + part * away_x, p_y + part * away_y
+        if self._patterns is not None:
+            flux = flux * self._intensity(self._patterns, x, y)
+        slope_x, slope_y = part * away_x / distance, part * away_y / distance
+        return (x, y), (slope_x * cos, slope_y * cos, cos), flux
+
+    def _intensity(self, patterns: Tensor, x: Tensor, y: Tensor) -> Tensor:
+        """Values of the patterns at places of the entrance face; see `SharedGrid.patterns`."""
+        last = patterns.shape[1] - 1
+        origin = torch.arange(len(patterns), device=patterns.device).reshape(1, -1, 1)
+        (i, u), (j, v) = (
+            _cell((place / r + 1) * (last / 2), last)
+            for place, r in zip((x, y), self._shared.half_width, strict=True)
+        )
+        low = patterns[origin, i, j] * (1 - v) + patterns[origin, i, j + 1] * v
+        high = patterns[origin, i + 1, j] * (1 - v) + patterns[origin, i + 1, j + 1] * v
+        return low * (1 - u) + high * u
+
+
+def _cell(place: Tensor, last: int) -> tuple[Tensor, Tensor]:
+    """Number of the cell of a place, and which part of the cell is before it."""
+    place = place.clamp(0, last)
+    cell = place.detach().floor().clamp(0, last - 1)
+    return cell.long(), place - cell
+
+
+def _seen(low: Tensor, high: Tensor, half_width: float) -> Tensor:
+    """What of intervals lies within the entrance face."""
+    return (high.clamp_max(half_width) - low.clamp_min(-half_width)).clamp_min(0)
+
+
+def _reshaped(rays: RayBundle, shape: torch.Size, to: tuple[int, int]) -> RayBundle:
+    def vector(parts: Vector) -> Vector:
+        x, y, z = (part.expand(shape).reshape(to) for part in parts)
+        return x, y, z
+
+    flux, alive = (part.expand(shape).reshape(to) for part in (rays.flux, rays.alive))
+    return RayBundle(vector(rays.position), vector(rays.direction), flux, alive)
