@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import ControlNet
 from workbench.scene import Lens, Scene
 
@@ -32,11 +33,14 @@ class HeightLimits:
         Ends of the intervals, scene units; the upper one may be infinite.
     undesigned : ndarray, shape (n_u, n_v)
         Base plus the middle of the height range, within the limits.
+    shaping : ndarray of bool, shape (n_u, n_v)
+        Which of them bear on the lens: only these have to fit.
     """
 
     lower: Array
     upper: Array
     undesigned: Array
+    shaping: Mask
 
     @classmethod
     def of(cls, lens: Lens, net: ControlNet) -> "HeightLimits":
@@ -47,14 +51,16 @@ class HeightLimits:
         if lens.height_range is not None:
             middle = middle + sum(lens.height_range) / 2
         inside = np.where(np.isfinite(upper), _INSIDE * (upper - lower), 0.0)
-        return cls(lower, upper, middle.clip(lower + inside, upper - inside))
+        shaping = net.shaping(outline_of(lens))
+        return cls(lower, upper, middle.clip(lower + inside, upper - inside), shaping)
 
     def lacks(self, heights: Array) -> float:
         """How much more room along z a surface needs, scene units; at most 0 where it fits.
 
         It may be moved along z.
         """
-        return float((self.lower - heights).max() - (self.upper - heights).min())
+        least, most = self._room(heights)
+        return least - most
 
     def ends(self, heights: Array, part: float) -> tuple[Mask, Mask]:
         """Which heights are at their lower and at their upper end, within a part of the interval.
@@ -62,22 +68,24 @@ class HeightLimits:
         All ends have to be finite.
         """
         near = part * (self.upper - self.lower)
-        return heights <= self.lower + near, heights >= self.upper - near
+        low, high = heights <= self.lower + near, heights >= self.upper - near
+        return low & self.shaping, high & self.shaping
 
     def hold(self, heights: Array) -> bool:
         """Whether heights are within the limits as they are."""
         slack = _ROUNDING * np.abs(heights).max()
-        return bool(((heights >= self.lower - slack) & (heights <= self.upper + slack)).all())
+        fits = (heights >= self.lower - slack) & (heights <= self.upper + slack)
+        return bool((fits | ~self.shaping).all())
 
     def placed(self, heights: Array) -> Array:
         """A surface moved along z to where the undesigned lens is, as far as the limits allow.
 
         One that does not fit anywhere is beyond the limits by as much above as below.
         """
-        least, most = (self.lower - heights).max(), (self.upper - heights).min()
+        least, most = self._room(heights)
         if least > most:
             return np.asarray(heights + (least + most) / 2)
-        off = heights - self.undesigned
+        off = (heights - self.undesigned)[self.shaping]
         apart = min(_APART * (off.max() - off.min()), (most - least) / 2)
         shift = np.clip(-(off.max() + off.min()) / 2, least + apart, most - apart)
         return np.asarray(heights + shift)
@@ -89,13 +97,19 @@ class HeightLimits:
         """
         if self.hold(heights):
             return heights
-        least, most = (self.lower - heights).max(), (self.upper - heights).min()
+        least, most = self._room(heights)
         if least <= most:
             return self.placed(heights)
         shifts = np.linspace(most, least, _SHIFTS)
-        beyond = [((heights + c < self.lower) | (heights + c > self.upper)).sum() for c in shifts]
+        outside = ((heights + c < self.lower) | (heights + c > self.upper) for c in shifts)
+        beyond = [(each & self.shaping).sum() for each in outside]
         moved: Array = heights + shifts[np.argmin(beyond)]
         return moved.clip(self.lower, self.upper)
+
+    def _room(self, heights: Array) -> tuple[float, float]:
+        """How far a surface may move along z at least and at most; the former is larger if none."""
+        low, high = (self.lower - heights)[self.shaping], (self.upper - heights)[self.shaping]
+        return float(low.max()), float(high.min())
 
 
 def bounded(scene: Scene) -> Lens:

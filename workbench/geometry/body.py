@@ -10,6 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from workbench.errors import Refused
+from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import ControlNet
 from workbench.scene import Scene
 
@@ -40,7 +41,7 @@ def check_body(scene: Scene, heights: Mapping[str, Array], screen_z: float | Non
     """
     entrance = scene.lens.entrance_z
     screen = scene.receiver.nearest_z if screen_z is None else screen_z
-    gap = _TOUCH * max(scene.lens.half_width)
+    gap, outline = _TOUCH * max(scene.lens.half_width), outline_of(scene.lens)
     exit_face = heights["exit"]
     # The face lies in the convex hull of its control points: nearly always they alone tell.
     if entrance + gap < exit_face.min() and exit_face.max() < screen - gap:
@@ -50,16 +51,19 @@ def check_body(scene: Scene, heights: Mapping[str, Array], screen_z: float | Non
         np.linspace(0, 1, (n - p) * math.ceil(_PLACES / (n - p)) + 1)
         for n, p in zip(net.shape, net.degree, strict=True)
     )
+    x, y = ((2 * t - 1) * r for t, r in zip((u, v), net.half_width, strict=True))
     height, _, _ = net.grid(u, v).evaluate(exit_face)
+    # Places beside the lens count as high as its middle.
+    middle = height[len(u) // 2, len(v) // 2]
+    height = np.where(outline.contains(x[:, None], y), height, middle)
     for worst, room, limit in (
         (height.argmin(), height.min() - entrance, f"above the entrance face at z = {entrance:g}"),
         (height.argmax(), screen - height.max(), f"before the screen at z = {screen:g}"),
     ):
         if room <= gap:
             i, j = np.unravel_index(worst, height.shape)
-            x, y = ((2 * t - 1) * r for t, r in zip((u[i], v[j]), net.half_width, strict=True))
             raise Refused(
                 "lens",
-                f"its exit face is at z = {height[i, j]:.5g} {scene.unit} at x = {x:.4g}, "
-                f"y = {y:.4g}, not {limit}: that is no body of glass",
+                f"its exit face is at z = {height[i, j]:.5g} {scene.unit} at x = {x[i]:.4g}, "
+                f"y = {y[j]:.4g}, not {limit}: that is no body of glass",
             )

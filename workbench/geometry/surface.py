@@ -189,6 +189,17 @@ class ControlNet:
         z, slope_x, slope_y = found.reshape(3, *x.shape)
         return z, slope_x, slope_y
 
+    def shaping(self, outline: Outline) -> npt.NDArray[np.bool_]:
+        """Which control points bear on the face inside an outline, shape (n_u, n_v).
+
+        The others move nothing but what of the aperture is no glass.
+        """
+        (left, right), (low, high) = (
+            ((2 * knots[: -p - 1] - 1) * r, (2 * knots[p + 1 :] - 1) * r)
+            for knots, p, r in zip(self.knots, self.degree, self.half_width, strict=True)
+        )
+        return outline.area_inside((left[:, None], right[:, None]), (low, high)) > 0
+
     def contains(self, coarser: "ControlNet") -> bool:
         """Whether each surface of a coarser net is one of this net too: see `refine`."""
         return self.degree == coarser.degree and all(

@@ -14,6 +14,7 @@ import pyvista as pv
 
 from workbench.design.brush import bump
 from workbench.geometry.lines import nearest_to_line
+from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import ControlNet
 from workbench.pictures import shapes
 from workbench.pictures.dots import Dots
@@ -58,13 +59,14 @@ class ControlNetPicture:
         x, y = self._net.positions
         self._places = np.zeros((len(x), len(y), 3))
         self._places[..., 0], self._places[..., 1] = x[:, None], y
+        self._shaping = self._net.shaping(outline_of(lens))  # the others are not shown
         self._reach = _REACH * math.hypot(np.diff(x).max(), np.diff(y).max())
         self._lift = np.array([0.0, 0.0, _LIFT * max(lens.half_width)])
         self._shown = False
         self._marked: tuple[int, int] | None = None
         self._brush: tuple[tuple[int, int], float] | None = None
         self._locked: Mask | None = None
-        self._drawn: tuple[int, int] = (0, 0)  # shape of the block whose lines are drawn
+        self._drawn = np.zeros((0, 0), dtype=np.bool_)  # points of the block with lines
         self._lines = pv.PolyData(np.zeros((2, 3)), lines=[2, 0, 1])
         self._threads = plotter.add_mesh(
             self._lines,
@@ -140,7 +142,8 @@ class ControlNetPicture:
         if block is None:
             return None
         (i, j), distance = nearest_to_line(self._places[block], start, end)
-        return (block[0].start + i, block[1].start + j) if distance <= self._reach else None
+        index = block[0].start + i, block[1].start + j
+        return index if distance <= self._reach and self._shaping[index] else None
 
     def recolour(self, dark: bool) -> None:
         """Change between the dark and the light ground."""
@@ -183,16 +186,17 @@ class ControlNetPicture:
         near = none if block is None else places[block].reshape(-1, 3) + lift
         self._string(block, near)
         locked = self._locked if self._shown else None
-        if locked is not None and block is not None:
-            near = near[~locked[block].ravel()]
+        if block is not None:
+            hidden = ~self._shaping if locked is None else ~self._shaping | locked
+            near = near[~hidden[block].ravel()]
         self._points.place(near)
         self._mark.place(none if self._marked is None else places[self._marked][None] + lift)
         brushed = none
         if self._brush is not None:
             reached, weights = bump(self._net, *self._brush)
-            brushed = places[reached][weights > 0] + 2 * lift
+            brushed = places[reached][(weights > 0) & self._shaping[reached]] + 2 * lift
         self._brushed.place(brushed)
-        held = none if locked is None else places[locked]
+        held = none if locked is None else places[locked & self._shaping]
         self._locks.place(held[:: 1 + len(held) // _MOST_LOCKS] + 2 * lift)
 
     def _block(self) -> Block | None:
@@ -205,15 +209,15 @@ class ControlNetPicture:
 
     def _string(self, block: Block | None, points: Array) -> None:
         """Lines between neighbours of a block."""
-        shape = (0, 0) if block is None else self._places[block].shape[:2]
-        shown = self._shown and min(shape) > 1 and self._apart >= _LINES
+        shaping = self._shaping[:0] if block is None else self._shaping[block]
+        shown = self._shown and min(shaping.shape) > 1 and self._apart >= _LINES
         self._threads.SetVisibility(shown)
         if not shown:
             return
         self._lines.points = points
-        if shape != self._drawn:
-            self._drawn = shape
-            self._lines.lines = shapes.grid_lines(*shape)
+        if not np.array_equal(shaping, self._drawn):
+            self._drawn = shaping
+            self._lines.lines = shapes.grid_lines(shaping)
             self._lines.verts = np.zeros(0, dtype=np.int64)
 
 

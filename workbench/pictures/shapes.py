@@ -7,6 +7,7 @@ import numpy as np
 import numpy.typing as npt
 
 Array = npt.NDArray[np.float64]
+Mask = npt.NDArray[np.bool_]
 Cells = npt.NDArray[np.int64]
 
 _STRAIGHT = -0.7  # cosine of the angle between the two sides of a corner of a grid
@@ -32,10 +33,15 @@ def net_lines(rows: int, columns: int, fields: int) -> Cells:
     return polylines(along + across)
 
 
-def grid_lines(rows: int, columns: int) -> Cells:
-    """All lines of a grid of points, along each row and each column."""
-    index = np.arange(rows * columns).reshape(rows, columns)
-    return polylines([*index, *index.T])
+def grid_lines(shown: Mask) -> Cells:
+    """All lines of a grid of points along rows and columns, where these are shown: side by side."""
+    index = np.arange(shown.size).reshape(shown.shape)
+    lines = [*map(_shown_part, index, shown), *map(_shown_part, index.T, shown.T)]
+    return polylines([line for line in lines if len(line) > 1])
+
+
+def _shown_part(line: Cells, shown: Mask) -> Cells:
+    return line[shown]
 
 
 def normals(surface: Array) -> Array:

@@ -3,11 +3,15 @@
 import numpy as np
 import pytest
 import trimesh
+from PIL import Image
 
+from workbench.files.export import maps
 from workbench.files.export.gltf import write_glb
+from workbench.files.export.grid_sag import write_grid_sag
 from workbench.files.export.iges import write_iges
 from workbench.files.export.obj import write_obj
 from workbench.files.export.ply import write_ply
+from workbench.files.export.point_cloud import write_points
 from workbench.files.export.step import write_step
 from workbench.files.export.stl import write_stl
 from workbench.files.export.tessellation import Tessellation
@@ -77,3 +81,40 @@ def test_iges_is_the_same_solid(make_design, write, read_solid):
     found = read_solid(path)
     assert found.is_valid
     assert found.volume == pytest.approx(volume(design) * 1e3, rel=1e-4)
+
+
+def test_maps_are_blank_beside_the_lens(make_design, write, small_grids):
+    design = make_design(ROUND)
+    shown = maps.height(design)
+    inside = shown.x**2 + (shown.y[:, None] / 0.7) ** 2 <= 1
+    np.testing.assert_array_equal(np.isfinite(shown.values), inside)
+    for writer, name in ((maps.write_npy, "a.npy"), (maps.write_tiff, "a.tiff")):
+        path, deviation = write(writer, shown, name)
+        assert deviation.size < 1e-6
+        found = np.load(path) if name == "a.npy" else np.asarray(Image.open(path))
+        np.testing.assert_array_equal(np.isfinite(found), inside)
+    path, _ = write(maps.write_png, shown, "a.png")
+    with Image.open(path) as image:
+        assert image.info["Beside the lens"] == "black"
+        assert np.asarray(image)[~inside].max() == 0
+    path, _ = write(maps.write_csv, shown, "a.csv")
+    assert len(path.read_text().splitlines()) == 1 + inside.sum()
+
+
+def test_points_end_a_few_steps_beside_the_lens(make_design, write, small_grids):
+    path, deviation = write(write_points, make_design(ROUND), "a.xyz")
+    x, y, *_ = np.loadtxt(path).T
+    assert np.hypot(x / 1.2, y / (1.2 * 0.7)).max() < 1
+    assert len(x) < 0.85 * len(np.unique(x)) * len(np.unique(y))
+    assert deviation.size < 1e-3
+
+
+def test_grid_sag_flags_points_without_data(make_design, write, small_grids):
+    design = make_design(ROUND)
+    path, _ = write(write_grid_sag, design, "a.dat")
+    columns, rows = map(int, path.read_text().split()[:2])
+    flags = np.loadtxt(path, skiprows=1)[:, 4].reshape(rows, columns)
+    assert set(flags.ravel()) == {0.0, 1.0}
+    x, y = np.linspace(-1, 1, columns), np.linspace(1, -1, rows)[:, None]
+    assert (flags[np.hypot(x, y) <= 1] == 0).all()
+    assert (flags[np.hypot(x, y) > 1.1] == 1).all()

@@ -3,7 +3,8 @@
 Knots of the B-spline are points of the grid. For degrees 2 and 3 the bicubic interpolation between
 these is therefore the B-spline itself, rim included. A face of degree 1 has edges, which only a
 linear interpolation keeps. Sag is height over that at the vertex x = y =
-0, so the thickness of the lens in OpticStudio is the one at its vertex.
+0, so the thickness of the lens in OpticStudio is the one at its vertex. Points of which no
+neighbouring cell holds any of an elliptic lens are flagged as without data.
 """
 
 from typing import BinaryIO
@@ -31,7 +32,8 @@ def write_grid_sag(design: Design, file: BinaryIO) -> Deviation:
     z, slope_x, slope_y = basis.evaluate(design.heights)
     twist = basis.slope_x @ design.heights @ basis.slope_y
     vertex = design.surface(np.zeros(1), np.zeros(1))[0].item()
-    columns = [_in_rows(c) for c in (z - vertex, slope_x, slope_y, twist, np.zeros_like(z))]
+    no_data = _without_data(design, x, y)
+    columns = [_in_rows(c) for c in (z - vertex, slope_x, slope_y, twist, no_data)]
     step_x, step_y = (float(c[-1] - c[0]) / (len(c) - 1) for c in (x, y))
     header = f"{len(x)} {len(y)} {step_x!r} {step_y!r} {_UNIT_FLAG[design.unit]} 0 0"
     written = write_table(file, columns, header, delimiter=" ", newline="\r\n")
@@ -50,6 +52,14 @@ def write_grid_sag(design: Design, file: BinaryIO) -> Deviation:
         design.unit,
         f"thickness at the vertex {thickness:.10g} {design.unit}",
     )
+
+
+def _without_data(design: Design, x: Array, y: Array) -> Array:
+    """1 for points of which no neighbouring cell has a share of the lens, else 0."""
+    glass = design.outline.area_inside((x[:-1, None], x[1:, None]), (y[:-1], y[1:])) > 0
+    around = np.pad(glass, 1)
+    near = around[1:, 1:] | around[:-1, 1:] | around[1:, :-1] | around[:-1, :-1]
+    return np.where(near, 0.0, 1.0)
 
 
 def _in_rows(values: Array) -> Array:

@@ -35,6 +35,7 @@ class Map(NamedTuple):
     length : str
         Unit of x and y.
     values : ndarray, shape (n_y, n_x)
+        NaN where there is nothing.
     """
 
     name: str
@@ -46,9 +47,10 @@ class Map(NamedTuple):
 
 
 def height(design: Design) -> Map:
-    """Height z of the exit face, rim included."""
+    """Height z of the exit face, rim included; beside an elliptic lens there is no number."""
     x, y = design.lattice()
     z = design.surface(x, y)[0]
+    z[~design.outline.contains(x[:, None], y)] = np.nan
     return Map("height", design.unit, x, y[::-1], design.unit, z[:, ::-1].T)
 
 
@@ -64,14 +66,20 @@ def irradiance(design: Design) -> Map:
 
 
 def write_png(shown: Map, file: BinaryIO) -> Deviation:
-    """Write 16-bit grey values; the text in the file tells what black and white stand for."""
-    low, high = float(shown.values.min()), float(shown.values.max())
+    """Write 16-bit grey values; the text in the file tells what black and white stand for.
+
+    Where there is nothing, values are black, too, which the text says.
+    """
+    low, high = float(np.nanmin(shown.values)), float(np.nanmax(shown.values))
     step = (high - low) / _DEEPEST
     grey = np.zeros(shown.values.shape, dtype=np.uint16)
     if step > 0:
-        grey[:] = np.rint((shown.values - low) / step)
+        grey[:] = np.rint((np.nan_to_num(shown.values, nan=low) - low) / step)
     text = PngInfo()
-    for key, value in {"Black": low, "White": high, **_extent(shown)}.items():
+    told = {"Black": low, "White": high, **_extent(shown)}
+    if np.isnan(shown.values).any():
+        told["Beside the lens"] = "black"
+    for key, value in told.items():
         text.add_text(key, str(value))
     with io.BytesIO() as png:
         Image.fromarray(grey).save(png, "PNG", pnginfo=text)
@@ -103,8 +111,9 @@ def write_npy(shown: Map, file: BinaryIO) -> Deviation:
 
 
 def write_csv(shown: Map, file: BinaryIO) -> Deviation:
-    """Write a line x, y, value per point, along the rows."""
-    columns = [c.ravel() for c in np.broadcast_arrays(shown.x, shown.y[:, None], shown.values)]
+    """Write a line x, y, value per point, along the rows; none where there is nothing."""
+    there = np.isfinite(shown.values)
+    columns = [c[there] for c in np.broadcast_arrays(shown.x, shown.y[:, None], shown.values)]
     length = shown.length
     header = f"x [{length}],y [{length}],{shown.name} [{shown.unit}]"
     written = write_table(file, columns, header, delimiter=",")
@@ -131,4 +140,4 @@ def described(shown: Map) -> str:
 
 def rounding_of(shown: Map, found: npt.NDArray[Any]) -> Deviation:
     """How far values of a file are from those shown."""
-    return Deviation("rounding", float(np.abs(found - shown.values).max()), shown.unit)
+    return Deviation("rounding", float(np.nanmax(np.abs(found - shown.values))), shown.unit)

@@ -1,18 +1,34 @@
 """Point cloud of the exit face with its normals, one line x y z nx ny nz per point.
 
 Programs that lay a surface through points guess at its edges. So each point has its normal, and
-the points go on beyond the edge, on the polynomials that end there.
+the points go on beyond the edge, on the polynomials that end there. So do those of an elliptic
+lens, by as many steps.
 """
 
 from typing import BinaryIO
 
 import numpy as np
+import numpy.typing as npt
 from scipy.interpolate import RectBivariateSpline
 
 from workbench.files.export.design import Design, Deviation
 from workbench.files.export.tables import write_table
 
+Array = npt.NDArray[np.float64]
+Mask = npt.NDArray[np.bool_]
+
 _MARGIN = 3  # steps beyond the edge, enough for a bicubic spline to forget its end
+
+
+def _near(design: Design, x: Array, y: Array) -> Mask:
+    """Which points are on the lens or a margin beside it."""
+    if design.outline.whole:
+        return np.ones((len(x), len(y)), dtype=np.bool_)
+    x, y = (
+        at * (r / (r + _MARGIN * float(at[1] - at[0])))
+        for at, r in zip((x, y), design.net.half_width, strict=True)
+    )
+    return design.outline.contains(x[:, None], y)
 
 
 def write_points(design: Design, file: BinaryIO) -> Deviation:
@@ -23,18 +39,21 @@ def write_points(design: Design, file: BinaryIO) -> Deviation:
     columns = np.broadcast_arrays(
         x[:, None], y, z, -slope_x / length, -slope_y / length, 1 / length
     )
+    near = _near(design, x, y)
     written = write_table(
         file,
-        [column.ravel() for column in columns],
+        [column[near] for column in columns],
         f"# freeform lens: x y z nx ny nz, unit {design.unit}",
         delimiter=" ",
     )
-    spline = RectBivariateSpline(x, y, written[:, 2].reshape(z.shape))
+    z[near] = written[:, 2]
+    spline = RectBivariateSpline(x, y, z)
     between_x, between_y = (
         (c[_MARGIN : -_MARGIN - 1] + c[_MARGIN + 1 : -_MARGIN]) / 2 for c in (x, y)
     )
     exact = design.surface(between_x, between_y)[0]
-    error = float(np.abs(spline(between_x, between_y) - exact).max())
+    inside = design.outline.contains(between_x[:, None], between_y)
+    error = float(np.abs(spline(between_x, between_y) - exact)[inside].max())
     return Deviation(
         "error of a bicubic spline through the points",
         error,
