@@ -66,6 +66,8 @@ def test_light_beside_the_first_face_is_named_as_that_face_says(make_scene):
         ],
         PlaneReceiver(make_scene().screen, 0.0),
         datum=0.0,
+        level=0.0,
+        outline=plate.outline,
         seed=0,
         dtype=torch.float64,
     )
@@ -91,6 +93,8 @@ def test_a_plate_in_pieces_is_the_plate(make_scene, source):
         [entrance, *between, *rest],
         whole.receiver,
         datum=whole.datum,
+        level=whole.level,
+        outline=whole.outline,
         seed=0,
         dtype=torch.float64,
     )
