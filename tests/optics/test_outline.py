@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 import torch
 
+from tests.analysis.lenses import net_of
+from workbench.errors import Refused
 from workbench.geometry.outlines import Ellipse, Rectangle
 from workbench.geometry.surface import ControlNet
 from workbench.optics.beam_plan import BeamPlan
@@ -110,3 +112,40 @@ def test_the_gradient_at_the_rim_is_that_of_differences(make_scene, source, rng)
         step[i, j] = 1e-6
         differences = (value(heights + step) - value(heights - step)) / 2e-6
         assert gradient[i, j].item() == pytest.approx(differences.item(), rel=1e-4, abs=1e-7)
+
+
+def test_a_round_plano_convex_lens_focuses_like_its_closed_form(make_scene):
+    """Parallel light enters a flat face and leaves a sphere: Snell's law, ray by ray."""
+    radius, n, height = 3.0, 1.5, 0.6
+    base = {"shape": "sphere", "height": height, "radius": radius, "form": "convex"}
+    focus = height + radius / (n - 1)  # of rays near the axis
+    changes = {"lens.base": base, "lens.control_points": [40, 40], "lens.degree": [5, 5]}
+    screen = {"z": focus, "half_width": [0.4, 0.4], "pixels": [64, 64]}
+    changes |= {"lens.outline": "ellipse", "lens.height_range": [-0.5, 0.5], "screen": screen}
+    scene = make_scene(changes)
+    lens = {"exit": net_of(scene, scene.lens.base.height_at)}
+    paths = ray_paths(scene, lens, (15, 15))
+    _, _, exits, hits = paths.points.transpose(1, 0, 2)
+    h = np.hypot(exits[:, 0], exits[:, 1])
+    inside = np.arcsin(h / radius)  # angle to the normal
+    bent = np.arcsin(n * h / radius) - inside
+    place = height - radius + np.sqrt(radius**2 - h**2)
+    expected = (focus - place) * np.tan(bent) - h  # beyond the axis, as they meet it before
+    np.testing.assert_allclose(np.hypot(hits[:, 0], hits[:, 1]), expected, atol=1e-6)
+    widest = (focus - (height - radius + math.sqrt(8))) * math.tan(
+        math.asin(n / radius) - math.asin(1 / radius)
+    ) - 1
+    image, account = BeamPlan(scene, (200, 200), dtype=torch.float64).trace(
+        {"exit": torch.tensor(lens["exit"])}
+    )
+    x = (np.arange(64) + 0.5) / 64 * 0.8 - 0.4
+    lit = image.numpy() > 1e-9
+    assert np.hypot(x, x[:, None])[lit].max() == pytest.approx(
+        widest, abs=0.02
+    )  # a pixel and a cell
+    assert account.lost["off_screen"] == 0
+
+
+def test_an_outline_that_is_none_is_refused(make_scene):
+    with pytest.raises(Refused, match=r"lens.outline.*'hexagon'.*'rectangle'.*'ellipse'"):
+        make_scene({"lens.outline": "hexagon"})
