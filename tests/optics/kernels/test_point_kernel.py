@@ -14,6 +14,7 @@ from workbench.optics.reference import Reference
 POINT = {"kind": "point", "position": [0, 0, -5.0], "rays": 6000}
 ASIDE = POINT | {"position": [0.6, -0.4, -2.0], "emission": "lambertian"}
 GRID = {"kind": "grid", "center": [0, 0.1, -5], "half_width": [1, 1], "points": [5, 4], "rays": 300}
+PARALLEL = {"kind": "collimated", "rays": [60, 60]}
 # A filter without kinks: hits that differ by rounding have gradients that do.
 SMOOTH = {"kind": "gaussian", "size": [5, 5], "alpha": 4.0}
 DTYPES = [torch.float64, torch.float32]
@@ -90,8 +91,9 @@ LOSSES = [
 
 @pytest.mark.parametrize("dtype", DTYPES)
 @pytest.mark.parametrize("losses", LOSSES)
-def test_losses_on_the_way(make_scene, rng, losses, dtype):
-    scene = make_scene({"source": ASIDE, "filter": SMOOTH} | losses)
+@pytest.mark.parametrize("source", [ASIDE, PARALLEL], ids=["aside", "parallel"])
+def test_losses_on_the_way(make_scene, rng, source, losses, dtype):
+    scene = make_scene({"source": source, "filter": SMOOTH} | losses)
     same(scene, twins(scene, dtype), face(scene, "wavy", rng), rng, dtype)
 
 

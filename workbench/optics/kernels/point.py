@@ -79,7 +79,8 @@ class FusedPointRays:
         self._path, self._exit = path, face
         self.kind = kind_of(path.dtype)
         self.face = Face(face.net, path.dtype)
-        self.glass = make_glass(face.law, path.receiver.z, face.absorption, self.kind)
+        start = _start(path) if face.absorption > 0 else 0.0
+        self.glass = make_glass(face.law, path.receiver.z, face.absorption, start, self.kind)
         self._sorted: Sorted | None = None
 
     def image(self, heights: Mapping[str, Tensor], screen: Screen, filter: Filter) -> Light:
@@ -103,6 +104,12 @@ class FusedPointRays:
     def remember(self, known: Sorted) -> None:
         """Where the rays met the last lens."""
         self._sorted = known
+
+
+def _start(path: Path) -> float:
+    """The z of the face that rays passed last, counted from the path's datum."""
+    z = path.rays.position[2]
+    return z.flatten()[0].item() if z.numel() else 0.0
 
 
 class _Passes:
@@ -161,7 +168,7 @@ def compile_for(dtype: torch.dtype) -> None:
     face, heights = Face(net, dtype), np.zeros(net.shape, kind)
     known = arrange(face.net, None, np.zeros((5, 1), kind), np.zeros(1, kind))
     bounds, table = face.bounds(heights, known.steepest), make_table(heights, face.powers)
-    glass = make_glass(TransmittanceLaw.fresnel(1.5), 1.5, 0.0, kind)
+    glass = make_glass(TransmittanceLaw.fresnel(1.5), 1.5, 0.0, 0.0, kind)
     screen = Screen(z=1.0, half_width=(1.0, 1.0), pixels=(2, 2))
     spread = make_spread(screen, GaussianFilter(), kind)
     canvas, d_table = make_canvases(spread, 1)[0], np.zeros(table.shape)

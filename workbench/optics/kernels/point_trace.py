@@ -67,6 +67,8 @@ class Glass(NamedTuple):
         From the entrance face to the screen.
     absorption : floating
         Of the glass, per length.
+    start : floating
+        Where the glass begins, counted as depths are.
     law : TransmittanceLaw
         How the exit face refracts.
     """
@@ -76,15 +78,20 @@ class Glass(NamedTuple):
     critical: np.floating[Any]
     distance: np.floating[Any]
     absorption: np.floating[Any]
+    start: np.floating[Any]
     law: TransmittanceLaw
 
 
 def make_glass(
-    law: TransmittanceLaw, distance: float, absorption: float, kind: type[np.floating[Any]]
+    law: TransmittanceLaw,
+    distance: float,
+    absorption: float,
+    start: float,
+    kind: type[np.floating[Any]],
 ) -> Glass:
     """Prepare a lens, and a screen at some distance, for kernels of a float type."""
     critical = 16 * float(np.finfo(kind).eps)
-    numbers = (law.ratio, 1 - law.ratio**2, critical, distance, absorption)
+    numbers = (law.ratio, 1 - law.ratio**2, critical, distance, absorption, start)
     return Glass._make([*map(kind, numbers), law.cast(kind)])
 
 
@@ -259,7 +266,7 @@ def _absorb(glass, w, count):  # type: ignore[no-untyped-def]
     one, absorbed = kind(1), kind(0)
     for ray in range(count):
         a, b = w[at(SLOPE_X, ray)], w[at(SLOPE_Y, ray)]
-        way = w[at(DEPTH, ray)] * math.sqrt(one + a * a + b * b)
+        way = abs(w[at(DEPTH, ray)] - glass.start) * math.sqrt(one + a * a + b * b)
         met = w[at(STATE, ray)] == kind(MET)
         left = w[at(FLUX, ray)] * math.exp(-glass.absorption * way) if met else w[at(FLUX, ray)]
         absorbed += w[at(FLUX, ray)] - left
@@ -314,7 +321,10 @@ def _hit_adjoint(net, glass, spread, w, count):  # type: ignore[no-untyped-def]
         c_cos_out = c_cosines + c_part * by_out
         c_cos_in = glass.eta * (c_cosines + c_cos_out * glass.eta * cos_in / cos_out)
         c_cos_in += c_part * by_in
-        c_depth -= w[at(D_WEIGHT, ray)] * w[at(WEIGHT, ray)] * glass.absorption / d_z
+        per_depth = glass.absorption / d_z
+        forward = w[at(DEPTH, ray)] > glass.start
+        c_absorbed = w[at(D_WEIGHT, ray)] * w[at(WEIGHT, ray)] * per_depth
+        c_depth += -c_absorbed if forward else c_absorbed
         c_length += c_cos_in * cos_in / length
         c_normal = c_length * length * length * length
         c_z_x -= c_cos_in * d_x * length + c_normal * z_x
