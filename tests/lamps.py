@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 
 from tests.measured.photometry.files import GAMMA, candela, ies
+from tests.measured.rays.files import tm25
 
 DISTANCE, THICKNESS, SCREEN = 2.0, 0.5, 5.0
 
@@ -54,3 +55,19 @@ def behind_plate(radius: np.ndarray, power: float = 3.0) -> np.ndarray:
     total = 2 * np.pi / (power + 1)
     lit = np.cos(a) ** power * into * out * np.sin(a) / (r * slope) / total
     return np.interp(radius, r, lit)
+
+
+def led(folder: Path, count: int = 200_000) -> dict[str, Any]:
+    """A source of rays of an LED of 0.5 × 0.3 cm, turned about z, in millimetres."""
+    generator = np.random.default_rng(5)
+    sine2, around = generator.random((2, count)) * [[1.0], [2 * np.pi]]
+    table = np.zeros((count, 7), np.float32)
+    table[:, 0] = generator.uniform(-2.5, 2.5, count)
+    table[:, 1] = generator.uniform(-1.5, 1.5, count)
+    table[:, 3:5] = (np.sqrt(sine2) * [np.cos(around), np.sin(around)]).T
+    table[:, 5] = np.sqrt(1 - sine2)
+    table[:, 6] = 1.0
+    path = folder / "led.tm25ray"
+    path.write_bytes(tm25(table))
+    source = {"kind": "ray_file", "file": str(path), "position": [0.1, 0.0, -3.0]}
+    return source | {"rotation": [0.0, 0.0, 30.0]}

@@ -5,11 +5,12 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
 from workbench.analysis.tracing.sources.cones import covering_cones
 from workbench.analysis.tracing.sources.turning import file_axes
 from workbench.errors import Refused
-from workbench.measured.lamps import intensity_of
+from workbench.measured.lamps import intensity_of, ray_model
 from workbench.scene import (
     CollimatedSource,
     GridSource,
@@ -17,6 +18,7 @@ from workbench.scene import (
     LightOfPoints,
     PhotometricSource,
     PointSource,
+    RayFileSource,
     Source,
 )
 
@@ -30,6 +32,7 @@ _FADE = 1e-3
 _SLIDE = 1024
 _EVEN = {"type": "rgb", "value": 1.0}
 
+Array = npt.NDArray[np.float64]
 Lights = tuple[dict[str, Any], float]
 
 
@@ -100,8 +103,32 @@ def _points(mi: Any, source: LightOfPoints, lens: Lens, unit: float) -> Lights:
 
 
 def _lamp(mi: Any, source: PhotometricSource, lens: Lens, unit: float) -> Lights:
+    """A spot behind a slide with the intensities of the file."""
+    table, turned = intensity_of(source), file_axes(source.rotation).inv()
+    point = np.array(source.position)
+    light = _slide(mi, point, lens, unit, lambda ahead: table.at(turned.apply(ahead)))
+    return {"light": light}, table.lumens
+
+
+def _points_of_rays(mi: Any, source: RayFileSource, lens: Lens, unit: float) -> Lights:
+    """Spots behind slides for the points that stand for the rays: Mitsuba has no light of rays."""
+    model = ray_model(source, lens, source.point_count)
+    lights = {}
+    for number, point in enumerate(model.places):
+
+        def intensity(ahead: Array, number: int = number) -> Array:
+            x, y, z = ahead.T
+            return model.intensity(np.full(len(ahead), number), (x, y, z))
+
+        lights[f"light{number}"] = _slide(mi, point, lens, unit, intensity)
+    return lights, 1.0
+
+
+def _slide(
+    mi: Any, place: Array, lens: Lens, unit: float, intensity: Callable[[Array], Array]
+) -> dict[str, Any]:
     """A spot into the cone that just covers the lens, behind a slide with its intensities."""
-    point = np.array([source.position]) / unit
+    point = place[None, :] / unit
     half_width = (lens.half_width[0] / unit, lens.half_width[1] / unit)
     cone = covering_cones(point, half_width, lens.entrance_z / unit)
     axis, angle = cone.axis[0], 2 * math.asin(math.sqrt(cone.versine[0] / 2))
@@ -109,13 +136,11 @@ def _lamp(mi: Any, source: PhotometricSource, lens: Lens, unit: float) -> Lights
     # Directions through the middles of the slide's pixels; the slide is as wide as the cone.
     tangent = (2 * (np.arange(_SLIDE) + 0.5) / _SLIDE - 1) * math.tan(angle * (1 + _FADE))
     x, y = np.meshgrid(tangent, tangent)
-    local = np.stack([x, y, np.ones_like(x)], axis=-1)
-    local /= np.linalg.norm(local, axis=-1, keepdims=True)
-    ahead = local @ np.array(look.matrix)[:3, :3].T
-    table = intensity_of(source)
-    intensity = table.at(file_axes(source.rotation).inv().apply(ahead.reshape(-1, 3)))
-    slide = mi.Bitmap(intensity.reshape(x.shape).astype(np.float32)[..., None])
-    light = {
+    local = np.stack([x, y, np.ones_like(x)], axis=-1).reshape(-1, 3)
+    local /= np.linalg.norm(local, axis=1, keepdims=True)
+    lit = intensity(local @ np.array(look.matrix)[:3, :3].T)
+    slide = mi.Bitmap(lit.reshape(x.shape).astype(np.float32)[..., None])
+    return {
         "type": "spot",
         "to_world": look,
         "intensity": _EVEN,
@@ -123,7 +148,6 @@ def _lamp(mi: Any, source: PhotometricSource, lens: Lens, unit: float) -> Lights
         "beam_width": math.degrees(angle),
         "cutoff_angle": math.degrees(angle) * (1 + _FADE),
     }
-    return {"light": light}, table.lumens
 
 
 _LIGHTS: Mapping[type, Callable[[Any, Any, Lens, float], Lights]] = {
@@ -131,4 +155,5 @@ _LIGHTS: Mapping[type, Callable[[Any, Any, Lens, float], Lights]] = {
     PointSource: _points,
     GridSource: _points,
     PhotometricSource: _lamp,
+    RayFileSource: _points_of_rays,
 }

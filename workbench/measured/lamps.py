@@ -10,8 +10,10 @@ from typing import BinaryIO, TypeVar
 from workbench.errors import Refused
 from workbench.measured.photometry import IntensityTable, read_photometry
 from workbench.measured.rays import RaySet, read_rays
+from workbench.measured.rays.model import RayModel, model_of
+from workbench.measured.rays.placed import PlacedRays, placed
 from workbench.reading import opened
-from workbench.scene import MeasuredSource, PhotometricSource, RayFileSource
+from workbench.scene import Lens, MeasuredSource, PhotometricSource, RayFileSource
 
 T = TypeVar("T")
 
@@ -39,6 +41,26 @@ def rays_of(source: RayFileSource) -> RaySet:
     if rays.unit is None and source.file_unit is None:
         raise Refused("source.file_unit", f"missing; '{source.file}' does not name its unit")
     return rays
+
+
+def placed_rays(source: RayFileSource) -> PlacedRays:
+    """The rays of a source's file where they are in the scene; raises as `rays_of`."""
+    return _placed(source, source.unit, rays_of(source))
+
+
+def ray_model(source: RayFileSource, lens: Lens, points: int) -> RayModel:
+    """The light of a source's rays to a lens as that of points; see `RayModel`.
+
+    Raises
+    ------
+    Refused
+        If no ray comes to the lens, and as `rays_of`.
+    """
+    try:
+        face = (lens.half_width, lens.entrance_z)
+        return _model(source, source.unit, rays_of(source), *face, points)
+    except ValueError as error:
+        raise Refused("source.file", f"'{source.file}' gives the lens no light: {error}") from None
 
 
 def check_file(source: object) -> None:
@@ -85,6 +107,25 @@ def _intensity(file: str, data: bytes | None, state: object) -> IntensityTable:
 @lru_cache(maxsize=2)
 def _rays(file: str, data: bytes | None, state: object) -> RaySet:
     return _from(file, data, read_rays)
+
+
+# Their keys are what places rays: sets of rays differ by what they are, not by what they hold.
+@lru_cache(maxsize=2)
+def _placed(source: RayFileSource, unit: str, rays: RaySet) -> PlacedRays:
+    file_unit = source.file_unit or rays.unit or unit
+    return placed(rays, file_unit, unit, source.matrix, source.position)
+
+
+@lru_cache(maxsize=4)
+def _model(
+    source: RayFileSource,
+    unit: str,
+    rays: RaySet,
+    half_width: tuple[float, float],
+    z: float,
+    points: int,
+) -> RayModel:
+    return model_of(_placed(source, unit, rays), half_width, z, points)
 
 
 def _from(file: str, data: bytes | None, read: Callable[[Path, BinaryIO], T]) -> T:

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 
 Array = npt.NDArray[np.float64]
 
+_POINTS = 16
 Angle = Annotated[float, Field(ge=-360, le=360)]
 _FileUnit = Literal["mm", "cm", "m", "inch"]
 _Rotation = Annotated[
@@ -122,10 +123,16 @@ class MeasuredSource(AnySource):
         return self.model_copy(update={"position": place})
 
     def check_before(self, lens: Lens) -> None:
-        """Refuse a place that is too far from the lens to compute with."""
+        """Refuse a lens that is not behind it, or too near or too far, as a point does."""
         x, y, z = self.position
-        aside = [("source.position[0]", x), ("source.position[1]", y), ("source.position[2]", z)]
+        if z >= lens.entrance_z:
+            raise Refused(
+                "source.position[2]",
+                f"{z:g} is not before the entrance face; less than {lens.entrance_z:g}",
+            )
+        aside = [("source.position[0]", x), ("source.position[1]", y)]
         limits.check_lengths(aside, lens.half_width, limits.FARTHEST)
+        limits.check_way("source.position[2]", lens.entrance_z - z, lens.half_width)
 
 
 class PhotometricSource(MeasuredSource):
@@ -162,17 +169,6 @@ class PhotometricSource(MeasuredSource):
     def point(self) -> PointSource:
         """As if it shone alike everywhere."""
         return PointSource(kind="point", position=self.position)
-
-    def check_before(self, lens: Lens) -> None:
-        """Refuse a lens that is not behind it, or too near or too far, as a point does."""
-        super().check_before(lens)
-        z = self.position[2]
-        if z >= lens.entrance_z:
-            raise Refused(
-                "source.position[2]",
-                f"{z:g} is not before the entrance face; less than {lens.entrance_z:g}",
-            )
-        limits.check_way("source.position[2]", lens.entrance_z - z, lens.half_width)
 
 
 class RayFileSource(MeasuredSource):
@@ -211,6 +207,11 @@ class RayFileSource(MeasuredSource):
     def begun(cls, scene: "Scene") -> dict[str, Any]:
         """Where the scene's source is."""
         return {"position": scene.source.place or in_front(scene.lens)}
+
+    @property
+    def point_count(self) -> int:
+        """How many points stand for its rays in designs."""
+        return _POINTS
 
     @property
     def point(self) -> PointSource:

@@ -8,7 +8,7 @@ from pydantic import ConfigDict, Field
 from workbench.scene.fields import about
 from workbench.scene.grid_source import GridSource
 from workbench.scene.kinds import Kinds
-from workbench.scene.measured_source import PhotometricSource
+from workbench.scene.measured_source import PhotometricSource, RayFileSource
 from workbench.scene.points import AnySource, PointSource
 
 if TYPE_CHECKING:
@@ -50,4 +50,6 @@ class CollimatedSource(AnySource):
         return True, True
 
 
-Source = Annotated[CollimatedSource | PointSource | GridSource | PhotometricSource, Kinds("kind")]
+Source = Annotated[
+    CollimatedSource | PointSource | GridSource | PhotometricSource | RayFileSource, Kinds("kind")
+]

@@ -16,12 +16,14 @@ from workbench.optics.sources.collimated import CollimatedEmitter
 from workbench.optics.sources.origins import Origins
 from workbench.optics.sources.photometric import PhotometricEmitter
 from workbench.optics.sources.points import PointEmitter
+from workbench.optics.sources.ray_file import RayFileEmitter
 from workbench.scene import (
     CollimatedSource,
     GridSource,
     Lens,
     PhotometricSource,
     PointSource,
+    RayFileSource,
     Source,
 )
 
@@ -102,6 +104,7 @@ _EMITTERS: Mapping[type, Callable[[Any, Lens, Samples | None], Emitter]] = {
     PointSource: PointEmitter,
     GridSource: PointEmitter,
     PhotometricSource: PhotometricEmitter,
+    RayFileSource: RayFileEmitter,
 }
 
 

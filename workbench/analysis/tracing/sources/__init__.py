@@ -11,12 +11,14 @@ from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.collimated import CollimatedLight
 from workbench.analysis.tracing.sources.photometric import PhotometricLight
 from workbench.analysis.tracing.sources.points import PointLight
+from workbench.analysis.tracing.sources.ray_file import RayFileLight
 from workbench.scene import (
     CollimatedSource,
     GridSource,
     Lens,
     PhotometricSource,
     PointSource,
+    RayFileSource,
     Source,
 )
 
@@ -25,6 +27,7 @@ _SOURCES: Mapping[type, Callable[[Any, Lens, Pose, int, int], LightSource]] = {
     PointSource: PointLight,
     GridSource: PointLight,
     PhotometricSource: PhotometricLight,
+    RayFileSource: RayFileLight,
 }
 
 

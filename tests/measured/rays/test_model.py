@@ -1,0 +1,79 @@
+"""Points that stand for rays."""
+
+import numpy as np
+import pytest
+
+from tests.lamps import led
+from workbench.errors import Refused
+from workbench.measured.lamps import placed_rays, ray_model
+from workbench.scene import Scene
+
+
+@pytest.fixture
+def scene(make_scene, tmp_path) -> Scene:
+    return make_scene({"source": led(tmp_path)})
+
+
+def test_rays_are_turned_moved_and_measured_in_the_unit_of_the_scene(scene):
+    rays = placed_rays(scene.source)
+
+    x, y, z = rays.position.T - np.array([[0.1], [0.0], [-3.0]])
+    back = np.radians(-30)
+    along = x * np.cos(back) - y * np.sin(back), x * np.sin(back) + y * np.cos(back)
+    assert [np.abs(part).max() for part in along] == pytest.approx([0.25, 0.15], abs=1e-3)
+    assert np.abs(z).max() < 1e-6
+    assert rays.flux.sum() == pytest.approx(1)
+    in_mm = placed_rays(scene.in_unit("mm").source)
+    assert np.allclose(in_mm.position, 10 * rays.position)
+
+
+def test_points_stand_on_the_emitter_and_have_the_light_of_its_rays(scene):
+    model = ray_model(scene.source, scene.lens, 16)
+
+    assert len(model.places) == 16
+    assert np.allclose(model.places[:, 2], -3, atol=0.1)
+    assert np.allclose(model.places.mean(axis=0)[:2], [0.1, 0], atol=0.01)
+    assert model.spread < 0.35  # 1/4, for points on a grid of 4 × 4
+    steps = (2 * (np.arange(300) + 0.5) / 300 - 1) * 0.9
+    across, up = (part.ravel() for part in np.meshgrid(steps, steps))
+    flux = 0.0
+    for k, place in enumerate(model.places):
+        ways = across - place[0], up - place[1], np.full(len(up), -place[2])
+        length = np.sqrt(np.square(ways).sum(axis=0))
+        ahead = tuple(way / length for way in ways)
+        lit = model.intensity(np.full(len(up), k), ahead) * ahead[2] / length**2
+        flux += lit.sum() * (1.8 / 300) ** 2
+    x, y, come = placed_rays(scene.source).onto(0.0)
+    come &= (np.abs(x) <= 0.9) & (np.abs(y) <= 0.9)
+    assert flux == pytest.approx(come.mean(), rel=0.005)
+
+
+def test_intensity_of_points_is_that_of_an_even_emitter(scene):
+    model = ray_model(scene.source, scene.lens, 4)
+    steps = np.linspace(-0.2, 0.2, 9)
+    x, y = (part.ravel() for part in np.meshgrid(steps, steps))
+    length = np.sqrt(x**2 + y**2 + 1)
+    directions = x / length, y / length, 1 / length
+
+    found = sum(model.intensity(np.full(len(x), k), directions) for k in range(4))
+
+    assert found.mean() == pytest.approx((directions[2] / np.pi).mean(), rel=0.02)
+    assert np.allclose(found, directions[2] / np.pi, rtol=0.12)
+
+
+def test_rays_that_all_go_elsewhere_are_refused(make_scene, tmp_path):
+    source = led(tmp_path) | {"rotation": [180.0, 0.0, 0.0]}
+    scene = make_scene({"source": source})
+
+    with pytest.raises(Refused, match=r"^source\.file: .* gives the lens no light: no ray of it"):
+        ray_model(scene.source, scene.lens, 16)
+
+
+def test_a_file_without_a_unit_needs_one_in_the_scene(make_scene, tmp_path):
+    path = tmp_path / "led.csv"
+    path.write_text("0,0,0,0,0,1,1\n0,0,0,0.6,0,0.8,1\n")
+    source = {"kind": "ray_file", "file": str(path), "position": [0.0, 0.0, -3.0]}
+
+    with pytest.raises(Refused, match=r"^source\.file_unit: missing; .*led\.csv"):
+        placed_rays(make_scene({"source": source}).source)
+    assert len(placed_rays(make_scene({"source": source | {"file_unit": "cm"}}).source).flux) == 2

@@ -1,0 +1,182 @@
+"""Rays as light of a few points: smooth, so that beams of it have no noise.
+
+The points stand where the bundle of rays to a lens is narrowest. Each stands for the rays that come
+from around it, and what comes from it to each place of the lens's plane is a histogram of where
+these cross it. So all light keeps its place on the lens, and its direction errs by how far a ray's
+start there is from its point.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from workbench.measured.rays.placed import PlacedRays
+
+Array = npt.NDArray[np.float64]
+Index = npt.NDArray[np.intp]
+
+# The histogram goes beyond the lens by this factor: lenses that are out of their place see it.
+_WIDER = 1.2
+# Rays in each of its cells, about, and its cells along each axis.
+_PER_CELL = 24
+_FEWEST, _MOST = 4, 48
+# Standard deviation in cells of what smooths it; and parts of a cell of what it is compared with.
+_SMOOTH = 0.6
+_FINER = 4
+# Nearest and farthest that the points are from the lens, in its half-widths.
+_NEAREST, _FARTHEST = 1e-2, 1e4
+
+
+class RayModel(NamedTuple):
+    """Light of points that stand for rays.
+
+    Attributes
+    ----------
+    places : ndarray, shape (k, 3)
+        The points, scene units; all have the same z.
+    radiance : ndarray, shape (k, n, n)
+        Intensity over its cosine to +z of each point, towards middles of equal cells of the lens's
+        plane along x and y: that of a Lambertian emitter is even.
+    extent : tuple[float, float]
+        The cells fill −extent to extent along x and y.
+    z : float
+        Where the plane is.
+    spread : float
+        How far rays start from their points, in the root mean square; over the same for a single
+        point.
+    """
+
+    places: Array
+    radiance: Array
+    extent: tuple[float, float]
+    z: float
+    spread: float
+
+    def intensity(self, origin: Index, direction: tuple[Array, Array, Array]) -> Array:
+        """Flux per solid angle of points into directions; what the source emits in all is 1."""
+        d_x, d_y, d_z = direction
+        way = self.z - self.places[0, 2]
+        ahead = np.where(d_z > 0, d_z, 1.0)
+        x = self.places[origin, 0] + way * d_x / ahead
+        y = self.places[origin, 1] + way * d_y / ahead
+        return np.asarray(np.where(d_z > 0, self._at(origin, x, y) * d_z, 0.0))
+
+    def _at(self, origin: Index, x: Array, y: Array) -> Array:
+        """Radiance towards places, linear between the cells' middles."""
+        n = self.radiance.shape[1]
+        (e_x, e_y) = self.extent
+        column, row = (x / e_x + 1) * n / 2 - 0.5, (y / e_y + 1) * n / 2 - 0.5
+        i, j = (np.clip(np.floor(c), 0, n - 2).astype(np.intp) for c in (column, row))
+        a, b = np.clip(column - i, 0, 1), np.clip(row - j, 0, 1)
+        d = self.radiance
+        low = (1 - b) * d[origin, i, j] + b * d[origin, i, j + 1]
+        high = (1 - b) * d[origin, i + 1, j] + b * d[origin, i + 1, j + 1]
+        inside = (np.abs(x) <= e_x) & (np.abs(y) <= e_y)
+        return np.where(inside, (1 - a) * low + a * high, 0.0)
+
+
+def model_of(rays: PlacedRays, half_width: tuple[float, float], z: float, points: int) -> RayModel:
+    """Make a model of the rays that come to a lens.
+
+    Parameters
+    ----------
+    rays : PlacedRays
+        The rays.
+    half_width : tuple[float, float]
+        Of the lens.
+    z : float
+        Where its entrance face is.
+    points : int
+        How many points there are; rounded down to a power of 2.
+
+    Raises
+    ------
+    ValueError
+        If no ray comes to the lens.
+    """
+    extent = (_WIDER * half_width[0], _WIDER * half_width[1])
+    x, y, come = rays.onto(z)
+    come &= (np.abs(x) <= extent[0]) & (np.abs(y) <= extent[1]) & (rays.flux > 0)
+    if not come.any():
+        raise ValueError("no ray of it comes to the lens")
+    flux, crossing = rays.flux[come], np.column_stack([x, y])[come]
+    slope = rays.direction[come, :2] / rays.direction[come, 2:]
+    way = _way_from_waist(crossing, slope, flux, max(half_width))
+    start = crossing - way * slope
+    groups = _groups(start, flux, points)
+    k = int(groups.max()) + 1
+    share = np.bincount(groups, flux, k)
+    middle = np.column_stack([np.bincount(groups, flux * s, k) for s in start.T]) / share[:, None]
+    n = int(np.clip(np.sqrt(len(flux) / k / _PER_CELL), _FEWEST, _MOST))
+    counted = _histograms(groups, crossing, flux, (k, n), extent)
+    radiance = counted / _even(middle, way, n, extent)
+    mean = (flux @ start) / flux.sum()
+    near, all_of_it = (
+        np.sqrt(flux @ np.square(start - about).sum(axis=1)) for about in (middle[groups], mean)
+    )
+    places = np.column_stack([middle, np.full(k, z - way)])
+    return RayModel(places, radiance, extent, z, float(near / all_of_it) if all_of_it > 0 else 0.0)
+
+
+def _way_from_waist(crossing: Array, slope: Array, flux: Array, size: float) -> float:
+    """How far before the plane the bundle is narrowest: least variance of places."""
+    part = flux / flux.sum()
+    from_middle, turned = (each - part @ each for each in (crossing, slope))
+    spread = float(part @ np.square(turned).sum(axis=1))
+    together = float(part @ (from_middle * turned).sum(axis=1))
+    if not 0 < together < _FARTHEST * size * spread:
+        return _FARTHEST * size if together >= 0 else _NEAREST * size
+    return max(together / spread, _NEAREST * size)
+
+
+def _groups(start: Array, flux: Array, points: int) -> Index:
+    """Neighbours of equal flux: each group is cut in two across its wider side, again and again."""
+    groups = np.zeros(len(flux), dtype=np.intp)
+    for _ in range(max(points, 1).bit_length() - 1):
+        halves = np.zeros_like(groups)
+        for number in range(int(groups.max()) + 1):
+            members = np.flatnonzero(groups == number)
+            if len(members) < 2 * _PER_CELL:
+                continue
+            places = start[members]
+            along = places[:, int(np.argmax(np.ptp(places, axis=0)))]
+            order = np.argsort(along, kind="stable")
+            sums = np.cumsum(flux[members[order]])
+            halves[members[order[np.searchsorted(sums, sums[-1] / 2) + 1 :]]] = 1
+        groups = np.unique(2 * groups + halves, return_inverse=True)[1]
+    return groups
+
+
+def _histograms(
+    groups: Index, crossing: Array, flux: Array, shape: tuple[int, int], extent: tuple[float, float]
+) -> Array:
+    """Flux of each group in n × n cells, a little smoothed."""
+    from scipy.ndimage import gaussian_filter1d  # late: it takes long to import
+
+    k, n = shape
+    i, j = (
+        np.clip(((c / e + 1) * n / 2).astype(np.intp), 0, n - 1)
+        for c, e in zip(crossing.T, extent, strict=True)
+    )
+    counted = np.bincount((groups * n + i) * n + j, flux, k * n * n).reshape(k, n, n)
+    for axis in (1, 2):
+        counted = gaussian_filter1d(counted, _SMOOTH, axis=axis, mode="reflect")
+    return np.asarray(counted)
+
+
+def _even(middle: Array, way: float, n: int, extent: tuple[float, float]) -> Array:
+    """Flux in the same cells of points with an intensity of the cosine to +z, smoothed alike."""
+    from scipy.ndimage import gaussian_filter1d  # late: it takes long to import
+
+    m = n * _FINER
+    x, y = (
+        ((2 * (np.arange(m) + 0.5) / m - 1) * e - place[:, None]) ** 2
+        for e, place in zip(extent, middle.T, strict=True)
+    )
+    across = (x[:, :, None] + y[:, None, :]) / way**2
+    lit = 1 / (1 + across) ** 2 * 4 * extent[0] * extent[1] / (m * way) ** 2
+    cells = lit.reshape(len(middle), n, _FINER, n, _FINER).sum(axis=(2, 4))
+    for axis in (1, 2):
+        cells = gaussian_filter1d(cells, _SMOOTH, axis=axis, mode="reflect")
+    return np.asarray(cells)
