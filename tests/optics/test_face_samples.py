@@ -5,6 +5,7 @@ import pytest
 import torch
 
 from tests.optics.gradients import check_against_differences, check_both_modes
+from tests.optics.landing import places_of
 from tests.optics.points import (
     DTYPES,
     GRID,
@@ -38,7 +39,9 @@ def light_of(scene, heights, samples=None, dtype=torch.float64):
 
 def image_of(arrival, scene):
     flux = arrival.rays.flux
-    return reconstruct(arrival.x, arrival.y, flux, scene.screen, scene.filter).double()
+    return reconstruct(
+        arrival.column, arrival.row, flux, scene.screen.pixels, scene.filter
+    ).double()
 
 
 def distance(image, other):
@@ -53,8 +56,8 @@ def test_an_oval_of_equal_paths_brings_all_light_to_one_point(make_scene, dtype)
     arrives = (hits.rays.flux > 0).numpy()
     assert arrives.mean() > 0.8  # steep corners reflect it
     accuracy = 1e-6 if dtype == torch.float64 else 3e-5
-    assert hits.x[arrives].abs().max() < accuracy
-    assert hits.y[arrives].abs().max() < accuracy
+    for place in places_of(hits, scene.screen):
+        assert place[arrives].abs().max() < accuracy
 
 
 @pytest.mark.parametrize(("emission", "power"), [("uniform", 3), ("lambertian", 4)])
@@ -101,8 +104,9 @@ def test_light_from_very_far_is_collimated(make_scene):
     heights = smooth(far)
     hits, others = light_of(far, heights, (90, 80)), light_of(parallel, heights)
     assert torch.equal(hits.rays.alive, others.rays.alive)
-    assert (hits.x - others.x).abs().max() < 1e-3
-    assert (hits.y - others.y).abs().max() < 1e-3
+    found, expected = (places_of(each, far.screen) for each in (hits, others))
+    for place, other in zip(found, expected, strict=True):
+        assert (place - other).abs().max() < 1e-3
     flux, parallel_flux = hits.rays.flux, others.rays.flux
     ratio = flux / flux.sum() * parallel_flux.sum() / parallel_flux
     assert (ratio - 1).abs().max() < 1e-3

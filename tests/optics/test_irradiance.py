@@ -8,7 +8,7 @@ import torch
 from hypothesis import given
 from hypothesis import strategies as st
 
-from workbench.optics.irradiance import reconstruct
+from tests.optics.landing import image_at
 from workbench.scene import BoxFilter, GaussianFilter, Screen
 
 SCREEN = Screen(z=5.0, half_width=(3.0, 2.0), pixels=(12, 8))  # pixels of 0.5 x 0.5
@@ -33,10 +33,10 @@ def test_every_rays_weight_is_conserved(filter, dtype, rng):
     x = torch.as_tensor(rng.normal(0, 3, 4000), dtype=dtype)
     y = torch.as_tensor(rng.normal(0, 3, 4000), dtype=dtype)
     weight = torch.as_tensor(rng.random(4000), dtype=dtype)
-    image = reconstruct(x, y, weight, SCREEN, filter)
+    image = image_at(x, y, weight, SCREEN, filter)
     # The same pixels in the middle of so many that all light falls on some.
     wide = Screen(z=5.0, half_width=(33.0, 22.0), pixels=(132, 88))
-    flux = reconstruct(x, y, weight, wide, filter)
+    flux = image_at(x, y, weight, wide, filter)
     assert image.shape == (8, 12)
     assert (flux >= 0).all()
     slack = 1e-5 if dtype == torch.float32 else 1e-12
@@ -47,15 +47,15 @@ def test_every_rays_weight_is_conserved(filter, dtype, rng):
 @pytest.mark.parametrize("filter", FILTERS, ids=str)
 def test_the_upper_left_pixel_is_at_minus_x_plus_y(filter):
     x, y, weight = points((-2.75, 1.75))
-    flux = reconstruct(x, y, weight, SCREEN, filter)
+    flux = image_at(x, y, weight, SCREEN, filter)
     assert flux.argmax() == 0
     x, y, weight = points((2.75, 1.75))
-    assert reconstruct(x, y, weight, SCREEN, filter).argmax() == 11
+    assert image_at(x, y, weight, SCREEN, filter).argmax() == 11
 
 
 def test_a_ray_in_the_centre_of_its_pixel_is_spread_by_the_formula():
     filter = GaussianFilter(size=(3, 3), alpha=1.0)
-    flux = reconstruct(*points((0.25, 0.25)), SCREEN, filter).numpy()
+    flux = image_at(*points((0.25, 0.25)), SCREEN, filter).numpy()
     tap = np.array([math.exp(-d * d) - math.exp(-2.25) for d in (-1, 0, 1)])
     tap /= tap.sum()
     assert flux[2:5, 5:8] == pytest.approx(np.outer(tap, tap), abs=1e-15)
@@ -64,9 +64,9 @@ def test_a_ray_in_the_centre_of_its_pixel_is_spread_by_the_formula():
 
 def test_ghost_pixels_light_the_edge():
     filter = GaussianFilter(size=(3, 3), alpha=1.0)
-    just_beside = reconstruct(*points((3.1, 0.25)), SCREEN, filter)
+    just_beside = image_at(*points((3.1, 0.25)), SCREEN, filter)
     assert 0.1 < just_beside[:, -1].sum() < 0.5
-    beyond = reconstruct(*points((3.51, 0.25)), SCREEN, filter)
+    beyond = image_at(*points((3.51, 0.25)), SCREEN, filter)
     assert beyond.sum() == 0
 
 
@@ -75,7 +75,7 @@ def test_ghost_pixels_light_the_edge():
 def test_rays_that_go_nowhere_light_nothing(filter, bad):
     x, y, weight = points((bad, 0.1), (0.1, bad), (0.1, 0.1))
     x.requires_grad_()
-    image = reconstruct(x, y, weight, SCREEN, filter)
+    image = image_at(x, y, weight, SCREEN, filter)
     assert image.sum().item() == pytest.approx(1)
     if image.requires_grad:  # a box filter has no gradient
         image.square().sum().backward()
@@ -99,7 +99,7 @@ def test_gradient_is_that_of_central_differences(x, y, alpha, size):
 
     def brightness(x, y):
         one = torch.ones(1, dtype=torch.float64)
-        return (reconstruct(x, y, one, SCREEN, filter) * cotangent).sum()
+        return (image_at(x, y, one, SCREEN, filter) * cotangent).sum()
 
     at = [torch.tensor([c], dtype=torch.float64, requires_grad=True) for c in (x, y)]
     assert torch.autograd.gradcheck(brightness, at, eps=1e-6, atol=1e-6)
@@ -110,5 +110,5 @@ def test_a_million_rays_in_one_pixel_are_all_counted():
     weight = torch.full((rays,), 1.1 / rays)  # of which float32 would lose several per cent
     at = torch.zeros(rays)
     screen = Screen(z=5.0, half_width=(1.0, 1.0), pixels=(1, 1))
-    image = reconstruct(at, at, weight, screen, BoxFilter())
+    image = image_at(at, at, weight, screen, BoxFilter())
     assert image.item() == pytest.approx(float(weight.sum(dtype=torch.float64)), rel=1e-6)

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 import torch
 
+from tests.optics.landing import places_of
 from tests.optics.points import GRID, INDEX, POINT, smooth
 from tests.optics.rays import Given, bundle
 from workbench.geometry.outlines import Rectangle
@@ -51,7 +52,7 @@ def test_lost_rays_stay_in_the_bundle_without_flux(make_scene):
     assert arrival.rays.flux.shape == path.rays.flux.shape
     assert not arrival.rays.alive.all()
     assert not arrival.rays.flux[~arrival.rays.alive].any()
-    assert torch.isinf(arrival.x[~arrival.rays.alive]).all()
+    assert torch.isinf(arrival.column[~arrival.rays.alive]).all()
     assert all(part.isfinite().all() for part in arrival.rays.direction)
 
 
@@ -74,7 +75,8 @@ def test_light_beside_the_first_face_is_named_as_that_face_says(make_scene):
     arrival = path.walk({})
     assert arrival.lost["beside"].item() == 0.5
     assert arrival.lost["front_reflection"].item() == pytest.approx(0.5 * 0.04)
-    assert arrival.x.tolist() == [0.5]  # the ray that missed is gone before the walk begins
+    # The ray that missed is gone before the walk begins.
+    assert places_of(arrival, make_scene().screen)[0].tolist() == [0.5]
 
 
 @SOURCES
@@ -101,7 +103,9 @@ def test_a_plate_in_pieces_is_the_plate(make_scene, source):
     heights = {"exit": smooth(scene)}
     one, other = whole.walk(heights), pieces.walk(heights)
     for here, there in zip(
-        (one.x, one.y, one.rays.flux), (other.x, other.y, other.rays.flux), strict=True
+        (one.column, one.row, one.rays.flux),
+        (other.column, other.row, other.rays.flux),
+        strict=True,
     ):
         assert torch.allclose(here, there, rtol=0, atol=1e-12)
     assert other.lost["aside"].item() == 0
@@ -129,6 +133,7 @@ def test_a_screen_on_either_side_receives_the_light_that_goes_there(make_scene, 
     across = 0.5**0.5
     directions = [[across, 0, side * across], [across, 0, -across], [1, 0, 0]]
     rays = bundle([[0.0, 0.0, 0.0]] * 3, directions, [1 / 3] * 3)
-    receiver = PlaneReceiver(make_scene().screen.model_copy(update={"z": z}), 0.0)
+    screen = make_scene().screen.model_copy(update={"z": z})
     expected = [abs(z), np.inf if side > 0 else abs(z), np.inf]
-    assert receiver.places(rays)[0].tolist() == pytest.approx(expected)
+    columns = screen.to_pixels(np.array(expected), 0.0)[0].tolist()
+    assert PlaneReceiver(screen, 0.0).places(rays)[0].tolist() == pytest.approx(columns)

@@ -5,6 +5,7 @@ import pytest
 import torch
 
 from tests.optics.gradients import check_against_differences, check_both_modes
+from tests.optics.landing import places_of
 from tests.optics.points import (
     DTYPES,
     GRID,
@@ -57,8 +58,8 @@ def test_an_oval_of_equal_paths_brings_all_light_to_one_point(make_scene, dtype)
     arrives = (hits.rays.flux > 0).numpy()
     assert arrives.mean() > 0.9
     accuracy = 1e-6 if dtype == torch.float64 else 3e-5
-    assert hits.x[arrives].abs().max() < accuracy
-    assert hits.y[arrives].abs().max() < accuracy
+    for place in places_of(hits, scene.screen):
+        assert place[arrives].abs().max() < accuracy
 
 
 class TestFlatPlate:
@@ -71,7 +72,9 @@ class TestFlatPlate:
         outer = np.arctan2(radius, 2.0)
         inner = np.arcsin(np.sin(outer) / INDEX)
         reach = radius + 0.5 * np.tan(inner) + 4.5 * np.tan(outer)
-        assert torch.hypot(hits.x, hits.y).numpy() == pytest.approx(reach, abs=1e-12)
+        assert torch.hypot(*places_of(hits, scene.screen)).numpy() == pytest.approx(
+            reach, abs=1e-12
+        )
         share = 0.96 * (1 - (1 - np.cos(outer)) ** 5)  # Schlick, the same at both faces
         assert hits.rays.flux.numpy() == pytest.approx(share**2 / len(x), rel=1e-12)
 
@@ -110,7 +113,7 @@ def test_a_spherical_lens_focuses_where_the_lens_maker_says(make_scene):
         direction = np.array([[aperture, 0, distance]]) / np.hypot(aperture, distance)
         rays = bundle([[aperture, 0, 0]], direction, [1])
         (_, (start, _, depth)), hits = path.follow(rays, {"exit": control})
-        slope = (hits.x - start) / (60.0 - depth)
+        slope = (places_of(hits, scene.screen)[0] - start) / (60.0 - depth)
         crossings.append((depth - start / slope).item())
     paraxial = (4 * crossings[0] - crossings[1]) / 3  # without the term of second order
     assert paraxial == pytest.approx(image, rel=1e-4)
@@ -285,12 +288,12 @@ class TestHardCases:
         hits = in_glass(scene, [[0.05, 0, 0]] * 9, [aside] * 9, dtype).walk({"exit": smooth(scene)})
         assert hits.lost["left_side"].item() == pytest.approx(1, rel=1e-6)
         assert not hits.rays.flux.any()
-        assert torch.isinf(hits.x).all()
+        assert torch.isinf(hits.column).all()
         rays = bundle([[5.0, 0, 0]] * 9, [[0, 0, 1.0]] * 9, [1 / 9] * 9)
         hits = walked(scene, rays, smooth(scene), dtype)
         assert hits.lost["missed_lens"].item() == pytest.approx(1, rel=1e-12)
         assert hits.lost["left_side"] == 0
-        assert len(hits.x) == 0
+        assert len(hits.column) == 0
 
     @pytest.mark.parametrize("dtype", DTYPES)
     def test_all_light_totally_reflected(self, make_scene, dtype):

@@ -77,7 +77,7 @@ def test_no_kernel_stands_for_an_interface_that_it_does_not_know(make_scene, sou
     window = changed(path, steps=[entrance, exit_face._replace(interface=Unchanged())])
     assert kind(window) is None
     # Without refraction at the exit, light keeps its direction: more of it passes the screen by.
-    light = Reference(window).image({"exit": smooth(scene)}, scene.screen, scene.filter)
+    light = Reference(window).image({"exit": smooth(scene)}, scene.filter)
     assert light.account.lost["fresnel_exit"] == 0
     assert sum(account(light).values()) == pytest.approx(2, abs=1e-12)  # and once as emitted
 
@@ -92,7 +92,7 @@ def test_another_step_before_the_exit_face_needs_no_other_kernel(make_scene):
     stopped = changed(path, steps=[entrance, pane, exit_face])
     assert kind(stopped) is FusedPointRays
     lights = [
-        tracer(stopped).image({"exit": smooth(scene)}, scene.screen, scene.filter)
+        tracer(stopped).image({"exit": smooth(scene)}, scene.filter)
         for tracer in (FusedPointRays, Reference)
     ]
     assert torch.allclose(lights[0].flux, lights[1].flux, rtol=0, atol=1e-12)
@@ -110,7 +110,7 @@ def test_light_of_an_emitter_that_no_kernel_knows_is_traced_by_the_one_that_take
     path = changed(path_of(scene), emitter=Given(rays))
     assert kind(path) is FusedPointRays
     lights = [
-        tracer(path).image({"exit": smooth(scene)}, scene.screen, scene.filter)
+        tracer(path).image({"exit": smooth(scene)}, scene.filter)
         for tracer in (FusedPointRays, Reference)
     ]
     assert torch.allclose(lights[0].flux, lights[1].flux, rtol=0, atol=1e-12)

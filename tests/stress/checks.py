@@ -65,7 +65,7 @@ def ways(case: Case, dtype: torch.dtype) -> dict[str, list[Make]]:
 def see(tracer: Tracer, scene: Scene, heights: torch.Tensor, cotangent: torch.Tensor) -> Seen:
     """Trace a lens, and its gradient for a cotangent of the image."""
     leaf = heights.clone().requires_grad_()
-    light = tracer.image({"exit": leaf}, scene.screen, scene.filter)
+    light = tracer.image({"exit": leaf}, scene.filter)
     weighed = (light.flux * cotangent.to(light.flux.dtype)).sum()
     gradient = torch.zeros_like(heights)
     if weighed.requires_grad:

@@ -12,6 +12,7 @@ from ui.panels.edits import Edit, edited_scene, has_place
 from ui.panels.fields import Changes, ChoiceRow, Row
 from ui.panels.lens import LensPanel
 from ui.panels.panel import Panel, PartPanel
+from ui.panels.receiver import ReceiverPanel
 from ui.panels.rows import Rows
 from ui.panels.run import RunPanel
 from ui.panels.stages import StagesPanel
@@ -68,7 +69,13 @@ class Forms(QScrollArea):
         self._hint.hide()
         parts = {field.name: field for field in Scene.fields() if field.parts}
         self._target = TargetPanel(parts.pop("target"))
-        made = (_PANELS.get(name, PartPanel)(field) for name, field in parts.items())
+        made: list[Panel] = []
+        far_field = parts.pop("far_field")
+        for name, field in parts.items():
+            if name == "screen":
+                made.append(ReceiverPanel(field, far_field))
+            else:
+                made.append(_PANELS.get(name, PartPanel)(field))
         self.panels: list[Panel] = [ScenePanel(), self._target, *made, StagesPanel()]
         self._page = QWidget()
         column = QVBoxLayout(self._page)

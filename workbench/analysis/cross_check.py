@@ -127,7 +127,7 @@ def cross_check(
             through_focus(
                 scene,
                 heights,
-                [scene.screen.z],
+                None,
                 half,
                 seed + k,
                 watch=part_of(watch, 2 + k, 1, 4),

@@ -65,7 +65,7 @@ def screen_at(scene: Scene, heights: Mapping[str, Array], part: float) -> float:
         z of the screen.
     """
     highest = max(scene.lens.highest, float(heights["exit"].max()))
-    return highest + part * (scene.screen.z - highest)
+    return highest + part * (scene.receiver.plane_z - highest)
 
 
 def focus_series(

@@ -17,7 +17,6 @@ from workbench.geometry.bounds import to_bernstein
 from workbench.geometry.surface import ControlNet
 
 Array = npt.NDArray[np.float64]
-Mask = npt.NDArray[np.bool_]
 
 # Coefficients that are looked at together.
 _AT_ONCE = 1 << 20
@@ -40,9 +39,7 @@ class Bounds(NamedTuple):
     hump: float
 
 
-def shape_bounds(
-    net: ControlNet, heights: Array, parts: tuple[int, int], where: Mask | None = None
-) -> Bounds:
+def shape_bounds(net: ControlNet, heights: Array, parts: tuple[int, int]) -> Bounds:
     """Bounds of slope and curvature.
 
     Parameters
@@ -53,8 +50,6 @@ def shape_bounds(
         Control heights, scene units.
     parts : tuple[int, int]
         Equal parts of a knot span along x and y. The bounds close in with their number.
-    where : ndarray of bool, shape (parts along x, parts along y), optional
-        Which parts are looked at; all by default.
 
     Notes
     -----
@@ -63,12 +58,8 @@ def shape_bounds(
     (1 − (1 / ε − 1) δ²) + (1 − ε) g₀ g₀ᵀ; here ε = δ / |g₀|, or 1.
     """
     most = [0.0, 0.0, 0.0]
-    first = 0
     for p, q, r, s, t in _coefficients(net, heights, parts):
-        last = first + len(p)
-        seen = True if where is None else where[first:last, None, :, None]
-        first = last
-        most[0] = max(most[0], float(np.hypot(p, q).max(where=seen, initial=0.0)))
+        most[0] = max(most[0], float(np.hypot(p, q).max()))
         (mid_p, half_p), (mid_q, half_q) = _box(p), _box(q)
         off, size = np.hypot(half_p, half_q), np.hypot(mid_p, mid_q)
         even = 1 - (size - off).clip(0) * off
@@ -81,8 +72,7 @@ def shape_bounds(
         apart = np.sqrt((mean**2 - (r * t - s**2) / determinant).clip(0))
         stretch = np.sqrt(1 + (size - off).clip(0) ** 2)
         for number, curvature in ((1, mean + apart), (2, apart - mean)):
-            largest = (curvature / stretch).max(where=seen, initial=0.0)
-            most[number] = max(most[number], float(largest))
+            most[number] = max(most[number], float((curvature / stretch).max()))
     return Bounds(*most)
 
 

@@ -16,6 +16,7 @@ import numpy.typing as npt
 
 from workbench import system_libraries
 from workbench.analysis.mitsuba_lights import mitsuba_lights
+from workbench.analysis.mitsuba_receivers import picture_of
 from workbench.analysis.watch import Watch, unwatched
 from workbench.errors import Refused
 from workbench.geometry.outlines import Rectangle, outline_of
@@ -53,22 +54,16 @@ class MitsubaScene:
     Raises
     ------
     Refused
-        If Mitsuba is not installed, or pixels are not square.
+        If Mitsuba is not installed, or its camera cannot see the receiver.
     """
 
     def __init__(self, scene: Scene, heights: Mapping[str, Array]) -> None:
         self._mi = mi = _mitsuba()
-        (r_x, r_y), (n_x, n_y) = scene.receiver.half_extent, scene.receiver.pixels
-        if not math.isclose(r_x / n_x, r_y / n_y, rel_tol=1e-6):
-            raise Refused(
-                "screen.pixels",
-                f"[{n_x}, {n_y}] on [{r_x:g}, {r_y:g}] are not square, as Mitsuba's camera has "
-                "them; as many per length along x and y are needed",
-            )
+        self._picture = picture_of(scene.receiver, scene.lens)
         # Mitsuba counts in single precision and has thresholds made for lengths of about 1.
         self._scene, self._unit = scene, max(scene.lens.half_width)
         lights, self._emitted = mitsuba_lights(mi, scene.source, scene.lens, self._unit)
-        self._pixel_measure = scene.receiver.pixel_measure / self._unit**2
+        self._pixel_area = self._picture.screen.pixel_measure / self._unit**2
         self._rendered: Any = mi.load_dict(
             {
                 "type": "scene",
@@ -98,7 +93,7 @@ class MitsubaScene:
         ndarray, shape (n_y, n_x)
             Row 0 at +y.
         """
-        n_x, n_y = self._scene.receiver.pixels
+        n_x, n_y = self._picture.screen.pixels
         samples = -(-rays // (n_x * n_y))
         passes = min(-(-samples * n_x * n_y // _AT_ONCE), samples)
         samples = -(-samples // passes)
@@ -111,7 +106,8 @@ class MitsubaScene:
             watch(done / passes)
         # Scattered evenly into the half-sphere.
         irradiance = math.pi / passes * radiance
-        return np.asarray(irradiance * self._pixel_measure / self._emitted)
+        flux = np.asarray(irradiance * self._pixel_area / self._emitted)
+        return self._picture.light(flux, self._scene.receiver)
 
     def _body(self, heights: Array) -> dict[str, Any]:
         """Both faces of the lens, and what swallows light beside it or out of its sides."""
@@ -184,11 +180,14 @@ class MitsubaScene:
         }
 
     def _screen(self) -> dict[str, Any]:
-        screen, to = self._scene.screen, self._mi.ScalarTransform4f
+        screen = self._picture.screen
         r_x, r_y = (r / self._unit for r in screen.half_width)
+        to_world = np.eye(4)
+        to_world[:3, :3] = screen.sides.T * [r_x, r_y, 1.0]
+        to_world[:3, 3] = screen.position / self._unit
         return {
             "type": "rectangle",
-            "to_world": to().translate([0, 0, screen.z / self._unit]).scale([r_x, r_y, 1]),
+            "to_world": self._mi.ScalarTransform4f(to_world),
             "bsdf": {
                 "type": "principledthin",
                 "base_color": {"type": "rgb", "value": 1.0},
@@ -199,14 +198,17 @@ class MitsubaScene:
 
     def _camera(self) -> dict[str, Any]:
         """Its picture is the screen, exactly."""
-        screen, (n_x, n_y) = self._scene.screen, self._scene.receiver.pixels
-        z, r_x = screen.z / self._unit, screen.half_width[0] / self._unit
-        behind = [0, 0, z + _AWAY * r_x]
+        screen, (n_x, n_y) = self._picture.screen, self._picture.screen.pixels
+        middle, r_x = screen.position / self._unit, screen.half_width[0] / self._unit
+        _, up, away = screen.sides
+        behind = middle + _AWAY * r_x * away
         return {
             "type": "perspective",
             "fov": 2 * math.degrees(math.atan(1 / _AWAY)),
             "fov_axis": "x",
-            "to_world": self._mi.ScalarTransform4f().look_at(behind, [0, 0, z], [0, 1, 0]),
+            "to_world": self._mi.ScalarTransform4f().look_at(
+                behind.tolist(), middle.tolist(), up.tolist()
+            ),
             "film": {
                 "type": "hdrfilm",
                 "width": n_x,

@@ -67,7 +67,7 @@ class Tolerances:
             raise Refused(
                 "index", f"{self.index:g}; at least 0, less than {scene.lens.index - 1:g}"
             )
-        room = scene.screen.z - scene.lens.highest
+        room = scene.receiver.plane_z - scene.lens.highest if self.distance else math.inf
         if not 0 <= self.distance < room:
             raise Refused(
                 "distance",
@@ -111,13 +111,16 @@ class Perturbation:
         lens = scene.lens.model_copy(
             update={"refractive_index": scene.lens.index + self.index, "wavelength_um": None}
         )
-        screen = scene.screen.model_copy(update={"z": scene.screen.z + self.distance})
         amplitude, scale = self.surface
         if amplitude > 0:
             rng = np.random.default_rng(self.seed)
             lens, rough = with_noise(lens, heights["exit"], amplitude, scale, rng)
             heights = {**heights, "exit": rough}
-        return scene.model_copy(update={"lens": lens, "screen": screen}), heights
+        scene = scene.model_copy(update={"lens": lens})
+        if self.distance:
+            screen = scene.receiver.moved_to(scene.receiver.plane_z + self.distance)
+            scene = scene.model_copy(update={"screen": screen})
+        return scene, heights
 
 
 @dataclass(frozen=True)

@@ -291,7 +291,7 @@ def _products(
 def through_focus(
     scene: Scene,
     heights: Mapping[str, Array],
-    distances: Sequence[float],
+    distances: Sequence[float] | None,
     rays: int = 1_000_000,
     seed: int = 1,
     watch: Watch = unwatched,
@@ -302,8 +302,8 @@ def through_focus(
     ----------
     scene, heights, rays, seed
         As for `validate`; the screens are as large as the scene's.
-    distances : sequence of float
-        z of each screen.
+    distances : sequence of float, optional
+        z of each screen; None stands for the scene's receiver alone.
     watch : callable
         Called with the part that is done.
 
@@ -317,7 +317,7 @@ def through_focus(
     Refused
         If a screen may touch the lens, or the lens is no body.
     """
-    for z in distances:
+    for z in distances or ():
         with_screen_at(scene, z)
     trace = Trace(scene, heights, rays, seed, distances=distances)
     total: Tally | None = None
@@ -338,10 +338,10 @@ def with_screen_at(scene: Scene, z: float) -> Scene:
     Raises
     ------
     Refused
-        If the screen may touch the lens there.
+        If the screen may touch the lens there, or the receiver is at no distance.
     """
     data = scene.to_data()
-    data["screen"]["z"] = z
+    data["screen"] = scene.receiver.moved_to(z).model_dump(mode="json")
     return Scene.from_data(data).carrying(scene.light_files)
 
 

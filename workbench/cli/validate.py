@@ -72,7 +72,7 @@ def validate(
     with closing(PartProgress("check")) as progress:
         found = trace_anew(*task, accuracy=ACCURACY, watch=progress.show)
     # The optimiser's image is one on the scene's screen.
-    elsewhere = screen_z is not None and screen_z != session.scene.screen.z
+    elsewhere = scene.receiver != session.scene.receiver
     own = None if elsewhere else result.state.irradiance
     difference = None if own is None else relative_l2(found.irradiance, own)
     if as_json:

@@ -198,9 +198,11 @@ def _longest_change(waves: Waves) -> Callable[[Tensor], float]:
 def _mirrored(
     scene: Scene, target: Array, start: Array | None, locked: Mask | None = None
 ) -> tuple[bool, bool]:
-    """Whether target, source, first lens and locks are their own mirror images in x, in y."""
+    """Whether target, source, receiver, first lens and locks are mirrored in x, in y."""
     nets = [net for net in (start, locked) if net is not None]
-    in_x, in_y = scene.source.mirrored
+    in_x, in_y = (
+        all(each) for each in zip(scene.source.mirrored, scene.receiver.mirrored, strict=True)
+    )
     return in_x and _even(target, 1) and all(_even(net, 0) for net in nets), (
         in_y and _even(target, 0) and all(_even(net, 1) for net in nets)
     )

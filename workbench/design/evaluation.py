@@ -10,7 +10,7 @@ from torch import Tensor
 from workbench.design.lens_state import LensState
 from workbench.design.levels import FINE, image_of, reach_of
 from workbench.design.limits import HeightLimits
-from workbench.design.loss import check_finite, check_light, paper_loss, share
+from workbench.design.loss import check_finite, check_light, measure_of, paper_loss, share
 from workbench.design.snapshot import Result, Snapshot
 from workbench.design.step import Step
 from workbench.geometry.faces import NO_LOCKS, ControlHeights, FaceArrays, Locks
@@ -99,7 +99,7 @@ class Evaluator:
     def _step_of_paper(self, heights: Mapping[str, Tensor]) -> Step:
         traced = self._plan.trace(heights)
         check_light(traced.flux, traced.account)
-        loss = paper_loss(traced.flux, self._wanted)
+        loss = paper_loss(traced.flux, self._wanted, measure_of(self._scene.receiver, self._device))
         check_finite(loss, traced.account)
         measure = self._scene.receiver.pixel_measure
         state = LensState.traced(heights, traced.flux, measure, loss, traced.account)

@@ -70,12 +70,20 @@ class LensState:
         copies = FaceArrays({face: _sealed(_copy(each)) for face, each in heights.items()})
         return cls(copies, _sealed(irradiance), loss.item(), account)
 
-    def scaled(self, factor: float) -> Self:
-        """The same lens with lengths in another unit, ``factor`` of which are one of now."""
+    def scaled(self, factor: float, density: float) -> Self:
+        """The same lens with lengths in another unit.
+
+        Parameters
+        ----------
+        factor : float
+            So many of them are one of now.
+        density : float
+            By this the irradiance is divided.
+        """
         return replace(
             self,
             heights=scaled(self.heights, factor),
-            irradiance=_sealed(self.irradiance / factor**2),
+            irradiance=_sealed(self.irradiance / density),
             shortfall=self.shortfall and self.shortfall.scaled(factor),
         )
 

@@ -78,5 +78,5 @@ def image_of(
 
 
 def reach_of(scene: Scene, heights: Mapping[str, Tensor]) -> tuple[float, float]:
-    """How far from the axis, along x and y, the light of a lens falls; scene units."""
+    """How far from the receiver's middle the light of a lens falls, in its coordinates."""
     return BeamPlan(scene, _FEW_CELLS).reach(heights)

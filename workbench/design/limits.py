@@ -1,5 +1,6 @@
 """Where the control heights of a lens may be."""
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -19,6 +20,8 @@ _APART = 0.25
 _SHIFTS = 65
 # The undesigned lens keeps this part of each interval away from its ends.
 _INSIDE = 0.0005
+# Room behind a lens before a receiver that is infinitely far, in half-widths of the lens.
+_ROOM = 8.0
 # Rounding, as a part of the largest height.
 _ROUNDING = 1e-12
 
@@ -116,10 +119,14 @@ def bounded(scene: Scene) -> Lens:
     """The lens of a scene with all that limits its heights.
 
     Where neither a height range nor a maximal thickness says how far the exit face may rise, it
-    stays in the nearer half of the way to the screen.
+    stays in the nearer half of the way to the receiver, or, where that is infinitely far, below
+    some widths of the lens.
     """
     lens = scene.lens
     if lens.height_range is not None or lens.max_thickness is not None:
         return lens
-    thickness = (lens.highest + scene.receiver.nearest_z) / 2 - lens.entrance_z
+    behind = scene.receiver.nearest_z
+    if math.isinf(behind):
+        behind = lens.highest + _ROOM * max(lens.half_width)
+    thickness = (lens.highest + behind) / 2 - lens.entrance_z
     return lens.model_copy(update={"max_thickness": thickness})

@@ -8,6 +8,7 @@ from torch import Tensor
 from workbench.design.lens_state import LensState
 from workbench.errors import RunFailed
 from workbench.optics.account import LOSSES, Account
+from workbench.scene import AnyReceiver
 
 
 def share(target: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
@@ -17,7 +18,13 @@ def share(target: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
     return np.asarray(scaled / scaled.sum())
 
 
-def paper_loss(flux: Tensor, target_share: Tensor) -> Tensor:
+def measure_of(receiver: AnyReceiver, device: torch.device, margin: int = 0) -> Tensor:
+    """What pixels cover, relative to each other; see `AnyReceiver.relative_measure`."""
+    measure = receiver.relative_measure(margin)
+    return torch.as_tensor(measure, dtype=torch.float32, device=device)
+
+
+def paper_loss(flux: Tensor, target_share: Tensor, measure: Tensor | float = 1.0) -> Tensor:
     """Loss of de Koning et al. (2023), eq. 30.
 
     Parameters
@@ -25,16 +32,19 @@ def paper_loss(flux: Tensor, target_share: Tensor) -> Tensor:
     flux : Tensor, shape (n_y, n_x)
         Light in each pixel.
     target_share : Tensor, shape (n_y, n_x)
-        Wanted part of the light in each pixel, sums to 1.
+        Wanted image, sums to 1.
+    measure : Tensor, optional
+        What pixels cover, relative to each other: the image is the light over that.
 
     Returns
     -------
     Tensor, scalar
         Frobenius norm of the difference of the sum-normalised images over √(n_x n_y).
     """
-    total = flux.sum()
+    density = flux / measure
+    total = density.sum()
     # An image without light differs by all of the target.
-    difference = flux / torch.where(total > 0, total, 1.0) - target_share
+    difference = density / torch.where(total > 0, total, 1.0) - target_share
     loss: Tensor = torch.linalg.vector_norm(difference) / difference.numel() ** 0.5
     return loss
 

@@ -6,7 +6,14 @@ from typing import NoReturn
 import torch
 
 from workbench.design.lens_state import LensState
-from workbench.design.loss import check_finite, check_gradient, check_light, paper_loss, share
+from workbench.design.loss import (
+    check_finite,
+    check_gradient,
+    check_light,
+    measure_of,
+    paper_loss,
+    share,
+)
 from workbench.design.networks import build
 from workbench.design.room import Room
 from workbench.design.smoothness import Smoothness
@@ -34,6 +41,7 @@ def paper_steps(room: Room, settings: PaperRun) -> Generator[Step, None, NoRetur
     net = ControlNet.of(scene.lens)
     free = room.height_range(device)
     wanted = torch.as_tensor(share(room.target), dtype=torch.float32, device=device)
+    relative = measure_of(scene.receiver, device)
     smoothness = Smoothness.of(scene, room.target, device)
     shift = build(net, settings, device)
     rest = free.rest
@@ -46,7 +54,7 @@ def paper_steps(room: Room, settings: PaperRun) -> Generator[Step, None, NoRetur
         heights = {face: each.detach().requires_grad_() for face, each in shaped.items()}
         traced = plan.trace(heights)
         check_light(traced.flux.detach(), traced.account)
-        loss = paper_loss(traced.flux, wanted)
+        loss = paper_loss(traced.flux, wanted, relative)
         check_finite(loss, traced.account)
         measure = scene.receiver.pixel_measure
         state = LensState.traced(heights, traced.flux, measure, loss, traced.account)

@@ -212,7 +212,10 @@ class Session:
             If a length of the scene would be beyond float64, or so small that it is 0.
         """
         factor = float(units.ratio(self.scene.unit, unit))
-        result = self.result and replace(self.result, state=self.result.state.scaled(factor))
+        density = self.scene.receiver.density_in_unit(factor)
+        result = self.result and replace(
+            self.result, state=self.result.state.scaled(factor, density)
+        )
         start = None if self.start is None else scaled(self.start, factor)
         return replace(self, scene=self.scene.in_unit(unit), result=result, start=start)
 

@@ -9,7 +9,7 @@ import torch
 from torch import Tensor
 
 from workbench.design.lens_state import LensState
-from workbench.design.loss import check_finite, check_light, paper_loss, share
+from workbench.design.loss import check_finite, check_light, measure_of, paper_loss, share
 from workbench.design.step import Step
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.light import Light
@@ -35,7 +35,7 @@ class WideImage:
     cells : tuple[int, int]
         Cells of the light of each point of the source along x and y; see `BeamPlan`.
     reach : tuple[float, float]
-        How far from the axis light falls.
+        How far from the receiver's middle light falls.
     mirrored : tuple[bool, bool]
         Whether all lenses are mirror images of themselves in x, in y; see `BeamPlan`.
 
@@ -53,15 +53,22 @@ class WideImage:
         reach: tuple[float, float],
         mirrored: tuple[bool, bool] = (False, False),
     ) -> None:
-        (n_x, n_y), (r_x, r_y) = scene.receiver.pixels, scene.receiver.half_extent
-        m_x, m_y = _margin(reach[0] / r_x, n_x), _margin(reach[1] / r_y, n_y)
+        receiver = scene.receiver
+        (n_x, n_y), r, most = receiver.pixels, receiver.half_extent, receiver.farthest
+        m_x, m_y = (_margin(reach[k] / r[k], receiver.pixels[k], most[k] / r[k]) for k in (0, 1))
         self._plan, self._margin = BeamPlan(scene, cells, mirrored=mirrored), (m_x, m_y)
         halves = 2 ** sum(mirrored)
         self.beams = cells[0] * cells[1] * scene.source.point_count // halves
-        self._pixel_measure = scene.receiver.pixel_measure
+        self._pixel_measure = receiver.pixel_measure
         self._on_screen = (slice(m_y, m_y + n_y), slice(m_x, m_x + n_x))
-        wanted = np.pad(share(target), ((m_y, m_y), (m_x, m_x)))
-        self._wanted = torch.as_tensor(wanted, dtype=torch.float32, device=device_of(scene))
+        device = device_of(scene)
+        self._share = torch.as_tensor(share(target), dtype=torch.float32, device=device)
+        # Where pixels cover different measures, densities are compared, as shares of all light.
+        wanted = share(target * receiver.relative_measure()) / receiver.relative_measure()
+        wanted = np.pad(wanted, ((m_y, m_y), (m_x, m_x)))
+        self._wanted = torch.as_tensor(wanted, dtype=torch.float32, device=device)
+        self._relative = measure_of(receiver, device)
+        self._wide_relative = measure_of(receiver, device, m_y)
         self._scale = self._wanted.norm().item()
 
     def compare(self, heights: Mapping[str, Tensor]) -> tuple[Tensor, Step]:
@@ -75,7 +82,7 @@ class WideImage:
         traced = self._plan.trace(heights, self._margin)
         check_light(traced.flux.detach(), traced.account)
         step = self._step(heights, traced)
-        error = traced.flux / traced.account.arrived - self._wanted
+        error = traced.flux / traced.account.arrived / self._wide_relative - self._wanted
         return error / self._scale, step
 
     def step(self, heights: Mapping[str, Tensor]) -> Step:
@@ -86,14 +93,18 @@ class WideImage:
     def _step(self, heights: Mapping[str, Tensor], traced: Light) -> Step:
         account = traced.account
         flux = traced.flux.detach()[self._on_screen]
-        loss = paper_loss(flux, self._wanted[self._on_screen])
+        loss = paper_loss(flux, self._share, self._relative)
         check_finite(loss, account)
         merit = None if flux.sum() > 0 else math.inf
         state = LensState.traced(heights, flux, self._pixel_measure, loss, account)
         return Step(state, self._plan.notes, merit)
 
 
-def _margin(reach: float, pixels: int) -> int:
-    """Pixels beyond the screen that hold light up to ``reach`` screen half-widths from the axis."""
+def _margin(reach: float, pixels: int, farthest: float) -> int:
+    """Pixels beyond a receiver that hold light up to ``reach`` half-extents from its middle.
+
+    There is no light beyond ``farthest``.
+    """
     least, most = _MARGINS
-    return math.ceil(min(max((reach - 1) / 2, least), most) * pixels)
+    wanted = math.ceil(min(max((reach - 1) / 2, least), most) * pixels)
+    return wanted if math.isinf(farthest) else min(wanted, int((farthest - 1) / 2 * pixels))

@@ -32,7 +32,7 @@ def check_body(scene: Scene, heights: Mapping[str, Array], screen_z: float | Non
     heights : mapping of str to ndarray, shape (n_u, n_v)
         Control heights of each freeform face by its name, scene units.
     screen_z : float, optional
-        Where the screen is, in place of the scene's.
+        Where the screen comes closest to the lens, in place of the scene's.
 
     Raises
     ------

@@ -12,15 +12,15 @@ class Arrival(NamedTuple):
 
     Attributes
     ----------
-    x, y : Tensor
-        Where they hit it, scene units; infinite for rays that do not get there.
+    column, row : Tensor
+        Where they land, in pixels; infinite for rays that do not get there.
     rays : RayBundle
         The rays behind the last face; their flux is differentiable.
     lost : dict of str to Tensor
         Flux lost on the way, by its name in the light account: scalars in float64, no gradient.
     """
 
-    x: Tensor
-    y: Tensor
+    column: Tensor
+    row: Tensor
     rays: RayBundle
     lost: dict[str, Tensor]

@@ -61,7 +61,7 @@ class BeamPlan:
         net = net or ControlNet.of(scene.lens)
         needed = precision_of(scene, net)
         path = Path.of(scene, net, dtype or needed, device_of(scene), Corners(*cells))
-        self._pixels, self._half_width = scene.receiver.pixels, scene.receiver.half_extent
+        self._pixels, self._half_extent = scene.receiver.pixels, scene.receiver.half_extent
         self._missed = path.steps[0].missed
         self._kernel, self._promised = beam_kernel_of(path), mirrored
         fine = dtype is None and needed == torch.float64
@@ -78,19 +78,19 @@ class BeamPlan:
         return (*notes, *self._choice.defects())
 
     def reach(self, heights: Mapping[str, Tensor]) -> tuple[float, float]:
-        """How far from the axis, along x and y, nearly all light on the screen plane falls."""
+        """How far from the receiver's middle, along u and v, nearly all light falls."""
         with torch.no_grad():
             column, row, flux = self._tracer.nodes(heights).hits
         lands = (flux > 0) & column.isfinite() & row.isfinite()
         if not lands.any():
             return 0.0, 0.0
         far = (
-            (hits[lands].double().cpu().numpy() / pixels - 0.5) * 2 * half_width
-            for hits, pixels, half_width in zip(
-                (column, row), self._pixels, self._half_width, strict=True
+            (hits[lands].double().cpu().numpy() / pixels - 0.5) * 2 * half_extent
+            for hits, pixels, half_extent in zip(
+                (column, row), self._pixels, self._half_extent, strict=True
             )
         )
-        far_x, far_y = (float(np.quantile(np.abs(from_axis), _NEARLY_ALL)) for from_axis in far)
+        far_x, far_y = (float(np.quantile(np.abs(from_middle), _NEARLY_ALL)) for from_middle in far)
         return far_x, far_y
 
     def trace(self, heights: Mapping[str, Tensor], margin: tuple[int, int] = (0, 0)) -> Light:

@@ -7,20 +7,22 @@ De Koning et al. (2023), section 2.3; Pharr, Jakob, Humphreys (2016), section 7.
 import torch
 from torch import Tensor
 
-from workbench.scene import Filter, Screen
+from workbench.scene import Filter
 
 
-def reconstruct(x: Tensor, y: Tensor, weight: Tensor, screen: Screen, filter: Filter) -> Tensor:
+def reconstruct(
+    column: Tensor, row: Tensor, weight: Tensor, pixels: tuple[int, int], filter: Filter
+) -> Tensor:
     """Irradiance image of rays.
 
     Parameters
     ----------
-    x, y : Tensor, shape (...)
-        Hits on the screen plane, scene units.
+    column, row : Tensor, shape (...)
+        Where rays land, in pixels; see `workbench.scene.AnyReceiver.to_pixels`.
     weight : Tensor, shape (...)
         Flux of each ray.
-    screen : Screen
-        Where the pixels are.
+    pixels : tuple[int, int]
+        (n_x, n_y).
     filter : BoxFilter or GaussianFilter
         How a ray's flux is spread.
 
@@ -29,12 +31,12 @@ def reconstruct(x: Tensor, y: Tensor, weight: Tensor, screen: Screen, filter: Fi
     Tensor, shape (n_y, n_x)
         Flux in each pixel, row 0 at +y.
     """
-    n_x, n_y = screen.pixels
+    n_x, n_y = pixels
     margin = ((filter.size[0] - 1) // 2, (filter.size[1] - 1) // 2)
-    # Ghost pixels: a hit up to `margin` pixels beside the screen still lights its edge.
+    # Ghost pixels: a hit up to `margin` pixels beside the image still lights its edge.
     columns, rows = n_x + 2 * margin[0], n_y + 2 * margin[1]
 
-    column, row = screen.to_pixels(x.flatten(), y.flatten())
+    column, row = column.flatten(), row.flatten()
     j, i = column.detach().floor(), row.detach().floor()
     near = (j >= -margin[0]) & (j < n_x + margin[0]) & (i >= -margin[1]) & (i < n_y + margin[1])
     # Hits beyond the ghost pixels stay in the ray bundle, but light nothing.

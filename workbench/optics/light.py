@@ -8,7 +8,7 @@ import numpy.typing as npt
 from torch import Tensor
 
 from workbench.optics.account import Account
-from workbench.scene import Filter, Screen
+from workbench.scene import Filter
 
 Array = npt.NDArray[np.float64]
 
@@ -76,6 +76,6 @@ class Tracer(Protocol):
         """What is special about it, in words."""
         ...
 
-    def image(self, heights: Mapping[str, Tensor], screen: Screen, filter: Filter) -> Light:
+    def image(self, heights: Mapping[str, Tensor], filter: Filter) -> Light:
         """Trace a lens with control heights (n_u, n_v) of each freeform face, by its name."""
         ...

@@ -16,7 +16,7 @@ from workbench.optics.arrival import Arrival
 from workbench.optics.interfaces import Interface, Refraction
 from workbench.optics.intersection import Bundle
 from workbench.optics.rays import RayBundle, Vector
-from workbench.optics.receivers import PlaneReceiver
+from workbench.optics.receivers import Receiver, receiver_of
 from workbench.optics.samples import Samples
 from workbench.optics.sources import Emitter, emitter_of
 from workbench.optics.surfaces import BSplineSurface, Plane, Surface
@@ -54,7 +54,7 @@ class Path:
         The source.
     steps : sequence of Step
         Faces in the order in which light meets them.
-    receiver : PlaneReceiver
+    receiver : Receiver
         Where the light is wanted.
     datum : float
         z of the scene from which the elements count z: near the face, so that float32 keeps the
@@ -80,7 +80,7 @@ class Path:
         self,
         emitter: Emitter,
         steps: Sequence[Step],
-        receiver: PlaneReceiver,
+        receiver: Receiver,
         datum: float,
         level: float,
         outline: Outline,
@@ -122,7 +122,7 @@ class Path:
             Step(entrance, Refraction(entering, "fresnel_entrance"), "missed_lens"),
             Step(exit_face, Refraction(leaving, "fresnel_exit", lens.absorption), "left_side"),
         )
-        receiver = PlaneReceiver(scene.screen, datum)
+        receiver = receiver_of(scene.receiver, lens, datum)
         level, seed = lens.base.height, scene.run.seed
         return cls(emitter, steps, receiver, datum, level, outline, seed, dtype, device)
 
@@ -189,6 +189,10 @@ class Path:
         rays, lost, places = _through(self.steps, rays, heights)
         on_faces = [_lifted(place, self.datum) for place in places]
         return on_faces, Arrival(*self.receiver.places(rays), rays, lost)
+
+    def ends(self, rays: RayBundle) -> Vector:
+        """Where to end rays behind the last face in a drawing; z as in the scene."""
+        return _lifted(self.receiver.ends(rays), self.datum)
 
     def _begin(self) -> RayBundle:
         """The source's rays before the first freeform face, in float64; tells what is lost."""

@@ -48,19 +48,19 @@ def ray_paths(scene: Scene, heights: Mapping[str, Array], count: tuple[int, int]
     count : tuple[int, int]
         Numbers of rays along x and y, spread over the aperture; those beside the lens are left out.
     """
-    lens, screen = scene.lens, scene.screen
+    lens = scene.lens
     x, y = (torch.as_tensor(c) for c in _grid(lens, count))
     rays = emitter_of(scene.source, lens).towards(x, y)
     path = Path.of(scene, ControlNet.of(lens), torch.float64)
     faces, arrival = path.follow(rays, {face: torch.tensor(each) for face, each in heights.items()})
-    hits = arrival.x.isfinite() & arrival.y.isfinite() & (arrival.rays.flux > 0)
-    on_plane = _rows((arrival.x, arrival.y, torch.full_like(arrival.x, screen.z)), len(x))
-    before_plane = [_rows(place, len(x)) for place in (rays.position, *faces)]
-    last = np.where(hits.numpy()[:, None], on_plane, before_plane[-1])
-    points = np.stack([*before_plane, last], axis=1)
+    hits = arrival.column.isfinite() & arrival.row.isfinite() & (arrival.rays.flux > 0)
+    ends = _rows(path.ends(arrival.rays), len(x))
+    before = [_rows(place, len(x)) for place in (rays.position, *faces)]
+    last = np.where(hits.numpy()[:, None], ends, before[-1])
+    points = np.stack([*before, last], axis=1)
     share = (arrival.rays.flux / rays.flux).expand(len(x)).numpy()
-    inside = screen.contains(points[:, -1, 0], points[:, -1, 1])
-    return RayPaths(points, share, inside & hits.numpy())
+    inside = scene.receiver.covers(arrival.column, arrival.row) & hits
+    return RayPaths(points, share, inside.expand(len(x)).numpy())
 
 
 def _rows(place: Vector, count: int) -> Array:

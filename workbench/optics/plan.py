@@ -59,7 +59,6 @@ class Plan:
         mirrored: tuple[bool, bool] = (False, False),
         locked: Mask | None = None,
     ) -> None:
-        self._screen = scene.screen
         self._filter = filter or scene.filter
         net = net or ControlNet.of(scene.lens)
         needed = precision_of(scene, net)
@@ -79,7 +78,7 @@ class Plan:
         heights : mapping of str to Tensor, shape (n_u, n_v)
             Control heights of each freeform face by its name, scene units.
         """
-        return self._tracer().image(heights, self._screen, self._filter)
+        return self._tracer().image(heights, self._filter)
 
     @property
     def notes(self) -> tuple[str, ...]:
@@ -96,7 +95,7 @@ class Plan:
 
     def flux(self, heights: Mapping[str, Tensor]) -> Tensor:
         """The image alone, for `torch.func` transforms such as jvp: always by the reference."""
-        return self._ways.reference.flux(heights, self._screen, self._filter)
+        return self._ways.reference.flux(heights, self._filter)
 
     def _tracer(self) -> Tracer:
         return self._ways.kernel if self._choice.compiled else self._ways.reference

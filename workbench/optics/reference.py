@@ -17,7 +17,7 @@ from workbench.optics.irradiance import reconstruct
 from workbench.optics.light import Light, Nodes
 from workbench.optics.path import Path
 from workbench.optics.shared_grid import SharedGrid, SharedSamples
-from workbench.scene import Filter, Screen
+from workbench.scene import Filter
 
 Array = npt.NDArray[np.float64]
 
@@ -55,12 +55,13 @@ class Reference:
         """The light of a lens at the receiver, before it becomes an image."""
         return self._walk(heights)
 
-    def image(self, heights: Mapping[str, Tensor], screen: Screen, filter: Filter) -> Light:
+    def image(self, heights: Mapping[str, Tensor], filter: Filter) -> Light:
         """Trace a lens; see `workbench.optics.light.Tracer`."""
-        x, y, rays, lost = self.arrival(heights)
-        image = reconstruct(x, y, rays.flux, screen, filter)
+        column, row, rays, lost = self.arrival(heights)
+        receiver = self._path.receiver.part
+        image = reconstruct(column, row, rays.flux, receiver.pixels, filter)
         with torch.no_grad():
-            lands = self._path.receiver.screen.contains(x, y)
+            lands = receiver.covers(column, row)
             on_screen, off_screen = (
                 (rays.flux * part).sum(dtype=torch.float64) for part in (lands, ~lands)
             )
@@ -70,9 +71,9 @@ class Reference:
 
     def nodes(self, heights: Mapping[str, Tensor]) -> Nodes:
         """Trace the corners of cells of light; see `workbench.optics.light.BeamTracer`."""
-        x, y, rays, lost = self.arrival(heights)
-        hits = self._path.receiver.screen.to_pixels(x, y)
-        nodes = torch.stack([part.expand(rays.flux.shape).T for part in (*hits, rays.flux)])
+        column, row, rays, lost = self.arrival(heights)
+        parts = column, row, rays.flux
+        nodes = torch.stack([part.expand(rays.flux.shape).T for part in parts])
         left = rays.flux.detach().sum(dtype=torch.float64).item()
         account = Account(left, {name: flux.item() for name, flux in lost.items()})
         return Nodes(nodes, account)
@@ -83,7 +84,7 @@ class Reference:
         grids = self._path.emitter if self._shared is None else self._shared
         return grids.splits
 
-    def flux(self, heights: Mapping[str, Tensor], screen: Screen, filter: Filter) -> Tensor:
+    def flux(self, heights: Mapping[str, Tensor], filter: Filter) -> Tensor:
         """The image alone, for `torch.func` transforms, which no sums survive as numbers."""
-        x, y, rays, _ = self.arrival(heights)
-        return reconstruct(x, y, rays.flux, screen, filter)
+        column, row, rays, _ = self.arrival(heights)
+        return reconstruct(column, row, rays.flux, self._path.receiver.part.pixels, filter)

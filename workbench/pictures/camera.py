@@ -151,11 +151,11 @@ class FittedCamera:
 
     def _corners(self, view: str) -> Array:
         """What a view has to hold, (n, 3)."""
-        lens, screen = self._scene.lens, self._scene.screen
+        lens = self._scene.lens
         if view == "lens":
             return _corners(lens.half_width, lens.entrance_z, self.top)
         if view == "screen":
-            return _corners(screen.half_width, screen.z)
+            return _on_receiver(self._scene)
         return space(self._scene)
 
     def _oblique(self, view: str) -> Array:
@@ -179,9 +179,9 @@ class FittedCamera:
 
         In parallel projection; in perspective, lines of sight spread the two further apart.
         """
-        lens, screen = self._scene.lens, self._scene.screen
-        gap = screen.z - self.top
-        across = math.atan2(lens.half_width[0] + screen.half_width[0], gap)
+        places = _on_receiver(self._scene)
+        wide = self._scene.lens.half_width[0] + float(np.abs(places[:, 0]).max())
+        across = math.atan2(wide, float(places[:, 2].min()) - self.top)
         return min(across + math.radians(_CLEAR), math.pi / 2)
 
     def _stand(self, toward: Array, nearer: float = 0.0) -> None:
@@ -262,8 +262,9 @@ def _half_height(camera: Any) -> float:
 def in_view(scene: Scene) -> bool:
     """Whether the source stands where a picture can show it together with the lens."""
     source, lens = scene.source, scene.lens
-    width = 2 * max(*lens.half_width, *scene.receiver.half_extent)
-    reach = _FARTHEST * max(scene.screen.z - lens.entrance_z, width)
+    places = _on_receiver(scene)
+    width = 2 * max(*lens.half_width, float(np.abs(places[:, :2]).max()))
+    reach = _FARTHEST * max(float(places[:, 2].max()) - lens.entrance_z, width)
     return lens.entrance_z - source.nearest_z <= reach
 
 
@@ -279,12 +280,17 @@ def start_z(scene: Scene) -> float:
 
 def space(scene: Scene) -> Array:
     """What a picture has to hold: corners of the source, of the lens and of the screen, (n, 3)."""
-    lens, screen, source = scene.lens, scene.screen, scene.source
+    lens, source = scene.lens, scene.source
     before = lens.entrance_z - 0.5 * max(lens.half_width)
-    corners = [_corners(lens.half_width, before), _corners(screen.half_width, screen.z)]
+    corners = [_corners(lens.half_width, before), _on_receiver(scene)]
     if in_view(scene):
         corners.append(source.seen((2, 2)))
     return np.concatenate(corners)
+
+
+def _on_receiver(scene: Scene) -> Array:
+    """Where the receiver is drawn, (n, 3)."""
+    return scene.receiver.outline(scene.lens).reshape(-1, 3)
 
 
 def _direction(azimuth: float, elevation: float) -> Array:

@@ -220,9 +220,9 @@ def _traced(axes: Axes, scene: Scene, heights: ControlHeights) -> None:
     for lands, colour in ((True, _LANDS), (False, _LOST)):
         some = paths.points[paths.on_screen == lands][:, :, [2, 0]]
         axes.add_collection(LineCollection(list(some), colors=colour, linewidths=0.3, alpha=0.25))
-    lens, screen = scene.lens, scene.screen
-    reach = 1.15 * max(lens.half_width[0], screen.half_width[0])
-    axes.plot([screen.z, screen.z], [-screen.half_width[0], screen.half_width[0]], "k", lw=1.5)
+    lens, screen_z, half_width = scene.lens, scene.receiver.plane_z, scene.receiver.half_extent[0]
+    reach = 1.15 * max(lens.half_width[0], half_width)
+    axes.plot([screen_z, screen_z], [-half_width, half_width], "k", lw=1.5)
     x, _, z = np.moveaxis(sample_surface(lens, heights["exit"], (_SAMPLES, 3))[:, 1], -1, 0)
     axes.plot(
         [lens.entrance_z, *z, lens.entrance_z, lens.entrance_z],
@@ -231,6 +231,6 @@ def _traced(axes: Axes, scene: Scene, heights: ControlHeights) -> None:
         lw=1.0,
     )
     axes.set_ylim(-reach, reach)
-    axes.set_xlim(paths.points[:, 0, 2].min(), screen.z + 0.02 * (screen.z - lens.entrance_z))
+    axes.set_xlim(paths.points[:, 0, 2].min(), screen_z + 0.02 * (screen_z - lens.entrance_z))
     axes.set_title(f"{_RAYS} × {_RAYS} rays, seen from the side", fontsize=_FONT)
     axes.tick_params(labelsize=_FONT - 1)

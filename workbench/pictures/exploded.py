@@ -9,25 +9,19 @@ import math
 import numpy as np
 import numpy.typing as npt
 
-from workbench.scene import Scene, Source
+from workbench.scene import Scene, Screen, Source
 
 Array = npt.NDArray[np.float64]
 
 # Longest distances from the lens, and largest width of the screen, in widths of the lens.
 _TO_SCREEN, _TO_SOURCE, _WIDTH = 2.0, 1.5, 1.5
+# Ends of rays this near a screen are on it, in parts of its size.
+_ROUNDING = 1e-9
 
 
 def exploded(scene: Scene) -> Scene:
     """The scene as it is drawn; nothing is moved farther away, and nothing enlarged."""
-    screen = scene.screen
-    x, y = (r * _screen_scale(scene) for r in screen.half_width)
-    z = _drawn_screen_z(scene)
-    return scene.model_copy(
-        update={
-            "screen": screen.model_copy(update={"half_width": (x, y), "z": z}),
-            "source": _drawn_source(scene),
-        }
-    )
+    return scene.model_copy(update={"screen": _drawn_screen(scene), "source": _drawn_source(scene)})
 
 
 def explode_paths(points: Array, scene: Scene) -> Array:
@@ -42,9 +36,12 @@ def explode_paths(points: Array, scene: Scene) -> Array:
     """
     drawn = points.copy()
     drawn[:, 0] = _nearer(points[:, 0], scene.lens.entrance_z, _source_scale(scene))
-    arrives = points[:, -1, 2] == scene.screen.z
-    drawn[arrives, -1, :2] *= _screen_scale(scene)
-    drawn[arrives, -1, 2] = _drawn_screen_z(scene)
+    screen, shown = scene.screen, _drawn_screen(scene)
+    if screen is not None and shown is not None and shown != screen:
+        x, y, off = screen.sides @ (points[:, -1] - screen.position).T
+        arrives = np.abs(off) <= _ROUNDING * (abs(screen.z) + max(screen.half_width))
+        scale = shown.half_width[0] / screen.half_width[0]
+        drawn[arrives, -1] = shown.drawn(scene.lens, scale * x[arrives], scale * y[arrives])
     return drawn
 
 
@@ -52,12 +49,17 @@ def _lens_width(scene: Scene) -> float:
     return 2 * max(scene.lens.half_width)
 
 
-def _screen_scale(scene: Scene) -> float:
-    return min(1.0, _WIDTH * _lens_width(scene) / (2 * max(scene.receiver.half_extent)))
-
-
-def _drawn_screen_z(scene: Scene) -> float:
-    return min(scene.screen.z, scene.lens.highest + _TO_SCREEN * _lens_width(scene))
+def _drawn_screen(scene: Scene) -> Screen | None:
+    """The screen nearer and smaller; a far field is drawn near the lens as it is."""
+    screen = scene.screen
+    if screen is None:
+        return None
+    scale = min(1.0, _WIDTH * _lens_width(scene) / (2 * max(screen.half_width)))
+    (r_x, r_y), (x, y) = screen.half_width, screen.center
+    z = min(screen.z, scene.lens.highest + _TO_SCREEN * _lens_width(scene))
+    return screen.model_copy(
+        update={"half_width": (scale * r_x, scale * r_y), "center": (scale * x, scale * y), "z": z}
+    )
 
 
 def _source_scale(scene: Scene) -> float:

@@ -70,7 +70,7 @@ def _draw_curves(axes: "Axes", scene: Scene, series: Sequence[InFocus]) -> None:
     light = [100 * found.efficiency for found in series]
     axes.plot(z, errors, "o-", color=_ERROR, markersize=3, label="relative L2 error")
     axes.plot(z, light, "s--", color=_LIGHT, markersize=3, label="light on the screen")
-    axes.axvline(scene.screen.z, color=_SCREEN, linestyle=":", linewidth=1, label="screen")
+    axes.axvline(scene.receiver.plane_z, color=_SCREEN, linestyle=":", linewidth=1, label="screen")
     axes.set_ylim(bottom=0)
     axes.set_xlabel(f"z of the screen ({scene.unit})", fontsize=_FONT)
     axes.set_ylabel("%", fontsize=_FONT)

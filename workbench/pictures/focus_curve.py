@@ -33,9 +33,9 @@ class FocusCurve:
 
     def __init__(self, axes: "Axes", scene: Scene, ends: tuple[float, float]) -> None:
         self._axes = axes
-        axes.axvline(scene.screen.z, color=_SCREEN, linestyle=":", linewidth=1)
+        axes.axvline(scene.receiver.plane_z, color=_SCREEN, linestyle=":", linewidth=1)
         (self._curve,) = axes.plot([], [], "o-", color=_ERROR, markersize=3, linewidth=1.2)
-        self.mark = axes.axvline(scene.screen.z, color=_MARK, linewidth=1)
+        self.mark = axes.axvline(scene.receiver.plane_z, color=_MARK, linewidth=1)
         self._shown: Sequence[tuple[float, float]] = ()
         axes.set_xlim(*ends)
         axes.set_ylim(0, 1)

@@ -195,8 +195,8 @@ class ErrorImage:
 
 def screen_map(axes: "Axes", name: str, scene: Scene, colours: str | Colormap) -> Any:
     """An image of zeros on the screen's axes, in scene units; see `map_image`."""
-    screen = scene.screen
-    return map_image(axes, name, screen.half_width, screen.pixels, scene.unit, colours)
+    receiver = scene.receiver
+    return map_image(axes, name, receiver.half_extent, receiver.pixels, scene.unit, colours)
 
 
 def _table(name: str) -> npt.NDArray[np.uint8]:

@@ -23,7 +23,6 @@ import pyvista as pv
 from matplotlib import colormaps
 from vtkmodules.vtkRenderingCore import vtkBillboardTextActor3D
 
-from workbench.geometry.outlines import outline_of
 from workbench.pictures import shapes
 from workbench.pictures.camera import FittedCamera, in_view, start_z
 from workbench.pictures.exploded import explode_paths, exploded
@@ -187,8 +186,8 @@ class LensPicture:
 
     def _add_lens(self) -> None:
         lens = self._scene.lens
-        side = np.linspace(-1, 1, _BASE_SAMPLES)
-        x, y = outline_of(lens).from_square(side[:, None], side)
+        x, y = (np.linspace(-r, r, _BASE_SAMPLES) for r in lens.half_width)
+        x, y = np.meshgrid(x, y, indexing="ij")
         points = np.zeros((1, 3))
         self._face, self._net, self._walls, self._edges = (pv.PolyData(points) for _ in range(4))
         self._samples = (0, 0)
@@ -220,28 +219,31 @@ class LensPicture:
             self._samples = (m_u, m_v)
             self._face.faces = shapes.quads(m_u, m_v)
             self._net.lines = shapes.net_lines(m_u, m_v, _NET_FIELDS)
-            straight = outline_of(self._scene.lens).whole
-            self._walls.faces = shapes.wall_faces(m_u, m_v, straight)
-            self._edges.lines = shapes.wall_lines(m_u, m_v, straight)
+            self._walls.faces = shapes.wall_faces(m_u, m_v)
+            self._edges.lines = shapes.wall_lines(m_u, m_v)
             for mesh in (self._net, self._edges):
                 mesh.verts = np.zeros(0, dtype=np.int64)
         self._face.point_data.active_normals = shapes.normals(surface)
 
     def _add_screen(self) -> None:
-        (r_x, r_y), z = self._scene.receiver.half_extent, self._scene.screen.z
-        corners = np.array([[-r_x, -r_y, z], [r_x, -r_y, z], [r_x, r_y, z], [-r_x, r_y, z]])
-        plane = pv.PolyData(corners, faces=[4, 0, 1, 2, 3])
+        lens, receiver = self._scene.lens, self._scene.receiver
+        corners = receiver.outline(lens)
+        count = len(corners)
+        plane = pv.PolyData(corners.reshape(-1, 3), faces=shapes.quads(count, count))
         # Texture rows count upwards in VTK: the last row of an image lies at its origin.
-        plane.active_texture_coordinates = np.array([[0, 0], [1, 0], [1, 1], [0, 1]], dtype=float)
+        steps = np.linspace(0, 1, count)
+        plane.active_texture_coordinates = np.stack(
+            np.meshgrid(steps, steps, indexing="ij"), axis=-1
+        ).reshape(-1, 2)
         self._texels = pv.ImageData()
         self._texture = pv.Texture()
         self._texture.SetInputDataObject(self._texels)
-        n_x, n_y = self._scene.receiver.pixels
+        n_x, n_y = receiver.pixels
         self._paint_screen(np.zeros((n_y, n_x)))
         self._add(plane, body=True, texture=self._texture, lighting=False)
         # A touch larger than the plane, which would swallow parts of it.
-        around = corners * (1.004, 1.004, 1.0)
-        frame = pv.PolyData(around, lines=[5, 0, 1, 2, 3, 0])
+        around = shapes.rim(receiver.outline(lens, 1.004))
+        frame = pv.PolyData(around, lines=[len(around), *range(len(around))])
         self._lines.append(self._add(frame, line_width=1.5, lighting=False))
 
     def _paint_screen(self, irradiance: Array) -> None:
@@ -299,7 +301,7 @@ class LensPicture:
         self._rays.cell_data["colour"] = colours
 
     def _add_axes(self) -> None:
-        lens, screen = self._scene.lens, self._scene.screen
+        lens = self._scene.lens
         length = 0.5 * max(lens.half_width)
         corner = (-1.1 * lens.half_width[0], -1.1 * lens.half_width[1])
         origin = np.array([*corner, lens.entrance_z - length])
@@ -315,6 +317,7 @@ class LensPicture:
             text.SetJustificationToCentered()
             text.SetVerticalJustificationToCentered()
             self._plotter.add_actor(label, reset_camera=False, render=False)
-        optical = pv.Line((0, 0, start_z(self._scene)), (0, 0, screen.z))
+        end = float(self._scene.receiver.outline(lens)[..., 2].max())
+        optical = pv.Line((0, 0, start_z(self._scene)), (0, 0, end))
         optical.clear_data()  # distances along it, which would colour it
         self._lines.append(self._add(optical, line_width=1.0, opacity=0.6, lighting=False))

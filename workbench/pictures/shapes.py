@@ -10,8 +10,6 @@ Array = npt.NDArray[np.float64]
 Mask = npt.NDArray[np.bool_]
 Cells = npt.NDArray[np.int64]
 
-_STRAIGHT = -0.7  # cosine of the angle between the two sides of a corner of a grid
-
 
 def quads(rows: int, columns: int) -> Cells:
     """Faces of a grid of points in row-major order."""
@@ -56,15 +54,8 @@ def normals(surface: Array) -> Array:
     -------
     ndarray, shape (m_u * m_v, 3)
     """
-    along_u, along_v = np.gradient(surface, axis=0), np.gradient(surface, axis=1)
-    across = np.cross(along_u, along_v)
+    across = np.cross(np.gradient(surface, axis=0), np.gradient(surface, axis=1))
     across /= np.linalg.norm(across, axis=-1, keepdims=True)
-    for i, j in ((0, 0), (0, -1), (-1, 0), (-1, -1)):
-        # Where the rim goes straight on, both ways are along it: the next point inside tells.
-        if along_u[i, j] @ along_v[i, j] < _STRAIGHT * np.sqrt(
-            np.square(along_u[i, j]).sum() * np.square(along_v[i, j]).sum()
-        ):
-            across[i, j] = across[1 if i == 0 else -2, 1 if j == 0 else -2]
     return np.asarray(across.reshape(-1, 3))
 
 
@@ -90,31 +81,25 @@ def wall_points(surface: Array, entrance_z: float) -> Array:
     return np.concatenate(parts)
 
 
-def wall_faces(m_u: int, m_v: int, straight: bool = True) -> Cells:
-    """Faces between the `wall_points` of each wall, and the entrance face between their feet.
-
-    Straight walls stand on four corners.
-    """
-    faces, feet, first = [], [], 0
+def wall_faces(m_u: int, m_v: int) -> Cells:
+    """Faces between the `wall_points` of each wall, and the entrance face between their feet."""
+    faces, corners, first = [], [], 0
     for count in (m_u, m_v, m_u, m_v):
         wall = quads(2, count).reshape(-1, 5)
         wall[:, 1:] += first
         faces.append(wall)
-        feet.append(first + np.arange(count, count + 1 if straight else 2 * count - 1))
+        corners.append(first + count)
         first += 2 * count
-    entrance = np.concatenate(feet)[::-1]  # seen from below, against the light
-    return np.concatenate([*(face.ravel() for face in faces), [len(entrance)], entrance])
+    entrance = np.array([[4, *corners[::-1]]])  # seen from below, against the light
+    return np.concatenate([*faces, entrance]).ravel()
 
 
-def wall_lines(m_u: int, m_v: int, straight: bool = True) -> Cells:
-    """Outline of the lens through its `wall_points`: rim, foot; upright edges of straight walls."""
+def wall_lines(m_u: int, m_v: int) -> Cells:
+    """Outline of the lens through its `wall_points`: rim, foot and the four upright edges."""
     lines, first = [], 0
     for count in (m_u, m_v, m_u, m_v):
         rim = np.arange(first, first + count)
-        if straight:
-            lines += [rim, rim[[0, -1]] + count, np.array([first, first + count])]
-        else:
-            lines += [rim, rim + count]
+        lines += [rim, rim[[0, -1]] + count, np.array([first, first + count])]
         first += 2 * count
     return polylines(lines)
 
@@ -130,3 +115,9 @@ def begun_at(start: Array, entrance: Array, z: float) -> Array:
     rise = entrance[:, 2] - start[:, 2]
     passed = ((z - start[:, 2]) / rise).clip(0)
     return start + passed[:, None] * (entrance - start)
+
+
+def rim(points: Array) -> Array:
+    """The border of a grid of points (m, n, 3) all around, the first of them again at the end."""
+    around = [points[:-1, 0], points[-1, :-1], points[:0:-1, -1], points[0, ::-1]]
+    return np.concatenate(around)

@@ -6,6 +6,7 @@ possible: whatever cannot be built, traced or made is refused here, with the pat
 
 from workbench.scene.auto_net import AutoNet
 from workbench.scene.emission import ExactMethod, MeshMethod
+from workbench.scene.far_field import FarField
 from workbench.scene.fields import LENGTH, FieldDescription, Measure
 from workbench.scene.filter import BoxFilter, Filter, GaussianFilter
 from workbench.scene.grid_source import GridSource
@@ -38,6 +39,7 @@ __all__ = [
     "BoxFilter",
     "CollimatedSource",
     "ExactMethod",
+    "FarField",
     "FieldDescription",
     "Filter",
     "Finish",

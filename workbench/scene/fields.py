@@ -72,6 +72,7 @@ class Measure:
 
 
 LENGTH = Measure(power=1)
+ANGLE = Measure("°", "degrees")
 
 
 @dataclass(frozen=True)

@@ -1,6 +1,7 @@
 """What all receivers have in common: pixels in flat coordinates of their own."""
 
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar
+import math
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Self
 
 import numpy as np
 import numpy.typing as npt
@@ -34,6 +35,10 @@ class AnyReceiver(Part):
     """Of its coordinates."""
     axes: ClassVar[tuple[str, str]]
     """Names of its coordinates."""
+    density: ClassVar[str]
+    """What the flux per measure of a pixel is called."""
+    facets: ClassVar[int]
+    """Flat pieces along each side that it is drawn with."""
 
     if TYPE_CHECKING:  # each kind has this field, at its place in the file
         pixels: Pixels
@@ -49,9 +54,60 @@ class AnyReceiver(Part):
         return 0.0, 0.0
 
     @property
+    def mirrored(self) -> tuple[bool, bool]:
+        """Whether it is its own mirror image in x, in y."""
+        return self.middle[0] == 0, self.middle[1] == 0
+
+    @property
     def pixel_measure(self) -> float | Array:
         """What a pixel covers, by which its flux becomes a density: one number, or (n_y, 1)."""
         raise NotImplementedError
+
+    def relative_measure(self, margin: int = 0) -> float | Array:
+        """What a pixel covers over the mean of all, also in so many rows beyond on each side."""
+        return 1.0
+
+    @property
+    def farthest(self) -> tuple[float, float]:
+        """How far from its middle along u and v there may be light."""
+        return math.inf, math.inf
+
+    @property
+    def plane_z(self) -> float:
+        """Where its middle stands along the axis, scene units.
+
+        Raises
+        ------
+        Refused
+            If it is at no distance.
+        """
+        raise NotImplementedError
+
+    def moved_to(self, z: float) -> Self:
+        """The same with its middle elsewhere along the axis; refused as for `plane_z`."""
+        raise NotImplementedError
+
+    def towards(self, place: tuple[Array, Array, Array], u: Array, v: Array) -> tuple[Array, ...]:
+        """Unit vectors from places (x, y, z) of the scene to places on it; three arrays."""
+        raise NotImplementedError
+
+    def drawn(self, lens: "Lens", u: Array, v: Array) -> Array:
+        """Where places on it are drawn in the scene, shape (..., 3); u and v broadcast."""
+        raise NotImplementedError
+
+    def outline(self, lens: "Lens", part: float = 1.0) -> Array:
+        """Corners of its facets as it is drawn, shape (m, m, 3), u along the first axis.
+
+        Parameters
+        ----------
+        lens : Lens
+            The lens before it.
+        part : float
+            Of its extents, about its middle.
+        """
+        steps = part * np.linspace(-1, 1, self.facets + 1)
+        (u, v), (r_u, r_v) = self.middle, self.half_extent
+        return self.drawn(lens, u + r_u * steps[:, None], v + r_v * steps)
 
     @property
     def nearest_z(self) -> float:
@@ -64,6 +120,9 @@ class AnyReceiver(Part):
         For small angles about the direction of its middle.
         """
         raise NotImplementedError
+
+    def check_lengths(self, half_width: tuple[float, float]) -> None:
+        """Refuse lengths that are too long beside a lens with these half-widths."""
 
     def check_behind(self, lens: "Lens") -> None:
         """Refuse a lens that cannot light it.
@@ -98,6 +157,14 @@ class AnyReceiver(Part):
         """Whether image coordinates are on it; numpy arrays or torch tensors."""
         n_x, n_y = self.pixels
         return (column >= 0) & (column < n_x) & (row >= 0) & (row < n_y)
+
+    def density_unit(self, unit: str) -> str:
+        """Unit of a density where the source's flux is 1, in a scene with a unit of length."""
+        return f"1/{unit}^2" if self.measure.power else "1/sr"
+
+    def density_in_unit(self, factor: float) -> float:
+        """By what a density is divided where lengths are multiplied by a factor."""
+        return factor ** (2 * self.measure.power)
 
     def total(self, density: Array) -> float:
         """Flux of an image (n_y, n_x) of densities, one after the other where there are more."""

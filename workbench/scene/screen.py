@@ -1,39 +1,126 @@
 """A screen: a plane on which light is wanted."""
 
 import math
-from typing import TYPE_CHECKING, Annotated
+from itertools import product
+from typing import TYPE_CHECKING, Annotated, Any, Self
+
+import numpy as np
+from pydantic import Field
 
 from workbench.errors import Refused
-from workbench.scene.fields import LENGTH, about
+from workbench.scene import limits
+from workbench.scene.fields import ANGLE, LENGTH, PLACE, SINCE_2, about
 from workbench.scene.part import Positive
 from workbench.scene.receiver import AnyReceiver, Array, Pixels
+from workbench.scene.turning import turned
 
 if TYPE_CHECKING:
     from workbench.scene.lens import Lens
+    from workbench.scene.task import Scene
+
+_Turn = Annotated[float, Field(ge=-180, le=180)]
+# Light that falls along a plane is taken to meet it this steeply.
+_GRAZING = 1e-3
+# A new screen stands this many half-widths behind the lens, and is seen within so many radians.
+_DISTANCE, _WIDEST = 10.0, 1.3
 
 
 class Screen(AnyReceiver):
-    """Plane across the axis, centred on it."""
+    """Rectangle of a plane. Its coordinates go along its sides, from its middle."""
 
     measure = LENGTH
     axes = "x", "y"
+    density = "irradiance"
+    facets = 1
 
     z: Annotated[
         float,
         LENGTH,
-        about("At z", "Where the screen stands on the optical axis; beyond the lens."),
+        about("At z", "Where the middle of the screen stands along the optical axis."),
     ]
     half_width: Annotated[
         tuple[Positive, Positive],
         LENGTH,
         about("Half width", "Half of the screen's extent along x and y. The target fills it."),
     ]
+    center: Annotated[
+        tuple[float, float],
+        LENGTH,
+        PLACE,
+        SINCE_2,
+        about("Center", "Where its middle is beside the optical axis, along x and y."),
+    ] = (0.0, 0.0)
+    tilt: Annotated[
+        tuple[_Turn, _Turn],
+        ANGLE,
+        PLACE,
+        SINCE_2,
+        about(
+            "Tilt",
+            "The screen is turned about its middle: about x, which takes its upper edge away from "
+            "or towards the lens, and about y. Rows and columns turn with it.",
+        ),
+    ] = (0.0, 0.0)
     pixels: Pixels
+
+    @classmethod
+    def begun(cls, scene: "Scene") -> dict[str, Any]:
+        """Some widths of the lens behind it, as wide as the receiver that is there looks."""
+        receiver, highest = scene.receiver, scene.lens.highest
+        away = float(f"{_DISTANCE * max(scene.lens.half_width):.3g}")
+        wide = zip(receiver.half_extent, receiver.per_radian(highest), strict=True)
+        half = tuple(float(f"{away * math.tan(min(r / far, _WIDEST)):.3g}") for r, far in wide)
+        return {"z": float(f"{highest + away:.6g}"), "half_width": half, "pixels": receiver.pixels}
 
     @property
     def half_extent(self) -> tuple[float, float]:
         """Its half-width."""
         return self.half_width
+
+    @property
+    def position(self) -> Array:
+        """Its middle, scene units, shape (3,)."""
+        return np.array([*self.center, self.z])
+
+    @property
+    def sides(self) -> Array:
+        """Unit vectors along its x and y, and the one away from the light, as rows (3, 3)."""
+        return turned(self.tilt).T
+
+    @property
+    def upright(self) -> bool:
+        """Whether its rows and columns are those of the scene."""
+        return self.tilt == (0.0, 0.0)
+
+    @property
+    def mirrored(self) -> tuple[bool, bool]:
+        """Where its middle is in that plane, and it is turned about an axis across it."""
+        (x, y), (about_x, about_y) = self.center, self.tilt
+        return x == 0 and about_y == 0, y == 0 and about_x == 0
+
+    @property
+    def plane_z(self) -> float:
+        """Its z."""
+        return self.z
+
+    def moved_to(self, z: float) -> Self:
+        """The same at another z."""
+        return self.model_copy(update={"z": z})
+
+    def towards(self, place: tuple[Array, Array, Array], u: Array, v: Array) -> tuple[Array, ...]:
+        """Along lines."""
+        right, up, _ = self.sides
+        way = [
+            to + u * a + v * b - at
+            for to, a, b, at in zip(self.position, right, up, place, strict=True)
+        ]
+        length = np.sqrt(way[0] ** 2 + way[1] ** 2 + way[2] ** 2)
+        return tuple(part / length for part in way)
+
+    def drawn(self, lens: "Lens", u: Array, v: Array) -> Array:
+        """Where they are."""
+        right, up, _ = self.sides
+        return np.asarray(self.position + u[..., None] * right + v[..., None] * up)
 
     @property
     def pixel_measure(self) -> float:
@@ -47,17 +134,43 @@ class Screen(AnyReceiver):
     @property
     def nearest_z(self) -> float:
         """Where its lowest edge is."""
-        return self.z
+        (right, up, _), (r_x, r_y) = self.sides, self.half_width
+        return float(self.z - r_x * abs(right[2]) - r_y * abs(up[2]))
 
     def per_radian(self, z: float) -> tuple[float, float]:
-        """How far from there it is."""
-        return self.z - z, self.z - z
+        """How far from there its middle is, and more along a side that leans away."""
+        right, up, away = self.sides
+        way = self.position - np.array([0.0, 0.0, z])
+        far = math.hypot(*way)
+        across = max(abs(float(away @ way)), _GRAZING * far)
+        along_x, along_y = (far * math.hypot(1.0, float(s @ way) / across) for s in (right, up))
+        return along_x, along_y
+
+    def check_lengths(self, half_width: tuple[float, float]) -> None:
+        """Refuse a screen that is too far, too wide or too far aside."""
+        lengths = [("screen.z", self.z)]
+        lengths += [(f"screen.half_width[{k}]", r) for k, r in enumerate(self.half_width)]
+        lengths += [(f"screen.center[{k}]", c) for k, c in enumerate(self.center)]
+        limits.check_lengths(lengths, half_width, limits.FAR)
 
     def check_behind(self, lens: "Lens") -> None:
-        """Refuse a lens that may touch it."""
-        if self.z <= lens.highest:
+        """Refuse a lens that may touch it, or that is behind it."""
+        r_x, r_y = lens.half_width
+        corners = np.array(list(product((-r_x, r_x), (-r_y, r_y), (lens.entrance_z, lens.highest))))
+        if not self.upright and ((self.position - corners) @ self.sides[2] <= 0).any():
+            raise Refused(
+                "screen.tilt",
+                f"[{self.tilt[0]:g}, {self.tilt[1]:g}] turns the back of the screen to light of "
+                "the lens; its front has to face all of the lens",
+            )
+        nearest = self.nearest_z
+        if nearest <= lens.highest:
+            low, more = "", ""
+            if not self.upright:
+                low, more = f"puts its lowest edge at z = {nearest:g}, which ", " and the tilt adds"
             raise Refused(
                 "screen.z",
-                f"{self.z:g} may touch the lens; "
-                f"more than {lens.highest:g}, the highest that the exit face can become",
+                f"{self.z:g} {low}may touch the lens; more than "
+                f"{lens.highest + (self.z - nearest):g}, the highest that the exit face can "
+                f"become{more}",
             )

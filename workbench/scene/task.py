@@ -6,6 +6,7 @@ from typing import Annotated, Any, Literal, Self
 
 from pydantic import (
     AfterValidator,
+    ConfigDict,
     SerializerFunctionWrapHandler,
     ValidationError,
     model_serializer,
@@ -15,7 +16,8 @@ from workbench import units
 from workbench.errors import Refused
 from workbench.refusals import refusal
 from workbench.scene import limits
-from workbench.scene.fields import Version, about
+from workbench.scene.far_field import FarField
+from workbench.scene.fields import SINCE_2, Version, about
 from workbench.scene.filter import Filter, GaussianFilter
 from workbench.scene.lens import Lens
 from workbench.scene.part import Part
@@ -38,7 +40,7 @@ class _Said(Part, extra="ignore"):
 
 
 class Scene(Part):
-    """A whole design task. Only lens, source, screen and target are required.
+    """A whole design task. Only lens, source, screen or far_field, and target are required.
 
     Examples
     --------
@@ -57,6 +59,10 @@ class Scene(Part):
     workbench.errors.Refused: unit: 'parsec' is not available; allowed: 'mm', 'cm', 'm' or 'inch'
     """
 
+    model_config = ConfigDict(
+        json_schema_extra={"oneOf": [{"required": ["screen"]}, {"required": ["far_field"]}]}
+    )
+
     format: Literal["freeform-scene"] = "freeform-scene"
     # Which one a file said is forgotten, or the same scene would differ: needed_version is written.
     version: Annotated[Version, AfterValidator(lambda given: 1)] = 1
@@ -70,7 +76,12 @@ class Scene(Part):
     ] = "mm"
     lens: Annotated[Lens, about("Lens", "What shapes the light.")]
     source: Annotated[Source, about("Source", "Where the light comes from.")]
-    screen: Annotated[Screen, about("Screen", "Where the light is wanted.")]
+    screen: Annotated[Screen | None, about("Screen", "Where the light is wanted.")] = None
+    far_field: Annotated[
+        FarField | None,
+        SINCE_2,
+        about("Far field", "Directions in which the light is wanted, in place of a screen."),
+    ] = None
     filter: Annotated[
         Filter,
         about(
@@ -84,7 +95,10 @@ class Scene(Part):
 
     def check(self) -> None:
         """Refuse parts that do not go together, and stages that are not possible."""
-        self._check_lengths()
+        self.receiver.check_lengths(self.lens.half_width)
+        if self.run.min_radius is not None:
+            radius = [("run.min_radius", self.run.min_radius)]
+            limits.check_lengths(radius, self.lens.half_width, limits.FAR)
         self.source.measured_in(self.unit)
         self.source.check_before(self.lens)
         self.receiver.check_behind(self.lens)
@@ -98,14 +112,6 @@ class Scene(Part):
                 )
         self.parts()
 
-    def _check_lengths(self) -> None:
-        """Refuse lengths behind the lens that are too long for it."""
-        lengths = [("screen.z", self.screen.z)]
-        lengths += [(f"screen.half_width[{k}]", r) for k, r in enumerate(self.screen.half_width)]
-        if self.run.min_radius is not None:
-            lengths.append(("run.min_radius", self.run.min_radius))
-        limits.check_lengths(lengths, self.lens.half_width, limits.FAR)
-
     @model_serializer(mode="wrap")
     def _written(self, write: SerializerFunctionWrapHandler) -> dict[str, Any]:
         version = self.needed_version
@@ -113,8 +119,13 @@ class Scene(Part):
 
     @property
     def receiver(self) -> AnyReceiver:
-        """Where the light is wanted."""
-        return self.screen
+        """Where the light is wanted: the screen or the far field."""
+        given = [each for each in (self.screen, self.far_field) if each is not None]
+        if not given:
+            raise Refused("screen", "missing; it or far_field is required")
+        if len(given) > 1:
+            raise Refused("far_field", "is given together with a screen; one of them is needed")
+        return given[0]
 
     @property
     def image(self) -> str | None:

@@ -144,7 +144,8 @@ class TestDielectricBoundary:
 
 def test_a_plane_counts_flux_in_its_pixels_and_beside(make_scene):
     scene = make_scene({"screen.pixels": [2, 2]})
-    detector = PlaneDetector(scene.screen, at(5.0, 8.0), scene.lens, Pose())
+    screens = [scene.screen.moved_to(z) for z in (5.0, 8.0)]
+    detector = PlaneDetector(screens, scene.lens, Pose())
     flux, beside = np.zeros((detector.images, detector.pixels)), np.zeros(2)
     # The first is upper left on both; the second leaves the farther screen.
     rays = TracedRays(

@@ -145,7 +145,7 @@ def test_gradcheck(make_scene):
     _, fused = twins(scene, (20, 20), torch.float64)
     heights = lens(scene, 2, 0.02).requires_grad_()
     assert torch.autograd.gradcheck(
-        lambda h: fused.image({"exit": h}, scene.screen, scene.filter).flux,
+        lambda h: fused.image({"exit": h}, scene.filter).flux,
         heights,
         eps=1e-7,
         atol=1e-6,

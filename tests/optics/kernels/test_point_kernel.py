@@ -33,7 +33,7 @@ def differences(scene, tracers, heights, rng):
     cotangent = torch.as_tensor(rng.normal(size=scene.screen.pixels[::-1]))
     for tracer in tracers:
         variable = heights.clone().requires_grad_()
-        light = tracer.image({"exit": variable}, scene.screen, scene.filter)
+        light = tracer.image({"exit": variable}, scene.filter)
         (gradient,) = torch.autograd.grad((light.flux * cotangent).sum(), variable)
         assert torch.isfinite(light.flux).all()
         assert torch.isfinite(gradient).all()
@@ -146,7 +146,7 @@ def test_rays_are_sorted_again_and_none_is_lost_or_doubled(make_scene, rng):
     orders = []
     for share in np.linspace(0, 1, 12):
         height = (0.3 + 0.5 * share) * torch.ones(40, 32, dtype=torch.float64)
-        fused.image({"exit": height}, scene.screen, scene.filter)
+        fused.image({"exit": height}, scene.filter)
         orders.append(fused._sorted.bundle)
     assert len({id(order) for order in orders}) > 1
     for order in (orders[0], orders[-1]):
@@ -175,7 +175,7 @@ def test_one_thread_gives_what_two_give(make_scene, rng):
             torch.set_num_threads(number)
             _, fused = twins(scene)
             variable = heights.clone().requires_grad_()
-            flux = fused.image({"exit": variable}, scene.screen, scene.filter).flux
+            flux = fused.image({"exit": variable}, scene.filter).flux
             gradients.append(torch.autograd.grad(flux.square().sum(), variable)[0])
     finally:
         torch.set_num_threads(threads)
@@ -191,10 +191,10 @@ def test_the_gradient_belongs_to_the_lens_of_its_own_trace(make_scene, rng):
     gradients = []
     for between in (False, True):
         variable = first.clone().requires_grad_()
-        light = fused.image({"exit": variable}, scene.screen, scene.filter)
+        light = fused.image({"exit": variable}, scene.filter)
         if between:
             for _ in range(9):
-                fused.image({"exit": second}, scene.screen, scene.filter)
+                fused.image({"exit": second}, scene.filter)
         gradients.append(torch.autograd.grad(light.flux.square().sum(), variable)[0])
     assert (gradients[0] - gradients[1]).norm() < 1e-12 * gradients[0].norm()
 
@@ -207,10 +207,10 @@ def test_heights_that_are_no_numbers_do_no_harm(make_scene, value):
     good = torch.full((12, 10), 0.5, dtype=torch.float64)
     bad = good.clone()
     bad[3, 4] = value
-    before = fused.image({"exit": good}, scene.screen, scene.filter).flux
+    before = fused.image({"exit": good}, scene.filter).flux
     variable = bad.requires_grad_()
-    fused.image({"exit": variable}, scene.screen, scene.filter).flux.sum().backward()
-    after = fused.image({"exit": good}, scene.screen, scene.filter).flux
+    fused.image({"exit": variable}, scene.filter).flux.sum().backward()
+    after = fused.image({"exit": good}, scene.filter).flux
     assert (after - before).norm() < 1e-12 * before.norm()
 
 

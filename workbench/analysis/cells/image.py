@@ -99,8 +99,8 @@ def imaging(
         If no light reaches the screen.
     """
     check_body(scene, heights)
-    plane = np.array([scene.screen.z])
-    train = OpticalTrain.of(scene, heights, 1, 0, Pose() if pose is None else pose, plane)
+    pose = Pose() if pose is None else pose
+    train = OpticalTrain.of(scene, heights, 1, 0, pose, [scene.receiver])
     images: list[Array] = []
     bound = math.inf
     for level, cells in enumerate(_levels(scene, train.source.origins)):

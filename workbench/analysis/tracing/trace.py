@@ -8,8 +8,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 from threading import Event
 
-import numpy as np
-
 from workbench.analysis.tracing.elements import Array
 from workbench.analysis.tracing.in_order import in_order
 from workbench.analysis.tracing.pose import Pose
@@ -66,9 +64,11 @@ class Trace:
         if rays > MOST_RAYS:
             raise Refused("rays", f"{rays} are too many; at most {MOST_RAYS}")
         pose = Pose() if pose is None else pose
-        planes = np.array([scene.screen.z] if distances is None else distances)
-        check_body(scene, heights, min(planes, default=scene.screen.z))
-        self._train = OpticalTrain.of(scene, heights, rays, seed, pose, planes)
+        at = [scene.receiver] if distances is None else map(scene.receiver.moved_to, distances)
+        receivers = tuple(at)
+        nearest = (receiver.nearest_z for receiver in receivers)
+        check_body(scene, heights, min(nearest, default=scene.receiver.nearest_z))
+        self._train = OpticalTrain.of(scene, heights, rays, seed, pose, receivers)
         self.rays = self._train.source.rays
         self._traced = [0] * BATCHES  # rays of each batch up to now
 

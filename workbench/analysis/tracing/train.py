@@ -14,11 +14,11 @@ from workbench.analysis.tracing.elements import (
 )
 from workbench.analysis.tracing.interfaces import DielectricBoundary, reflectances
 from workbench.analysis.tracing.pose import Pose
-from workbench.analysis.tracing.receivers import PlaneDetector
+from workbench.analysis.tracing.receivers import detector_of
 from workbench.analysis.tracing.sources import light_source
 from workbench.analysis.tracing.surfaces import FlatFace, SplineFace
 from workbench.geometry.outlines import outline_of
-from workbench.scene import Scene
+from workbench.scene import AnyReceiver, Scene
 
 # Rays followed together: what is made of them on the way stays within the cache.
 _AT_ONCE = 1 << 13
@@ -96,9 +96,9 @@ class OpticalTrain:
         rays: int,
         seed: int,
         pose: Pose,
-        planes: Array,
+        receivers: Sequence[AnyReceiver],
     ) -> "OpticalTrain":
-        """The train of a scene; for the parameters see `Trace`."""
+        """The train of a scene with receivers of one kind; for the parameters see `Trace`."""
         lens, n = scene.lens, scene.lens.index
         entering, leaving = reflectances(lens)
         entrance = FlatFace(0.0, outline_of(lens), "missed_lens")
@@ -112,7 +112,7 @@ class OpticalTrain:
                     DielectricBoundary(n, 1.0, "fresnel_exit", leaving, lens.absorption),
                 ),
             ),
-            PlaneDetector(scene.screen, planes, lens, pose),
+            detector_of(receivers, lens, pose),
         )
 
     def walk(self, rays: TracedRays, tally: Tally) -> None:

@@ -59,15 +59,15 @@ def transport_start(scene: Scene, target: Array) -> Array | None:
         Heights, scene units, beyond their limits where these are too narrow for the task. None if
         no light leaves the lens even where its faces are parallel.
     """
-    lens, screen, net = scene.lens, scene.screen, ControlNet.of(scene.lens)
+    lens, receiver, net = scene.lens, scene.receiver, ControlNet.of(scene.lens)
     cells = max(_CELLS, 2 * max(net.shape))
     light = _Light(scene, net, cells)
     fit = SlopeFit(net, cells)
     limits = HeightLimits.of(bounded(scene), net)
-    image = target / target.max()
+    image = target / target.max() * receiver.relative_measure()
     wanted = _resampled(image[::-1].T, cells)  # along x first and y upwards, as the lens is
     wanted /= wanted.sum()
-    r = np.array(lens.half_width) * np.array(screen.half_width)
+    r = np.array(lens.half_width) * np.array(receiver.half_extent)
     weights = r / math.sqrt(r.prod())
 
     passing = ((z, flux) for z in _candidates(limits) if (flux := light.flux(z)) is not None)
@@ -100,20 +100,17 @@ class _Faces(NamedTuple):
 
     def bent(self, transport: Transport, heights: Array) -> Array:
         """Control heights of a face, from those of one like it."""
-        light, n, screen = self.light, self.scene.lens.index, self.scene.screen
-        to_x, to_y = (
-            ((2 * to + 1) / len(to) - 1) * half_width
-            for to, half_width in zip(transport.map(), screen.half_width, strict=True)
-        )
+        light, n, receiver = self.light, self.scene.lens.index, self.scene.receiver
+        places = zip(transport.map(), receiver.half_extent, receiver.middle, strict=True)
+        to_u, to_v = (((2 * to + 1) / len(to) - 1) * half + middle for to, half, middle in places)
         for _ in range(_FITS):
             z = self.fit.surface(heights)
             d_x, d_y, d_z = light.direction(z)
-            out_x, out_y, out_z = to_x - light.x, to_y - light.y, screen.z - z
-            length = np.sqrt(out_x**2 + out_y**2 + out_z**2)
+            out_x, out_y, out_z = receiver.towards((light.x, light.y, z), to_u, to_v)
             # Snell's law as vectors: the normal is along n d_in − d_out.
-            normal_z = np.maximum(n * d_z - out_z / length, _UPRIGHT * (n - 1))
-            slope_x = -(n * d_x - out_x / length) / normal_z
-            slope_y = -(n * d_y - out_y / length) / normal_z
+            normal_z = np.maximum(n * d_z - out_z, _UPRIGHT * (n - 1))
+            slope_x = -(n * d_x - out_x) / normal_z
+            slope_y = -(n * d_y - out_y) / normal_z
             heights = self.limits.placed(self.fit.heights(slope_x, slope_y))
         return heights
 

@@ -1,4 +1,4 @@
-"""Pictures in numbers: the height of the exit face, the irradiance on the screen.
+"""Pictures in numbers: the height of the exit face, the light on the receiver.
 
 Rows run from +y down and columns from −x on, as in image files.
 """
@@ -14,6 +14,7 @@ from PIL.PngImagePlugin import PngInfo
 from workbench.files.export.design import Design, Deviation
 from workbench.files.export.tables import rounding, write_table
 from workbench.files.npy import write_array
+from workbench.scene.fields import ANGLE
 
 Array = npt.NDArray[np.float64]
 
@@ -36,6 +37,8 @@ class Map(NamedTuple):
         Unit of x and y.
     values : ndarray, shape (n_y, n_x)
         NaN where there is nothing.
+    axes : tuple[str, str]
+        Names of x and y.
     """
 
     name: str
@@ -44,6 +47,7 @@ class Map(NamedTuple):
     y: Array
     length: str
     values: Array
+    axes: tuple[str, str] = ("x", "y")
 
 
 def height(design: Design) -> Map:
@@ -55,14 +59,13 @@ def height(design: Design) -> Map:
 
 
 def irradiance(design: Design) -> Map:
-    """Irradiance at the middle of each pixel, as the design run saw it at its end."""
-    screen = design.scene.screen
-    x, y = (
-        ((np.arange(n) + 0.5) / n * 2 - 1) * r
-        for n, r in zip(screen.pixels, screen.half_width, strict=True)
-    )
-    values = design.result.state.irradiance
-    return Map("irradiance", f"1/{design.unit}^2", x, y[::-1], design.unit, values)
+    """Density of light at the middle of each pixel, as the design run saw it at its end."""
+    receiver = design.scene.receiver
+    places = zip(receiver.pixels, receiver.half_extent, receiver.middle, strict=True)
+    u, v = (middle + ((np.arange(n) + 0.5) / n * 2 - 1) * r for n, r, middle in places)
+    values, unit = design.result.state.irradiance, receiver.measure.words_in(design.unit)
+    density = receiver.density_unit(design.unit)
+    return Map(receiver.density, density, u, v[::-1], unit, values, receiver.axes)
 
 
 def write_png(shown: Map, file: BinaryIO) -> Deviation:
@@ -114,22 +117,24 @@ def write_csv(shown: Map, file: BinaryIO) -> Deviation:
     """Write a line x, y, value per point, along the rows; none where there is nothing."""
     there = np.isfinite(shown.values)
     columns = [c[there] for c in np.broadcast_arrays(shown.x, shown.y[:, None], shown.values)]
-    length = shown.length
-    header = f"x [{length}],y [{length}],{shown.name} [{shown.unit}]"
+    length, (x, y) = shown.length, shown.axes
+    header = f"{x} [{length}],{y} [{length}],{shown.name} [{shown.unit}]"
     written = write_table(file, columns, header, delimiter=",")
     return Deviation("rounding", rounding(written, 2, columns[2]), shown.unit)
 
 
 def _extent(shown: Map) -> dict[str, str | float]:
     """Unit of the values, and where the middle of the first and last columns and rows are."""
+    x, y = shown.axes
+    angle = shown.length == ANGLE.words
     return {
         "Quantity": shown.name,
         "Unit": shown.unit,
-        "Length unit": shown.length,
-        "x of first column": float(shown.x[0]),
-        "x of last column": float(shown.x[-1]),
-        "y of first row": float(shown.y[0]),
-        "y of last row": float(shown.y[-1]),
+        "Angle unit" if angle else "Length unit": shown.length,
+        f"{x} of first column": float(shown.x[0]),
+        f"{x} of last column": float(shown.x[-1]),
+        f"{y} of first row": float(shown.y[0]),
+        f"{y} of last row": float(shown.y[-1]),
     }
 
 

@@ -28,6 +28,7 @@ from workbench.optics.kernels.passes import GridPasses, Landing
 from workbench.optics.kernels.spread import Spread, make_canvases, make_spread, pad
 from workbench.optics.light import Light, Nodes
 from workbench.optics.path import Path, Step
+from workbench.optics.receivers import PlaneReceiver
 from workbench.optics.samples import Samples, cells, places, shares
 from workbench.optics.sources import CollimatedEmitter
 from workbench.optics.surfaces import Plane
@@ -58,7 +59,7 @@ class FusedCollimatedRays:
     @staticmethod
     def matches(path: Path) -> bool:
         """Whether it traces what the walk along a path does."""
-        return _ParallelLens.of(path) is not None
+        return path.receiver.upright and _ParallelLens.of(path) is not None
 
     def __init__(
         self,
@@ -77,15 +78,15 @@ class FusedCollimatedRays:
         across, up = (_rays(net, samples, axis, self._halves, kind) for axis in (0, 1))
         self._all, self._inside = (across, up), lens.emitter.inside
         self._moving, self._still = split((across, up), locked)
-        self._still_light: tuple[Screen, Filter, Tensor, Sums] | None = None
+        self._still_light: tuple[Filter, Tensor, Sums] | None = None
         self.traced = count(self._moving) / count((across, up))
-        self._level, self._screen = path.datum, path.receiver.screen
+        self._level, self._receiver = path.datum, path.receiver
         entering, beside = lens.entering.at(1.0, 1.0), lens.emitter.beside
         self._before = {lens.missed: beside, lens.reflected: (1 - entering) * (1 - beside)}
         self._optics = Optics(
             kind(n),
             kind(n * n - 1),
-            kind(path.receiver.z),
+            kind(path.receiver.numbers().point[2]),
             kind(16 * np.finfo(kind).eps),
             kind(entering / cells(samples)),
             kind(-lens.entrance_z),
@@ -117,9 +118,9 @@ class FusedCollimatedRays:
         )
         return self._inside[columns].T[rows]
 
-    def image(self, heights: Mapping[str, Tensor], screen: Screen, filter: Filter) -> Light:
+    def image(self, heights: Mapping[str, Tensor], filter: Filter) -> Light:
         """Trace a lens; see `workbench.optics.light.Tracer`."""
-        spread = make_spread(screen, filter, self._kind, self._screen)
+        spread = make_spread(self._receiver, filter, self._kind)
         face = heights[self._face.name]
 
         def traced(rays: Rays) -> tuple[Tensor, Sums]:
@@ -127,16 +128,16 @@ class FusedCollimatedRays:
 
         flux, sums = traced(self._moving)
         if self._still:
-            if self._still_light is None or self._still_light[:2] != (screen, filter):
+            if self._still_light is None or self._still_light[0] != filter:
                 with torch.no_grad():
                     parts = [traced(rays) for rays in self._still]
-                self._still_light = screen, filter, *_together(parts)
-            flux, sums = _together([(flux, sums), self._still_light[2:]])
+                self._still_light = filter, *_together(parts)
+            flux, sums = _together([(flux, sums), self._still_light[1:]])
         return self._face.light(flux, sums, self._before)
 
     def nodes(self, heights: Mapping[str, Tensor]) -> Nodes:
         """Trace the corners of cells of light; see `workbench.optics.light.BeamTracer`."""
-        spread = make_spread(self._screen, BoxFilter(), self._kind)
+        spread = make_spread(self._receiver, BoxFilter(), self._kind)
         landing = Landing(_Passes(self, self._moving, spread))
         traced = trace(heights[self._face.name], self._level, self._dtype, landing)
         return Nodes(*self._face.light(*traced, self._before))
@@ -187,7 +188,7 @@ def compile_for(dtype: torch.dtype) -> None:
     law = TransmittanceLaw.fresnel(1.5).cast(kind)
     numbers = Optics._make([*(kind(1.5) for _ in Optics._fields[:-1]), law])
     screen = Screen(z=1.0, half_width=(1.0, 1.0), pixels=(2, 2))
-    spread = make_spread(screen, GaussianFilter(), kind)
+    spread = make_spread(PlaneReceiver(screen, 0.0), GaussianFilter(), kind)
     canvas = make_canvases(spread, 1)[0]
     heights, gradient = np.zeros(net.shape, kind), np.zeros(net.shape)
     wide = across.share[None, :]

@@ -26,6 +26,7 @@ from workbench.optics.kernels.spread import Spread, make_canvases, make_spread, 
 from workbench.optics.lattice import make_lattice
 from workbench.optics.light import Light, Nodes
 from workbench.optics.path import Path
+from workbench.optics.receivers import PlaneReceiver
 from workbench.optics.samples import places
 from workbench.optics.transmittance import TransmittanceLaw
 from workbench.scene import BoxFilter, Filter, GaussianFilter, Screen
@@ -53,7 +54,8 @@ class FusedFaceSamples:
     @staticmethod
     def matches(path: Path) -> bool:
         """Whether it traces what the reference makes of a path."""
-        return SampledFace.of(path) is not None and ExitFace.rectangular(path) is not None
+        sampled, face = SampledFace.of(path), ExitFace.rectangular(path)
+        return path.receiver.upright and sampled is not None and face is not None
 
     def __init__(
         self,
@@ -68,7 +70,7 @@ class FusedFaceSamples:
         lattice = make_lattice(source, lens, sampled.samples)
         self._face = face
         self._before = {sampled.missed: lattice.missed, sampled.reflected: lattice.reflected}
-        self._dtype, self._screen = path.dtype, path.receiver.screen
+        self._dtype, self._receiver = path.dtype, path.receiver
         kind = self._kind = kind_of(path.dtype)
         points = int(lattice.x.point.max()) + 1, int(lattice.y.point.max()) + 1
         halves = self._halves = Halves.of(sampled.samples, points, mirrored)
@@ -110,7 +112,7 @@ class FusedFaceSamples:
             kind(lattice.distance**2),
             kind(lambertian),
             kind(self._lift),
-            kind(self._screen.z - self._level),
+            kind(path.receiver.numbers().point[2] + path.datum - self._level),
             kind(16 * np.finfo(kind).eps),
             kind(face.absorption),
             sampled.entering.cast(kind),
@@ -129,15 +131,15 @@ class FusedFaceSamples:
         """See `workbench.optics.light.BeamTracer`."""
         return self._halves.splits(self._emitter.splits)
 
-    def image(self, heights: Mapping[str, Tensor], screen: Screen, filter: Filter) -> Light:
+    def image(self, heights: Mapping[str, Tensor], filter: Filter) -> Light:
         """Trace a lens; see `workbench.optics.light.Tracer`."""
-        spread = make_spread(screen, filter, self._kind, self._screen)
+        spread = make_spread(self._receiver, filter, self._kind)
         light = trace(heights[self._face.name], self._level, self._dtype, _Passes(self, spread))
         return self._face.light(*light, self._before)
 
     def nodes(self, heights: Mapping[str, Tensor]) -> Nodes:
         """Trace the corners of cells of light; see `workbench.optics.light.BeamTracer`."""
-        spread = make_spread(self._screen, BoxFilter(), self._kind)
+        spread = make_spread(self._receiver, BoxFilter(), self._kind)
         landing = Landing(_Passes(self, spread))
         traced = trace(heights[self._face.name], self._level, self._dtype, landing)
         return Nodes(*self._face.light(*traced, self._before))
@@ -159,7 +161,7 @@ def compile_for(dtype: torch.dtype) -> None:
     laws = TransmittanceLaw.fresnel(1 / 1.5).cast(kind), TransmittanceLaw.fresnel(1.5).cast(kind)
     optics = Optics._make([*(kind(1.5) for _ in Optics._fields[:-4]), *laws, False, False])
     screen = Screen(z=1.0, half_width=(1.0, 1.0), pixels=(2, 2))
-    spread = make_spread(screen, GaussianFilter(), kind)
+    spread = make_spread(PlaneReceiver(screen, 0.0), GaussianFilter(), kind)
     canvas = make_canvases(spread, 1)[0]
     heights, gradient = np.zeros(net.shape, kind), np.zeros(net.shape)
     given = heights, bases, (across, up, optics, 1), spread, 0, 2

@@ -3,13 +3,14 @@
 from typing import Any, NamedTuple
 
 import numpy as np
+import numpy.typing as npt
 
 from workbench.compiled import jit
 from workbench.optics.kernels.grid import Z
 from workbench.optics.kernels.origin_trace import D_O_X, D_O_Y, D_O_Z, D_P_Z, O_X, O_Y, O_Z
 from workbench.optics.kernels.rows import COLUMN, D_COLUMN, D_ROW, ROW
 from workbench.optics.kernels.taps import FAST
-from workbench.optics.receivers import PlaneReceiver
+from workbench.optics.receivers import Receiver
 
 Number = np.floating[Any]
 Triple = tuple[Number, Number, Number]
@@ -42,20 +43,28 @@ class Landing(NamedTuple):
     row_0: Number
 
 
-def landing_of(receiver: PlaneReceiver, level: float, kind: type[Number]) -> Landing:
+def landing_of(receiver: Receiver, level: float, kind: type[Number]) -> Landing:
     """A receiver for kernels of a float type; z counts from a level above the datum of the path."""
-    screen = receiver.screen
-    (r_x, r_y), (n_x, n_y) = screen.half_width, screen.pixels
-    zero = kind(0)
+    numbers = receiver.numbers()
+    normal, column, row = (np.array(part) for part in (numbers.normal, numbers.column, numbers.row))
+    point = np.array(numbers.point) - [0.0, 0.0, level]
+    beyond, column_0, row_0 = normal @ point, numbers.column_0, numbers.row_0
+    if not numbers.far:
+        column_0, row_0 = column_0 - column @ point, row_0 - row @ point
     return Landing(
-        False,
-        (zero, zero, kind(1)),
-        kind(receiver.z - level),
-        (kind(n_x / (2 * r_x)), zero, zero),
-        (zero, kind(-n_y / (2 * r_y)), zero),
-        kind(n_x / 2),
-        kind(n_y / 2),
+        numbers.far,
+        _triple(normal, kind),
+        kind(beyond),
+        _triple(column, kind),
+        _triple(row, kind),
+        kind(column_0),
+        kind(row_0),
     )
+
+
+def _triple(vector: npt.NDArray[np.float64], kind: type[Number]) -> Triple:
+    x, y, z = map(kind, vector)
+    return x, y, z
 
 
 @jit(fastmath=FAST, error_model="numpy", forceinline=True)

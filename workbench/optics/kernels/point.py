@@ -36,6 +36,7 @@ from workbench.optics.kernels.point_trace import trace as trace_rays
 from workbench.optics.kernels.spread import Spread, add_up, make_canvases, make_spread, pad
 from workbench.optics.light import Light
 from workbench.optics.path import Path
+from workbench.optics.receivers import PlaneReceiver
 from workbench.optics.transmittance import TransmittanceLaw
 from workbench.scene import Filter, GaussianFilter, Screen
 
@@ -65,7 +66,7 @@ class FusedPointRays:
     def matches(path: Path) -> bool:
         """Whether it traces what the walk along a path does."""
         face = ExitFace.rectangular(path)
-        return face is not None and not face.mesh
+        return path.receiver.upright and face is not None and not face.mesh
 
     def __init__(
         self,
@@ -80,13 +81,14 @@ class FusedPointRays:
         self.kind = kind_of(path.dtype)
         self.face = Face(face.net, path.dtype)
         start = _start(path) if face.absorption > 0 else 0.0
-        self.glass = make_glass(face.law, path.receiver.z, face.absorption, start, self.kind)
+        screen_z = path.receiver.numbers().point[2]
+        self.glass = make_glass(face.law, screen_z, face.absorption, start, self.kind)
         self._sorted: Sorted | None = None
 
-    def image(self, heights: Mapping[str, Tensor], screen: Screen, filter: Filter) -> Light:
+    def image(self, heights: Mapping[str, Tensor], filter: Filter) -> Light:
         """Trace a lens; see `workbench.optics.light.Tracer`."""
         path = self._path
-        spread = make_spread(screen, filter, self.kind, path.receiver.screen)
+        spread = make_spread(path.receiver, filter, self.kind)
         light = trace(heights[self._exit.name], path.datum, path.dtype, _Passes(self, spread))
         return self._exit.light(*light, {name: part.item() for name, part in path.lost.items()})
 
@@ -170,7 +172,7 @@ def compile_for(dtype: torch.dtype) -> None:
     bounds, table = face.bounds(heights, known.steepest), make_table(heights, face.powers)
     glass = make_glass(TransmittanceLaw.fresnel(1.5), 1.5, 0.0, 0.0, kind)
     screen = Screen(z=1.0, half_width=(1.0, 1.0), pixels=(2, 2))
-    spread = make_spread(screen, GaussianFilter(), kind)
+    spread = make_spread(PlaneReceiver(screen, 0.0), GaussianFilter(), kind)
     canvas, d_table = make_canvases(spread, 1)[0], np.zeros(table.shape)
     rays = known.bundle, known.depths
     trace_rays(face.net, bounds, table, glass, spread, *rays, 0, 1, known.depths, canvas)

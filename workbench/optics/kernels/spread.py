@@ -15,7 +15,8 @@ import numpy.typing as npt
 
 from workbench.compiled import jit
 from workbench.optics.kernels.taps import FAST, Taps, fill_taps, make_taps
-from workbench.scene import Filter, Screen
+from workbench.optics.receivers import Receiver
+from workbench.scene import Filter
 
 AnyArray = npt.NDArray[np.floating[Any]]
 
@@ -75,38 +76,30 @@ _TAPS = np.uintp(BATCH * 8)
 _STEP = np.uintp(BATCH)
 
 
-def make_spread(
-    image: Screen, filter: Filter, kind: type[np.floating[Any]], screen: Screen | None = None
-) -> Spread:
+def make_spread(receiver: Receiver, filter: Filter, kind: type[np.floating[Any]]) -> Spread:
     """Prepare an image and a filter for kernels of a float type.
 
     Parameters
     ----------
-    image : Screen
-        Where the pixels are.
+    receiver : Receiver
+        Where the pixels are: a plane across the axis.
     filter : BoxFilter or GaussianFilter
         How a ray's flux is spread over them.
     kind : type
         Float type of the kernels.
-    screen : Screen, optional
-        Which rays count as on the screen; those on the image by default.
     """
-    r_x, r_y = image.half_width
-    column_0, row_0 = image.to_pixels(0.0, 0.0)
-    column_1, row_1 = image.to_pixels(r_x, r_y)
-    x, y = (screen or image).half_width
-    left, top = image.to_pixels(-x, y)
-    right, bottom = image.to_pixels(x, -y)
+    plane, (n_x, n_y) = receiver.numbers(), receiver.part.pixels
+    (x, y, _), per_x, per_y = plane.point, plane.column[0], plane.row[1]
     return Spread(
-        kind(column_0),
-        kind((column_1 - column_0) / r_x),
-        kind(row_0),
-        kind((row_1 - row_0) / r_y),
-        kind(left),
-        kind(right),
-        kind(top),
-        kind(bottom),
-        image.pixels,
+        kind(plane.column_0 - per_x * x),
+        kind(per_x),
+        kind(plane.row_0 - per_y * y),
+        kind(per_y),
+        kind(0),
+        kind(n_x),
+        kind(0),
+        kind(n_y),
+        (n_x, n_y),
         make_taps(filter.alpha, filter.size[0], kind),
         make_taps(filter.alpha, filter.size[1], kind),
     )

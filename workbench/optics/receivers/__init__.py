@@ -1,5 +1,24 @@
-"""Where light is wanted: one file a kind."""
+"""Where light is wanted: one file a kind.
 
+A new kind of receiver is a file here, its fields in `workbench.scene`, and a row in ``_RECEIVERS``.
+"""
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from workbench.optics.receivers.far_field import FarFieldReceiver
 from workbench.optics.receivers.plane import PlaneReceiver
+from workbench.optics.receivers.receiver import Receiver, ReceiverNumbers
+from workbench.scene import AnyReceiver, FarField, Lens, Screen
 
-__all__ = ["PlaneReceiver"]
+__all__ = ["FarFieldReceiver", "PlaneReceiver", "Receiver", "ReceiverNumbers", "receiver_of"]
+
+_RECEIVERS: Mapping[type, Callable[[Any, Lens, float], Receiver]] = {
+    Screen: lambda screen, lens, datum: PlaneReceiver(screen, datum),
+    FarField: lambda far_field, lens, datum: FarFieldReceiver(far_field, far_field.radius(lens)),
+}
+
+
+def receiver_of(part: AnyReceiver, lens: Lens, datum: float) -> Receiver:
+    """The element on which light makes an image; behind a lens; z is counted from a datum."""
+    return _RECEIVERS[type(part)](part, lens, datum)

@@ -1,17 +1,17 @@
-"""A screen across the axis."""
+"""A screen, anywhere behind the lens and tilted."""
+
+from collections.abc import Iterable
 
 import torch
 from torch import Tensor
 
-from workbench.optics.rays import RayBundle
+from workbench.optics.rays import RayBundle, Vector
+from workbench.optics.receivers.receiver import ACROSS, ReceiverNumbers, Triple
 from workbench.scene import Screen
-
-# A face that sends light sideways for ever sends it past any screen.
-_ACROSS = 1e-6
 
 
 class PlaneReceiver:
-    """Plane at one z on which light makes an image.
+    """Plane on which light makes an image; a `Receiver`.
 
     Parameters
     ----------
@@ -22,23 +22,68 @@ class PlaneReceiver:
 
     Attributes
     ----------
-    screen : Screen
+    part : Screen
         As given.
-    z : float
-        Where the plane is, counted from the datum.
     """
 
     def __init__(self, screen: Screen, datum: float) -> None:
-        self.screen, self.z = screen, screen.z - datum
+        self.part = screen
+        self._right, self._up, self._away = (_triple(side) for side in screen.sides)
+        x, y, z = _triple(screen.position)
+        self._middle = x, y, z - datum
+
+    @property
+    def upright(self) -> bool:
+        """As its screen is."""
+        return self.part.upright
 
     def places(self, rays: RayBundle) -> tuple[Tensor, Tensor]:
-        """Where (x, y) rays hit the plane, scene units; infinite for those that never do."""
-        (x, y, z), (d_x, d_y, d_z) = rays.position, rays.direction
-        across = d_z.abs() > _ACROSS
-        way = (self.z - z) / torch.where(across, d_z, 1.0)
-        # Light to +z begins before the screen, even where rounding says otherwise.
-        hits = rays.alive & across & ((d_z > 0) | (way > 0))
-        return (
-            torch.where(hits, x + d_x * way, torch.inf),
-            torch.where(hits, y + d_y * way, torch.inf),
+        """See `Receiver`."""
+        way, hits = self._way(rays)
+        from_middle = _from(_moved(rays, way), self._middle)
+        x, y = (_along(from_middle, side) for side in (self._right, self._up))
+        column, row = self.part.to_pixels(x, y)
+        return torch.where(hits, column, torch.inf), torch.where(hits, row, torch.inf)
+
+    def ends(self, rays: RayBundle) -> Vector:
+        """Where rays meet the plane."""
+        return _moved(rays, self._way(rays)[0])
+
+    def numbers(self) -> ReceiverNumbers:
+        """See `Receiver`."""
+        (r_x, r_y), (n_x, n_y) = self.part.half_width, self.part.pixels
+        right, up = self.part.sides[0], self.part.sides[1]
+        column, row = _triple(right * (n_x / (2 * r_x))), _triple(up * (-n_y / (2 * r_y)))
+        return ReceiverNumbers(
+            False, self._middle, self._away, column, row, *self.part.to_pixels(0.0, 0.0)
         )
+
+    def _way(self, rays: RayBundle) -> tuple[Tensor, Tensor]:
+        """How far rays are from the plane along them, and whether they meet it."""
+        along = _along(rays.direction, self._away)
+        across = along.abs() > ACROSS
+        way = -_along(_from(rays.position, self._middle), self._away)
+        way = way / torch.where(across, along, 1.0)
+        # Light towards the screen begins before it, even where rounding says otherwise.
+        return way, rays.alive & across & ((along > 0) | (way > 0))
+
+
+def _moved(rays: RayBundle, way: Tensor) -> Vector:
+    (x, y, z), (d_x, d_y, d_z) = rays.position, rays.direction
+    return x + d_x * way, y + d_y * way, z + d_z * way
+
+
+def _from(place: Vector, middle: Triple) -> Vector:
+    x, y, z = place
+    return x - middle[0], y - middle[1], z - middle[2]
+
+
+def _along(vector: Vector, side: Triple) -> Tensor:
+    """Scalar product with a unit vector, most parts of which are mostly 0."""
+    parts = [part * c for part, c in zip(vector, side, strict=True) if c]
+    return sum(parts[1:], parts[0])
+
+
+def _triple(vector: Iterable[float]) -> Triple:
+    x, y, z = map(float, vector)
+    return x, y, z

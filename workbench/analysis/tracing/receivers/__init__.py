@@ -1,5 +1,25 @@
-"""Where light is counted: a file for each kind."""
+"""Where light is counted: one file a kind.
 
+A new kind of receiver is a file here and a row in ``_DETECTORS``.
+"""
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+from workbench.analysis.tracing.elements import Detector
+from workbench.analysis.tracing.pose import Pose
+from workbench.analysis.tracing.receivers.far_field import FarFieldDetector
 from workbench.analysis.tracing.receivers.plane import PlaneDetector
+from workbench.scene import AnyReceiver, FarField, Lens, Screen
 
-__all__ = ["PlaneDetector"]
+__all__ = ["FarFieldDetector", "PlaneDetector", "detector_of"]
+
+_DETECTORS: Mapping[type, Callable[[Any, Lens, Pose], Detector]] = {
+    Screen: PlaneDetector,
+    FarField: FarFieldDetector,
+}
+
+
+def detector_of(receivers: Sequence[AnyReceiver], lens: Lens, pose: Pose) -> Detector:
+    """The detector of some receivers of one kind, at least one, which do not hide each other."""
+    return _DETECTORS[type(receivers[0])](receivers, lens, pose)

@@ -1,8 +1,10 @@
-"""A screen across the axis, or several of them that do not hide each other."""
+"""A screen, or several of them that do not hide each other."""
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
+from scipy.spatial.transform import Rotation
 
 from workbench.analysis.tracing.elements import Array, TracedRays
 from workbench.analysis.tracing.pose import Pose
@@ -15,37 +17,44 @@ class PlaneDetector:
 
     Parameters
     ----------
-    screen : Screen
-        How large it is, and its pixels.
-    planes : ndarray, shape (images,)
-        z of each screen in the scene.
+    screens : sequence of Screen
+        Where they are; all with the same pixels.
     lens : Lens
         Gives the entrance face, from which rays count.
     pose : Pose
         How the lens stands.
     """
 
-    def __init__(self, screen: Screen, planes: Array, lens: Lens, pose: Pose) -> None:
-        self.images, self.pixels = len(planes), math.prod(screen.pixels)
-        self._size, self._planes = screen.pixels, planes
+    def __init__(self, screens: Sequence[Screen], lens: Lens, pose: Pose) -> None:
+        first = screens[0]
+        self.images, self.pixels = len(screens), math.prod(first.pixels)
+        self._size = first.pixels
         self._to_scene = pose.to_scene(lens.entrance_z)
-        added = np.array(screen.to_pixels(0.0, 0.0))
-        with_factor = np.array(screen.to_pixels(1.0, 1.0))
-        # Column of x and row of y as factors and what is added.
-        self._scale = np.column_stack([with_factor - added, added])
+        self._planes = np.array([_plane(screen) for screen in screens])
 
     def count(self, rays: TracedRays, flux: Array, beside: Array) -> None:
         """Add rays to the images; see `Detector.count`."""
-        _count(*rays, *self._to_scene, self._planes, self._scale, self._size, flux, beside)
+        _count(*rays, *self._to_scene, self._planes, self._size, flux, beside)
 
     def hits(self, rays: TracedRays, places: Array) -> None:
         """Find where rays meet the first of the screens; see `Detector.hits`."""
-        _hits(*rays, *self._to_scene, self._planes[0], self._scale, places)
+        _hits(*rays, *self._to_scene, self._planes[0], self._size, places)
+
+
+def _plane(screen: Screen) -> Array:
+    """A screen as rows (4, 3): its middle, away from the light, and columns and rows for lengths.
+
+    Those of its middle are half of all.
+    """
+    turned = Rotation.from_rotvec([*screen.tilt, 0.0], degrees=True).as_matrix().T
+    (r_x, r_y), (n_x, n_y) = screen.half_width, screen.pixels
+    per_length = turned[0] * (n_x / (2 * r_x)), -turned[1] * (n_y / (2 * r_y))
+    return np.array([[*screen.center, screen.z], turned[2], *per_length])
 
 
 @jit(error_model="numpy")
 def _count(  # type: ignore[no-untyped-def]
-    position, direction, flux, turn, shift, planes, scale, pixels, image, beside
+    position, direction, flux, turn, shift, planes, pixels, image, beside
 ):
     """Add flux to pixels.
 
@@ -55,10 +64,8 @@ def _count(  # type: ignore[no-untyped-def]
         The rays, see `TracedRays`.
     turn, shift : array, shapes (3, 3) and (3,)
         From the lens to the scene.
-    planes : array, shape (k,)
-        Where screens are, z.
-    scale : array, shape (2, 2)
-        Column of x and row of y: factor and what is added.
+    planes : array, shape (k, 4, 3)
+        Where screens are; see `_plane`.
     pixels : tuple[int, int]
         Along x and y.
     image, beside : array, shapes (k, n_y n_x), (k,)
@@ -72,7 +79,8 @@ def _count(  # type: ignore[no-untyped-def]
         start = _turned(turn, position[ray], shift)
         way = _turned(turn, direction[ray * step], (0.0, 0.0, 0.0))
         for plane in range(len(planes)):
-            column, row = _hit(start, way, planes[plane], scale)
+            column, row = _hit(start, way, planes[plane])
+            column, row = column + n_x / 2, row + n_y / 2
             # Also not a number, of a ray along the screen, is not in there.
             if 0 <= column < n_x and 0 <= row < n_y:
                 image[plane, int(row) * n_x + int(column)] += flux[ray]
@@ -81,15 +89,17 @@ def _count(  # type: ignore[no-untyped-def]
 
 
 @jit(error_model="numpy")
-def _hits(position, direction, flux, turn, shift, plane, scale, places):  # type: ignore[no-untyped-def]
+def _hits(position, direction, flux, turn, shift, plane, pixels, places):  # type: ignore[no-untyped-def]
     """Get columns and rows, shape (m, 2), on one screen; for the parameters see `_count`."""
+    n_x, n_y = pixels
     step = int(direction.shape[0] > 1)
     for ray in range(len(flux)):
         if flux[ray] == 0:
             continue
         start = _turned(turn, position[ray], shift)
         way = _turned(turn, direction[ray * step], (0.0, 0.0, 0.0))
-        places[ray, 0], places[ray, 1] = _hit(start, way, plane, scale)
+        column, row = _hit(start, way, plane)
+        places[ray, 0], places[ray, 1] = column + n_x / 2, row + n_y / 2
 
 
 @jit(error_model="numpy", inline="always")  # a call costs as much
@@ -104,11 +114,16 @@ def _turned(turn, vector, shift):  # type: ignore[no-untyped-def]
 
 
 @jit(error_model="numpy", inline="always")  # a call costs as much
-def _hit(start, way, plane, scale):  # type: ignore[no-untyped-def]
-    """Column and row where a ray meets a screen; not finite where it does not."""
-    ahead = plane - start[2]
-    path = ahead / way[2] if way[2] > 0 or ahead * way[2] > 0 else math.inf
-    return (
-        scale[0, 0] * (start[0] + way[0] * path) + scale[0, 1],
-        scale[1, 0] * (start[1] + way[1] * path) + scale[1, 1],
-    )
+def _hit(start, way, plane):  # type: ignore[no-untyped-def]
+    """Column and row from the middle where a ray meets a screen; not finite where it does not."""
+    ahead = along = 0.0
+    for k in range(3):
+        ahead += (plane[0, k] - start[k]) * plane[1, k]
+        along += way[k] * plane[1, k]
+    path = ahead / along if along > 0 or ahead * along > 0 else math.inf
+    column = row = 0.0
+    for k in range(3):
+        from_middle = start[k] + way[k] * path - plane[0, k]
+        column += from_middle * plane[2, k]
+        row += from_middle * plane[3, k]
+    return column, row

@@ -1,0 +1,76 @@
+"""Where the light is wanted: a screen, or directions in the far field."""
+
+from collections.abc import Set
+from typing import Any
+
+from ui.panels.fields import Changes, ChoiceRow, Row
+from ui.panels.panel import Panel
+from ui.panels.rows import Rows
+from workbench.files.session import Session
+from workbench.scene import AnyReceiver, FieldDescription, Scene
+from workbench.scene.kinds import summary_of
+
+
+class ReceiverPanel(Panel):
+    """Bound to whichever of some parts of the scene is there.
+
+    Parameters
+    ----------
+    fields : sequence of FieldDescription
+        The fields of the scene of which one holds the receiver.
+    """
+
+    def __init__(self, *fields: FieldDescription) -> None:
+        self._titles = {field.name: field.title for field in fields}
+        self._kinds: dict[str, type[AnyReceiver]] = {
+            field.name: part
+            for field in fields
+            for part in field.parts
+            if issubclass(part, AnyReceiver)
+        }
+        tip = " ".join(f"{field.title}: {summary_of(field.parts[0])}" for field in fields)
+        rows = Rows(lambda: self.session.scene)
+        first, *others = fields
+        choice = _ChoiceOfReceiver(first.name, tip, self._titles, self._change)
+        super().__init__(first.title, [choice, *rows.of_part(first.parts[0], first.name)])
+        for field in others:
+            self._add_rows(rows.of_part(field.parts[0], field.name), field.title)
+
+    def show_session(self, session: Session, present: Set[Row], pending: Set[str]) -> None:
+        """Show the receiver that is there, under its own heading."""
+        super().show_session(session, present, pending)
+        self._heading.setText(self._titles[_given(session.scene, self._titles)])
+
+    def _change(self, name: str) -> Changes | None:
+        scene = self.session.scene
+        if getattr(scene, name) is not None:
+            return None
+        kind = self._kinds[name]
+        begun = kind.model_validate(kind.begun(scene))
+        changes: Changes = dict.fromkeys(self._titles)
+        return changes | {name: begun.model_dump(mode="json", exclude_none=True)}
+
+
+class _ChoiceOfReceiver(ChoiceRow):
+    """Which of the parts it is."""
+
+    def __init__(self, path: str, tip: str, titles: dict[str, str], change: Any) -> None:
+        super().__init__(
+            path,
+            "Kind",
+            tip,
+            list(titles.items()),
+            read=lambda scene: _given(scene, titles),
+            changes=change,
+        )
+
+    def concerns(self, path: str) -> bool:
+        """A refusal of the whole part."""
+        return path == self.path
+
+    def _is_there(self, scene: Any) -> bool:
+        return True
+
+
+def _given(scene: Scene, names: dict[str, str]) -> str:
+    return next(name for name in names if getattr(scene, name) is not None)

@@ -1,0 +1,123 @@
+"""Receivers as Mitsuba's camera sees them: as pictures of a screen."""
+
+import math
+from collections.abc import Callable, Mapping
+from typing import Any, NamedTuple
+
+import numpy as np
+from scipy.sparse import csr_array
+
+from workbench.analysis.tracing.elements import Array
+from workbench.errors import Refused
+from workbench.scene import AnyReceiver, FarField, Lens, Screen
+
+# How far a screen stands for a far field, in half-widths of the lens: light of opposite rims is
+# apart by twice as small an angle, 2e-5 radians or 0.001 degrees.
+_FAR = 1e5
+# Beyond this angle from the axis such a screen is too wide.
+_MOST = 75.0
+# Pixels of the screen for each of the far field along an axis, and places in each along both.
+_FINER, _PLACES = 3, 3
+_MOST_PIXELS = 3072
+
+
+class Picture(NamedTuple):
+    """What the camera takes a picture of.
+
+    Attributes
+    ----------
+    screen : Screen
+        With square pixels.
+    to_receiver : csr_array or None
+        Which part of the light of each of its pixels, along the rows, goes to each of the
+        receiver's; None where they are the same.
+    """
+
+    screen: Screen
+    to_receiver: csr_array | None = None
+
+    def light(self, flux: Array, receiver: AnyReceiver) -> Array:
+        """The light in the receiver's pixels, shape (n_y, n_x)."""
+        if self.to_receiver is None:
+            return flux
+        n_x, n_y = receiver.pixels
+        found: Array = (self.to_receiver @ flux.ravel()).reshape(n_y, n_x)
+        return found
+
+
+def picture_of(receiver: AnyReceiver, lens: Lens) -> Picture:
+    """The picture that tells the light on a receiver.
+
+    Raises
+    ------
+    Refused
+        If pixels of a screen are not square, or a far field goes too far to the side.
+    """
+    return _PICTURES[type(receiver)](receiver, lens)
+
+
+def _of_screen(screen: Screen, lens: Lens) -> Picture:
+    (r_x, r_y), (n_x, n_y) = screen.half_width, screen.pixels
+    if not math.isclose(r_x / n_x, r_y / n_y, rel_tol=1e-6):
+        raise Refused(
+            "screen.pixels",
+            f"[{n_x}, {n_y}] on [{r_x:g}, {r_y:g}] are not square, as Mitsuba's camera has "
+            "them; as many per length along x and y are needed",
+        )
+    return Picture(screen)
+
+
+def _of_far_field(far_field: FarField, lens: Lens) -> Picture:
+    """A screen so far that its places are directions."""
+    widest = max(abs(c) + r for c, r in zip(far_field.center, far_field.half_angle, strict=True))
+    if widest > _MOST:
+        raise Refused(
+            "far_field.half_angle",
+            f"goes up to {widest:g} degrees; Mitsuba's camera sees up to {_MOST:g}",
+        )
+    h, v = (
+        np.radians(np.linspace(c - r, c + r, 65))
+        for c, r in zip(far_field.center, far_field.half_angle, strict=True)
+    )
+    slope_x, slope_y = np.tan(h), np.tan(v) / np.cos(h)[:, None]
+    size = min(
+        math.radians(2 * r) / n for r, n in zip(far_field.half_angle, far_field.pixels, strict=True)
+    )
+    size = max(size / _FINER, max(np.ptp(slope_x), np.ptp(slope_y)) / _MOST_PIXELS)
+    middle, counts = [], []
+    for slope in (slope_x, slope_y):
+        middle.append(float(slope.max() + slope.min()) / 2)
+        counts.append(math.ceil(float(np.ptp(slope)) / size))
+    away = _FAR * max(lens.half_width)
+    half_width = counts[0] * size / 2 * away, counts[1] * size / 2 * away
+    screen = Screen(
+        z=lens.highest + away,
+        half_width=half_width,
+        center=(middle[0] * away, middle[1] * away),
+        pixels=(min(counts[0], 4096), min(counts[1], 4096)),
+    )
+    return Picture(screen, _to_far_field(far_field, middle, counts, size))
+
+
+def _to_far_field(
+    far_field: FarField, middle: list[float], counts: list[int], size: float
+) -> csr_array:
+    """See `Picture`; each pixel of the screen is even, and taken at some places."""
+    n_x, n_y = counts
+    x = middle[0] + (np.arange(n_x * _PLACES) + 0.5 - n_x * _PLACES / 2) * (size / _PLACES)
+    y = middle[1] - (np.arange(n_y * _PLACES) + 0.5 - n_y * _PLACES / 2) * (size / _PLACES)
+    y, x = np.meshgrid(y, x, indexing="ij")
+    h, v = np.degrees(np.arctan(x)), np.degrees(np.arctan2(y, np.hypot(1.0, x)))
+    column, row = far_field.to_pixels(h, v)
+    lands = far_field.covers(column, row)
+    fine_row, fine_column = (index[lands] // _PLACES for index in np.indices(h.shape))
+    into = row[lands].astype(int) * far_field.pixels[0] + column[lands].astype(int)
+    parts = np.full(into.size, 1 / _PLACES**2)
+    shape = math.prod(far_field.pixels), n_x * n_y
+    return csr_array((parts, (into, fine_row * n_x + fine_column)), shape=shape)
+
+
+_PICTURES: Mapping[type, Callable[[Any, Lens], Picture]] = {
+    Screen: _of_screen,
+    FarField: _of_far_field,
+}

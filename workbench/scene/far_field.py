@@ -1,0 +1,148 @@
+"""The far field: where light is wanted by its direction alone."""
+
+import math
+from typing import TYPE_CHECKING, Annotated, Any
+
+import numpy as np
+from pydantic import ConfigDict, Field
+
+from workbench.errors import Refused
+from workbench.scene.fields import ANGLE, PLACE, about
+from workbench.scene.receiver import AnyReceiver, Array, Pixels
+
+if TYPE_CHECKING:
+    from workbench.scene.lens import Lens
+    from workbench.scene.task import Scene
+
+# Of the sphere on which it is drawn, in half-widths of the lens.
+_RADIUS = 6.0
+_MOST = 90.0  # degrees; light beyond goes back
+_HalfAngle = Annotated[float, Field(ge=1e-6, le=_MOST)]
+_Angle = Annotated[float, Field(gt=-_MOST, lt=_MOST)]
+
+
+class FarField(AnyReceiver):
+    """Directions of the light that leaves the lens, as if a screen were infinitely far.
+
+    H is the angle to the right, atan2(d_x, |d_z|), and V the one upwards, asin(d_y).
+    """
+
+    model_config = ConfigDict(title="Far field")
+
+    measure = ANGLE
+    axes = "H", "V"
+    density = "intensity"
+    facets = 24
+
+    half_angle: Annotated[
+        tuple[_HalfAngle, _HalfAngle],
+        ANGLE,
+        about(
+            "Half angle",
+            "Half of the angles that it covers to the right and upwards. The target fills it.",
+        ),
+    ]
+    center: Annotated[
+        tuple[_Angle, _Angle],
+        ANGLE,
+        PLACE,
+        about("Center", "Its middle: angle to the right and angle upwards from the optical axis."),
+    ] = (0.0, 0.0)
+    pixels: Pixels
+
+    @classmethod
+    def begun(cls, scene: "Scene") -> dict[str, Any]:
+        """As wide as the receiver that is there looks from the lens."""
+        receiver = scene.receiver
+        wide = zip(receiver.half_extent, receiver.per_radian(scene.lens.highest), strict=True)
+        half = tuple(float(f"{math.degrees(math.atan(r / far)):.3g}") for r, far in wide)
+        return {"half_angle": half, "pixels": receiver.pixels}
+
+    def check(self) -> None:
+        """Refuse angles beyond 90 degrees, where light goes back."""
+        for axis, (half, middle) in enumerate(zip(self.half_angle, self.center, strict=True)):
+            if half + abs(middle) > _MOST:
+                raise Refused(
+                    f"far_field.half_angle[{axis}]",
+                    f"{half:g} about {middle:g} goes beyond {_MOST:g} degrees; "
+                    f"at most {_MOST - abs(middle):g}",
+                )
+
+    @property
+    def half_extent(self) -> tuple[float, float]:
+        """Its half angles."""
+        return self.half_angle
+
+    @property
+    def middle(self) -> tuple[float, float]:
+        """Its middle."""
+        return self.center
+
+    @property
+    def pixel_measure(self) -> Array:
+        """Solid angle of a pixel in each row, steradians, shape (n_y, 1)."""
+        across, height = (
+            2 * math.radians(r) / n for r, n in zip(self.half_angle, self.pixels, strict=True)
+        )
+        # As a product: differences of nearly equal sines lose their digits.
+        return across * 2 * math.sin(height / 2) * self._cosines()
+
+    def relative_measure(self, margin: int = 0) -> Array:
+        """As the cosines of V."""
+        return np.asarray(self._cosines(margin) / self._cosines().mean())
+
+    @property
+    def farthest(self) -> tuple[float, float]:
+        """As far as light goes onwards."""
+        h, v = self.center
+        return _MOST - abs(h), _MOST - abs(v)
+
+    def _cosines(self, margin: int = 0) -> Array:
+        """Of V in the middle of each row."""
+        n_y, v = self.pixels[1], math.radians(self.center[1])
+        rows = n_y - 1 - 2 * np.arange(-margin, n_y + margin)
+        cosines: Array = np.cos(v + rows * (math.radians(self.half_angle[1]) / n_y))
+        return cosines[:, None]
+
+    @property
+    def plane_z(self) -> float:
+        """None: refused."""
+        raise Refused("far_field", "is at no distance; a screen is needed")
+
+    def moved_to(self, z: float) -> "FarField":
+        """Refused."""
+        raise Refused("far_field", "is at no distance; a screen is needed")
+
+    def towards(self, place: tuple[Array, Array, Array], u: Array, v: Array) -> tuple[Array, ...]:
+        """The same from everywhere."""
+        return tuple(np.moveaxis(_direction(u, v), -1, 0))
+
+    def drawn(self, lens: "Lens", u: Array, v: Array) -> Array:
+        """On a sphere around the exit face."""
+        around = np.array([0.0, 0.0, lens.highest])
+        return np.asarray(around + self.radius(lens) * _direction(u, v))
+
+    @staticmethod
+    def radius(lens: "Lens") -> float:
+        """Of the sphere on which it is drawn, scene units."""
+        return _RADIUS * max(lens.half_width)
+
+    @property
+    def nearest_z(self) -> float:
+        """It is infinitely far."""
+        return math.inf
+
+    def per_radian(self, z: float) -> tuple[float, float]:
+        """The same from everywhere."""
+        degrees = math.degrees(1)
+        return degrees / math.cos(math.radians(self.center[1])), degrees
+
+    def check_behind(self, lens: "Lens") -> None:
+        """Refuse nothing: light of any lens has a direction."""
+
+
+def _direction(h: Array, v: Array) -> Array:
+    """Unit vectors of angles in degrees, shape (..., 3)."""
+    h, v = np.radians(h), np.radians(v)
+    parts = np.broadcast_arrays(np.cos(v) * np.sin(h), np.sin(v), np.cos(v) * np.cos(h))
+    return np.stack(parts, axis=-1)
