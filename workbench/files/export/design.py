@@ -50,6 +50,11 @@ class Design:
         return self.scene.unit
 
     @property
+    def metres(self) -> float:
+        """Length of the scene's unit."""
+        return METRES[self.unit]
+
+    @property
     def heights(self) -> Array:
         """Control heights of the exit face, shape (n_u, n_v)."""
         return self.result.state.heights["exit"]

@@ -68,6 +68,9 @@ FORMATS = (
     Format((".irradiance.exr",), "irradiance, 32 bit", "exr", "write_exr"),
     Format((".irradiance.npy",), "irradiance", "maps", "write_npy", "irradiance"),
     Format((".irradiance.csv",), "irradiance", "maps", "write_csv", "irradiance"),
+    Format((".ies",), "intensity, IES LM-63", "photometric", "write_ies"),
+    Format((".ldt",), "intensity, EULUMDAT", "photometric", "write_ldt"),
+    Format((".tm25ray",), "rays behind the lens, IES TM-25", "tm25", "write_tm25"),
     Format((".rays.csv",), "rays on the screen", "rays", "write_rays"),
 )
 """All formats. What can be written in the same kind of file is told by a double ending."""
