@@ -6,10 +6,11 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 import torch
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.optics.kernels.twins import lens
+from tests.scenes import changed
 from workbench.geometry.surface import ControlNet
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.beams import beam_image
@@ -18,6 +19,7 @@ from workbench.optics.path import Path
 from workbench.optics.reference import Reference
 from workbench.optics.samples import Corners
 from workbench.optics.sources import Origins
+from workbench.scene import Scene
 
 
 class Light(NamedTuple):
@@ -81,6 +83,20 @@ def changes(draw):
     }
 
 
+@st.composite
+def receivers(draw):
+    """What takes the place of the screen of a scene."""
+    pixels = [draw(st.integers(1, 40)), draw(st.integers(1, 40))]
+    if draw(st.booleans()):
+        half_angle = [draw(st.floats(5, 60)), draw(st.floats(5, 60))]
+        center = [draw(st.floats(-20, 20)), draw(st.floats(-20, 20))]
+        return {"far_field": {"half_angle": half_angle, "center": center, "pixels": pixels}}
+    tilt = [draw(st.floats(-40, 40)), draw(st.floats(-40, 40))]
+    center = [draw(st.floats(-2, 2)), draw(st.floats(-2, 2))]
+    screen = {"z": 6.0, "half_width": [1.0, 1.5], "center": center, "tilt": tilt}
+    return {"screen": screen | {"pixels": pixels}}
+
+
 def landed(tracer, heights, cotangent):
     """Nodes that land, their account, and the gradient of their product with a cotangent."""
     leaf = heights.clone().requires_grad_()
@@ -90,17 +106,19 @@ def landed(tracer, heights, cotangent):
     return torch.where(lands, hits.detach(), 0.0), light.to_data(), gradient
 
 
-# The fixture makes every scene anew.
-@settings(max_examples=50, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=50)
 @given(
     changes=changes(),
+    receiver=receivers(),
     origins=origins(),
     cells=st.tuples(st.integers(1, 30), st.integers(1, 30)),
     amplitude=st.sampled_from([0.0, 0.005, 0.05]),
     seed=st.integers(0, 99),
 )
-def test_twins_agree_in_float64(make_scene, changes, origins, cells, amplitude, seed):
-    scene = make_scene(changes)
+def test_twins_agree_in_float64(changes, receiver, origins, cells, amplitude, seed):
+    data = changed(changes)
+    data.pop("screen")
+    scene = Scene.from_data(data | receiver | {"version": 2})
     path, heights = path_of(scene, origins, cells), lens(scene, seed, amplitude)
     shape = 3, len(origins.flux) * (cells[1] + 1), cells[0] + 1
     cotangent = torch.tensor(np.random.default_rng(seed).normal(size=shape))
