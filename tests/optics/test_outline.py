@@ -86,7 +86,7 @@ def test_slanted_rays_that_meet_the_wall_leave_by_the_side(make_scene):
 def test_no_ray_to_look_at_passes_beside_the_lens(make_scene):
     scene = make_scene(ROUND)
     paths = ray_paths(scene, {"exit": np.full(scene.lens.net_shape, 0.5)}, (9, 7))
-    assert 0 < len(paths.points) < 9 * 7
+    assert len(paths.points) == 9 * 7
     assert Ellipse((1.0, 0.8)).contains(*paths.points[:, 1, :2].T).all()
 
 

@@ -167,6 +167,8 @@ class ImageView(PlotView):
         pixel = pixel_at(self._content.half_width(self._shown), self._values.shape, x, y)
         if pixel is not None:
             value = f"{self._values[pixel]:.4g} {self._content.unit(unit)}"
+            if np.isnan(self._values[pixel]):
+                value = "beside the lens"
             self._readout.setText(f"{value} at x = {x:.3g}, y = {y:.3g} {unit}")
 
     def _turn_wheel(self, event: Any) -> None:

@@ -46,7 +46,7 @@ def ray_paths(scene: Scene, heights: Mapping[str, Array], count: tuple[int, int]
     heights : mapping of str to ndarray, shape (n_u, n_v)
         Control heights of each freeform face by its name, scene units.
     count : tuple[int, int]
-        Numbers of rays along x and y, spread over the aperture; those beside the lens are left out.
+        Numbers of rays along x and y, spread over the lens.
     """
     lens = scene.lens
     x, y = (torch.as_tensor(c) for c in _grid(lens, count))
@@ -69,10 +69,7 @@ def _rows(place: Vector, count: int) -> Array:
 
 
 def _grid(lens: Lens, count: tuple[int, int]) -> tuple[Array, Array]:
-    """Middles (x, y) of equal cells of the aperture that are in the lens, each of shape (n,)."""
-    x, y = (
-        ((np.arange(m) + 0.5) / m * 2 - 1) * r for m, r in zip(count, lens.half_width, strict=True)
-    )
-    grid_x, grid_y = np.meshgrid(x, y, indexing="ij")
-    inside = outline_of(lens).contains(grid_x, grid_y)
-    return grid_x[inside], grid_y[inside]
+    """Places (x, y) spread over the lens in rows, each of shape (n,); middles of its rectangles."""
+    u, v = ((np.arange(m) + 0.5) / m * 2 - 1 for m in count)
+    x, y = outline_of(lens).from_square(u[:, None], v)
+    return x.ravel(), y.ravel()
