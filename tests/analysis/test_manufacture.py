@@ -122,3 +122,26 @@ def test_edges_of_degree_1_have_radius_0(make_scene):
     valley = manufacture(make_scene(changes).lens, 1.1 - roof)
     assert valley.tightest_concave.value == 0
     assert valley.tightest_convex.value == math.inf
+
+
+def test_an_elliptic_lens_is_judged_inside_its_outline_alone(make_scene):
+    """Wild heights at a corner of the bounding rectangle are not of the lens."""
+    flat = make_scene({"lens.control_points": [32, 32]}).lens
+    heights = np.full((32, 32), 0.5)
+    heights[:4, :4] = 3.0
+    heights[-3:, -3:] = -2.0
+    assert manufacture(flat, heights).thickest.value > 2
+    found = manufacture(flat.model_copy(update={"outline": "ellipse"}), heights)
+    for extreme in (found.thinnest, found.thickest):
+        assert extreme.value == pytest.approx(0.5)
+        assert extreme.bound == pytest.approx(0.5)
+    assert found.steepest.bound == pytest.approx(0)
+    assert found.tightest_concave.bound == found.tightest_convex.bound == math.inf
+
+
+def test_maps_of_an_elliptic_lens_are_blank_beside_it(make_scene):
+    lens = make_scene({"lens.outline": "ellipse", "lens.half_width": [1.0, 0.5]}).lens
+    maps = surface_maps(lens, np.full((12, 10), 0.5), (41, 21))
+    inside = (maps.x / 1.0) ** 2 + (maps.y[:, None] / 0.5) ** 2 <= 1
+    for values in (maps.thickness, maps.slope, maps.concave, maps.convex):
+        np.testing.assert_array_equal(np.isfinite(values), inside)

@@ -1,5 +1,6 @@
 import numpy as np
 
+from workbench.geometry.outlines import Ellipse
 from workbench.pictures import shapes
 
 
@@ -67,3 +68,28 @@ def test_rays_from_far_away_begin_on_their_way():
     entrance = np.array([[1.0, -2.0, 0.0], [1.0, -2.0, 0.0]])
     found = shapes.begun_at(start, entrance, -2.0)
     np.testing.assert_allclose(found, [[0.98, -1.96, -2.0], [0.0, 0.0, -1.0]])
+
+
+def polygons(cells):
+    """Cells one by one."""
+    found, first = [], 0
+    while first < len(cells):
+        found.append(cells[first + 1 : first + 1 + cells[first]])
+        first += 1 + cells[first]
+    return found
+
+
+def test_a_curved_wall_closes_the_lens_and_has_no_upright_edges():
+    side = np.linspace(-1, 1, 9)
+    x, y = Ellipse((1.0, 0.5)).from_square(side[:, None], side)
+    surface = np.stack([x, y, 0.5 + 0.1 * x], axis=-1)
+    points = shapes.wall_points(surface, -1.0)
+    *walls, entrance = polygons(shapes.wall_faces(9, 9, straight=False))
+    assert len(walls) == 4 * 8
+    assert len(entrance) == 4 * 8
+    rim = points[entrance]
+    np.testing.assert_allclose(np.hypot(rim[:, 0], rim[:, 1] / 0.5), 1)
+    ends = [len(line) for line in polygons(shapes.wall_lines(9, 9, straight=False))]
+    assert ends == [9] * 8
+    unit = shapes.normals(surface)
+    np.testing.assert_allclose(unit, np.broadcast_to(unit[40], unit.shape), atol=1e-12)

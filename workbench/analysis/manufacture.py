@@ -15,10 +15,12 @@ from workbench.analysis.manufacture_bounds import shape_bounds
 from workbench.geometry.basis import basis_matrix
 from workbench.geometry.bounds import derivative_range
 from workbench.geometry.curvature import local_shape
+from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import ControlNet
 from workbench.scene import Lens
 
 Array = npt.NDArray[np.float64]
+Mask = npt.NDArray[np.bool_]
 
 # Least numbers of parts along each axis that hulls are made of. Twice as many places are looked at.
 _PARTS = 256
@@ -51,6 +53,8 @@ class Extreme(NamedTuple):
 
 class SurfaceMaps(NamedTuple):
     """The exit face point by point; all of shape (n_y, n_x) with row 0 at +y.
+
+    Places beside the lens, within its bounding rectangle, have no numbers (NaN).
 
     Attributes
     ----------
@@ -103,7 +107,7 @@ class Manufacture:
     def draft(self) -> float:
         """Least angle between the exit face and the axis, along which a mould opens, degrees.
 
-        The four sides are parallel to the axis and have none.
+        The sides are parallel to the axis and have none.
         """
         return 90 - self.steepest.value
 
@@ -134,13 +138,15 @@ def surface_maps(lens: Lens, control_points: Array, count: tuple[int, int]) -> S
     """
     u, v = np.linspace(0, 1, count[0]), np.linspace(1, 0, count[1])
     shape = local_shape(ControlNet.of(lens), control_points, u, v)
+    x, y = (2 * u - 1) * lens.half_width[0], (2 * v - 1) * lens.half_width[1]
+    beside = np.where(outline_of(lens).contains(x, y[:, None]), 0.0, np.nan)
     return SurfaceMaps(
-        x=(2 * u - 1) * lens.half_width[0],
-        y=(2 * v - 1) * lens.half_width[1],
-        thickness=shape.height.T - lens.entrance_z,
-        slope=np.degrees(np.arctan(shape.slope.T)),
-        concave=shape.largest.T,
-        convex=-shape.smallest.T,
+        x=x,
+        y=y,
+        thickness=shape.height.T - lens.entrance_z + beside,
+        slope=np.degrees(np.arctan(shape.slope.T)) + beside,
+        concave=shape.largest.T + beside,
+        convex=-shape.smallest.T + beside,
     )
 
 
@@ -175,8 +181,11 @@ def manufacture(lens: Lens, control_points: Array) -> Manufacture:
     maps = surface_maps(lens, control_points, (count[0], count[1]))
 
     low, high = derivative_range(net, control_points, (0, 0), (parts_x, parts_y))
-    bounds = shape_bounds(net, control_points, (parts_x, parts_y))
-    lowest, highest = float(low.min()) - lens.entrance_z, float(high.max()) - lens.entrance_z
+    glass = _with_glass(lens, low.shape)
+    bounds = shape_bounds(net, control_points, (parts_x, parts_y), glass)
+    lowest, highest = (
+        float(end) - lens.entrance_z for end in (low[glass].min(), high[glass].max())
+    )
     thinnest = _most(maps, -maps.thickness, -lowest)
     thinnest = Extreme(-thinnest.value, -thinnest.bound, thinnest.place)
     thickest = _most(maps, maps.thickness, highest)
@@ -192,8 +201,14 @@ def manufacture(lens: Lens, control_points: Array) -> Manufacture:
     )
 
 
+def _with_glass(lens: Lens, parts: tuple[int, ...]) -> Mask:
+    """Which of so many equal parts of the aperture along x and y the lens has a share of."""
+    x, y = (np.linspace(-r, r, n + 1) for r, n in zip(lens.half_width, parts, strict=True))
+    return outline_of(lens).area_inside((x[:-1, None], x[1:, None]), (y[:-1], y[1:])) > 0
+
+
 def _most(maps: SurfaceMaps, values: Array, bound: float) -> Extreme:
-    row, column = np.unravel_index(values.argmax(), values.shape)
+    row, column = np.unravel_index(np.nanargmax(values), values.shape)
     place = float(maps.x[column]), float(maps.y[row])
     value = float(values[row, column])
     return Extreme(value, max(value, bound), place)  # rounding may put them in the wrong order

@@ -17,6 +17,7 @@ from workbench.geometry.bounds import to_bernstein
 from workbench.geometry.surface import ControlNet
 
 Array = npt.NDArray[np.float64]
+Mask = npt.NDArray[np.bool_]
 
 # Coefficients that are looked at together.
 _AT_ONCE = 1 << 20
@@ -39,7 +40,9 @@ class Bounds(NamedTuple):
     hump: float
 
 
-def shape_bounds(net: ControlNet, heights: Array, parts: tuple[int, int]) -> Bounds:
+def shape_bounds(
+    net: ControlNet, heights: Array, parts: tuple[int, int], where: Mask | None = None
+) -> Bounds:
     """Bounds of slope and curvature.
 
     Parameters
@@ -50,6 +53,8 @@ def shape_bounds(net: ControlNet, heights: Array, parts: tuple[int, int]) -> Bou
         Control heights, scene units.
     parts : tuple[int, int]
         Equal parts of a knot span along x and y. The bounds close in with their number.
+    where : ndarray of bool, shape (parts along x, parts along y), optional
+        Which parts are looked at; all by default.
 
     Notes
     -----
@@ -58,8 +63,12 @@ def shape_bounds(net: ControlNet, heights: Array, parts: tuple[int, int]) -> Bou
     (1 − (1 / ε − 1) δ²) + (1 − ε) g₀ g₀ᵀ; here ε = δ / |g₀|, or 1.
     """
     most = [0.0, 0.0, 0.0]
+    first = 0
     for p, q, r, s, t in _coefficients(net, heights, parts):
-        most[0] = max(most[0], float(np.hypot(p, q).max()))
+        last = first + len(p)
+        seen = True if where is None else where[first:last, None, :, None]
+        first = last
+        most[0] = max(most[0], float(np.hypot(p, q).max(where=seen, initial=0.0)))
         (mid_p, half_p), (mid_q, half_q) = _box(p), _box(q)
         off, size = np.hypot(half_p, half_q), np.hypot(mid_p, mid_q)
         even = 1 - (size - off).clip(0) * off
@@ -72,7 +81,8 @@ def shape_bounds(net: ControlNet, heights: Array, parts: tuple[int, int]) -> Bou
         apart = np.sqrt((mean**2 - (r * t - s**2) / determinant).clip(0))
         stretch = np.sqrt(1 + (size - off).clip(0) ** 2)
         for number, curvature in ((1, mean + apart), (2, apart - mean)):
-            most[number] = max(most[number], float((curvature / stretch).max()))
+            largest = (curvature / stretch).max(where=seen, initial=0.0)
+            most[number] = max(most[number], float(largest))
     return Bounds(*most)
 
 

@@ -9,7 +9,7 @@ import numpy.typing as npt
 
 from workbench.geometry.basis import basis_matrix, local_basis
 from workbench.geometry.knots import clamped_knots, greville, insertion_matrix
-from workbench.geometry.outlines import Outline
+from workbench.geometry.outlines import Outline, outline_of
 from workbench.scene import Lens
 
 if TYPE_CHECKING:
@@ -266,7 +266,7 @@ def even_counts(half_width: tuple[float, float], longer: int) -> tuple[int, int]
 
 
 def sample_surface(lens: Lens, control_points: Array, count: tuple[int, int]) -> Array:
-    """Points of the exit face on a regular grid that includes the rim.
+    """Points of the exit face on a grid that includes the rim: regular where that is straight.
 
     Parameters
     ----------
@@ -282,8 +282,6 @@ def sample_surface(lens: Lens, control_points: Array, count: tuple[int, int]) ->
     ndarray, shape (count_x, count_y, 3)
         Scene units.
     """
-    u, v = np.linspace(0, 1, count[0]), np.linspace(0, 1, count[1])
-    z, _, _ = ControlNet.of(lens).grid(u, v).evaluate(control_points)
-    x = (2 * u - 1) * lens.half_width[0]
-    y = (2 * v - 1) * lens.half_width[1]
-    return np.stack(np.broadcast_arrays(x[:, None], y[None, :], z), axis=-1)
+    u, v = (2 * np.linspace(0, 1, n) - 1 for n in count)
+    x, y, z, _, _ = ControlNet.of(lens).over(outline_of(lens), u, v, control_points)
+    return np.stack([x, y, z], axis=-1)

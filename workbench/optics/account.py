@@ -42,8 +42,8 @@ LOSSES: Mapping[str, Loss] = {
     ),
     "missed_lens": Loss(
         "Missed the lens",
-        "Light of a point source that passes the entrance face by: its cone is round and just "
-        "covers the rectangular face.",
+        "Light that passes the entrance face by. The cone of a point source is round and just "
+        "covers the rectangle around the face; of that, an elliptic lens leaves the corners open.",
         "misses the lens",
         "a larger lens catches it",
         always=True,

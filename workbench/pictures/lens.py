@@ -23,6 +23,7 @@ import pyvista as pv
 from matplotlib import colormaps
 from vtkmodules.vtkRenderingCore import vtkBillboardTextActor3D
 
+from workbench.geometry.outlines import outline_of
 from workbench.pictures import shapes
 from workbench.pictures.camera import FittedCamera, in_view, start_z
 from workbench.pictures.exploded import explode_paths, exploded
@@ -186,8 +187,8 @@ class LensPicture:
 
     def _add_lens(self) -> None:
         lens = self._scene.lens
-        x, y = (np.linspace(-r, r, _BASE_SAMPLES) for r in lens.half_width)
-        x, y = np.meshgrid(x, y, indexing="ij")
+        side = np.linspace(-1, 1, _BASE_SAMPLES)
+        x, y = outline_of(lens).from_square(side[:, None], side)
         points = np.zeros((1, 3))
         self._face, self._net, self._walls, self._edges = (pv.PolyData(points) for _ in range(4))
         self._samples = (0, 0)
@@ -219,8 +220,9 @@ class LensPicture:
             self._samples = (m_u, m_v)
             self._face.faces = shapes.quads(m_u, m_v)
             self._net.lines = shapes.net_lines(m_u, m_v, _NET_FIELDS)
-            self._walls.faces = shapes.wall_faces(m_u, m_v)
-            self._edges.lines = shapes.wall_lines(m_u, m_v)
+            straight = outline_of(self._scene.lens).whole
+            self._walls.faces = shapes.wall_faces(m_u, m_v, straight)
+            self._edges.lines = shapes.wall_lines(m_u, m_v, straight)
             for mesh in (self._net, self._edges):
                 mesh.verts = np.zeros(0, dtype=np.int64)
         self._face.point_data.active_normals = shapes.normals(surface)

@@ -118,14 +118,14 @@ def draw_map(axes: "Axes", name: str, maps: FaceMaps, limits: ShopLimits, unit: 
     value, of = constant_value(values, size), "degrees" if of == "°" else of
     if value is not None:
         show_constant(image, value, of)
-        values = np.full_like(values, value)
+        values = np.where(np.isnan(values), np.nan, value)
     else:
-        image.set_clim(float(values.min()), float(values.max()))
+        image.set_clim(float(np.nanmin(values)), float(np.nanmax(values)))
         colour_bar(axes, image, of, "neither")
     if below is not None and (values < below).any():
-        _hatch(axes, maps, values, [float(values.min()) - 1, below])
+        _hatch(axes, maps, values, [float(np.nanmin(values)) - 1, below])
     if above is not None and (values > above).any():
-        _hatch(axes, maps, values, [above, float(values.max()) + 1])
+        _hatch(axes, maps, values, [above, float(np.nanmax(values)) + 1])
     return values
 
 

@@ -76,11 +76,11 @@ def constant_value(values: Array, size: float) -> float | None:
     Parameters
     ----------
     values : ndarray
-        What is to be shown.
+        What is to be shown; what is not a number, as beside a lens, is left out.
     size : float
         What such values could be: differences far below it are rounding, and so is a value itself.
     """
-    low, high = float(values.min()), float(values.max())
+    low, high = float(np.nanmin(values)), float(np.nanmax(values))
     if high - low > _ROUNDING * max(size, abs(low), abs(high)):
         return None
     middle = (low + high) / 2
@@ -134,7 +134,7 @@ def settled_scale(values: Array, scale: float) -> float:
     scale : float
         End of the scale so far.
     """
-    largest = float(np.quantile(np.abs(values), _ENOUGH))
+    largest = float(np.nanquantile(np.abs(values), _ENOUGH))
     return scale if 0 < scale / 3 <= largest <= scale else round_scale(largest)
 
 

@@ -10,6 +10,8 @@ Array = npt.NDArray[np.float64]
 Mask = npt.NDArray[np.bool_]
 Cells = npt.NDArray[np.int64]
 
+_STRAIGHT = -0.7  # cosine of the angle between the two sides of a corner of a grid
+
 
 def quads(rows: int, columns: int) -> Cells:
     """Faces of a grid of points in row-major order."""
@@ -54,8 +56,15 @@ def normals(surface: Array) -> Array:
     -------
     ndarray, shape (m_u * m_v, 3)
     """
-    across = np.cross(np.gradient(surface, axis=0), np.gradient(surface, axis=1))
+    along_u, along_v = np.gradient(surface, axis=0), np.gradient(surface, axis=1)
+    across = np.cross(along_u, along_v)
     across /= np.linalg.norm(across, axis=-1, keepdims=True)
+    for i, j in ((0, 0), (0, -1), (-1, 0), (-1, -1)):
+        # Where the rim goes straight on, both ways are along it: the next point inside tells.
+        if along_u[i, j] @ along_v[i, j] < _STRAIGHT * np.sqrt(
+            np.square(along_u[i, j]).sum() * np.square(along_v[i, j]).sum()
+        ):
+            across[i, j] = across[1 if i == 0 else -2, 1 if j == 0 else -2]
     return np.asarray(across.reshape(-1, 3))
 
 
@@ -81,25 +90,31 @@ def wall_points(surface: Array, entrance_z: float) -> Array:
     return np.concatenate(parts)
 
 
-def wall_faces(m_u: int, m_v: int) -> Cells:
-    """Faces between the `wall_points` of each wall, and the entrance face between their feet."""
-    faces, corners, first = [], [], 0
+def wall_faces(m_u: int, m_v: int, straight: bool = True) -> Cells:
+    """Faces between the `wall_points` of each wall, and the entrance face between their feet.
+
+    Straight walls stand on four corners.
+    """
+    faces, feet, first = [], [], 0
     for count in (m_u, m_v, m_u, m_v):
         wall = quads(2, count).reshape(-1, 5)
         wall[:, 1:] += first
         faces.append(wall)
-        corners.append(first + count)
+        feet.append(first + np.arange(count, count + 1 if straight else 2 * count - 1))
         first += 2 * count
-    entrance = np.array([[4, *corners[::-1]]])  # seen from below, against the light
-    return np.concatenate([*faces, entrance]).ravel()
+    entrance = np.concatenate(feet)[::-1]  # seen from below, against the light
+    return np.concatenate([*(face.ravel() for face in faces), [len(entrance)], entrance])
 
 
-def wall_lines(m_u: int, m_v: int) -> Cells:
-    """Outline of the lens through its `wall_points`: rim, foot and the four upright edges."""
+def wall_lines(m_u: int, m_v: int, straight: bool = True) -> Cells:
+    """Outline of the lens through its `wall_points`: rim, foot; upright edges of straight walls."""
     lines, first = [], 0
     for count in (m_u, m_v, m_u, m_v):
         rim = np.arange(first, first + count)
-        lines += [rim, rim[[0, -1]] + count, np.array([first, first + count])]
+        if straight:
+            lines += [rim, rim[[0, -1]] + count, np.array([first, first + count])]
+        else:
+            lines += [rim, rim + count]
         first += 2 * count
     return polylines(lines)
 

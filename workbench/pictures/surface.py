@@ -8,6 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from workbench.geometry.curvature import LocalShape, local_shape
+from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import ControlNet, even_counts
 from workbench.pictures.maps import (
     SIGNED,
@@ -130,6 +131,8 @@ class SurfaceImage:
         count_x, count_y = even_counts(lens.half_width, _PLACES)
         self._u, self._v = ((np.arange(n) + 0.5) / n for n in (count_x, count_y))
         x, y = (2 * self._u - 1) * lens.half_width[0], (2 * self._v - 1) * lens.half_width[1]
+        # Nothing is shown beside the lens.
+        self._beside = np.where(outline_of(lens).contains(x[:, None], y), 0.0, np.nan)
         self._base = lens.base.height_at(x[:, None], y)
         self._size = max(lens.half_width) ** aspect.length  # of values that are more than rounding
         self.values = np.zeros((count_y, count_x))
@@ -151,11 +154,11 @@ class SurfaceImage:
             Whether more than `artists` changed, so that the whole figure has to be drawn.
         """
         shape = local_shape(self._net, heights, self._u, self._v)
-        found = self._aspect.of(shape._replace(height=shape.height - self._base))
+        found = self._aspect.of(shape._replace(height=shape.height - self._base)) + self._beside
         self.values = np.asarray(found[:, ::-1].T)
         value = constant_value(found, self._size)
         if value is not None:
-            self.values = np.full_like(self.values, value)
+            self.values = np.where(np.isnan(self.values), np.nan, value)
         self._image.set_data(self.values)
         scale = settled_scale(self.values, self._scale)
         if scale == self._scale:
