@@ -36,7 +36,7 @@ def test_bound_of_a_point_is_zero_and_says_why(freeform, scene_file):
     assert (status, json.loads(printed)["relative_l2_bound"]) == (0, 0)
     status, printed, _ = freeform("bound", scene_file)
     assert status == 0
-    assert printed.startswith("The light comes from a single point")
+    assert printed.startswith("No size of this source")
 
 
 def test_scene_that_cannot_be_read_is_refused_in_one_line(freeform, tmp_path):

@@ -78,3 +78,21 @@ def test_sources_without_an_extent_hide_nothing(make_scene):
     single = {"kind": "grid", "center": [0, 0, -4], "half_width": [1, 1], "points": [1, 1]}
     for changes in ({}, {"source": point}, {"source": single}):
         assert Blur.of(make_scene(changes)).within_a_pixel
+
+
+def test_blur_is_narrower_from_an_exit_face_nearer_to_the_screen(make_scene):
+    source = {"kind": "grid", "center": [0, 0, -4], "half_width": [0.2, 0.1], "points": [5, 3]}
+    scene = make_scene({"source": source})
+    z, lens = scene.lens.highest + 0.5, scene.lens
+    # Similar triangles: the way to the screen over that from the source, shorter in the glass.
+    ways = [
+        (scene.screen.z - there) / (4 + glass / lens.index)
+        for there, glass in ((z, z - lens.entrance_z), (lens.highest, 0))
+    ]
+    narrower = [b / a for a, b in zip(Blur.of(scene).widths, Blur.of(scene, z).widths, strict=True)]
+    assert narrower == pytest.approx([ways[0] / ways[1]] * 2)
+
+
+def test_light_spread_over_a_pixel_is_blurred_to_the_mean_of_all_places_in_it():
+    spread = Blur((3.0, 0.0)).spread
+    np.testing.assert_allclose(spread[1], [1 / 24, 7 / 24, 1 / 3, 7 / 24, 1 / 24], atol=1e-9)

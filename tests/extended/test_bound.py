@@ -22,7 +22,7 @@ def test_source_without_an_extent_has_no_bound(make_scene):
     assert found.relative_l2 == found.half_as_wide == 0
     assert found.on_receiver == found.on_target == 1
     (sentence,) = found.sentences
-    assert "a single point or direction" in sentence
+    assert "No size of this source" in sentence
 
 
 def test_source_with_an_extent_is_told_its_least_error(make_scene):

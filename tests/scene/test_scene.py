@@ -7,7 +7,16 @@ import numpy as np
 import pytest
 
 from workbench.errors import Refused
-from workbench.scene import AutoRun, FlatBase, GaussianFilter, Lens, Scene, Screen, SphereBase
+from workbench.scene import (
+    AutoRun,
+    FarField,
+    FlatBase,
+    GaussianFilter,
+    Lens,
+    Scene,
+    Screen,
+    SphereBase,
+)
 
 
 def test_a_scene_survives_its_file(make_scene):
@@ -212,3 +221,17 @@ def test_a_scene_cannot_be_changed(make_scene):
     scene = make_scene()
     with pytest.raises(ValueError, match="frozen"):
         scene.lens.half_width = (2.0, 2.0)
+
+
+@pytest.mark.parametrize(
+    "receiver",
+    [
+        Screen(z=5, half_width=(1.0, 2.0), pixels=(10, 40)),
+        FarField(half_angle=(10.0, 20.0), pixels=(10, 40)),
+    ],
+)
+def test_receiver_that_is_grown_keeps_its_pixels(receiver):
+    grown = receiver.grown((3, 2))
+    assert grown.pixels == (16, 44)
+    (x, y), (half_x, half_y) = receiver.half_extent, grown.half_extent
+    assert (half_x / 16, half_y / 44) == pytest.approx((x / 10, y / 40))

@@ -6,10 +6,10 @@ import numpy as np
 import numpy.typing as npt
 import torch
 
+from workbench.design.aim import first_lens
 from workbench.design.heights import HeightRange, Mask
 from workbench.design.limits import HeightLimits, bounded
 from workbench.design.shortfall import Cause, Shortfall
-from workbench.design.transport import transport_start
 from workbench.geometry.surface import ControlNet
 from workbench.scene import Lens, Scene
 
@@ -62,7 +62,7 @@ class Room:
     def first(self) -> Array | None:
         """Control heights of the first lens, beyond the limits where these are too narrow."""
         if self._found is None:
-            self._found = (transport_start(self.scene, self.target),)
+            self._found = (first_lens(self.scene, self.target),)
         return self._found[0]
 
     @property

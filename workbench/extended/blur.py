@@ -50,16 +50,27 @@ class Blur:
     points: tuple[int, int] | None = None
 
     @classmethod
-    def of(cls, scene: Scene) -> Self:
+    def of(cls, scene: Scene, exit_z: float | None = None) -> Self:
         """The blur that a scene's source lays over its receiver, the same all over the lens.
 
-        Points that are closer than a pixel are the even light that they stand for.
+        Points that are closer than a pixel are the even light that they stand for, each that of a
+        cell about it.
+
+        Parameters
+        ----------
+        scene : Scene
+            The design task.
+        exit_z : float, optional
+            Where the exit face is, scene units; where that of the undesigned lens is nearest to
+            the receiver by default.
         """
         source, receiver = scene.source, scene.receiver
+        nearer = _nearer(scene, exit_z)
         x, y = (
-            width * pixels / (2 * half)
-            for width, pixels, half in zip(
+            width * part * pixels / (2 * half)
+            for width, part, pixels, half in zip(
                 source.blur(scene.lens, receiver),
+                nearer,
                 receiver.pixels,
                 receiver.half_extent,
                 strict=True,
@@ -67,6 +78,8 @@ class Blur:
         )
         points = source.blur_points
         if points is not None and x <= points[0] - 1 and y <= points[1] - 1:
+            m_x, m_y = points
+            x, y = x * m_x / max(m_x - 1, 1), y * m_y / max(m_y - 1, 1)
             points = None
         return cls((x, y), source.blur_shape, points)
 
@@ -126,7 +139,10 @@ class Blur:
         ndarray, shape (places, 2 m_y + 1, 2 m_x + 1)
             Exact integrals over pixels, each kernel summing to 1, for margins m; rows go up.
         """
-        x, y = self.offsets(finer)
+        return self._at(*self.offsets(finer))
+
+    def _at(self, x: Array, y: Array) -> Array:
+        """Kernels with the middle at places x, y in a pixel."""
         (left, right), (low, high) = (
             (edges[..., :-1], edges[..., 1:])
             for edges in (
@@ -150,11 +166,33 @@ class Blur:
             found = outline.area_inside(*ends) / outline.area
         return np.asarray(found.reshape(-1, *found.shape[2:]))
 
+    @property
+    def spread(self) -> Array:
+        """Light in each pixel about one whose light is spread over it evenly before it is blurred.
+
+        Shape (2 m_y + 1, 2 m_x + 1).
+        """
+        even = (np.arange(_MOST_PLACES) + 0.5) / _MOST_PLACES - 0.5
+        return np.asarray(self._at(even, even).mean(axis=0))
+
     def _points(self, axis: int) -> Array:
         """Where its points are along an axis, pixels from its middle."""
         assert self.points is not None
         count, half = self.points[axis], self.widths[axis] / 2
         return np.linspace(-half, half, count) if count > 1 else np.zeros(1)
+
+
+def _nearer(scene: Scene, exit_z: float | None) -> tuple[float, float]:
+    """How much narrower along x and y a blur is from an exit face elsewhere."""
+    lens, receiver, place = scene.lens, scene.receiver, scene.source.place
+    if exit_z is None:
+        return 1.0, 1.0
+    there, here = (receiver.per_radian(z) for z in (exit_z, lens.highest))
+    # In the glass, light goes on at a smaller angle from a source that is near.
+    glass = (exit_z - lens.entrance_z) / lens.index
+    way = 1.0 if place is None else 1 + glass / (lens.entrance_z - place[2])
+    x, y = (new / old / way for new, old in zip(there, here, strict=True))
+    return x, y
 
 
 def _in_pixel(places: Array) -> Array:

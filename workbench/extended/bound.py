@@ -37,7 +37,7 @@ class Bound:
     >>> from workbench.files.session import open_design
     >>> task = open_design(path("examples", "flame-point.json"))
     >>> Bound(task.scene, task.target).sentences
-    ('The light comes from a single point or direction: its size sets no bound.',)
+    ('No size of this source is known that blurs the image: it sets no bound.',)
     """
 
     scene: Scene
@@ -107,7 +107,7 @@ class Bound:
     def sentences(self) -> tuple[str, ...]:
         """All that is to be said of it."""
         if max(self.blur.widths) == 0:
-            return ("The light comes from a single point or direction: its size sets no bound.",)
+            return ("No size of this source is known that blurs the image: it sets no bound.",)
         if self.blur.within_a_pixel:
             return ("The source blurs the image by less than a pixel: its size sets no bound.",)
         found = [

@@ -34,6 +34,8 @@ _IMAGE, _LIGHT, _RELAXED = 0.1, 0.003, 1.7
 # The search ends when the certificate is less than this part of the error below it, or this much.
 _GAP, _NEGLIGIBLE = 0.03, 2e-4
 _STEPS, _LOOK_EVERY = 240, 40
+# Steps for light that a lens is to make.
+_SPREAD_STEPS = 80
 # Places from where less of the light falls on the receiver are left out of the search.
 _LEAST_SHARE = 1e-4
 
@@ -113,6 +115,28 @@ def deblur(target: Array, blur: Blur) -> Deblurred:
     if len(finer) > len(kernels):
         bound = Certifier(finer, wanted).bound(dual)
     return Deblurred(best.light, best.image, error, bound)
+
+
+def spread_light(target: Array, blur: Blur) -> Array:
+    """The light, spread evenly over each pixel, that comes closest to a target when it is blurred.
+
+    A lens can make that: light at single places is as far out of its reach as sharp edges.
+
+    Parameters
+    ----------
+    target : ndarray, shape (n_y, n_x)
+        The wanted image in any scale, not negative and not dark.
+    blur : Blur
+        What the source makes of light.
+
+    Returns
+    -------
+    ndarray, shape (n_y + 2 m_y, n_x + 2 m_x)
+        As in `Deblurred`.
+    """
+    wanted = (target / target.sum()).astype(np.float32)
+    search = _search(blur.spread[None].astype(np.float32), wanted)
+    return next(islice(search, _SPREAD_STEPS // _LOOK_EVERY - 1, None)).light
 
 
 class _Found(NamedTuple):

@@ -30,6 +30,7 @@ class FarField(AnyReceiver):
     model_config = ConfigDict(title="Far field")
 
     measure = ANGLE
+    extent = "half_angle"
     axes = "H", "V"
     density = "intensity"
     facets = 24

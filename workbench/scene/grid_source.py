@@ -125,6 +125,11 @@ class GridSource(LightOfPoints):
         return x, y
 
     @property
+    def narrow(self) -> PointSource:
+        """Its middle."""
+        return self.point
+
+    @property
     def blur_points(self) -> tuple[int, int]:
         """Its points."""
         return self.points

@@ -40,6 +40,9 @@ class AnyReceiver(Part):
     facets: ClassVar[int]
     """Flat pieces along each side that it is drawn with."""
 
+    extent: ClassVar[str]
+    """Name of the field that holds its half-extent."""
+
     if TYPE_CHECKING:  # each kind has this field, at its place in the file
         pixels: Pixels
 
@@ -133,6 +136,17 @@ class AnyReceiver(Part):
             With the path of the field, the value and what is allowed.
         """
         raise NotImplementedError
+
+    def grown(self, margin: tuple[int, int]) -> Self:
+        """The same with so many more of its pixels on each side along x and y."""
+        half, pixels = zip(
+            *(
+                (r * (n + 2 * m) / n, n + 2 * m)
+                for r, n, m in zip(self.half_extent, self.pixels, margin, strict=True)
+            ),
+            strict=True,
+        )
+        return self.model_copy(update={self.extent: half, "pixels": pixels})
 
     def to_pixels(self, u: Any, v: Any) -> tuple[Any, Any]:
         """Continuous image coordinates (column, row) of places on the receiver.

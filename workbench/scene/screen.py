@@ -29,6 +29,7 @@ class Screen(AnyReceiver):
     """Rectangle of a plane. Its coordinates go along its sides, from its middle."""
 
     measure = LENGTH
+    extent = "half_width"
     axes = "x", "y"
     density = "irradiance"
     facets = 1

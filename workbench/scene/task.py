@@ -127,6 +127,11 @@ class Scene(Part):
             raise Refused("far_field", "is given together with a screen; one of them is needed")
         return given[0]
 
+    def with_receiver(self, receiver: AnyReceiver) -> Self:
+        """The scene with another receiver of the same kind."""
+        name = "far_field" if self.screen is None else "screen"
+        return self.model_copy(update={name: receiver})
+
     @property
     def image(self) -> str | None:
         """Image file of the target; None for a built-in shape."""
