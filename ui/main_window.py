@@ -23,6 +23,7 @@ from ui.help.help import TITLE, Help
 from ui.notices.carried_lens import CarriedLens
 from ui.notices.target_image import TargetImage
 from ui.notices.unit_change import UnitChange
+from ui.panels.source import LIGHT_FILES, is_light_file
 from ui.panels.target import IMAGE_FILES
 from ui.run.lens_on_show import LensOnShow
 from ui.window.early_parts import EarlyParts
@@ -83,6 +84,7 @@ class MainWindow(QMainWindow):
         self.commands, self.messages, self.log = early.commands, early.messages, early.log
         self.forms, self.workspace, self.status = early.forms, early.workspace, early.status
         self.forms.image_asked.connect(self._choose_image)
+        self.forms.light_asked.connect(self._choose_light)
         self._carried = CarriedLens(document, self.messages, self)
         self._carried.noted.connect(self.log.add)
         UnitChange(document, self.messages, self)
@@ -171,10 +173,12 @@ class MainWindow(QMainWindow):
             event.acceptProposedAction()
 
     def dropEvent(self, event: QDropEvent) -> None:
-        """A design or scene is opened; any other file becomes the target image."""
+        """A design or scene is opened; a file of light lights it; any other is the target image."""
         event.acceptProposedAction()
         path = Path(event.mimeData().urls()[0].toLocalFile())
-        if path.suffix.lower() not in (ENDING, ".json"):
+        if is_light_file(path):
+            self.forms.choose_light(path)
+        elif path.suffix.lower() not in (ENDING, ".json"):
             self.forms.choose_image(path)
         elif self._busy:
             text = f"{path.name} takes the place of {self.document.name}, which is being designed."
@@ -310,6 +314,11 @@ class MainWindow(QMainWindow):
         path = self.dialogs.to_open("image", "Target image", IMAGE_FILES)
         if path is not None:
             self.forms.choose_image(path)
+
+    def _choose_light(self) -> None:
+        path = self.dialogs.to_open("light", "File of light", LIGHT_FILES)
+        if path is not None:
+            self.forms.choose_light(path)
 
     def _take_along(self, take: Callable[[], None]) -> None:
         self.forms.commit()

@@ -15,6 +15,7 @@ from ui.panels.panel import Panel, PartPanel
 from ui.panels.receiver import ReceiverPanel
 from ui.panels.rows import Rows
 from ui.panels.run import RunPanel
+from ui.panels.source import SourcePanel
 from ui.panels.stages import StagesPanel
 from ui.panels.target import TargetPanel
 from workbench.errors import Refused
@@ -42,6 +43,8 @@ class Forms(QScrollArea):
         Why a chosen or dropped file is not taken.
     image_asked : Signal()
         A person wants to choose an image file for the target.
+    light_asked : Signal()
+        A person wants to choose a file of light for the source.
     postponed : Signal(str)
         Which edits wait for the end of the run.
     refusals_changed : Signal()
@@ -51,6 +54,7 @@ class Forms(QScrollArea):
     told = Signal(str)
     file_refused = Signal(str)
     image_asked = Signal()
+    light_asked = Signal()
     postponed = Signal(str)
     refusals_changed = Signal()
 
@@ -69,11 +73,14 @@ class Forms(QScrollArea):
         self._hint.hide()
         parts = {field.name: field for field in Scene.fields() if field.parts}
         self._target = TargetPanel(parts.pop("target"))
+        self._source = SourcePanel(parts["source"])
         made: list[Panel] = []
         far_field = parts.pop("far_field")
         for name, field in parts.items():
             if name == "screen":
                 made.append(ReceiverPanel(field, far_field))
+            elif name == "source":
+                made.append(self._source)
             else:
                 made.append(_PANELS.get(name, PartPanel)(field))
         self.panels: list[Panel] = [ScenePanel(), self._target, *made, StagesPanel()]
@@ -99,6 +106,7 @@ class Forms(QScrollArea):
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._target.image_asked.connect(self.image_asked)
+        self._source.file_asked.connect(self.light_asked)
         self._target.image_again.connect(self._read_image_again)
         document.session_changed.connect(self._show_change)
         self._show()
@@ -133,6 +141,11 @@ class Forms(QScrollArea):
         """Make an image file the target."""
         self._target.choose_image(path)
         self.ensureWidgetVisible(self._target)
+
+    def choose_light(self, path: Path) -> None:
+        """Take the light of a file."""
+        self._source.choose_file(path)
+        self.ensureWidgetVisible(self._source)
 
     def set_running(self, running: bool, paused: bool = False) -> None:
         """Whether a run goes on, whose end edits wait for."""

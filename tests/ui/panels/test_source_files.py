@@ -1,0 +1,72 @@
+"""Sources whose light stands in a file, in the forms."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.lamps import crooked_lamp, led
+from tests.ui.hands import choose, editor, enter, row
+from workbench.files.session import Session
+from workbench.scene import Scene
+from workbench.targets import load_target
+
+
+@pytest.fixture
+def session():
+    scene = Scene.from_data(
+        {
+            "unit": "cm",
+            "lens": {"half_width": [1, 1], "refractive_index": 1.5, "control_points": [6, 6]}
+            | {"height_range": [-0.3, 0.3]},
+            "source": {"kind": "point", "position": [0, 0, -4]},
+            "screen": {"z": 5, "half_width": [1, 1], "pixels": [12, 10]},
+            "target": {"builtin": "tophat", "blur": 1.0},
+        }
+    )
+    return Session(scene, load_target(scene, Path()))
+
+
+def test_a_file_of_light_is_chosen_from_a_dialog(forms, document, qtbot, tmp_path):
+    lamp = Path(crooked_lamp(tmp_path)["file"])
+    forms.light_asked.connect(lambda: forms.choose_light(lamp))
+
+    choose(forms, "source.kind", "photometric")
+
+    source = document.session.scene.source
+    assert (source.kind, source.file, source.position) == ("photometric", str(lamp), (0, 0, -4))
+    assert row(forms, "source.file").editor.text() == str(lamp)
+    enter(qtbot, forms, "source.rotation[0]", "30")
+    assert document.session.scene.source.rotation == (30, 0, 0)
+    assert document.session.scene.light_files[str(lamp)] is not None
+    assert editor(forms, "source.position[2]").text() == "-4"
+
+
+def test_the_name_of_a_file_tells_the_kind_of_source(forms, document, tmp_path):
+    rays = Path(led(tmp_path, 2000)["file"])
+
+    forms.choose_light(rays)
+
+    assert document.session.scene.source.kind == "ray_file"
+    assert document.undo_stack.undoText() == "change of file of light"
+    document.undo_stack.undo()
+    assert document.session.scene.source.kind == "point"
+
+
+def test_a_dialog_that_is_cancelled_keeps_the_source(forms, document):
+    choose(forms, "source.kind", "ray_file")
+
+    assert document.undo_stack.count() == 0
+    assert row(forms, "source.kind").chooser.currentData() == "point"
+
+
+def test_a_damaged_file_is_refused_and_marks_no_field(forms, document, tmp_path):
+    damaged = tmp_path / "damaged.ies"
+    damaged.write_text("TILT=NONE\n1 2 3")
+    told = []
+    forms.file_refused.connect(told.append)
+
+    forms.choose_light(damaged)
+
+    assert len(told) == 1 and "is cut off" in told[0]
+    assert document.session.scene.source.kind == "point"
+    assert not forms.refused

@@ -1,0 +1,69 @@
+"""The source: some kinds have their light from a file, which can be looked for."""
+
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtCore import Signal
+
+from ui.panels.edits import Edit
+from ui.panels.fields import Row, TextRow
+from ui.panels.panel import PartPanel
+from ui.panels.rows import KindRow, Make
+from workbench.design.picture import LARGEST_PICTURE
+from workbench.scene import (
+    FieldDescription,
+    Kinds,
+    MeasuredSource,
+    PhotometricSource,
+    RayFileSource,
+)
+
+_KINDS: tuple[type[MeasuredSource], ...] = (PhotometricSource, RayFileSource)
+_ENDINGS = tuple(ending for kind in _KINDS for ending in kind.endings)
+_NAMED = Kinds("kind")
+LIGHT_FILES = f"Files of light ({' '.join(f'*{ending}' for ending in _ENDINGS)});;All files (*)"
+
+
+def is_light_file(path: Path) -> bool:
+    """Whether a file is one of light, by its name."""
+    return path.suffix.lower() in _ENDINGS
+
+
+class SourcePanel(PartPanel):
+    """Bound to ``scene.source``.
+
+    Attributes
+    ----------
+    file_asked : Signal()
+        A person wants to choose a file of light.
+    """
+
+    file_asked = Signal()
+
+    def __init__(self, field: FieldDescription) -> None:
+        super().__init__(field)
+        for row in self.rows:
+            if isinstance(row, KindRow | TextRow):
+                row.asked.connect(lambda *_: self.file_asked.emit())
+
+    def own_rows(self) -> dict[str, Make]:
+        """A file can be looked for."""
+        return {"file": _file_rows}
+
+    def choose_file(self, path: Path) -> None:
+        """Take the light of a file; its name tells of which kind it is."""
+        kind = next((k for k in _KINDS if path.suffix.lower() in k.endings), _KINDS[0])
+        file = {"file": str(path.absolute())}
+        scene = self.session.scene
+        source: dict[str, Any] = {"kind": _NAMED.name_of(kind), **kind.begun(scene)}
+        if isinstance(scene.source, kind):
+            source = scene.source.model_dump(mode="json")
+        edit = Edit(
+            "source.file", "change of file of light", {"source": source | file}, waits=False
+        )
+        self.edited.emit(edit)
+
+
+def _file_rows(field: FieldDescription, path: str) -> list[Row]:
+    kept = f"The design keeps files of up to {LARGEST_PICTURE >> 20} MB."
+    return [TextRow(path, field.title, f"{field.tip} {kept}", "Choose a file of light")]
