@@ -27,6 +27,9 @@ SOURCES = {
     "point": POINT,
     "lambertian": POINT | {"emission": "lambertian"},
     "grid": GRID,
+    "tilted": {"kind": "collimated", "direction": [4.0, -6.0]},
+    "beam": {"kind": "collimated", "direction": [3.0, 2.0]}
+    | {"profile": {"kind": "gaussian", "radius": 1.0}},
 }
 
 
@@ -165,6 +168,11 @@ class TestWithMitsuba:
         monkeypatch.setattr("workbench.analysis.mitsuba_lights._LIGHTS", {})
         with pytest.raises(Refused, match=r"^source.kind: 'point' is no light that Mitsuba"):
             other.MitsubaScene(make_scene({"source": POINT}), {"exit": np.full((12, 10), 0.5)})
+
+    def test_a_disc_of_directions_is_refused(self, make_scene):
+        sun = {"kind": "collimated", "angular_diameter": 0.5}
+        with pytest.raises(Refused, match=r"^source.angular_diameter: 0.5 is a disc"):
+            other.MitsubaScene(make_scene({"source": sun}), {"exit": np.full((12, 10), 0.5)})
 
     def test_pixels_that_are_not_square_are_refused(self, make_scene):
         scene = make_scene({"screen.pixels": [32, 31]})

@@ -30,6 +30,8 @@ _DISK = 1e-4
 _FADE = 1e-3
 # Pixels along each side of the slide of a lamp.
 _SLIDE = 1024
+# How far the sheet of a beam goes, and its picture.
+_WAISTS, _TEXELS = 2.5, 512
 _EVEN = {"type": "rgb", "value": 1.0}
 
 Array = npt.NDArray[np.float64]
@@ -61,13 +63,42 @@ def mitsuba_lights(mi: Any, source: Source, lens: Lens, unit: float) -> Lights:
     return light(mi, source, lens, unit)
 
 
-def _sheet(mi: Any, source: CollimatedSource, lens: Lens, unit: float) -> Lights:
-    """Parallel light from a rectangle as large as the lens."""
+def _sheets(mi: Any, source: CollimatedSource, lens: Lens, unit: float) -> Lights:
+    """Parallel light from a rectangle before the lens."""
+    if source.continuous:
+        # Sheets of many directions would hide each other: Mitsuba's lights have bodies.
+        raise Refused(
+            "source.angular_diameter",
+            f"{source.angular_diameter:g} is a disc, and Mitsuba is given parallel light alone; 0",
+        )
     r_x, r_y = (r / unit for r in lens.half_width)
-    place = mi.ScalarTransform4f().translate([0, 0, lens.entrance_z / unit - _BEFORE])
-    sheet = {"type": "directionalarea", "radiance": _EVEN}
-    light = {"type": "rectangle", "to_world": place.scale([r_x, r_y, 1]), "emitter": sheet}
-    return {"light": light}, 4 * r_x * r_y
+    z, to = lens.entrance_z / unit, mi.ScalarTransform4f
+    if source.along_axis and math.isinf(source.profile.radius):
+        place = to().translate([0, 0, z - _BEFORE]).scale([r_x, r_y, 1])
+        return {"light": _sheet(place, _EVEN)}, 4 * r_x * r_y
+    (way,) = source.directions(np.zeros(1), np.zeros(1))
+    size, radiance, emitted = math.hypot(r_x, r_y), _EVEN, 4 * r_x * r_y * float(way[2])
+    if math.isfinite(source.profile.radius):
+        waist = source.profile.radius / unit
+        size, radiance, emitted = _WAISTS * waist, _gaussian(mi), math.pi * waist**2 / 2
+    # So far back that all of it is before the lens.
+    back = (_BEFORE + 1.5 * size * math.hypot(way[0], way[1])) / way[2]
+    centre = [0, 0, z] - back * way
+    place = to().look_at(centre, centre + way, [0, 1, 0]).scale([size, size, 1])
+    return {"light": _sheet(place, radiance)}, emitted
+
+
+def _sheet(place: Any, radiance: Any) -> dict[str, Any]:
+    emitter = {"type": "directionalarea", "radiance": radiance}
+    return {"type": "rectangle", "to_world": place, "emitter": emitter}
+
+
+def _gaussian(mi: Any) -> Any:
+    """A picture of a beam, 1 in the middle, as wide as a sheet."""
+    side = np.linspace(-_WAISTS, _WAISTS, _TEXELS + 1)
+    middle = np.exp(-2 * ((side[1:] + side[:-1]) / 2) ** 2)
+    picture = mi.Bitmap(np.outer(middle, middle)[:, :, None].astype(np.float32))
+    return mi.load_dict({"type": "bitmap", "bitmap": picture, "raw": True})
 
 
 def _points(mi: Any, source: LightOfPoints, lens: Lens, unit: float) -> Lights:
@@ -151,7 +182,7 @@ def _slide(
 
 
 _LIGHTS: Mapping[type, Callable[[Any, Any, Lens, float], Lights]] = {
-    CollimatedSource: _sheet,
+    CollimatedSource: _sheets,
     PointSource: _points,
     GridSource: _points,
     PhotometricSource: _lamp,

@@ -10,6 +10,7 @@ from torch import Tensor
 
 from workbench.design.wide_image import WideImage
 from workbench.optics.beam_plan import BeamPlan
+from workbench.optics.samples import Corners
 from workbench.scene import Scene
 
 Array = npt.NDArray[np.float64]
@@ -41,6 +42,10 @@ _MOST_CELLS = 8192
 _MIRRORED = 1.3
 # Cells of each of many points, at least.
 _FEWEST_CELLS = 24
+# A blur of fewer pixels is not seen.
+_UNSEEN = 0.2
+# Origins for each pixel under the blur; and how many at least and at most, see `spread`.
+_PER_PIXEL, _FEWEST_ORIGINS, _MOST_ORIGINS = 0.5, 16, 256
 # Cells that tell how far the light of a lens reaches.
 _FEW_CELLS = (128, 128)
 
@@ -67,14 +72,35 @@ def image_of(
     mirrored : tuple[bool, bool]
         As for `WideImage`.
     """
-    finer = _MIRRORED ** sum(mirrored) / math.sqrt(scene.source.point_count)
+    origins = _origins(scene)
+    finer = _MIRRORED ** sum(mirrored) / math.sqrt(scene.source.point_count * origins)
     cells = [
         max(level.per_pixel * pixels, level.per_control_point * count) * finer
         for pixels, count in zip(scene.receiver.pixels, scene.lens.net_shape, strict=True)
     ]
     # An even number makes a mirrored lens a mirrored image, of which half need be traced.
     m_x, m_y = (min(max(2 * math.ceil(count / 2), _FEWEST_CELLS), _MOST_CELLS) for count in cells)
-    return WideImage(scene, target, (m_x, m_y), reach, mirrored)
+    return WideImage(scene, target, Corners(m_x, m_y, origins), reach, mirrored)
+
+
+def _origins(scene: Scene) -> int:
+    """Origins that stand for a source of some size, as many as its blur on the receiver needs."""
+    if not scene.source.continuous:
+        return 1
+    receiver = scene.receiver
+    across, up = (
+        width * pixels / (2 * half)
+        for width, pixels, half in zip(
+            scene.source.blur(scene.lens, receiver),
+            receiver.pixels,
+            receiver.half_extent,
+            strict=True,
+        )
+    )
+    if max(across, up) < _UNSEEN:
+        return 1
+    wanted = _PER_PIXEL * max(across, 1.0) * max(up, 1.0)
+    return int(min(max(4 * math.ceil(wanted / 4), _FEWEST_ORIGINS), _MOST_ORIGINS))
 
 
 def reach_of(scene: Scene, heights: Mapping[str, Tensor]) -> tuple[float, float]:

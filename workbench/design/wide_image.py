@@ -14,6 +14,7 @@ from workbench.design.step import Step
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.light import Light
 from workbench.optics.plan import device_of
+from workbench.optics.samples import Corners
 from workbench.scene import Scene
 
 Array = npt.NDArray[np.float64]
@@ -32,8 +33,8 @@ class WideImage:
         The design task.
     target : ndarray, shape (n_y, n_x)
         The wanted image in any scale, row 0 at +y.
-    cells : tuple[int, int]
-        Cells of the light of each point of the source along x and y; see `BeamPlan`.
+    cells : tuple[int, int] or Corners
+        Cells of the light of each origin along x and y, and how many origins; see `BeamPlan`.
     reach : tuple[float, float]
         How far from the receiver's middle light falls.
     mirrored : tuple[bool, bool]
@@ -42,14 +43,14 @@ class WideImage:
     Attributes
     ----------
     beams : int
-        Cells that are traced, those of all points together.
+        Cells that are traced, those of all origins together.
     """
 
     def __init__(
         self,
         scene: Scene,
         target: Array,
-        cells: tuple[int, int],
+        cells: tuple[int, int] | Corners,
         reach: tuple[float, float],
         mirrored: tuple[bool, bool] = (False, False),
     ) -> None:
@@ -58,7 +59,9 @@ class WideImage:
         m_x, m_y = (_margin(reach[k] / r[k], receiver.pixels[k], most[k] / r[k]) for k in (0, 1))
         self._plan, self._margin = BeamPlan(scene, cells, mirrored=mirrored), (m_x, m_y)
         halves = 2 ** sum(mirrored)
-        self.beams = cells[0] * cells[1] * scene.source.point_count // halves
+        corners = Corners(*cells)
+        origins = corners.origins * scene.source.point_count
+        self.beams = corners.x * corners.y * origins // halves
         self._pixel_measure = receiver.pixel_measure
         self._on_screen = (slice(m_y, m_y + n_y), slice(m_x, m_x + n_x))
         device = device_of(scene)

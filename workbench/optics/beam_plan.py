@@ -31,8 +31,9 @@ class BeamPlan:
     ----------
     scene : Scene
         What is traced.
-    cells : tuple[int, int]
-        Cells along x and y between the rays of each point of the source.
+    cells : tuple[int, int] or Corners
+        Cells along x and y between the rays of each origin of the light, and how many origins
+        there are of a source that leaves that open.
     net : ControlNet, optional
         Control net of the heights to come; the scene's own by default.
     dtype : torch.dtype, optional
@@ -52,7 +53,7 @@ class BeamPlan:
     def __init__(
         self,
         scene: Scene,
-        cells: tuple[int, int],
+        cells: tuple[int, int] | Corners,
         net: ControlNet | None = None,
         dtype: torch.dtype | None = None,
         fused: bool = True,

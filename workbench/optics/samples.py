@@ -82,7 +82,7 @@ def places(samples: Samples, axis: int) -> Places:
     return Places((cell + 0.5) / count, cell / count, (cell + 1) / count)
 
 
-def places_of_points(samples: Corners, axis: int, points: int) -> Places:
+def places_of_points(samples: Samples, axis: int, points: int) -> Places:
     """Places of the corners of each point, one point after the other.
 
     All points but a single one have grids that are shifted against each other, with narrower cells

@@ -5,6 +5,7 @@ possible: whatever cannot be built, traced or made is refused here, with the pat
 """
 
 from workbench.scene.auto_net import AutoNet
+from workbench.scene.collimated_source import CollimatedSource, GaussianProfile, UniformProfile
 from workbench.scene.emission import ExactMethod, MeshMethod
 from workbench.scene.far_field import FarField
 from workbench.scene.fields import LENGTH, FieldDescription, Measure
@@ -18,7 +19,7 @@ from workbench.scene.points import LightOfPoints, PointSource
 from workbench.scene.receiver import AnyReceiver
 from workbench.scene.run import AutoRun, PaperRun, Run, RunSettings, Stage
 from workbench.scene.screen import Screen
-from workbench.scene.source import CollimatedSource, Source
+from workbench.scene.source import Source
 from workbench.scene.target import (
     BallTarget,
     Finish,
@@ -46,6 +47,7 @@ __all__ = [
     "FlameTarget",
     "FlatBase",
     "GaussianFilter",
+    "GaussianProfile",
     "GridSource",
     "ImageTarget",
     "Kinds",
@@ -70,5 +72,6 @@ __all__ = [
     "Stage",
     "Target",
     "TopHatTarget",
+    "UniformProfile",
     "Unit",
 ]

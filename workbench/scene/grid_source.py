@@ -93,7 +93,7 @@ class GridSource(LightOfPoints):
         return self.center[0] == 0, self.center[1] == 0
 
     @property
-    def point(self) -> PointSource:
+    def sharp(self) -> PointSource:
         """Its middle."""
         return PointSource(kind="point", position=self.center, emission=self.emission)
 
@@ -127,7 +127,7 @@ class GridSource(LightOfPoints):
     @property
     def narrow(self) -> PointSource:
         """Its middle."""
-        return self.point
+        return self.sharp
 
     @property
     def blur_points(self) -> tuple[int, int]:

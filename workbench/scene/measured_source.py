@@ -166,7 +166,7 @@ class PhotometricSource(MeasuredSource):
         return {"position": scene.source.place or in_front(scene.lens)}
 
     @property
-    def point(self) -> PointSource:
+    def sharp(self) -> PointSource:
         """As if it shone alike everywhere."""
         return PointSource(kind="point", position=self.position)
 
@@ -214,6 +214,6 @@ class RayFileSource(MeasuredSource):
         return _POINTS
 
     @property
-    def point(self) -> PointSource:
+    def sharp(self) -> PointSource:
         """As if all its rays came from its origin."""
         return PointSource(kind="point", position=self.position)

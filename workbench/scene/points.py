@@ -34,8 +34,19 @@ class AnySource(Part):
     Here it is said of light that comes from infinitely far: it has no place that could be seen.
     """
 
-    along_axis: ClassVar[bool] = False
-    """Whether all its rays go along +z."""
+    @property
+    def along_axis(self) -> bool:
+        """Whether all its rays go along +z."""
+        return False
+
+    @property
+    def continuous(self) -> bool:
+        """Whether its light comes from everywhere in a disc or an area.
+
+        Then it says nothing of a number of points, and as many origins stand for it as its blur
+        needs.
+        """
+        return False
 
     @property
     def place(self) -> Place | None:
@@ -58,9 +69,9 @@ class AnySource(Part):
         return False, False
 
     @property
-    def point(self) -> "PointSource | None":
-        """The point that stands for it in rough plans; None if it has no place."""
-        return None if self.place is None else PointSource(kind="point", position=self.place)
+    def sharp(self) -> "AnySource":
+        """Light of one origin that stands for it in rough plans."""
+        return self if self.place is None else PointSource(kind="point", position=self.place)
 
     @property
     def point_count(self) -> int:
@@ -256,7 +267,7 @@ class PointSource(LightOfPoints):
         return self.position[0] == 0, self.position[1] == 0
 
     @property
-    def point(self) -> Self:
+    def sharp(self) -> Self:
         """It is one."""
         return self
 

@@ -10,7 +10,7 @@ from tests.optics.points import GRID, POINT
 from workbench.optics.entering import entering
 from workbench.optics.samples import Corners
 from workbench.optics.sources import emitter_of
-from workbench.optics.sources.origins import Origins, through_corners
+from workbench.optics.sources.origins import Origins, through_cells
 
 NODE, WEIGHT = np.polynomial.legendre.leggauss(60)
 
@@ -58,7 +58,7 @@ def test_rays_through_corners_carry_the_light_of_their_cells(make_scene):
     z = scene.lens.entrance_z
     points = np.array([[0.2, 0.0, z - 3], [-0.2, 0.1, z - 3]])
     origins = Origins(points, False, np.array([0.5, 0.25]), lambertian=True)
-    rays = through_corners(origins, scene.lens, Corners(64, 48, 2))
+    rays = through_cells(origins, scene.lens, Corners(64, 48, 2))
     assert rays.flux.shape == (65, 100)  # two grids with a row more at each end
     assert rays.flux.sum().item() == pytest.approx(through_the_face(origins, scene.lens), rel=1e-3)
     place, way = (torch.stack(list(part)) for part in (rays.position, rays.direction))

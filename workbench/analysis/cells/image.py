@@ -10,6 +10,7 @@ import numpy as np
 from workbench.analysis.cells.lattice import Lattice
 from workbench.analysis.cells.triangles import Array
 from workbench.analysis.metrics import relative_l2
+from workbench.analysis.tracing.elements import LightSource
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.train import OpticalTrain
 from workbench.analysis.watch import within
@@ -63,7 +64,8 @@ def imaging(
 ) -> Generator[float, None, CellImage | None]:
     """Find the image of a lens by cells, step by step.
 
-    Each level has cells of half the width of those before. If its error is a factor r smaller, the
+    Each level has cells of half the width of those before, and a source of some size has twice as
+    many origins; see `LightSource.finer`. If its error is a factor r smaller, the
     difference of the two images over r − 1 is the error of the finer one. The factor is measured
     from three levels, and is taken to be at most 4, that of second order: where the error falls
     sooner, as it mostly does, the bound is above it.
@@ -103,8 +105,9 @@ def imaging(
     train = OpticalTrain.of(scene, heights, 1, 0, pose, [scene.receiver])
     images: list[Array] = []
     bound = math.inf
-    for level, cells in enumerate(_levels(scene, train.source.origins)):
-        lattice = Lattice(scene, train, cells)
+    for level, cells in enumerate(_levels(scene, train.source)):
+        finer = OpticalTrain(train.source.finer(level), train.faces, train.detector)
+        lattice = Lattice(scene, finer, cells)
         # Each level takes most of what is left of the whole.
         image = yield from within(lattice.tracing(threads), partial(_done, level))
         images = [*images[-2:], image]
@@ -124,17 +127,18 @@ def _done(level: int, part: float) -> float:
     return 1 - math.pow(0.25, level + part)
 
 
-def _levels(scene: Scene, origins: int) -> Iterator[tuple[int, int]]:
+def _levels(scene: Scene, light: LightSource) -> Iterator[tuple[int, int]]:
     """Cells along x and y of each level; none if there would be too few in the first."""
     # Where light is parallel, cells end where the polynomials of the face do.
     spans = [n - p for n, p in zip(scene.lens.net_shape, scene.lens.degree, strict=True)]
     n_x, n_y = (count * -(-_ENOUGH // count) for count in spans)
-    if (wanted := 16 * n_x * n_y * origins) > _BEGIN:
+    if (wanted := 16 * n_x * n_y * light.finer(2).origins) > _BEGIN:
         shrink = math.sqrt(_BEGIN / wanted)
         n_x, n_y = (int(n * shrink) for n in (n_x, n_y))
-    while min(n_x, n_y) >= _FEWEST and n_x * n_y * origins <= _MOST:
+    level = 0
+    while min(n_x, n_y) >= _FEWEST and n_x * n_y * light.finer(level).origins <= _MOST:
         yield n_x, n_y
-        n_x, n_y = 2 * n_x, 2 * n_y
+        n_x, n_y, level = 2 * n_x, 2 * n_y, level + 1
 
 
 def _bound(coarse: Array, middle: Array, fine: Array) -> float:

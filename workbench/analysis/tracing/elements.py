@@ -66,7 +66,7 @@ class RandomSource(Protocol):
     Attributes
     ----------
     beside : float
-        Flux that misses the lens by its outline and is in none of the rays, over that of all rays.
+        Flux that misses the lens and is in none of the rays, over that of all rays.
     rays : int
         How many there are in all batches together.
     """
@@ -85,7 +85,7 @@ class FaceLight(Protocol):
     Attributes
     ----------
     origins : int
-        From how many points light comes to each place; parallel light comes from one.
+        From how many points, or in how many directions, light comes to each place.
     emitted : float
         Flux of the source in the unit of `through`.
     """
@@ -113,6 +113,14 @@ class FaceLight(Protocol):
 
 class LightSource(RandomSource, FaceLight, Protocol):
     """What each kind of source is for the check."""
+
+    def finer(self, level: int) -> "LightSource":
+        """The same light with origins for another level of cells.
+
+        Where few origins stand for a source of some size, they are twice as many at each level, so
+        that the difference of two levels has the error of too few origins in it.
+        """
+        ...
 
 
 class Face(Protocol):

@@ -33,7 +33,11 @@ class Pose:
 
     def axis(self) -> Array:
         """The unit vector +z as the lens sees it, shape (3,)."""
-        return self._inverse(np.array([0.0, 0.0, 1.0]))
+        return self.ways(np.array([0.0, 0.0, 1.0]))
+
+    def ways(self, vectors: Array) -> Array:
+        """Directions (m, 3) of the scene as the lens sees them."""
+        return self._inverse(vectors)
 
     def to_scene(self, entrance_z: float) -> tuple[Array, Array]:
         """Matrix (3, 3) and vector (3,) that take points back: the reverse of `to_lens`."""

@@ -26,6 +26,7 @@ from workbench.geometry.surface import ControlNet
 from workbench.optics.glass import Glass
 from workbench.optics.path import Path
 from workbench.optics.reference import Reference
+from workbench.optics.sources import emitter_of
 from workbench.optics.transmittance import TransmittanceLaw
 from workbench.scene import Scene
 
@@ -137,14 +138,15 @@ class _Light:
         self.x, self.y = (middle * r_x)[:, None], (middle * r_y)[None, :]
         self._entrance_z = scene.lens.entrance_z
         self._glass: Glass | None = None
-        point = scene.source.point
-        if point is not None:
-            scene = scene.model_copy(update={"source": point})
-            x, y, z = point.position
+        scene = scene.model_copy(update={"source": scene.source.sharp})
+        origins = emitter_of(scene.source, scene.lens).origins
+        (x, y, z), n = origins.places[0], scene.lens.index
+        # Of parallel light in the glass, by Snell's law.
+        self._along = x / n, y / n, math.sqrt(1 - (x**2 + y**2) / n**2)
+        if not origins.infinite:
             self._away_x, self._away_y = self.x - x, self.y - y
-            lambertian = point.emission == "lambertian"
             entering, _ = TransmittanceLaw.of(scene.lens)
-            self._glass = Glass(self._entrance_z - z, entering, lambertian)
+            self._glass = Glass(self._entrance_z - z, entering, origins.lambertian)
         path = Path.of(scene, net, torch.float64, samples=(cells, cells))
         self._reference = Reference(path)
 
@@ -158,7 +160,8 @@ class _Light:
     def direction(self, z: Array) -> tuple[Array, Array, Array]:
         """Unit vectors at places of the face with heights z."""
         if self._glass is None:
-            return np.zeros_like(z), np.zeros_like(z), np.ones_like(z)
+            d_x, d_y, d_z = (np.full_like(z, part) for part in self._along)
+            return d_x, d_y, d_z
         depth = torch.as_tensor((z - self._entrance_z).clip(0))
         light = self._glass.light(torch.as_tensor(self._away_x**2 + self._away_y**2), depth)
         slope = (light.part * light.steepness).numpy()

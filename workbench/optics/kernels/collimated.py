@@ -29,7 +29,7 @@ from workbench.optics.kernels.spread import Spread, make_canvases, make_spread, 
 from workbench.optics.light import Light, Nodes
 from workbench.optics.path import Path, Step
 from workbench.optics.receivers import PlaneReceiver
-from workbench.optics.samples import Samples, cells, places, shares
+from workbench.optics.samples import Samples, cells, places
 from workbench.optics.sources import CollimatedEmitter
 from workbench.optics.surfaces import Plane
 from workbench.optics.transmittance import TransmittanceLaw
@@ -73,9 +73,12 @@ class FusedCollimatedRays:
         net, samples, n = lens.face.net, lens.emitter.samples, lens.face.law.ratio
         self._face, self._dtype = lens.face, path.dtype
         kind = self._kind = kind_of(path.dtype)
-        self._halves, self._emitter = Halves.of(samples, (1, 1), mirrored), path.emitter
+        self._halves, self._emitter = Halves.of(samples, (1, 1), mirrored), lens.emitter
         self.mirrored = self._halves.mirrored
-        across, up = (_rays(net, samples, axis, self._halves, kind) for axis in (0, 1))
+        shares = [lens.emitter.shares(axis) for axis in (0, 1)]
+        across, up = (
+            _rays(net, samples, axis, shares[axis], self._halves, kind) for axis in (0, 1)
+        )
         self._all, self._inside = (across, up), lens.emitter.inside
         self._moving, self._still = split((across, up), locked)
         self._still_light: tuple[Filter, Tensor, Sums] | None = None
@@ -166,12 +169,16 @@ class _ParallelLens(NamedTuple):
 
 
 def _rays(
-    net: ControlNet, samples: Samples, axis: int, halves: Halves, kind: type[np.floating[Any]]
+    net: ControlNet,
+    samples: Samples,
+    axis: int,
+    share: Array,
+    halves: Halves,
+    kind: type[np.floating[Any]],
 ) -> Axis:
-    """All rays along an axis, or the first half of them."""
+    """All rays along an axis, or the first half of them; see `CollimatedEmitter.shares`."""
     part = halves.first(places(samples, axis).part, axis)
-    share = halves.weighted(shares(samples, axis), axis)
-    return make_axis(net, axis, part, kind, share)
+    return make_axis(net, axis, part, kind, halves.weighted(share, axis))
 
 
 def _together(parts: Sequence[tuple[Tensor, Sums]]) -> tuple[Tensor, Sums]:
@@ -184,7 +191,7 @@ def compile_for(dtype: torch.dtype) -> None:
     """Compile the kernels for a float type by tracing a few rays."""
     kind = kind_of(dtype)
     net = ControlNet((2, 2), (1, 1), (1.0, 1.0))
-    across, up = (_rays(net, (2, 2), axis, Halves(None, None), kind) for axis in (0, 1))
+    across, up = (_rays(net, (2, 2), axis, np.ones(2), Halves(None, None), kind) for axis in (0, 1))
     law = TransmittanceLaw.fresnel(1.5).cast(kind)
     numbers = Optics._make([*(kind(1.5) for _ in Optics._fields[:-1]), law])
     screen = Screen(z=1.0, half_width=(1.0, 1.0), pixels=(2, 2))

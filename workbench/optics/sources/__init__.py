@@ -13,6 +13,7 @@ from torch import Tensor
 from workbench.optics.rays import RayBundle
 from workbench.optics.samples import Samples
 from workbench.optics.sources.collimated import CollimatedEmitter
+from workbench.optics.sources.directions import DirectionEmitter
 from workbench.optics.sources.origins import Origins
 from workbench.optics.sources.photometric import PhotometricEmitter
 from workbench.optics.sources.points import PointEmitter
@@ -99,8 +100,13 @@ class Emitter(Protocol):
         ...
 
 
+def _collimated(source: CollimatedSource, lens: Lens, samples: Samples | None) -> Emitter:
+    straight = source.along_axis
+    return (CollimatedEmitter if straight else DirectionEmitter)(source, lens, samples)
+
+
 _EMITTERS: Mapping[type, Callable[[Any, Lens, Samples | None], Emitter]] = {
-    CollimatedSource: CollimatedEmitter,
+    CollimatedSource: _collimated,
     PointSource: PointEmitter,
     GridSource: PointEmitter,
     PhotometricSource: PhotometricEmitter,

@@ -1,10 +1,11 @@
-"""Parallel light along the axis."""
+"""Parallel light along the axis, even or a Gaussian beam."""
 
 import math
 
 import numpy as np
 import numpy.typing as npt
 import torch
+from scipy.special import erf
 from torch import Tensor
 
 from workbench.geometry.outlines import outline_of
@@ -17,7 +18,7 @@ Array = npt.NDArray[np.float64]
 
 
 class CollimatedEmitter:
-    """An even tensor grid of rays that fills the entrance face; an `Emitter`.
+    """A tensor grid of rays that fills the entrance face; an `Emitter`.
 
     Parameters
     ----------
@@ -41,16 +42,21 @@ class CollimatedEmitter:
     ) -> None:
         self.samples, self._lens = samples or source.rays, lens
         self._outline = outline_of(lens)
+        self._waist = source.profile.radius
 
     @property
     def origins(self) -> Origins:
         """One direction; see `Emitter`."""
         area = 4 * math.prod(self._lens.half_width)
-        return Origins(np.array([[0.0, 0.0, 1.0]]), True, np.array([1 / area]))
+        even = math.isinf(self._waist)
+        flux = 1 / area if even else 2 / (math.pi * self._waist**2)
+        return Origins(np.array([[0.0, 0.0, 1.0]]), True, np.array([flux]), waist=self._waist)
 
     @property
     def beside(self) -> float:
         """See `Emitter`."""
+        if not math.isinf(self._waist):
+            return 1 - float(self.rays(0).flux.sum())
         if self._outline.whole:
             return 0.0
         return 1 - self._outline.area / (4 * math.prod(self._lens.half_width))
@@ -67,6 +73,20 @@ class CollimatedEmitter:
         """See `Emitter`."""
         return places(self.samples, 0).split, places(self.samples, 1).split
 
+    def shares(self, axis: int) -> Array:
+        """Light of each ray along x (0) or y (1), in that of a cell if all light met the face.
+
+        Products of both are exact: a Gaussian beam is integrated over what each ray stands for.
+        """
+        if math.isinf(self._waist):
+            return shares(self.samples, axis)
+        sampled, r = places(self.samples, axis), self._lens.half_width[axis]
+        high, low = (
+            erf(math.sqrt(2) * (2 * part - 1) * r / self._waist)
+            for part in (sampled.high, sampled.low)
+        )
+        return np.asarray(self.samples[axis] * (high - low) / 2)
+
     def rays(self, seed: int, draw: int = 0) -> RayBundle:
         """The same rays for every seed and draw; see `Emitter.rays`."""
         x, y = (
@@ -75,8 +95,8 @@ class CollimatedEmitter:
         )
         rays = _along_axis(x[:, None], y[None, :], self._lens.entrance_z)
         flux = x.new_ones(()) / cells(self.samples)
-        if isinstance(self.samples, Corners):
-            across, up = (torch.as_tensor(shares(self.samples, axis)) for axis in (0, 1))
+        if isinstance(self.samples, Corners) or math.isfinite(self._waist):
+            across, up = (torch.as_tensor(self.shares(axis)) for axis in (0, 1))
             flux = flux * across[:, None] * up
         if (inside := self.inside) is not None:
             flux = flux * torch.as_tensor(inside)

@@ -13,7 +13,7 @@ import torch
 
 from workbench.geometry.outlines import outline_of
 from workbench.optics.rays import RayBundle, Vector
-from workbench.optics.samples import Corners, parts_inside, places, places_of_points
+from workbench.optics.samples import Corners, Samples, parts_inside, places_of_points
 from workbench.scene import Lens
 
 Array = npt.NDArray[np.float64]
@@ -116,13 +116,14 @@ class Origins(NamedTuple):
         return Lit((d_x, d_y, d_z), density * d_z if self.lambertian else density)
 
 
-def through_corners(origins: Origins, lens: Lens, corners: Corners) -> RayBundle:
-    """Rays through corners of cells of the entrance face, shape (m_x, m_y for each origin).
+def through_cells(origins: Origins, lens: Lens, samples: Samples) -> RayBundle:
+    """Rays through cells of the entrance face, shape (m_x, m_y for each origin).
 
-    Their flux is that of what of the cells is inside the outline of the lens.
+    Several origins need `Corners`. The flux is that of what of the cells is inside the outline of
+    the lens.
     """
     count = len(origins.places)
-    across, up = places(corners, 0), places_of_points(corners, 1, count)
+    across, up = (places_of_points(samples, axis, n) for axis, n in enumerate((1, count)))
     r_x, r_y = lens.half_width
     x, y = ((2 * along.part - 1) * r for along, r in ((across, r_x), (up, r_y)))
     area = 4 * r_x * r_y * (across.high - across.low)[:, None] * (up.high - up.low)

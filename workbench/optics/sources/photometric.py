@@ -11,7 +11,7 @@ from workbench.measured.lamps import intensity_of
 from workbench.measured.photometry import IntensityTable
 from workbench.optics.rays import RayBundle
 from workbench.optics.samples import Corners, Samples
-from workbench.optics.sources.origins import Index, Origins, splits_of, through_corners, vector
+from workbench.optics.sources.origins import Index, Origins, splits_of, through_cells, vector
 from workbench.scene import Lens, PhotometricSource
 
 Array = npt.NDArray[np.float64]
@@ -73,7 +73,7 @@ class PhotometricEmitter:
         No ray stands for light that passes the face by.
         """
         if isinstance(self.samples, Corners):
-            return through_corners(self.origins, self._lens, self.samples)
+            return through_cells(self.origins, self._lens, self.samples)
         from scipy.stats import qmc  # late: it takes most of a second to import
 
         count = self._source.rays if self.samples is None else math.prod(self.samples)

@@ -9,7 +9,7 @@ from workbench.optics.emission import emit
 from workbench.optics.entering import intensity_of
 from workbench.optics.rays import RayBundle, Vector
 from workbench.optics.samples import Corners, Samples
-from workbench.optics.sources.origins import Origins, splits_of, through_corners
+from workbench.optics.sources.origins import Origins, splits_of, through_cells
 from workbench.scene import Lens, LightOfPoints
 
 Array = npt.NDArray[np.float64]
@@ -67,7 +67,7 @@ class PointEmitter:
     def rays(self, seed: int, draw: int = 0) -> RayBundle:
         """Rays drawn by the seed, or at corners of cells; see `Emitter.rays`."""
         if isinstance(self.samples, Corners):
-            return through_corners(self.origins, self.lens, self.samples)
+            return through_cells(self.origins, self.lens, self.samples)
         rays = emit(self.source, self.lens, seed, draw)
         onto_face = np.column_stack([rays.crossing, np.full(len(rays.flux), self.lens.entrance_z)])
         return _bundle(onto_face, rays.direction, rays.flux)

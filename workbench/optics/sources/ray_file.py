@@ -9,7 +9,7 @@ from workbench.measured.lamps import placed_rays, ray_model
 from workbench.measured.rays.model import RayModel
 from workbench.optics.rays import RayBundle
 from workbench.optics.samples import Corners, Samples
-from workbench.optics.sources.origins import Index, Origins, splits_of, through_corners, vector
+from workbench.optics.sources.origins import Index, Origins, splits_of, through_cells, vector
 from workbench.scene import Lens, RayFileSource
 
 Array = npt.NDArray[np.float64]
@@ -58,7 +58,7 @@ class RayFileEmitter:
     def rays(self, seed: int, draw: int = 0) -> RayBundle:
         """Rays of the file drawn by the seed, or beams at corners; see `Emitter.rays`."""
         if isinstance(self.samples, Corners):
-            beams = through_corners(self.origins, self._lens, self.samples)
+            beams = through_cells(self.origins, self._lens, self.samples)
             return beams._replace(flux=beams.flux / beams.flux.sum().clamp_min(1))
         placed, z = placed_rays(self._source), self._lens.entrance_z
         x, y, come = placed.onto(z)

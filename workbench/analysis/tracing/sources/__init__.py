@@ -3,11 +3,13 @@
 A new kind of source is a file here, its fields in `workbench.scene`, and a row in ``_SOURCES``.
 """
 
+import math
 from collections.abc import Callable, Mapping
 from typing import Any
 
 from workbench.analysis.tracing.elements import LightSource
 from workbench.analysis.tracing.pose import Pose
+from workbench.analysis.tracing.sources.beam import BeamLight
 from workbench.analysis.tracing.sources.collimated import CollimatedLight
 from workbench.analysis.tracing.sources.photometric import PhotometricLight
 from workbench.analysis.tracing.sources.points import PointLight
@@ -22,8 +24,17 @@ from workbench.scene import (
     Source,
 )
 
+
+def _collimated(
+    source: CollimatedSource, lens: Lens, pose: Pose, rays: int, seed: int
+) -> LightSource:
+    """Parallel light that is even, or a beam."""
+    even = math.isinf(source.profile.radius) and not source.continuous
+    return (CollimatedLight if even else BeamLight)(source, lens, pose, rays, seed)
+
+
 _SOURCES: Mapping[type, Callable[[Any, Lens, Pose, int, int], LightSource]] = {
-    CollimatedSource: CollimatedLight,
+    CollimatedSource: _collimated,
     PointSource: PointLight,
     GridSource: PointLight,
     PhotometricSource: PhotometricLight,

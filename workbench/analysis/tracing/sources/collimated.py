@@ -12,7 +12,7 @@ from workbench.scene import CollimatedSource, Lens
 
 
 class CollimatedLight:
-    """Parallel light along +z; a `LightSource`.
+    """Parallel light; a `LightSource`.
 
     It has no edge: it fills the entrance face however that stands. The parameters are those of
     `light_source`.
@@ -23,12 +23,16 @@ class CollimatedLight:
     ) -> None:
         r_x, r_y = lens.half_width
         self._outline = outline_of(lens)
-        self._direction = pose.axis()[None, :]
+        self._direction = pose.ways(source.directions(np.zeros(1), np.zeros(1)))
         self._cells = Cells(rays, r_x / r_y, seed)
         self.rays = self._cells.count
         # Of the rectangle around the lens, all is lit, and rays are drawn on the glass alone.
         self.origins, self.emitted = 1, 4 * r_x * r_y
         self.beside = self.emitted / self._outline.area - 1
+
+    def finer(self, level: int) -> "CollimatedLight":
+        """The same: see `LightSource`."""
+        return self
 
     def batch(self, number: int) -> Iterator[TracedRays]:
         """Rays that begin on the entrance face; see `RandomSource.batch`."""

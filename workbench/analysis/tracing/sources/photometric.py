@@ -43,6 +43,10 @@ class PhotometricLight:
         # Each ray stands for so much of the face, in all batches together.
         self._area = self._outline.area / self._cells.count
 
+    def finer(self, level: int) -> "PhotometricLight":
+        """The same: see `LightSource`."""
+        return self
+
     def batch(self, number: int) -> Iterator[TracedRays]:
         """Rays that begin on the entrance face; see `RandomSource.batch`."""
         missing = self.emitted / BATCHES

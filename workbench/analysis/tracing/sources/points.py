@@ -36,6 +36,10 @@ class PointLight:
         self.origins = len(self._points)
         self.emitted = float(powers(cones, self._upwards).sum())
 
+    def finer(self, level: int) -> "PointLight":
+        """The same: see `LightSource`."""
+        return self
+
     def batch(self, number: int) -> Iterator[TracedRays]:
         """Rays that begin in the plane of the entrance face; see `RandomSource.batch`.
 

@@ -43,6 +43,10 @@ class RayFileLight:
         self._points = pose.to_lens(self._model.places, lens.entrance_z)
         self.origins, self.emitted = len(self._points), 1.0
 
+    def finer(self, level: int) -> "RayFileLight":
+        """The same: see `LightSource`."""
+        return self
+
     def batch(self, number: int) -> Iterator[TracedRays]:
         """Rays where they come to the plane of the entrance face; see `RandomSource.batch`."""
         mine = self._chosen[number::BATCHES]

@@ -1,0 +1,52 @@
+"""Light from infinitely far that is tilted, or comes from a disc as that of the sun."""
+
+import math
+
+import numpy as np
+import torch
+from torch import Tensor
+
+from workbench.optics.rays import RayBundle
+from workbench.optics.samples import Samples
+from workbench.optics.sources.evenly import Spread
+from workbench.optics.sources.extended import ExtendedEmitter
+from workbench.optics.sources.origins import Origins, vector
+from workbench.scene import CollimatedSource, Lens
+
+# Directions to look at, beside that in the middle.
+_RIM = Spread(np.array([0.0, -1, 1, 0, 0]), np.array([0.0, 0, 0, -1, 1]), np.full(5, 0.2))
+
+
+class DirectionEmitter(ExtendedEmitter):
+    """As much light from everywhere in a disc of directions; the parameters are `emitter_of`'s.
+
+    Even light fills the entrance face, and nothing of it misses the lens.
+    """
+
+    outline = "ellipse"
+
+    def __init__(
+        self, source: CollimatedSource, lens: Lens, samples: Samples | None = None
+    ) -> None:
+        super().__init__(lens, source.ray_count, samples)
+        self._source = source
+
+    def origins_at(self, places: Spread) -> Origins:
+        """See `ExtendedEmitter`; directions are even in solid angle."""
+        waist = self._source.profile.radius
+        ways = self._source.directions(places.x, places.y)
+        flux = places.share * 2 / (math.pi * waist**2)
+        if math.isinf(waist):
+            area = 4 * math.prod(self.lens.half_width)
+            flux = places.share / (area * (places.share @ ways[:, 2]))
+        return Origins(ways, True, flux, waist=waist)
+
+    def towards(self, x: Tensor, y: Tensor) -> RayBundle:
+        """Rays of the middle of the disc and of its rim in turn; see `Emitter.towards`."""
+        number = np.arange(len(x)) % (5 if self._source.continuous else 1)
+        ways = self.origins_at(_RIM).places[number]
+        back = 0.5 * max(self.lens.half_width) / ways[:, 2]
+        face = np.column_stack([x, y, np.full(len(x), self.lens.entrance_z)])
+        flux = torch.full((len(x),), 1 / max(len(x), 1), dtype=torch.float64)
+        start = (face - back[:, None] * ways).T
+        return RayBundle(vector([*start]), vector([*ways.T]), flux, torch.ones_like(flux).bool())

@@ -1,0 +1,104 @@
+"""Light that comes from all of a disc of directions or of a flat emitter."""
+
+from abc import ABC, abstractmethod
+from functools import cached_property
+
+import numpy as np
+import numpy.typing as npt
+import torch
+from torch import Tensor
+
+from workbench.geometry.outlines import outline_of
+from workbench.optics.rays import RayBundle
+from workbench.optics.samples import Corners, Samples
+from workbench.optics.sources.evenly import Outline, Spread, filling, spread
+from workbench.optics.sources.origins import Origins, splits_of, through_cells, vector
+from workbench.scene import Lens
+
+Array = npt.NDArray[np.float64]
+
+# Cells and origins that tell how much light meets the lens, where rays are drawn at random.
+_MANY = Corners(64, 64, 64)
+
+
+class ExtendedEmitter(ABC):
+    """Light of a source of some size, which stands as a set of origins; an `Emitter`.
+
+    Rays are drawn from anywhere on the source to anywhere on the entrance face; those at corners
+    of cells come from as many origins as `Corners` says.
+
+    Parameters
+    ----------
+    lens : Lens
+        Gives the entrance face.
+    rays : int
+        How many rays are drawn, where no corners are asked for.
+    samples : tuple[int, int] or Corners, optional
+        Corners of cells; or so many middles of cells, lit from the middle of the source alone.
+    """
+
+    by_area = True
+    outline: Outline
+    aspect: float = 1.0
+
+    def __init__(self, lens: Lens, rays: int, samples: Samples | None) -> None:
+        self.lens, self.samples = lens, samples
+        self._rays = rays
+
+    @abstractmethod
+    def origins_at(self, places: Spread) -> Origins:
+        """Origins at places of the source's outline."""
+
+    @abstractmethod
+    def towards(self, x: Tensor, y: Tensor) -> RayBundle:
+        """See `Emitter.towards`."""
+
+    @cached_property
+    def beside(self) -> float:
+        """See `Emitter`; all of it that misses the lens."""
+        rays = self._through_cells(self.samples or _MANY)
+        return 1 - float(rays.flux.sum())
+
+    @property
+    def origins(self) -> Origins:
+        """See `Emitter`; the middle alone where no corners are asked for."""
+        count = self.samples.origins if isinstance(self.samples, Corners) else 1
+        return self.origins_at(spread(count, self.outline, self.aspect))
+
+    @property
+    def splits(self) -> tuple[Array, Array]:
+        """See `Emitter`."""
+        if not isinstance(self.samples, Corners):
+            raise TypeError("these rays are no corners of cells")
+        return splits_of(self.samples, (1, len(self.origins.places)))
+
+    def rays(self, seed: int, draw: int = 0) -> RayBundle:
+        """Rays drawn by the seed, or at corners of cells; see `Emitter.rays`."""
+        if self.samples is None:
+            return self._drawn(seed, draw)
+        return self._through_cells(self.samples)
+
+    def _through_cells(self, samples: Samples) -> RayBundle:
+        count = samples.origins if isinstance(samples, Corners) else 1
+        origins = self.origins_at(spread(count, self.outline, self.aspect))
+        rays = through_cells(origins, self.lens, samples)
+        # The sum over cells may exceed the light that there is, a little.
+        return rays._replace(flux=rays.flux / rays.flux.sum().clamp_min(1))
+
+    def _drawn(self, seed: int, draw: int) -> RayBundle:
+        """Rays between low-discrepancy places of the source and of the face."""
+        from scipy.stats import qmc  # late: it takes most of a second to import
+
+        count = self._rays
+        sobol = qmc.Sobol(4, seed=np.random.default_rng([seed, draw]))
+        a, b, across, up = sobol.random_base2(max(count - 1, 1).bit_length())[:count].T
+        r_x, r_y = self.lens.half_width
+        x, y = (2 * across - 1) * r_x, (2 * up - 1) * r_y
+        share = np.full(count, 1 / count)
+        origins = self.origins_at(Spread(*filling(a, b, self.outline), share))
+        lit = origins.light(x, y, self.lens.entrance_z, np.arange(count))
+        flux = lit.density * outline_of(self.lens).contains(x, y)
+        flux *= (1 - self.beside) / flux.sum()
+        place = x, y, np.full(count, self.lens.entrance_z)
+        alive = torch.ones(count, dtype=torch.bool)
+        return RayBundle(vector(place), vector(lit.direction), torch.as_tensor(flux), alive)

@@ -1,0 +1,185 @@
+"""Light from infinitely far: parallel, or from a disc of directions as that of the sun."""
+
+import math
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self
+
+import numpy as np
+import numpy.typing as npt
+from pydantic import ConfigDict, Field
+
+from workbench.errors import Refused
+from workbench.scene import limits
+from workbench.scene.fields import ANGLE, LENGTH, PLACE, SINCE_2, about
+from workbench.scene.kinds import Kinds
+from workbench.scene.lens import Lens
+from workbench.scene.part import Part, Positive
+from workbench.scene.points import AnySource
+from workbench.scene.receiver import AnyReceiver
+from workbench.scene.turning import turned
+
+if TYPE_CHECKING:
+    from workbench.scene.task import Scene
+
+Array = npt.NDArray[np.float64]
+
+RayCount = Annotated[int, Field(ge=1, le=4096)]
+# Cells of light tell the shape of a beam that is this part of the lens wide, and of wider ones.
+_NARROWEST = 0.01
+
+
+class UniformProfile(Part):
+    """As bright everywhere."""
+
+    model_config = ConfigDict(title="Uniform")
+
+    kind: Literal["uniform"] = "uniform"
+    radius: ClassVar[float] = math.inf
+
+
+class GaussianProfile(Part):
+    """A laser beam about the optical axis of the lens; what passes its rim misses the lens."""
+
+    model_config = ConfigDict(title="Gaussian beam")
+
+    kind: Literal["gaussian"]
+    radius: Annotated[
+        Positive,
+        LENGTH,
+        about(
+            "Beam radius",
+            "Where the irradiance has fallen to 1/e² (13.5 %) of that in the middle, measured "
+            "across the beam.",
+        ),
+    ]
+
+    @classmethod
+    def begun(cls, scene: "Scene") -> dict[str, Any]:
+        """Most of its light meets the lens."""
+        return {"radius": min(scene.lens.half_width) / 2}
+
+
+Profile = Annotated[UniformProfile | GaussianProfile, Kinds("kind", default="uniform")]
+
+
+class CollimatedSource(AnySource):
+    """Light from infinitely far that fills the entrance face: the sun, a laser beam."""
+
+    model_config = ConfigDict(title="Collimated light")
+
+    kind: Literal["collimated"]
+    rays: Annotated[
+        tuple[RayCount, RayCount],
+        about(
+            "Rays",
+            "Rays along x and y in each iteration of the paper's method, and for derivative maps. "
+            "More give a smoother image and take longer; at least two per pixel and axis are "
+            "good. Automatic chooses its own.",
+        ),
+    ] = (512, 512)
+    direction: Annotated[
+        tuple[float, float],
+        SINCE_2,
+        ANGLE,
+        PLACE,
+        about(
+            "Direction",
+            "How far the light is tilted against the optical axis: about x, which makes it go "
+            "downwards, and about y, which makes it go to +x.",
+        ),
+    ] = (0.0, 0.0)
+    angular_diameter: Annotated[
+        float,
+        SINCE_2,
+        ANGLE,
+        about(
+            "Angular diameter",
+            "Full angle of the disc that the light comes from: 0.533 for the sun, 0 for a laser "
+            "or a star. It blurs the image by as much as the disc's light spreads on the way.",
+            ge=0,
+            lt=180,
+        ),
+    ] = 0.0
+    profile: Annotated[
+        Profile,
+        SINCE_2,
+        about("Profile", "How bright the light is across the beam."),
+    ] = UniformProfile()
+
+    @property
+    def along_axis(self) -> bool:
+        """Straight light that comes from no disc."""
+        return not any(self.direction) and not self.angular_diameter
+
+    @property
+    def continuous(self) -> bool:
+        """If it comes from a disc."""
+        return self.angular_diameter > 0
+
+    @property
+    def ray_count(self) -> int:
+        """All its rays."""
+        return math.prod(self.rays)
+
+    @property
+    def samples(self) -> tuple[int, int]:
+        """Its rays."""
+        return self.rays
+
+    @property
+    def mirrored(self) -> tuple[bool, bool]:
+        """Where it is not tilted to the side."""
+        return self.direction[1] == 0, self.direction[0] == 0
+
+    @property
+    def narrow(self) -> Self:
+        """The same from the middle of its disc alone."""
+        return self.model_copy(update={"angular_diameter": 0.0})
+
+    @property
+    def sharp(self) -> Self:
+        """The same from the middle of its disc alone."""
+        return self.narrow
+
+    @property
+    def blur_shape(self) -> Literal["ellipse"]:
+        """A disc's."""
+        return "ellipse"
+
+    def directions(self, x: Array, y: Array) -> Array:
+        """Unit vectors (k, 3) in which light goes, of places (k,) of the unit disc.
+
+        What is even on this disc is even in solid angle.
+        """
+        part = np.square(x) + np.square(y)
+        versine = part * 2 * math.sin(math.radians(self.angular_diameter) / 4) ** 2
+        aside = np.sqrt((2 - versine) * versine / np.where(part > 0, part, 1.0))
+        ways = np.column_stack([x * aside, y * aside, 1 - versine])
+        return np.asarray(ways @ turned(self.direction).T)
+
+    def blur(self, lens: Lens, receiver: AnyReceiver) -> tuple[float, float]:
+        """The angle of its disc, times how far that moves light."""
+        angle = math.radians(self.angular_diameter)
+        x, y = receiver.per_radian(lens.highest)
+        return angle * x, angle * y
+
+    def check_before(self, lens: Lens) -> None:
+        """Refuse light that comes from behind the entrance face, and beams too slim for it."""
+        steepest = math.hypot(*self.direction) + self.angular_diameter / 2
+        if steepest >= 90:
+            axis = 0 if abs(self.direction[0]) >= abs(self.direction[1]) else 1
+            raise Refused(
+                f"source.direction[{axis}]",
+                f"{self.direction[axis]:g} brings light {steepest:g} degrees from the axis, which "
+                "does not come to the entrance face; less than 90 in all",
+            )
+        radius, least = self.profile.radius, _NARROWEST * max(lens.half_width)
+        if radius < least:
+            raise Refused(
+                "source.profile.radius",
+                f"{radius:g} is too narrow for a lens with a half-width of "
+                f"{max(lens.half_width):g}; at least {least:g}",
+            )
+        if math.isfinite(radius):
+            limits.check_lengths(
+                [("source.profile.radius", radius)], lens.half_width, limits.FARTHEST
+            )
