@@ -93,6 +93,24 @@ class TestWithMitsuba:
         error = found.mitsuba.relative_l2_corrected
         assert error == pytest.approx(found.ours.relative_l2_corrected, abs=found.noise)
 
+    @pytest.mark.slow
+    @pytest.mark.parametrize("receiver", ["tilted", "far field"])
+    def test_both_see_the_same_on_other_receivers(self, make_scene, receiver):
+        screen = {"z": 5.0, "half_width": [1.6, 1.2], "pixels": [32, 24]}
+        screen |= {"center": [0.6, 0.2], "tilt": [10.0, 40.0]}
+        # Within the beam: at its sharp rim, pixels that are taken as even differ by 0.5 %.
+        far_field = {"half_angle": [2.0, 1.5], "center": [0.5, 0.5], "pixels": [32, 24]}
+        changes = {
+            "tilted": {"screen": screen},
+            "far field": {"screen": None, "far_field": far_field},
+        }
+        scene = make_scene(changes[receiver])
+        found = cross_check(scene, np.ones((24, 32)), {"exit": self.lopsided(scene)}, 1_000_000)
+        assert found.difference == pytest.approx(found.noise, rel=0.15)
+        low, high = found.difference_corrected_interval
+        assert 3 * low**2 < high**2
+        assert found.mitsuba.efficiency == pytest.approx(found.ours.efficiency, rel=0.005)
+
     def test_both_see_the_light_of_a_photometric_file(self, make_scene, tmp_path):
         self.test_both_see_the_same(make_scene, crooked_lamp(tmp_path), "rectangle")
 

@@ -206,6 +206,9 @@ class MitsubaScene:
             "type": "perspective",
             "fov": 2 * math.degrees(math.atan(1 / _AWAY)),
             "fov_axis": "x",
+            # What is farther away than its usual 10,000 would be left out.
+            "near_clip": 0.1 * _AWAY * r_x,
+            "far_clip": 10 * _AWAY * r_x,
             "to_world": self._mi.ScalarTransform4f().look_at(
                 behind.tolist(), middle.tolist(), up.tolist()
             ),

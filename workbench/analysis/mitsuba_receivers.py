@@ -16,9 +16,9 @@ from workbench.scene import AnyReceiver, FarField, Lens, Screen
 _FAR = 1e5
 # Beyond this angle from the axis such a screen is too wide.
 _MOST = 75.0
-# Pixels of the screen for each of the far field along an axis, and places in each along both.
-_FINER, _PLACES = 3, 3
-_MOST_PIXELS = 3072
+# Pixels of the screen for each of the far field along an axis.
+_FINER = 24
+_MOST_PIXELS = 2048
 
 
 class Picture(NamedTuple):
@@ -102,19 +102,31 @@ def _of_far_field(far_field: FarField, lens: Lens) -> Picture:
 def _to_far_field(
     far_field: FarField, middle: list[float], counts: list[int], size: float
 ) -> csr_array:
-    """See `Picture`; each pixel of the screen is even, and taken at some places."""
+    """See `Picture`; light is even over a pixel of the screen, which lies in up to 2 × 2 others."""
     n_x, n_y = counts
-    x = middle[0] + (np.arange(n_x * _PLACES) + 0.5 - n_x * _PLACES / 2) * (size / _PLACES)
-    y = middle[1] - (np.arange(n_y * _PLACES) + 0.5 - n_y * _PLACES / 2) * (size / _PLACES)
-    y, x = np.meshgrid(y, x, indexing="ij")
-    h, v = np.degrees(np.arctan(x)), np.degrees(np.arctan2(y, np.hypot(1.0, x)))
-    column, row = far_field.to_pixels(h, v)
-    lands = far_field.covers(column, row)
-    fine_row, fine_column = (index[lands] // _PLACES for index in np.indices(h.shape))
-    into = row[lands].astype(int) * far_field.pixels[0] + column[lands].astype(int)
-    parts = np.full(into.size, 1 / _PLACES**2)
+    x = middle[0] + (np.arange(n_x + 1) - n_x / 2) * size
+    y = middle[1] - (np.arange(n_y + 1) - n_y / 2) * size
+    column, _ = far_field.to_pixels(np.degrees(np.arctan(x)), 0.0)  # x alone tells it
+    across = np.hypot(1.0, (x[1:] + x[:-1]) / 2)
+    _, row = far_field.to_pixels(0.0, np.degrees(np.arctan2(y[:, None], across)))
+    fine = np.arange(n_x * n_y).reshape(n_y, n_x)
+    parts, places, pixels = [], [], []
+    for i, in_row in _shares(row[:-1], row[1:]):
+        for j, in_column in _shares(column[:-1], column[1:]):
+            lands = far_field.covers(*np.broadcast_arrays(j, i)) & (in_row * in_column > 0)
+            parts.append((in_row * in_column)[lands])
+            places.append((i * far_field.pixels[0] + j)[lands].astype(int))
+            pixels.append(fine[lands])
+    into = np.concatenate(places), np.concatenate(pixels)
     shape = math.prod(far_field.pixels), n_x * n_y
-    return csr_array((parts, (into, fine_row * n_x + fine_column)), shape=shape)
+    return csr_array((np.concatenate(parts), into), shape=shape)
+
+
+def _shares(begin: Array, end: Array) -> list[tuple[Array, Array]]:
+    """Which part of each interval, shorter than 1, lies in the cells that it begins and ends in."""
+    first = np.floor(begin)
+    before = (np.minimum(first + 1, end) - begin) / (end - begin)
+    return [(first, before), (first + 1, 1 - before)]
 
 
 _PICTURES: Mapping[type, Callable[[Any, Lens], Picture]] = {

@@ -196,7 +196,8 @@ class ErrorImage:
 def screen_map(axes: "Axes", name: str, scene: Scene, colours: str | Colormap) -> Any:
     """An image of zeros on the screen's axes, in scene units; see `map_image`."""
     receiver = scene.receiver
-    return map_image(axes, name, receiver.half_extent, receiver.pixels, scene.unit, colours)
+    unit = receiver.measure.sign_in(scene.unit)
+    return map_image(axes, name, receiver.half_extent, receiver.pixels, unit, colours)
 
 
 def _table(name: str) -> npt.NDArray[np.uint8]:
