@@ -53,6 +53,11 @@ class RunStatus:
             "Relative L2 error of the lens on show, by an independent trace with rays that the "
             "design never saw; the scatter of these rays is left out. The log tells more",
         )
+        self._bound = _passing(
+            bar,
+            "The least relative L2 error that any lens can reach with a source of this size, "
+            "certified. freeform bound tells more",
+        )
         self._light = _figure(
             bar, "Part of the light that lands on the screen", "on screen 000.0 %"
         )
@@ -117,6 +122,11 @@ class RunStatus:
         """Show what a check says of the lens on show; empty for nothing."""
         self._check.setText(figures)
         self._check.setVisible(bool(figures))
+
+    def show_bound(self, figures: str) -> None:
+        """Show what no lens can be better than; empty for nothing."""
+        self._bound.setText(figures)
+        self._bound.setVisible(bool(figures))
 
     def show_nothing(self) -> None:
         """There is no lens to show figures of."""

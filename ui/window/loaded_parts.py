@@ -17,6 +17,7 @@ from ui.lens.tools import LensTools
 from ui.notices.lost_light import LostLightNotice
 from ui.notices.postponed_edits import PostponedEdits
 from ui.notices.shortfall import ShortfallNotice
+from ui.run.bound import BoundOfDesign
 from ui.run.control import RunControl
 from ui.run.follow import Follow
 from ui.run.log import RunLog
@@ -59,6 +60,7 @@ class LoadedParts(QObject):
         self.shown = shown = ShownLens(document, self)
         self.views = views = Views(self)
         self.check = Check(self)
+        self.bound = BoundOfDesign(document, self)
         self.figures = CheckFigures(settings, early.commands["check"])
         self.runs = Runs(document, self.control, self)
         self.follow = Follow(document, self.control, self)
@@ -113,7 +115,7 @@ class LoadedParts(QObject):
     def close(self) -> None:
         """End all threads and free what VTK holds; safe to call twice."""
         engines = (self.follow, self.control, self.check, self.plots, self.runs, self.production)
-        for part in (*engines, self.views, self.tools):
+        for part in (*engines, self.bound, self.views, self.tools):
             part.close()
 
     def _connect_run(self) -> None:
@@ -147,6 +149,9 @@ class LoadedParts(QObject):
         check.under_way_changed.connect(self._reword_check)
         check.summary_ready.connect(early.log.add)
         check.failed.connect(early.messages.warn)
+        self.bound.figures_changed.connect(early.status.show_bound)
+        self.bound.failed.connect(early.log.add)
+        self.bound.follow(early.document.session)
 
     def _connect_follow(self, settings: QSettings) -> None:
         follow, early, command = self.follow, self._early, self._early.commands["follow"]

@@ -12,8 +12,10 @@ from workbench.cli.keeping import Keeper
 from workbench.cli.progress import Progress
 from workbench.design.design_run import DesignRun
 from workbench.design.light_files import why_light_is_not_kept
+from workbench.design.loss import relative_error
 from workbench.design.picture import why_not_kept
 from workbench.design.snapshot import Result
+from workbench.extended.bound import Bound, percent
 from workbench.files.atomic import check_writable
 from workbench.files.figures import Figures
 from workbench.files.session import is_session, open_design
@@ -76,6 +78,10 @@ def design(path: Path, output: Path, iterations: int | None, seconds: float, as_
             print(f"{shortfall.sentence(session.scene.unit)}: {shortfall.cure}", file=sys.stderr)
         elif result.state.account.advice:
             print(result.state.account.advice, file=sys.stderr)
+        bound = Bound(session.scene, session.target)
+        if bound.known and not as_json and not interruption.asked:
+            error = relative_error(result.state, session.target)
+            print(f"error {percent(error)} as the run sees it; {bound.short}")
     if interruption.asked:
         raise Interrupted(interruption.asked, f"interrupted; {_held(result, output)}")
 

@@ -17,6 +17,7 @@ from workbench.analysis.validation import Validation, with_screen_at
 from workbench.analysis.validation import validate as trace_anew
 from workbench.cli.designed import read_designed
 from workbench.cli.progress import PartProgress
+from workbench.extended.bound import Bound
 from workbench.files.atomic import check_writable, replacing
 
 Array = npt.NDArray[np.float64]
@@ -75,8 +76,11 @@ def validate(
     elsewhere = scene.receiver != session.scene.receiver
     own = None if elsewhere else result.state.irradiance
     difference = None if own is None else relative_l2(found.irradiance, own)
+    bound = Bound(scene, session.target)
     if as_json:
         figures = found.to_data() | {"optimiser_difference": difference}
+        if bound.known:
+            figures["relative_l2_bound"] = bound.relative_l2
         if found.by_cells and own is not None:
             apart = relative_l2(found.by_cells.irradiance, own)
             figures["deterministic"]["optimiser_difference"] = apart
@@ -89,6 +93,8 @@ def validate(
         if found.by_cells:
             _print_cells(found.by_cells, own)
         _print(found, difference)
+        if bound.known:
+            print(f"{'bound':<18}{bound.relative_l2:.5f}  (no lens of this size can be below)")
         if compared:
             _print_compared(compared)
         if series:

@@ -86,6 +86,16 @@ class Bound:
         return min(float(share), 1.0)
 
     @property
+    def known(self) -> bool:
+        """Whether the source's size sets a bound at all; without one there is nothing to find."""
+        return not self.blur.within_a_pixel
+
+    @property
+    def short(self) -> str:
+        """The least error in a few words."""
+        return f"no lens of this size below {percent(self.relative_l2)}"
+
+    @property
     def assumptions(self) -> tuple[str, ...]:
         """What the figures rest on."""
         x, y = self.blur.widths

@@ -7,6 +7,7 @@ from workbench.analysis.manufacture import Extreme, Manufacture
 from workbench.analysis.manufacture_limits import Limits, verdicts
 from workbench.analysis.tolerances import Distribution, Tolerances
 from workbench.analysis.validation import Validation
+from workbench.extended.bound import Bound
 from workbench.optics.account import LOSSES, Account
 from workbench.report.content import Row
 from workbench.scene import Scene
@@ -46,6 +47,16 @@ def _cell_rows(found: ByCells | None) -> tuple[Row, ...]:
         Row("it is surely", _interval(found.relative_l2_corrected_interval)),
         Row("cells", f"{columns} × {rows}"),
         Row("random rays are off by", f"{percent(found.difference)}, {times}"),
+    )
+
+
+def bound_rows(found: Bound) -> tuple[Row, ...]:
+    """The least error that any lens can have, where the size of the source sets one."""
+    if not found.known:
+        return ()
+    return (
+        Row("no lens is below", percent(found.relative_l2)),
+        Row("for that, the source blurs over", "{:.3g} × {:.3g} pixels".format(*found.blur.widths)),
     )
 
 

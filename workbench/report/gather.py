@@ -16,11 +16,13 @@ from workbench.analysis.validation import validate
 from workbench.design.origin import origin
 from workbench.design.session import KeptRun, Session, result_of, verified_error
 from workbench.errors import visible
+from workbench.extended.bound import Bound
 from workbench.geometry.surface import even_counts
 from workbench.pictures import report as pictures
 from workbench.report.content import Picture, Report, Row, Section
 from workbench.report.figures import (
     account_rows,
+    bound_rows,
     check_rows,
     manufacture_rows,
     percent,
@@ -85,7 +87,7 @@ def gather(
         ),
         Section(
             "Independent check",
-            check_rows(found, difference),
+            (*check_rows(found, difference), *bound_rows(Bound(scene, target))),
             note="Traced anew by other means than the optimiser's, against the untouched target: "
             "by cells without random rays, and with fresh random rays. Relative L2 error = "
             "‖I − T‖ / ‖T‖, both divided by their sum.",

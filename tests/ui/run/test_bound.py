@@ -1,0 +1,54 @@
+"""The bound of the open design, in the status bar."""
+
+import pytest
+from PySide6.QtCore import QObject
+from PySide6.QtWidgets import QStatusBar
+
+from ui.run.bound import BoundOfDesign
+from ui.run.status import RunStatus
+
+GRID = {"kind": "grid", "center": [0, 0, -4], "half_width": [0.3, 0.3], "points": [50, 50]}
+
+
+@pytest.fixture
+def said():
+    return []
+
+
+@pytest.fixture
+def bound(document, said, qapp):
+    parent = QObject()
+    bound = BoundOfDesign(document, parent)
+    bound.figures_changed.connect(said.append)
+    bound.follow(document.session)
+    yield bound
+    bound.close()
+
+
+def test_bound_of_an_edited_source_is_said(bound, said, document, make_scene, qtbot):
+    assert said == [""]
+    document.edit(make_scene({"source": GRID}), "source", "")
+    qtbot.waitUntil(lambda: said[-1] != "", timeout=30_000)
+    assert said[-1].startswith("no lens of this size below ")
+    document.undo_stack.undo()
+    assert said[-1] == ""
+
+
+def test_edit_that_leaves_the_source_as_it_looks_asks_for_nothing(
+    bound, said, document, make_scene, qtbot
+):
+    document.edit(make_scene({"source": GRID}), "source", "")
+    qtbot.waitUntil(lambda: said[-1] != "", timeout=30_000)
+    count = len(said)
+    document.edit(make_scene({"source": GRID, "run.iterations": 7}), "run", "")
+    assert len(said) == count
+
+
+def test_status_shows_a_bound_only_where_there_is_one(qtbot):
+    bar = QStatusBar()
+    qtbot.addWidget(bar)
+    status = RunStatus(bar)
+    status.show_bound("no lens of this size below 12.9 %")
+    assert not status._bound.isHidden()
+    status.show_bound("")
+    assert status._bound.isHidden()

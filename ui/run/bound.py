@@ -1,0 +1,56 @@
+"""The least error that any lens can reach with the source of the design on show, in the status."""
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, Signal
+
+from ui.document.document import Document
+from ui.threads.background import Background
+from ui.threads.failure import sentence_of
+
+if TYPE_CHECKING:
+    from workbench.files.session import Session
+
+
+class BoundOfDesign(QObject):
+    """Finds the bound of each new task in a thread of its own.
+
+    Attributes
+    ----------
+    figures_changed : Signal(str)
+        The bound in a few words; empty where the source sets none, and until it is found.
+    failed : Signal(str)
+        Why there is none.
+    """
+
+    figures_changed = Signal(str)
+    failed = Signal(str)
+
+    def __init__(self, document: Document, parent: QObject) -> None:
+        super().__init__(parent)
+        self._task: Session | None = None  # whose bound is shown, or looked for
+        self._background = Background("bound", self)
+        self._background.done.connect(lambda _, text: self.figures_changed.emit(text))
+        self._background.failed.connect(
+            lambda _, error: self.failed.emit(sentence_of(error, "bound"))
+        )
+        document.session_changed.connect(self.follow)
+
+    def close(self) -> None:
+        """Wait for the thread; safe to call twice."""
+        self._background.close()
+
+    def follow(self, session: "Session") -> None:
+        """Look for the bound of another task, unless it is that of the last one."""
+        from workbench.extended.bound import Bound  # late: takes long to import
+
+        bound, last = Bound(session.scene, session.target), self._task
+        self._task = session
+        if last is not None and last.target is session.target:
+            before = Bound(last.scene, last.target)
+            if before.blur == bound.blur:
+                return
+        self._background.cancel()
+        self.figures_changed.emit("")
+        if bound.known:
+            self._background.begin(lambda _: bound.short, session)
