@@ -33,6 +33,7 @@ if TYPE_CHECKING:
 _TRACE = "trace through focus"
 _REST_MS = 250  # longer than between two frames of a run
 _FEW, _MANY = 200_000, 4_000_000  # rays
+_NO_DISTANCE = "A far field is at no distance: there is nothing to focus."
 _NEAREST, _SCREEN, _FARTHEST = 500, 1000, 1500  # of the way from lens to screen, per mille
 _STEP, _PAGE = 5, 50
 _PLACES, _CURVE_RAYS = 31, 100_000  # of the curve
@@ -130,7 +131,12 @@ class FocusView(LightImageView, ComputingView):
 
     def _want(self) -> None:
         """What is shown may be of another lens."""
-        if self._seen():
+        at_a_distance = self._at_a_distance(self._frame)
+        for control in (self._slider, self._back, self._more):
+            control.setEnabled(at_a_distance)
+        if not at_a_distance:
+            self._place.setText(_NO_DISTANCE)
+        elif self._seen():
             self._tell("traced when the lens rests…")
             self._rest.start()
 
@@ -146,7 +152,7 @@ class FocusView(LightImageView, ComputingView):
         self._curve_of.cancel()
 
     def _slide(self) -> None:
-        if self._seen():
+        if self._seen() and self._at_a_distance(self._frame):
             self._trace()
 
     def _trace_anew(self) -> None:
@@ -181,7 +187,7 @@ class FocusView(LightImageView, ComputingView):
     def _show_curve(self, shown: bool) -> None:
         self._curve.setVisible(shown)
         self._share()
-        if self._seen():
+        if self._seen() and self._at_a_distance(self._frame):
             self._trace_curve()
 
     def _share(self) -> None:
@@ -211,7 +217,14 @@ class FocusView(LightImageView, ComputingView):
         assert frame is not None
         return screen_at(frame.session.scene, frame.state.heights, part / _SCREEN)
 
+    @staticmethod
+    def _at_a_distance(frame: "Frame | None") -> bool:
+        """Whether the light is wanted on a screen."""
+        return frame is None or frame.session.scene.screen is not None
+
     def _why_empty(self, frame: "Frame | None") -> str:
+        if not self._at_a_distance(frame):
+            return _NO_DISTANCE
         if frame is not None and self._traced.light is None:
             return "The light there is traced when the lens rests."
         return super()._why_empty(frame)
