@@ -4,6 +4,7 @@ Field by field this is the scene file (``*.json``), so a scene that exists is a 
 possible: whatever cannot be built, traced or made is refused here, with the path of the field.
 """
 
+from workbench.scene.area_source import AreaSource
 from workbench.scene.auto_net import AutoNet
 from workbench.scene.collimated_source import CollimatedSource, GaussianProfile, UniformProfile
 from workbench.scene.emission import ExactMethod, MeshMethod
@@ -33,6 +34,7 @@ from workbench.scene.task import Scene, Unit
 __all__ = [
     "LENGTH",
     "AnyReceiver",
+    "AreaSource",
     "AutoNet",
     "AutoRun",
     "BallTarget",

@@ -2,6 +2,7 @@
 
 from typing import Annotated
 
+from workbench.scene.area_source import AreaSource
 from workbench.scene.collimated_source import CollimatedSource
 from workbench.scene.grid_source import GridSource
 from workbench.scene.kinds import Kinds
@@ -9,5 +10,6 @@ from workbench.scene.measured_source import PhotometricSource, RayFileSource
 from workbench.scene.points import PointSource
 
 Source = Annotated[
-    CollimatedSource | PointSource | GridSource | PhotometricSource | RayFileSource, Kinds("kind")
+    CollimatedSource | PointSource | GridSource | PhotometricSource | RayFileSource | AreaSource,
+    Kinds("kind"),
 ]

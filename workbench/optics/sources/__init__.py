@@ -12,6 +12,7 @@ from torch import Tensor
 
 from workbench.optics.rays import RayBundle
 from workbench.optics.samples import Samples
+from workbench.optics.sources.area import AreaEmitter
 from workbench.optics.sources.collimated import CollimatedEmitter
 from workbench.optics.sources.directions import DirectionEmitter
 from workbench.optics.sources.origins import Origins
@@ -19,6 +20,7 @@ from workbench.optics.sources.photometric import PhotometricEmitter
 from workbench.optics.sources.points import PointEmitter
 from workbench.optics.sources.ray_file import RayFileEmitter
 from workbench.scene import (
+    AreaSource,
     CollimatedSource,
     GridSource,
     Lens,
@@ -107,6 +109,7 @@ def _collimated(source: CollimatedSource, lens: Lens, samples: Samples | None) -
 
 _EMITTERS: Mapping[type, Callable[[Any, Lens, Samples | None], Emitter]] = {
     CollimatedSource: _collimated,
+    AreaSource: AreaEmitter,
     PointSource: PointEmitter,
     GridSource: PointEmitter,
     PhotometricSource: PhotometricEmitter,

@@ -1,0 +1,155 @@
+"""A flat emitter that faces the lens, as the chip of an LED."""
+
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self
+
+import numpy as np
+import numpy.typing as npt
+from pydantic import ConfigDict
+
+from workbench.errors import Refused
+from workbench.scene import limits
+from workbench.scene.emission import Emission
+from workbench.scene.fields import LENGTH, PLACE, Version, about
+from workbench.scene.lens import Lens
+from workbench.scene.part import Positive
+from workbench.scene.points import MOST_RAYS, AnySource, Place, PointSource, in_front
+from workbench.scene.receiver import AnyReceiver
+
+if TYPE_CHECKING:
+    from workbench.scene.task import Scene
+
+Array = npt.NDArray[np.float64]
+
+
+class AreaSource(AnySource):
+    """A flat emitter that faces the lens; it shines into the whole half-space before it.
+
+    What misses the entrance face misses the lens.
+    """
+
+    model_config = ConfigDict(title="Area emitter")
+    since: ClassVar[Version] = 2
+
+    kind: Literal["area"]
+    center: Annotated[
+        Place,
+        LENGTH,
+        PLACE,
+        about("Centre", "The middle of the emitter: x, y and z, before the entrance face."),
+    ]
+    half_width: Annotated[
+        tuple[Positive, Positive],
+        LENGTH,
+        about("Half width", "Half of the emitter's extent along x and y."),
+    ]
+    outline: Annotated[
+        Literal["rectangle", "ellipse"],
+        about("Outline", "The shape of its face; of an ellipse the half-widths are semi-axes."),
+    ] = "rectangle"
+    emission: Emission = "lambertian"
+    rays: Annotated[
+        int,
+        about(
+            "Rays",
+            "Rays in each iteration of the paper's method, and for derivative maps. Automatic "
+            "chooses its own.",
+            ge=1,
+            le=MOST_RAYS,
+        ),
+    ] = 500_000
+
+    @classmethod
+    def begun(cls, scene: "Scene") -> dict[str, Any]:
+        """Where the scene's source is, a tenth as wide as the lens."""
+        x, y = scene.lens.half_width
+        place = scene.source.place or in_front(scene.lens)
+        return {"center": place, "half_width": (x / 10, y / 10)}
+
+    @property
+    def place(self) -> Place:
+        """Its middle."""
+        return self.center
+
+    @property
+    def continuous(self) -> bool:
+        """Always."""
+        return True
+
+    @property
+    def ray_count(self) -> int:
+        """All its rays."""
+        return self.rays
+
+    @property
+    def mirrored(self) -> tuple[bool, bool]:
+        """Where its middle is on the axis."""
+        return self.center[0] == 0, self.center[1] == 0
+
+    @property
+    def sharp(self) -> PointSource:
+        """Its middle."""
+        return PointSource(kind="point", position=self.center, emission=self.emission)
+
+    @property
+    def narrow(self) -> PointSource:
+        """Its middle."""
+        return self.sharp
+
+    @property
+    def blur_shape(self) -> Literal["rectangle", "ellipse"]:
+        """Its outline."""
+        return self.outline
+
+    def blur(self, lens: Lens, receiver: AnyReceiver) -> tuple[float, float]:
+        """Its angles as seen from the lens, times how far they move light."""
+        way = lens.entrance_z - self.center[2]
+        x, y = (
+            2 * r * farther / way
+            for r, farther in zip(self.half_width, receiver.per_radian(lens.highest), strict=True)
+        )
+        return x, y
+
+    def check_before(self, lens: Lens) -> None:
+        """Refuse a lens that is not behind it, or too near, too far or too small beside it."""
+        x, y, z = self.center
+        if z >= lens.entrance_z:
+            raise Refused(
+                "source.center[2]",
+                f"{z:g} is not before the entrance face; less than {lens.entrance_z:g}",
+            )
+        aside = [("source.center[0]", x), ("source.center[1]", y)]
+        extent = [(f"source.half_width[{axis}]", r) for axis, r in enumerate(self.half_width)]
+        limits.check_lengths(aside + extent, lens.half_width, limits.FARTHEST)
+        limits.check_way("source.center[2]", lens.entrance_z - z, lens.half_width)
+
+    def seen(self, most: tuple[int, int]) -> Array:
+        """Points over its face; see `AnySource.seen`."""
+        x, y = (
+            middle + np.linspace(-r, r, count)
+            for middle, r, count in zip(self.center, self.half_width, most, strict=False)
+        )
+        places = np.stack(np.broadcast_arrays(x[:, None], y, self.center[2]), axis=-1)
+        if self.outline == "ellipse" and min(most) > 2:
+            far = np.square((places[..., :2] - self.center[:2]) / self.half_width).sum(axis=-1)
+            return np.asarray(places[far <= 1 + 1e-9])
+        return places.reshape(-1, 3)
+
+    @property
+    def corners(self) -> Array:
+        """Corners of the rectangle around it, shape (4, 3)."""
+        return self.seen((2, 2))
+
+    def placed(self, place: Place) -> Self:
+        """The same emitter with its middle elsewhere."""
+        return self.model_copy(update={"center": place})
+
+    def shrunk(self, factor: float) -> Self:
+        """An emitter of another size about the same middle."""
+        x, y = self.half_width
+        return self.model_copy(update={"half_width": (factor * x, factor * y)})
+
+    def widened(self, corner: Array, digits: int) -> Self:
+        """An emitter about the same middle with a corner at a place; see `AnySource.widened`."""
+        wide = np.round(np.abs(corner - self.center), digits).tolist()
+        new = tuple(a or b for a, b in zip(wide, self.half_width, strict=False))
+        return self.model_copy(update={"half_width": new})
