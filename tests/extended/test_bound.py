@@ -7,6 +7,7 @@ from workbench.analysis.metrics import relative_l2
 from workbench.analysis.validation import validate
 from workbench.extended.blur import Blur
 from workbench.extended.bound import Bound
+from workbench.geometry.faces import FaceArrays
 
 GRID = {"kind": "grid", "center": [0, 0, -4], "half_width": [0.3, 0.3], "points": [9, 9]}
 
@@ -65,5 +66,21 @@ def test_no_lens_of_some_shapes_is_below_the_bound(make_scene, rng):
         0.5 - 0.1 * (u**2 + v**2),
         0.5 - 0.2 * u**2 + 0.002 * rng.normal(size=(n_u, n_v)),
     ):
-        image = validate(scene, target, {"exit": heights}, 200_000).irradiance
+        image = validate(scene, target, FaceArrays({"exit": heights}), 200_000).irradiance
         assert relative_l2(image, target) > found.relative_l2
+
+
+def test_bound_of_a_disc_of_parallel_light_holds_for_a_lens_that_is_traced(make_scene):
+    sun = {"kind": "collimated", "angular_diameter": 4.0}
+    scene = make_scene({"version": 2, "source": sun})
+    target = square(32)
+    found = Bound(scene, target)
+    assert found.blur.shape == "ellipse"
+    # The angle of the disc times the way to the screen, in pixels.
+    away = scene.screen.z - scene.lens.highest
+    n_x, r_x = scene.screen.pixels[0], scene.screen.half_width[0]
+    assert found.blur.widths[0] == pytest.approx(np.radians(4) * away * n_x / (2 * r_x))
+    assert found.relative_l2 > 0.05
+    plate = FaceArrays({"exit": np.full(scene.lens.net_shape, 0.5)})
+    image = validate(scene, target, plate, 200_000).irradiance
+    assert relative_l2(image, target) > found.relative_l2

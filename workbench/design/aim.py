@@ -12,6 +12,9 @@ independent check, where a grid of 6 × 6 points blurs over six pixels:
 | the same, after 40 steps of descent with light from the middle alone | 10.5 % | – |
 | what no lens is below | 7.7 % | 2.8 % |
 
+With the sun, a plate of 100 mm, an image of 200 mm at 500 mm and 256 × 256 pixels, the letter
+goes from 11.8 % to 6.6 % (no lens is below 4.8 %), the flame from 15.0 % to 9.1 % (7.2 %).
+
 So light is spread over pixels, and a descent without the size of the source is left out.
 """
 
