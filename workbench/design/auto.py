@@ -11,7 +11,7 @@
   that light beside the screen counts as an error.
 """
 
-from collections.abc import Callable, Generator
+from collections.abc import Callable, Generator, Sequence
 from functools import partial
 from typing import NamedTuple
 
@@ -23,7 +23,7 @@ from torch import Tensor
 
 from workbench.design.heights import HeightRange, Mask
 from workbench.design.lbfgs import Evaluation, minimise
-from workbench.design.levels import FINE, LEVELS, Level, image_of, reach_of
+from workbench.design.levels import FINE, Level, image_of, levels_of, reach_of
 from workbench.design.loss import check_gradient
 from workbench.design.room import Room
 from workbench.design.smoothness import Smoothness
@@ -100,6 +100,7 @@ def auto_steps(room: Room) -> Generator[Step, None, str]:
         partial(_evaluated, judge=judge, free=free, smoothness=smoothness),
         parameters,
         Waves(parameters, _CUT, mirrored),
+        levels_of(scene),
         scene.run.iterations + goes_on,
     )
     if goes_on:
@@ -112,6 +113,7 @@ def _descend(
     evaluated: Callable[[WideImage, Tensor, Tensor], Evaluation[_Judged]],
     parameters: Tensor,
     waves: Waves,
+    path: Sequence[Level],
     left: int,
 ) -> Generator[Step, None, str]:
     """Minimise at one level after the other, for as many steps as are left.
@@ -121,7 +123,7 @@ def _descend(
     str
         Why it ended of its own accord.
     """
-    levels = iter(LEVELS)
+    levels = iter(path)
     level = next(levels)
     image = image_for(level)
 

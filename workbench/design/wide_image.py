@@ -11,6 +11,8 @@ from torch import Tensor
 from workbench.design.lens_state import LensState
 from workbench.design.loss import check_finite, check_light, measure_of, paper_loss, share
 from workbench.design.step import Step
+from workbench.extended.blur import Blur
+from workbench.extended.wanted import wanted_light
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.light import Light
 from workbench.optics.plan import device_of
@@ -67,8 +69,10 @@ class WideImage:
         device = device_of(scene)
         self._share = torch.as_tensor(share(target), dtype=torch.float32, device=device)
         # Where pixels cover different measures, densities are compared, as shares of all light.
-        wanted = share(target * receiver.relative_measure()) / receiver.relative_measure()
-        wanted = np.pad(wanted, ((m_y, m_y), (m_x, m_x)))
+        wanted = wanted_light(
+            share(target * receiver.relative_measure()), Blur.of(scene), (m_x, m_y)
+        )
+        wanted = wanted / receiver.relative_measure(m_y)
         self._wanted = torch.as_tensor(wanted, dtype=torch.float32, device=device)
         self._relative = measure_of(receiver, device)
         self._wide_relative = measure_of(receiver, device, m_y)

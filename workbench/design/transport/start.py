@@ -141,9 +141,9 @@ class _Light:
         scene = scene.model_copy(update={"source": scene.source.sharp})
         origins = emitter_of(scene.source, scene.lens).origins
         (x, y, z), n = origins.places[0], scene.lens.index
-        # Of parallel light in the glass, by Snell's law.
-        self._along = x / n, y / n, math.sqrt(1 - (x**2 + y**2) / n**2)
-        if not origins.infinite:
+        if origins.infinite:  # by Snell's law, one direction in the glass
+            self._along = x / n, y / n, math.sqrt(1 - (x**2 + y**2) / n**2)
+        else:
             self._away_x, self._away_y = self.x - x, self.y - y
             entering, _ = TransmittanceLaw.of(scene.lens)
             self._glass = Glass(self._entrance_z - z, entering, origins.lambertian)
