@@ -2,12 +2,11 @@
 
 import math
 import sys
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
-from tests.lamps import crooked_lamp
+from tests.lamps import crooked_lamp, led
 from workbench import system_libraries
 from workbench.analysis import mitsuba as other
 from workbench.analysis.cross_check import bare_and_clear, cross_check
@@ -30,6 +29,16 @@ SOURCES = {
     "tilted": {"kind": "collimated", "direction": [4.0, -6.0]},
     "beam": {"kind": "collimated", "direction": [3.0, 2.0]}
     | {"profile": {"kind": "gaussian", "radius": 1.0}},
+}
+AREA = {"kind": "area", "center": [0.2, -0.1, -3.0], "half_width": [0.3, 0.2]}
+DISC = {"kind": "collimated", "direction": [2.0, 3.0], "angular_diameter": 4.0}
+EXTENDED = {
+    "disc": DISC,
+    "beam from a disc": DISC | {"profile": {"kind": "gaussian", "radius": 0.6}},
+    "rectangle": AREA,
+    "even rectangle": AREA | {"emission": "uniform"},
+    "ellipse": AREA | {"outline": "ellipse"},
+    "even ellipse": AREA | {"outline": "ellipse", "emission": "uniform"},
 }
 
 
@@ -92,6 +101,15 @@ class TestWithMitsuba:
         assert found.mitsuba.efficiency == pytest.approx(found.ours.efficiency, rel=slack)
         error = found.mitsuba.relative_l2_corrected
         assert error == pytest.approx(found.ours.relative_l2_corrected, abs=found.noise)
+
+    @pytest.mark.slow
+    @pytest.mark.parametrize("source", EXTENDED.values(), ids=EXTENDED)
+    def test_both_see_the_same_of_extended_light(self, make_scene, source):
+        self.test_both_see_the_same(make_scene, source, "ellipse")
+
+    @pytest.mark.slow
+    def test_both_see_the_rays_of_a_file(self, make_scene, tmp_path):
+        self.test_both_see_the_same(make_scene, led(tmp_path), "rectangle")
 
     @pytest.mark.slow
     @pytest.mark.parametrize("receiver", ["tilted", "far field"])
@@ -178,7 +196,7 @@ class TestWithMitsuba:
             asked.append(spp)
             return np.zeros((32, 32, 1))
 
-        monkeypatch.setattr(trace, "_mi", SimpleNamespace(render=render))
+        monkeypatch.setattr(trace._mi, "render", render)
         trace.flux(2 * 32 * 32, 1)
         assert asked == [1, 1]
 
@@ -186,11 +204,6 @@ class TestWithMitsuba:
         monkeypatch.setattr("workbench.analysis.mitsuba_lights._LIGHTS", {})
         with pytest.raises(Refused, match=r"^source.kind: 'point' is no light that Mitsuba"):
             other.MitsubaScene(make_scene({"source": POINT}), {"exit": np.full((12, 10), 0.5)})
-
-    def test_a_disc_of_directions_is_refused(self, make_scene):
-        sun = {"kind": "collimated", "angular_diameter": 0.5}
-        with pytest.raises(Refused, match=r"^source.angular_diameter: 0.5 is a disc"):
-            other.MitsubaScene(make_scene({"source": sun}), {"exit": np.full((12, 10), 0.5)})
 
     def test_pixels_that_are_not_square_are_refused(self, make_scene):
         scene = make_scene({"screen.pixels": [32, 31]})

@@ -15,7 +15,7 @@ import numpy as np
 import numpy.typing as npt
 
 from workbench import system_libraries
-from workbench.analysis.mitsuba_lights import mitsuba_lights
+from workbench.analysis.mitsuba_lights import check_known, mitsuba_lights
 from workbench.analysis.mitsuba_receivers import picture_of
 from workbench.analysis.watch import Watch, unwatched
 from workbench.errors import Refused
@@ -58,23 +58,20 @@ class MitsubaScene:
     """
 
     def __init__(self, scene: Scene, heights: Mapping[str, Array]) -> None:
-        self._mi = mi = _mitsuba()
+        self._mi = _mitsuba()
         self._picture = picture_of(scene.receiver, scene.lens)
         # Mitsuba counts in single precision and has thresholds made for lengths of about 1.
         self._scene, self._unit = scene, max(scene.lens.half_width)
-        lights, self._emitted = mitsuba_lights(mi, scene.source, scene.lens, self._unit)
+        check_known(scene.source)
         self._pixel_area = self._picture.screen.pixel_measure / self._unit**2
-        self._rendered: Any = mi.load_dict(
-            {
-                "type": "scene",
-                "integrator": {"type": "ptracer", "max_depth": _SEGMENTS, "rr_depth": 100},
-                "sensor": self._camera(),
-                "screen": self._screen(),
-                **self._body(heights["exit"]),
-                **self._baffle(),
-                **lights,
-            }
-        )
+        self._unlit: dict[str, Any] = {
+            "type": "scene",
+            "integrator": {"type": "ptracer", "max_depth": _SEGMENTS, "rr_depth": 100},
+            "sensor": self._camera(),
+            "screen": self._screen(),
+            **self._body(heights["exit"]),
+            **self._baffle(),
+        }
 
     def flux(self, rays: int, seed: int, watch: Watch = unwatched) -> Array:
         """Part of the emitted light in each pixel.
@@ -97,16 +94,19 @@ class MitsubaScene:
         samples = -(-rays // (n_x * n_y))
         passes = min(-(-samples * n_x * n_y // _AT_ONCE), samples)
         samples = -(-samples // passes)
+        source, lens = self._scene.source, self._scene.lens
+        lights, emitted = mitsuba_lights(self._mi, source, lens, self._unit, rays, seed)
+        lit = self._mi.load_dict(self._unlit | lights)
         radiance = np.zeros((n_y, n_x))
         # Seeds that have nothing to do with each other: Mitsuba counts on from them.
         states = np.random.SeedSequence(seed).generate_state(passes)
         for done, state in enumerate(states, 1):
-            picture = self._mi.render(self._rendered, spp=samples, seed=int(state))
+            picture = self._mi.render(lit, spp=samples, seed=int(state))
             radiance += np.array(picture)[:, :, 0]
             watch(done / passes)
         # Scattered evenly into the half-sphere.
         irradiance = math.pi / passes * radiance
-        flux = np.asarray(irradiance * self._pixel_area / self._emitted)
+        flux = np.asarray(irradiance * self._pixel_area / emitted)
         return self._picture.light(flux, self._scene.receiver)
 
     def _body(self, heights: Array) -> dict[str, Any]:

@@ -7,11 +7,13 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from workbench.analysis.mitsuba_rays import rays_as_light
 from workbench.analysis.tracing.sources.cones import covering_cones
 from workbench.analysis.tracing.sources.turning import file_axes
 from workbench.errors import Refused
-from workbench.measured.lamps import intensity_of, ray_model
+from workbench.measured.lamps import intensity_of
 from workbench.scene import (
+    AreaSource,
     CollimatedSource,
     GridSource,
     Lens,
@@ -30,15 +32,15 @@ _DISK = 1e-4
 _FADE = 1e-3
 # Pixels along each side of the slide of a lamp.
 _SLIDE = 1024
-# How far the sheet of a beam goes, and its picture.
-_WAISTS, _TEXELS = 2.5, 512
 _EVEN = {"type": "rgb", "value": 1.0}
 
 Array = npt.NDArray[np.float64]
 Lights = tuple[dict[str, Any], float]
 
 
-def mitsuba_lights(mi: Any, source: Source, lens: Lens, unit: float) -> Lights:
+def mitsuba_lights(
+    mi: Any, source: Source, lens: Lens, unit: float, rays: int, seed: int
+) -> Lights:
     """Emitters by name, and the flux that they emit towards the lens.
 
     Parameters
@@ -46,62 +48,68 @@ def mitsuba_lights(mi: Any, source: Source, lens: Lens, unit: float) -> Lights:
     mi : module
         Mitsuba.
     source : Source
-        The source.
+        The source, of a kind that `check_known` lets pass.
     lens : Lens
         Gives the entrance face.
     unit : float
         What counts as 1 in Mitsuba, scene units.
+    rays, seed : int
+        How many rays to draw, and how, of light that is given by its rays.
+    """
+    return _LIGHTS[type(source)](mi, source, lens, unit, rays, seed)
+
+
+def check_known(source: Source) -> None:
+    """Refuse a source of which Mitsuba is given no light.
 
     Raises
     ------
     Refused
-        If there is nothing in Mitsuba that emits like this source.
+        If its kind has none.
     """
-    light = _LIGHTS.get(type(source))
-    if light is None:
+    if type(source) not in _LIGHTS:
         raise Refused("source.kind", f"{source.kind!r} is no light that Mitsuba is given")
-    return light(mi, source, lens, unit)
 
 
-def _sheets(mi: Any, source: CollimatedSource, lens: Lens, unit: float) -> Lights:
-    """Parallel light from a rectangle before the lens."""
-    if source.continuous:
-        # Sheets of many directions would hide each other: Mitsuba's lights have bodies.
-        raise Refused(
-            "source.angular_diameter",
-            f"{source.angular_diameter:g} is a disc, and Mitsuba is given parallel light alone; 0",
-        )
+def _sheets(
+    mi: Any, source: CollimatedSource, lens: Lens, unit: float, rays: int, seed: int
+) -> Lights:
+    """Parallel light from a rectangle before the lens; of discs and beams, rays."""
+    if source.continuous or math.isfinite(source.profile.radius):
+        return rays_as_light(mi, source, lens, unit, rays, seed)
     r_x, r_y = (r / unit for r in lens.half_width)
     z, to = lens.entrance_z / unit, mi.ScalarTransform4f
-    if source.along_axis and math.isinf(source.profile.radius):
+    if source.along_axis:
         place = to().translate([0, 0, z - _BEFORE]).scale([r_x, r_y, 1])
-        return {"light": _sheet(place, _EVEN)}, 4 * r_x * r_y
+        return {"light": _sheet(place)}, 4 * r_x * r_y
     (way,) = source.directions(np.zeros(1), np.zeros(1))
-    size, radiance, emitted = math.hypot(r_x, r_y), _EVEN, 4 * r_x * r_y * float(way[2])
-    if math.isfinite(source.profile.radius):
-        waist = source.profile.radius / unit
-        size, radiance, emitted = _WAISTS * waist, _gaussian(mi), math.pi * waist**2 / 2
+    size = math.hypot(r_x, r_y)
     # So far back that all of it is before the lens.
     back = (_BEFORE + 1.5 * size * math.hypot(way[0], way[1])) / way[2]
     centre = [0, 0, z] - back * way
     place = to().look_at(centre, centre + way, [0, 1, 0]).scale([size, size, 1])
-    return {"light": _sheet(place, radiance)}, emitted
+    return {"light": _sheet(place)}, 4 * r_x * r_y * float(way[2])
 
 
-def _sheet(place: Any, radiance: Any) -> dict[str, Any]:
-    emitter = {"type": "directionalarea", "radiance": radiance}
+def _sheet(place: Any) -> dict[str, Any]:
+    emitter = {"type": "directionalarea", "radiance": _EVEN}
     return {"type": "rectangle", "to_world": place, "emitter": emitter}
 
 
-def _gaussian(mi: Any) -> Any:
-    """A picture of a beam, 1 in the middle, as wide as a sheet."""
-    side = np.linspace(-_WAISTS, _WAISTS, _TEXELS + 1)
-    middle = np.exp(-2 * ((side[1:] + side[:-1]) / 2) ** 2)
-    picture = mi.Bitmap(np.outer(middle, middle)[:, :, None].astype(np.float32))
-    return mi.load_dict({"type": "bitmap", "bitmap": picture, "raw": True})
+def _emitter(mi: Any, source: AreaSource, lens: Lens, unit: float, rays: int, seed: int) -> Lights:
+    """A face that emits by Lambert's law; of even light, rays."""
+    if source.emission == "uniform":
+        return rays_as_light(mi, source, lens, unit, rays, seed)
+    shape, whole = {"rectangle": ("rectangle", 4.0), "ellipse": ("disk", math.pi)}[source.outline]
+    r_x, r_y = (r / unit for r in source.half_width)
+    place = mi.ScalarTransform4f().translate(np.array(source.center) / unit).scale([r_x, r_y, 1])
+    light = {"type": shape, "to_world": place, "emitter": {"type": "area", "radiance": _EVEN}}
+    return {"light": light}, math.pi * whole * r_x * r_y
 
 
-def _points(mi: Any, source: LightOfPoints, lens: Lens, unit: float) -> Lights:
+def _points(
+    mi: Any, source: LightOfPoints, lens: Lens, unit: float, rays: int, seed: int
+) -> Lights:
     """A light for each point, into the cone that just covers the lens."""
     r_x, r_y = (r / unit for r in lens.half_width)
     z, to = lens.entrance_z / unit, mi.ScalarTransform4f
@@ -133,26 +141,14 @@ def _points(mi: Any, source: LightOfPoints, lens: Lens, unit: float) -> Lights:
     return lights, emitted
 
 
-def _lamp(mi: Any, source: PhotometricSource, lens: Lens, unit: float) -> Lights:
+def _lamp(
+    mi: Any, source: PhotometricSource, lens: Lens, unit: float, rays: int, seed: int
+) -> Lights:
     """A spot behind a slide with the intensities of the file."""
     table, turned = intensity_of(source), file_axes(source.rotation).inv()
     point = np.array(source.position)
     light = _slide(mi, point, lens, unit, lambda ahead: table.at(turned.apply(ahead)))
     return {"light": light}, table.lumens
-
-
-def _points_of_rays(mi: Any, source: RayFileSource, lens: Lens, unit: float) -> Lights:
-    """Spots behind slides for the points that stand for the rays: Mitsuba has no light of rays."""
-    model = ray_model(source, lens, source.point_count)
-    lights = {}
-    for number, point in enumerate(model.places):
-
-        def intensity(ahead: Array, number: int = number) -> Array:
-            x, y, z = ahead.T
-            return model.intensity(np.full(len(ahead), number), (x, y, z))
-
-        lights[f"light{number}"] = _slide(mi, point, lens, unit, intensity)
-    return lights, 1.0
 
 
 def _slide(
@@ -181,10 +177,11 @@ def _slide(
     }
 
 
-_LIGHTS: Mapping[type, Callable[[Any, Any, Lens, float], Lights]] = {
+_LIGHTS: Mapping[type, Callable[[Any, Any, Lens, float, int, int], Lights]] = {
     CollimatedSource: _sheets,
+    AreaSource: _emitter,
     PointSource: _points,
     GridSource: _points,
     PhotometricSource: _lamp,
-    RayFileSource: _points_of_rays,
+    RayFileSource: rays_as_light,
 }

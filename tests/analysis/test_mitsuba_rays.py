@@ -1,0 +1,90 @@
+"""Rays that are given to Mitsuba are those of the source."""
+
+import math
+
+import numpy as np
+import pytest
+
+from tests.lamps import led
+from workbench.analysis import mitsuba_rays
+from workbench.analysis.mitsuba import MitsubaScene
+from workbench.analysis.mitsuba_rays import _from_area, _from_disc, _from_file
+
+COUNT = 100_000
+
+
+def found(draw, scene):
+    return draw(scene.source, scene.lens, np.random.default_rng(3), COUNT)
+
+
+def test_light_of_a_disc_is_even_in_solid_angle(make_scene):
+    scene = make_scene({"source": {"kind": "collimated", "angular_diameter": 60.0}})
+    light = found(_from_disc, scene)
+    assert np.linalg.norm(light.way, axis=1) == pytest.approx(1.0)
+    lowest = math.cos(math.radians(30))
+    assert light.way[:, 2].min() > lowest
+    counts = np.histogram(light.way[:, 2], 10, (lowest, 1.0))[0]
+    assert counts == pytest.approx(COUNT / 10, rel=0.06)
+    assert light.flux.sum() == pytest.approx(light.emitted)
+
+
+def test_a_tilted_beam_is_as_wide_across_its_way(make_scene):
+    profile = {"kind": "gaussian", "radius": 0.5}
+    source = {"kind": "collimated", "direction": [0.0, 60.0], "profile": profile}
+    light = found(_from_disc, make_scene({"source": source}))
+    assert light.x.std() == pytest.approx(0.25 / math.cos(math.radians(60)), rel=0.02)
+    assert light.y.std() == pytest.approx(0.25, rel=0.02)
+
+
+@pytest.mark.parametrize("outline", ["rectangle", "ellipse"])
+def test_rays_of_an_emitter_come_from_its_face(make_scene, outline):
+    emitter = {"kind": "area", "center": [0.1, 0.2, -3.0], "half_width": [0.4, 0.2]}
+    scene = make_scene({"source": emitter | {"outline": outline, "emission": "uniform"}})
+    light = found(_from_area, scene)
+    back = (scene.lens.entrance_z + 3.0) / light.way[:, 2]
+    x = (light.x - back * light.way[:, 0] - 0.1) / 0.4
+    y = (light.y - back * light.way[:, 1] - 0.2) / 0.2
+    far = np.hypot(x, y) if outline == "ellipse" else np.maximum(abs(x), abs(y))
+    assert far.max() <= 1 + 1e-6
+    assert (far < 0.5).mean() == pytest.approx(0.25, rel=0.03)
+    # From afar: the solid angle of the face over that of the half-space.
+    r_x, r_y = scene.lens.half_width
+    x, y = np.meshgrid(np.linspace(-r_x, r_x, 101), np.linspace(-r_y, r_y, 101))
+    h = scene.lens.entrance_z + 3.0
+    solid = 4 * r_x * r_y * np.mean(h / ((x - 0.1) ** 2 + (y - 0.2) ** 2 + h**2) ** 1.5)
+    assert light.flux.sum() / light.emitted == pytest.approx(solid / (2 * math.pi), rel=0.02)
+
+
+def test_rays_of_a_file_keep_their_flux(make_scene, tmp_path):
+    scene = make_scene({"source": led(tmp_path, 20_000)})
+    light = found(_from_file, scene)
+    assert len(light.flux) == 20_000
+    assert light.emitted == pytest.approx(1.0)
+
+
+class TestWithMitsuba:
+    @pytest.fixture(autouse=True)
+    def coarse_mesh(self, monkeypatch):
+        pytest.importorskip("mitsuba")
+        monkeypatch.setattr("workbench.analysis.mitsuba._CELLS", 96)
+
+    def test_the_disc_lights_a_plate(self, make_scene):
+        """Its light is nearly straight, so that faces reflect 4 % each."""
+        changes = {"source": {"kind": "collimated", "angular_diameter": 2.0}}
+        plate = {"exit": np.full((12, 10), 0.5)}
+        screen = {"z": 4.0, "half_width": [2.0, 2.0], "pixels": [32, 32]}
+        flux = MitsubaScene(make_scene(changes | {"screen": screen}), plate).flux(50_000, 1)
+        assert flux.sum() == pytest.approx(0.96**2, rel=0.01)
+
+    def test_light_that_passes_by_the_lens_is_none(self, make_scene, monkeypatch):
+        profile = {"kind": "gaussian", "radius": 1.0}
+        scene = make_scene({"source": {"kind": "collimated", "profile": profile}})
+        draw = mitsuba_rays._RAYS[type(scene.source)]
+
+        def beside(*task):
+            light = draw(*task)
+            return light._replace(x=light.x + 100.0)
+
+        monkeypatch.setattr(mitsuba_rays, "_RAYS", {type(scene.source): beside})
+        flux = MitsubaScene(scene, {"exit": np.full((12, 10), 0.5)}).flux(2_000, 1)
+        assert not flux.any()

@@ -1,0 +1,145 @@
+"""Single rays as a light in Mitsuba: where it has no light of a kind, it is given its rays.
+
+Each ray is a tiny triangle just before the entrance face, whose normal is the ray's direction and
+whose area is its flux; Mitsuba draws from them and traces the light. All triangles are in one
+plane, so none hides another. They are drawn anew for each seed: with too few of them, two images
+of different seeds differ by as much.
+"""
+
+import math
+from collections.abc import Callable, Mapping
+from typing import Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from workbench.measured.lamps import placed_rays
+from workbench.scene import AreaSource, CollimatedSource, Lens, RayFileSource, Source
+
+Array = npt.NDArray[np.float64]
+
+# Most triangles: single precision still tells so many apart.
+_MOST = 1 << 19
+# In half-widths of the lens: their size for the brightest ray, and how far before the face they
+# are.
+_SIZE, _BEFORE = 5e-4, 0.01
+
+
+class FaceRays(NamedTuple):
+    """Rays where they cross the plane of the entrance face.
+
+    Attributes
+    ----------
+    x, y : ndarray, shape (m,)
+        Places, scene units.
+    way : ndarray, shape (m, 3)
+        Unit vectors with z above 0.
+    flux : ndarray, shape (m,)
+        Flux of each, in any unit.
+    emitted : float
+        Flux of the source in the same unit.
+    """
+
+    x: Array
+    y: Array
+    way: Array
+    flux: Array
+    emitted: float
+
+
+def rays_as_light(
+    mi: Any, source: Source, lens: Lens, unit: float, rays: int, seed: int
+) -> tuple[dict[str, Any], float]:
+    """An emitter of rays of a source; parameters and result are those of `mitsuba_lights`."""
+    random = np.random.default_rng([seed, 3])
+    found = _RAYS[type(source)](source, lens, random, min(rays, _MOST))
+    (r_x, r_y), before = lens.half_width, _BEFORE * unit
+    met = (abs(found.x) <= r_x) & (abs(found.y) <= r_y) & (found.flux > 0)
+    if not met.any():
+        return {}, 1.0
+    way, flux = found.way[met], found.flux[met]
+    place = np.column_stack([found.x[met], found.y[met], np.full(len(flux), lens.entrance_z)])
+    mesh = _facets(mi, (place - way * (before / way[:, 2:])) / unit, way, flux)
+    return {"light": mesh}, mesh.surface_area() * found.emitted / float(flux.sum())
+
+
+def _facets(mi: Any, places: Array, ways: Array, flux: Array) -> Any:
+    """Triangles about places, as large as the flux, that shine along their normals."""
+    around = 2 * math.pi * np.arange(3) / 3
+    corner = np.column_stack([np.cos(around), np.sin(around), np.zeros(3)])
+    size = _SIZE * np.sqrt(flux / flux.max())
+    vertices = places[:, None] + size[:, None, None] * corner
+    count = len(flux)
+    properties = mi.Properties()
+    properties["emitter"] = mi.load_dict(
+        {"type": "directionalarea", "radiance": {"type": "rgb", "value": 1.0}}
+    )
+    mesh = mi.Mesh("", 3 * count, count, props=properties, has_vertex_normals=True)
+    content = mi.traverse(mesh)
+    content["vertex_positions"] = vertices.astype(np.float32).ravel()
+    content["vertex_normals"] = np.repeat(ways, 3, axis=0).astype(np.float32).ravel()
+    content["faces"] = np.arange(3 * count, dtype=np.uint32)
+    content.update()
+    return mesh
+
+
+def _from_disc(
+    source: CollimatedSource, lens: Lens, random: np.random.Generator, count: int
+) -> FaceRays:
+    """Light of random directions: even over the entrance face, or a beam across each of them."""
+    way = source.directions(*_in_disc(random, count))
+    if math.isinf(source.profile.radius):
+        return FaceRays(*_on_face(lens, random, count), way, way[:, 2], float(way[:, 2].sum()))
+    right = np.cross([0.0, 1.0, 0.0], way)
+    right /= np.linalg.norm(right, axis=1, keepdims=True)
+    a, b = random.normal(0.0, source.profile.radius / 2, (2, count, 1))
+    place = a * right + b * np.cross(way, right)
+    place -= way * (place[:, 2:] / way[:, 2:])  # along the ray to the plane of the face
+    return FaceRays(place[:, 0], place[:, 1], way, np.ones(count), float(count))
+
+
+def _from_area(source: AreaSource, lens: Lens, random: np.random.Generator, count: int) -> FaceRays:
+    """Light of random places of an emitter, as much in all directions, to those of the face."""
+    start = _in_disc(random, count) if source.outline == "ellipse" else _in_square(random, count)
+    x, y = _on_face(lens, random, count)
+    way = np.column_stack([x, y, np.full(count, lens.entrance_z)]) - source.center
+    way[:, :2] -= start.T * source.half_width
+    distance = np.linalg.norm(way, axis=1)
+    way /= distance[:, None]
+    # Solid angle of the face over that of the half-space.
+    flux = 4 * math.prod(lens.half_width) * way[:, 2] / distance**2 / (2 * math.pi)
+    return FaceRays(x, y, way, flux, float(count))
+
+
+def _from_file(
+    source: RayFileSource, lens: Lens, random: np.random.Generator, count: int
+) -> FaceRays:
+    """The rays of the file themselves, or some of them."""
+    found = placed_rays(source)
+    chosen = random.permutation(len(found.flux))[:count]
+    x, y, come = found.onto(lens.entrance_z)
+    flux = found.flux[chosen]
+    way, lit = found.direction[chosen], flux * come[chosen]
+    return FaceRays(x[chosen], y[chosen], way, lit, float(flux.sum()))
+
+
+def _on_face(lens: Lens, random: np.random.Generator, count: int) -> tuple[Array, Array]:
+    """Random places of its rectangle."""
+    x, y = _in_square(random, count)
+    return lens.half_width[0] * x, lens.half_width[1] * y
+
+
+def _in_square(random: np.random.Generator, count: int) -> Array:
+    return random.uniform(-1, 1, (2, count))
+
+
+def _in_disc(random: np.random.Generator, count: int) -> Array:
+    radius, turn = np.sqrt(random.random(count)), 2 * math.pi * random.random(count)
+    return np.asarray(radius * [np.cos(turn), np.sin(turn)])
+
+
+_RAYS: Mapping[type, Callable[[Any, Lens, np.random.Generator, int], FaceRays]] = {
+    CollimatedSource: _from_disc,
+    AreaSource: _from_area,
+    RayFileSource: _from_file,
+}
