@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from itertools import product
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -128,14 +128,11 @@ def _distances(one: Seen, other: Seen, noise: float) -> Array:
     )
 
 
-class _Nudged(Screen):
-    """A screen whose pixels are moved a little."""
-
-    nudge: tuple[float, float]
-
-    def to_pixels(self, x: Any, y: Any) -> tuple[Any, Any]:
-        column, row = super().to_pixels(x, y)
-        return column + self.nudge[0], row + self.nudge[1]
+def _nudged(screen: Screen, wide: tuple[float, float], nudge: tuple[float, float]) -> Screen:
+    """A screen of other half-widths whose pixels are moved a little."""
+    (r_x, r_y), (n_x, n_y), (x, y) = wide, screen.pixels, screen.center
+    center = x - nudge[0] * 2 * r_x / n_x, y + nudge[1] * 2 * r_y / n_y
+    return screen.model_copy(update={"half_width": wide, "center": center})
 
 
 def _moved(scene: Scene, signs: list[int]) -> Source:
@@ -166,9 +163,7 @@ def _neighbours(case: Case, make: Make, dtype: torch.dtype) -> list[Seen]:
         index = scene.lens.index * (1 + hair * rng.uniform(0, 1))
         other = scene.model_copy(
             update={
-                "screen": _Nudged(
-                    z=scene.screen.z, pixels=scene.screen.pixels, half_width=wide, nudge=nudge
-                ),
+                "screen": _nudged(scene.screen, wide, nudge),
                 "lens": scene.lens.model_copy(update={"refractive_index": index}),
                 "source": _moved(scene, signs),
             }

@@ -38,9 +38,10 @@ def wanted_light(target: Array, blur: Blur, margin: tuple[int, int]) -> Array:
     --------
     Of a bright border, as much as half of the blur falls beyond:
 
-    >>> wanted_light(np.ones((40, 40)), Blur((5.0, 5.0)), (2, 2))[0].sum() > 0
+    >>> import numpy as np
+    >>> bool(wanted_light(np.ones((40, 40)), Blur((5.0, 5.0)), (2, 2))[0].sum() > 0)
     True
-    >>> wanted_light(np.ones((40, 40)), Blur((0.0, 0.0)), (2, 2))[:2].sum()
+    >>> wanted_light(np.ones((40, 40)), Blur((0.0, 0.0)), (2, 2))[:2].sum().item()
     0.0
     """
     share = target / target.sum()

@@ -27,8 +27,7 @@ SOURCES = {
 
 def flux_of(scene, heights, cells, lifted=None, threads=None, pose=None):
     """Part of the emitted flux in each pixel."""
-    plane = np.array([scene.screen.z])
-    train = OpticalTrain.of(scene, {"exit": heights}, 1, 0, pose or Pose(), plane)
+    train = OpticalTrain.of(scene, {"exit": heights}, 1, 0, pose or Pose(), [scene.receiver])
     steps = Lattice(scene, train, cells, lifted).tracing(threads)
     while True:
         try:
