@@ -4,7 +4,7 @@ import pytest
 import torch
 
 from tests.accounts import account_of
-from workbench.optics.account import LOSSES, Account
+from workbench.optics.account import LOSSES, Account, words_for
 from workbench.optics.plan import Plan
 
 COLLIMATED = {"kind": "collimated", "rays": [64, 48]}
@@ -98,3 +98,13 @@ def test_where_most_light_is_lost_before_the_screen_is_said_with_what_helps():
         "a source farther away or nearer to the axis, keeps it."
     )
     assert not account_of(2.0, 0.2, 0.9, 0.0, 0.7, 0.0, 0.1, 0.1).advice
+
+
+def test_light_that_passes_a_far_field_by_is_called_so(make_scene):
+    far = {"half_angle": [20.0, 10.0], "pixels": [8, 4]}
+    words = words_for(make_scene({"screen": None, "far_field": far}).receiver)
+    assert words["on_screen"][0] == "In the far field"
+    assert words["off_screen"][0] == "Beside the far field"
+    assert "the far field by" in words["off_screen"][1]
+    assert list(words) == ["on_screen", *LOSSES]
+    assert not any("{" in text for pair in words.values() for text in pair)

@@ -153,7 +153,7 @@ def test_paint_recolours_the_bar_too(scene, axes):
     ],
 )
 def test_a_place_is_in_one_pixel(place, pixel):
-    assert pixel_at((2.0, 1.0), (4, 8), *place) == pixel
+    assert pixel_at((-2.0, 2.0, -1.0, 1.0), (4, 8), *place) == pixel
 
 
 def test_a_logarithmic_scale_spans_three_decades_and_darkness(axes, scene):
@@ -170,3 +170,12 @@ def test_a_logarithmic_scale_spans_three_decades_and_darkness(axes, scene):
     np.testing.assert_allclose(colours[:, :3], wanted[:, :3], atol=0.01)
     image.set_logarithmic(False)
     np.testing.assert_allclose(shown.norm(levels)[0, :2], [1.0, 0.1])
+
+
+def test_a_far_field_is_drawn_in_degrees_counted_from_the_axis(make_scene, axes):
+    far = {"half_angle": [20.0, 10.0], "center": [30.0, -5.0], "pixels": [8, 4]}
+    image = IrradianceImage(axes, make_scene({"screen": None, "far_field": far}), np.ones((4, 8)))
+    assert axes.get_xlim() == (10, 50) and axes.get_ylim() == (-15, 5)
+    assert (axes.get_xlabel(), axes.get_ylabel()) == ("H (°)", "V (°)")
+    assert axes.child_axes[0].get_ylabel() == "flux / sr"
+    assert image.artists[0].get_label() == "intensity"

@@ -68,3 +68,17 @@ def test_an_image_of_one_pixel_has_its_value_everywhere(make_scene):
     np.testing.assert_array_equal(
         values_along(np.full((1, 1), 7.0), cut_between(scene, (-0.9, 0.2), (0.9, 0.1))), 7.0
     )
+
+
+@pytest.mark.parametrize(("along", "line"), [("x", np.s_[1]), ("y", np.s_[::-1, 6])])
+def test_a_cut_across_a_far_field_is_where_its_angles_are(make_scene, rng, along, line):
+    far = {"half_angle": [20.0, 10.0], "center": [30.0, -5.0], "pixels": [8, 4]}
+    scene, image = make_scene({"screen": None, "far_field": far}), rng.random((4, 8))
+    axes = Figure().subplots()
+    curves = SectionCurves(axes, scene, np.ones((4, 8)))
+    curves.update(image, cut_through(scene, along, (43.0, -1.0)))  # row 1, column 6
+    degrees = {"x": 12.5 + 5 * np.arange(8), "y": -12.5 + 5 * np.arange(4)}[along]
+    np.testing.assert_allclose(curves.artists[1].get_data(), [degrees, image[line]])
+    said = {"x": "H (°) at V = -1°", "y": "V (°) at H = 43°"}[along]
+    assert (axes.get_xlabel(), axes.get_ylabel()) == (said, "flux / sr")
+    assert axes.get_legend().get_texts()[1].get_text() == "intensity"

@@ -20,6 +20,8 @@ from PySide6.QtWidgets import (
 from ui.check.checking import RAYS, CheckedLens
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from workbench.analysis.validation import Validation
     from workbench.report.content import Row
 
@@ -30,7 +32,7 @@ _TIPS = {
     "verified error": "Relative L2 error of image and target, by cells and without random rays: "
     "what the lens itself is off.",
     "it is surely": "Where that error lies, by a bound from two sizes of cells.",
-    "cells": "Cells of the entrance face whose light is spread over what they cover on the screen.",
+    "cells": "Cells of the entrance face whose light is spread over what they cover there.",
     "random rays are off by": "Relative L2 difference of the two images: the second opinion. About "
     "once the noise of the rays is what chance alone makes.",
     "relative L2 error": "‖I − T‖ / ‖T‖ of image and target, each divided by its sum. The scatter "
@@ -49,17 +51,10 @@ _TIPS = {
     "peak or more: 1 is even, 0 has a dark pixel.",
     "contrast": "(lit − black) / (lit + black) of the mean irradiances there; black is up to a "
     "hundredth of the target's peak. 1 is a perfect black.",
-    "efficiency": "Part of the emitted light that lands on the screen.",
+    "efficiency": "Part of the emitted light that makes the image.",
     "off the optimiser's image": "Relative L2 difference to the image that the optimiser sees. Its "
     "filter and the scatter of these rays are in it.",
     "rays": "Rays of the image; a quarter as many more are traced for the error without scatter.",
-    "on the screen": "Light that makes the image.",
-    "beside the screen": "Light that passes the lens and the screen by.",
-    "missed the lens": "Light of the source that passes the entrance face by.",
-    "out of the side": "Light that meets a side wall before the exit face.",
-    "totally reflected": "Light that meets the exit face too steeply to leave the lens there.",
-    "reflected on entry": "The part that the entrance face reflects of what it refracts.",
-    "reflected on exit": "The part that the exit face reflects of what it refracts.",
 }
 
 
@@ -147,9 +142,14 @@ class CheckFigures(QWidget):
     def show_check(self, lens: CheckedLens, found: "Validation", difference: float) -> None:
         """Show what a check says."""
         # Late: what it stands on is slow to import, and is there after a check.
+        from workbench.optics.account import words_for
         from workbench.report.figures import account_rows, check_rows
 
-        self._fill((*check_rows(found, difference), *account_rows(found.account)))
+        receiver = lens.session.scene.receiver
+        checked, words = check_rows(found, difference), words_for(receiver)
+        tips = [_TIPS[row.name] for row in checked]
+        tips += [words[name][1] for name in ("on_screen", *found.account.lost)]
+        self._fill((*checked, *account_rows(found.account, receiver)), tips)
         self._table.setEnabled(True)
         self._table.show()
         self._copy.setEnabled(True)
@@ -178,12 +178,12 @@ class CheckFigures(QWidget):
         assert item is not None  # each row is filled
         return item.text()
 
-    def _fill(self, rows: "tuple[Row, ...]") -> None:
+    def _fill(self, rows: "Sequence[Row]", tips: "Sequence[str]") -> None:
         self._table.setRowCount(len(rows))
-        for number, row in enumerate(rows):
+        for number, (row, tip) in enumerate(zip(rows, tips, strict=True)):
             for column, text in enumerate((row.name[:1].upper() + row.name[1:], row.value)):
                 item = QTableWidgetItem(text)
-                item.setToolTip(f"<p>{_TIPS[row.name]}</p>")
+                item.setToolTip(f"<p>{tip}</p>")
                 self._table.setItem(number, column, item)
 
     def _choose(self) -> None:

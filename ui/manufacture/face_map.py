@@ -10,6 +10,7 @@ from ui.panels.editors import Chooser
 from ui.views.image_view import ImageView
 from workbench.analysis.manufacture_limits import Limits
 from workbench.pictures.manufacture import MAPS, draw_map, map_unit
+from workbench.pictures.maps import Extent
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -39,9 +40,9 @@ class FaceContent:
         self.limits = Limits()
         self._drawn = np.zeros((1, 1))
 
-    def half_width(self, session: "Session") -> tuple[float, float]:
-        """Half of the lens."""
-        return session.scene.lens.half_width
+    def extent(self, session: "Session") -> Extent:
+        """All of the lens."""
+        return Extent.around(session.scene.lens.half_width, session.scene.unit)
 
     def begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
         """Draw the map; another lens has another picture."""
@@ -57,9 +58,9 @@ class FaceContent:
         """Those of the map."""
         return self._drawn
 
-    def unit(self, length: str) -> str:
+    def unit(self, session: "Session") -> str:
         """Unit of the map."""
-        return map_unit(self.name, length)
+        return map_unit(self.name, session.scene.unit)
 
 
 class FaceMap(ImageView):

@@ -1,6 +1,7 @@
 """Fields for how far lenses may be off, and for how many of them are traced."""
 
 import math
+from dataclasses import replace
 from typing import Any
 
 from PySide6.QtCore import Signal
@@ -62,6 +63,7 @@ class ToleranceForm(QWidget):
             ),
             NumberRow("seed", "Seed", "The same seed gives the same lenses", whole=True),
         )
+        self._distance = distance
         grid = QGridLayout(self)
         grid.setContentsMargins(6, 4, 6, 6)
         grid.setVerticalSpacing(3)
@@ -89,7 +91,7 @@ class ToleranceForm(QWidget):
     @property
     def within(self) -> Tolerances:
         """How far lenses may be off."""
-        return _within(self._data)
+        return self._possible(self._data)
 
     @property
     def lenses(self) -> int:
@@ -167,9 +169,15 @@ class ToleranceForm(QWidget):
         """Have the engine refuse what is not possible for this lens."""
         assert self._scene is not None  # there is one before anything is typed
         try:
-            _within(data).check(self._scene)
+            self._possible(data).check(self._scene)
         except Refused as refused:
             self._row(refused.path).refuse(refused.reason)
+
+    def _possible(self, data: dict[str, Any]) -> Tolerances:
+        """Without an error of a distance where there is none, whatever was typed before."""
+        assert self._scene is not None  # there is one before anything is asked for
+        within = _within(data)
+        return within if self._scene.receiver.at_distance else replace(within, distance=0.0)
 
     def _refused(self) -> bool:
         return any(row.refusal for row in self._rows)
@@ -183,6 +191,8 @@ class ToleranceForm(QWidget):
         pending = {p for row in self._rows if row.refusal for p in row.editors}
         for row in self._rows:
             row.show_scene({"unit": self._scene.unit, **self._data}, pending)
+        self._distance.setVisible(self._scene.receiver.at_distance)
+        self._distance.label.setVisible(self._scene.receiver.at_distance)
 
     def _row(self, path: str) -> NumberRow:
         return next(row for row in self._rows if row.concerns(path))

@@ -54,7 +54,7 @@ class FocusView(LightImageView, ComputingView):
 
     def __init__(self, link: ImageLink | None = None, parent: QWidget | None = None) -> None:
         self._traced = _TracedLight()
-        super().__init__(LightContent("irradiance", self._traced.of), link, parent)
+        super().__init__(LightContent(self._traced.of), link, parent)
         self._image_of, self._curve_of = Background(_TRACE, self), Background(_TRACE, self)
         self._image_of.progressed.connect(self._take)
         self._curve_of.progressed.connect(self._take_error)
@@ -219,8 +219,8 @@ class FocusView(LightImageView, ComputingView):
 
     @staticmethod
     def _at_a_distance(frame: "Frame | None") -> bool:
-        """Whether the light is wanted on a screen."""
-        return frame is None or frame.session.scene.screen is not None
+        """Whether the light is wanted at one."""
+        return frame is None or frame.session.scene.receiver.at_distance
 
     def _why_empty(self, frame: "Frame | None") -> str:
         if not self._at_a_distance(frame):

@@ -15,7 +15,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QWidget
 from ui.views.image_link import ImageLink, Part, Place
 from ui.views.keys import ARROWS, COMMANDS, ZOOMS
 from ui.views.plot_view import PlotView
-from workbench.pictures.maps import pixel_at
+from workbench.pictures.maps import Extent, pixel_at
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -36,8 +36,8 @@ _STEP = 0.1  # of what is seen, for an arrow
 class ImageContent(Protocol):
     """What an `ImageView` shows."""
 
-    def half_width(self, session: "Session") -> tuple[float, float]:
-        """Half of the rectangle that the image covers."""
+    def extent(self, session: "Session") -> Extent:
+        """The rectangle that the image covers."""
 
     def begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
         """Put an empty image on the axes; the artists that will change."""
@@ -48,8 +48,8 @@ class ImageContent(Protocol):
     def values(self, frame: "Frame") -> npt.NDArray[np.float64]:
         """What the image shows, shape (n_y, n_x)."""
 
-    def unit(self, length: str) -> str:
-        """Unit of the values, by that of lengths."""
+    def unit(self, session: "Session") -> str:
+        """Unit of the values."""
 
 
 class ImageView(PlotView):
@@ -117,9 +117,8 @@ class ImageView(PlotView):
 
     def _begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
         before = self._shown
-        if before is not None and self._content.half_width(before) != self._content.half_width(
-            session
-        ):
+        extent = self._content.extent
+        if before is not None and extent(before).bounds != extent(session).bounds:
             self._link.show_part(None)
         self._axes = axes
         return self._content.begin(axes, session)
@@ -163,13 +162,13 @@ class ImageView(PlotView):
         if self._pointed is None or self._shown is None or self._values is None:
             self._readout.clear()
             return
-        (x, y), unit = self._pointed, self._shown.scene.unit
-        pixel = pixel_at(self._content.half_width(self._shown), self._values.shape, x, y)
+        (x, y), extent = self._pointed, self._content.extent(self._shown)
+        pixel = pixel_at(extent.bounds, self._values.shape, x, y)
         if pixel is not None:
-            value = f"{self._values[pixel]:.4g} {self._content.unit(unit)}"
+            value = f"{self._values[pixel]:.4g} {self._content.unit(self._shown)}"
             if np.isnan(self._values[pixel]):
                 value = "beside the lens"
-            self._readout.setText(f"{value} at x = {x:.3g}, y = {y:.3g} {unit}")
+            self._readout.setText(f"{value} at {extent.told(0, x)}, {extent.told(1, y)}")
 
     def _turn_wheel(self, event: Any) -> None:
         if event.inaxes is self._axes and self._shown is not None:
@@ -227,8 +226,7 @@ class ImageView(PlotView):
 
     def _whole(self) -> Part:
         assert self._shown is not None
-        r_x, r_y = self._content.half_width(self._shown)
-        return (-r_x, r_x, -r_y, r_y)
+        return self._content.extent(self._shown).bounds
 
 
 def _within(low: float, high: float, least: float, most: float) -> tuple[float, float]:

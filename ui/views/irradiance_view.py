@@ -10,5 +10,5 @@ class IrradianceView(LightImageView):
     """Flux per area as the optimiser sees it."""
 
     def __init__(self, link: ImageLink | None = None, parent: QWidget | None = None) -> None:
-        content = LightContent("irradiance", lambda frame: frame.state.irradiance)
+        content = LightContent(lambda frame: frame.state.irradiance)
         super().__init__(content, link, parent)

@@ -21,19 +21,21 @@ if TYPE_CHECKING:
 
 
 class LightContent(OnScreen):
-    """Flux per area, on a scale that follows the target.
+    """Flux per area or solid angle, on a scale that follows the target.
 
     Parameters
     ----------
-    name : str
-        What the flux is called.
     values : Callable
-        The flux that is shown of a frame, shape (n_y, n_x).
+        What is shown of a frame, shape (n_y, n_x).
+    name : str
+        What it is called; by default as the receiver calls it.
     """
 
     image: IrradianceImage
 
-    def __init__(self, name: str, values: "Callable[[Frame], npt.NDArray[np.float64]]") -> None:
+    def __init__(
+        self, values: "Callable[[Frame], npt.NDArray[np.float64]]", name: str = ""
+    ) -> None:
         self._name, self.values = name, values
         self._look = (False, "")  # logarithmic, colours
 

@@ -7,16 +7,14 @@ from PySide6.QtGui import QPainter, QPaintEvent, QPalette
 from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QWidget
 
 from ui.views.view import View
-from workbench.optics.account import LOSSES
+from workbench.optics.account import words_for
+from workbench.scene import Screen
 
 if TYPE_CHECKING:
     from ui.shown.frame import Frame
     from workbench.files.session import Session
 
-_PARTS = {
-    "on_screen": ("On the screen", "Light that makes the image."),
-    **{name: (loss.title, loss.tip) for name, loss in LOSSES.items()},
-}
+_AT_FIRST = words_for(Screen)
 _SUM = ("All parts", "The parts together; the account is complete when this is 100 %.")
 
 
@@ -31,7 +29,7 @@ class LightView(View):
         self._grid.setVerticalSpacing(2)
         self._grid.setHorizontalSpacing(8)
         self._grid.setColumnStretch(1, 1)
-        self._rows = {name: _Line(self._grid, *text) for name, text in _PARTS.items()}
+        self._rows = {name: _Line(self._grid, *text) for name, text in _AT_FIRST.items()}
         rule = QFrame(frameShape=QFrame.Shape.HLine, frameShadow=QFrame.Shadow.Plain)
         rule.setForegroundRole(QPalette.ColorRole.Mid)
         self._grid.addWidget(rule, self._grid.rowCount(), 0, 1, 3)
@@ -44,13 +42,15 @@ class LightView(View):
         return {line.name.text(): line.value.text() for line in (*self._rows.values(), self._sum)}
 
     def _draw(self, session: "Session", frame: "Frame | None") -> None:
+        for name, text in words_for(session.scene.receiver).items():
+            self._rows[name].call(*text)
         if frame is None:
             for line in (*self._rows.values(), self._sum):
                 line.clear()
             return
         account = frame.state.account
         flux = account.to_data()
-        shares = {name: flux.get(name, 0.0) / account.emitted for name in _PARTS}
+        shares = {name: flux.get(name, 0.0) / account.emitted for name in self._rows}
         for name, share in shares.items():
             self._rows[name].show_share(share)
         self._sum.show_share(sum(shares.values()))
@@ -61,16 +61,22 @@ class _Line:
     """Name, bar and percentage of a part."""
 
     def __init__(self, grid: QGridLayout, name: str, tip: str) -> None:
-        self.name = QLabel(name)
+        self.name = QLabel()
         self.value = QLabel()
         self._bar = _Bar()
         self.value.setAlignment(Qt.AlignmentFlag.AlignRight)
         self.value.setMinimumWidth(self.value.fontMetrics().horizontalAdvance("100.00 %"))
-        self.value.setAccessibleName(name)
         row = grid.rowCount()
         for column, widget in enumerate((self.name, self._bar, self.value)):
-            widget.setToolTip(f"<p>{tip}</p>")
             grid.addWidget(widget, row, column)
+        self.call(name, tip)
+
+    def call(self, name: str, tip: str) -> None:
+        """Say what the part is."""
+        self.name.setText(name)
+        self.value.setAccessibleName(name)
+        for widget in (self.name, self._bar, self.value):
+            widget.setToolTip(f"<p>{tip}</p>")
 
     def clear(self) -> None:
         """Show that nothing is known."""

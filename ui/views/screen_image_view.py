@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QToolButton, QWidget
 from ui.views.image_link import ImageLink, Place
 from ui.views.image_view import ImageContent, ImageView
 from ui.widgets import theme
+from workbench.pictures.maps import Extent
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -29,13 +30,13 @@ _ENTER = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
 class OnScreen:
     """What all images on the screen have in common."""
 
-    def half_width(self, session: "Session") -> tuple[float, float]:
-        """Half of the screen."""
-        return session.scene.receiver.half_extent
+    def extent(self, session: "Session") -> Extent:
+        """All of the receiver."""
+        return Extent.of_receiver(session.scene)
 
-    def unit(self, length: str) -> str:
-        """Flux per area."""
-        return f"/ {length}²"
+    def unit(self, session: "Session") -> str:
+        """Per area or solid angle; it is a part of the flux."""
+        return session.scene.receiver.density_words(session.scene.unit).removeprefix("flux ")
 
 
 class ScreenImageView(ImageView):

@@ -1,4 +1,4 @@
-"""Irradiance and target along a line across the screen.
+"""Light and target along a line across the receiver.
 
 By keys: arrows move the place or line by a pixel of the screen, with Shift by ten; with Ctrl, only
 the end of the line.
@@ -16,6 +16,7 @@ from ui.views.image_link import ImageLink, Line, Place
 from ui.views.keys import ARROWS
 from ui.views.plot_view import PlotView
 from ui.widgets.menu_button import MenuButton, choose, chosen_of
+from workbench.pictures.maps import Extent
 from workbench.pictures.section import Cut, SectionCurves, cut_between, cut_through
 
 if TYPE_CHECKING:
@@ -129,15 +130,16 @@ class SectionView(PlotView):
         self._turn()
 
     def _begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
-        r_x, r_y = session.scene.receiver.half_extent
+        receiver = session.scene.receiver
+        left, right, bottom, top = receiver.bounds
 
-        def beyond(place: Place) -> bool:  # on a larger screen
-            return abs(place[0]) > r_x or abs(place[1]) > r_y
+        def beyond(place: Place) -> bool:  # on a larger receiver, or on one elsewhere
+            return not (left <= place[0] <= right and bottom <= place[1] <= top)
 
         if beyond(self._place):
-            self._place = (0.0, 0.0)
+            self._place = receiver.middle
         if self._line is None or any(map(beyond, self._line)):
-            self._line = (-r_x, -r_y), (r_x, r_y)
+            self._line = (left, bottom), (right, top)
         self._mark()
         self._curves = SectionCurves(axes, session.scene, session.target)
         return self._curves.artists
@@ -149,15 +151,16 @@ class SectionView(PlotView):
         if self._along == "line":
             assert self._line is not None  # since the picture began
             start, end = (f"({x:.3g}, {y:.3g})" for x, y in self._line)
-            self._button.setToolTip(f"From {start} to {end} {scene.unit}.\n{_TIP}")
+            unit = Extent.of_receiver(scene).unit
+            self._button.setToolTip(f"From {start} to {end} {unit}.\n{_TIP}")
             return cut_between(scene, *self._line)
         self._button.setToolTip(_TIP)
         return cut_through(scene, self._along, self._place)
 
 
 def _moved(receiver: "AnyReceiver", pixels: "Sequence[int]", *places: Place) -> list[Place]:
-    """Places so many pixels to the right and up, together, none beyond the screen."""
-    at, edge = np.array(places), np.array(receiver.half_extent)
-    by = 2 * edge / receiver.pixels * pixels
-    by = by.clip(-edge - at.min(axis=0), edge - at.max(axis=0))
-    return [(x, y) for x, y in (at + by).clip(-edge, edge).tolist()]
+    """Places so many pixels to the right and up, together, none beyond the receiver."""
+    at, (low, high) = np.array(places), np.reshape(receiver.bounds, (2, 2)).T
+    by = (high - low) / receiver.pixels * pixels
+    by = by.clip(low - at.min(axis=0), high - at.max(axis=0))
+    return [(x, y) for x, y in (at + by).clip(low, high).tolist()]

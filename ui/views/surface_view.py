@@ -8,6 +8,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QWidget
 
 from ui.views.image_view import ImageView
+from workbench.pictures.maps import Extent
 from workbench.pictures.surface import ASPECTS, SurfaceImage
 
 if TYPE_CHECKING:
@@ -26,9 +27,9 @@ class SurfaceContent:
     image: SurfaceImage
     aspect = ASPECTS[0]
 
-    def half_width(self, session: "Session") -> tuple[float, float]:
-        """Half of the lens."""
-        return session.scene.lens.half_width
+    def extent(self, session: "Session") -> Extent:
+        """All of the lens."""
+        return Extent.around(session.scene.lens.half_width, session.scene.unit)
 
     def begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
         """An empty map of the aspect."""
@@ -43,9 +44,9 @@ class SurfaceContent:
         """Those of the map."""
         return self.image.values
 
-    def unit(self, length: str) -> str:
+    def unit(self, session: "Session") -> str:
         """The aspect's own."""
-        return self.aspect.unit.format(length)
+        return self.aspect.unit.format(session.scene.unit)
 
 
 class SurfaceView(ImageView):

@@ -16,10 +16,10 @@ if TYPE_CHECKING:
 
 
 class TargetView(LightImageView):
-    """The target as irradiance with a total flux of 1."""
+    """The target as irradiance or intensity with a total flux of 1."""
 
     def __init__(self, link: ImageLink | None = None, parent: QWidget | None = None) -> None:
-        super().__init__(LightContent("target", _target), link, parent)
+        super().__init__(LightContent(_target, "target"), link, parent)
 
     def show_frame(self, frame: "Frame") -> None:
         """Take note of another target; frames of a run have the same one."""

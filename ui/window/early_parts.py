@@ -46,6 +46,8 @@ class EarlyParts(QObject):
         self.forms.file_refused.connect(messages.warn)
         self._refused = RefusedFields(self.forms, messages, self)
         self.workspace = Workspace(window, self.forms, messages, document.undo_stack, self.log)
+        self.workspace.name_light(document.session)
+        document.session_changed.connect(self.workspace.name_light)
         self.dialogs = FileDialogs(document, settings, window)
         self._bar = window.statusBar()
         self.status = RunStatus(self._bar)

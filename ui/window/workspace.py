@@ -1,6 +1,7 @@
 """Where forms and views stand in the window, before and after the views are there."""
 
 from collections.abc import Mapping
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QModelIndex, QPersistentModelIndex, Qt, QTimer
 from PySide6.QtGui import QUndoStack
@@ -22,6 +23,9 @@ from ui.panels.forms import Forms
 from ui.widgets.log_view import LogView
 from ui.widgets.message_bar import MessageBar
 from ui.widgets.native import Uncovered
+
+if TYPE_CHECKING:
+    from workbench.files.session import Session
 
 _FRAME = 2  # pixels around the 3D scene, which tell whether it has the keyboard
 
@@ -131,6 +135,12 @@ class Workspace:
             self.docks[name].setWidget(view)
             placeholder.deleteLater()
         self._placeholder.setText("The 3D scene is hidden. View > 3D scene shows it again.")
+
+    def name_light(self, session: "Session") -> None:
+        """Title the docks of light as the receiver of a design calls it."""
+        density = session.scene.receiver.density.capitalize()
+        self.docks["irradiance"].setWindowTitle(density)
+        self.docks["error"].setWindowTitle(f"{density} − {PANES['target'].title.lower()}")
 
     def show_dock(self, name: str) -> None:
         """Show a dock in front of those that share its place."""

@@ -8,6 +8,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import NamedTuple
 
+from workbench.scene import AnyReceiver
+
 
 class Loss(NamedTuple):
     """What is said of a way to lose light.
@@ -15,7 +17,7 @@ class Loss(NamedTuple):
     Attributes
     ----------
     title, tip : str
-        Its name for people, and what it is.
+        Its name for people, and what it is; "{receiver}" stands for what the receiver is called.
     where : str
         Where such light goes, after "of the light, 10 %".
     cure : str
@@ -33,9 +35,9 @@ class Loss(NamedTuple):
 
 LOSSES: Mapping[str, Loss] = {
     "off_screen": Loss(
-        "Beside the screen",
-        "Light that passes the lens and the screen by. A lens that sends much light here wastes "
-        "it, or has more than its surface can bend.",
+        "Beside the {receiver}",
+        "Light that passes the lens and the {receiver} by. A lens that sends much light here "
+        "wastes it, or has more than its surface can bend.",
         "passes beside it",
         "a larger or a nearer screen catches it",
         always=True,
@@ -84,6 +86,21 @@ LOSSES: Mapping[str, Loss] = {
     ),
 }
 """All losses by name, in the order in which they are listed."""
+
+
+def words_for(receiver: AnyReceiver | type[AnyReceiver]) -> dict[str, tuple[str, str]]:
+    """Title and tip of each part of an account, by the names of `Account.to_data`."""
+    place, called = receiver.place, receiver.called
+    return {
+        "on_screen": (f"{place[0].upper()}{place[1:]}", "Light that makes the image."),
+        **{
+            name: (
+                loss.title.format(receiver=called),
+                loss.tip.format(receiver=called),
+            )
+            for name, loss in LOSSES.items()
+        },
+    }
 
 
 @dataclass(frozen=True)

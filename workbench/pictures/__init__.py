@@ -31,7 +31,8 @@ def write_images(session: Session, file: BinaryIO) -> None:
     IrradianceImage(lit, scene, target).update(irradiance)
     IrradianceImage(wanted, scene, target).update(target_irradiance(scene, target))
     ErrorImage(off, scene, target).update(irradiance)
-    for axes, title in ((lit, "Irradiance"), (wanted, "Target"), (off, "Irradiance − target")):
+    density = scene.receiver.density.capitalize()
+    for axes, title in ((lit, density), (wanted, "Target"), (off, f"{density} − target")):
         axes.set_title(title, fontsize=10)
     figure.savefig(file, format="png", dpi=_DPI)
 

@@ -6,7 +6,7 @@ import numpy as np
 import numpy.typing as npt
 from matplotlib import colormaps
 
-from workbench.pictures.images import screen_map
+from workbench.pictures.images import receiver_map
 from workbench.pictures.maps import SIGNED, colour_bar
 from workbench.scene import Scene
 
@@ -33,10 +33,11 @@ class DerivativeImage:
 
     def __init__(self, axes: "Axes", scene: Scene) -> None:
         colours = colormaps[SIGNED].with_extremes(bad=_OUT_OF_REACH)
-        self._image = screen_map(axes, "derivative", scene, colours)
+        self._image = receiver_map(axes, "derivative", scene, colours)
         self._scale = 1.0
         self._image.set_clim(-self._scale, self._scale)
-        colour_bar(axes, self._image, f"flux / {scene.unit}² per {scene.unit}", extend="neither")
+        density = scene.receiver.density_words(scene.unit)
+        colour_bar(axes, self._image, f"{density} per {scene.unit}", extend="neither")
         self.update(None)
         self.artists: list[Artist] = [self._image]
 

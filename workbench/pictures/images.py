@@ -1,8 +1,8 @@
-"""Irradiance and signed error as images with axes in scene units.
+"""Irradiance, or intensity in the far field, and signed error as images with axes.
 
 The error compares irradiance and target at the same total flux: both are scaled so that the flux
-on the screen is 1, then error = irradiance − target, in flux per area. It is positive where too
-much light falls.
+on the receiver is 1, then error = irradiance − target, in flux per area or solid angle. It is
+positive where too much light falls.
 """
 
 from typing import TYPE_CHECKING, Any
@@ -15,6 +15,7 @@ from matplotlib.colors import Colormap, LogNorm, Normalize
 from workbench.pictures.maps import (
     SIGNED,
     UNSIGNED,
+    Extent,
     colour_bar,
     map_image,
     round_scale,
@@ -110,7 +111,7 @@ class IrradianceImage:
     target : ndarray, shape (n_y, n_x)
         Target image; gives the scale.
     name : str
-        What the image is called.
+        What the image is called; by default, what is on the receiver.
 
     Attributes
     ----------
@@ -123,13 +124,13 @@ class IrradianceImage:
         axes: "Axes",
         scene: Scene,
         target: npt.NDArray[Any],
-        name: str = "irradiance",
+        name: str = "",
     ) -> None:
-        self._image = screen_map(axes, name, scene, LIGHT)
+        self._image = receiver_map(axes, name or scene.receiver.density, scene, LIGHT)
         self.set_colours(LIGHT)
         self._top = full_scale(scene, target)
         self._image.set_clim(0, self._top)
-        colour_bar(axes, self._image, f"flux / {scene.unit}²", extend="max")
+        colour_bar(axes, self._image, scene.receiver.density_words(scene.unit), extend="max")
         self.artists: list[Artist] = [self._image]
 
     def update(self, irradiance: Array) -> bool:
@@ -169,10 +170,10 @@ class ErrorImage:
     def __init__(self, axes: "Axes", scene: Scene, target: npt.NDArray[Any]) -> None:
         self._scene = scene
         self._target = target
-        self._image = screen_map(axes, "error", scene, SIGNED)
+        self._image = receiver_map(axes, "error", scene, SIGNED)
         self._scale = round_scale(full_scale(scene, target))
         self._image.set_clim(-self._scale, self._scale)
-        colour_bar(axes, self._image, f"flux / {scene.unit}²", extend="both")
+        colour_bar(axes, self._image, scene.receiver.density_words(scene.unit), extend="both")
         self.artists: list[Artist] = [self._image]
 
     def update(self, irradiance: Array) -> bool:
@@ -193,11 +194,9 @@ class ErrorImage:
         return True
 
 
-def screen_map(axes: "Axes", name: str, scene: Scene, colours: str | Colormap) -> Any:
-    """An image of zeros on the screen's axes, in scene units; see `map_image`."""
-    receiver = scene.receiver
-    unit = receiver.measure.sign_in(scene.unit)
-    return map_image(axes, name, receiver.half_extent, receiver.pixels, unit, colours)
+def receiver_map(axes: "Axes", name: str, scene: Scene, colours: str | Colormap) -> Any:
+    """An image of zeros on the receiver's axes; see `map_image`."""
+    return map_image(axes, name, Extent.of_receiver(scene), scene.receiver.pixels, colours)
 
 
 def _table(name: str) -> npt.NDArray[np.uint8]:

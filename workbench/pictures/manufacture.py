@@ -6,7 +6,14 @@ import numpy as np
 import numpy.typing as npt
 from matplotlib.colors import PowerNorm
 
-from workbench.pictures.maps import UNSIGNED, colour_bar, constant_value, map_image, show_constant
+from workbench.pictures.maps import (
+    UNSIGNED,
+    Extent,
+    colour_bar,
+    constant_value,
+    map_image,
+    show_constant,
+)
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -110,7 +117,8 @@ def draw_map(axes: "Axes", name: str, maps: FaceMaps, limits: ShopLimits, unit: 
     """
     values, of, below, above, _ = _map(name, maps, limits, unit)
     half_width = float(maps.x.max()), float(maps.y.max())
-    image = map_image(axes, name, half_width, values.shape[::-1], unit, UNSIGNED[1])
+    extent = Extent.around(half_width, unit)
+    image = map_image(axes, name, extent, values.shape[::-1], UNSIGNED[1])
     image.set_data(values)
     # Sharp bends are few and far above the others.
     image.set_norm(PowerNorm(0.5 if "Curvature" in name else 1.0))

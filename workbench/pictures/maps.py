@@ -1,7 +1,7 @@
 """Values over a rectangle as an image with axes, and the scale of its colours."""
 
 import math
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple, Self
 
 import numpy as np
 import numpy.typing as npt
@@ -10,6 +10,8 @@ from matplotlib.ticker import MaxNLocator, ScalarFormatter
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+
+    from workbench.scene import Scene
 
 Array = npt.NDArray[np.float64]
 
@@ -23,15 +25,52 @@ _ROUNDING = 1e-9  # of what values could be, or are
 _ENOUGH = 0.995  # of all values; a few at an edge must not hide the rest
 
 
+class Extent(NamedTuple):
+    """The rectangle that a map covers.
+
+    Attributes
+    ----------
+    bounds : tuple[float, float, float, float]
+        Its left, right, bottom and top.
+    unit : str
+        Unit of these.
+    axes : tuple[str, str]
+        Names of what is counted to the right and upwards.
+    """
+
+    bounds: tuple[float, float, float, float]
+    unit: str
+    axes: tuple[str, str] = ("x", "y")
+
+    @classmethod
+    def around(cls, half_width: tuple[float, float], unit: str) -> Self:
+        """A rectangle about the optical axis."""
+        r_x, r_y = half_width
+        return cls((-r_x, r_x, -r_y, r_y), unit)
+
+    @classmethod
+    def of_receiver(cls, scene: "Scene") -> Self:
+        """What the receiver of a scene covers, in coordinates of its own."""
+        receiver = scene.receiver
+        return cls(receiver.bounds, receiver.measure.sign_in(scene.unit), receiver.axes)
+
+    def label(self, axis: int) -> str:
+        """Names an axis of a picture: 0 to the right, 1 upwards."""
+        return f"{self.axes[axis]} ({self.unit})"
+
+    def told(self, axis: int, value: float) -> str:
+        """One coordinate of a place, as in "x = 0.4 cm"."""
+        return f"{self.axes[axis]} = {self.sized(f'{value:.3g}')}"
+
+    def sized(self, number: str) -> str:
+        """A number with its unit; the sign of degrees follows without a space."""
+        return f"{number}{self.unit}" if self.unit == "°" else f"{number} {self.unit}"
+
+
 def map_image(
-    axes: "Axes",
-    name: str,
-    half_width: tuple[float, float],
-    count: tuple[int, int],
-    unit: str,
-    colours: str | Colormap,
+    axes: "Axes", name: str, extent: Extent, count: tuple[int, int], colours: str | Colormap
 ) -> Any:
-    """An image of zeros on axes in scene units.
+    """An image of zeros on axes that tell where its values are.
 
     Parameters
     ----------
@@ -39,12 +78,10 @@ def map_image(
         Empty axes.
     name : str
         What its values are.
-    half_width : tuple[float, float]
-        Half of the rectangle along x and y.
+    extent : Extent
+        The rectangle that it covers.
     count : tuple[int, int]
         Numbers of values along x and y.
-    unit : str
-        Unit of lengths.
     colours : str or Colormap
         Colours of its values.
 
@@ -53,17 +90,16 @@ def map_image(
     matplotlib.image.AxesImage
         Of data of shape (n_y, n_x) with row 0 at +y.
     """
-    r_x, r_y = half_width
     image = axes.imshow(
         np.zeros(count[::-1]),
         cmap=colours,
-        extent=(-r_x, r_x, -r_y, r_y),
+        extent=extent.bounds,
         origin="upper",
         interpolation="nearest",
         label=name,
     )
-    axes.set_xlabel(f"x ({unit})", fontsize=_FONT, labelpad=2)
-    axes.set_ylabel(f"y ({unit})", fontsize=_FONT, labelpad=2)
+    axes.set_xlabel(extent.label(0), fontsize=_FONT, labelpad=2)
+    axes.set_ylabel(extent.label(1), fontsize=_FONT, labelpad=2)
     axes.tick_params(labelsize=_FONT)
     for axis in (axes.xaxis, axes.yaxis):
         axis.set_major_locator(ticks())
@@ -139,9 +175,10 @@ def settled_scale(values: Array, scale: float) -> float:
 
 
 def pixel_at(
-    half_width: tuple[float, float], shape: tuple[int, ...], x: float, y: float
+    bounds: tuple[float, float, float, float], shape: tuple[int, ...], x: float, y: float
 ) -> tuple[int, int] | None:
     """Row and column of an image of this shape at a place; None beside it."""
-    (r_x, r_y), (n_y, n_x) = half_width, shape
-    column, row = math.floor((x / r_x + 1) / 2 * n_x), math.floor((1 - y / r_y) / 2 * n_y)
+    (left, right, bottom, top), (n_y, n_x) = bounds, shape
+    column = math.floor((x - left) / (right - left) * n_x)
+    row = math.floor((top - y) / (top - bottom) * n_y)
     return (row, column) if 0 <= row < n_y and 0 <= column < n_x else None

@@ -50,16 +50,18 @@ def draw_images(figure: "FigureBase", session: Session, irradiance: Array) -> No
     IrradianceImage(wanted, scene, target).update(target_irradiance(scene, target))
     ErrorImage(off, scene, target).update(irradiance)
     SurfaceImage(face, scene, ASPECTS[0]).update(result.state.heights["exit"])
-    titles = ("Irradiance", "Target", "Irradiance − target", "Exit face over its base")
+    density = scene.receiver.density.capitalize()
+    titles = (density, "Target", f"{density} − target", "Exit face over its base")
     for axes, title in zip((lit, wanted, off, face), titles, strict=True):
         axes.set_title(title, fontsize=_FONT)
 
 
 def draw_sections(figure: "FigureBase", session: Session, irradiance: Array) -> None:
-    """Draw irradiance and target along x and y through the middle of the screen."""
+    """Draw light and target along x and y through the middle of the receiver."""
     for axes, along in zip(figure.subplots(1, 2, gridspec_kw=_APART), "xy", strict=True):
         curves = SectionCurves(axes, session.scene, session.target)
-        curves.update(irradiance, cut_through(session.scene, along, (0.0, 0.0)))
+        middle = session.scene.receiver.middle
+        curves.update(irradiance, cut_through(session.scene, along, middle))
 
 
 def draw_loss(figure: "FigureBase", result: "Result") -> None:

@@ -1,4 +1,4 @@
-"""Irradiance and target along a line across the screen."""
+"""Irradiance, or intensity, and target along a line across the receiver."""
 
 import math
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -7,7 +7,7 @@ import numpy as np
 import numpy.typing as npt
 
 from workbench.pictures.images import full_scale, target_irradiance
-from workbench.pictures.maps import ticks
+from workbench.pictures.maps import Extent, ticks
 from workbench.scene import Scene
 
 if TYPE_CHECKING:
@@ -30,7 +30,7 @@ class Cut(NamedTuple):
     name : str
         What is counted along it, and where it lies.
     ends : tuple[float, float]
-        Where the line begins and ends, counted so; scene units.
+        Where the line begins and ends, counted so; in the units of the receiver's coordinates.
     along : ndarray, shape (m,)
         The places, counted so.
     rows, columns : ndarray, shape (m,)
@@ -45,33 +45,28 @@ class Cut(NamedTuple):
 
 
 def cut_through(scene: Scene, along: str, place: Place) -> Cut:
-    """The pixels beside each other along "x" or "y" through a place on the screen."""
-    unit, (x, y) = scene.unit, place
+    """The pixels beside each other along "x" or "y" through a place on the receiver."""
+    receiver, extent = scene.receiver, Extent.of_receiver(scene)
     axis = "xy".index(along)
-    r, n = scene.receiver.half_extent[axis], scene.receiver.pixels[axis]
-    column, row = (math.floor(at) for at in scene.receiver.to_pixels(*place))
-    middles = np.linspace(r / n - r, r - r / n, n)  # of pixels
+    low, high = receiver.bounds[2 * axis : 2 * axis + 2]
+    r, n = receiver.half_extent[axis], receiver.pixels[axis]
+    column, row = (math.floor(at) for at in receiver.to_pixels(*place))
+    middles = np.linspace(low + r / n, high - r / n, n)  # of pixels
+    name = f"{extent.label(axis)} at {extent.told(1 - axis, place[1 - axis])}"
     if along == "x":
-        return Cut(
-            f"x ({unit}) at y = {y:.3g} {unit}",
-            (-r, r),
-            middles,
-            np.full(n, float(row)),
-            np.arange(0.0, n),
-        )
-    name = f"y ({unit}) at x = {x:.3g} {unit}"
-    return Cut(name, (-r, r), middles, np.arange(n - 1.0, -1, -1), np.full(n, float(column)))
+        return Cut(name, (low, high), middles, np.full(n, float(row)), np.arange(0.0, n))
+    return Cut(name, (low, high), middles, np.arange(n - 1.0, -1, -1), np.full(n, float(column)))
 
 
 def cut_between(scene: Scene, start: Place, end: Place) -> Cut:
-    """The line from one place on the screen to another, with a place for each pixel it passes."""
+    """The line from one place on the receiver to another, with a place for each pixel it passes."""
     (x_0, y_0), (x_1, y_1) = start, end
     length = math.hypot(x_1 - x_0, y_1 - y_0)
     (first_x, first_y), (last_x, last_y) = (scene.receiver.to_pixels(*p) for p in (start, end))
     count = 1 + max(1, math.ceil(math.hypot(last_x - first_x, last_y - first_y)))
     part = np.linspace(0, 1, count)
     return Cut(
-        f"distance ({scene.unit})",
+        f"distance ({Extent.of_receiver(scene).unit})",
         (0.0, length),
         part * length,
         first_y + part * (last_y - first_y) - 0.5,
@@ -108,9 +103,9 @@ def values_along(image: Array, cut: Cut) -> Array:
 
 
 class SectionCurves:
-    """Irradiance and target along a line across the screen, on axes that the caller owns.
+    """Light and target along a line across the receiver, on axes that the caller owns.
 
-    The target has the flux of the irradiance on the screen, so that the curves compare in shape.
+    The target has the flux of the light there, so that the curves compare in shape.
 
     Parameters
     ----------
@@ -133,13 +128,13 @@ class SectionCurves:
         self._target = target_irradiance(scene, target)
         self._shown: tuple[object, ...] = ()
         axes.set_ylim(0, _HEADROOM * full_scale(scene, target))
-        axes.set_ylabel(f"flux / {scene.unit}²", fontsize=_FONT, labelpad=2)
+        axes.set_ylabel(scene.receiver.density_words(scene.unit), fontsize=_FONT, labelpad=2)
         axes.tick_params(labelsize=_FONT)
         for axis in (axes.xaxis, axes.yaxis):
             axis.set_major_locator(ticks())
         axes.grid(visible=True, linewidth=0.6, alpha=0.35)
         (wanted,) = axes.plot([], [], color=_TARGET, linewidth=1.2, linestyle="--", label="target")
-        (light,) = axes.plot([], [], color=_LIGHT, linewidth=1.4, label="irradiance")
+        (light,) = axes.plot([], [], color=_LIGHT, linewidth=1.4, label=scene.receiver.density)
         self._target_line, self._light_line = wanted, light
         axes.legend(
             loc="upper right",

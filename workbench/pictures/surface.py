@@ -13,6 +13,7 @@ from workbench.geometry.surface import ControlNet, even_counts
 from workbench.pictures.maps import (
     SIGNED,
     UNSIGNED,
+    Extent,
     colour_bar,
     constant_value,
     map_image,
@@ -138,7 +139,8 @@ class SurfaceImage:
         self.values = np.zeros((count_y, count_x))
         colours = SIGNED if aspect.signed else UNSIGNED[1]
         size = (count_x, count_y)
-        self._image = map_image(axes, aspect.name, lens.half_width, size, scene.unit, colours)
+        extent = Extent.around(lens.half_width, scene.unit)
+        self._image = map_image(axes, aspect.name, extent, size, colours)
         self._scale = 0.0
         unit = aspect.unit.format(scene.unit)
         extend = "both" if aspect.signed else "max"

@@ -8,9 +8,9 @@ from workbench.analysis.manufacture_limits import Limits, verdicts
 from workbench.analysis.tolerances import Distribution, Tolerances
 from workbench.analysis.validation import Validation
 from workbench.extended.bound import Bound
-from workbench.optics.account import LOSSES, Account
+from workbench.optics.account import Account, words_for
 from workbench.report.content import Row
-from workbench.scene import Scene
+from workbench.scene import AnyReceiver, Scene
 
 _STATES = {"met": "met", "broken": "not met", "open": "met where it was looked at"}
 
@@ -60,12 +60,13 @@ def bound_rows(found: Bound) -> tuple[Row, ...]:
     )
 
 
-def account_rows(account: Account) -> tuple[Row, ...]:
+def account_rows(account: Account, receiver: AnyReceiver) -> tuple[Row, ...]:
     """Where the light went, in parts of what was emitted."""
-    lost = {LOSSES[name].title: flux / account.emitted for name, flux in account.lost.items()}
-    return (
-        Row("on the screen", percent(account.efficiency)),
-        *(Row(title[:1].lower() + title[1:], percent(part)) for title, part in lost.items()),
+    parts = {"on_screen": account.on_screen, **account.lost}
+    titles = {name: title for name, (title, _) in words_for(receiver).items()}
+    return tuple(
+        Row(titles[name][:1].lower() + titles[name][1:], percent(flux / account.emitted))
+        for name, flux in parts.items()
     )
 
 

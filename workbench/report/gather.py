@@ -78,7 +78,7 @@ def gather(
             (Row("lens", origin(session)),),
             pictures=(
                 Picture(
-                    "Lens, rays and screen",
+                    f"Lens, rays and {scene.receiver.called}",
                     partial(pictures.draw_lens, session=session, irradiance=light),
                     4.3,
                 ),
@@ -92,9 +92,13 @@ def gather(
             "by cells without random rays, and with fresh random rays. Relative L2 error = "
             "‖I − T‖ / ‖T‖, both divided by their sum.",
         ),
-        Section("Light account", account_rows(found.account), note="Parts of the emitted light."),
         Section(
-            "Light on the screen",
+            "Light account",
+            account_rows(found.account, scene.receiver),
+            note="Parts of the emitted light.",
+        ),
+        Section(
+            f"Light {scene.receiver.place}",
             pictures=(
                 Picture(
                     "Images and exit face",
@@ -102,13 +106,13 @@ def gather(
                     6.2,
                 ),
                 Picture(
-                    "Cross-sections through the middle of the screen",
+                    f"Cross-sections through the middle of the {scene.receiver.called}",
                     partial(pictures.draw_sections, session=session, irradiance=light),
                     2.6,
                 ),
             ),
-            note="Irradiance and target are compared at the same flux: red is too much light, blue "
-            "too little.",
+            note=f"{scene.receiver.density.capitalize()} and target are compared at the same flux: "
+            "red is too much light, blue too little.",
         ),
         _manufacture(scene, heights["exit"]),
     ]
@@ -121,7 +125,7 @@ def gather(
                 Row("loss of the optimiser", f"{result.state.loss:.4g}"),
                 Row("iterations", str(result.iterations)),
                 Row("seconds", f"{result.seconds:.1f}"),
-                *map(_kept, session.runs),
+                *(_kept(run, scene) for run in session.runs),
             ),
             (Picture("Loss", partial(pictures.draw_loss, result=result), 2.6),),
         )
@@ -161,11 +165,11 @@ def _tolerances(session: Session, within: Tolerances, samples: int, rays: int) -
     )
 
 
-def _kept(run: KeptRun) -> Row:
+def _kept(run: KeptRun, scene: Scene) -> Row:
     result, state, checked = run.result, run.result.state, run.verified
     error = f", error {verified_error(checked)}" if checked else ""
     return Row(
         run.name,
         f"loss {state.loss:.4g} after {result.iterations} iterations in {result.seconds:.1f} s, "
-        f"{percent(state.account.efficiency, 1)} on the screen{error}",
+        f"{percent(state.account.efficiency, 1)} {scene.receiver.place}{error}",
     )

@@ -32,7 +32,10 @@ class FarField(AnyReceiver):
     measure = ANGLE
     extent = "half_angle"
     axes = "H", "V"
+    called = "far field"
+    place = "in the far field"
     density = "intensity"
+    at_distance = False
     facets = 24
 
     half_angle: Annotated[

@@ -35,8 +35,14 @@ class AnyReceiver(Part):
     """Of its coordinates."""
     axes: ClassVar[tuple[str, str]]
     """Names of its coordinates."""
+    called: ClassVar[str]
+    """What it is called within a sentence."""
+    place: ClassVar[str]
+    """Where light is that it gets, within a sentence."""
     density: ClassVar[str]
     """What the flux per measure of a pixel is called."""
+    at_distance: ClassVar[bool]
+    """Whether it stands somewhere along the axis, and could stand elsewhere."""
     facets: ClassVar[int]
     """Flat pieces along each side that it is drawn with."""
 
@@ -55,6 +61,12 @@ class AnyReceiver(Part):
     def middle(self) -> tuple[float, float]:
         """Its middle (u, v)."""
         return 0.0, 0.0
+
+    @property
+    def bounds(self) -> tuple[float, float, float, float]:
+        """Left, right, bottom and top of what it covers, in its coordinates."""
+        (u, v), (r_u, r_v) = self.middle, self.half_extent
+        return u - r_u, u + r_u, v - r_v, v + r_v
 
     @property
     def mirrored(self) -> tuple[bool, bool]:
@@ -175,6 +187,10 @@ class AnyReceiver(Part):
     def density_unit(self, unit: str) -> str:
         """Unit of a density where the source's flux is 1, in a scene with a unit of length."""
         return f"1/{unit}^2" if self.measure.power else "1/sr"
+
+    def density_words(self, unit: str) -> str:
+        """The same for people, whatever the flux of the source is."""
+        return f"flux / {Measure(power=2).sign_in(unit) if self.measure.power else 'sr'}"
 
     def density_in_unit(self, factor: float) -> float:
         """By what a density is divided where lengths are multiplied by a factor."""

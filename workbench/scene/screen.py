@@ -31,7 +31,10 @@ class Screen(AnyReceiver):
     measure = LENGTH
     extent = "half_width"
     axes = "x", "y"
+    called = "screen"
+    place = "on the screen"
     density = "irradiance"
+    at_distance = True
     facets = 1
 
     z: Annotated[

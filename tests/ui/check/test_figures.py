@@ -43,7 +43,9 @@ def rows(figures):
 
 def test_all_figures_are_listed_and_explained(figures, designed, found):
     figures.show_check(CheckedLens(designed, designed.result.state.heights), found, 0.0321)
-    assert rows(figures) == named((*check_rows(found, 0.0321), *account_rows(found.account)))
+    assert rows(figures) == named(
+        (*check_rows(found, 0.0321), *account_rows(found.account, designed.scene.receiver))
+    )
     told = rows(figures)
     assert told["Relative L2 error"] == f"{100 * found.relative_l2:.3f} %"
     assert told["Off the optimiser's image"] == "3.210 %"

@@ -174,3 +174,15 @@ def test_another_unit_converts_the_tolerances(pane, session, qtbot):
     assert (within.decentre, pane.form._row("decentre").editors["decentre"].text()) == (0.3, "0.3")
     assert within.tilt == pytest.approx(np.radians(1.5))
     assert within.surface == (0, 2)  # a tenth of 20 mm
+
+
+def test_a_far_field_has_no_distance_that_is_off(pane, make_scene, session, qtbot):
+    enter(pane, qtbot, "distance", "0.01")
+    assert pane.form._row("distance").isVisible() and pane.form.within.distance == 0.01
+    far = {"half_angle": [20.0, 10.0], "pixels": [32, 32]}
+    scene = make_scene({"screen": None, "far_field": far})
+    pane.form.show_scene(scene)
+    assert not pane.form._row("distance").isVisible()
+    assert pane.form.within.distance == 0 and pane.form.accepted()
+    pane.form.show_scene(session.scene)
+    assert pane.form._row("distance").isVisible() and pane.form.within.distance == 0.01

@@ -9,7 +9,6 @@ from PySide6.QtGui import QColor, QPalette, QWheelEvent
 from PySide6.QtWidgets import QApplication, QMainWindow, QTabWidget
 
 from tests.accounts import account_of
-from ui.views import light_view
 from ui.views.drawing_queue import DrawingQueue, drawing_queue
 from ui.views.error_view import ErrorView
 from ui.views.irradiance_view import IrradianceView
@@ -341,13 +340,16 @@ def test_the_light_account_adds_up(frame, show, qtbot):
         "Out of the side": "3.00 %",
         "Totally reflected": "0.00 %",
         "Reflected on entry": "15.00 %",
+        "Absorbed": "0.00 %",
         "Reflected on exit": "2.00 %",
         "All parts": "100.00 %",
     }
 
 
 def test_every_loss_has_a_row_in_the_light_account(qtbot):
-    assert list(light_view._PARTS) == ["on_screen", *LOSSES]
+    view = LightView()
+    qtbot.addWidget(view)
+    assert list(view._rows) == ["on_screen", *LOSSES]
 
 
 def test_a_hidden_light_account_does_nothing(frame, draws, qtbot):
@@ -458,3 +460,14 @@ def test_exploded_distances_bring_the_screen_nearer_and_back(
     qtbot.waitUntil(lambda: draws[SceneView] == 3, timeout=20_000)
     assert camera.parallel_scale == pytest.approx(to_scale)
     view.close_plotter()
+
+
+def test_the_light_account_of_a_far_field_is_called_so(make_scene, session, show, qtbot):
+    far = {"half_angle": [20.0, 10.0], "pixels": [32, 32]}
+    scene = make_scene({"screen": None, "far_field": far})
+    view = show(LightView(), 380, 260)
+    view.show_design(dataclasses.replace(session, scene=scene, result=None))
+    qtbot.waitUntil(lambda: "In the far field" in view.texts())
+    assert "Beside the far field" in view.texts()
+    view.show_nothing(session)
+    qtbot.waitUntil(lambda: "On the screen" in view.texts())
