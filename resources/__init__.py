@@ -52,6 +52,7 @@ _NETWORKS = "Top hat: networks and starts"
 _SIZES = "Flame and ball: magnifications"
 _SOURCES = "Flame: point and extended source"
 _DERIVATIVES = "Derivative maps of a flat lens"
+_LIGHTS = "Real lights"
 
 EXAMPLES = (
     Example(
@@ -107,6 +108,36 @@ EXAMPLES = (
         _NETWORKS,
         "Dense network, faint start",
         "Two million weights for a thousand heights; compare loss and time with the sparse one.",
+    ),
+    Example(
+        "sun-plate",
+        _LIGHTS,
+        "Sun plate",
+        "Acrylic to hold into the sun, whose disc blurs by 4.7 mm: compare error and bound.",
+    ),
+    Example(
+        "phone-torch",
+        _LIGHTS,
+        "Phone torch",
+        "The LED of a telephone, close to the lens, blurs the letter's edges: see the bound.",
+    ),
+    Example(
+        "led-rectangle",
+        _LIGHTS,
+        "LED to a rectangle",
+        "Light as wide as can be bent; see what is totally reflected, and how even the rest is.",
+    ),
+    Example(
+        "beam-shaper",
+        _LIGHTS,
+        "Beam shaper",
+        "A Gaussian laser beam becomes an even disc; see that hardly any light is lost.",
+    ),
+    Example(
+        "measured-led",
+        _LIGHTS,
+        "Measured LED",
+        "A file of 9,000 rays lights the lens; see how their grain shows in the check.",
     ),
     *(
         Example(

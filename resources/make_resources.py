@@ -15,7 +15,7 @@ import numpy.typing as npt
 from PIL import Image
 
 import resources
-from resources import drawings
+from resources import drawings, lights
 from workbench.scene import BallTarget, FlameTarget, Scene, Screen, TopHatTarget
 from workbench.targets.shapes import draw
 
@@ -23,6 +23,9 @@ SHAPES = {"tophat": TopHatTarget(), "flame": FlameTarget(), "ball": BallTarget()
 SIZES = (256, 512)
 DRAWINGS = {"photo": drawings.photograph, "letter": drawings.letter}
 DRAWING_SIZE = 256
+RECTANGLES = ((125, 50), (20, 20))
+"""Evenly lit ones: pixels along x and y, without the dark margin."""
+_MARGIN = 10  # pixels
 
 _RADII = {3: 8.0, 5: 4.0}  # of the base, by magnification
 _SOURCES = {
@@ -39,14 +42,18 @@ _SOURCES = {
 
 def make(folder: Path) -> None:
     """Write everything that is generated below ``folder``."""
-    targets, examples = folder / "targets", folder / "examples"
-    targets.mkdir(exist_ok=True)
-    examples.mkdir(exist_ok=True)
+    targets, examples, measured = (folder / name for name in ("targets", "examples", "lights"))
+    for each in (targets, examples, measured):
+        each.mkdir(exist_ok=True)
     for name in SHAPES:
         for size in SIZES:
             target_image(name, size).save(targets / f"{name}-{size}.png", optimize=True)
     for name in DRAWINGS:
         drawing(name).save(targets / f"{name}-{DRAWING_SIZE}.png", optimize=True)
+    for across, up in RECTANGLES:
+        lit = _grey_image(np.pad(np.ones((up, across)), _MARGIN))
+        lit.save(targets / f"rectangle-{across}x{up}.png", optimize=True)
+    (measured / "led.tm25ray").write_bytes(lights.led())
     for each in resources.EXAMPLES:
         file = examples / each.file.name
         file.write_text(example(each.name).to_json(), encoding="utf-8")
@@ -70,6 +77,8 @@ def _grey_image(light: npt.NDArray[np.float64]) -> Image.Image:
 
 def example(name: str) -> Scene:
     """Build the example scene of a name in `resources.EXAMPLES`."""
+    if name in lights.SCENES:
+        return Scene.from_data(lights.SCENES[name])
     shape, _, variant = name.partition("-")
     if variant in ("", "512"):
         return Scene.from_data(_fine(shape, fineness=2 if variant else 1))

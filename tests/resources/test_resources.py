@@ -13,6 +13,7 @@ import resources
 from resources import make_resources
 from workbench.analysis.derivatives import irradiance_derivative
 from workbench.design.run import run
+from workbench.measured.rays.read import read_rays
 from workbench.scene import Scene
 from workbench.targets import load_target
 
@@ -32,7 +33,11 @@ def made(tmp_path_factory):
 
 def test_the_script_makes_every_file_that_ships_and_no_other(made):
     def generated(folder):
-        found = {*folder.glob("targets/*"), *folder.glob("examples/*"), *folder.glob("*.json")}
+        found = {
+            file
+            for pattern in ("targets/*", "examples/*", "lights/*", "*.json")
+            for file in folder.glob(pattern)
+        }
         return {file.relative_to(folder) for file in found}
 
     assert generated(made) == generated(resources.path())
@@ -55,6 +60,42 @@ def test_the_photograph_has_every_grey():
     with Image.open(resources.path("targets", "photo-256.png")) as image:
         used = np.bincount(np.asarray(image).ravel(), minlength=256)
     assert (used > 0).all()
+
+
+@pytest.mark.parametrize("size", make_resources.RECTANGLES)
+def test_even_rectangles_are_as_the_script_makes_them(made, size):
+    across, up = size
+    name = f"rectangle-{across}x{up}.png"
+    for folder in (made, resources.path()):
+        with Image.open(folder / "targets" / name) as image:
+            lit = np.asarray(image)
+        assert lit.shape == (up + 20, across + 20)
+        assert (lit[10:-10, 10:-10] == 255).all() and lit.sum() == 255 * up * across
+
+
+def test_the_rays_of_the_led_are_as_the_script_makes_them(made):
+    new, shipped = (
+        _rays_of(folder / "lights" / "led.tm25ray") for folder in (made, resources.path())
+    )
+    np.testing.assert_allclose(shipped.position, new.position, atol=1e-6)
+    np.testing.assert_allclose(shipped.direction, new.direction, atol=1e-6)
+    np.testing.assert_array_equal(shipped.flux, new.flux)
+
+
+def test_the_led_shines_as_lambert_says():
+    file = resources.path("lights", "led.tm25ray")
+    assert file.stat().st_size < 300_000
+    rays = _rays_of(file)
+    assert rays.total == pytest.approx(1, abs=1e-4)
+    assert np.abs(rays.position[:, :2]).max() <= 0.5 and not rays.position[:, 2].any()
+    for degrees in (15, 30, 45, 60, 75):  # the light within an angle is its squared sine
+        inside = rays.flux[rays.direction[:, 2] > math.cos(math.radians(degrees))].sum()
+        assert inside == pytest.approx(math.sin(math.radians(degrees)) ** 2, abs=1e-3)
+
+
+def _rays_of(path):
+    with path.open("rb") as file:
+        return read_rays(path, file)
 
 
 def _same_images(made, name, size):

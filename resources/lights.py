@@ -1,0 +1,110 @@
+"""Example scenes with lights as there are: the sun, LEDs, a laser beam; and the rays of an LED."""
+
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from workbench.measured.rays.tm25 import HEADER, VERSION
+
+Array = npt.NDArray[np.float64]
+
+_RAYS = 9_000
+_CHIP = 1.0  # mm a side
+_DATE = b"2025-01-01T00:00:00+00:00"
+
+
+def _scene(
+    half_width: list[float],
+    height: float,
+    source: dict[str, Any],
+    screen: dict[str, Any],
+    image: str,
+    material: str = "PMMA",
+) -> dict[str, Any]:
+    """Scene in millimetres with a flat lens of a plastic."""
+    return {
+        "version": 2,
+        "unit": "mm",
+        "lens": {
+            "half_width": half_width,
+            "refractive_index": material,
+            "wavelength_um": 0.55,
+            "control_points": [64, 64] if source["kind"] == "area" else "auto",
+            "base": {"shape": "flat", "height": height},
+        },
+        "source": source,
+        "screen": screen,
+        "target": {"image": f"../targets/{image}.png"},
+    }
+
+
+SCENES = {
+    "sun-plate": _scene(
+        [50, 50],
+        8,
+        {"kind": "collimated", "angular_diameter": 0.533},
+        {"z": 500, "half_width": [100, 100], "pixels": [256, 256]},
+        "photo-256",
+    ),
+    "phone-torch": _scene(
+        [20, 20],
+        8,
+        {"kind": "area", "center": [0, 0, -30], "half_width": [0.75, 0.75]},
+        {"z": 200, "half_width": [80, 80], "pixels": [256, 256]},
+        "letter-256",
+    ),
+    # Light has to be bent to 68 degrees on a single face: wide lenses bend it less.
+    "led-rectangle": _scene(
+        [60, 30],
+        6,
+        {"kind": "area", "center": [0, 0, -10], "half_width": [1, 1]},
+        {"z": 106, "half_width": [290, 140], "pixels": [145, 70]},
+        "rectangle-125x50",
+        "PC",
+    ),
+    "beam-shaper": _scene(
+        [8, 8],
+        4,
+        {"kind": "collimated", "profile": {"kind": "gaussian", "radius": 3}},
+        {"z": 200, "half_width": [10, 10], "pixels": [256, 256]},
+        "tophat-256",
+    ),
+    "measured-led": _scene(
+        [15, 15],
+        6,
+        {"kind": "ray_file", "file": "../lights/led.tm25ray", "position": [0, 0, -15]},
+        {"z": 150, "half_width": [100, 100], "pixels": [40, 40]},
+        "rectangle-20x20",
+    ),
+}
+"""Scenes by the names of their examples."""
+
+
+def led() -> bytes:
+    """A file of IES TM-25-13 with rays of a square LED that shines as Lambert's law says.
+
+    Rays have the same flux, and places and directions are even: a quasi-random sequence after
+    Roberts, "The unreasonable effectiveness of quasirandom sequences" (2018), in four dimensions.
+    """
+    ratio = 1.1673039782614187  # solves x⁵ = x + 1
+    even = np.arange(1, _RAYS + 1)[:, None] * ratio ** -np.arange(1, 5) % 1
+    sine, angle = np.sqrt(even[:, 2]), 2 * np.pi * even[:, 3]
+    table = np.zeros((_RAYS, 7), "<f4")
+    table[:, :2] = _CHIP * (even[:, :2] - 0.5)
+    table[:, 3:6] = np.column_stack(
+        [sine * np.cos(angle), sine * np.sin(angle), np.sqrt(1 - even[:, 2])]
+    )
+    table[:, 6] = 1 / _RAYS
+    return _header(table[:, 6].sum()).tobytes() + table.tobytes()
+
+
+def _header(flux: float) -> npt.NDArray[np.void]:
+    header = np.zeros((), HEADER)
+    header["magic"], header["version"], header["date"] = b"TM25", VERSION, _DATE
+    header["rays"], header["radiant_flux"], header["luminous_flux"] = _RAYS, flux, np.nan
+    for wavelength in ("wavelength", "shortest", "longest"):
+        header[wavelength] = np.nan
+    header["flags"] = [1, 1, 1, 0, 0, 0, 0, 0]
+    header["descriptions"] = ["Square LED of 1 mm, simulated", "", *[""] * 7]
+    return header
