@@ -12,10 +12,9 @@ from workbench.cli.keeping import Keeper
 from workbench.cli.progress import Progress
 from workbench.design.design_run import DesignRun
 from workbench.design.light_files import why_light_is_not_kept
-from workbench.design.loss import relative_error
 from workbench.design.picture import why_not_kept
+from workbench.design.session import Session
 from workbench.design.snapshot import Result
-from workbench.extended.bound import Bound, percent
 from workbench.files.atomic import check_writable
 from workbench.files.figures import Figures
 from workbench.files.session import is_session, open_design
@@ -78,12 +77,22 @@ def design(path: Path, output: Path, iterations: int | None, seconds: float, as_
             print(f"{shortfall.sentence(session.scene.unit)}: {shortfall.cure}", file=sys.stderr)
         elif result.state.account.advice:
             print(result.state.account.advice, file=sys.stderr)
-        bound = Bound(session.scene, session.target)
-        if bound.known and not as_json and not interruption.asked:
-            error = relative_error(result.state, session.target)
-            print(f"error {percent(error)} as the run sees it; {bound.short}")
+        if not as_json and not interruption.asked:
+            _print_bound(session, result)
     if interruption.asked:
         raise Interrupted(interruption.asked, f"interrupted; {_held(result, output)}")
+
+
+def _print_bound(session: Session, result: Result) -> None:
+    """The error beside what no lens can be below, where the size of the source says that."""
+    # Late: a refusal does not wait for these.
+    from workbench.design.loss import relative_error
+    from workbench.extended.bound import Bound, percent
+
+    bound = Bound(session.scene, session.target)
+    if bound.known:
+        error = relative_error(result.state, session.target)
+        print(f"error {percent(error)} as the run sees it; {bound.short}")
 
 
 def _held(result: Result | None, output: Path) -> str:

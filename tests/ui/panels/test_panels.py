@@ -412,10 +412,10 @@ def test_a_source_goes_with_the_size_and_place_of_its_lens(forms, document, qtbo
 def test_each_source_has_its_fields_once(forms, document, kind):
     choose(forms, "source.kind", kind)
     choose(forms, "run.method", "paper")
-    data = document.session.scene.to_data()["source"]
+    source = document.session.scene.source
     shown = [each for each in rows(forms) if each.isVisible()]
     names = [each.path.split(".")[1] for each in shown if each.path.startswith("source.")]
-    assert sorted(names) == sorted(data)
+    assert sorted(names) == sorted(type(source).model_fields)
 
 
 def test_a_mesh_brings_its_subdivisions_and_stays_with_another_source(forms, document, qtbot):
