@@ -116,14 +116,15 @@ class TestWithMitsuba:
     def test_both_see_the_same_on_other_receivers(self, make_scene, receiver):
         screen = {"z": 5.0, "half_width": [1.6, 1.2], "pixels": [32, 24]}
         screen |= {"center": [0.6, 0.2], "tilt": [10.0, 40.0]}
-        # Within the beam: at its sharp rim, pixels that are taken as even differ by 0.5 %.
-        far_field = {"half_angle": [2.0, 1.5], "center": [0.5, 0.5], "pixels": [32, 24]}
+        # With the sharp rim of the beam in it.
+        far_field = {"half_angle": [4.0, 4.0], "center": [1.4, -0.2], "pixels": [32, 32]}
         changes = {
             "tilted": {"screen": screen},
             "far field": {"screen": None, "far_field": far_field},
         }
         scene = make_scene(changes[receiver])
-        found = cross_check(scene, np.ones((24, 32)), {"exit": self.lopsided(scene)}, 1_000_000)
+        target = np.ones(scene.receiver.pixels[::-1])
+        found = cross_check(scene, target, {"exit": self.lopsided(scene)}, 1_000_000)
         assert found.difference == pytest.approx(found.noise, rel=0.15)
         low, high = found.difference_corrected_interval
         assert 3 * low**2 < high**2
@@ -158,6 +159,13 @@ class TestWithMitsuba:
         theirs = found["fresnel"].mitsuba.efficiency
         assert exact == pytest.approx(theirs, rel=0.01)
         assert approximate > 1.03 * theirs
+
+    def test_parallel_light_is_narrow_in_a_far_field(self, make_scene):
+        """Light of both rims of the lens comes to the same place of a screen so far away."""
+        far_field = {"half_angle": [0.005, 0.005], "pixels": [17, 17]}
+        scene = make_scene({"screen": None, "far_field": far_field})
+        flux = other.MitsubaScene(scene, {"exit": np.full((12, 10), 0.5)}).flux(20_000, 1)
+        assert flux[8, 8] == pytest.approx(0.96**2, rel=0.01)
 
     def test_light_through_a_plate(self, make_scene):
         """Head-on, Fresnel's equations are Schlick's approximation."""

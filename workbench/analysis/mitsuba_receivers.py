@@ -12,8 +12,8 @@ from workbench.errors import Refused
 from workbench.scene import AnyReceiver, FarField, Lens, Screen
 
 # How far a screen stands for a far field, in half-widths of the lens: light of opposite rims is
-# apart by twice as small an angle, 2e-5 radians or 0.001 degrees.
-_FAR = 1e5
+# apart by twice as small an angle, 2e-6 radians or 0.0001 degrees.
+_FAR = 1e6
 # Beyond this angle from the axis such a screen is too wide.
 _MOST = 75.0
 # Pixels of the screen for each of the far field along an axis.
