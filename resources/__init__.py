@@ -1,4 +1,4 @@
-"""Icons, example scenes and target images that ship with the program."""
+"""Icons, example scenes, target images and measured lights that ship with the program."""
 
 from dataclasses import dataclass
 from importlib import resources
@@ -51,6 +51,7 @@ _FINE = "First lenses, twice as fine"
 _NETWORKS = "Top hat: networks and starts"
 _SIZES = "Flame and ball: magnifications"
 _SOURCES = "Flame: point and extended source"
+_RECEIVERS = "Walls and streets"
 _DERIVATIVES = "Derivative maps of a flat lens"
 _LIGHTS = "Real lights"
 
@@ -173,6 +174,18 @@ EXAMPLES = (
         "Point source, then the extended one",
         "The loss jumps when the extended source takes over at iteration 200; see what is won "
         "back.",
+    ),
+    Example(
+        "wall-washer",
+        _RECEIVERS,
+        "Wall washer",
+        "A picture on a wall that leans away from the lamp; see that it comes out straight.",
+    ),
+    Example(
+        "street-light",
+        _RECEIVERS,
+        "Street light",
+        "An LED's IES file; see intensity rise to both ends, so that the road below is even.",
     ),
     *(
         Example(

@@ -1,4 +1,4 @@
-"""Target images that are drawn by hand-written code: a photograph-like one and a letter."""
+"""Target images that are drawn by hand-written code: a photograph-like one, a letter, a road."""
 
 import numpy as np
 import numpy.typing as npt
@@ -18,6 +18,8 @@ _BALLS = (
     ((0.10, 0.16, 0.75), 0.16, 0.60, 0.50),
 )
 _TABLE_Y, _HORIZON_Y = -0.60, 0.05  # of the balls' feet in the middle, and where the wall begins
+
+_ROAD = 0.75, 0.35  # half of its length and width that are lit, in heights of the lamp
 
 
 def photograph(size: int) -> Array:
@@ -103,3 +105,21 @@ def _texture(size: int) -> Array:
     waves[0, 0] = np.inf
     texture = np.fft.ifft2(np.fft.fft2(noise) / waves**1.2).real
     return np.asarray(texture / texture.std())
+
+
+def street(size: int) -> Array:
+    """Intensity that lights a road evenly from a lamp that looks straight down on it.
+
+    The picture covers 80° along the road and across. Illuminance is intensity times the cube of
+    the cosine of the angle from the vertical, so intensity rises with that angle.
+
+    Returns
+    -------
+    ndarray, shape (size, size)
+        From 0 beside the road to 1 at its ends.
+    """
+    angles = np.radians(40.0) * ((np.arange(size) + 0.5) / size * 2 - 1)
+    h, v = angles, -angles[:, None]
+    onto_road = (np.abs(np.tan(h)) <= _ROAD[0]) & (np.abs(np.tan(v) / np.cos(h)) <= _ROAD[1])
+    light = np.where(onto_road, (np.cos(v) * np.cos(h)) ** -3, 0.0)
+    return np.asarray(light / light.max())

@@ -15,13 +15,13 @@ import numpy.typing as npt
 from PIL import Image
 
 import resources
-from resources import drawings, lights
+from resources import drawings, lights, receivers
 from workbench.scene import BallTarget, FlameTarget, Scene, Screen, TopHatTarget
 from workbench.targets.shapes import draw
 
 SHAPES = {"tophat": TopHatTarget(), "flame": FlameTarget(), "ball": BallTarget()}
 SIZES = (256, 512)
-DRAWINGS = {"photo": drawings.photograph, "letter": drawings.letter}
+DRAWINGS = {"photo": drawings.photograph, "letter": drawings.letter, "street": drawings.street}
 DRAWING_SIZE = 256
 RECTANGLES = ((125, 50), (20, 20))
 """Evenly lit ones: pixels along x and y, without the dark margin."""
@@ -54,6 +54,7 @@ def make(folder: Path) -> None:
         lit = _grey_image(np.pad(np.ones((up, across)), _MARGIN))
         lit.save(targets / f"rectangle-{across}x{up}.png", optimize=True)
     (measured / "led.tm25ray").write_bytes(lights.led())
+    (measured / "led.ies").write_bytes(receivers.lamp().encode("ascii"))
     for each in resources.EXAMPLES:
         file = examples / each.file.name
         file.write_text(example(each.name).to_json(), encoding="utf-8")
@@ -77,8 +78,8 @@ def _grey_image(light: npt.NDArray[np.float64]) -> Image.Image:
 
 def example(name: str) -> Scene:
     """Build the example scene of a name in `resources.EXAMPLES`."""
-    if name in lights.SCENES:
-        return Scene.from_data(lights.SCENES[name])
+    if job := (lights.SCENES | receivers.SCENES).get(name):
+        return Scene.from_data(job)
     shape, _, variant = name.partition("-")
     if variant in ("", "512"):
         return Scene.from_data(_fine(shape, fineness=2 if variant else 1))

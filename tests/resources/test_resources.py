@@ -10,9 +10,10 @@ import pytest
 from PIL import Image
 
 import resources
-from resources import make_resources
+from resources import drawings, make_resources
 from workbench.analysis.derivatives import irradiance_derivative
 from workbench.design.run import run
+from workbench.files.session import open_design
 from workbench.measured.rays.read import read_rays
 from workbench.scene import Scene
 from workbench.targets import load_target
@@ -171,6 +172,39 @@ def test_examples_improve(name, part):
         snapshot.state.loss for snapshot in run(scene, load_target(scene, example.file.parent))
     ]
     assert min(losses) < part * losses[0]
+
+
+@pytest.mark.parametrize(
+    ("name", "receiver"), [("wall-washer", "screen"), ("street-light", "far_field")]
+)
+def test_walls_and_streets_are_lit_better(name, receiver):
+    """Opened as a person does it, with the lamp's file; with fewer pixels and control points."""
+    example = _named(name)
+    whole = open_design(example.file).scene
+    parts = {
+        "lens": whole.lens.model_copy(update={"control_points": (16, 16)}),
+        receiver: whole.receiver.model_copy(update={"pixels": (48, 48)}),
+        "run": whole.run.model_copy(update={"iterations": 10}),
+    }
+    scene = whole.model_copy(update=parts)
+    states = [s.state for s in run(scene, load_target(scene, example.file.parent))]
+    assert min(state.loss for state in states) < 0.9 * states[0].loss
+    assert 0.3 < states[-1].account.efficiency < 0.6  # the cone of the lamp is round
+    assert states[-1].account.lost["off_screen"] < 0.05
+
+
+def test_the_lamp_is_as_the_script_makes_it(made):
+    new, shipped = (at / "lights" / "led.ies" for at in (made, resources.path()))
+    assert shipped.read_bytes() == new.read_bytes()
+
+
+def test_the_street_is_drawn_so_that_the_road_is_even():
+    light = drawings.street(256)
+    angles = np.radians(40) * ((np.arange(256) + 0.5) / 128 - 1)
+    onto = (np.cos(angles) * np.cos(angles[:, None])) ** 3  # of the angle from the vertical
+    lit = light > 0
+    assert 0.2 < lit.mean() < 0.5 and np.ptp((light * onto)[lit]) < 1e-12
+    assert light.max() == 1 and np.array_equal(light, light[::-1, ::-1])
 
 
 def test_the_staged_example_goes_from_one_point_to_many():
