@@ -141,6 +141,8 @@ class TestWithMitsuba:
         scene = make_scene({"source": grid | {"emission": emission}, "screen": screen})
         found = cross_check(scene, np.ones((16, 16)), {"exit": np.full((12, 10), 0.5)}, 200_000)
         assert found.difference_corrected < 0.05
+        figures = found.to_data()
+        assert figures["difference_without_noise"] == found.difference_corrected
         assert found.mitsuba.efficiency == pytest.approx(found.ours.efficiency, rel=0.02)
 
     def test_steep_light_of_exact_faces_is_as_bright_for_both(self, make_scene):

@@ -76,7 +76,8 @@ class CrossCheck:
         return {
             "difference": self.difference,
             "noise": self.noise,
-            "difference_corrected": self.difference_corrected,
+            "difference_without_noise": self.difference_corrected,
+            "difference_corrected": self.difference_corrected,  # its name in files of before
             "difference_corrected_interval": list(self.difference_corrected_interval),
             "ours": vars(self.ours),
             "mitsuba": vars(self.mitsuba),
