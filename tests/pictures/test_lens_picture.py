@@ -185,6 +185,39 @@ def test_a_source_shows_in_the_colour_of_its_light(make_scene, plotter, source):
         assert red > blue + 80  # amber on a greyish ground
 
 
+AREA = {"kind": "area", "center": [0.5, 0.0, -4.0], "half_width": [0.8, 0.4]}
+
+
+@pytest.mark.parametrize("outline", ["rectangle", "ellipse"])
+def test_an_emitter_shows_its_face(make_scene, plotter, outline):
+    scene = make_scene({"source": AREA | {"outline": outline}})
+    LensPicture(plotter, scene, np.ones((32, 32))).fit()
+    image = drawn(plotter).astype(int)
+
+    def amber(x, y):
+        row, column = screen_pixel(plotter, (0.5 + x, y, -4.0))
+        red, _, blue = image[row, column]
+        return red > blue + 80
+
+    assert amber(0.11, 0.07) and amber(-0.53, 0.03) and amber(0.03, -0.31)
+    assert amber(0.71, 0.33) == (outline == "rectangle")  # beside the ellipse
+    assert not amber(1.0, 0.0) and not amber(0.0, 0.6)
+
+
+def test_a_disc_of_light_is_as_wide_as_the_lens_sees_it(make_scene, plotter, state):
+    sun = {"kind": "collimated", "angular_diameter": 8.0, "direction": [0.0, 10.0]}
+    scene = make_scene({"source": sun})
+    picture = LensPicture(plotter, scene, np.ones((32, 32)))
+    seen = picture._emitter.points - (0, 0, scene.lens.entrance_z)
+    ways = -seen / np.linalg.norm(seen, axis=1, keepdims=True)
+    middle = np.array([np.sin(np.radians(10)), 0, np.cos(np.radians(10))])
+    assert np.degrees(np.arccos((ways @ middle).min())) == pytest.approx(4, abs=1e-3)
+    assert (seen[:, 2] < 0).all() and picture._glow.GetVisibility()
+    straight = make_scene({"source.rays": [9, 9]})
+    picture.update(*state(straight), straight.source)
+    assert not picture._glow.GetVisibility()
+
+
 def test_rays_begin_at_their_source(make_scene, plotter, state):
     scene = make_scene({"source": POINT})
     picture = LensPicture(plotter, scene, np.ones((32, 32)))

@@ -170,7 +170,8 @@ class LensPicture:
         self._plotter.set_background(bottom, top=top)
         for actor in self._lines:
             actor.prop.color = _INK[dark]
-        self._source.prop.color = _LANDS[dark]
+        for actor in (self._source, self._glow):
+            actor.prop.color = _LANDS[dark]
         self._colour_rays()
 
     def _add(self, mesh: pv.PolyData, *, body: bool = False, **look: Any) -> Any:
@@ -263,10 +264,25 @@ class LensPicture:
         self._source = self._add(
             self._places, style="points", render_points_as_spheres=True, lighting=False
         )
+        self._emitter = pv.PolyData(np.zeros((1, 3)))
+        # Its rim is drawn too: a disc as narrow as the sun's would be less than a pixel wide.
+        self._glow = self._add(self._emitter, line_width=4.0, lighting=False)
         self._place_source(self._scene)
+
+    def _place_face(self, lit: Scene) -> None:
+        face = lit.source.face(lit.lens, start_z(lit))
+        self._glow.SetVisibility(face.size > 0)
+        if not face.size:  # VTK takes no empty arrays
+            return
+        rim = shapes.rim_places(*face.shape[:2])
+        self._emitter.points = face.reshape(-1, 3)
+        self._emitter.faces = shapes.quads(*face.shape[:2])
+        self._emitter.lines = shapes.polylines([rim])
+        self._emitter.verts = np.zeros(0, dtype=np.int64)
 
     def _place_source(self, lit: Scene) -> None:
         source = lit.source
+        self._place_face(lit)
         shown = in_view(lit)
         self._source.SetVisibility(shown)
         if not shown:

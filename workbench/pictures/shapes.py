@@ -132,6 +132,12 @@ def begun_at(start: Array, entrance: Array, z: float) -> Array:
     return start + passed[:, None] * (entrance - start)
 
 
+def rim_places(rows: int, columns: int) -> Cells:
+    """Point indices of the border of a grid in row-major order, as `rim` has its points."""
+    index = np.arange(rows * columns, dtype=float).reshape(rows, columns)
+    return rim(index).astype(np.int64)
+
+
 def rim(points: Array) -> Array:
     """The border of a grid of points (m, n, 3) all around, the first of them again at the end."""
     around = [points[:-1, 0], points[-1, :-1], points[:0:-1, -1], points[0, ::-1]]

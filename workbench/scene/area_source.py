@@ -12,7 +12,7 @@ from workbench.scene.emission import Emission
 from workbench.scene.fields import LENGTH, PLACE, Version, about
 from workbench.scene.lens import Lens
 from workbench.scene.part import Positive
-from workbench.scene.points import MOST_RAYS, AnySource, Place, PointSource, in_front
+from workbench.scene.points import MOST_RAYS, AnySource, Place, PointSource, disc, in_front
 from workbench.scene.receiver import AnyReceiver
 
 if TYPE_CHECKING:
@@ -133,6 +133,12 @@ class AreaSource(AnySource):
             far = np.square((places[..., :2] - self.center[:2]) / self.half_width).sum(axis=-1)
             return np.asarray(places[far <= 1 + 1e-9])
         return places.reshape(-1, 3)
+
+    def face(self, lens: Lens, z: float) -> Array:
+        """Its own; see `AnySource.face`."""
+        if self.outline == "rectangle":
+            return self.corners.reshape(2, 2, 3)
+        return np.asarray(self.center + disc() * (*self.half_width, 0.0))
 
     @property
     def corners(self) -> Array:

@@ -13,7 +13,7 @@ from workbench.scene.fields import ANGLE, LENGTH, PLACE, SINCE_2, about
 from workbench.scene.kinds import Kinds
 from workbench.scene.lens import Lens
 from workbench.scene.part import Part, Positive
-from workbench.scene.points import AnySource
+from workbench.scene.points import AnySource, disc
 from workbench.scene.receiver import AnyReceiver
 from workbench.scene.turning import turned
 
@@ -155,6 +155,15 @@ class CollimatedSource(AnySource):
         aside = np.sqrt((2 - versine) * versine / np.where(part > 0, part, 1.0))
         ways = np.column_stack([x * aside, y * aside, 1 - versine])
         return np.asarray(ways @ turned(self.direction).T)
+
+    def face(self, lens: Lens, z: float) -> Array:
+        """Its disc; see `AnySource.face`."""
+        if not self.continuous:
+            return super().face(lens, z)
+        places = disc()
+        ways = self.directions(*places[..., :2].reshape(-1, 2).T)
+        middle = np.array([0.0, 0.0, lens.entrance_z])
+        return np.asarray(middle + (z - lens.entrance_z) * ways / ways[:, 2:]).reshape(places.shape)
 
     def blur(self, lens: Lens, receiver: AnyReceiver) -> tuple[float, float]:
         """The angle of its disc, times how far that moves light."""

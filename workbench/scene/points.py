@@ -140,6 +140,13 @@ class AnySource(Part):
         """Points to draw it with, shape (n, 3): no more than ``most`` along x and y."""
         return np.zeros((0, 3)) if self.place is None else np.array([self.place])
 
+    def face(self, lens: Lens, z: float) -> Array:
+        """What shines, to be drawn: a grid of points of shape (m, n, 3), empty for points.
+
+        A disc infinitely far away is drawn at ``z``, as wide as the middle of the lens sees it.
+        """
+        return np.zeros((0, 0, 3))
+
     @property
     def corners(self) -> Array:
         """Points by which it is widened, shape (n, 3)."""
@@ -276,6 +283,13 @@ class PointSource(LightOfPoints):
         """The x and the y of its points, shape (1,) each."""
         x, y, _ = self.position
         return np.array([x]), np.array([y])
+
+
+def disc() -> Array:
+    """Middle and rim of the unit disc at z = 0, a grid of points of shape (2, n, 3)."""
+    angle = np.linspace(0, 2 * math.pi, 65)
+    rim = np.stack([np.cos(angle), np.sin(angle), np.zeros(65)], axis=-1)
+    return np.stack([0 * rim, rim])
 
 
 def in_front(lens: Lens) -> Place:
