@@ -60,9 +60,10 @@ def refract(medium, lanes, t):  # type: ignore[no-untyped-def]
         by_both = one / np.sqrt(both2)
         part = transmittance(medium.law, abs(lean) * by_both, q * by_both)
         weight = flux * part if passes else zero
-        t[O_X + lane] = n * s_x - gamma * z_x
-        t[O_Y + lane] = n * s_y - gamma * z_y
-        t[O_Z + lane] = n + gamma if passes else zero  # goes nowhere
+        # Light that is totally reflected goes nowhere: it lands on no plane, however tilted.
+        t[O_X + lane] = n * s_x - gamma * z_x if passes else zero
+        t[O_Y + lane] = n * s_y - gamma * z_y if passes else zero
+        t[O_Z + lane] = n + gamma if passes else zero
         t[_Q + lane] = q
         t[_GAMMA + lane] = gamma
         t[WEIGHT + lane] = weight
