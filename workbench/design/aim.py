@@ -69,4 +69,4 @@ def _aim(scene: Scene, target: Array, exit_z: float) -> _Aim:
     cut_x, cut_y = (m - kept for m, kept in zip(blur.margin, margin, strict=True))
     light = light[cut_y : light.shape[0] - cut_y, cut_x : light.shape[1] - cut_x]
     wide = scene.with_receiver(receiver.grown((margin[0], margin[1])))
-    return _Aim(wide.model_copy(update={"source": scene.source.narrow}), light)
+    return _Aim(wide.model_copy(update={"source": scene.source.sharp}), light)

@@ -91,11 +91,6 @@ class AreaSource(AnySource):
         return PointSource(kind="point", position=self.center, emission=self.emission)
 
     @property
-    def narrow(self) -> PointSource:
-        """Its middle."""
-        return self.sharp
-
-    @property
     def blur_shape(self) -> Literal["rectangle", "ellipse"]:
         """Its outline."""
         return self.outline

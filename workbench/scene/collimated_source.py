@@ -131,14 +131,9 @@ class CollimatedSource(AnySource):
         return self.direction[1] == 0, self.direction[0] == 0
 
     @property
-    def narrow(self) -> Self:
-        """The same from the middle of its disc alone."""
-        return self.model_copy(update={"angular_diameter": 0.0})
-
-    @property
     def sharp(self) -> Self:
         """The same from the middle of its disc alone."""
-        return self.narrow
+        return self.model_copy(update={"angular_diameter": 0.0})
 
     @property
     def blur_shape(self) -> Literal["ellipse"]:

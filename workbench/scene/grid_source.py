@@ -125,11 +125,6 @@ class GridSource(LightOfPoints):
         return x, y
 
     @property
-    def narrow(self) -> PointSource:
-        """Its middle."""
-        return self.sharp
-
-    @property
     def blur_points(self) -> tuple[int, int]:
         """Its points."""
         return self.points

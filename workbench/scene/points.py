@@ -101,11 +101,6 @@ class AnySource(Part):
         return 0.0, 0.0
 
     @property
-    def narrow(self) -> "AnySource":
-        """The same without what blurs."""
-        return self
-
-    @property
     def blur_shape(self) -> Literal["rectangle", "ellipse"]:
         """What that is like."""
         return "rectangle"
