@@ -77,16 +77,25 @@ def receive(landing, across, i, up, j, lanes, t):  # type: ignore[no-untyped-def
 
 
 @jit(fastmath=FAST, error_model="numpy", forceinline=True)
+def _approach(landing, x, y, z, o_x, o_y, o_z):  # type: ignore[no-untyped-def]
+    """Whether light meets the plane, how fast it comes nearer, and how far off the plane is."""
+    kind = type(z)
+    zero, tiny = kind(0), kind(1e-12)
+    n_x, n_y, n_z = landing.normal
+    speed = n_x * o_x + n_y * o_y + n_z * o_z
+    length2 = o_x * o_x + o_y * o_y + o_z * o_z
+    gap = landing.beyond - (n_x * x + n_y * y + n_z * z)
+    return (speed > zero) & (gap > zero) & (speed * speed > tiny * length2), speed, gap
+
+
+@jit(fastmath=FAST, error_model="numpy", forceinline=True)
 def _receive_place(landing, x, y, lanes, t):  # type: ignore[no-untyped-def]
     kind = t.dtype.type
-    zero, one, tiny = kind(0), kind(1), kind(1e-12)
-    (n_x, n_y, n_z), (c_x, c_y, c_z), (r_x, r_y, r_z) = landing.normal, landing.column, landing.row
+    one = kind(1)
+    (c_x, c_y, c_z), (r_x, r_y, r_z) = landing.column, landing.row
     for lane in range(np.uintp(lanes)):
         o_x, o_y, o_z, z = t[O_X + lane], t[O_Y + lane], t[O_Z + lane], t[Z + lane]
-        speed = n_x * o_x + n_y * o_y + n_z * o_z
-        length2 = o_x * o_x + o_y * o_y + o_z * o_z
-        gap = landing.beyond - (n_x * x[lane] + n_y * y + n_z * z)
-        arrives = (speed > zero) & (gap > zero) & (speed * speed > tiny * length2)
+        arrives, speed, gap = _approach(landing, x[lane], y, z, o_x, o_y, o_z)
         way = gap / (speed if arrives else one)
         h_x, h_y, h_z = x[lane] + o_x * way, y + o_y * way, z + o_z * way
         column = landing.column_0 + c_x * h_x + c_y * h_y + c_z * h_z
@@ -118,14 +127,11 @@ def receive_back(landing, across, i, up, j, lanes, t):  # type: ignore[no-untype
 @jit(fastmath=FAST, error_model="numpy", forceinline=True)
 def _receive_place_back(landing, x, y, lanes, t):  # type: ignore[no-untyped-def]
     kind = t.dtype.type
-    zero, one, tiny = kind(0), kind(1), kind(1e-12)
+    zero, one = kind(0), kind(1)
     (n_x, n_y, n_z), (c_x, c_y, c_z), (r_x, r_y, r_z) = landing.normal, landing.column, landing.row
     for lane in range(np.uintp(lanes)):
         o_x, o_y, o_z, z = t[O_X + lane], t[O_Y + lane], t[O_Z + lane], t[Z + lane]
-        speed = n_x * o_x + n_y * o_y + n_z * o_z
-        length2 = o_x * o_x + o_y * o_y + o_z * o_z
-        gap = landing.beyond - (n_x * x[lane] + n_y * y + n_z * z)
-        arrives = (speed > zero) & (gap > zero) & (speed * speed > tiny * length2)
+        arrives, speed, gap = _approach(landing, x[lane], y, z, o_x, o_y, o_z)
         by_speed = (one if arrives else zero) / (speed if arrives else one)
         way = gap * by_speed
         d_column, d_row = t[D_COLUMN + lane], t[D_ROW + lane]
