@@ -9,8 +9,10 @@ from hypothesis import settings
 from tests.scenes import changed
 from workbench.scene import Scene
 
-# The first example of a test pays for imports and caches.
-settings.register_profile("default", deadline=None)
+# The first example of a test pays for imports and caches. The same examples each time: what passed
+# here passes elsewhere. New ones are tried by `pytest --hypothesis-profile explore`.
+settings.register_profile("default", deadline=None, derandomize=True)
+settings.register_profile("explore", deadline=None)
 settings.load_profile("default")
 
 

@@ -32,6 +32,17 @@ def share_in_band(scene, heights):
     return (near[0] | near[1]).double().mean().item()
 
 
+def meets_a_crease(scene):
+    """Whether a ray meets a face of degree 1 on a knot, where it has two normals."""
+    lens = scene.lens
+    axes = zip(lens.degree, lens.control_points, scene.source.rays, strict=True)
+    for degree, points, rays in axes:
+        spans = (np.arange(rays) + 0.5) / rays * (points - degree)
+        if degree == 1 and (abs(spans - spans.round()) < 1e-9).any():
+            return True
+    return False
+
+
 @st.composite
 def scenes(draw):
     degree = draw(st.tuples(*[st.integers(1, 7)] * 2))
@@ -63,6 +74,8 @@ def test_twins_agree_in_float64(make_scene, changes, amplitude, seed):
     cotangent = torch.tensor(np.random.default_rng(seed).normal(size=scene.screen.pixels[::-1]))
     if share_in_band(scene, heights) > 0 and (amplitude == 0 or scene.filter.kind == "box"):
         return  # on the edge of a pixel by symmetry: either side is right
+    if meets_a_crease(scene):
+        return  # either normal is right
     (exact, gradient), (light, found) = (
         with_gradient(tracer, heights, scene, cotangent) for tracer in twins(scene, torch.float64)
     )
