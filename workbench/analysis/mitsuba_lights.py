@@ -78,7 +78,7 @@ def _sheets(
     if source.continuous or math.isfinite(source.profile.radius):
         return rays_as_light(mi, source, lens, unit, rays, seed)
     r_x, r_y = (r / unit for r in lens.half_width)
-    z, to = lens.entrance_z / unit, mi.ScalarTransform4f
+    z, to = lens.front_z / unit, mi.ScalarTransform4f
     if source.along_axis:
         place = to().translate([0, 0, z - _BEFORE]).scale([r_x, r_y, 1])
         return {"light": _sheet(place)}, 4 * r_x * r_y
@@ -112,7 +112,7 @@ def _points(
 ) -> Lights:
     """A light for each point, into the cone that just covers the lens."""
     r_x, r_y = (r / unit for r in lens.half_width)
-    z, to = lens.entrance_z / unit, mi.ScalarTransform4f
+    z, to = lens.front_z / unit, mi.ScalarTransform4f
     lights, emitted = {}, 0.0
     points = source.positions / unit
     cones = covering_cones(points, (r_x, r_y), z)
@@ -157,7 +157,7 @@ def _slide(
     """A spot into the cone that just covers the lens, behind a slide with its intensities."""
     point = place[None, :] / unit
     half_width = (lens.half_width[0] / unit, lens.half_width[1] / unit)
-    cone = covering_cones(point, half_width, lens.entrance_z / unit)
+    cone = covering_cones(point, half_width, lens.front_z / unit)
     axis, angle = cone.axis[0], 2 * math.asin(math.sqrt(cone.versine[0] / 2))
     look = mi.ScalarTransform4f().look_at(point[0], point[0] + axis, [1, 0, 0])
     # Directions through the middles of the slide's pixels; the slide is as wide as the cone.

@@ -58,7 +58,7 @@ def rays_as_light(
     if not met.any():
         return {}, 1.0
     way, flux = found.way[met], found.flux[met]
-    place = np.column_stack([found.x[met], found.y[met], np.full(len(flux), lens.entrance_z)])
+    place = np.column_stack([found.x[met], found.y[met], np.full(len(flux), lens.front_z)])
     mesh = _facets(mi, (place - way * (before / way[:, 2:])) / unit, way, flux)
     return {"light": mesh}, mesh.surface_area() * found.emitted / float(flux.sum())
 
@@ -102,7 +102,7 @@ def _from_area(source: AreaSource, lens: Lens, random: np.random.Generator, coun
     """Light of random places of an emitter, as much in all directions, to those of the face."""
     start = _in_disc(random, count) if source.outline == "ellipse" else _in_square(random, count)
     x, y = _on_face(lens, random, count)
-    way = np.column_stack([x, y, np.full(count, lens.entrance_z)]) - source.center
+    way = np.column_stack([x, y, np.full(count, lens.front_z)]) - source.center
     way[:, :2] -= start.T * source.half_width
     distance = np.linalg.norm(way, axis=1)
     way /= distance[:, None]
@@ -117,7 +117,7 @@ def _from_file(
     """The rays of the file themselves, or some of them."""
     found = placed_rays(source)
     chosen = random.permutation(len(found.flux))[:count]
-    x, y, come = found.onto(lens.entrance_z)
+    x, y, come = found.onto(lens.front_z)
     flux = found.flux[chosen]
     way, lit = found.direction[chosen], flux * come[chosen]
     return FaceRays(x[chosen], y[chosen], way, lit, float(flux.sum()))

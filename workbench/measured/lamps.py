@@ -57,7 +57,7 @@ def ray_model(source: RayFileSource, lens: Lens, points: int) -> RayModel:
         If no ray comes to the lens, and as `rays_of`.
     """
     try:
-        face = (lens.half_width, lens.entrance_z)
+        face = (lens.half_width, lens.front_z)
         return _model(source, source.unit, rays_of(source), *face, points)
     except ValueError as error:
         raise Refused("source.file", f"'{source.file}' gives the lens no light: {error}") from None

@@ -66,7 +66,7 @@ def emit(source: LightOfPoints, lens: Lens, seed: int, draw: int = 0) -> Rays:
     else:
         a = generator.random((len(points), count, 2))
 
-    caps = covering_caps(points, lens.half_width, lens.entrance_z)
+    caps = covering_caps(points, lens.half_width, lens.front_z)
     versine = caps.versine[:, None] * a[..., 0]
     cos, sin = 1 - versine, np.sqrt(versine * (2 - versine))
     across, up = (basis[:, None] for basis in _perpendicular(caps.axis))
@@ -75,7 +75,7 @@ def emit(source: LightOfPoints, lens: Lens, seed: int, draw: int = 0) -> Rays:
     axis = caps.axis[:, None]
     direction = cos[..., None] * axis + sin[..., None] * aside
     with np.errstate(invalid="ignore", divide="ignore"):
-        way = (lens.entrance_z - points[:, 2:]) / caps.axis[:, 2:] * sin / direction[..., 2]
+        way = (lens.front_z - points[:, 2:]) / caps.axis[:, 2:] * sin / direction[..., 2]
     turned = axis[..., 2:] * aside[..., :2] - aside[..., 2:] * axis[..., :2]
     crossing = caps.centre[:, None] + way[..., None] * turned
     flux = np.broadcast_to(caps.versine[:, None] / caps.versine.max(), cos.shape)

@@ -46,7 +46,7 @@ def entering(source: LightOfPoints, lens: Lens) -> Entering:
     if source.axes is None:
         raise TypeError("the account of points that are no grid is not known")
     lambertian, intensity = source.emission == "lambertian", intensity_of(source, lens)
-    law, distance = TransmittanceLaw.of(lens)[0], lens.entrance_z - source.nearest_z
+    law, distance = TransmittanceLaw.of(lens)[0], lens.front_z - source.nearest_z
     outline = outline_of(lens)
     if not outline.whole:
         feet = source.positions[:, :2]
@@ -96,7 +96,7 @@ def _through(
 
 def intensity_of(source: LightOfPoints, lens: Lens) -> float:
     """Flux per solid angle of any point, straight ahead; all light of the source together is 1."""
-    caps = covering_caps(source.positions, lens.half_width, lens.entrance_z)
+    caps = covering_caps(source.positions, lens.half_width, lens.front_z)
     lambertian = source.emission == "lambertian"
     mean = _mean_cosine(caps) if lambertian else np.ones(len(caps.versine))
     return 1 / float(caps.solid_angle @ mean)

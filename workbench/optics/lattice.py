@@ -97,7 +97,7 @@ def make_lattice(source: LightOfPoints, lens: Lens, samples: Samples) -> Lattice
     if source.axes is None:
         raise TypeError("points that are no grid cannot share samples of the exit face")
     # Nearer than this a source makes no other light, but float32 leaves its range.
-    distance = max(lens.entrance_z - source.nearest_z, 1e-8 * max(lens.half_width))
+    distance = max(lens.front_z - source.nearest_z, 1e-8 * max(lens.half_width))
     # About as far as this from its axis a point lights the exit face.
     lit = lens.index * distance + max(lens.base.height - lens.entrance_z, 0.0)
     x, y = (

@@ -153,7 +153,7 @@ class FittedCamera:
         """What a view has to hold, (n, 3)."""
         lens = self._scene.lens
         if view == "lens":
-            return _corners(lens.half_width, lens.entrance_z, self.top)
+            return _corners(lens.half_width, lens.front_z, self.top)
         if view == "screen":
             return _on_receiver(self._scene)
         return space(self._scene)
@@ -264,24 +264,24 @@ def in_view(scene: Scene) -> bool:
     source, lens = scene.source, scene.lens
     places = _on_receiver(scene)
     width = 2 * max(*lens.half_width, float(np.abs(places[:, :2]).max()))
-    reach = _FARTHEST * max(float(places[:, 2].max()) - lens.entrance_z, width)
-    return lens.entrance_z - source.nearest_z <= reach
+    reach = _FARTHEST * max(float(places[:, 2].max()) - lens.front_z, width)
+    return lens.front_z - source.nearest_z <= reach
 
 
 def start_z(scene: Scene) -> float:
     """Where rays begin to be drawn."""
     source, lens = scene.source, scene.lens
     if source.place is None:
-        return lens.entrance_z - 0.5 * max(lens.half_width)
+        return lens.front_z - 0.5 * max(lens.half_width)
     if in_view(scene):
         return source.nearest_z
-    return lens.entrance_z - 2.0 * max(lens.half_width)
+    return lens.front_z - 2.0 * max(lens.half_width)
 
 
 def space(scene: Scene) -> Array:
     """What a picture has to hold: corners of the source, of the lens and of the screen, (n, 3)."""
     lens, source = scene.lens, scene.source
-    before = lens.entrance_z - 0.5 * max(lens.half_width)
+    before = lens.front_z - 0.5 * max(lens.half_width)
     corners = [_corners(lens.half_width, before), _on_receiver(scene)]
     if in_view(scene):
         corners.append(source.seen((2, 2)))

@@ -35,7 +35,7 @@ def explode_paths(points: Array, scene: Scene) -> Array:
         The scene that they were traced in.
     """
     drawn = points.copy()
-    drawn[:, 0] = _nearer(points[:, 0], scene.lens.entrance_z, _source_scale(scene))
+    drawn[:, 0] = _nearer(points[:, 0], scene.lens.front_z, _source_scale(scene))
     screen, shown = scene.screen, _drawn_screen(scene)
     if screen is not None and shown is not None and shown != screen:
         x, y, off = screen.sides @ (points[:, -1] - screen.position).T
@@ -63,7 +63,7 @@ def _drawn_screen(scene: Scene) -> Screen | None:
 
 
 def _source_scale(scene: Scene) -> float:
-    away = scene.lens.entrance_z - scene.source.nearest_z
+    away = scene.lens.front_z - scene.source.nearest_z
     return 1.0 if math.isinf(away) else min(1.0, _TO_SOURCE * _lens_width(scene) / away)
 
 
@@ -71,7 +71,7 @@ def _drawn_source(scene: Scene) -> Source:
     source, scale = scene.source, _source_scale(scene)
     if source.place is None:
         return source
-    x, y, z = _nearer(np.array(source.place), scene.lens.entrance_z, scale).tolist()
+    x, y, z = _nearer(np.array(source.place), scene.lens.front_z, scale).tolist()
     return source.placed((x, y, z)).shrunk(scale)
 
 

@@ -97,7 +97,7 @@ class AreaSource(AnySource):
 
     def blur(self, lens: Lens, receiver: AnyReceiver) -> tuple[float, float]:
         """Its angles as seen from the lens, times how far they move light."""
-        way = lens.entrance_z - self.center[2]
+        way = lens.front_z - self.center[2]
         x, y = (
             2 * r * farther / way
             for r, farther in zip(self.half_width, receiver.per_radian(lens.highest), strict=True)
@@ -107,15 +107,15 @@ class AreaSource(AnySource):
     def check_before(self, lens: Lens) -> None:
         """Refuse a lens that is not behind it, or too near, too far or too small beside it."""
         x, y, z = self.center
-        if z >= lens.entrance_z:
+        if z >= lens.front_z:
             raise Refused(
                 "source.center[2]",
-                f"{z:g} is not before the entrance face; less than {lens.entrance_z:g}",
+                f"{z:g} is not before the entrance face; less than {lens.front_z:g}",
             )
         aside = [("source.center[0]", x), ("source.center[1]", y)]
         extent = [(f"source.half_width[{axis}]", r) for axis, r in enumerate(self.half_width)]
         limits.check_lengths(aside + extent, lens.half_width, limits.FARTHEST)
-        limits.check_way("source.center[2]", lens.entrance_z - z, lens.half_width)
+        limits.check_way("source.center[2]", lens.front_z - z, lens.half_width)
 
     def seen(self, most: tuple[int, int]) -> Array:
         """Points over its face; see `AnySource.seen`."""

@@ -157,8 +157,8 @@ class CollimatedSource(AnySource):
             return super().face(lens, z)
         places = disc()
         ways = self.directions(*places[..., :2].reshape(-1, 2).T)
-        middle = np.array([0.0, 0.0, lens.entrance_z])
-        return np.asarray(middle + (z - lens.entrance_z) * ways / ways[:, 2:]).reshape(places.shape)
+        middle = np.array([0.0, 0.0, lens.front_z])
+        return np.asarray(middle + (z - lens.front_z) * ways / ways[:, 2:]).reshape(places.shape)
 
     def blur(self, lens: Lens, receiver: AnyReceiver) -> tuple[float, float]:
         """The angle of its disc, times how far that moves light."""

@@ -115,7 +115,7 @@ class GridSource(LightOfPoints):
 
     def blur(self, lens: Lens, receiver: AnyReceiver) -> tuple[float, float]:
         """Its angles as seen from the lens, times how far they move light."""
-        way = lens.entrance_z - self.center[2]
+        way = lens.front_z - self.center[2]
         x, y = (
             2 * r * farther / way if count > 1 else 0.0
             for r, farther, count in zip(

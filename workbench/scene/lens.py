@@ -343,6 +343,11 @@ class Lens(Part):
             )
 
     @property
+    def front_z(self) -> float:
+        """Where light reaches the lens: sources stand before this plane, and are judged at it."""
+        return self.entrance_z
+
+    @property
     def floor(self) -> float:
         """The z that the minimal thickness keeps the exit face above."""
         return self.entrance_z + self.min_thickness

@@ -125,14 +125,14 @@ class MeasuredSource(AnySource):
     def check_before(self, lens: Lens) -> None:
         """Refuse a lens that is not behind it, or too near or too far, as a point does."""
         x, y, z = self.position
-        if z >= lens.entrance_z:
+        if z >= lens.front_z:
             raise Refused(
                 "source.position[2]",
-                f"{z:g} is not before the entrance face; less than {lens.entrance_z:g}",
+                f"{z:g} is not before the entrance face; less than {lens.front_z:g}",
             )
         aside = [("source.position[0]", x), ("source.position[1]", y)]
         limits.check_lengths(aside, lens.half_width, limits.FARTHEST)
-        limits.check_way("source.position[2]", lens.entrance_z - z, lens.half_width)
+        limits.check_way("source.position[2]", lens.front_z - z, lens.half_width)
 
 
 class PhotometricSource(MeasuredSource):

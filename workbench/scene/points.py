@@ -208,14 +208,14 @@ class LightOfPoints(AnySource):
         """Refuse a lens that is not behind it, or too near, too far or too fine."""
         x, y, z = self.place
         path = f"source.{self.middle}"
-        if z >= lens.entrance_z:
+        if z >= lens.front_z:
             raise Refused(
                 f"{path}[2]",
-                f"{z:g} is not before the entrance face; less than {lens.entrance_z:g}",
+                f"{z:g} is not before the entrance face; less than {lens.front_z:g}",
             )
         aside = [(f"{path}[0]", x), (f"{path}[1]", y)]
         limits.check_lengths(aside, lens.half_width, limits.FARTHEST)
-        limits.check_way(f"{path}[2]", lens.entrance_z - z, lens.half_width)
+        limits.check_way(f"{path}[2]", lens.front_z - z, lens.half_width)
         self.intersection.check_for(lens)
 
     def placed(self, place: Place) -> Self:
@@ -289,4 +289,4 @@ def disc() -> Array:
 
 def in_front(lens: Lens) -> Place:
     """On the axis, far enough away for the lens to bend all its light."""
-    return (0.0, 0.0, lens.entrance_z - _DISTANCE * max(lens.half_width))
+    return (0.0, 0.0, lens.front_z - _DISTANCE * max(lens.half_width))

@@ -160,7 +160,7 @@ class Screen(AnyReceiver):
     def check_behind(self, lens: "Lens") -> None:
         """Refuse a lens that may touch it, or that is behind it."""
         r_x, r_y = lens.half_width
-        corners = np.array(list(product((-r_x, r_x), (-r_y, r_y), (lens.entrance_z, lens.highest))))
+        corners = np.array(list(product((-r_x, r_x), (-r_y, r_y), (lens.front_z, lens.highest))))
         if not self.upright and ((self.position - corners) @ self.sides[2] <= 0).any():
             raise Refused(
                 "screen.tilt",

@@ -39,7 +39,7 @@ class AreaEmitter(ExtendedEmitter):
         """Rays from the middle of the emitter and its corners in turn; see `Emitter.towards`."""
         starts = np.vstack([self._source.center, self._source.corners])
         start = starts[np.arange(len(x)) % len(starts)]
-        way = np.column_stack([x, y, np.full(len(x), self.lens.entrance_z)]) - start
+        way = np.column_stack([x, y, np.full(len(x), self.lens.front_z)]) - start
         way /= np.linalg.norm(way, axis=1, keepdims=True)
         flux = torch.full((len(x),), 1 / max(len(x), 1), dtype=torch.float64)
         return RayBundle(vector([*start.T]), vector([*way.T]), flux, torch.ones_like(flux).bool())

@@ -93,7 +93,7 @@ class CollimatedEmitter:
             torch.as_tensor((2 * places(self.samples, axis).part - 1) * r)
             for axis, r in enumerate(self._lens.half_width)
         )
-        rays = _along_axis(x[:, None], y[None, :], self._lens.entrance_z)
+        rays = _along_axis(x[:, None], y[None, :], self._lens.front_z)
         flux = x.new_ones(()) / cells(self.samples)
         if isinstance(self.samples, Corners) or math.isfinite(self._waist):
             across, up = (torch.as_tensor(self.shares(axis)) for axis in (0, 1))
@@ -104,7 +104,7 @@ class CollimatedEmitter:
 
     def towards(self, x: Tensor, y: Tensor) -> RayBundle:
         """Parallel rays that start half a lens before it; see `Emitter.towards`."""
-        return _along_axis(x, y, self._lens.entrance_z - 0.5 * max(self._lens.half_width))
+        return _along_axis(x, y, self._lens.front_z - 0.5 * max(self._lens.half_width))
 
 
 def _along_axis(x: Tensor, y: Tensor, z: float) -> RayBundle:

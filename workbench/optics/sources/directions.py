@@ -46,7 +46,7 @@ class DirectionEmitter(ExtendedEmitter):
         number = np.arange(len(x)) % (5 if self._source.continuous else 1)
         ways = self.origins_at(_RIM).places[number]
         back = 0.5 * max(self.lens.half_width) / ways[:, 2]
-        face = np.column_stack([x, y, np.full(len(x), self.lens.entrance_z)])
+        face = np.column_stack([x, y, np.full(len(x), self.lens.front_z)])
         flux = torch.full((len(x),), 1 / max(len(x), 1), dtype=torch.float64)
         start = (face - back[:, None] * ways).T
         return RayBundle(vector([*start]), vector([*ways.T]), flux, torch.ones_like(flux).bool())

@@ -96,9 +96,9 @@ class ExtendedEmitter(ABC):
         x, y = (2 * across - 1) * r_x, (2 * up - 1) * r_y
         share = np.full(count, 1 / count)
         origins = self.origins_at(Spread(*filling(a, b, self.outline), share))
-        lit = origins.light(x, y, self.lens.entrance_z, np.arange(count))
+        lit = origins.light(x, y, self.lens.front_z, np.arange(count))
         flux = lit.density * outline_of(self.lens).contains(x, y)
         flux *= (1 - self.beside) / flux.sum()
-        place = x, y, np.full(count, self.lens.entrance_z)
+        place = x, y, np.full(count, self.lens.front_z)
         alive = torch.ones(count, dtype=torch.bool)
         return RayBundle(vector(place), vector(lit.direction), torch.as_tensor(flux), alive)

@@ -129,8 +129,8 @@ def through_cells(origins: Origins, lens: Lens, samples: Samples) -> RayBundle:
     area = 4 * r_x * r_y * (across.high - across.low)[:, None] * (up.high - up.low)
     area *= parts_inside(outline_of(lens), across, up)
     origin = np.repeat(np.arange(count), len(up.part) // count)
-    lit = origins.light(x[:, None], y, lens.entrance_z, origin)
-    place = np.broadcast_arrays(x[:, None], y, np.full(area.shape, lens.entrance_z))
+    lit = origins.light(x[:, None], y, lens.front_z, origin)
+    place = np.broadcast_arrays(x[:, None], y, np.full(area.shape, lens.front_z))
     alive = torch.ones(area.shape, dtype=torch.bool)
     return RayBundle(
         vector(place), vector(lit.direction), torch.as_tensor(lit.density * area), alive

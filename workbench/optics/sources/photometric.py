@@ -92,7 +92,7 @@ class PhotometricEmitter:
 
     def _onto_face(self, x: Array, y: Array, area: float) -> RayBundle:
         """Rays through places of the face, each of which stands for an area of it."""
-        z = self._lens.entrance_z
+        z = self._lens.front_z
         lit = self.origins.light(x, y, z, np.zeros(1, dtype=np.intp))
         alive = torch.ones(len(x), dtype=torch.bool)
         flux = torch.as_tensor(lit.density * area)

@@ -69,13 +69,13 @@ class PointEmitter:
         if isinstance(self.samples, Corners):
             return through_cells(self.origins, self.lens, self.samples)
         rays = emit(self.source, self.lens, seed, draw)
-        onto_face = np.column_stack([rays.crossing, np.full(len(rays.flux), self.lens.entrance_z)])
+        onto_face = np.column_stack([rays.crossing, np.full(len(rays.flux), self.lens.front_z)])
         return _bundle(onto_face, rays.direction, rays.flux)
 
     def towards(self, x: Tensor, y: Tensor) -> RayBundle:
         """Rays from the middle of the source and its corners in turn; see `Emitter.towards`."""
         corners = np.vstack([self.source.place, self.source.corners])
-        place = np.column_stack([x, y, np.full(len(x), self.lens.entrance_z)])
+        place = np.column_stack([x, y, np.full(len(x), self.lens.front_z)])
         origin = corners[np.arange(len(place)) % len(corners)]
         direction = place - origin
         direction /= np.linalg.norm(direction, axis=1, keepdims=True)

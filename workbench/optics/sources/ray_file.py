@@ -60,7 +60,7 @@ class RayFileEmitter:
         if isinstance(self.samples, Corners):
             beams = through_cells(self.origins, self._lens, self.samples)
             return beams._replace(flux=beams.flux / beams.flux.sum().clamp_min(1))
-        placed, z = placed_rays(self._source), self._lens.entrance_z
+        placed, z = placed_rays(self._source), self._lens.front_z
         x, y, come = placed.onto(z)
         count = self._source.rays
         if count < len(x):
@@ -76,7 +76,7 @@ class RayFileEmitter:
     def towards(self, x: Tensor, y: Tensor) -> RayBundle:
         """Rays from the points in turn; see `Emitter.towards`."""
         origin = np.arange(len(x)) % len(self.origins.places)
-        lit = self.origins.light(x.numpy(), y.numpy(), self._lens.entrance_z, origin)
+        lit = self.origins.light(x.numpy(), y.numpy(), self._lens.front_z, origin)
         start = vector(tuple(self.origins.places[origin].T))
         lights = torch.as_tensor(lit.density > 0)
         flux = torch.where(lights, 1 / len(x), 0.0).double()
