@@ -103,7 +103,7 @@ def test_what_a_later_stage_cannot_do_is_refused_before_the_first(
     make_scene, disc, monkeypatch, stages, changes, path
 ):
     monkeypatch.setattr(parametrisation, "available_memory", lambda _: 100_000_000)
-    monkeypatch.setattr("workbench.design.run._steps", lambda *_: pytest.fail("a stage began"))
+    monkeypatch.setattr("workbench.design.run.Room", lambda *_: pytest.fail("a stage began"))
     scene = make_scene({"run.stages": [{"iterations": 1} | stage for stage in stages]} | changes)
     with pytest.raises(Refused) as refused:
         next(run(scene, disc))

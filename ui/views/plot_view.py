@@ -1,5 +1,6 @@
 """A view with one matplotlib canvas."""
 
+from abc import abstractmethod
 from typing import TYPE_CHECKING, Any, BinaryIO
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
@@ -143,14 +144,14 @@ class PlotView(View):
         """Whether the empty pictures of two designs are the same."""
         return same_task(one, other)
 
+    @abstractmethod
     def _begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
         """Put an empty picture of a design on the axes; the artists that will change."""
-        raise NotImplementedError
 
     def _adapt(self) -> bool:
         """Follow what is neither design nor frame; whether more than the artists changed."""
         return False
 
+    @abstractmethod
     def _change(self, frame: "Frame") -> bool:
         """Bring the artists up to date; whether more than these changed."""
-        raise NotImplementedError

@@ -16,7 +16,7 @@ from torch.autograd import forward_ad
 from workbench.errors import Refused
 from workbench.geometry.surface import ControlNet
 from workbench.optics.plan import Plan, device_of
-from workbench.scene import GaussianFilter, Scene
+from workbench.scene import Scene
 
 Array = npt.NDArray[np.float64]
 
@@ -116,7 +116,7 @@ def _check(scene: Scene, index: tuple[int, int]) -> None:
     for axis, (i, count) in enumerate(zip(index, scene.lens.net_shape, strict=True)):
         if not 0 <= i < count:
             raise Refused(f"index[{axis}]", f"{i} is no control point; 0 to {count - 1}")
-    if not isinstance(scene.filter, GaussianFilter):
+    if not scene.filter.smooth:
         raise Refused(
             "filter.kind",
             f"'{scene.filter.kind}' counts rays by pixel, which has no derivative; 'gaussian'",

@@ -1,22 +1,17 @@
 """The light of one lens after the other, for people who shape them by hand."""
 
-from collections.abc import Mapping
-
 import numpy as np
 import numpy.typing as npt
 import torch
 from torch import Tensor
 
-from workbench.design.lens_state import LensState
-from workbench.design.levels import FINE, image_of, reach_of
 from workbench.design.limits import HeightLimits
-from workbench.design.loss import check_finite, check_light, measure_of, paper_loss, share
+from workbench.design.methods import method_of
 from workbench.design.snapshot import Result, Snapshot
-from workbench.design.step import Step
 from workbench.geometry.faces import NO_LOCKS, ControlHeights, FaceArrays, Locks
 from workbench.geometry.surface import ControlNet
-from workbench.optics.plan import Plan, device_of
-from workbench.scene import Lens, PaperRun, Scene
+from workbench.optics.plan import device_of
+from workbench.scene import Lens, Scene
 
 Array = npt.NDArray[np.float64]
 
@@ -49,14 +44,9 @@ class Evaluator:
         self._scene, self._locked = scene, locked
         self._kept = heights
         self._device = device_of(scene)
-        if isinstance(scene.run, PaperRun):
-            self._plan = Plan(scene, locked=locked.get("exit"))
-            self._wanted = torch.as_tensor(share(target), dtype=torch.float32, device=self._device)
-            self._step = self._step_of_paper
-        else:
-            reach = reach_of(scene, self._tensors(heights))
-            image = image_of(FINE, scene, target, reach)
-            self._step = lambda heights: image.compare(heights)[1]
+        self._image = method_of(scene).image(
+            scene, target, self._tensors(heights), locked.get("exit")
+        )
 
     def suits(self, scene: Scene, heights: ControlHeights, locked: Locks = NO_LOCKS) -> bool:
         """Whether it can judge a lens of this scene, with these locked control points."""
@@ -83,7 +73,7 @@ class Evaluator:
             If no light reaches the screen.
         """
         with torch.no_grad():
-            step = self._step(self._tensors(heights))
+            _, step = self._image.compare(self._tensors(heights))
         scene, count = self._scene, earlier.iterations if earlier else 0
         return Snapshot(
             step.state,
@@ -95,15 +85,6 @@ class Evaluator:
             stages=1 + len(scene.run.stages),
             notes=step.notes,
         )
-
-    def _step_of_paper(self, heights: Mapping[str, Tensor]) -> Step:
-        traced = self._plan.trace(heights)
-        check_light(traced.flux, traced.account)
-        loss = paper_loss(traced.flux, self._wanted, measure_of(self._scene.receiver, self._device))
-        check_finite(loss, traced.account)
-        measure = self._scene.receiver.pixel_measure
-        state = LensState.traced(heights, traced.flux, measure, loss, traced.account)
-        return Step(state, self._plan.notes)
 
     def _tensors(self, heights: ControlHeights) -> dict[str, Tensor]:
         return {face: torch.tensor(each, device=self._device) for face, each in heights.items()}

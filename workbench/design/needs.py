@@ -7,12 +7,12 @@ import numpy.typing as npt
 
 from workbench.design.heights import Mask
 from workbench.design.limits import HeightLimits, bounded
-from workbench.design.parametrisation import check_memory
+from workbench.design.methods import method_of
 from workbench.errors import Refused
 from workbench.geometry.body import check_body
 from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.optics.plan import device_of
-from workbench.scene import BoxFilter, PaperRun, Scene
+from workbench.scene import Scene
 
 Array = npt.NDArray[np.float64]
 
@@ -43,9 +43,7 @@ def check_parts(
     for stage, part in enumerate(parts[first:], first):
         try:
             device_of(part)
-            if isinstance(part.run, PaperRun):
-                _check_filter(part)
-                check_memory(part)
+            method_of(part).check(part)
             if locked:
                 _check_net(part, finished)
         except Refused as refused:
@@ -58,14 +56,6 @@ def check_parts(
         inside = start["exit"].clip(limits.lower, limits.upper)
         kept = np.where(locked["exit"], start["exit"], inside)
         check_body(finished, {**start, "exit": kept})
-
-
-def _check_filter(scene: Scene) -> None:
-    if isinstance(scene.filter, BoxFilter):
-        raise Refused(
-            "filter.kind",
-            "'box' is constant within a pixel and gives the paper's method no gradient; 'gaussian'",
-        )
 
 
 def _check_net(part: Scene, finished: Scene) -> None:

@@ -9,8 +9,8 @@ the net for all that pixels can show, and less is enough where there is less to 
   reaches anyway;
 - nothing is worth more than the blur that a source of some size lays over the screen.
 
-Each axis is judged by itself, so that a slim screen, or stripes, get a slim net. The paper's method
-has nets like the paper's: with finer ones its own loss falls and the verified error rises.
+Each axis is judged by itself, so that a slim screen, or stripes, get a slim net. A method that nets
+of one size suit, as the paper's, gets such a one.
 """
 
 import math
@@ -18,7 +18,7 @@ import math
 import numpy as np
 import numpy.typing as npt
 
-from workbench.scene import PaperRun, Scene
+from workbench.scene import Scene
 from workbench.scene.lens import LARGEST_NET
 
 Array = npt.NDArray[np.float64]
@@ -38,8 +38,6 @@ _LEFT_OUT, _PER_PERIOD = 2e-3, 16.0
 # 18.5 % with 288 x 288 after 148 s; a letter and a ball in the sun, a forty-fourth, 6.6 and 4.1 %
 # with 192 x 192, 6.4 and 3.6 % with 384 x 384 in a third more time.
 _PER_BLUR = 5.0
-# Nets of the paper's method, and of its dense network, whose weights grow with their square.
-_PAPER, _PAPER_DENSE = 64, 32
 
 
 def definite(scene: Scene, target: Array) -> Scene:
@@ -71,9 +69,8 @@ def definite(scene: Scene, target: Array) -> Scene:
 
 
 def _chosen(scene: Scene, target: Array) -> tuple[int, int]:
-    if isinstance(scene.run, PaperRun):
-        count = _PAPER_DENSE if scene.run.parametrisation == "dense" else _PAPER
-        n_u, n_v = (max(count, degree + 1) for degree in scene.lens.degree)
+    if scene.run.usual_net is not None:
+        n_u, n_v = (max(scene.run.usual_net, degree + 1) for degree in scene.lens.degree)
         return n_u, n_v
     across, up = (
         min(_worth_of_target(target, axis), _worth_of_light(blur, half_width))

@@ -15,7 +15,7 @@ import torch
 from torch import Tensor, nn
 
 from workbench.geometry.surface import ControlNet
-from workbench.scene import PaperRun
+from workbench.scene import Run
 
 # Half-width of the interval that the paper draws from.
 _UNIFORM = 1e-4
@@ -166,7 +166,7 @@ class Network(nn.Module):
 
 
 def build(
-    net: ControlNet, settings: PaperRun, device: torch.device | str = "cpu"
+    net: ControlNet, settings: Run, device: torch.device | str = "cpu"
 ) -> Parameters | Network:
     """What a run optimises, at its start.
 
@@ -178,7 +178,7 @@ def build(
     ----------
     net : ControlNet
         Control net of the heights.
-    settings : PaperRun
+    settings : Run
         Which parametrisation, from which start, drawn by which seed.
     device : torch.device or str
         Where it computes.

@@ -5,25 +5,36 @@ from typing import NoReturn
 
 import torch
 
-from workbench.design.lens_state import LensState
-from workbench.design.loss import (
-    check_finite,
-    check_gradient,
-    check_light,
-    measure_of,
-    paper_loss,
-    share,
-)
+from workbench.design.filtered_image import FilteredImage
+from workbench.design.loss import check_gradient
 from workbench.design.networks import build
+from workbench.design.parametrisation import check_memory
 from workbench.design.room import Room
 from workbench.design.smoothness import Smoothness
 from workbench.design.step import Step
+from workbench.errors import Refused
 from workbench.geometry.surface import ControlNet
-from workbench.optics.plan import Plan, device_of
-from workbench.scene import PaperRun
+from workbench.optics.plan import device_of
+from workbench.scene import Scene
 
 
-def paper_steps(room: Room, settings: PaperRun) -> Generator[Step, None, NoReturn]:
+def check_paper(scene: Scene) -> None:
+    """Refuse a scene whose image has no gradient, or whose network does not fit into memory.
+
+    Raises
+    ------
+    Refused
+        With the path of the field.
+    """
+    if not scene.filter.smooth:
+        raise Refused(
+            "filter.kind",
+            "'box' is constant within a pixel and gives the paper's method no gradient; 'gaussian'",
+        )
+    check_memory(scene)
+
+
+def paper_steps(room: Room) -> Generator[Step, None, NoReturn]:
     """Evaluate lens after lens, for ever; see `workbench.design.run.run`.
 
     The inputs of the tanh are those of the undesigned lens, or of the start, plus how far the
@@ -37,28 +48,19 @@ def paper_steps(room: Room, settings: PaperRun) -> Generator[Step, None, NoRetur
     """
     scene, start = room.scene, room.start
     device = device_of(scene)
-    plan = Plan(scene, locked=room.locked)
-    net = ControlNet.of(scene.lens)
+    image = FilteredImage(scene, room.target, room.locked)
     free = room.height_range(device)
-    wanted = torch.as_tensor(share(room.target), dtype=torch.float32, device=device)
-    relative = measure_of(scene.receiver, device)
     smoothness = Smoothness.of(scene, room.target, device)
-    shift = build(net, settings, device)
+    shift = build(ControlNet.of(scene.lens), scene.run, device)
     rest = free.rest
     if start is not None:
         rest = free.parameters(start) - shift().detach()
-    optimiser = torch.optim.Adam(shift.parameters(), lr=settings.rate, fused=True)
+    optimiser = torch.optim.Adam(shift.parameters(), lr=scene.run.rate, fused=True)
     while True:
         shaped = free.heights(rest + shift())
         # The light's gradient ends at the heights, where it is checked; the network's begins.
         heights = {face: each.detach().requires_grad_() for face, each in shaped.items()}
-        traced = plan.trace(heights)
-        check_light(traced.flux.detach(), traced.account)
-        loss = paper_loss(traced.flux, wanted, relative)
-        check_finite(loss, traced.account)
-        measure = scene.receiver.pixel_measure
-        state = LensState.traced(heights, traced.flux, measure, loss, traced.account)
-        step = Step(state, plan.notes)
+        loss, step = image.compare(heights)
         if smoothness is not None:
             loss = smoothness.merit(loss, smoothness.penalty(heights))
             step = step._replace(merit=loss.item())
@@ -69,4 +71,4 @@ def paper_steps(room: Room, settings: PaperRun) -> Generator[Step, None, NoRetur
         optimiser.zero_grad()  # gives the memory back before the next gradient needs it
         torch.autograd.backward(list(shaped.values()), gradients)
         optimiser.step()
-        plan.next_iteration()
+        image.next_iteration()

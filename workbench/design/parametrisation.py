@@ -8,7 +8,7 @@ import os
 from pathlib import Path
 
 from workbench.errors import Refused
-from workbench.scene import Lens, PaperRun, Scene
+from workbench.scene import Lens, Scene
 
 # A parameter, its gradient and Adam's two moments.
 _COPIES = 4
@@ -25,7 +25,7 @@ def parameter_count(scene: Scene) -> int:
     neighbourhood. Every link has a weight and every neuron a bias.
     """
     neurons = math.prod(scene.lens.net_shape)
-    match _parametrisation(scene):
+    match scene.run.parametrisation:
         case "sparse":
             links = link_count(scene.lens)
         case "dense":
@@ -44,7 +44,7 @@ def link_count(lens: Lens) -> int:
 
 def memory_bytes(scene: Scene) -> int:
     """Memory of all parameters with their gradients and both of Adam's moments."""
-    bytes_each = 8 if _parametrisation(scene) == "none" else 4
+    bytes_each = 8 if scene.run.parametrisation == "none" else 4
     return parameter_count(scene) * bytes_each * _COPIES
 
 
@@ -60,7 +60,7 @@ def check_memory(scene: Scene) -> None:
     if needed > available:
         raise Refused(
             "run.parametrisation",
-            f"{_parametrisation(scene)!r} has {parameter_count(scene):,} parameters here and "
+            f"{scene.run.parametrisation!r} has {parameter_count(scene):,} parameters here and "
             f"needs {as_bytes(needed)} for them, their gradient and Adam's moments; "
             f"{as_bytes(available)} are free",
         )
@@ -89,7 +89,3 @@ def as_bytes(count: float) -> str:
             return f"{count:.3g} {unit}"
         count /= 1000
     return f"{count:.3g} TB"
-
-
-def _parametrisation(scene: Scene) -> str:
-    return scene.run.parametrisation if isinstance(scene.run, PaperRun) else "none"

@@ -12,18 +12,16 @@ from dataclasses import replace
 import numpy as np
 import numpy.typing as npt
 
-from workbench.design.auto import auto_steps
 from workbench.design.heights import Mask
+from workbench.design.methods import method_of
 from workbench.design.needs import check_parts
 from workbench.design.net import definite
-from workbench.design.paper import paper_steps
 from workbench.design.room import Room
 from workbench.design.snapshot import Snapshot
-from workbench.design.step import Step
 from workbench.errors import RunFailed
 from workbench.geometry.faces import NO_LOCKS, ControlHeights, FaceArrays
 from workbench.geometry.surface import freeform_nets
-from workbench.scene import AutoNet, Lens, PaperRun, Scene
+from workbench.scene import AutoNet, Lens, Scene
 
 Array = npt.NDArray[np.float64]
 
@@ -92,7 +90,7 @@ def run(
         # The first lens of a later stage counts as an iteration: its loss is one of another task.
         most = 1 if done else part.run.iterations + (stage == first)
         room = Room(part, target, None if start is None else start["exit"], locked.get("exit"))
-        steps = _steps(room)
+        steps = method_of(part).steps(room)
         lowest = math.inf
         best_heights: ControlHeights | None = None
         for _ in range(most):
@@ -148,8 +146,3 @@ def _carried(heights: ControlHeights, lens: Lens, other: Lens) -> ControlHeights
     return FaceArrays(
         {face: nets[face].carry(each, others[face]) for face, each in heights.items()}
     )
-
-
-def _steps(room: Room) -> Generator[Step, None, str]:
-    settings = room.scene.run
-    return paper_steps(room, settings) if isinstance(settings, PaperRun) else auto_steps(room)

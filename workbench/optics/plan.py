@@ -13,7 +13,7 @@ from workbench.optics.light import Light, Tracer
 from workbench.optics.path import Path
 from workbench.optics.precision import precision_of
 from workbench.optics.ways import Ways
-from workbench.scene import BoxFilter, Filter, Scene
+from workbench.scene import Filter, Scene
 
 
 class Plan:
@@ -84,7 +84,7 @@ class Plan:
     def notes(self) -> tuple[str, ...]:
         """What was chosen for this scene and what is left out, in words, for a run's log."""
         notes = self._choice.notes(self._tracer().notes)
-        if isinstance(self._filter, BoxFilter):
+        if not self._filter.smooth:
             notes.append("box filter: one pixel a ray, no ghost pixels")
         return tuple(notes + self._choice.defects())
 

@@ -28,12 +28,16 @@ class BoxFilter(Part):
     # As a Gaussian that is no wider than a pixel.
     size: ClassVar[tuple[int, int]] = (1, 1)
     alpha: ClassVar[float] = 0.0
+    smooth: ClassVar[bool] = False
+    """Whether the image changes as a ray moves within a pixel, so that it has a derivative."""
 
 
 class GaussianFilter(Part):
     """Light falls off over some pixels, so that a design feels where in a pixel a ray lands."""
 
     model_config = ConfigDict(title="Gaussian")
+
+    smooth: ClassVar[bool] = True
 
     kind: Literal["gaussian"] = "gaussian"
     size: Annotated[

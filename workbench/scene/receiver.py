@@ -1,6 +1,7 @@
 """What all receivers have in common: pixels in flat coordinates of their own."""
 
 import math
+from abc import abstractmethod
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Self
 
 import numpy as np
@@ -53,9 +54,9 @@ class AnyReceiver(Part):
         pixels: Pixels
 
     @property
+    @abstractmethod
     def half_extent(self) -> tuple[float, float]:
         """Half of what it covers along u and v."""
-        raise NotImplementedError
 
     @property
     def middle(self) -> tuple[float, float]:
@@ -74,9 +75,9 @@ class AnyReceiver(Part):
         return self.middle[0] == 0, self.middle[1] == 0
 
     @property
+    @abstractmethod
     def pixel_measure(self) -> float | Array:
         """What a pixel covers, by which its flux becomes a density: one number, or (n_y, 1)."""
-        raise NotImplementedError
 
     def relative_measure(self, margin: int = 0) -> float | Array:
         """What a pixel covers over the mean of all, also in so many rows beyond on each side."""
@@ -88,6 +89,7 @@ class AnyReceiver(Part):
         return math.inf, math.inf
 
     @property
+    @abstractmethod
     def plane_z(self) -> float:
         """Where its middle stands along the axis, scene units.
 
@@ -96,19 +98,18 @@ class AnyReceiver(Part):
         Refused
             If it is at no distance.
         """
-        raise NotImplementedError
 
+    @abstractmethod
     def moved_to(self, z: float) -> Self:
         """The same with its middle elsewhere along the axis; refused as for `plane_z`."""
-        raise NotImplementedError
 
+    @abstractmethod
     def towards(self, place: tuple[Array, Array, Array], u: Array, v: Array) -> tuple[Array, ...]:
         """Unit vectors from places (x, y, z) of the scene to places on it; three arrays."""
-        raise NotImplementedError
 
+    @abstractmethod
     def drawn(self, lens: "Lens", u: Array, v: Array) -> Array:
         """Where places on it are drawn in the scene, shape (..., 3); u and v broadcast."""
-        raise NotImplementedError
 
     def outline(self, lens: "Lens", part: float = 1.0) -> Array:
         """Corners of its facets as it is drawn, shape (m, m, 3), u along the first axis.
@@ -125,20 +126,21 @@ class AnyReceiver(Part):
         return self.drawn(lens, u + r_u * steps[:, None], v + r_v * steps)
 
     @property
+    @abstractmethod
     def nearest_z(self) -> float:
         """Where it comes closest to the lens, scene units."""
-        raise NotImplementedError
 
+    @abstractmethod
     def per_radian(self, z: float) -> tuple[float, float]:
         """How far in u and v light moves that is turned by a radian at a place z on the axis.
 
         For small angles about the direction of its middle.
         """
-        raise NotImplementedError
 
     def check_lengths(self, half_width: tuple[float, float]) -> None:
         """Refuse lengths that are too long beside a lens with these half-widths."""
 
+    @abstractmethod
     def check_behind(self, lens: "Lens") -> None:
         """Refuse a lens that cannot light it.
 
@@ -147,7 +149,6 @@ class AnyReceiver(Part):
         Refused
             With the path of the field, the value and what is allowed.
         """
-        raise NotImplementedError
 
     def grown(self, margin: tuple[int, int]) -> Self:
         """The same with so many more of its pixels on each side along x and y."""

@@ -1,6 +1,6 @@
 """How the lens is searched for."""
 
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
 from pydantic import ConfigDict
 
@@ -20,6 +20,9 @@ _RATE = "Step of the optimiser. Too large and the loss jumps, too small and it c
 # Steps of Adam after which top hats of 24² to 64² control points were best, from all starts: the
 # more links a neuron has, the farther one step of all of them carries it.
 LEARNING_RATES = {"none": 3e-3, "sparse": 1e-3, "dense": 1e-4}
+# Control points along each axis that suit it: a dense network grows with the square of their
+# number.
+_NETS = {"none": 64, "sparse": 64, "dense": 32}
 
 
 class Stage(Part):
@@ -125,6 +128,11 @@ class RunSettings(Part):
         """Step of the optimiser of the paper's method."""
         return LEARNING_RATES["none"]
 
+    @property
+    def usual_net(self) -> int | None:
+        """Control points along each axis that suit the method; None where the task tells."""
+        return None
+
 
 class AutoRun(RunSettings):
     """The best that this program knows; it may stop before all iterations are done."""
@@ -132,6 +140,9 @@ class AutoRun(RunSettings):
     model_config = ConfigDict(title=_AUTO)
 
     method: Literal["auto"] = "auto"
+    # As the paper's method without a network that begins with a flat lens.
+    parametrisation: ClassVar[Literal["none"]] = "none"
+    start: ClassVar[Literal["zeros"]] = "zeros"
 
     @classmethod
     def begun(cls, scene: "Scene") -> dict[str, Any]:
@@ -187,6 +198,11 @@ class PaperRun(RunSettings):
     def rate(self) -> float:
         """Step of the optimiser: as set, or what suits what is optimised."""
         return self.learning_rate or LEARNING_RATES[self.parametrisation]
+
+    @property
+    def usual_net(self) -> int:
+        """One like the paper's: with finer nets its own loss falls and the verified error rises."""
+        return _NETS[self.parametrisation]
 
 
 Run = Annotated[AutoRun | PaperRun, Kinds("method", default="auto", title="Method")]

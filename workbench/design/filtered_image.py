@@ -1,0 +1,57 @@
+"""The image of rays through a filter, against the target: how the paper compares lenses."""
+
+from collections.abc import Mapping
+
+import numpy as np
+import numpy.typing as npt
+import torch
+from torch import Tensor
+
+from workbench.design.heights import Mask
+from workbench.design.lens_state import LensState
+from workbench.design.loss import check_finite, check_light, measure_of, paper_loss, share
+from workbench.design.step import Step
+from workbench.optics.plan import Plan, device_of
+from workbench.scene import Scene
+
+Array = npt.NDArray[np.float64]
+
+
+class FilteredImage:
+    """Compares lenses with the target by the light that lands on the screen.
+
+    Parameters
+    ----------
+    scene : Scene
+        The design task.
+    target : ndarray, shape (n_y, n_x)
+        The wanted image in any scale, row 0 at +y.
+    locked : ndarray of bool, shape (n_u, n_v), optional
+        Control points whose heights are the same in all lenses; see `workbench.optics.plan.Plan`.
+    """
+
+    def __init__(self, scene: Scene, target: Array, locked: Mask | None = None) -> None:
+        device = device_of(scene)
+        self._plan = Plan(scene, locked=locked)
+        self._wanted = torch.as_tensor(share(target), dtype=torch.float32, device=device)
+        self._relative = measure_of(scene.receiver, device)
+        self._pixel_measure = scene.receiver.pixel_measure
+
+    def compare(self, heights: Mapping[str, Tensor]) -> tuple[Tensor, Step]:
+        """The loss, and the step to report.
+
+        Raises
+        ------
+        RunFailed
+            If no light reaches the screen, or the loss is not finite.
+        """
+        traced = self._plan.trace(heights)
+        check_light(traced.flux.detach(), traced.account)
+        loss = paper_loss(traced.flux, self._wanted, self._relative)
+        check_finite(loss, traced.account)
+        state = LensState.traced(heights, traced.flux, self._pixel_measure, loss, traced.account)
+        return loss, Step(state, self._plan.notes)
+
+    def next_iteration(self) -> None:
+        """Take new rays, if the source is to have fresh ones for each iteration."""
+        self._plan.next_iteration()

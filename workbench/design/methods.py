@@ -1,0 +1,72 @@
+"""The methods of design, by the names that scenes have for them."""
+
+from collections.abc import Callable, Generator, Mapping
+from typing import NamedTuple, Protocol
+
+import numpy as np
+import numpy.typing as npt
+from torch import Tensor
+
+from workbench.design.auto import auto_steps
+from workbench.design.filtered_image import FilteredImage
+from workbench.design.heights import Mask
+from workbench.design.levels import FINE, image_of, reach_of
+from workbench.design.paper import check_paper, paper_steps
+from workbench.design.room import Room
+from workbench.design.step import Step
+from workbench.design.wide_image import WideImage
+from workbench.scene import Scene
+
+Array = npt.NDArray[np.float64]
+Heights = Mapping[str, Tensor]
+
+
+class Image(Protocol):
+    """The light by which a method compares lenses."""
+
+    def compare(self, heights: Heights) -> tuple[Tensor, Step]:
+        """What is wrong with the light of a lens, and the step to report.
+
+        Raises
+        ------
+        RunFailed
+            If there is no light, or what is wrong with it is not finite.
+        """
+
+
+class Method(NamedTuple):
+    """A way to search for a lens.
+
+    Attributes
+    ----------
+    steps : callable
+        Evaluates lens after lens in a room and returns why it ended.
+    image : callable
+        What it judges lenses by: for a scene, a target, the heights of a lens like those to come,
+        and control points that they have in common.
+    check : callable
+        Refuses a scene that it cannot design.
+    """
+
+    steps: Callable[[Room], Generator[Step, None, str]]
+    image: Callable[[Scene, Array, Heights, Mask | None], Image]
+    check: Callable[[Scene], None]
+
+
+def method_of(scene: Scene) -> Method:
+    """The method that a scene asks for."""
+    return _METHODS[scene.run.method]
+
+
+def _finest(scene: Scene, target: Array, heights: Heights, locked: Mask | None) -> WideImage:
+    return image_of(FINE, scene, target, reach_of(scene, heights))
+
+
+_METHODS = {
+    "auto": Method(auto_steps, _finest, check=lambda scene: None),
+    "paper": Method(
+        paper_steps,
+        lambda scene, target, heights, locked: FilteredImage(scene, target, locked),
+        check=check_paper,
+    ),
+}
