@@ -37,7 +37,7 @@ def resource_files():
     """All that the program reads; the README's pictures stay behind."""
     return {
         path.relative_to(ROOT).as_posix()
-        for ending in ("json", "png", "svg")
+        for ending in ("json", "md", "png", "svg")
         for path in (ROOT / "resources").rglob(f"*.{ending}")
         if path.parent.name != "readme"
     }
@@ -50,7 +50,8 @@ def test_the_wheel_holds_every_module_and_every_resource(wheel):
         for package in PACKAGES
         for path in (ROOT / package).rglob("*.py")
     }
-    assert {"resources/examples/tophat.json", "resources/scene.schema.json"} <= resource_files()
+    known = ("examples/tophat.json", "scene.schema.json", "manual.md")
+    assert {f"resources/{name}" for name in known} <= resource_files()
     assert modules | resource_files() <= held
     assert not any("readme" in name for name in held)
 

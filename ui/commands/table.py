@@ -214,6 +214,9 @@ COMMANDS = {
         "&Keyboard shortcuts", "All keys, to be found by name or by key", "Ctrl+F1"
     ),
     "tour": Command("&Tour", "A short tour of the window"),
+    "manual": Command(
+        "&Manual", "All that can be done, here and in a shell, and what has been measured", "F1"
+    ),
     "about": Command("&About", "What this program is"),
 }
 
@@ -277,7 +280,7 @@ MENUS: dict[str, list[Any]] = {
         None,
         "scene_view",
     ],
-    "&Help": ["tour", "shortcuts", "palette", None, "about"],
+    "&Help": ["tour", "manual", "shortcuts", "palette", None, "about"],
 }
 _FILES, _STEPS = ["new_tophat", "open", "save"], ["undo", "redo"]
 TOOLBAR = [*_FILES, None, *_STEPS, None, *_RUN, "follow", None, *TOOLS, None, "fit_view"]

@@ -1,4 +1,4 @@
-"""What helps to find one's way: palette, shortcuts, tour, about."""
+"""What helps to find one's way: palette, shortcuts, tour, manual, about."""
 
 from collections.abc import Callable
 
@@ -10,6 +10,7 @@ from ui.commands.actions import Commands
 from ui.commands.palette import CommandPalette
 from ui.commands.pane_focus import PaneFocus
 from ui.commands.shortcuts import Shortcuts
+from ui.help.manual import Manual
 from ui.help.tour import STOPS, Tour
 from ui.widgets.message_bar import MessageBar
 
@@ -46,6 +47,7 @@ class Help(QObject):
             "palette": lambda: CommandPalette(self._commands.entries(), self._window).open(),
             "shortcuts": lambda: Shortcuts(self._commands.entries(), self._window).show(),
             "tour": self.begin_tour,
+            "manual": lambda: Manual(self._window).show(),
             "about": self._show_about,
         }
 
