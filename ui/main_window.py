@@ -129,7 +129,7 @@ class MainWindow(QMainWindow):
         loaded.control.ended.connect(self._end_run)
         self._lens.follow(loaded.control)
         self._carried.followed = loaded.follow.follows
-        loaded.follow.said.connect(self._tell_of_following)
+        loaded.follow.message.connect(self._tell_of_following)
         self._view_state.attach(loaded.views.scene)
         self._show_state()
         self.built.emit()

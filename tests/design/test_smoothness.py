@@ -78,11 +78,11 @@ def test_excess_of_a_quadratic_face(make_scene):
     scene = make_scene(size | {"run.min_radius": 2.0})
     heights = quadratic(scene, 0.5, 0.5, 0.5)  # principal curvatures 1 and 0
     found = smoothness_of(scene)
-    assert found.excess(heights, 2.0).item() == pytest.approx(1.0, rel=1e-4)
-    assert found.excess(2 * scene.lens.base.height - heights, 2.0).item() == pytest.approx(
-        1.0, rel=1e-4
-    )
-    assert found.excess(heights, 0.99).item() == 0
+    assert found.curvature_excess(heights, 2.0).item() == pytest.approx(1.0, rel=1e-4)
+    assert found.curvature_excess(
+        2 * scene.lens.base.height - heights, 2.0
+    ).item() == pytest.approx(1.0, rel=1e-4)
+    assert found.curvature_excess(heights, 0.99).item() == 0
 
 
 def test_excess_begins_where_the_maps_say(make_scene, rng):
@@ -92,15 +92,15 @@ def test_excess_begins_where_the_maps_say(make_scene, rng):
     maps = surface_maps(scene.lens, heights, (u, v))
     radius = 1 / max(maps.concave.max(), maps.convex.max())
     found, heights = smoothness_of(scene), torch.as_tensor(heights)
-    assert found.excess(heights, 0.99 * radius).item() == 0
-    assert found.excess(heights, 1.01 * radius).item() > 0
+    assert found.curvature_excess(heights, 0.99 * radius).item() == 0
+    assert found.curvature_excess(heights, 1.01 * radius).item() > 0
 
 
 def test_gradient_is_that_of_finite_differences(make_scene, rng):
     scene = make_scene({"run.smoothness": 0.01, "run.min_radius": 0.5})
     found = smoothness_of(scene)
     heights = torch.as_tensor(0.5 + 0.05 * rng.random((12, 10))).requires_grad_()
-    assert found.excess(heights, 0.5).item() > 0
+    assert found.curvature_excess(heights, 0.5).item() > 0
     (gradient,) = torch.autograd.grad(found.penalty({"exit": heights}), [heights])
     ahead, step = torch.as_tensor(rng.normal(size=(12, 10))), 1e-6
     with torch.no_grad():

@@ -9,8 +9,8 @@ from workbench.optics.beam_plan import BeamPlan
 from workbench.targets import load_target
 
 
-def descend(scene, target, heights, reach):
-    image = WideImage(scene, target, (64, 64), reach)
+def descend(scene, target, heights, light_extent):
+    image = WideImage(scene, target, (64, 64), light_extent)
     error, step = image.compare({"exit": heights})
     (gradient,) = torch.autograd.grad(error.square().sum(), [heights])
     return error, step, gradient
@@ -25,8 +25,8 @@ def test_pixels_that_no_light_reaches_change_nothing(source, make_scene, tmp_pat
     target = load_target(scene, tmp_path)
     free = scene.lens.base.height + 0.003 * rng.random(ControlNet.of(scene.lens).shape)
     heights = torch.tensor(free, requires_grad=True)
-    reach = BeamPlan(scene, (64, 64)).reach({"exit": heights.detach()})
-    narrow, near, gradient = descend(scene, target, heights, reach)
+    light_extent = BeamPlan(scene, (64, 64)).light_extent({"exit": heights.detach()})
+    narrow, near, gradient = descend(scene, target, heights, light_extent)
     wide, far, same = descend(scene, target, heights, (5.0, 5.0))
     assert narrow.numel() < wide.numel() / 2
     assert wide.norm().item() == pytest.approx(narrow.norm().item(), rel=1e-5)

@@ -66,7 +66,7 @@ def test_outline_has_rim_foot_and_upright_edges():
 def test_rays_from_far_away_begin_on_their_way():
     start = np.array([[0.0, 0.0, -100.0], [0.0, 0.0, -1.0]])
     entrance = np.array([[1.0, -2.0, 0.0], [1.0, -2.0, 0.0]])
-    found = shapes.begun_at(start, entrance, -2.0)
+    found = shapes.starting_at(start, entrance, -2.0)
     np.testing.assert_allclose(found, [[0.98, -1.96, -2.0], [0.0, 0.0, -1.0]])
 
 

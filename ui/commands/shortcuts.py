@@ -67,5 +67,5 @@ class Shortcuts(QDialog):
         for number in range(self._table.topLevelItemCount()):
             item = self._table.topLevelItem(number)
             if item is not None:
-                said = f"{item.text(0)} {item.text(1)}".lower()
-                item.setHidden(not all(word in said for word in words))
+                listed = f"{item.text(0)} {item.text(1)}".lower()
+                item.setHidden(not all(word in listed for word in words))

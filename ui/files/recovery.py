@@ -66,7 +66,7 @@ class Recovery(QObject):
         self._kept: Session | None = None
         self._background = Background("recovery", self, finish_first=True)
         self._background.failed.connect(self._give_up)
-        self._told = self._closed = False
+        self._warned = self._closed = False
         self._timer = QTimer(self, interval=every_ms)
         self._timer.timeout.connect(self.keep)
 
@@ -153,8 +153,8 @@ class Recovery(QObject):
         self._tell(sentence_of(error, "recovery"))
 
     def _tell(self, reason: str) -> None:
-        if not self._told:
-            self._told = True
+        if not self._warned:
+            self._warned = True
             self.failed.emit(f"Unsaved work cannot be kept for a recovery. {reason}")
 
     def _remove(self) -> None:

@@ -142,11 +142,11 @@ def _run(command: list[str], task: Task) -> bool:
                 process.kill()
                 return False
             try:
-                _, said = process.communicate(timeout=_OFTEN)
+                _, output = process.communicate(timeout=_OFTEN)
                 break
             except TimeoutExpired:
                 pass
     if process.returncode:
-        *_, last = ["it ended without a word", *said.splitlines()]
+        *_, last = ["it ended without a word", *output.splitlines()]
         raise RunFailed(f"No report: {last.removeprefix(_SAYS)}")
     return True

@@ -49,13 +49,13 @@ class LensTools(QObject):
 
     Attributes
     ----------
-    said : Signal(str)
+    message : Signal(str)
         Why something does not move.
     lens_taken : Signal()
         A hand shapes the lens: nothing else may until the next edit.
     """
 
-    said = Signal(str)
+    message = Signal(str)
     lens_taken = Signal()
 
     def __init__(
@@ -102,7 +102,7 @@ class LensTools(QObject):
     def _sculpt(self) -> Sculpt:
         tool = Sculpt(self._view, self._brush, self._heights, self)
         tool.shaped.connect(self._shape)
-        tool.refused.connect(self.said)
+        tool.refused.connect(self.message)
         return tool
 
     def _move_source(self) -> MoveSource:
@@ -122,7 +122,7 @@ class LensTools(QObject):
 
     def _is_idle(self) -> bool:
         if self._control.busy:
-            self.said.emit(_BUSY)
+            self.message.emit(_BUSY)
         return not self._control.busy
 
     def _may_change(self) -> bool:
@@ -132,7 +132,7 @@ class LensTools(QObject):
         frame, lens = self._view.frame, self._document.session.scene.lens
         there = frame is not None and frame.session.scene.lens == lens == self._view.lens
         if not there:
-            self.said.emit(_NO_LENS)
+            self.message.emit(_NO_LENS)
         return there
 
     def _heights(self) -> Array | None:
@@ -159,7 +159,7 @@ class LensTools(QObject):
         if not self._is_idle():
             return None
         if self._view.exploded:
-            self.said.emit(_NOT_TO_SCALE)
+            self.message.emit(_NOT_TO_SCALE)
             return None
         return self._document.session.scene.source
 
@@ -177,7 +177,7 @@ class LensTools(QObject):
             scene = Scene.from_data({**old.to_data(), "source": source.model_dump(mode="json")})
             self._as_own(lambda: self._document.edit(scene, "move the source", self._key))
         except Refused as refused:
-            self.said.emit(str(refused))
+            self.message.emit(str(refused))
             return
         session = self._document.session
         self._view.hold_camera(session.scene)
@@ -213,7 +213,7 @@ class LensTools(QObject):
             self._as_own(lambda: self._document.set_result(frame.result, text))
 
     def _give_up(self, sentence: str) -> None:
-        self.said.emit(sentence)
+        self.message.emit(sentence)
         if self._settling is not None:
             self._settling = None
             self._control.preview()

@@ -81,8 +81,8 @@ class ManufactureFigures(QWidget):
         draft = _named("Draft", "Least angle between exit face and axis, along which a mould opens")
         self._add(end, "sag_range", sag)
         self._add(end + 1, "draft", draft)
-        self.told = QLabel(wordWrap=True)
-        grid.addWidget(self.told, end + 2, 0, 1, 5)
+        self.note = QLabel(wordWrap=True)
+        grid.addWidget(self.note, end + 2, 0, 1, 5)
         grid.setRowStretch(end + 3, 1)
         fields.changed.connect(self._judge)
 
@@ -92,7 +92,7 @@ class ManufactureFigures(QWidget):
         for key in _LINES:
             extreme: Extreme = getattr(found, key)
             label = self.found[key]
-            label.setText(self._told(key, extreme.value))
+            label.setText(self._in_words(key, extreme.value))
             label.setToolTip(f"<p>{self._where(key, extreme)}</p>")
         flat = found.sag_range < _ROUNDING * found.thickest.value
         self.found["sag_range"].setText(f"{0 if flat else found.sag_range:.4g} {unit}")
@@ -109,8 +109,8 @@ class ManufactureFigures(QWidget):
 
     def say(self, sentence: str) -> None:
         """What there is to know beside; while there is something, the figures are of before."""
-        self.told.setText(sentence)
-        self.told.setVisible(bool(sentence))
+        self.note.setText(sentence)
+        self.note.setVisible(bool(sentence))
         for label in (*self.found.values(), *self.states.values()):
             label.setEnabled(not sentence)
 
@@ -136,10 +136,10 @@ class ManufactureFigures(QWidget):
         font.setBold(text == _STATES["broken"][0])
         label.setFont(font)
         if verdict is not None:
-            tip = tip.format(bound=self._told(key, verdict.found.bound))
+            tip = tip.format(bound=self._in_words(key, verdict.found.bound))
         label.setToolTip(f"<p>{tip}</p>" if tip else "")
 
-    def _told(self, key: str, value: float) -> str:
+    def _in_words(self, key: str, value: float) -> str:
         if math.isinf(value):
             return "none"
         if key == "steepest":
@@ -150,7 +150,7 @@ class ManufactureFigures(QWidget):
         if math.isinf(extreme.value):
             return "The face has none."
         x, y = extreme.place
-        bound = self._told(key, extreme.bound)
+        bound = self._in_words(key, extreme.bound)
         return f"At x = {x:.4g}, y = {y:.4g} {self._unit}. Nowhere beyond {bound}."
 
 

@@ -48,8 +48,8 @@ class CarriedLens(QObject):
         # The last change of a net: another one right after it is a change of mind.
         self._before: Session | None = None
         self._after: Session | None = None
-        self._said = ""
-        self._told: tuple[Session, str] | None = None  # said once of all edits of one step
+        self._text = ""
+        self._noted: tuple[Session, str] | None = None  # said once of all edits of one step
         document.edited.connect(self._tell)
         document.session_changed.connect(self._withdraw)
 
@@ -117,8 +117,8 @@ class CarriedLens(QObject):
         self._document.change(before.with_scene(scene, after.target), text)
 
     def _tell_once(self, before: Session, text: str) -> None:
-        if self._told is None or self._told[0] is not before or self._told[1] != text:
-            self._told = before, text
+        if self._noted is None or self._noted[0] is not before or self._noted[1] != text:
+            self._noted = before, text
             self.noted.emit(text)
 
     def _say_of(self, after: Session, text: str) -> None:
@@ -127,13 +127,13 @@ class CarriedLens(QObject):
         self._say(text)
 
     def _say(self, text: str, *offers: Offer) -> None:
-        self._said = text
+        self._text = text
         self._messages.note(text, *offers)
 
     def _withdraw(self, session: Session) -> None:
         """What was said is about the session that it was said of."""
         if session is not self._after:
-            self._messages.withdraw(self._said)
+            self._messages.withdraw(self._text)
 
 
 def _size(shape: tuple[int, int]) -> str:

@@ -27,18 +27,18 @@ class LostLightNotice(QObject):
     def __init__(self, document: Document, control: "RunControl", messages: MessageBar) -> None:
         super().__init__(control)
         self._document, self._messages = document, messages
-        self._said = ""
+        self._text = ""
         control.ended.connect(self.say)
         document.session_changed.connect(self._withdraw)
 
     def say(self) -> None:
         """Say it of the lens that the document has."""
         result = self._document.session.result
-        self._said = "" if result is None else result.state.account.advice
-        if self._said and not self._messages.text:
-            self._messages.warn(self._said)
+        self._text = "" if result is None else result.state.account.advice
+        if self._text and not self._messages.text:
+            self._messages.warn(self._text)
 
     def _withdraw(self) -> None:
         """It was said of a lens that is another one now, or of another task."""
-        self._messages.withdraw(self._said)
-        self._said = ""
+        self._messages.withdraw(self._text)
+        self._text = ""

@@ -25,7 +25,7 @@ class PostponedEdits(QObject):
     ) -> None:
         super().__init__(parent)
         self._forms, self._control, self._messages = forms, control, messages
-        self._said = ""
+        self._text = ""
         forms.postponed.connect(self._offer)
 
     def make(self) -> None:
@@ -38,7 +38,7 @@ class PostponedEdits(QObject):
         self._offer(f"{sentence} {self._forms.postponed_text}")
 
     def _offer(self, sentence: str) -> None:
-        self._said = sentence
+        self._text = sentence
         stop = self._control.runner.stop
         self._messages.note(sentence, ("Stop and apply", stop), ("Take back", self._take_back))
 
@@ -47,4 +47,4 @@ class PostponedEdits(QObject):
         self._forms.drop_postponed_edits()
 
     def _withdraw(self) -> None:
-        self._messages.withdraw(self._said)
+        self._messages.withdraw(self._text)

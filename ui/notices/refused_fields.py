@@ -20,7 +20,7 @@ class RefusedFields(QObject):
     def __init__(self, forms: Forms, messages: MessageBar, parent: QObject) -> None:
         super().__init__(parent)
         self._forms, self._messages = forms, messages
-        self._said = ""
+        self._text = ""
         forms.refusals_changed.connect(self._follow)
 
     def tell(self) -> None:
@@ -28,12 +28,12 @@ class RefusedFields(QObject):
         count = len(self._forms.refusals)
         first = self._forms.refusals[0]
         others = f" ({count - 1} more refused)" if count > 1 else ""
-        self._said = f"{first}{others}. Correct it, or press Esc in the field, first."
-        self._messages.warn(self._said)
+        self._text = f"{first}{others}. Correct it, or press Esc in the field, first."
+        self._messages.warn(self._text)
 
     def _follow(self) -> None:
         """What was said is over when its field is corrected; the next one may be left."""
-        if self._said and self._messages.text == self._said:
+        if self._text and self._messages.text == self._text:
             if self._forms.refusals:
                 self.tell()
             else:

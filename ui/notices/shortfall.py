@@ -45,8 +45,8 @@ class ShortfallNotice(QObject):
         self._document, self._control, self._messages = document, control, messages
         self._start_over, self._go_on = start_over, go_on
         self._shown: Shortfall | None = None
-        self._said = ""
-        self._said_of_run = ""
+        self._text = ""
+        self._text_of_run = ""
         self._stopped_to_widen = False
         control.runner.frame_ready.connect(self._look)
         control.ended.connect(self._end)
@@ -56,17 +56,17 @@ class ShortfallNotice(QObject):
     def _look(self, frame: "Frame") -> None:
         """Say it once a run, as soon as it is known."""
         shortfall = frame.state.shortfall
-        if shortfall is None or not self._control.busy or self._said_of_run:
+        if shortfall is None or not self._control.busy or self._text_of_run:
             return
         text = f"{self._sentence(shortfall)} The run goes on within these limits."
-        self._said_of_run = text
+        self._text_of_run = text
         offers = [("Stop and widen", self._stop_and_widen)] if self._helps(shortfall) else []
         self._say(text, *offers)
 
     def _end(self) -> None:
         # Its best lens lacks nothing, or that would stand there now.
-        self._messages.withdraw(self._said_of_run)
-        self._said_of_run = ""
+        self._messages.withdraw(self._text_of_run)
+        self._text_of_run = ""
         if self._stopped_to_widen:
             self._stopped_to_widen = False
             self._widen()
@@ -76,8 +76,8 @@ class ShortfallNotice(QObject):
         shortfall = None if session.result is None else session.result.state.shortfall
         if shortfall is self._shown:
             return
-        self._messages.withdraw(self._said)
-        self._shown, self._said = shortfall, ""
+        self._messages.withdraw(self._text)
+        self._shown, self._text = shortfall, ""
         if shortfall is not None:
             self._say(self._sentence(shortfall), *self._offers(shortfall))
 
@@ -110,12 +110,12 @@ class ShortfallNotice(QObject):
         scene = self._document.session.scene
         self._document.edit(edited_scene(scene, [Edit(_RANGE, text, {_RANGE: None})]), text, "")
         # From a lens that was cut off at its ends the way is long, and often does not lead as far.
-        self._said = (
+        self._text = (
             "The height range follows from the task now, and the lens is as it was. Start over "
             "mostly finds a better one than Continue does."
         )
-        self._messages.note(self._said, ("Start over", self._start_over), ("Continue", self._go_on))
+        self._messages.note(self._text, ("Start over", self._start_over), ("Continue", self._go_on))
 
     def _say(self, text: str, *offers: Offer) -> None:
-        self._said = text
+        self._text = text
         self._messages.warn(text, *offers)

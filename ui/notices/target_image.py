@@ -23,7 +23,7 @@ class TargetImage(QObject):
     def __init__(self, document: Document, messages: MessageBar, parent: QObject) -> None:
         super().__init__(parent)
         self._document, self._messages = document, messages
-        self._said = ""
+        self._text = ""
         document.edited.connect(self._tell_of_edit)
         document.session_changed.connect(self._withdraw)
 
@@ -42,16 +42,16 @@ class TargetImage(QObject):
         self._tell_if_changed(after)
 
     def _tell_if_not_kept(self, session: Session) -> None:
-        said = why_not_kept(session.scene, session.picture)
-        if said:
-            self._messages.note(said)
+        why = why_not_kept(session.scene, session.picture)
+        if why:
+            self._messages.note(why)
 
     def _tell_if_changed(self, session: Session) -> None:
         if changed_on_disk(session.scene, session.picture):
-            self._said = (
+            self._text = (
                 f"{session.scene.image} has changed. The design keeps the picture that it has."
             )
-            self._messages.note(self._said, ("Read it again", self._read_again))
+            self._messages.note(self._text, ("Read it again", self._read_again))
 
     def _read_again(self) -> None:
         try:
@@ -61,4 +61,4 @@ class TargetImage(QObject):
 
     def _withdraw(self) -> None:
         """What was said is about the session that it was said of."""
-        self._messages.withdraw(self._said)
+        self._messages.withdraw(self._text)

@@ -23,7 +23,7 @@ class UnitChange(QObject):
         super().__init__(parent)
         self._document, self._messages = document, messages
         self._after: Session | None = None
-        self._said = ""
+        self._text = ""
         document.edited.connect(self._tell)
         document.session_changed.connect(self._withdraw)
 
@@ -32,11 +32,11 @@ class UnitChange(QObject):
         if old == new:
             return
         self._after = after
-        self._said = (
+        self._text = (
             f"All lengths are converted: 1 {old} is {float(ratio(old, new)):.6g} {new} now."
         )
         self._messages.note(
-            self._said, ("Keep the numbers", lambda: self._keep_numbers(before, after))
+            self._text, ("Keep the numbers", lambda: self._keep_numbers(before, after))
         )
 
     def _keep_numbers(self, before: Session, after: Session) -> None:
@@ -46,4 +46,4 @@ class UnitChange(QObject):
     def _withdraw(self, session: Session) -> None:
         """What was said is about the session that it was said of."""
         if session is not self._after:
-            self._messages.withdraw(self._said)
+            self._messages.withdraw(self._text)

@@ -37,7 +37,7 @@ class Forms(QScrollArea):
 
     Attributes
     ----------
-    told : Signal(str)
+    message : Signal(str)
         Why an edit was refused, each time.
     file_refused : Signal(str)
         Why a chosen or dropped file is not taken.
@@ -51,7 +51,7 @@ class Forms(QScrollArea):
         See `refusals`.
     """
 
-    told = Signal(str)
+    message = Signal(str)
     file_refused = Signal(str)
     image_asked = Signal()
     light_asked = Signal()
@@ -180,7 +180,7 @@ class Forms(QScrollArea):
     def _refuse(self, edit: Edit, refused: Refused) -> None:
         if edit.waits:
             self._pending[edit.path] = _Waiting(edit, refused)
-            self.told.emit(f"Refused: {refused}")
+            self.message.emit(f"Refused: {refused}")
         else:
             self.file_refused.emit(f"The {edit.text} is refused: {refused}")
 
@@ -209,7 +209,7 @@ class Forms(QScrollArea):
         except Refused as refused:
             path = "target.image"
             self._pending[path] = _Waiting(Edit(path, "new reading of the image", {}), refused)
-            self.told.emit(f"Refused: {refused}")
+            self.message.emit(f"Refused: {refused}")
             self._show()
 
     def _postpone(self, edits: list[Edit], scene: Scene) -> None:

@@ -64,7 +64,7 @@ class Rows:
             label or field.title,
             field,
             kinds,
-            lambda kind: self._begun(kinds, kind, path),
+            lambda kind: self._first_of(kinds, kind, path),
             self._otherwise if field.optional else "",
         )
         rows: list[Row] = [choice]
@@ -84,7 +84,7 @@ class Rows:
             return self.of_part(field.parts[0], path)
         return [value_row(field, path, self._otherwise)]
 
-    def _begun(self, kinds: Kinds, kind: type[Part], path: str) -> Part | None:
+    def _first_of(self, kinds: Kinds, kind: type[Part], path: str) -> Part | None:
         task = self._task()
         before = value_at(task, path.removeprefix(f"{self._stage}.") if self._stage else path)
         return kinds.exchanged(before, kind, task)
@@ -189,13 +189,13 @@ class KindRow(ChoiceRow):
     def _change(self, name: str) -> Changes | None:
         if not name:
             return {self._part: None} if self._shown else None
-        begun = self._begin(self._named[name])
-        if begun is None:
+        first = self._begin(self._named[name])
+        if first is None:
             self.asked.emit(self._named[name])
             return None
         if name == self._shown:
             return None
-        return {self._part: begun.model_dump(mode="json", exclude_none=True)}
+        return {self._part: first.model_dump(mode="json", exclude_none=True)}
 
 
 def _sentence(kind: type[Part]) -> str:

@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 
 _FIRST_MS, _FRAME_MS = 15, 66  # between two looks for a lens: the first one, better ones
 _PATIENCE_MS = 3000
-_BEGUN = "Following: the first lens is under way"
+_UNDER_WAY = "Following: the first lens is under way"
 _SLOW = (
     "Edits are followed no longer: the first lens of this design takes more than {:g} s here, time "
     "after time. Start designs it."
@@ -84,7 +84,7 @@ class Follow(QObject):
 
     Attributes
     ----------
-    said : Signal(str)
+    message : Signal(str)
         How far the lens is that follows; empty when none does any more.
     settled : Signal()
         The lens is as good as it gets, and the document has it.
@@ -94,7 +94,7 @@ class Follow(QObject):
         The machine does not keep up: nothing is followed from now on.
     """
 
-    said = Signal(str)
+    message = Signal(str)
     settled = Signal()
     failed = Signal(str)
     gave_up = Signal(str)
@@ -131,7 +131,7 @@ class Follow(QObject):
 
     @property
     def text(self) -> str:
-        """What was said last."""
+        """The last message."""
         return self._text
 
     def follows(self, session: "Session") -> bool:
@@ -201,7 +201,7 @@ class Follow(QObject):
             self._take_next()
         elif self._design.has_lens:
             self._design.job.gate.stop()
-        self._say(_BEGUN)
+        self._say(_UNDER_WAY)
 
     def _snapshots(self, session: "Session", goes_on: bool) -> "Generator[Snapshot, None, str]":
         """Meant for the thread, which alone touches the lenses of before."""
@@ -306,4 +306,4 @@ class Follow(QObject):
 
     def _say(self, text: str) -> None:
         self._text = text
-        self.said.emit(text)
+        self.message.emit(text)

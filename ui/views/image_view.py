@@ -168,7 +168,7 @@ class ImageView(PlotView):
             value = f"{self._values[pixel]:.4g} {self._content.unit(self._shown)}"
             if np.isnan(self._values[pixel]):
                 value = "beside the lens"
-            self._readout.setText(f"{value} at {extent.told(0, x)}, {extent.told(1, y)}")
+            self._readout.setText(f"{value} at {extent.in_words(0, x)}, {extent.in_words(1, y)}")
 
     def _turn_wheel(self, event: Any) -> None:
         if event.inaxes is self._axes and self._shown is not None:

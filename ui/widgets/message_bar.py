@@ -29,11 +29,11 @@ class MessageBar(QFrame):
     ----------
     buttons : list of QPushButton
         What the message offers, in its order.
-    said : Signal(str)
+    message : Signal(str)
         Each of them as it is shown.
     """
 
-    said = Signal(str)
+    message = Signal(str)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -97,7 +97,7 @@ class MessageBar(QFrame):
         self.show()
         self.raise_()
         QAccessible.updateAccessibility(QAccessibleEvent(self, QAccessible.Event.Alert))
-        self.said.emit(text)
+        self.message.emit(text)
 
     def _set_buttons(self, offers: Sequence[Offer]) -> None:
         for button in self.buttons:

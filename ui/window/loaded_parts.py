@@ -96,7 +96,7 @@ class LoadedParts(QObject):
         keep_colours(settings, early.commands)
         self._connect_follow(settings)
         self.runs.refused.connect(messages.warn)
-        self.tools.said.connect(messages.note)
+        self.tools.message.connect(messages.note)
         production.tolerances.failed.connect(messages.warn)
         production.tolerances.save_asked.connect(
             lambda: self.plots.choose_and_save_plot("tolerances")

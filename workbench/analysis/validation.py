@@ -215,14 +215,14 @@ def validating(
     trace = Trace(scene, heights, rays, seed, pose)
     second = Trace(scene, heights, -(-rays // FEWER), _another(seed), pose)
     image = None
-    begun = 0.0
+    traced_from = 0.0
     if accuracy is not None:
         steps = imaging(scene, heights, accuracy, pose, threads)
         image = yield from within(steps, lambda part: _CELLS * part)
-        begun = _CELLS
-    middle = begun + (1 - begun) * trace.rays / (trace.rays + second.rays)
+        traced_from = _CELLS
+    middle = traced_from + (1 - traced_from) * trace.rays / (trace.rays + second.rays)
     total, distances = yield from within(
-        _traced(trace, target, threads), lambda part: begun + (middle - begun) * part
+        _traced(trace, target, threads), lambda part: traced_from + (middle - traced_from) * part
     )
     account = _account(total)
     if account.on_screen == 0:

@@ -93,7 +93,7 @@ def _measure(
     from workbench.analysis.benchmark.suite import SUITE
 
     rows: list[Any] = []
-    begun = time.perf_counter()
+    start = time.perf_counter()
     progress = _Progress(name)
     stop = None
     try:
@@ -102,7 +102,7 @@ def _measure(
     except KeyboardInterrupt as error:
         stop = error
     progress.close()
-    return rows, time.perf_counter() - begun, stop
+    return rows, time.perf_counter() - start, stop
 
 
 def _write(
@@ -139,7 +139,7 @@ class _Progress:
     def __init__(self, name: str) -> None:
         self._name = name
         self._case = ""
-        self._told = -self._SECONDS
+        self._last = -self._SECONDS
         self._is_terminal = sys.stderr.isatty()
 
     def tell(self, case: str, state: str) -> None:
@@ -147,12 +147,12 @@ class _Progress:
         now = time.perf_counter()
         line = f"{self._name}: {case}  {state}".rstrip()
         if self._is_terminal:
-            if case != self._case or now - self._told > 0.1:
+            if case != self._case or now - self._last > 0.1:
                 print(f"\r\x1b[K{line}", end="", file=sys.stderr, flush=True)
-                self._told = now
-        elif case != self._case or now - self._told > self._SECONDS:
+                self._last = now
+        elif case != self._case or now - self._last > self._SECONDS:
             print(line, file=sys.stderr, flush=True)
-            self._told = now
+            self._last = now
         self._case = case
 
     def close(self) -> None:

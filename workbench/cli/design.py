@@ -46,10 +46,10 @@ def design(path: Path, output: Path, iterations: int | None, seconds: float, as_
         After a signal; the best lens so far is written.
     """
     session = open_design(path)
-    if not is_session(path) and (said := why_not_kept(session.scene, session.picture)):
-        print(said, file=sys.stderr)
-    if not is_session(path) and (said := why_light_is_not_kept(session.scene)):
-        print(said, file=sys.stderr)
+    if not is_session(path) and (why := why_not_kept(session.scene, session.picture)):
+        print(why, file=sys.stderr)
+    if not is_session(path) and (why := why_light_is_not_kept(session.scene)):
+        print(why, file=sys.stderr)
     run = DesignRun(session, iterations)
     session = run.session
     check_writable(output)

@@ -58,14 +58,14 @@ class Keeper:
 
     def keep(self, history: History) -> None:
         """Write a checkpoint, if it is time for one and there is a better lens than in the last."""
-        begun = time.monotonic()
-        if begun < self._due:
+        start = time.monotonic()
+        if start < self._due:
             return
         result = history.result()
         if result is not None and not self._has(result):
             self._write_checkpoint(result)
-        took = time.monotonic() - begun
-        self._due = begun + took + max(_SECONDS, took / _PART)
+        took = time.monotonic() - start
+        self._due = start + took + max(_SECONDS, took / _PART)
 
     def finish(self, result: Result) -> None:
         """Write the session, and remove the checkpoint.

@@ -49,8 +49,8 @@ def manufacture(path: Path, limits: Limits, plot: Path | None, as_json: bool) ->
         limits = replace(limits, min_thickness=scene.lens.min_thickness)
     judged = verdicts(found, limits)
     if as_json:
-        told = [v._asdict() | {"found": v.found.to_data()} for v in judged]
-        print(json.dumps({"unit": scene.unit} | found.to_data() | {"limits": told}))
+        listed = [v._asdict() | {"found": v.found.to_data()} for v in judged]
+        print(json.dumps({"unit": scene.unit} | found.to_data() | {"limits": listed}))
     else:
         _print(found, judged, scene.unit)
     if plot is not None:

@@ -25,7 +25,7 @@ class PartProgress:
 
     def __init__(self, name: str) -> None:
         self._name = name
-        self._told = time.monotonic()
+        self._last = time.monotonic()
         self._bar: tqdm | None = None
         if sys.stderr.isatty():
             self._bar = tqdm(
@@ -42,8 +42,8 @@ class PartProgress:
         """Show the part that is done."""
         if self._bar is not None:
             self._bar.update(part - self._bar.n)
-        elif time.monotonic() - self._told > _LINES:
-            self._told = time.monotonic()
+        elif time.monotonic() - self._last > _LINES:
+            self._last = time.monotonic()
             print(f"{self._name}  {100 * part:.0f} %", file=sys.stderr, flush=True)
 
     def close(self) -> None:

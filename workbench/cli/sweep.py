@@ -99,8 +99,8 @@ def _work(
 
 
 def _tell(name: str, row: Row, done: int, of: int) -> None:
-    told = row.reason or f"error {verified_error(row.verified)}"
-    print(f"{done}/{of}  {name}: {told}", file=sys.stderr, flush=True)
+    outcome = row.reason or f"error {verified_error(row.verified)}"
+    print(f"{done}/{of}  {name}: {outcome}", file=sys.stderr, flush=True)
 
 
 def _text(rows: Sequence[Row]) -> str:

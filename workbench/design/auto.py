@@ -23,7 +23,7 @@ from torch import Tensor
 
 from workbench.design.heights import HeightRange, Mask
 from workbench.design.lbfgs import Evaluation, minimise
-from workbench.design.levels import FINE, Level, image_of, levels_of, reach_of
+from workbench.design.levels import FINE, Level, image_of, levels_of, light_extent_of
 from workbench.design.loss import check_gradient
 from workbench.design.room import Room
 from workbench.design.smoothness import Smoothness
@@ -37,7 +37,7 @@ Array = npt.NDArray[np.float64]
 
 # The most that a step may change a parameter. Far out tanh is flat: a height that one bold step
 # brings there does not find back.
-_REACH = 0.3
+_MAX_STEP = 0.3
 # Waves with more periods per lens than this are made small in proportion.
 _CUT = 4.0
 # A level ends when steps together make the image better by less than this part: five steps with so
@@ -80,8 +80,8 @@ def auto_steps(room: Room) -> Generator[Step, None, str]:
     before = room.begin
     heights = {"exit": torch.tensor(before, device=device)}
     # All lenses are judged by the finest image, so that their losses can be compared.
-    reach = reach_of(scene, heights)
-    judge = image_of(FINE, scene, target, reach, mirrored)
+    extent = light_extent_of(scene, heights)
+    judge = image_of(FINE, scene, target, extent, mirrored)
     step = judge.step(heights)
     if smoothness is not None:
         step = smoothness.judged(step, smoothness.penalty(heights))
@@ -93,10 +93,10 @@ def auto_steps(room: Room) -> Generator[Step, None, str]:
         parameters = free.parameters(before)
     else:
         parameters = free.parameters(_joined(room.limits.nearest(room.first), before, locked))
-        reach = reach_of(scene, free.heights(parameters))
-        judge = image_of(FINE, scene, target, reach, mirrored)
+        extent = light_extent_of(scene, free.heights(parameters))
+        judge = image_of(FINE, scene, target, extent, mirrored)
     steps = _descend(
-        lambda level: judge if level is FINE else image_of(level, scene, target, reach, mirrored),
+        lambda level: judge if level is FINE else image_of(level, scene, target, extent, mirrored),
         partial(_evaluated, judge=judge, free=free, smoothness=smoothness),
         parameters,
         Waves(parameters, _CUT, mirrored),
@@ -131,7 +131,7 @@ def _descend(
         x = x.detach().requires_grad_()
         return evaluated(image, x, parameters + waves.change(x))
 
-    steps = minimise(objective, waves.nothing, _REACH, _longest_change(waves))
+    steps = minimise(objective, waves.nothing, _MAX_STEP, _longest_change(waves))
     errors: list[float] = []  # squares of the lowest ones of this level
     for _ in range(left):
         try:

@@ -48,18 +48,18 @@ class DesignRun:
     def __init__(self, session: Session, iterations: int | None = None) -> None:
         if iterations is not None:
             session = replace(session, scene=_with_iterations(session.scene, iterations))
-        self._begun, self.history = session, History(session.result)
+        self._first, self.history = session, History(session.result)
 
     @property
     def session(self) -> Session:
         """The session with the best lens so far; as it was before the first snapshot."""
         result = self.history.result()
-        return self._begun if result is None else replace(self._begun, result=result)
+        return self._first if result is None else replace(self._first, result=result)
 
     def __iter__(self) -> Generator[Snapshot, None, None]:
         from workbench.design.run import run  # late: torch takes seconds to import
 
-        session = self._begun = self.session
+        session = self._first = self.session
         self.history = History(session.result)
         start, locked = session.heights, session.locked
         yield from self.history.follow(run(session.scene, session.target, start, locked))

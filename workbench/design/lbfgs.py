@@ -30,7 +30,7 @@ _MAX_TRIALS = 12
 def minimise(
     objective: Objective[Seen],
     x: Tensor,
-    reach: float = math.inf,
+    max_step: float = math.inf,
     length: Callable[[Tensor], float] = lambda step: step.abs().max().item(),
 ) -> Generator[tuple[Tensor, Evaluation[Seen]], bool | None, None]:
     """Descend from ``x`` until no step along the search direction goes further down.
@@ -41,7 +41,7 @@ def minimise(
         Takes a point, shape (n,), and returns an `Evaluation` with a value that is not negative.
     x : Tensor, shape (n,)
         Where to begin.
-    reach : float
+    max_step : float
         The greatest length of a step.
     length : callable
         Length of a step; by default the most by which it changes any coordinate.
@@ -67,7 +67,7 @@ def minimise(
         slope = torch.dot(here.gradient, direction).item()
         if not slope < 0:
             return
-        step = min(1.0, reach / length(direction))
+        step = min(1.0, max_step / length(direction))
         for _ in range(_MAX_TRIALS):
             there = objective(x + step * direction)
             if there.value <= here.value + _ARMIJO * step * slope:

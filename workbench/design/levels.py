@@ -66,7 +66,7 @@ def image_of(
     level: Level,
     scene: Scene,
     target: Array,
-    reach: tuple[float, float],
+    light_extent: tuple[float, float],
     mirrored: tuple[bool, bool] = (False, False),
 ) -> WideImage:
     """The image by which a level compares lenses.
@@ -79,8 +79,8 @@ def image_of(
         The design task.
     target : ndarray, shape (n_y, n_x)
         The wanted image in any scale, row 0 at +y.
-    reach : tuple[float, float]
-        As for `WideImage`; see `reach_of`.
+    light_extent : tuple[float, float]
+        As for `WideImage`; see `light_extent_of`.
     mirrored : tuple[bool, bool]
         As for `WideImage`.
     """
@@ -95,7 +95,7 @@ def image_of(
     cells = [number / finest for number in cells]
     # An even number makes a mirrored lens a mirrored image, of which half need be traced.
     m_x, m_y = (min(max(2 * math.ceil(count / 2), _FEWEST_CELLS), _MOST_CELLS) for count in cells)
-    return WideImage(scene, target, Corners(m_x, m_y, origins), reach, mirrored)
+    return WideImage(scene, target, Corners(m_x, m_y, origins), light_extent, mirrored)
 
 
 def levels_of(scene: Scene) -> tuple[Level, ...]:
@@ -128,6 +128,6 @@ def _origins(scene: Scene) -> int:
     return int(min(max(4 * math.ceil(wanted / 4), _FEWEST_ORIGINS), _MOST_ORIGINS))
 
 
-def reach_of(scene: Scene, heights: Mapping[str, Tensor]) -> tuple[float, float]:
+def light_extent_of(scene: Scene, heights: Mapping[str, Tensor]) -> tuple[float, float]:
     """How far from the receiver's middle the light of a lens falls, in its coordinates."""
-    return BeamPlan(scene, _FEW_CELLS).reach(heights)
+    return BeamPlan(scene, _FEW_CELLS).light_extent(heights)

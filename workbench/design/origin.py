@@ -52,12 +52,12 @@ def _differences(run: KeptRun, session: Session) -> list[str]:
         {path: value for path, value in _fields(each.scene.to_data(), "") if path[:4] != "run."}
         for each in (run, session)
     )
-    told = [
+    changed = [
         f"{path} {then.get(path, 'absent')}, now {now.get(path, 'absent')}"
         for path in (*then, *(now.keys() - then.keys()))
         if then.get(path) != now.get(path)
     ]
-    return told or ["another target image"]
+    return changed or ["another target image"]
 
 
 def _fields(part: Any, path: str) -> Iterator[tuple[str, Any]]:

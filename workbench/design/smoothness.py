@@ -73,7 +73,9 @@ class Smoothness:
         if self._weight:
             penalty = penalty + self._weight * self.bending(exit_face)
         if self._radius is not None:
-            penalty = penalty + _PRICE * self.excess(exit_face, self._radius * (1 + _RESERVE))
+            penalty = penalty + _PRICE * self.curvature_excess(
+                exit_face, self._radius * (1 + _RESERVE)
+            )
         return penalty
 
     def bending(self, heights: Tensor) -> Tensor:
@@ -92,7 +94,7 @@ class Smoothness:
             start=heights.new_zeros(()),
         )
 
-    def excess(self, heights: Tensor, radius: float) -> Tensor:
+    def curvature_excess(self, heights: Tensor, radius: float) -> Tensor:
         """Mean square by which the principal curvatures exceed 1 / ``radius``, relative to that.
 
         Looked at where knot lines cross and halfway between: second derivatives of cubics are

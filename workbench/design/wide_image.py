@@ -37,7 +37,7 @@ class WideImage:
         The wanted image in any scale, row 0 at +y.
     cells : tuple[int, int] or Corners
         Cells of the light of each origin along x and y, and how many origins; see `BeamPlan`.
-    reach : tuple[float, float]
+    light_extent : tuple[float, float]
         How far from the receiver's middle light falls.
     mirrored : tuple[bool, bool]
         Whether all lenses are mirror images of themselves in x, in y; see `BeamPlan`.
@@ -53,12 +53,14 @@ class WideImage:
         scene: Scene,
         target: Array,
         cells: tuple[int, int] | Corners,
-        reach: tuple[float, float],
+        light_extent: tuple[float, float],
         mirrored: tuple[bool, bool] = (False, False),
     ) -> None:
         receiver = scene.receiver
         (n_x, n_y), r, most = receiver.pixels, receiver.half_extent, receiver.farthest
-        m_x, m_y = (_margin(reach[k] / r[k], receiver.pixels[k], most[k] / r[k]) for k in (0, 1))
+        m_x, m_y = (
+            _margin(light_extent[k] / r[k], receiver.pixels[k], most[k] / r[k]) for k in (0, 1)
+        )
         self._plan, self._margin = BeamPlan(scene, cells, mirrored=mirrored), (m_x, m_y)
         halves = 2 ** sum(mirrored)
         corners = Corners(*cells)
@@ -107,11 +109,11 @@ class WideImage:
         return Step(state, self._plan.notes, merit)
 
 
-def _margin(reach: float, pixels: int, farthest: float) -> int:
-    """Pixels beyond a receiver that hold light up to ``reach`` half-extents from its middle.
+def _margin(extent: float, pixels: int, farthest: float) -> int:
+    """Pixels beyond a receiver that hold light up to ``extent`` half-extents from its middle.
 
     There is no light beyond ``farthest``.
     """
     least, most = _MARGINS
-    wanted = math.ceil(min(max((reach - 1) / 2, least), most) * pixels)
+    wanted = math.ceil(min(max((extent - 1) / 2, least), most) * pixels)
     return wanted if math.isinf(farthest) else min(wanted, int((farthest - 1) / 2 * pixels))

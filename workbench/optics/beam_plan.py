@@ -78,7 +78,7 @@ class BeamPlan:
         notes.append(f"beams of light between {rays:,} rays: no noise, and no filter")
         return (*notes, *self._choice.defects())
 
-    def reach(self, heights: Mapping[str, Tensor]) -> tuple[float, float]:
+    def light_extent(self, heights: Mapping[str, Tensor]) -> tuple[float, float]:
         """How far from the receiver's middle, along u and v, nearly all light falls."""
         with torch.no_grad():
             column, row, flux = self._tracer.nodes(heights).hits

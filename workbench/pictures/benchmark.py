@@ -146,10 +146,10 @@ def comparisons(rows: Sequence[Measured]) -> Figure:
         times = [each.milliseconds for each in variants]
         axes.barh(places, times, color=_BAR, height=0.6)
         for place, each in zip(places, variants, strict=True):
-            said = f" {each.milliseconds:{'.0f' if each.milliseconds >= 100 else '.3g'}} ms"
+            caption = f" {each.milliseconds:{'.0f' if each.milliseconds >= 100 else '.3g'}} ms"
             if place:
-                said += f", × {each.ratio:.2g}"
-            axes.text(each.milliseconds, place, said, va="center", fontsize=_FONT)
+                caption += f", × {each.ratio:.2g}"
+            axes.text(each.milliseconds, place, caption, va="center", fontsize=_FONT)
         axes.set_yticks(places, [each.variant for each in variants])
         axes.set_xlim(0, 1.45 * max(times))
         axes.set_ylim(len(variants) - 0.5, -0.5)

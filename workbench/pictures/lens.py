@@ -299,7 +299,7 @@ class LensPicture:
         if not count:  # VTK takes no empty arrays
             return
         points = paths.points.copy()
-        points[:, 0] = shapes.begun_at(points[:, 0], points[:, 1], start_z(lit))
+        points[:, 0] = shapes.starting_at(points[:, 0], points[:, 1], start_z(lit))
         self._rays.points = points.reshape(-1, 3)
         if count != self._rays.n_cells:
             ends = np.arange(4 * count).reshape(count, 4)

@@ -86,7 +86,7 @@ class _Map(NamedTuple):
     unit: str
     low: float | None
     high: float | None
-    told: str
+    in_words: str
 
 
 def map_unit(name: str, unit: str) -> str:
@@ -149,7 +149,7 @@ def draw_manufacture(figure: "FigureBase", maps: FaceMaps, limits: ShopLimits, u
     """
     for axes, name in zip(figure.subplots(2, 2, gridspec_kw=_APART).ravel(), MAPS, strict=True):
         draw_map(axes, name, maps, limits, unit)
-        axes.set_title(f"{name}{_map(name, maps, limits, unit).told}", fontsize=_FONT)
+        axes.set_title(f"{name}{_map(name, maps, limits, unit).in_words}", fontsize=_FONT)
 
 
 def write_manufacture(file: BinaryIO, maps: FaceMaps, limits: ShopLimits, unit: str) -> None:
@@ -173,15 +173,15 @@ def _map(name: str, maps: FaceMaps, limits: ShopLimits, unit: str) -> _Map:
     of = map_unit(name, unit)
     if name == "Thickness":
         low, high = limits.min_thickness, limits.max_thickness
-        told = _told("at least", low, f" {unit}") + _told("at most", high, f" {unit}")
-        return _Map(maps.thickness, of, low, high, told)
+        in_words = _in_words("at least", low, f" {unit}") + _in_words("at most", high, f" {unit}")
+        return _Map(maps.thickness, of, low, high, in_words)
     if name == "Slope":
         steep = limits.max_slope
-        return _Map(maps.slope, of, None, steep, _told("at most", steep, "°"))
+        return _Map(maps.slope, of, None, steep, _in_words("at most", steep, "°"))
     radius = limits.min_radius
     bent = None if radius is None else 1 / radius
     values = maps.concave if name == "Curvature of hollows" else maps.convex
-    return _Map(values.clip(0), of, None, bent, _told("radius at least", radius, f" {unit}"))
+    return _Map(values.clip(0), of, None, bent, _in_words("radius at least", radius, f" {unit}"))
 
 
 def _hatch(axes: "Axes", maps: FaceMaps, values: Array, between: list[float]) -> None:
@@ -190,5 +190,5 @@ def _hatch(axes: "Axes", maps: FaceMaps, values: Array, between: list[float]) ->
     hatched.set_linewidth(1.0)
 
 
-def _told(word: str, limit: float | None, unit: str) -> str:
+def _in_words(word: str, limit: float | None, unit: str) -> str:
     return "" if limit is None else f", {word} {limit:g}{unit}"

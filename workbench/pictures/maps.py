@@ -58,7 +58,7 @@ class Extent(NamedTuple):
         """Names an axis of a picture: 0 to the right, 1 upwards."""
         return f"{self.axes[axis]} ({self.unit})"
 
-    def told(self, axis: int, value: float) -> str:
+    def in_words(self, axis: int, value: float) -> str:
         """One coordinate of a place, as in "x = 0.4 cm"."""
         return f"{self.axes[axis]} = {self.sized(f'{value:.3g}')}"
 

@@ -52,7 +52,7 @@ def cut_through(scene: Scene, along: str, place: Place) -> Cut:
     r, n = receiver.half_extent[axis], receiver.pixels[axis]
     column, row = (math.floor(at) for at in receiver.to_pixels(*place))
     middles = np.linspace(low + r / n, high - r / n, n)  # of pixels
-    name = f"{extent.label(axis)} at {extent.told(1 - axis, place[1 - axis])}"
+    name = f"{extent.label(axis)} at {extent.in_words(1 - axis, place[1 - axis])}"
     if along == "x":
         return Cut(name, (low, high), middles, np.full(n, float(row)), np.arange(0.0, n))
     return Cut(name, (low, high), middles, np.arange(n - 1.0, -1, -1), np.full(n, float(column)))

@@ -119,7 +119,7 @@ def wall_lines(m_u: int, m_v: int, straight: bool = True) -> Cells:
     return polylines(lines)
 
 
-def begun_at(start: Array, entrance: Array, z: float) -> Array:
+def starting_at(start: Array, entrance: Array, z: float) -> Array:
     """Starts of rays, those before the plane ``z`` moved up to it on the way to the entrance.
 
     Parameters

@@ -43,12 +43,12 @@ class Kinds:
         self, source: Any, handler: GetCoreSchemaHandler
     ) -> CoreSchema:
         members = get_args(source)
-        told = [self.name_of(member) for member in members if self.field in member.model_fields]
+        named = [self.name_of(member) for member in members if self.field in member.model_fields]
         return core_schema.tagged_union_schema(
             {self.name_of(member): handler.generate_schema(member) for member in members},
             self._tag,
             custom_error_type="unknown_kind",
-            custom_error_message=f"{self.field}: {', '.join(map(repr, told))}",
+            custom_error_message=f"{self.field}: {', '.join(map(repr, named))}",
         )
 
     def _tag(self, value: object) -> str | None:

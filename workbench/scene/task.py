@@ -33,7 +33,7 @@ MOST_STAGES = 100
 """Most stages of a run: each is checked as a scene of its own."""
 
 
-class _Said(Part, extra="ignore"):
+class _Versioned(Part, extra="ignore"):
     """What a file says of itself."""
 
     version: Version = 1
@@ -244,7 +244,7 @@ class Scene(Part):
         """
         try:
             scene = cls.model_validate_json(text)
-            version = _Said.model_validate_json(text).version
+            version = _Versioned.model_validate_json(text).version
         except ValidationError as error:
             raise refusal(error, cls) from None
         if version >= 2 and "reflection" not in scene.lens.model_fields_set:

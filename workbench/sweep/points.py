@@ -75,8 +75,8 @@ def key_of(session: Session, rays: int) -> str:
     Where the target comes from plays no part.
     """
     data = session.scene.to_data() | {"target": None}
-    told = json.dumps([data, session.target.shape, rays, __version__], sort_keys=True)
-    digest = hashlib.sha256(told.encode())
+    described = json.dumps([data, session.target.shape, rays, __version__], sort_keys=True)
+    digest = hashlib.sha256(described.encode())
     digest.update(np.ascontiguousarray(session.target, dtype="<f8").tobytes())
     for light in session.scene.light_files.values():
         digest.update(light or b"")

@@ -47,5 +47,5 @@ def draw_svg(content: bytes, side: int) -> bytes:
         raise ValueError(f"it cannot be drawn within {_PATIENCE_S:g} s") from error
     if done.returncode == 0:
         return done.stdout
-    said = done.stderr.decode(errors="replace").strip().splitlines()
-    raise ValueError(said[-1] if said else "it is nested too deeply to be drawn")
+    lines = done.stderr.decode(errors="replace").strip().splitlines()
+    raise ValueError(lines[-1] if lines else "it is nested too deeply to be drawn")

@@ -44,7 +44,7 @@ class Bench:
         self.tools = LensTools(self.document, self.control, self.view, self.window)
         self.commands = self.tools.slots()
         self.said, self.put_away = [], []
-        self.tools.said.connect(self.said.append)
+        self.tools.message.connect(self.said.append)
         self.view.escaped.connect(lambda: self.put_away.append(True))
         self.view.show_design(session)
         self.document.session_changed.connect(self.view.show_design)

@@ -135,14 +135,14 @@ def test_limits_are_kept_for_each_unit(pane, settings, session, make_scene, qtbo
 def test_figures_follow_the_lens_when_it_stops_changing(pane, bowl, monkeypatch, qtbot):
     pane.allow(resting=False)
     pane.show_frame(bowl(0.1))
-    assert "lens before" in pane._figures.told.text()
+    assert "lens before" in pane._figures.note.text()
     assert not pane._figures.found["steepest"].isEnabled()
     qtbot.wait(400)
     before = pane._figures.found["steepest"].text()
     assert not pane._background.busy and not pane._rest.isActive()
     pane.allow(resting=True)
     qtbot.waitUntil(lambda: pane._figures.found["steepest"].text() != before, timeout=10_000)
-    assert pane._figures.told.text() == "" and pane._figures.found["steepest"].isEnabled()
+    assert pane._figures.note.text() == "" and pane._figures.found["steepest"].isEnabled()
 
 
 def test_nothing_is_computed_while_hidden(pane, bowl, monkeypatch, qtbot):

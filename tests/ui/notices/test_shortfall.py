@@ -136,7 +136,7 @@ def test_what_was_said_of_a_run_goes_with_it_where_its_best_lens_lacks_nothing(d
         return "all iterations are done"
 
     said = []
-    desk.messages.said.connect(said.append)
+    desk.messages.message.connect(said.append)
     desk.control.runner._generate = run
     design(desk, qtbot)
     assert any("goes on within these limits" in text for text in said)

@@ -242,7 +242,7 @@ def test_a_sphere_brings_its_fields(forms, document, qtbot):
 @pytest.mark.parametrize("elsewhere", [False, True])
 def test_text_typed_into_a_field_that_disappears_is_dropped(forms, document, qtbot, elsewhere):
     collimated, told = document.session, []
-    forms.told.connect(told.append)
+    forms.message.connect(told.append)
     choose(forms, "source.kind", "grid")
     half = editor(forms, "source.half_width[1]")
     if elsewhere:

@@ -40,7 +40,7 @@ def settled(window, qtbot):
 def test_a_value_that_is_typed_is_followed_and_undone_as_one_step(following, designed, qtbot):
     window, document = following, following.document
     texts = []
-    window.loaded.follow.said.connect(texts.append)
+    window.loaded.follow.message.connect(texts.append)
     with settled(window, qtbot):
         fill(qtbot, editor(window.forms, "screen.z"), "6")
     result = document.session.result

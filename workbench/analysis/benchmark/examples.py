@@ -136,7 +136,7 @@ def wavy(scene: Scene) -> Array:
 def _merged(part: Any, change: Any) -> Any:
     if not (isinstance(part, dict) and isinstance(change, dict)):
         return change
-    for told_by in ("kind", "method"):
-        if change.get(told_by, part.get(told_by)) != part.get(told_by):
+    for field in ("kind", "method"):
+        if change.get(field, part.get(field)) != part.get(field):
             return change
     return part | change

@@ -118,7 +118,7 @@ def _questions() -> Iterator[tuple[str, Callable[[], list[Variant]]]]:
         "point": [{"rays": n} for n in (125_000, 500_000, 2_000_000)],
     }
     for kind, sources in counts.items():
-        rays = {f"{_said(each['rays'])} rays": {"source": each} for each in sources}
+        rays = {f"{_rays_text(each['rays'])} rays": {"source": each} for each in sources}
         samples = () if kind == "collimated" else (354, 707, 1414)
         yield f"{kind}: rays", partial(_images, _SOURCES[kind], rays, samples)
     filters = {f"{n} × {n} pixels": {"filter": {"size": [n, n]}} for n in (3, 1, 5, 7, 11)}
@@ -190,5 +190,5 @@ def _mesh(subdivisions: int) -> dict[str, Any]:
     return {"method": "mesh", "subdivisions": [subdivisions, subdivisions]}
 
 
-def _said(rays: Any) -> str:
+def _rays_text(rays: Any) -> str:
     return f"{rays[0]} × {rays[1]}" if isinstance(rays, list) else f"{rays:,}"

@@ -69,12 +69,12 @@ def _paper_on_torch(example: Example, iterations: int | None) -> Iterator[Lens]:
 
 def _transport(example: Example, iterations: int | None) -> Iterator[Lens]:
     """The first lens of ``auto`` alone."""
-    begun = time.perf_counter()
+    start = time.perf_counter()
     first = transport_start(example.scene, example.target)
     if first is None:
         raise RunFailed("no light leaves the lens, so there is none to transport")
     limits = HeightLimits.of(example.scene.lens, ControlNet.of(example.scene.lens))
-    yield Lens(time.perf_counter() - begun, limits.nearest(first))
+    yield Lens(time.perf_counter() - start, limits.nearest(first))
 
 
 def _designed(example: Example, method: str, iterations: int) -> Iterator[Lens]:

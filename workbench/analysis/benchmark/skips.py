@@ -9,7 +9,7 @@ import torch
 from workbench.analysis.benchmark.comparison import Measured, Variant, compare, image_error
 from workbench.analysis.benchmark.examples import Example, Notify, wavy
 from workbench.analysis.benchmark.kernels import Descent, rays_of
-from workbench.design.levels import reach_of
+from workbench.design.levels import light_extent_of
 from workbench.design.wide_image import WideImage
 from workbench.optics.beam_plan import BeamPlan
 
@@ -91,8 +91,8 @@ def _pixels() -> list[Variant]:
     example = Example.of("flame")
     scene, heights = example.scene, torch.as_tensor(wavy(example.scene)).requires_grad_()
 
-    def descent(reach: tuple[float, float]) -> Callable[[], object]:
-        image = WideImage(scene, example.target, scene.source.samples, reach)
+    def descent(light_extent: tuple[float, float]) -> Callable[[], object]:
+        image = WideImage(scene, example.target, scene.source.samples, light_extent)
 
         def once() -> object:
             return torch.autograd.grad(
@@ -104,7 +104,7 @@ def _pixels() -> list[Variant]:
     beyond = tuple(4 * r for r in scene.receiver.half_extent)
     rays = rays_of(scene)
     return [
-        Variant("left out", descent(reach_of(scene, {"exit": heights.detach()})), rays),
+        Variant("left out", descent(light_extent_of(scene, {"exit": heights.detach()})), rays),
         Variant("all around the screen", descent((beyond[0], beyond[1])), rays),
     ]
 

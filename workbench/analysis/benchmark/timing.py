@@ -50,9 +50,9 @@ def in_turns(
     for call in calls.values():
         call()
     taken: dict[str, list[float]] = {name: [] for name in calls}
-    begun = time.perf_counter()
+    first = time.perf_counter()
     for number in range(max(rounds, _FEWEST)):
-        if number >= _FEWEST and time.perf_counter() - begun > seconds:
+        if number >= _FEWEST and time.perf_counter() - first > seconds:
             break
         for name, call in calls.items():
             start = time.perf_counter()

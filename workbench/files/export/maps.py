@@ -79,10 +79,10 @@ def write_png(shown: Map, file: BinaryIO) -> Deviation:
     if step > 0:
         grey[:] = np.rint((np.nan_to_num(shown.values, nan=low) - low) / step)
     text = PngInfo()
-    told = {"Black": low, "White": high, **_extent(shown)}
+    notes = {"Black": low, "White": high, **_extent(shown)}
     if np.isnan(shown.values).any():
-        told["Beside the lens"] = "black"
-    for key, value in told.items():
+        notes["Beside the lens"] = "black"
+    for key, value in notes.items():
         text.add_text(key, str(value))
     with io.BytesIO() as png:
         Image.fromarray(grey).save(png, "PNG", pnginfo=text)

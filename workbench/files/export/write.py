@@ -33,8 +33,8 @@ class Written(NamedTuple):
     def sentence(self) -> str:
         """All of it for people to read."""
         kind, size, unit, note = self.deviation
-        told = [self.format, f"{kind} {size:.2g} {unit}", *([note] if note else [])]
-        return f"{self.path}: {', '.join(told)}"
+        described = [self.format, f"{kind} {size:.2g} {unit}", *([note] if note else [])]
+        return f"{self.path}: {', '.join(described)}"
 
 
 def export(

@@ -1,6 +1,6 @@
 """IES LM-63 of 1986, 1991, 1995, 2002 and 2019.
 
-Numbers run on over lines and are told by their order: the ten that say how the light was measured,
+Numbers run on over lines and are known by their order: the ten that say how the light was measured,
 three of the ballast, angles γ, angles C, and the intensities plane by plane.
 """
 
@@ -32,14 +32,14 @@ def read_ies(content: bytes) -> IntensityTable:
     tilt = next((k for k, line in enumerate(lines) if line.upper().startswith("TILT=")), None)
     if tilt is None:
         raise ValueError("it has no line that begins with TILT=, as each IES file has")
-    told = lines[tilt].partition("=")[2].strip().upper()
-    if told not in ("NONE", "INCLUDE"):
-        raise ValueError(f"its TILT is in another file, {told[:30]!r}; NONE or INCLUDE is needed")
+    given = lines[tilt].partition("=")[2].strip().upper()
+    if given not in ("NONE", "INCLUDE"):
+        raise ValueError(f"its TILT is in another file, {given[:30]!r}; NONE or INCLUDE is needed")
     text = "\n".join(lines[tilt + 1 :])
     refused = None
     for words in readings(text):
         try:
-            return _table(words, told == "INCLUDE")
+            return _table(words, given == "INCLUDE")
         except ValueError as error:
             refused = refused or error
     raise refused or ValueError("it ends behind its TILT")
