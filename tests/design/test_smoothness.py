@@ -10,6 +10,7 @@ import workbench.design.run as run_module
 from tests.accounts import account_of
 from workbench.analysis.manufacture import manufacture, surface_maps
 from workbench.design.lens_state import LensState
+from workbench.design.methods import method_of
 from workbench.design.run import run
 from workbench.design.smoothness import Smoothness
 from workbench.design.step import Step
@@ -177,7 +178,8 @@ class TestRuns:
             )
             for loss, merit in ((3.0, 3.0), (1.0, 9.0), (2.0, 2.5))
         ]
-        monkeypatch.setattr(run_module, "_steps", lambda *task: iter(steps))
+        method = method_of(make_scene())._replace(steps=lambda room: iter(steps))
+        monkeypatch.setattr(run_module, "method_of", lambda scene: method)
         assert [s.best for s in run(make_scene(), DISC)] == [True, False, True]
 
 
