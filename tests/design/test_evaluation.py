@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from workbench.design.evaluation import Evaluator, undesigned
+from workbench.design.evaluation import Evaluator
+from workbench.design.limits import undesigned
 from workbench.design.run import run
 from workbench.design.snapshot import History
 from workbench.errors import RunFailed

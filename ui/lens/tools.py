@@ -21,7 +21,7 @@ from ui.lens.lock import Lock
 from ui.lens.move_source import MoveSource
 from ui.lens.sculpt import Sculpt
 from ui.views.drawing_queue import drawing_queue
-from workbench.design.evaluation import undesigned
+from workbench.design.limits import undesigned
 from workbench.errors import Refused
 from workbench.geometry.faces import FaceArrays
 from workbench.scene import Scene

@@ -13,7 +13,7 @@ from workbench.files.session import Session
 from workbench.geometry.approximation import deviation, nearest_finer
 from workbench.geometry.surface import ControlNet
 from workbench.scene import AutoNet
-from workbench.scene.lens import LARGEST_NET
+from workbench.scene.net import LARGEST_NET
 
 _NET = "lens.control_points"
 

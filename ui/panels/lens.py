@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from ui.panels.edits import value_at
 from ui.panels.fields import Changes, ChoiceRow, NumberRow, Row
 from ui.panels.panel import PartPanel
 from ui.panels.rows import Make, value_row
@@ -13,6 +14,7 @@ from workbench.scene import FieldDescription, Scene
 
 _OWN_INDEX = "index"
 _AUTOMATIC, _OWN_RANGE = "automatic", "own"
+_EXIT_RANGE = "lens.height_range"
 _HELIUM_D_UM = 0.5876  # the line at which catalogues quote an index
 
 
@@ -46,12 +48,12 @@ class LensPanel(PartPanel):
             field.title,
             field.tip,
             [(_AUTOMATIC, "Automatic"), (_OWN_RANGE, "Own limits")],
-            read=_range,
-            changes=self._change_range,
+            read=lambda scene: _range(scene, path),
+            changes=lambda choice: self._change_range(choice, path),
         )
         limits = NumberRow(
             path,
-            "From the base",
+            "From the base" if path == _EXIT_RANGE else "From the entrance",
             "How far a control point may move from the base, down and up. A wider range bends "
             "light further.",
             field.measure,
@@ -66,19 +68,21 @@ class LensPanel(PartPanel):
         wavelength = lens.wavelength_um or _HELIUM_D_UM
         return {"lens.refractive_index": choice, "lens.wavelength_um": wavelength}
 
-    def _change_range(self, choice: str) -> Changes | None:
+    def _change_range(self, choice: str, path: str) -> Changes | None:
         lens, heights = self.session.scene.lens, self.session.heights
-        if choice == _range(self.session.scene):
+        if choice == _range(self.session.scene, path):
             return None
         if choice == _AUTOMATIC:
-            return {"lens.height_range": None}
+            return {path: None}
+        if path != _EXIT_RANGE:
+            return {path: [z - lens.entrance_z for z in lens.entrance_range]}
         half = 0.3 * max(lens.half_width)
         if heights is not None:
             x, y = ControlNet.of(lens).positions
             off = np.abs(heights["exit"] - lens.base.height_at(x[:, None], y[None, :]))
             half = max(half, 1.5 * float(off.max()))
         half = float(f"{half:.2g}")
-        return {"lens.height_range": [-half, half]}
+        return {path: [-half, half]}
 
 
 def _wavelength_rows(field: FieldDescription, path: str) -> list[Row]:
@@ -88,8 +92,8 @@ def _wavelength_rows(field: FieldDescription, path: str) -> list[Row]:
     return [row]
 
 
-def _range(scene: Scene) -> str:
-    return _AUTOMATIC if scene.lens.height_range is None else _OWN_RANGE
+def _range(scene: Scene, path: str) -> str:
+    return _AUTOMATIC if value_at(scene, path) is None else _OWN_RANGE
 
 
 def _material(scene: Scene) -> str:

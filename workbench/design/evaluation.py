@@ -5,13 +5,11 @@ import numpy.typing as npt
 import torch
 from torch import Tensor
 
-from workbench.design.limits import HeightLimits
 from workbench.design.methods import method_of
 from workbench.design.snapshot import Result, Snapshot
-from workbench.geometry.faces import NO_LOCKS, ControlHeights, FaceArrays, Locks
-from workbench.geometry.surface import ControlNet
+from workbench.geometry.faces import NO_LOCKS, ControlHeights, Locks
 from workbench.optics.plan import device_of
-from workbench.scene import Lens, Scene
+from workbench.scene import Scene
 
 Array = npt.NDArray[np.float64]
 
@@ -88,8 +86,3 @@ class Evaluator:
 
     def _tensors(self, heights: ControlHeights) -> dict[str, Tensor]:
         return {face: torch.tensor(each, device=self._device) for face, each in heights.items()}
-
-
-def undesigned(lens: Lens) -> ControlHeights:
-    """Control heights of a lens before any design, scene units."""
-    return FaceArrays({"exit": HeightLimits.of(lens, ControlNet.of(lens)).undesigned})

@@ -6,8 +6,9 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from workbench.geometry.faces import ControlHeights, FaceArrays
 from workbench.geometry.outlines import outline_of
-from workbench.geometry.surface import ControlNet
+from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.scene import Lens, Scene
 
 Array = npt.NDArray[np.float64]
@@ -46,8 +47,30 @@ class HeightLimits:
     shaping: Mask
 
     @classmethod
+    def of_faces(cls, lens: Lens) -> dict[str, "HeightLimits"]:
+        """The limits of each freeform face of a lens, by its name, on its own net.
+
+        By the convex-hull property each face stays between its limits everywhere, and all of the
+        entrance face's are below those of the exit face by the minimal thickness.
+        """
+        laws = {"entrance": cls.at_entrance, "exit": cls.of}
+        return {face: laws[face](lens, net) for face, net in freeform_nets(lens).items()}
+
+    @classmethod
+    def at_entrance(cls, lens: Lens, net: ControlNet) -> "HeightLimits":
+        """The limits of the entrance face; undesigned it is where the lens says, or close to it."""
+        low, high = lens.entrance_range
+        middle = lens.entrance_z + sum(lens.entrance.height_range or (0.0, 0.0)) / 2
+        inside = _INSIDE * (high - low)
+        lower, upper, undesigned = (
+            np.full(net.shape, z)
+            for z in (low, high, min(max(middle, low + inside), high - inside))
+        )
+        return cls(lower, upper, undesigned, net.shaping(outline_of(lens)))
+
+    @classmethod
     def of(cls, lens: Lens, net: ControlNet) -> "HeightLimits":
-        """The limits that a lens sets on a control net."""
+        """The limits that a lens sets on a control net of its exit face."""
         x, y = net.positions
         lower, upper = lens.limits_at(x[:, None], y[None, :])
         middle = lens.base.height_at(x[:, None], y[None, :])
@@ -115,6 +138,12 @@ class HeightLimits:
         return float(low.max()), float(high.min())
 
 
+def undesigned(lens: Lens) -> ControlHeights:
+    """Control heights of a lens before any design, scene units."""
+    limits = HeightLimits.of_faces(lens)
+    return FaceArrays({face: each.undesigned for face, each in limits.items()})
+
+
 def bounded(scene: Scene) -> Lens:
     """The lens of a scene with all that limits its heights.
 
@@ -128,5 +157,5 @@ def bounded(scene: Scene) -> Lens:
     behind = scene.receiver.nearest_z
     if math.isinf(behind):
         behind = lens.highest + _ROOM * max(lens.half_width)
-    thickness = (lens.highest + behind) / 2 - lens.entrance_z
+    thickness = (lens.highest + behind) / 2 - lens.front_z
     return lens.model_copy(update={"max_thickness": thickness})

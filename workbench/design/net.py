@@ -19,7 +19,7 @@ import numpy as np
 import numpy.typing as npt
 
 from workbench.scene import Scene
-from workbench.scene.lens import LARGEST_NET
+from workbench.scene.net import LARGEST_NET
 
 Array = npt.NDArray[np.float64]
 

@@ -9,7 +9,7 @@ import numpy.typing as npt
 
 from workbench import units
 from workbench.design.lens_state import scaled
-from workbench.design.limits import HeightLimits, bounded
+from workbench.design.limits import HeightLimits, bounded, undesigned
 from workbench.design.net import definite
 from workbench.design.snapshot import Result
 from workbench.errors import Refused
@@ -170,14 +170,15 @@ class Session:
         if unit != self.scene.unit and target is self.target and scene == self.scene.in_unit(unit):
             return self.in_unit(unit)
         nets, others = freeform_nets(self.scene.lens), freeform_nets(scene.lens)
-        exact = all(others[face].contains(net) for face, net in nets.items())
+        kept = nets.keys() & others.keys()
+        exact = all(others[face].contains(nets[face]) for face in kept)
         same_task = task_of(scene) == task_of(self.scene) and np.array_equal(target, self.target)
         result, start = self.result if exact and same_task else None, self.heights
         if start is not None and others != nets:
             carry = ControlNet.refine if exact else project
-            start = FaceArrays(
-                {face: carry(nets[face], start[face], others[face]) for face in nets}
-            )
+            carried = {face: carry(nets[face], start[face], others[face]) for face in kept}
+            new = {face: z for face, z in undesigned(scene.lens).items() if face not in kept}
+            start = FaceArrays(new | carried)
             result = result and result.with_state(heights=start)
         if scene.lens.half_width != self.scene.lens.half_width:
             result = start = None
@@ -187,7 +188,7 @@ class Session:
             start = within
         if result is not None:
             start = None
-        same_points = all(
+        same_points = nets.keys() == others.keys() and all(
             (others[face].shape, others[face].degree) == (net.shape, net.degree)
             for face, net in nets.items()
         )
@@ -260,15 +261,17 @@ def task_of(scene: Scene) -> Scene:
     A task of another size is the same one as long as its numbers are: no length has one of its own.
     """
     searched = ("control_points", "degree", "height_range", "max_thickness", "min_thickness")
-    lens = scene.lens.model_copy(update=dict.fromkeys(searched))
+    entrance = scene.lens.entrance.shape, scene.lens.front_z
+    lens = scene.lens.model_copy(update={**dict.fromkeys(searched), "entrance": entrance})
     return scene.model_copy(update={"lens": lens, "run": None, "unit": None})
 
 
 def _within(scene: Scene, heights: ControlHeights) -> ControlHeights:
     """Control heights within the limits of a scene; the same object where they are already."""
-    limits = HeightLimits.of(bounded(scene), ControlNet.of(scene.lens))
-    nearest = limits.nearest(heights["exit"])
-    return heights if nearest is heights["exit"] else FaceArrays({**heights, "exit": nearest})
+    limits = HeightLimits.of_faces(bounded(scene))
+    nearest = {face: limits[face].nearest(each) for face, each in heights.items()}
+    same = all(nearest[face] is each for face, each in heights.items())
+    return heights if same else FaceArrays(nearest)
 
 
 def _unhindered(result: Result) -> Result:
@@ -279,4 +282,5 @@ def _unhindered(result: Result) -> Result:
 def _limits(scene: Scene) -> tuple[object, ...]:
     """What tells where control heights may be."""
     lens = bounded(scene)
-    return lens.height_range and (lens.height_range, lens.base), lens.floor, lens.ceiling
+    ends = lens.entrance_range, lens.floor, lens.ceiling
+    return lens.height_range and (lens.height_range, lens.base), *ends

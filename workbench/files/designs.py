@@ -18,7 +18,8 @@ from workbench.geometry.surface import freeform_nets
 from workbench.scene import Scene
 
 _TARGET = "target.npy"
-_CONTROL_POINTS = {"exit": "control_points.npy"}  # by the name of the face
+# By the name of the face.
+_CONTROL_POINTS = {"entrance": "entrance_points.npy", "exit": "control_points.npy"}
 _IRRADIANCE = "irradiance.npy"
 _LOSS = "loss.npy"
 _SECONDS = "seconds.npy"  # sessions of earlier programs have none

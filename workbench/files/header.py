@@ -12,7 +12,7 @@ from workbench.files.figures import Figures, VerifiedFigures
 from workbench.files.json_text import check_fields_once
 from workbench.refusals import refusal
 from workbench.scene import AutoNet, Part, Scene
-from workbench.scene.lens import NetSize
+from workbench.scene.net import NetShape
 
 VERSION: Final = 2
 """Of the newest session files that this program reads."""
@@ -24,9 +24,6 @@ LARGEST_VIEW = 1 << 16
 """Most bytes of JSON that a view takes, without spaces between."""
 
 _DEEPEST_VIEW = 16
-
-
-NetShape = tuple[NetSize, NetSize]
 
 
 class RunHeader(Part):

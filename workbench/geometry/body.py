@@ -11,7 +11,7 @@ import numpy.typing as npt
 
 from workbench.errors import Refused
 from workbench.geometry.outlines import outline_of
-from workbench.geometry.surface import ControlNet
+from workbench.geometry.surface import freeform_nets
 from workbench.scene import Scene
 
 Array = npt.NDArray[np.float64]
@@ -39,31 +39,37 @@ def check_body(scene: Scene, heights: Mapping[str, Array], screen_z: float | Non
     Refused
         With the place and the height there.
     """
-    entrance = scene.lens.entrance_z
     screen = scene.receiver.nearest_z if screen_z is None else screen_z
-    gap, outline = _TOUCH * max(scene.lens.half_width), outline_of(scene.lens)
-    exit_face = heights["exit"]
-    # The face lies in the convex hull of its control points: nearly always they alone tell.
-    if entrance + gap < exit_face.min() and exit_face.max() < screen - gap:
+    gap, lens = _TOUCH * max(scene.lens.half_width), scene.lens
+    exit_face, entrance = heights["exit"], heights.get("entrance")
+    top = lens.entrance_z if entrance is None else float(entrance.max())
+    # A face lies in the convex hull of its control points: nearly always they alone tell.
+    if top + gap < exit_face.min() and exit_face.max() < screen - gap:
         return
-    net = ControlNet.of(scene.lens)
+    nets = freeform_nets(lens)
     u, v = (
         np.linspace(0, 1, (n - p) * math.ceil(_PLACES / (n - p)) + 1)
-        for n, p in zip(net.shape, net.degree, strict=True)
+        for n, p in zip(nets["exit"].shape, nets["exit"].degree, strict=True)
     )
-    x, y = ((2 * t - 1) * r for t, r in zip((u, v), net.half_width, strict=True))
-    height, _, _ = net.grid(u, v).evaluate(exit_face)
-    # Places beside the lens count as high as its middle.
-    middle = height[len(u) // 2, len(v) // 2]
-    height = np.where(outline.contains(x[:, None], y), height, middle)
-    for worst, room, limit in (
-        (height.argmin(), height.min() - entrance, f"above the entrance face at z = {entrance:g}"),
-        (height.argmax(), screen - height.max(), f"before the screen at z = {screen:g}"),
+    x, y = ((2 * t - 1) * r for t, r in zip((u, v), lens.half_width, strict=True))
+    height, below = (
+        np.full((len(u), len(v)), lens.entrance_z)
+        if each is None
+        else nets[face].grid(u, v).evaluate(each)[0]
+        for face, each in (("exit", exit_face), ("entrance", entrance))
+    )
+    # Places beside the lens count as its middle.
+    middle = len(u) // 2, len(v) // 2
+    inside = outline_of(lens).contains(x[:, None], y)
+    height, below = (np.where(inside, z, z[middle]) for z in (height, below))
+    for room, limit in (
+        (height - below, "above the entrance face at z = {:g}"),
+        (screen - height, f"before the screen at z = {screen:g}"),
     ):
-        if room <= gap:
-            i, j = np.unravel_index(worst, height.shape)
+        if room.min() <= gap:
+            i, j = np.unravel_index(room.argmin(), room.shape)
             raise Refused(
                 "lens",
                 f"its exit face is at z = {height[i, j]:.5g} {scene.unit} at x = {x[i]:.4g}, "
-                f"y = {y[j]:.4g}, not {limit}: that is no body of glass",
+                f"y = {y[j]:.4g}, not {limit.format(below[i, j])}: that is no body of glass",
             )

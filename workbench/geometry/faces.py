@@ -15,8 +15,8 @@ class FaceArrays(Mapping[str, npt.NDArray[Kind]]):
     Parameters
     ----------
     arrays : mapping of str to ndarray, shape (n_u, n_v)
-        Arrays by the names of their faces; "exit" is the exit face. Those that can be written to
-        are copied.
+        Arrays by the names of their faces; "entrance" and "exit" are those of a lens. Those
+        that can be written to are copied.
 
     Examples
     --------

@@ -34,7 +34,7 @@ class Place(NamedTuple):
 
 
 class Patches:
-    """Evaluates exit faces of one control net at scattered points.
+    """Evaluates faces of one control net at scattered points.
 
     Parameters
     ----------
@@ -42,12 +42,17 @@ class Patches:
         The control net.
     dtype, device
         Float type and device of the evaluation.
+
+    Attributes
+    ----------
+    net : ControlNet
+        As given.
     """
 
     def __init__(
         self, net: ControlNet, dtype: torch.dtype, device: torch.device | str = "cpu"
     ) -> None:
-        self._degree = net.degree
+        self.net, self._degree = net, net.degree
         self._spans = tuple(n - p for n, p in zip(net.shape, net.degree, strict=True))
         self._half_width = net.half_width
         self._knots = net.knots

@@ -1,4 +1,4 @@
-"""The exit face: a tensor-product B-spline whose x and y are linear in u and v."""
+"""Freeform faces: tensor-product B-splines whose x and y are linear in u and v."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -91,7 +91,7 @@ class PointBasis(Generic[AnyArray]):
 
 @dataclass(frozen=True)
 class ControlNet:
-    """The B-spline space of an exit face: all that is known of it but the heights.
+    """The B-spline space of a face: all that is known of it but the heights.
 
     Attributes
     ----------
@@ -109,7 +109,7 @@ class ControlNet:
 
     @classmethod
     def of(cls, lens: Lens) -> "ControlNet":
-        """The net that a lens asks for."""
+        """The net of the exit face that a lens asks for; see also `freeform_nets`."""
         return cls(lens.net_shape, lens.degree, lens.half_width)
 
     @cached_property
@@ -255,8 +255,12 @@ class ControlNet:
 
 
 def freeform_nets(lens: Lens) -> dict[str, ControlNet]:
-    """The net of each freeform face of a lens, by the name of the face."""
-    return {"exit": ControlNet.of(lens)}
+    """The net of each freeform face of a lens by the name of the face, as light meets them."""
+    nets = {"exit": ControlNet.of(lens)}
+    entrance = lens.entrance.net(lens.net_shape)
+    if entrance is None:
+        return nets
+    return {"entrance": ControlNet(*entrance, lens.half_width), **nets}
 
 
 def even_counts(half_width: tuple[float, float], longer: int) -> tuple[int, int]:

@@ -1,7 +1,7 @@
-"""Where rays in the lens meet the exit face.
+"""Where rays meet a face.
 
-Along a ray of depth t below the entrance face the face is met where
-f(t) = Z(x(t), y(t)) − z_in − t = 0. By the convex-hull property f is not negative where the ray
+Along a ray at depth t above z = 0, the entrance face or another datum, the face is met where
+f(t) = Z(x(t), y(t)) − t = 0. By the convex-hull property f is not negative where the ray
 is at the height of the lowest control point, and not positive at that of the highest, so the root
 is bracketed unless the ray leaves through the side before.
 
@@ -49,12 +49,12 @@ class Bundle(NamedTuple):
 
 
 class Met(NamedTuple):
-    """Where rays meet the exit face.
+    """Where rays meet a face.
 
     Attributes
     ----------
     depth : Tensor, shape (m,)
-        Height above the entrance face; differentiable with respect to the table of patches.
+        Height above z = 0; differentiable with respect to the table of patches and the rays.
     found : Tensor of bool, shape (m,)
         False for rays that leave through the side; their depth is a stand-in.
     """
@@ -73,14 +73,24 @@ class ExactIntersection:
     half_width : tuple[float, float]
         Half-widths of the aperture.
     patches : Patches
-        Evaluates the face; heights in its tables are counted from the entrance face.
+        Evaluates the face; heights in its tables are counted from where the rays cross z = 0.
+    last : Tensor, shape (m,), optional
+        Depths at which to begin: those of almost the same rays on almost the same face.
     """
 
-    def __init__(self, bundle: Bundle, half_width: tuple[float, float], patches: Patches) -> None:
+    def __init__(
+        self,
+        bundle: Bundle,
+        half_width: tuple[float, float],
+        patches: Patches,
+        last: Tensor | None = None,
+    ) -> None:
         self._bundle = bundle
         self._patches = patches
-        self._side = _depth_of_side(bundle, half_width)
-        self._last: Tensor | None = None
+        with torch.no_grad():  # how far a search goes does not move what it finds
+            self._side = _depth_of_side(bundle, half_width)
+        known = last is not None and last.shape == bundle.x.shape
+        self._last = last if known else None
 
     def meet(self, heights: Tensor, table: Tensor) -> Met:
         """Roots for a lens.
@@ -88,7 +98,7 @@ class ExactIntersection:
         Parameters
         ----------
         heights : Tensor, shape (n_u, n_v)
-            Control heights above the entrance face.
+            Control heights above z = 0.
         table : Tensor
             Their table of patches.
         """

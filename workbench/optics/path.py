@@ -11,7 +11,7 @@ import torch
 from torch import Tensor
 
 from workbench.geometry.outlines import Outline, Rectangle, outline_of
-from workbench.geometry.surface import ControlNet
+from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.optics.arrival import Arrival
 from workbench.optics.interfaces import Interface, Refraction
 from workbench.optics.intersection import Bundle
@@ -106,18 +106,28 @@ class Path:
         device: torch.device | str = "cpu",
         samples: Samples | None = None,
     ) -> "Path":
-        """The path of a scene, with control heights on a net; ``samples`` as for `emitter_of`."""
+        """The path of a scene, with heights of the exit face on a net.
+
+        ``samples`` as for `emitter_of`.
+        """
         lens, source = scene.lens, scene.source
         entering, leaving = TransmittanceLaw.of(lens)
-        datum = lens.base.height if source.along_axis else lens.entrance_z
+        entrance_net = freeform_nets(lens).get("entrance")
+        straight = source.along_axis and entrance_net is None  # up to the exit face
+        datum = lens.base.height if straight else lens.entrance_z
         emitter, outline = emitter_of(source, lens, samples), outline_of(lens)
         # Of light by area, what is outside the outline is out of the flux before the first face.
         before = Rectangle(lens.half_width) if emitter.by_area else outline
-        behind = before if source.along_axis else outline
-        entrance = Plane("entrance", lens.entrance_z - datum, before)
-        exit_face = BSplineSurface(
-            "exit", net, datum, dtype, device, source.subdivisions, outline=behind
-        )
+        behind = before if straight else outline
+
+        def spline(name: str, net: ControlNet, outline: Outline) -> BSplineSurface:
+            return BSplineSurface(name, net, datum, dtype, device, source.subdivisions, outline)
+
+        entrance: Surface = Plane("entrance", lens.entrance_z - datum, before)
+        if entrance_net is not None:
+            at_face = before if source.along_axis else outline
+            entrance = spline("entrance", entrance_net, at_face)
+        exit_face = spline("exit", net, behind)
         steps = (
             Step(entrance, Refraction(entering, "fresnel_entrance"), "missed_lens"),
             Step(exit_face, Refraction(leaving, "fresnel_exit", lens.absorption), "left_side"),

@@ -21,7 +21,7 @@ change of the heights by all of their range changes the loss by more than 1e-5 o
 
 import torch
 
-from workbench.geometry.surface import ControlNet
+from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.scene import Scene
 
 # In pixels: the image is good to 1e-3 of its light up to here, the gradient to a few per cent.
@@ -61,11 +61,16 @@ def shift_of(scene: Scene, net: ControlNet | None = None) -> float:
         )
     )
     level, steepest = lens.base.height, 0.0
-    if not scene.source.along_axis:
+    nets = [each for face, each in freeform_nets(lens).items() if face != "exit"]
+    if not scene.source.along_axis or nets:
         level = min(level, lens.entrance_z)  # rays that search for the face count from there
         steepest = (lens.index**2 - 1) ** -0.5
     largest = max(abs(low - level), abs(high - level))
-    density = max(count / r for count, r in zip(net.shape, net.half_width, strict=True))
+    density = max(
+        count / r
+        for each in (net, *nets)
+        for count, r in zip(each.shape, each.half_width, strict=True)
+    )
     bent = (lens.index - 1) * largest * density
     # From the lowest point of the lens, the farthest from the receiver.
     pixels_per_radian = max(

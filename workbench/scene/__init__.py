@@ -8,6 +8,7 @@ from workbench.scene.area_source import AreaSource
 from workbench.scene.auto_net import AutoNet
 from workbench.scene.collimated_source import CollimatedSource, GaussianProfile, UniformProfile
 from workbench.scene.emission import ExactMethod, MeshMethod
+from workbench.scene.entrance import FlatEntrance, FreeformEntrance
 from workbench.scene.far_field import FarField
 from workbench.scene.fields import LENGTH, FieldDescription, Measure
 from workbench.scene.filter import BoxFilter, Filter, GaussianFilter
@@ -48,6 +49,8 @@ __all__ = [
     "Finish",
     "FlameTarget",
     "FlatBase",
+    "FlatEntrance",
+    "FreeformEntrance",
     "GaussianFilter",
     "GaussianProfile",
     "GridSource",

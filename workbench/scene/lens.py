@@ -1,4 +1,4 @@
-"""The lens: a flat entrance face, a B-spline exit face over a base."""
+"""The lens: an entrance face, a B-spline exit face over a base."""
 
 import math
 from collections.abc import Callable, Mapping
@@ -12,18 +12,18 @@ from workbench import materials
 from workbench.errors import Refused, shown
 from workbench.scene import limits
 from workbench.scene.auto_net import AutoNet, NumbersOrAuto
+from workbench.scene.entrance import Entrance, FlatEntrance
 from workbench.scene.fields import LENGTH, PLACE, RANGE, SINCE_2, Choices, Measure, about
 from workbench.scene.kinds import Kinds
+from workbench.scene.net import Degree, NetSize, check_net
 from workbench.scene.part import NonNegative, Part, Positive
 
 if TYPE_CHECKING:
     from workbench.scene.task import Scene
 
-Degree = Annotated[int, Field(ge=1, le=7)]
-LARGEST_NET = 1024
-"""Control points along an axis, at most."""
-NetSize = Annotated[int, Field(ge=2, le=LARGEST_NET)]
 Reflectance = Annotated[float, Field(ge=0, lt=1)]
+# An automatic entrance face may rise by this part of the lens's half-width.
+_RISE = 0.25
 _BaseHeight = Annotated[
     float, LENGTH, about("Base at z", "Where the base crosses the optical axis.")
 ]
@@ -113,10 +113,11 @@ def _thinnest(data: dict[str, Any]) -> float:
 
 
 class Lens(Part):
-    """Flat entrance face and B-spline exit face over a rectangle.
+    """Entrance face and B-spline exit face over a rectangle.
 
     ``max_thickness`` and ``min_thickness`` are counted from the entrance face to the exit face, and
-    hold in any case. Defaults scale with the lens.
+    hold in any case: each face stays on its side of a plane, or of two. Defaults scale with the
+    lens.
     """
 
     half_width: Annotated[
@@ -136,8 +137,13 @@ class Lens(Part):
     entrance_z: Annotated[
         float,
         LENGTH,
-        about("Entrance at z", "Where the flat entrance face stands on the optical axis."),
+        about("Entrance at z", "Where the entrance face stands on the optical axis."),
     ] = 0.0
+    entrance: Annotated[
+        Entrance,
+        SINCE_2,
+        about("Entrance face", "The face that light meets first."),
+    ] = FlatEntrance()
     refractive_index: Annotated[
         float | str,
         about(
@@ -256,13 +262,9 @@ class Lens(Part):
     def check(self) -> None:
         """Refuse what cannot be computed with, and what cannot be made."""
         self._check_lengths()
-        for axis, count in enumerate(self.known_shape or ()):
-            degree = self.degree[axis]
-            if count < degree + 1:
-                raise Refused(
-                    f"lens.control_points[{axis}]",
-                    f"{count} is too few for degree {degree}; at least {degree + 1}",
-                )
+        if self.known_shape is not None:
+            check_net("lens.control_points", self.known_shape, self.degree)
+        self.entrance.check_within(self.known_shape)
         if not self.index > 1:
             raise Refused("lens.refractive_index", f"{self.index:g}; greater than 1 is needed")
         limits.check_index(self.index)
@@ -283,6 +285,7 @@ class Lens(Part):
         limits.check_width(self.half_width)
         heights = [
             ("lens.entrance_z", self.entrance_z),
+            *self.entrance.lengths(),
             ("lens.base.height", self.base.height),
             *((f"lens.height_range[{end}]", z) for end, z in enumerate(self.height_range or ())),
             ("lens.max_thickness", self.max_thickness or 0.0),
@@ -344,18 +347,42 @@ class Lens(Part):
 
     @property
     def front_z(self) -> float:
-        """Where light reaches the lens: sources stand before this plane, and are judged at it."""
-        return self.entrance_z
+        """Where light reaches the lens: sources stand before this plane, and are judged at it.
+
+        The light of a source is what passes the outline in this plane; no point of the entrance
+        face is before it.
+        """
+        return self.entrance_range[0]
+
+    @property
+    def entrance_range(self) -> tuple[float, float]:
+        """The lowest and the highest z that the entrance face can come to."""
+        low, high = self.entrance.offsets(self._room_at_entrance)
+        return self.entrance_z + low, self.entrance_z + high
+
+    @property
+    def _room_at_entrance(self) -> float:
+        """How far a freeform entrance face may rise where nobody says so.
+
+        Half of what both faces share at most, so that the exit face has as much.
+        """
+        shared = [2 * _RISE * max(self.half_width)]
+        if self.max_thickness is not None:
+            shared.append(self.max_thickness - self.min_thickness)
+        if self.height_range is not None:
+            top = self.base.extent(self.half_width)[0] + self.height_range[1]
+            shared.append(top - self.entrance_z - self.min_thickness)
+        return max(min(shared) / 2, 0.0)
 
     @property
     def floor(self) -> float:
         """The z that the minimal thickness keeps the exit face above."""
-        return self.entrance_z + self.min_thickness
+        return self.entrance_range[1] + self.min_thickness
 
     @property
     def ceiling(self) -> float:
         """The z that the maximal thickness keeps the exit face below; infinite without one."""
-        return math.inf if self.max_thickness is None else self.entrance_z + self.max_thickness
+        return math.inf if self.max_thickness is None else self.front_z + self.max_thickness
 
     def limits_at(
         self, x: npt.ArrayLike, y: npt.ArrayLike

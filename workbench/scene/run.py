@@ -8,7 +8,7 @@ from workbench.errors import Refused
 from workbench.scene.fields import LENGTH, Choices, Fallback, ForMethod, about
 from workbench.scene.filter import Filter
 from workbench.scene.kinds import Kinds
-from workbench.scene.lens import NetSize
+from workbench.scene.net import NetSize
 from workbench.scene.part import Part, Positive
 from workbench.scene.source import Source
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from workbench.analysis.validation import validate
-from workbench.design.evaluation import undesigned
+from workbench.design.limits import undesigned
 from workbench.design.transport import transport_start
 from workbench.optics import beam_plan
 from workbench.optics.beams import beam_image

@@ -13,7 +13,7 @@ from ui.files.scene_pictures import ScenePictures
 from ui.lens.tools import LensTools
 from ui.run.control import RunControl
 from ui.views.scene_view import SceneView
-from workbench.design.evaluation import undesigned
+from workbench.design.limits import undesigned
 from workbench.optics.plan import Plan
 from workbench.scene import Scene
 

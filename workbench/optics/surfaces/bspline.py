@@ -43,7 +43,8 @@ class BSplineSurface:
     Notes
     -----
     Rays that stay the same for lens after lens are told by being the same object: what depends on
-    them alone is then kept, and the search begins at the root of the last lens.
+    them alone is then kept. The search begins at the root of the last lens, also of rays that come
+    from a face before this one, a little changed.
     """
 
     freeform = True
@@ -63,14 +64,19 @@ class BSplineSurface:
         self.net, self.subdivisions = net, subdivisions
         self._datum, self._dtype, self._device = datum, dtype, device
         self._met_before: tuple[RayBundle, _Way] | None = None
+        self._patches: Patches | None = None
+        self._last: Tensor | None = None  # heights of the last places on the face
 
     def meet(self, rays: RayBundle, heights: Mapping[str, Tensor]) -> Meeting:
         """Where rays meet the face; see `Surface.meet`."""
         # Counted from the datum, float32 keeps the digits that make the shape.
         above = (heights[self.name] - self._datum).to(self._dtype)
-        if self._met_before is None or self._met_before[0] is not rays:
-            self._met_before = rays, self._way(rays)
-        meeting = self._met_before[1].meet(above)
+        known = self._met_before is not None and self._met_before[0] is rays
+        way = self._met_before[1] if self._met_before is not None and known else self._way(rays)
+        meeting = way.meet(above)
+        self._last = meeting.position[2].detach().flatten()
+        # What a whole graph hangs on is not kept.
+        self._met_before = None if rays.position[2].requires_grad else (rays, way)
         x, y, _ = meeting.position
         return meeting._replace(met=meeting.met & self.outline.contains(x.detach(), y.detach()))
 
@@ -79,7 +85,13 @@ class BSplineSurface:
         along_axis = not any(d.count_nonzero() for d in rays.direction[:2])
         if along_axis and x.ndim == 2 and x.shape[1] == 1 and y.shape[0] == 1:
             return _AlongAxis(rays, self.net, self._dtype, self._device)
-        return _Searching(rays, self.net, self._dtype, self._device, self.subdivisions)
+        return _Searching(rays, self._tables, self.subdivisions, self._last)
+
+    @property
+    def _tables(self) -> Patches:
+        if self._patches is None:
+            self._patches = Patches(self.net, self._dtype, self._device)
+        return self._patches
 
 
 class _Way(Protocol):
@@ -120,21 +132,21 @@ class _Searching:
     def __init__(
         self,
         rays: RayBundle,
-        net: ControlNet,
-        dtype: torch.dtype,
-        device: torch.device | str,
+        patches: Patches,
         subdivisions: tuple[int, int] | None,
+        last: Tensor | None = None,
     ) -> None:
         lines = Bundle.of(rays)
         self._alive, self._shape = rays.alive, lines.x.shape
         self._lines = Bundle(*(part.flatten() for part in lines))
-        self._patches = Patches(net, dtype, device)
+        self._patches = patches
         self._intersection: ExactIntersection | MeshIntersection
+        net = patches.net
         if subdivisions is not None:
-            mesh = TriangleMesh(net, subdivisions, dtype, device)
+            mesh = TriangleMesh(net, subdivisions, lines.x.dtype, lines.x.device)
             self._intersection = MeshIntersection(self._lines, mesh)
         else:
-            self._intersection = ExactIntersection(self._lines, net.half_width, self._patches)
+            self._intersection = ExactIntersection(self._lines, net.half_width, patches, last)
 
     def meet(self, heights: Tensor) -> Meeting:
         table = self._patches.table(heights)

@@ -1,0 +1,29 @@
+"""Control nets as scenes tell them: how many control points there are, and of which degree."""
+
+from typing import Annotated
+
+from pydantic import Field
+
+from workbench.errors import Refused
+
+Degree = Annotated[int, Field(ge=1, le=7)]
+LARGEST_NET = 1024
+"""Control points along an axis, at most."""
+NetSize = Annotated[int, Field(ge=2, le=LARGEST_NET)]
+NetShape = tuple[NetSize, NetSize]
+
+
+def check_net(path: str, shape: tuple[int, int], degree: tuple[int, int]) -> None:
+    """Refuse a net with fewer control points than its degrees need.
+
+    Raises
+    ------
+    Refused
+        With the number, and the least.
+    """
+    for axis, count in enumerate(shape):
+        if count < degree[axis] + 1:
+            raise Refused(
+                f"{path}[{axis}]",
+                f"{count} is too few for degree {degree[axis]}; at least {degree[axis] + 1}",
+            )
