@@ -1,0 +1,170 @@
+"""The walk through two freeform faces: what is known of it, and its gradients."""
+
+import numpy as np
+import pytest
+import torch
+
+from tests.optics.gradients import check_against_differences
+from tests.optics.landing import places_of
+from tests.optics.points import interpolating
+from workbench.geometry.surface import ControlNet, freeform_nets
+from workbench.optics.path import Path
+from workbench.optics.plan import Plan
+
+INDEX = 1.5
+LENS = {
+    "lens.entrance": {"shape": "freeform", "control_points": [9, 7], "height_range": [-0.2, 0.2]},
+    "lens.height_range": None,
+}
+SOURCES = {
+    "collimated": {"kind": "collimated", "rays": [40, 30]},
+    "tilted": {"kind": "collimated", "rays": [20, 20], "direction": [6, -3]},
+    "sun": {"kind": "collimated", "rays": [20, 20], "angular_diameter": 2.0},
+    "point": {"kind": "point", "position": [0.1, -0.2, -3], "rays": 900},
+    "grid": {
+        "kind": "grid",
+        "center": [0, 0, -3],
+        "half_width": [0.3, 0.3],
+        "points": [2, 3],
+        "rays": 150,
+    },
+    "area": {"kind": "area", "center": [0.1, 0, -2], "half_width": [0.2, 0.1], "rays": 1024},
+}
+EACH = pytest.mark.parametrize("source", SOURCES.values(), ids=SOURCES)
+
+
+def wavy(scene, rng, size=0.03):
+    """Both faces of a lens, bent a little at random."""
+    levels = {"entrance": 0.0, "exit": 0.6}
+    return {
+        face: torch.as_tensor(levels[face] + size * rng.uniform(-1, 1, net.shape))
+        for face, net in freeform_nets(scene.lens).items()
+    }
+
+
+def round_face(net, rise):
+    """Control heights of a face whose height depends on the distance from the axis alone."""
+    return interpolating(net, lambda x, y: rise(np.hypot(x, y)))
+
+
+def fine(make_scene, changes):
+    """A lens whose faces hold smooth surfaces to the last digits."""
+    net = {"degree": [7, 7], "control_points": [48, 48]}
+    entrance = {"shape": "freeform", **net, "height_range": [-0.5, 0.5]}
+    own = {f"lens.{name}": value for name, value in net.items()}
+    return make_scene({**LENS, **own, "lens.entrance": entrance, **changes})
+
+
+@EACH
+def test_all_light_is_accounted_for_behind_two_faces(make_scene, rng, source):
+    scene = make_scene({**LENS, "version": 2, "source": source, "lens.absorption": 0.1})
+    light = Plan(scene, dtype=torch.float64).trace(wavy(scene, rng))
+    assert light.account.on_screen > 0
+    assert min(light.account.lost.values()) >= -1e-12
+    assert light.account.on_screen + sum(light.account.lost.values()) == pytest.approx(1, abs=1e-9)
+    assert light.account.lost["absorbed"] > 0
+
+
+@EACH
+def test_a_plane_as_a_freeform_face_does_what_a_flat_one_does(make_scene, rng, source):
+    scene = make_scene({**LENS, "version": 2, "source": source})
+    entrance = {"shape": "freeform", "height_range": [0, 0.1]}
+    free, flat = (
+        make_scene({**LENS, "version": 2, "source": source, "lens.entrance": each})
+        for each in (entrance, {"shape": "flat"})
+    )
+    plane = torch.zeros(scene.lens.net_shape, dtype=torch.float64)
+    heights = {"entrance": plane, "exit": wavy(scene, rng)["exit"]}
+    two = Plan(free, dtype=torch.float64, fused=False).trace(heights)
+    one = Plan(flat, dtype=torch.float64, fused=False).trace({"exit": heights["exit"]})
+    torch.testing.assert_close(two.flux, one.flux, rtol=1e-9, atol=1e-12)
+    assert two.account.lost == pytest.approx(one.account.lost, abs=1e-12)
+
+
+@EACH
+@pytest.mark.parametrize("face", ["entrance", "exit"])
+def test_the_gradient_of_each_face_is_that_of_differences(make_scene, rng, source, face):
+    scene = make_scene({**LENS, "version": 2, "source": source})
+    heights = wavy(scene, rng, 0.01)
+    path = Path.of(scene, ControlNet.of(scene.lens), torch.float64)
+    weights = None
+
+    def loss(moved):
+        nonlocal weights
+        arrival = path.walk({**heights, face: moved})
+        parts = torch.stack([arrival.column, arrival.row, 1e3 * arrival.rays.flux])
+        lands = parts.isfinite().all(0) & (arrival.rays.flux > 0)
+        if weights is None:
+            weights = torch.as_tensor(rng.normal(size=tuple(parts.shape))) * lands
+        return (weights * torch.where(weights != 0, parts, 0.0)).sum()
+
+    at = heights[face].requires_grad_()
+    directions = [torch.as_tensor(rng.normal(size=tuple(at.shape))) for _ in range(2)]
+    check_against_differences(loss, at, directions)
+
+
+def test_forward_mode_agrees_with_reverse_mode_on_both_faces(make_scene, rng):
+    scene = make_scene({**LENS, "source": SOURCES["point"]})
+    plan, heights = Plan(scene, dtype=torch.float64), wavy(scene, rng)
+    tangents = {face: torch.as_tensor(rng.normal(size=z.shape)) for face, z in heights.items()}
+    cotangent = torch.as_tensor(rng.normal(size=(32, 32)))
+    _, forward = torch.func.jvp(plan.flux, (heights,), (tangents,))
+    variables = {face: z.requires_grad_() for face, z in heights.items()}
+    image = (plan.trace(variables).flux * cotangent).sum()
+    gradients = torch.autograd.grad(image, list(variables.values()))
+    reverse = sum((g * t).sum().item() for g, t in zip(gradients, tangents.values(), strict=True))
+    assert (forward * cotangent).sum().item() == pytest.approx(reverse)
+
+
+def test_two_hyperboloids_image_a_point_into_a_point(make_scene):
+    # Light from a point is parallel behind the first: √(r² + (f + z)²) = f + n z.
+    def rise(r, f):
+        b, square = f * (INDEX - 1), INDEX**2 - 1
+        return (np.sqrt(b**2 + square * r**2) - b) / square
+
+    before, behind, thickness = 5.0, 7.0, 1.5
+    scene = fine(
+        make_scene,
+        {
+            "source": {"kind": "point", "position": [0, 0, -before], "rays": 2000},
+            "screen.z": thickness + behind,
+        },
+    )
+    nets = freeform_nets(scene.lens)
+    heights = {
+        "entrance": round_face(nets["entrance"], lambda r: rise(r, before)),
+        "exit": round_face(nets["exit"], lambda r: thickness - rise(r, behind)),
+    }
+    path = Path.of(scene, nets["exit"], torch.float64)
+    arrival = path.walk(heights)
+    assert arrival.rays.alive.sum() > 900
+    at = torch.stack(places_of(arrival, scene.screen))[:, arrival.rays.alive]
+    assert at.abs().max() < 1e-10
+
+
+def test_an_afocal_pair_makes_a_parallel_beam_narrower(make_scene):
+    # Behind the first face light goes to a point of the glass: z + n √(r² + (F − z)²) = n F. The
+    # second is the same face, seen from that point in perspective: light leaves as it came.
+    distance, factor = 12.0, 0.9
+
+    def rise(r):
+        b, square = distance * (1 - 1 / INDEX), 1 - 1 / INDEX**2
+        return (b - np.sqrt(b**2 - square * r**2)) / square
+
+    source = {"kind": "collimated", "rays": [30, 30]}
+    scene = fine(make_scene, {"source": source, "screen.z": 30.0})
+    nets = freeform_nets(scene.lens)
+    heights = {
+        "entrance": round_face(nets["entrance"], rise),
+        "exit": round_face(
+            nets["exit"], lambda r: distance + factor * (rise(r / factor) - distance)
+        ),
+    }
+    path = Path.of(scene, nets["exit"], torch.float64)
+    arrival = path.walk(heights)
+    assert arrival.rays.alive.all()
+    d_x, d_y, _ = arrival.rays.direction
+    assert max(d_x.abs().max(), d_y.abs().max()) < 1e-10
+    came, _, _ = path.rays.position
+    x, _ = places_of(arrival, scene.screen)
+    np.testing.assert_allclose(x.reshape(30, 30), factor * came.expand(30, 30), rtol=0, atol=1e-10)
