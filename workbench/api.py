@@ -72,7 +72,7 @@ def load(path: File) -> Session:
     --------
     >>> from resources import path
     >>> session = load(path("examples", "tophat.json"))
-    >>> session.scene.lens.net_shape, session.target.shape
+    >>> session.scene.optic.net_shape, session.target.shape
     ((384, 384), (256, 256))
     """
     return open_design(Path(path))
@@ -113,7 +113,7 @@ def begin(scene: Scene, folder: File = ".") -> Session:
 
     A lens to start from, heights (n_u, n_v) of the control points of its exit face:
 
-    >>> plate = FaceArrays({"exit": np.full(scene.lens.net_shape, 0.5)})
+    >>> plate = FaceArrays({"exit": np.full(scene.optic.net_shape, 0.5)})
     >>> session = Session(scene, session.target, start=plate)
     >>> session.heights["exit"].shape
     (64, 64)

@@ -332,7 +332,7 @@ class TestRefused:
         told = refused(forge({"control_points.npy": npy(heights)}))
         assert told == (
             f": control_points.npy[1, 2]: {height:.5g} is no height of this lens; at most 5000 cm "
-            "from its entrance face are possible"
+            "from the entrance face are possible"
         )
 
     @pytest.mark.parametrize("name", ARRAYS)
@@ -388,7 +388,7 @@ class TestRefused:
             ({"version": 3}, ": session.json: version: 3 is of a newer Freeform Lens Workbench"),
             ({"version": 3, "new": 3}, ": session.json: version: 3 is of a newer Freeform"),
             ({"scene": None}, ": session.json: scene: missing"),
-            ({"scene": {}}, ": session.json: lens: missing"),
+            ({"scene": {}}, ": session.json: source: missing"),
             ({"scene": 3}, ": session.json: scene: "),
             ({"note": "mine"}, ": session.json: note: unknown field"),
             ({"result": {"loss": 1.0}}, ": session.json: result.iterations: missing"),

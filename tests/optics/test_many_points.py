@@ -9,6 +9,7 @@ from workbench.analysis.tracing.sources import light_source
 from workbench.optics.emission import emit
 from workbench.optics.entering import entering
 from workbench.optics.lattice import make_lattice
+from workbench.optics.transmittance import TransmittanceLaw
 
 
 def calls_of(work):
@@ -39,7 +40,9 @@ def test_as_many_steps_for_ten_thousand_points_as_for_four(make_scene, emission)
         "rays": lambda s: emit(s.source, s.lens, seed=0),
         "check": lambda s: light_source(s.source, s.lens, Pose(), 1000, 1),
         "account": lambda s: entering.__wrapped__(s.source, s.lens),
-        "samples": lambda s: make_lattice(s.source, s.lens, (400, 400)),
+        "samples": lambda s: make_lattice(
+            s.source, s.lens, (400, 400), TransmittanceLaw.of(s.lens)[0]
+        ),
     }
     for name, work in parts.items():
         work(few)  # imports and caches

@@ -16,6 +16,7 @@ from workbench.optics.path import Path
 from workbench.optics.paths import ray_paths
 from workbench.optics.plan import Plan
 from workbench.optics.samples import Corners, parts_inside, places
+from workbench.optics.transmittance import TransmittanceLaw
 
 POINT = {"kind": "point", "position": [0.1, -0.2, -4.0], "rays": 1 << 16}
 ROUND = {"lens.outline": "ellipse", "lens.half_width": [1.0, 0.8]}
@@ -53,7 +54,7 @@ def test_the_image_of_a_plate_is_the_ellipse(make_scene):
 def test_light_of_a_point_through_the_ellipse_is_that_of_many_rays(make_scene, place, emission):
     source = POINT | {"position": place, "rays": 1 << 17, "emission": emission}
     scene = make_scene(ROUND | {"source": source})
-    light = entering(scene.source, scene.lens)
+    light = entering(scene.source, scene.lens, TransmittanceLaw.of(scene.lens)[0])
     lost = Path.of(scene, ControlNet.of(scene.lens)).lost
     assert light.missed == pytest.approx(lost["missed_lens"].item(), abs=1e-3)
     assert light.reflected == pytest.approx(lost["fresnel_entrance"].item(), abs=1e-3)
@@ -67,7 +68,7 @@ def test_a_round_face_seen_from_its_axis(make_scene):
             r2 / (distance**2 + r2 + distance * math.hypot(distance, math.sqrt(r2)))
             for r2 in (1, 2)
         )
-        light = entering(scene.source, scene.lens)
+        light = entering(scene.source, scene.lens, TransmittanceLaw.of(scene.lens)[0])
         assert 1 - light.missed == pytest.approx(disc / cap, rel=1e-12)
 
 

@@ -10,9 +10,10 @@ from tests.optics.rays import Given, bundle
 from workbench.geometry.outlines import Rectangle
 from workbench.geometry.surface import ControlNet
 from workbench.optics.interfaces import Passed, Refraction
-from workbench.optics.path import Path, Step
+from workbench.optics.path import Path
 from workbench.optics.rays import RayBundle
 from workbench.optics.receivers import PlaneReceiver
+from workbench.optics.steps import Step
 from workbench.optics.surfaces import Plane
 from workbench.optics.transmittance import TransmittanceLaw
 

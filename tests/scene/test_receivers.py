@@ -70,7 +70,7 @@ def test_a_wall_beside_the_light_faces_it(make_scene):
     screen = make_scene(
         {"screen.center": [3.0, 0.0], "screen.tilt": [0.0, 90.0], "screen.z": 6.0}
     ).screen
-    assert screen.nearest_z == pytest.approx(5.0)
+    assert screen.nearest_to(make_scene().lens) == pytest.approx(5.0)
     assert screen.sides[2] == pytest.approx([1, 0, 0], abs=1e-15)  # away from the light
 
 
@@ -87,7 +87,7 @@ def test_directions_to_places_lead_there():
     screen = Screen(z=5, half_width=(1, 1), center=(1, 2), tilt=(20, -35), pixels=(4, 4))
     u, v = np.array([0.3, -0.9]), np.array([-0.2, 0.8])
     start = np.array([0.1, 0.2]), np.array([0.0, -0.3]), np.array([0.5, 0.4])
-    way = np.stack(screen.towards(start, u, v), axis=-1)
+    way = np.stack(screen.towards(None, start, u, v), axis=-1)
     to = screen.drawn(None, u, v) - np.stack(start, axis=-1)
     assert np.cross(way, to) == pytest.approx(0, abs=1e-14)
     assert (way * to).sum(axis=-1) == pytest.approx(np.linalg.norm(to, axis=-1))

@@ -36,10 +36,10 @@ class Brush:
     @property
     def radius(self) -> float:
         """Scene units; 0 for a single point."""
-        lens = self._view.lens
-        if lens is None or not self._part:
+        optic = self._view.optic
+        if optic is None or not self._part:
             return 0.0
-        return max(self._part * max(lens.half_width), resized(ControlNet.of(lens), 0.0, 1))
+        return max(self._part * max(optic.half_width), resized(ControlNet.of(optic), 0.0, 1))
 
     @property
     def words(self) -> str:
@@ -48,10 +48,10 @@ class Brush:
 
     def resize(self, steps: int) -> None:
         """Make it larger, or smaller."""
-        lens = self._view.lens
-        if lens is not None:
-            radius = resized(ControlNet.of(lens), self.radius, steps)
-            self._part = radius / max(lens.half_width)
+        optic = self._view.optic
+        if optic is not None:
+            radius = resized(ControlNet.of(optic), self.radius, steps)
+            self._part = radius / max(optic.half_width)
             self.hold(self._index)
             self._view.refresh()  # also where there is nothing but its size to tell
 
@@ -67,10 +67,10 @@ class Brush:
         It goes from where it was last, even if the pointer has left the lens, and begins in the
         middle.
         """
-        lens = self._view.lens
-        if lens is None:
+        optic = self._view.optic
+        if optic is None:
             return None
-        shape = lens.net_shape
+        shape = optic.net_shape
         last = self._last or (shape[0] // 2, shape[1] // 2)
         i, j = (
             min(max(at + by, 0), n - 1) for at, by, n in zip(last, (right, up), shape, strict=True)
@@ -86,10 +86,10 @@ class Brush:
 
     def touched(self, index: tuple[int, int]) -> npt.NDArray[np.bool_]:
         """What it takes along around a control point, shape (n_u, n_v)."""
-        lens = self._view.lens
-        assert lens is not None
-        touched = np.zeros(lens.net_shape, dtype=bool)
-        block, weights = bump(ControlNet.of(lens), index, self.radius)
+        optic = self._view.optic
+        assert optic is not None
+        touched = np.zeros(optic.net_shape, dtype=bool)
+        block, weights = bump(ControlNet.of(optic), index, self.radius)
         touched[block] = weights > 0
         return touched
 

@@ -100,11 +100,11 @@ class Lock(BrushTool):
             self._view.show_locked(paint.before)
 
     def _begin(self, index: tuple[int, int]) -> None:
-        lens = self._view.lens
-        if lens is None or not self._may():
+        optic = self._view.optic
+        if optic is None or not self._may():
             return
         before = self._view.locked
-        locked = np.zeros(lens.net_shape, dtype=bool) if before is None else before.copy()
+        locked = np.zeros(optic.net_shape, dtype=bool) if before is None else before.copy()
         self._paint = _Paint(before, locked, not locked[index])
         self._touch(index)
 

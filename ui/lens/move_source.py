@@ -120,9 +120,9 @@ class MoveSource(QObject):
 
     def repeat_key(self, key: int, fine: bool) -> None:
         """Take it a little further."""
-        drag, lens = self._drag, self._view.lens
-        if drag is not None and lens is not None:
-            self._move(drag, _STEP * max(lens.half_width) * np.array(_STEPS[key]), fine)
+        drag, optic = self._drag, self._view.optic
+        if drag is not None and optic is not None:
+            self._move(drag, _STEP * max(optic.half_width) * np.array(_STEPS[key]), fine)
 
     def release(self) -> None:
         """Leave it there."""
@@ -147,10 +147,10 @@ class MoveSource(QObject):
             self.begun.emit()
 
     def _move(self, drag: _Drag, by: Array, fine: bool) -> None:
-        lens = self._view.lens
-        if lens is not None:
+        optic = self._view.optic
+        if optic is not None:
             drag.by = drag.by + by * (_FINE if fine else 1.0)
-            digits = _DIGITS - math.floor(math.log10(max(lens.half_width)))
+            digits = _DIGITS - math.floor(math.log10(max(optic.half_width)))
             self.moved.emit(moved(drag.before, drag.handle, drag.by, digits))
 
 

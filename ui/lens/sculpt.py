@@ -105,9 +105,9 @@ class Sculpt(BrushTool):
     def repeat_key(self, key: int, fine: bool) -> None:
         """Move them a little, or the brush."""
         super().repeat_key(key, fine)
-        drag, lens = self._drag, self._view.lens
-        if key in _RISES and drag is not None and lens is not None:
-            low, high = lens.height_range or (0.0, max(lens.half_width) / 2)
+        drag, optic = self._drag, self._view.optic
+        if key in _RISES and drag is not None and optic is not None:
+            low, high = optic.height_range or (0.0, max(optic.half_width) / 2)
             self._raise(drag, _RISES[key] * _RISE * (high - low), fine)
 
     def release(self) -> None:
@@ -124,11 +124,11 @@ class Sculpt(BrushTool):
             super().turn_wheel(steps)
 
     def _begin(self, index: tuple[int, int], at: Pointer | None = None) -> None:
-        lens, net = self._view.lens, self._view.net
+        optic, net = self._view.optic, self._view.net
         heights = self._heights()
-        if lens is None or net is None or heights is None:
+        if optic is None or net is None or heights is None:
             return
-        stroke = Stroke(lens, heights, self._view.locked, index, self._brush.radius)
+        stroke = Stroke(optic, heights, self._view.locked, index, self._brush.radius)
         if stroke.moves:
             self._drag = _Drag(stroke, net.places[index].copy(), at)
         else:

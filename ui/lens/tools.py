@@ -129,8 +129,8 @@ class LensTools(QObject):
         """Whether what is shown is the lens of the design, and no run works on it."""
         if not self._is_idle():
             return False
-        frame, lens = self._view.frame, self._document.session.scene.lens
-        there = frame is not None and frame.session.scene.lens == lens == self._view.lens
+        frame, optic = self._view.frame, self._document.session.scene.optic
+        there = frame is not None and frame.session.scene.optic == optic == self._view.optic
         if not there:
             self.message.emit(_NO_LENS)
         return there
@@ -221,7 +221,7 @@ class LensTools(QObject):
     def _lock(self, change: Callable[[Mask], Mask], text: str) -> None:
         if self._is_idle():
             session = self._document.session
-            unlocked = np.zeros(session.scene.lens.net_shape, dtype=bool)
+            unlocked = np.zeros(session.scene.optic.net_shape, dtype=bool)
             self._set_locked(change(session.locked.get("exit", unlocked)), text)
 
     def _set_locked(self, locked: Mask, text: str) -> None:
@@ -250,4 +250,4 @@ class LensTools(QObject):
 def _lens_of(session: "Session") -> "ControlHeights":
     """Heights of the lens as it stands, or of the one before any design."""
     heights = session.heights
-    return undesigned(session.scene.lens) if heights is None else heights
+    return undesigned(session.scene.optic) if heights is None else heights

@@ -42,7 +42,7 @@ class FaceContent:
 
     def extent(self, session: "Session") -> Extent:
         """All of the lens."""
-        return Extent.around(session.scene.lens.half_width, session.scene.unit)
+        return Extent.around(session.scene.optic.half_width, session.scene.unit)
 
     def begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
         """Draw the map; another lens has another picture."""

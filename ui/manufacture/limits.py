@@ -119,7 +119,7 @@ class LimitFields(QObject):
     def _own(self) -> dict[str, float | None]:
         own: dict[str, float | None] = dict.fromkeys(self.rows)
         if self._scene is not None:
-            own["min_thickness"] = self._scene.lens.min_thickness or None
+            own["min_thickness"] = self._scene.optic.least_thickness or None
             own["min_radius"] = self._scene.run.min_radius
         return own
 

@@ -128,11 +128,11 @@ class ManufacturePane(SideBySide):
         # One behind another tab is not hidden, but nothing of it is seen.
         if frame is None or self._background.busy or self.visibleRegion().isEmpty():
             return
-        lens, heights = frame.session.scene.lens, frame.state.heights["exit"]
+        optic, heights = frame.session.scene.optic, frame.state.heights["exit"]
 
         def work(task: Task) -> _Found:
-            maps = surface_maps(lens, heights, even_counts(lens.half_width, _PLACES))
-            return _Found(frame, manufacture(lens, heights), maps)
+            maps = surface_maps(optic, heights, even_counts(optic.half_width, _PLACES))
+            return _Found(frame, manufacture(optic, heights), maps)
 
         self._background.begin(work)
 

@@ -61,7 +61,7 @@ class CarriedLens(QObject):
             return
         if before.scene.unit != after.scene.unit:  # converted, the lens with all the rest
             return
-        net, other = ControlNet.of(before.scene.lens), ControlNet.of(after.scene.lens)
+        net, other = ControlNet.of(before.scene.optic), ControlNet.of(after.scene.optic)
         if after.result is not None and net == other:  # within its new limits
             return
         if new is None:
@@ -78,7 +78,7 @@ class CarriedLens(QObject):
                 f"The lens is changed by up to {moved:.2g} {unit} to be within its new "
                 "limits. Continue goes on from there, and Undo takes the change back.",
             )
-        elif net != other and isinstance(after.scene.lens.control_points, AutoNet):
+        elif net != other and isinstance(after.scene.optic.control_points, AutoNet):
             self._say_of(
                 after,
                 f"The program takes {_size(other.shape)} control points now. Continue goes on from "
@@ -98,7 +98,7 @@ class CarriedLens(QObject):
             )
 
     def _ask(self, before: Session, after: Session, off: float) -> None:
-        net, wanted = ControlNet.of(before.scene.lens), after.scene.lens.net_shape
+        net, wanted = ControlNet.of(before.scene.optic), after.scene.optic.net_shape
         unit = after.scene.unit
         exact = nearest_finer(net, wanted, LARGEST_NET)
         offers: list[Offer] = []

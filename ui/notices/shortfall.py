@@ -90,7 +90,7 @@ class ShortfallNotice(QObject):
 
     def _helps(self, shortfall: Shortfall) -> bool:
         """Whether another height range would help."""
-        explicit = self._document.session.scene.lens.height_range is not None
+        explicit = self._document.session.scene.optic.height_range is not None
         return explicit and shortfall.cause == "height_range"
 
     def _sentence(self, shortfall: Shortfall) -> str:

@@ -62,24 +62,25 @@ class LensPanel(PartPanel):
         return [choice, limits]
 
     def _change_material(self, choice: str) -> Changes:
-        lens = self.session.scene.lens
+        scene = self.session.scene
         if choice == _OWN_INDEX:
-            return {"lens.refractive_index": round(lens.index, 6), "lens.wavelength_um": None}
-        wavelength = lens.wavelength_um or _HELIUM_D_UM
+            index = round(scene.optic.index, 6)
+            return {"lens.refractive_index": index, "lens.wavelength_um": None}
+        wavelength = (scene.lens and scene.lens.wavelength_um) or _HELIUM_D_UM
         return {"lens.refractive_index": choice, "lens.wavelength_um": wavelength}
 
     def _change_range(self, choice: str, path: str) -> Changes | None:
-        lens, heights = self.session.scene.lens, self.session.heights
+        optic, heights = self.session.scene.optic, self.session.heights
         if choice == _range(self.session.scene, path):
             return None
         if choice == _AUTOMATIC:
             return {path: None}
         if path != _EXIT_RANGE:
-            return {path: [z - lens.entrance_z for z in lens.entrance_range]}
-        half = 0.3 * max(lens.half_width)
+            return {path: list(optic.entrance_offsets)}
+        half = 0.3 * max(optic.half_width)
         if heights is not None:
-            x, y = ControlNet.of(lens).positions
-            off = np.abs(heights["exit"] - lens.base.height_at(x[:, None], y[None, :]))
+            x, y = ControlNet.of(optic).positions
+            off = np.abs(heights["exit"] - optic.base.height_at(x[:, None], y[None, :]))
             half = max(half, 1.5 * float(off.max()))
         half = float(f"{half:.2g}")
         return {path: [-half, half]}
@@ -97,5 +98,5 @@ def _range(scene: Scene, path: str) -> str:
 
 
 def _material(scene: Scene) -> str:
-    index = scene.lens.refractive_index
+    index = scene.lens and scene.lens.refractive_index
     return index if isinstance(index, str) else _OWN_INDEX

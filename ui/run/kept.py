@@ -104,5 +104,5 @@ def _next_number(runs: Iterable[KeptRun]) -> int:
 
 
 def _description(scene: Scene) -> str:
-    n_u, n_v = scene.lens.net_shape
+    n_u, n_v = scene.optic.net_shape
     return f"{scene.run.method}, {n_u} × {n_v}"

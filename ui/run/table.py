@@ -170,7 +170,7 @@ class RunTable(QWidget):
             self.deleted.emit(self.chosen)
 
     def _fill(self, row: int, run: KeptRun, is_current: bool) -> None:
-        result, (n_u, n_v) = run.result, run.scene.lens.net_shape
+        result, (n_u, n_v) = run.result, run.scene.optic.net_shape
         texts = [
             run.name,
             self._verified(run) or "–",

@@ -106,10 +106,10 @@ class ToleranceForm(QWidget):
     def show_scene(self, scene: Scene) -> None:
         """Take the unit of a design, and for another size of lens lengths that suit it."""
         before, self._scene = self._scene, scene
-        width = 2 * max(scene.lens.half_width)
+        width = 2 * max(scene.optic.half_width)
         if before is not None and before.unit != scene.unit:
             before = self._convert(before, scene.unit)
-        if before is None or before.lens.half_width != scene.lens.half_width:
+        if before is None or before.optic.half_width != scene.optic.half_width:
             self._data = {
                 "tilt": 0.1,
                 "decentre": _DECENTRE * width,
@@ -119,7 +119,7 @@ class ToleranceForm(QWidget):
                 "lenses": 100,
                 "seed": 1,
             }
-        if before is None or (before.lens, before.receiver) != (scene.lens, scene.receiver):
+        if before is None or (before.optic, before.receiver) != (scene.optic, scene.receiver):
             for row in self._rows:  # what was refused may be possible now
                 row.refuse("")
         self._show()

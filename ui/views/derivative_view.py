@@ -84,7 +84,7 @@ class DerivativeView(PlotView, ComputingView):
         """Take note of another lens."""
         if self._frame is None or not same_task(self._frame.session, frame.session):
             self._map = None
-            self._offer(frame.session.scene.lens.net_shape)
+            self._offer(frame.session.scene.optic.net_shape)
         super().show_frame(frame)
         self._want()
 

@@ -40,7 +40,7 @@ if TYPE_CHECKING:
     from workbench.pictures.lens import LensPicture
     from workbench.pictures.sight import Sight
     from workbench.pictures.source_handles import SourceHandles
-    from workbench.scene import Lens, Scene, Source
+    from workbench.scene import Optic, Scene, Source
 
 Mask = npt.NDArray[np.bool_]
 
@@ -107,7 +107,7 @@ class SceneView(View):
         return self._frame
 
     @property
-    def lens(self) -> "Lens | None":
+    def optic(self) -> "Optic | None":
         """Whose control points are shown, with all that limits them."""
         return None if self._shown is None else bounded(self._shown.scene)
 
@@ -377,7 +377,7 @@ class SceneView(View):
             perspective=self._perspective,
             by_weight=self._by_weight,
         )
-        self._net = ControlNetPicture(self._plotter, scene.lens, dark=dark)
+        self._net = ControlNetPicture(self._plotter, scene.optic, dark=dark)
         self._handles = SourceHandles(self._plotter, dark=dark)
         self._sight = Sight(self._plotter)
         if moved:

@@ -29,7 +29,7 @@ class SurfaceContent:
 
     def extent(self, session: "Session") -> Extent:
         """All of the lens."""
-        return Extent.around(session.scene.lens.half_width, session.scene.unit)
+        return Extent.around(session.scene.optic.half_width, session.scene.unit)
 
     def begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
         """An empty map of the aspect."""

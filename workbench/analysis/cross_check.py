@@ -161,6 +161,8 @@ def bare_and_clear(scene: Scene) -> tuple[Scene, tuple[str, ...]]:
     Its faces are bare and reflect by Fresnel's equations, and its light tracer knows no media.
     """
     lens = scene.lens
+    if lens is None:
+        return scene, ()
     left_out = {
         "coating": lens.coating is not None,
         "faces that reflect nothing": lens.coating is None and lens.reflection == "none",

@@ -84,7 +84,7 @@ def irradiance_derivative(
     >>> from resources import path
     >>> from workbench.files.session import open_design
     >>> scene = open_design(path("examples", "derivative-degree3-filter3.json")).scene
-    >>> plate = {"exit": np.full(scene.lens.net_shape, scene.lens.base.height)}
+    >>> plate = {"exit": np.full(scene.optic.net_shape, scene.optic.base.height)}
     >>> found = irradiance_derivative(scene, plate, (4, 4))
     >>> abs(found.sum) < 1e-12 < found.map.max().item()
     True
@@ -102,7 +102,7 @@ def irradiance_derivative(
         flux, change = forward_ad.unpack_dual(dual)  # type: ignore[no-untyped-call]
     assert change is not None  # every image depends on every height, if only by 0
     change = change.to(torch.float64)
-    x, y = ControlNet.of(scene.lens).positions
+    x, y = ControlNet.of(scene.optic).positions
     return DerivativeMap(
         index=index,
         position=(float(x[index[0]]), float(y[index[1]])),
@@ -113,7 +113,7 @@ def irradiance_derivative(
 
 
 def _check(scene: Scene, index: tuple[int, int]) -> None:
-    for axis, (i, count) in enumerate(zip(index, scene.lens.net_shape, strict=True)):
+    for axis, (i, count) in enumerate(zip(index, scene.optic.net_shape, strict=True)):
         if not 0 <= i < count:
             raise Refused(f"index[{axis}]", f"{i} is no control point; 0 to {count - 1}")
     if not scene.filter.smooth:

@@ -64,7 +64,7 @@ def screen_at(scene: Scene, heights: Mapping[str, Array], part: float) -> float:
     float
         z of the screen.
     """
-    highest = max(scene.lens.highest, float(heights["exit"].max()))
+    highest = max(scene.optic.highest, float(heights["exit"].max()))
     return highest + part * (scene.receiver.plane_z - highest)
 
 
@@ -103,7 +103,7 @@ def focus_series(
     >>> from resources import path
     >>> from workbench.files.session import open_design
     >>> task = open_design(path("examples", "tophat.json"))
-    >>> plate = {"exit": np.full(task.scene.lens.net_shape, 0.5)}
+    >>> plate = {"exit": np.full(task.scene.optic.net_shape, 0.5)}
     >>> series = focus_series(task.scene, task.target, plate, (4.0, 5.0, 6.0), rays=10_000)
     >>> [focus.z for focus in series]
     [4.0, 5.0, 6.0]

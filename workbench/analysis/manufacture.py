@@ -17,7 +17,7 @@ from workbench.geometry.bounds import derivative_range
 from workbench.geometry.curvature import local_shape
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import ControlNet
-from workbench.scene import Lens
+from workbench.scene import Optic
 
 Array = npt.NDArray[np.float64]
 Mask = npt.NDArray[np.bool_]
@@ -124,12 +124,12 @@ class Manufacture:
         }
 
 
-def surface_maps(lens: Lens, control_points: Array, count: tuple[int, int]) -> SurfaceMaps:
+def surface_maps(optic: Optic, control_points: Array, count: tuple[int, int]) -> SurfaceMaps:
     """Thickness, slope and curvatures on a regular grid that includes the rim.
 
     Parameters
     ----------
-    lens : Lens
+    optic : Optic
         The lens.
     control_points : ndarray, shape (n_u, n_v)
         Control heights, scene units.
@@ -137,25 +137,25 @@ def surface_maps(lens: Lens, control_points: Array, count: tuple[int, int]) -> S
         Numbers of points along x and y.
     """
     u, v = np.linspace(0, 1, count[0]), np.linspace(1, 0, count[1])
-    shape = local_shape(ControlNet.of(lens), control_points, u, v)
-    x, y = (2 * u - 1) * lens.half_width[0], (2 * v - 1) * lens.half_width[1]
-    beside = np.where(outline_of(lens).contains(x, y[:, None]), 0.0, np.nan)
+    shape = local_shape(ControlNet.of(optic), control_points, u, v)
+    x, y = (2 * u - 1) * optic.half_width[0], (2 * v - 1) * optic.half_width[1]
+    beside = np.where(outline_of(optic).contains(x, y[:, None]), 0.0, np.nan)
     return SurfaceMaps(
         x=x,
         y=y,
-        thickness=shape.height.T - lens.entrance_z + beside,
+        thickness=optic.onwards * (shape.height.T - optic.flat_z(control_points)) + beside,
         slope=np.degrees(np.arctan(shape.slope.T)) + beside,
         concave=shape.largest.T + beside,
         convex=-shape.smallest.T + beside,
     )
 
 
-def manufacture(lens: Lens, control_points: Array) -> Manufacture:
+def manufacture(optic: Optic, control_points: Array) -> Manufacture:
     """Figures of a lens.
 
     Parameters
     ----------
-    lens : Lens
+    optic : Optic
         The lens.
     control_points : ndarray, shape (n_u, n_v)
         Control heights, scene units.
@@ -170,7 +170,7 @@ def manufacture(lens: Lens, control_points: Array) -> Manufacture:
     >>> round(found.thinnest.value, 12), round(found.thickest.value, 12)
     (0.5, 0.7)
     """
-    net = ControlNet.of(lens)
+    net = ControlNet.of(optic)
     parts_x, parts_y = (
         math.ceil(_PARTS / (n - p)) for n, p in zip(net.shape, net.degree, strict=True)
     )
@@ -178,19 +178,20 @@ def manufacture(lens: Lens, control_points: Array) -> Manufacture:
         2 * parts * (n - p) + 1
         for parts, n, p in zip((parts_x, parts_y), net.shape, net.degree, strict=True)
     )
-    maps = surface_maps(lens, control_points, (count[0], count[1]))
+    maps = surface_maps(optic, control_points, (count[0], count[1]))
 
     low, high = derivative_range(net, control_points, (0, 0), (parts_x, parts_y))
-    glass = _with_glass(lens, low.shape)
+    glass = _with_glass(optic, low.shape)
     bounds = shape_bounds(net, control_points, (parts_x, parts_y), glass)
-    lowest, highest = (
-        float(end) - lens.entrance_z for end in (low[glass].min(), high[glass].max())
+    lowest, highest = sorted(
+        optic.onwards * (float(end) - optic.flat_z(control_points))
+        for end in (low[glass].min(), high[glass].max())
     )
     thinnest = _most(maps, -maps.thickness, -lowest)
     thinnest = Extreme(-thinnest.value, -thinnest.bound, thinnest.place)
     thickest = _most(maps, maps.thickness, highest)
     rises, falls = _edges(net, control_points)
-    flat = _FLAT / max(lens.half_width)
+    flat = _FLAT / max(optic.half_width)
     return Manufacture(
         thinnest=thinnest,
         thickest=thickest,
@@ -201,10 +202,10 @@ def manufacture(lens: Lens, control_points: Array) -> Manufacture:
     )
 
 
-def _with_glass(lens: Lens, parts: tuple[int, ...]) -> Mask:
+def _with_glass(optic: Optic, parts: tuple[int, ...]) -> Mask:
     """Which of so many equal parts of the aperture along x and y the lens has a share of."""
-    x, y = (np.linspace(-r, r, n + 1) for r, n in zip(lens.half_width, parts, strict=True))
-    return outline_of(lens).area_inside((x[:-1, None], x[1:, None]), (y[:-1], y[1:])) > 0
+    x, y = (np.linspace(-r, r, n + 1) for r, n in zip(optic.half_width, parts, strict=True))
+    return outline_of(optic).area_inside((x[:-1, None], x[1:, None]), (y[:-1], y[1:])) > 0
 
 
 def _most(maps: SurfaceMaps, values: Array, bound: float) -> Extreme:

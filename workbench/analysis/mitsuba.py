@@ -59,9 +59,9 @@ class MitsubaScene:
 
     def __init__(self, scene: Scene, heights: Mapping[str, Array]) -> None:
         self._mi = _mitsuba()
-        self._picture = picture_of(scene.receiver, scene.lens)
+        self._picture = picture_of(scene.receiver, scene.optic)
         # Mitsuba counts in single precision and has thresholds made for lengths of about 1.
-        self._scene, self._unit = scene, max(scene.lens.half_width)
+        self._scene, self._unit = scene, max(scene.optic.half_width)
         check_known(scene.source)
         self._pixel_area = self._picture.screen.pixel_measure / self._unit**2
         self._unlit: dict[str, Any] = {
@@ -94,8 +94,8 @@ class MitsubaScene:
         samples = -(-rays // (n_x * n_y))
         passes = min(-(-samples * n_x * n_y // _AT_ONCE), samples)
         samples = -(-samples // passes)
-        source, lens = self._scene.source, self._scene.lens
-        lights, emitted = mitsuba_lights(self._mi, source, lens, self._unit, rays, seed)
+        source, optic = self._scene.source, self._scene.optic
+        lights, emitted = mitsuba_lights(self._mi, source, optic, self._unit, rays, seed)
         lit = self._mi.load_dict(self._unlit | lights)
         radiance = np.zeros((n_y, n_x))
         # Seeds that have nothing to do with each other: Mitsuba counts on from them.
@@ -111,18 +111,18 @@ class MitsubaScene:
 
     def _body(self, heights: Array) -> dict[str, Any]:
         """Both faces of the lens, and what swallows light beside it or out of its sides."""
-        lens, net = self._scene.lens, ControlNet.of(self._scene.lens)
+        optic, net = self._scene.optic, ControlNet.of(self._scene.optic)
         cells = [n - p for n, p in zip(net.shape, net.degree, strict=True)]
         u, v = (np.linspace(0, 1, spans * -(-_CELLS // spans) + 1) for spans in cells)
-        u, v, outline = 2 * u - 1, 2 * v - 1, outline_of(lens)
+        u, v, outline = 2 * u - 1, 2 * v - 1, outline_of(optic)
         x, y, z, slope_x, slope_y = net.over(outline, u, v, heights)
         exit_face = _stacked(x, y, z) / self._unit
-        entrance = _stacked(x, y, lens.entrance_z) / self._unit
+        entrance = _stacked(x, y, optic.front_z) / self._unit
         index = np.arange(z.size).reshape(z.shape)
         rim = np.concatenate([index[:-1, 0], index[-1, :-1], index[:0:-1, -1], index[0, :0:-1]])
         top = exit_face.reshape(-1, 3)[np.append(rim, rim[0])]
-        foot = top * [1, 1, 0] + [0, 0, lens.entrance_z / self._unit]
-        glass = self._mi.load_dict({"type": "dielectric", "int_ior": lens.index, "ext_ior": 1.0})
+        foot = top * [1, 1, 0] + [0, 0, optic.front_z / self._unit]
+        glass = self._mi.load_dict({"type": "dielectric", "int_ior": optic.index, "ext_ior": 1.0})
         black = self._mi.load_dict(_BLACK)
         normals = _stacked(-slope_x, -slope_y, 1.0)
         body = {
@@ -131,8 +131,8 @@ class MitsubaScene:
             "walls": self._mesh(np.stack([foot, top], axis=1), black),
         }
         if not outline.whole:  # black out to the bounding rectangle, where the baffle begins
-            around = Rectangle(lens.half_width).from_square(u[:, None], v)
-            box = (_stacked(*around, lens.entrance_z) / self._unit).reshape(-1, 3)
+            around = Rectangle(optic.half_width).from_square(u[:, None], v)
+            box = (_stacked(*around, optic.front_z) / self._unit).reshape(-1, 3)
             frame = np.stack([box[np.append(rim, rim[0])], foot], axis=1)
             body["frame"] = self._mesh(frame, black)
         return body
@@ -160,8 +160,8 @@ class MitsubaScene:
 
     def _baffle(self) -> dict[str, Any]:
         """Black rectangles around that of the entrance face."""
-        r_x, r_y = (r / self._unit for r in self._scene.lens.half_width)
-        z, to = self._scene.lens.entrance_z / self._unit, self._mi.ScalarTransform4f
+        r_x, r_y = (r / self._unit for r in self._scene.optic.half_width)
+        z, to = self._scene.optic.front_z / self._unit, self._mi.ScalarTransform4f
         wide, beside_x, beside_y = _BAFFLE, (r_x + _BAFFLE) / 2, (r_y + _BAFFLE) / 2
         return {
             f"baffle{number}": {

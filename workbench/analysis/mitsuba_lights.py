@@ -16,8 +16,8 @@ from workbench.scene import (
     AreaSource,
     CollimatedSource,
     GridSource,
-    Lens,
     LightOfPoints,
+    Optic,
     PhotometricSource,
     PointSource,
     RayFileSource,
@@ -39,7 +39,7 @@ Lights = tuple[dict[str, Any], float]
 
 
 def mitsuba_lights(
-    mi: Any, source: Source, lens: Lens, unit: float, rays: int, seed: int
+    mi: Any, source: Source, optic: Optic, unit: float, rays: int, seed: int
 ) -> Lights:
     """Emitters by name, and the flux that they emit towards the lens.
 
@@ -49,14 +49,14 @@ def mitsuba_lights(
         Mitsuba.
     source : Source
         The source, of a kind that `check_known` lets pass.
-    lens : Lens
+    optic : Optic
         Gives the entrance face.
     unit : float
         What counts as 1 in Mitsuba, scene units.
     rays, seed : int
         How many rays to draw, and how, of light that is given by its rays.
     """
-    return _LIGHTS[type(source)](mi, source, lens, unit, rays, seed)
+    return _LIGHTS[type(source)](mi, source, optic, unit, rays, seed)
 
 
 def check_known(source: Source) -> None:
@@ -72,13 +72,13 @@ def check_known(source: Source) -> None:
 
 
 def _sheets(
-    mi: Any, source: CollimatedSource, lens: Lens, unit: float, rays: int, seed: int
+    mi: Any, source: CollimatedSource, optic: Optic, unit: float, rays: int, seed: int
 ) -> Lights:
     """Parallel light from a rectangle before the lens; of discs and beams, rays."""
     if source.continuous or math.isfinite(source.profile.radius):
-        return rays_as_light(mi, source, lens, unit, rays, seed)
-    r_x, r_y = (r / unit for r in lens.half_width)
-    z, to = lens.front_z / unit, mi.ScalarTransform4f
+        return rays_as_light(mi, source, optic, unit, rays, seed)
+    r_x, r_y = (r / unit for r in optic.half_width)
+    z, to = optic.front_z / unit, mi.ScalarTransform4f
     if source.along_axis:
         place = to().translate([0, 0, z - _BEFORE]).scale([r_x, r_y, 1])
         return {"light": _sheet(place)}, 4 * r_x * r_y
@@ -96,10 +96,12 @@ def _sheet(place: Any) -> dict[str, Any]:
     return {"type": "rectangle", "to_world": place, "emitter": emitter}
 
 
-def _emitter(mi: Any, source: AreaSource, lens: Lens, unit: float, rays: int, seed: int) -> Lights:
+def _emitter(
+    mi: Any, source: AreaSource, optic: Optic, unit: float, rays: int, seed: int
+) -> Lights:
     """A face that emits by Lambert's law; of even light, rays."""
     if source.emission == "uniform":
-        return rays_as_light(mi, source, lens, unit, rays, seed)
+        return rays_as_light(mi, source, optic, unit, rays, seed)
     shape, whole = {"rectangle": ("rectangle", 4.0), "ellipse": ("disk", math.pi)}[source.outline]
     r_x, r_y = (r / unit for r in source.half_width)
     place = mi.ScalarTransform4f().translate(np.array(source.center) / unit).scale([r_x, r_y, 1])
@@ -108,11 +110,11 @@ def _emitter(mi: Any, source: AreaSource, lens: Lens, unit: float, rays: int, se
 
 
 def _points(
-    mi: Any, source: LightOfPoints, lens: Lens, unit: float, rays: int, seed: int
+    mi: Any, source: LightOfPoints, optic: Optic, unit: float, rays: int, seed: int
 ) -> Lights:
     """A light for each point, into the cone that just covers the lens."""
-    r_x, r_y = (r / unit for r in lens.half_width)
-    z, to = lens.front_z / unit, mi.ScalarTransform4f
+    r_x, r_y = (r / unit for r in optic.half_width)
+    z, to = optic.front_z / unit, mi.ScalarTransform4f
     lights, emitted = {}, 0.0
     points = source.positions / unit
     cones = covering_cones(points, (r_x, r_y), z)
@@ -142,22 +144,22 @@ def _points(
 
 
 def _lamp(
-    mi: Any, source: PhotometricSource, lens: Lens, unit: float, rays: int, seed: int
+    mi: Any, source: PhotometricSource, optic: Optic, unit: float, rays: int, seed: int
 ) -> Lights:
     """A spot behind a slide with the intensities of the file."""
     table, turned = intensity_of(source), file_axes(source.rotation).inv()
     point = np.array(source.position)
-    light = _slide(mi, point, lens, unit, lambda ahead: table.at(turned.apply(ahead)))
+    light = _slide(mi, point, optic, unit, lambda ahead: table.at(turned.apply(ahead)))
     return {"light": light}, table.lumens
 
 
 def _slide(
-    mi: Any, place: Array, lens: Lens, unit: float, intensity: Callable[[Array], Array]
+    mi: Any, place: Array, optic: Optic, unit: float, intensity: Callable[[Array], Array]
 ) -> dict[str, Any]:
     """A spot into the cone that just covers the lens, behind a slide with its intensities."""
     point = place[None, :] / unit
-    half_width = (lens.half_width[0] / unit, lens.half_width[1] / unit)
-    cone = covering_cones(point, half_width, lens.front_z / unit)
+    half_width = (optic.half_width[0] / unit, optic.half_width[1] / unit)
+    cone = covering_cones(point, half_width, optic.front_z / unit)
     axis, angle = cone.axis[0], 2 * math.asin(math.sqrt(cone.versine[0] / 2))
     look = mi.ScalarTransform4f().look_at(point[0], point[0] + axis, [1, 0, 0])
     # Directions through the middles of the slide's pixels; the slide is as wide as the cone.
@@ -177,7 +179,7 @@ def _slide(
     }
 
 
-_LIGHTS: Mapping[type, Callable[[Any, Any, Lens, float, int, int], Lights]] = {
+_LIGHTS: Mapping[type, Callable[[Any, Any, Optic, float, int, int], Lights]] = {
     CollimatedSource: _sheets,
     AreaSource: _emitter,
     PointSource: _points,

@@ -14,7 +14,7 @@ import numpy as np
 import numpy.typing as npt
 
 from workbench.measured.lamps import placed_rays
-from workbench.scene import AreaSource, CollimatedSource, Lens, RayFileSource, Source
+from workbench.scene import AreaSource, CollimatedSource, Optic, RayFileSource, Source
 
 Array = npt.NDArray[np.float64]
 
@@ -48,17 +48,17 @@ class FaceRays(NamedTuple):
 
 
 def rays_as_light(
-    mi: Any, source: Source, lens: Lens, unit: float, rays: int, seed: int
+    mi: Any, source: Source, optic: Optic, unit: float, rays: int, seed: int
 ) -> tuple[dict[str, Any], float]:
     """An emitter of rays of a source; parameters and result are those of `mitsuba_lights`."""
     random = np.random.default_rng([seed, 3])
-    found = _RAYS[type(source)](source, lens, random, min(rays, _MOST))
-    (r_x, r_y), before = lens.half_width, _BEFORE * unit
+    found = _RAYS[type(source)](source, optic, random, min(rays, _MOST))
+    (r_x, r_y), before = optic.half_width, _BEFORE * unit
     met = (abs(found.x) <= r_x) & (abs(found.y) <= r_y) & (found.flux > 0)
     if not met.any():
         return {}, 1.0
     way, flux = found.way[met], found.flux[met]
-    place = np.column_stack([found.x[met], found.y[met], np.full(len(flux), lens.front_z)])
+    place = np.column_stack([found.x[met], found.y[met], np.full(len(flux), optic.front_z)])
     mesh = _facets(mi, (place - way * (before / way[:, 2:])) / unit, way, flux)
     return {"light": mesh}, mesh.surface_area() * found.emitted / float(flux.sum())
 
@@ -84,12 +84,12 @@ def _facets(mi: Any, places: Array, ways: Array, flux: Array) -> Any:
 
 
 def _from_disc(
-    source: CollimatedSource, lens: Lens, random: np.random.Generator, count: int
+    source: CollimatedSource, optic: Optic, random: np.random.Generator, count: int
 ) -> FaceRays:
     """Light of random directions: even over the entrance face, or a beam across each of them."""
     way = source.directions(*_in_disc(random, count))
     if math.isinf(source.profile.radius):
-        return FaceRays(*_on_face(lens, random, count), way, way[:, 2], float(way[:, 2].sum()))
+        return FaceRays(*_on_face(optic, random, count), way, way[:, 2], float(way[:, 2].sum()))
     right = np.cross([0.0, 1.0, 0.0], way)
     right /= np.linalg.norm(right, axis=1, keepdims=True)
     a, b = random.normal(0.0, source.profile.radius / 2, (2, count, 1))
@@ -98,35 +98,37 @@ def _from_disc(
     return FaceRays(place[:, 0], place[:, 1], way, np.ones(count), float(count))
 
 
-def _from_area(source: AreaSource, lens: Lens, random: np.random.Generator, count: int) -> FaceRays:
+def _from_area(
+    source: AreaSource, optic: Optic, random: np.random.Generator, count: int
+) -> FaceRays:
     """Light of random places of an emitter, as much in all directions, to those of the face."""
     start = _in_disc(random, count) if source.outline == "ellipse" else _in_square(random, count)
-    x, y = _on_face(lens, random, count)
-    way = np.column_stack([x, y, np.full(count, lens.front_z)]) - source.center
+    x, y = _on_face(optic, random, count)
+    way = np.column_stack([x, y, np.full(count, optic.front_z)]) - source.center
     way[:, :2] -= start.T * source.half_width
     distance = np.linalg.norm(way, axis=1)
     way /= distance[:, None]
     # Solid angle of the face over that of the half-space.
-    flux = 4 * math.prod(lens.half_width) * way[:, 2] / distance**2 / (2 * math.pi)
+    flux = 4 * math.prod(optic.half_width) * way[:, 2] / distance**2 / (2 * math.pi)
     return FaceRays(x, y, way, flux, float(count))
 
 
 def _from_file(
-    source: RayFileSource, lens: Lens, random: np.random.Generator, count: int
+    source: RayFileSource, optic: Optic, random: np.random.Generator, count: int
 ) -> FaceRays:
     """The rays of the file themselves, or some of them."""
     found = placed_rays(source)
     chosen = random.permutation(len(found.flux))[:count]
-    x, y, come = found.onto(lens.front_z)
+    x, y, come = found.onto(optic.front_z)
     flux = found.flux[chosen]
     way, lit = found.direction[chosen], flux * come[chosen]
     return FaceRays(x[chosen], y[chosen], way, lit, float(flux.sum()))
 
 
-def _on_face(lens: Lens, random: np.random.Generator, count: int) -> tuple[Array, Array]:
+def _on_face(optic: Optic, random: np.random.Generator, count: int) -> tuple[Array, Array]:
     """Random places of its rectangle."""
     x, y = _in_square(random, count)
-    return lens.half_width[0] * x, lens.half_width[1] * y
+    return optic.half_width[0] * x, optic.half_width[1] * y
 
 
 def _in_square(random: np.random.Generator, count: int) -> Array:
@@ -138,7 +140,7 @@ def _in_disc(random: np.random.Generator, count: int) -> Array:
     return np.asarray(radius * [np.cos(turn), np.sin(turn)])
 
 
-_RAYS: Mapping[type, Callable[[Any, Lens, np.random.Generator, int], FaceRays]] = {
+_RAYS: Mapping[type, Callable[[Any, Optic, np.random.Generator, int], FaceRays]] = {
     CollimatedSource: _from_disc,
     AreaSource: _from_area,
     RayFileSource: _from_file,

@@ -9,7 +9,7 @@ from scipy.sparse import csr_array
 
 from workbench.analysis.tracing.elements import Array
 from workbench.errors import Refused
-from workbench.scene import AnyReceiver, FarField, Lens, Screen
+from workbench.scene import AnyReceiver, FarField, Optic, Screen
 
 # How far a screen stands for a far field, in half-widths of the lens: light of opposite rims is
 # apart by twice as small an angle, 2e-6 radians or 0.0001 degrees.
@@ -45,7 +45,7 @@ class Picture(NamedTuple):
         return found
 
 
-def picture_of(receiver: AnyReceiver, lens: Lens) -> Picture:
+def picture_of(receiver: AnyReceiver, optic: Optic) -> Picture:
     """The picture that tells the light on a receiver.
 
     Raises
@@ -53,10 +53,10 @@ def picture_of(receiver: AnyReceiver, lens: Lens) -> Picture:
     Refused
         If pixels of a screen are not square, or a far field goes too far to the side.
     """
-    return _PICTURES[type(receiver)](receiver, lens)
+    return _PICTURES[type(receiver)](receiver, optic)
 
 
-def _of_screen(screen: Screen, lens: Lens) -> Picture:
+def _of_screen(screen: Screen, optic: Optic) -> Picture:
     (r_x, r_y), (n_x, n_y) = screen.half_width, screen.pixels
     if not math.isclose(r_x / n_x, r_y / n_y, rel_tol=1e-6):
         raise Refused(
@@ -67,7 +67,7 @@ def _of_screen(screen: Screen, lens: Lens) -> Picture:
     return Picture(screen)
 
 
-def _of_far_field(far_field: FarField, lens: Lens) -> Picture:
+def _of_far_field(far_field: FarField, optic: Optic) -> Picture:
     """A screen so far that its places are directions."""
     widest = max(abs(c) + r for c, r in zip(far_field.center, far_field.half_angle, strict=True))
     if widest > _MOST:
@@ -88,10 +88,10 @@ def _of_far_field(far_field: FarField, lens: Lens) -> Picture:
     for slope in (slope_x, slope_y):
         middle.append(float(slope.max() + slope.min()) / 2)
         counts.append(math.ceil(float(np.ptp(slope)) / size))
-    away = _FAR * max(lens.half_width)
+    away = _FAR * max(optic.half_width)
     half_width = counts[0] * size / 2 * away, counts[1] * size / 2 * away
     screen = Screen(
-        z=lens.highest + away,
+        z=optic.highest + away,
         half_width=half_width,
         center=(middle[0] * away, middle[1] * away),
         pixels=(min(counts[0], 4096), min(counts[1], 4096)),
@@ -129,7 +129,7 @@ def _shares(begin: Array, end: Array) -> list[tuple[Array, Array]]:
     return [(first, before), (first + 1, 1 - before)]
 
 
-_PICTURES: Mapping[type, Callable[[Any, Lens], Picture]] = {
+_PICTURES: Mapping[type, Callable[[Any, Optic], Picture]] = {
     Screen: _of_screen,
     FarField: _of_far_field,
 }

@@ -7,7 +7,7 @@ import numpy.typing as npt
 from scipy.interpolate import BSpline, make_interp_spline
 from scipy.ndimage import gaussian_filter
 
-from workbench.scene import Lens
+from workbench.scene import Optic
 
 Array = npt.NDArray[np.float64]
 
@@ -18,13 +18,13 @@ FINEST = 1 / 250
 
 
 def with_noise(
-    lens: Lens, control_points: Array, amplitude: float, scale: float, rng: np.random.Generator
-) -> tuple[Lens, Array]:
+    optic: Optic, control_points: Array, amplitude: float, scale: float, rng: np.random.Generator
+) -> tuple[Optic, Array]:
     """A lens with a wavy exit face.
 
     Parameters
     ----------
-    lens : Lens
+    optic : Optic
         The lens.
     control_points : ndarray, shape (n_u, n_v)
         Its control heights, scene units.
@@ -38,17 +38,17 @@ def with_noise(
 
     Returns
     -------
-    Lens
+    Optic
         With a net as fine as the error needs.
     ndarray
         Its control heights.
     """
     for axis, (r, n, p) in enumerate(
-        zip(lens.half_width, lens.net_shape, lens.degree, strict=True)
+        zip(optic.half_width, optic.net_shape, optic.degree, strict=True)
     ):
         split = math.ceil(_SPANS * 2 * r / (scale * (n - p)))
         control_points = _refined(control_points, axis, r, p, split)
-    finer = lens.model_copy(update={"control_points": control_points.shape})
+    finer = optic.model_copy(update={"control_points": control_points.shape})
     return finer, control_points + amplitude * _noise(finer, scale, rng)
 
 
@@ -64,10 +64,10 @@ def _refined(control_points: Array, axis: int, half_width: float, degree: int, s
     return np.ascontiguousarray(np.moveaxis(finer, 0, axis))
 
 
-def _noise(lens: Lens, scale: float, rng: np.random.Generator) -> Array:
+def _noise(optic: Optic, scale: float, rng: np.random.Generator) -> Array:
     """Control heights of a random face with a root mean square of 1 about a mean of 0."""
     samplers, widths = [], []
-    for r, n, p in zip(lens.half_width, lens.net_shape, lens.degree, strict=True):
+    for r, n, p in zip(optic.half_width, optic.net_shape, optic.degree, strict=True):
         knots = _knots(r, n - p, p)
         middles = (np.arange(4 * (n - p)) + 0.5) * (r / (2 * (n - p))) - r
         samplers.append(BSpline(knots, np.eye(n), p)(middles))
@@ -75,9 +75,9 @@ def _noise(lens: Lens, scale: float, rng: np.random.Generator) -> Array:
         widths.append(scale / 2 / (2 * r / (n - p)))
     # Filtered beyond the edge too, so that the noise is the same there as elsewhere.
     margins = [
-        min(math.ceil(4 * width), n) for width, n in zip(widths, lens.net_shape, strict=True)
+        min(math.ceil(4 * width), n) for width, n in zip(widths, optic.net_shape, strict=True)
     ]
-    size = [n + 2 * m for n, m in zip(lens.net_shape, margins, strict=True)]
+    size = [n + 2 * m for n, m in zip(optic.net_shape, margins, strict=True)]
     white = gaussian_filter(rng.standard_normal(size), widths, mode="wrap")
     heights = white[margins[0] : size[0] - margins[0], margins[1] : size[1] - margins[1]]
     surface = samplers[0] @ heights @ samplers[1].T

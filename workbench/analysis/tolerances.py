@@ -63,11 +63,10 @@ class Tolerances:
             raise Refused("tilt", f"{math.degrees(self.tilt):g} degrees; at least 0, less than 45")
         if not 0 <= self.decentre < math.inf:
             raise Refused("decentre", f"{self.decentre:g}; a finite number from 0 is needed")
-        if not 0 <= self.index < scene.lens.index - 1:
-            raise Refused(
-                "index", f"{self.index:g}; at least 0, less than {scene.lens.index - 1:g}"
-            )
-        room = scene.receiver.plane_z - scene.lens.highest if self.distance else math.inf
+        most = scene.optic.index - 1
+        if self.index != 0 and not 0 <= self.index < most:
+            raise Refused("index", f"{self.index:g}; at least 0, less than {most:g}")
+        room = scene.receiver.plane_z - scene.optic.highest if self.distance else math.inf
         if not 0 <= self.distance < room:
             raise Refused(
                 "distance",
@@ -77,7 +76,7 @@ class Tolerances:
         amplitude, scale = self.surface
         if not 0 <= amplitude < math.inf:
             raise Refused("surface[0]", f"{amplitude:g}; a finite number from 0 is needed")
-        width = 2 * max(scene.lens.half_width)
+        width = 2 * max(scene.optic.half_width)
         if amplitude > 0 and not FINEST * width <= scale <= width:
             raise Refused("surface[1]", f"{scale:g}; from {FINEST * width:g} to {width:g}")
 
@@ -108,15 +107,16 @@ class Perturbation:
         self, scene: Scene, heights: Mapping[str, Array]
     ) -> tuple[Scene, Mapping[str, Array]]:
         """The scene and the control heights of the lens, which may be more, that is off."""
-        lens = scene.lens.model_copy(
-            update={"refractive_index": scene.lens.index + self.index, "wavelength_um": None}
-        )
+        optic, face = scene.optic, scene.optic.face
+        if self.index:
+            off = {"refractive_index": optic.index + self.index, "wavelength_um": None}
+            optic = optic.model_copy(update=off)
         amplitude, scale = self.surface
         if amplitude > 0:
             rng = np.random.default_rng(self.seed)
-            lens, rough = with_noise(lens, heights["exit"], amplitude, scale, rng)
-            heights = {**heights, "exit": rough}
-        scene = scene.model_copy(update={"lens": lens})
+            optic, rough = with_noise(optic, heights[face], amplitude, scale, rng)
+            heights = {**heights, face: rough}
+        scene = scene.with_optic(optic)
         if self.distance:
             screen = scene.receiver.moved_to(scene.receiver.plane_z + self.distance)
             scene = scene.model_copy(update={"screen": screen})
@@ -214,7 +214,7 @@ def perturbed(
     >>> from workbench.files.session import open_design
     >>> from workbench.geometry.faces import FaceArrays
     >>> task = open_design(path("examples", "tophat.json"))
-    >>> plate = FaceArrays({"exit": np.full(task.scene.lens.net_shape, 0.5)})
+    >>> plate = FaceArrays({"exit": np.full(task.scene.optic.net_shape, 0.5)})
     >>> within = Tolerances(decentre=0.01)
     >>> nominal, *others = perturbed(task.scene, task.target, plate, within, samples=3, rays=10_000)
     >>> len(others), round(nominal.efficiency, 4)

@@ -44,9 +44,9 @@ def manufacture(path: Path, limits: Limits, plot: Path | None, as_json: bool) ->
     scene = session.scene
     if plot is not None:
         check_writable(plot)
-    found = look_at(scene.lens, result.state.heights["exit"])
+    found = look_at(scene.optic, result.state.heights["exit"])
     if limits.min_thickness is None:
-        limits = replace(limits, min_thickness=scene.lens.min_thickness)
+        limits = replace(limits, min_thickness=scene.optic.least_thickness)
     judged = verdicts(found, limits)
     if as_json:
         listed = [v._asdict() | {"found": v.found.to_data()} for v in judged]
@@ -56,8 +56,8 @@ def manufacture(path: Path, limits: Limits, plot: Path | None, as_json: bool) ->
     if plot is not None:
         from workbench.pictures.manufacture import write_manufacture  # late: draws
 
-        count = even_counts(scene.lens.half_width, _PLACES)
-        maps = surface_maps(scene.lens, result.state.heights["exit"], count)
+        count = even_counts(scene.optic.half_width, _PLACES)
+        maps = surface_maps(scene.optic, result.state.heights["exit"], count)
         with replacing(plot) as file:
             write_manufacture(file, maps, limits, scene.unit)
     broken = [_sentence(v, scene.unit) for v in judged if v.state == "broken"]

@@ -5,7 +5,7 @@ import numpy.typing as npt
 
 from workbench.design.limits import HeightLimits
 from workbench.geometry.surface import ControlNet
-from workbench.scene import Lens
+from workbench.scene import Optic
 
 Array = npt.NDArray[np.float64]
 Mask = npt.NDArray[np.bool_]
@@ -74,7 +74,7 @@ class Stroke:
 
     Parameters
     ----------
-    lens : Lens
+    optic : Optic
         The lens.
     heights : ndarray, shape (n_u, n_v)
         Its control heights before, scene units.
@@ -88,14 +88,14 @@ class Stroke:
 
     def __init__(
         self,
-        lens: Lens,
+        optic: Optic,
         heights: Array,
         locked: Mask | None,
         index: tuple[int, int],
         radius: float,
     ) -> None:
-        net = ControlNet.of(lens)
-        limits = HeightLimits.of(lens, net)
+        net = ControlNet.of(optic)
+        limits = HeightLimits.of(optic, net)
         self._heights = heights
         self._block, self._weights = bump(net, index, radius)
         if locked is not None:

@@ -10,7 +10,7 @@ from torch import Tensor
 
 from workbench.design.limits import HeightLimits
 from workbench.geometry.surface import ControlNet
-from workbench.scene import Lens
+from workbench.scene import Optic
 
 Array = npt.NDArray[np.float64]
 Mask = npt.NDArray[np.bool_]
@@ -39,7 +39,7 @@ class HeightRange:
     kept: Tensor | None = None
 
     @classmethod
-    def of(cls, lens: Lens, net: ControlNet, device: torch.device | str = "cpu") -> "HeightRange":
+    def of(cls, optic: Optic, net: ControlNet, device: torch.device | str = "cpu") -> "HeightRange":
         """The range that a lens allows on a control net.
 
         Raises
@@ -47,7 +47,7 @@ class HeightRange:
         ValueError
             If the lens leaves its range to the run; see `workbench.design.room`.
         """
-        limits = HeightLimits.of(lens, net)
+        limits = HeightLimits.of(optic, net)
         if not np.isfinite(limits.upper).all():
             raise ValueError("the lens has neither a height range nor a maximal thickness")
         rest = _inside(limits.undesigned, limits.lower, limits.upper)

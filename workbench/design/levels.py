@@ -89,7 +89,7 @@ def image_of(
     finer = _MIRRORED ** sum(mirrored) / count**level.thinning
     cells = [
         max(level.per_pixel * pixels, level.per_control_point * count) * finer
-        for pixels, count in zip(scene.receiver.pixels, scene.lens.net_shape, strict=True)
+        for pixels, count in zip(scene.receiver.pixels, scene.optic.net_shape, strict=True)
     ]
     finest = max(1.0, math.sqrt(math.prod(cells) * count / _MOST_BEAMS)) if count > 1 else 1.0
     cells = [number / finest for number in cells]
@@ -116,7 +116,7 @@ def _origins(scene: Scene) -> int:
     across, up = (
         width * pixels / (2 * half)
         for width, pixels, half in zip(
-            scene.source.blur(scene.lens, receiver),
+            scene.source.blur(scene.optic, receiver),
             receiver.pixels,
             receiver.half_extent,
             strict=True,

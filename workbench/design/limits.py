@@ -1,6 +1,5 @@
 """Where the control heights of a lens may be."""
 
-import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -9,7 +8,7 @@ import numpy.typing as npt
 from workbench.geometry.faces import ControlHeights, FaceArrays
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import ControlNet, freeform_nets
-from workbench.scene import Lens, Scene
+from workbench.scene import Optic, Scene
 
 Array = npt.NDArray[np.float64]
 Mask = npt.NDArray[np.bool_]
@@ -21,8 +20,6 @@ _APART = 0.25
 _SHIFTS = 65
 # The undesigned lens keeps this part of each interval away from its ends.
 _INSIDE = 0.0005
-# Room behind a lens before a receiver that is infinitely far, in half-widths of the lens.
-_ROOM = 8.0
 # Rounding, as a part of the largest height.
 _ROUNDING = 1e-12
 
@@ -47,37 +44,41 @@ class HeightLimits:
     shaping: Mask
 
     @classmethod
-    def of_faces(cls, lens: Lens) -> dict[str, "HeightLimits"]:
-        """The limits of each freeform face of a lens, by its name, on its own net.
+    def of_faces(cls, optic: Optic) -> dict[str, "HeightLimits"]:
+        """The limits of each freeform face of an optic, by its name, on its own net.
 
         By the convex-hull property each face stays between its limits everywhere, and all of the
         entrance face's are below those of the exit face by the minimal thickness.
         """
-        laws = {"entrance": cls.at_entrance, "exit": cls.of}
-        return {face: laws[face](lens, net) for face, net in freeform_nets(lens).items()}
+        laws = {"entrance": cls.at_entrance, optic.face: cls.of}
+        return {face: laws[face](optic, net) for face, net in freeform_nets(optic).items()}
 
     @classmethod
-    def at_entrance(cls, lens: Lens, net: ControlNet) -> "HeightLimits":
+    def at_entrance(cls, optic: Optic, net: ControlNet) -> "HeightLimits":
         """The limits of the entrance face; undesigned it is where the lens says, or close to it."""
-        low, high = lens.entrance_range
-        middle = lens.entrance_z + sum(lens.entrance.height_range or (0.0, 0.0)) / 2
+        low, high = optic.entrance_range
+        middle = (
+            optic.entrance_range[0]
+            - optic.entrance_offsets[0]
+            + sum(optic.entrance.height_range or (0.0, 0.0)) / 2
+        )
         inside = _INSIDE * (high - low)
         lower, upper, undesigned = (
             np.full(net.shape, z)
             for z in (low, high, min(max(middle, low + inside), high - inside))
         )
-        return cls(lower, upper, undesigned, net.shaping(outline_of(lens)))
+        return cls(lower, upper, undesigned, net.shaping(outline_of(optic)))
 
     @classmethod
-    def of(cls, lens: Lens, net: ControlNet) -> "HeightLimits":
-        """The limits that a lens sets on a control net of its exit face."""
+    def of(cls, optic: Optic, net: ControlNet) -> "HeightLimits":
+        """The limits that an optic sets on a control net of the face that the task shapes."""
         x, y = net.positions
-        lower, upper = lens.limits_at(x[:, None], y[None, :])
-        middle = lens.base.height_at(x[:, None], y[None, :])
-        if lens.height_range is not None:
-            middle = middle + sum(lens.height_range) / 2
+        lower, upper = optic.limits_at(x[:, None], y[None, :])
+        middle = optic.base.height_at(x[:, None], y[None, :])
+        if optic.height_range is not None:
+            middle = middle + sum(optic.height_range) / 2
         inside = np.where(np.isfinite(upper), _INSIDE * (upper - lower), 0.0)
-        shaping = net.shaping(outline_of(lens))
+        shaping = net.shaping(outline_of(optic))
         return cls(lower, upper, middle.clip(lower + inside, upper - inside), shaping)
 
     def lacks(self, heights: Array) -> float:
@@ -138,24 +139,12 @@ class HeightLimits:
         return float(low.max()), float(high.min())
 
 
-def undesigned(lens: Lens) -> ControlHeights:
-    """Control heights of a lens before any design, scene units."""
-    limits = HeightLimits.of_faces(lens)
+def undesigned(optic: Optic) -> ControlHeights:
+    """Control heights of an optic before any design, scene units."""
+    limits = HeightLimits.of_faces(optic)
     return FaceArrays({face: each.undesigned for face, each in limits.items()})
 
 
-def bounded(scene: Scene) -> Lens:
-    """The lens of a scene with all that limits its heights.
-
-    Where neither a height range nor a maximal thickness says how far the exit face may rise, it
-    stays in the nearer half of the way to the receiver, or, where that is infinitely far, below
-    some widths of the lens.
-    """
-    lens = scene.lens
-    if lens.height_range is not None or lens.max_thickness is not None:
-        return lens
-    behind = scene.receiver.nearest_z
-    if math.isinf(behind):
-        behind = lens.highest + _ROOM * max(lens.half_width)
-    thickness = (lens.highest + behind) / 2 - lens.front_z
-    return lens.model_copy(update={"max_thickness": thickness})
+def bounded(scene: Scene) -> Optic:
+    """The optic of a scene with all that limits its heights; see `Optic.bounded`."""
+    return scene.optic.bounded(scene.receiver.nearest_to(scene.optic))

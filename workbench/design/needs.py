@@ -52,7 +52,7 @@ def check_parts(
             path = refused.path.removeprefix("lens.").removeprefix("run.")
             raise Refused(f"run.stages[{stage}].{path}", refused.reason) from None
     if "exit" in locked and start is not None:
-        limits = HeightLimits.of(bounded(finished), ControlNet.of(finished.lens))
+        limits = HeightLimits.of(bounded(finished), ControlNet.of(finished.optic))
         inside = start["exit"].clip(limits.lower, limits.upper)
         kept = np.where(locked["exit"], start["exit"], inside)
         check_body(finished, {**start, "exit": kept})
@@ -60,9 +60,9 @@ def check_parts(
 
 def _check_net(part: Scene, finished: Scene) -> None:
     """Refuse another net than that of the finished lens, which the locks are about."""
-    if freeform_nets(part.lens) != freeform_nets(finished.lens):
+    if freeform_nets(part.optic) != freeform_nets(finished.optic):
         raise Refused(
             "lens.control_points",
-            f"{list(part.lens.net_shape)} are not the control points of the finished lens "
+            f"{list(part.optic.net_shape)} are not the control points of the finished lens "
             "that are locked; leave the stage's net out or unlock them",
         )

@@ -60,28 +60,28 @@ def definite(scene: Scene, target: Array) -> Scene:
     >>> from resources import path
     >>> from workbench.files.session import open_design
     >>> task = open_design(path("examples", "photo.json"))
-    >>> task.scene.lens.control_points
+    >>> task.scene.optic.control_points
     AutoNet(shape=(384, 384))
     """
-    if scene.lens.known_shape is not None:
+    if scene.optic.known_shape is not None:
         return scene
     return scene.with_net(_chosen(scene, target))
 
 
 def _chosen(scene: Scene, target: Array) -> tuple[int, int]:
     if scene.run.usual_net is not None:
-        n_u, n_v = (max(scene.run.usual_net, degree + 1) for degree in scene.lens.degree)
+        n_u, n_v = (max(scene.run.usual_net, degree + 1) for degree in scene.optic.degree)
         return n_u, n_v
     across, up = (
         min(_worth_of_target(target, axis), _worth_of_light(blur, half_width))
         for axis, blur, half_width in zip(
             (1, 0),
-            scene.source.blur(scene.lens, scene.receiver),
+            scene.source.blur(scene.optic, scene.receiver),
             scene.receiver.half_extent,
             strict=True,
         )
     )
-    pixels, degree = scene.receiver.pixels, scene.lens.degree
+    pixels, degree = scene.receiver.pixels, scene.optic.degree
     return _count(pixels[0], across, degree[0]), _count(pixels[1], up, degree[1])
 
 

@@ -51,7 +51,7 @@ def paper_steps(room: Room) -> Generator[Step, None, NoReturn]:
     image = FilteredImage(scene, room.target, room.locked)
     free = room.height_range(device)
     smoothness = Smoothness.of(scene, room.target, device)
-    shift = build(ControlNet.of(scene.lens), scene.run, device)
+    shift = build(ControlNet.of(scene.optic), scene.run, device)
     rest = free.rest
     if start is not None:
         rest = free.parameters(start) - shift().detach()

@@ -8,7 +8,7 @@ import os
 from pathlib import Path
 
 from workbench.errors import Refused
-from workbench.scene import Lens, Scene
+from workbench.scene import Optic, Scene
 
 # A parameter, its gradient and Adam's two moments.
 _COPIES = 4
@@ -24,10 +24,10 @@ def parameter_count(scene: Scene) -> int:
     on the input 1; the two others are linked to the layer before, fully or within the
     neighbourhood. Every link has a weight and every neuron a bias.
     """
-    neurons = math.prod(scene.lens.net_shape)
+    neurons = math.prod(scene.optic.net_shape)
     match scene.run.parametrisation:
         case "sparse":
-            links = link_count(scene.lens)
+            links = link_count(scene.optic)
         case "dense":
             links = neurons**2
         case _:
@@ -35,10 +35,10 @@ def parameter_count(scene: Scene) -> int:
     return 2 * neurons + 2 * (links + neurons)
 
 
-def link_count(lens: Lens) -> int:
+def link_count(optic: Optic) -> int:
     """Links into a layer whose neurons see (2p + 1) × (2q + 1) neighbours, less at the border."""
     return math.prod(
-        n * (2 * p + 1) - p * (p + 1) for n, p in zip(lens.net_shape, lens.degree, strict=True)
+        n * (2 * p + 1) - p * (p + 1) for n, p in zip(optic.net_shape, optic.degree, strict=True)
     )
 
 

@@ -11,7 +11,7 @@ from workbench.design.heights import HeightRange, Mask
 from workbench.design.limits import HeightLimits, bounded
 from workbench.design.shortfall import Cause, Shortfall
 from workbench.geometry.surface import ControlNet
-from workbench.scene import Lens, Scene
+from workbench.scene import Optic, Scene
 
 Array = npt.NDArray[np.float64]
 
@@ -53,7 +53,7 @@ class Room:
         self, scene: Scene, target: Array, start: Array | None = None, locked: Mask | None = None
     ) -> None:
         self.scene, self.target, self.start, self.locked = scene, target, start, locked
-        self._net = ControlNet.of(scene.lens)
+        self._net = ControlNet.of(scene.optic)
         self._lens = bounded(scene)
         self._found: tuple[Array | None] | None = None  # once it was looked for
         self.limits = HeightLimits.of(self._lens, self._net)
@@ -113,40 +113,38 @@ class Room:
         tolerable = _TOLERABLE * float(np.ptp(self.first - self.limits.undesigned))
         if self.limits.lacks(self.first) <= tolerable:
             return None
-        lens = self.scene.lens.model_copy(update={"height_range": None})
-        lens = bounded(self.scene.model_copy(update={"lens": lens}))
-        limits = HeightLimits.of(lens, self._net)
+        optic = self.scene.optic.model_copy(update={"height_range": None})
+        optic = bounded(self.scene.with_optic(optic))
+        limits = HeightLimits.of(optic, self._net)
         lacks = limits.lacks(self.first)
-        if lacks > tolerable or self._lens.height_range is None:
-            thickest = lens.ceiling - lens.entrance_z
+        beyond = lacks > tolerable or self._lens.height_range is None
+        if beyond and optic.held_by != "height_range":
+            thickest = optic.ceiling - optic.front_z
             needed, allowed = (
-                (lens.min_thickness, thickness) for thickness in (thickest + lacks, thickest)
+                (optic.least_thickness, thickness) for thickness in (thickest + lacks, thickest)
             )
-            return Shortfall(self._thick, needed, allowed, share)
+            return Shortfall(optic.held_by, needed, allowed, share)
         off = limits.placed(self.first) - self._base
         needed = float(off.min()), float(off.max())
-        return Shortfall("height_range", needed, self._lens.height_range, share)
+        most = limits.lower - self._base, limits.upper - self._base
+        allowed = self._lens.height_range or (float(most[0].min()), float(most[1].max()))
+        return Shortfall("height_range", needed, allowed, share)
 
     def _held(self, low: Mask, high: Mask, share: float) -> Shortfall:
         """What keeps most of the heights that are at an end."""
-        lens = self._ranged
-        assert lens.height_range is not None
-        limits = HeightLimits.of(lens, self._net)
-        thin, thick = low & (limits.lower == lens.floor), high & (limits.upper == lens.ceiling)
+        optic = self._ranged
+        assert optic.height_range is not None
+        limits = HeightLimits.of(optic, self._net)
+        thin, thick = low & (limits.lower == optic.floor), high & (limits.upper == optic.ceiling)
         held: dict[Cause, int] = {
-            "height_range": int(((low & ~thin) | (high & ~thick)).sum()),
+            optic.held_by: int(thick.sum()),
             "min_thickness": int(thin.sum()),
-            self._thick: int(thick.sum()),
+            "height_range": int(((low & ~thin) | (high & ~thick)).sum()),
         }
         cause = max(held, key=lambda each: held[each])
-        thickness = lens.min_thickness, lens.ceiling - lens.entrance_z
-        allowed = lens.height_range if cause == "height_range" else thickness
+        thickness = optic.least_thickness, optic.ceiling - optic.front_z
+        allowed = optic.height_range if cause == "height_range" else thickness
         return Shortfall(cause, None, allowed, share)
-
-    @property
-    def _thick(self) -> Cause:
-        """What keeps the lens from becoming thicker."""
-        return "screen" if self.scene.lens.max_thickness is None else "max_thickness"
 
     @property
     def _base(self) -> Array:
@@ -154,7 +152,7 @@ class Room:
         return self._lens.base.height_at(x[:, None], y[None, :])
 
     @cached_property
-    def _ranged(self) -> Lens:
+    def _ranged(self) -> Optic:
         """The lens with a height range in any case."""
         if self._lens.height_range is not None:
             return self._lens
@@ -166,7 +164,7 @@ class Room:
 
 def _natural(scene: Scene) -> float:
     """Rise of a face that bends the light at the rim by half of the screen's width, about."""
-    lens, receiver = scene.lens, scene.receiver
-    wide = zip(receiver.half_extent, receiver.per_radian(lens.highest), strict=True)
-    slope = max(r / (far * (lens.index - 1)) for r, far in wide)
-    return max(lens.half_width) * min(slope, 1.0)
+    optic, receiver = scene.optic, scene.receiver
+    wide = zip(receiver.half_extent, receiver.per_radian(optic.leaving_z), strict=True)
+    slope = max(r / (far * optic.deflection) for r, far in wide)
+    return max(optic.half_width) * min(slope, 1.0)

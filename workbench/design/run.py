@@ -21,7 +21,7 @@ from workbench.design.snapshot import Snapshot
 from workbench.errors import RunFailed
 from workbench.geometry.faces import NO_LOCKS, ControlHeights, FaceArrays
 from workbench.geometry.surface import freeform_nets
-from workbench.scene import AutoNet, Lens, Scene
+from workbench.scene import AutoNet, Optic, Scene
 
 Array = npt.NDArray[np.float64]
 
@@ -74,13 +74,13 @@ def run(
     >>> for snapshot in run(task.scene, task.target):
     ...     if snapshot.iteration == 2:
     ...         break
-    >>> snapshot.state.heights["exit"].shape == task.scene.lens.net_shape
+    >>> snapshot.state.heights["exit"].shape == task.scene.optic.net_shape
     True
     """
     scene = definite(scene, target)
     parts = scene.parts()
     locked = {face: mask for face, mask in locked.items() if mask.any()}
-    done = all(face in locked and locked[face].all() for face in freeform_nets(scene.lens))
+    done = all(face in locked and locked[face].all() for face in freeform_nets(scene.optic))
     # Given heights stand at the end of all stages already.
     first = 0 if start is None and not done else len(parts) - 1
     check_parts(parts, first, start, locked)
@@ -111,7 +111,7 @@ def run(
             if best:
                 lowest, best_heights = merit, state.heights
             state = replace(state, shortfall=room.shortfall(state.heights["exit"]))
-            state = replace(state, heights=_carried(state.heights, part.lens, scene.lens))
+            state = replace(state, heights=_carried(state.heights, part.optic, scene.optic))
             seconds += time.perf_counter() - resumed
             yield Snapshot(
                 state,
@@ -127,20 +127,20 @@ def run(
         else:
             ended = _LOCKED if done else _DONE
         if stage + 1 < len(parts) and best_heights is not None:
-            start = _carried(best_heights, part.lens, parts[stage + 1].lens)
+            start = _carried(best_heights, part.optic, parts[stage + 1].optic)
     return ended
 
 
 def _net_notes(scene: Scene) -> tuple[str, ...]:
     """The net of the finished lens, where the program has chosen it."""
-    if not isinstance(scene.lens.control_points, AutoNet):
+    if not isinstance(scene.optic.control_points, AutoNet):
         return ()
-    return ("control points: {} × {}, chosen for this task".format(*scene.lens.net_shape),)
+    return ("control points: {} × {}, chosen for this task".format(*scene.optic.net_shape),)
 
 
-def _carried(heights: ControlHeights, lens: Lens, other: Lens) -> ControlHeights:
+def _carried(heights: ControlHeights, optic: Optic, other: Optic) -> ControlHeights:
     """Control heights of a lens on the nets of another one."""
-    nets, others = freeform_nets(lens), freeform_nets(other)
+    nets, others = freeform_nets(optic), freeform_nets(other)
     if nets == others:
         return heights
     return FaceArrays(

@@ -145,7 +145,7 @@ class Session:
     picture: bytes | None = None
 
     def __post_init__(self) -> None:
-        if self.scene.lens.known_shape is None:
+        if self.scene.optic.known_shape is None:
             there = None if self.heights is None else self.heights["exit"].shape
             object.__setattr__(self, "scene", _on_net(self.scene, self.target, there))
 
@@ -165,11 +165,11 @@ class Session:
         takes the lens along.
         """
         # Locks are about the control points that are there.
-        scene = _on_net(scene, target, self.scene.lens.net_shape if self.locked else None)
+        scene = _on_net(scene, target, self.scene.optic.net_shape if self.locked else None)
         unit = scene.unit
         if unit != self.scene.unit and target is self.target and scene == self.scene.in_unit(unit):
             return self.in_unit(unit)
-        nets, others = freeform_nets(self.scene.lens), freeform_nets(scene.lens)
+        nets, others = freeform_nets(self.scene.optic), freeform_nets(scene.optic)
         kept = nets.keys() & others.keys()
         exact = all(others[face].contains(nets[face]) for face in kept)
         same_task = task_of(scene) == task_of(self.scene) and np.array_equal(target, self.target)
@@ -177,10 +177,10 @@ class Session:
         if start is not None and others != nets:
             carry = ControlNet.refine if exact else project
             carried = {face: carry(nets[face], start[face], others[face]) for face in kept}
-            new = {face: z for face, z in undesigned(scene.lens).items() if face not in kept}
+            new = {face: z for face, z in undesigned(scene.optic).items() if face not in kept}
             start = FaceArrays(new | carried)
             result = result and result.with_state(heights=start)
-        if scene.lens.half_width != self.scene.lens.half_width:
+        if scene.optic.half_width != self.scene.optic.half_width:
             result = start = None
         if start is not None and _limits(scene) != _limits(self.scene):
             within = _within(scene, start)
@@ -249,7 +249,7 @@ def result_of(session: Session, name: str = "session") -> Result:
 
 def _on_net(scene: Scene, target: Array, there: tuple[int, ...] | None) -> Scene:
     """A scene with a definite net: the one that is there, if that is good for it."""
-    if scene.lens.known_shape is None and there is not None:
+    if scene.optic.known_shape is None and there is not None:
         n_u, n_v = there
         return scene.with_net((n_u, n_v))
     return definite(scene, target)
@@ -261,9 +261,11 @@ def task_of(scene: Scene) -> Scene:
     A task of another size is the same one as long as its numbers are: no length has one of its own.
     """
     searched = ("control_points", "degree", "height_range", "max_thickness", "min_thickness")
-    entrance = scene.lens.entrance.shape, scene.lens.front_z
-    lens = scene.lens.model_copy(update={**dict.fromkeys(searched), "entrance": entrance})
-    return scene.model_copy(update={"lens": lens, "run": None, "unit": None})
+    optic = scene.optic
+    entrance = optic.entrance.shape, optic.front_z
+    known = {name: None for name in searched if hasattr(optic, name)}
+    optic = optic.model_copy(update=known | {"entrance": entrance})
+    return scene.with_optic(optic).model_copy(update={"run": None, "unit": None})
 
 
 def _within(scene: Scene, heights: ControlHeights) -> ControlHeights:

@@ -43,9 +43,9 @@ class Smoothness:
     """
 
     def __init__(self, scene: Scene, target: Array, device: torch.device) -> None:
-        net, run = ControlNet.of(scene.lens), scene.run
+        net, run = ControlNet.of(scene.optic), scene.run
         x, y = net.positions
-        base = scene.lens.base.height_at(x[:, None], y[None, :])
+        base = scene.optic.base.height_at(x[:, None], y[None, :])
         self._base = torch.as_tensor(base, device=device)
         self._weight, self._radius = run.smoothness or 0.0, run.min_radius
         self._products = [_products(net, axis, device) for axis in (0, 1)]

@@ -69,7 +69,7 @@ class Blur:
         x, y = (
             width * part * pixels / (2 * half)
             for width, part, pixels, half in zip(
-                source.blur(scene.lens, receiver),
+                source.blur(scene.optic, receiver),
                 nearer,
                 receiver.pixels,
                 receiver.half_extent,
@@ -184,13 +184,13 @@ class Blur:
 
 def _nearer(scene: Scene, exit_z: float | None) -> tuple[float, float]:
     """How much narrower along x and y a blur is from an exit face elsewhere."""
-    lens, receiver, place = scene.lens, scene.receiver, scene.source.place
+    optic, receiver, place = scene.optic, scene.receiver, scene.source.place
     if exit_z is None:
         return 1.0, 1.0
-    there, here = (receiver.per_radian(z) for z in (exit_z, lens.highest))
+    there, here = (receiver.per_radian(z) for z in (exit_z, optic.leaving_z))
     # In the glass, light goes on at a smaller angle from a source that is near.
-    glass = (exit_z - lens.entrance_z) / lens.index
-    way = 1.0 if place is None else 1 + glass / (lens.entrance_z - place[2])
+    glass = (exit_z - optic.front_z) / optic.index
+    way = 1.0 if place is None else 1 + glass / (optic.front_z - place[2])
     x, y = (new / old / way for new, old in zip(there, here, strict=True))
     return x, y
 

@@ -49,7 +49,7 @@ def names_of(entries: Entries, folder: str, scene: Scene, figures: Figures | Non
     """Names of the entries of a design that has, or has not, a result."""
     names = [_TARGET]
     if figures is not None:
-        names += [_CONTROL_POINTS[face] for face in freeform_nets(scene.lens)]
+        names += [_CONTROL_POINTS[face] for face in freeform_nets(scene.optic)]
         names += [_IRRADIANCE, _LOSS]
         if folder + _SECONDS in entries:
             names.append(_SECONDS)
@@ -98,7 +98,7 @@ def read_heights(
     Refused
         If they are not as the scene implies, or so far away that the file must be damaged.
     """
-    nets = freeform_nets(scene.lens)
+    nets = freeform_nets(scene.optic)
     return FaceArrays(
         {face: _read_face(entries, folder + names[face], scene, nets[face].shape) for face in nets}
     )
@@ -106,15 +106,16 @@ def read_heights(
 
 def _read_face(entries: Entries, name: str, scene: Scene, shape: tuple[int, int]) -> Array:
     heights = entries.array(name, shape)
-    entrance = scene.lens.entrance_z
-    farthest = _FARTHEST * abs(scene.receiver.nearest_z - entrance)
+    optic = scene.optic
+    entrance = optic.front_z
+    farthest = _FARTHEST * abs(scene.receiver.nearest_to(optic) - entrance)
     away = np.abs(heights - entrance)
     if away.max() > farthest:
         i, j = np.unravel_index(away.argmax(), away.shape)
         raise Refused(
             f"{entries.where(name)}[{i}, {j}]",
-            f"{heights[i, j]:.5g} is no height of this lens; at most {farthest:g} {scene.unit} "
-            "from its entrance face are possible",
+            f"{heights[i, j]:.5g} is no height of this {optic.called}; at most {farthest:g} "
+            f"{scene.unit} from {optic.front_called} are possible",
         )
     return heights
 

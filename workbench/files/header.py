@@ -93,8 +93,8 @@ def read_header(text: bytes, where: str) -> Header:
 
 def chosen_net(scene: Scene) -> NetShape | None:
     """The numbers of control points to be kept beside a scene that says ``"auto"``."""
-    auto = isinstance(scene.lens.control_points, AutoNet)
-    return scene.lens.known_shape if auto else None
+    auto = isinstance(scene.optic.control_points, AutoNet)
+    return scene.optic.known_shape if auto else None
 
 
 def read_part(scene: dict[str, Any], net: NetShape | None, where: str) -> Scene:

@@ -156,7 +156,7 @@ def read_session(path: Path) -> Session:
         ]
         names = {HEADER} | names_of(entries, "", scene, header.result)
         names |= names_of_light(entries, "", scene)
-        nets = freeform_nets(scene.lens)
+        nets = freeform_nets(scene.optic)
         locks = {face: _LOCKED[face] for face in nets if _LOCKED[face] in entries}
         names.update(locks.values())
         starts = header.result is None and any(_START[face] in entries for face in nets)
@@ -224,7 +224,7 @@ def _scene_of(
 ) -> Scene:
     """The scene of a design; of a program that does not say what it took, with our choice."""
     scene = read_part(header.scene, header.control_points, where)
-    if scene.lens.known_shape is None:
+    if scene.optic.known_shape is None:
         scene = definite(scene, read_target(entries, folder, scene))
     return with_kept_light(entries, folder, with_absolute_files(scene, path), light)
 

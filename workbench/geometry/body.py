@@ -1,10 +1,10 @@
-"""Whether a lens is a body: glass everywhere between both faces, and clear of the screen.
+"""Whether an optic is a body: glass between both faces of a lens, and clear of the screen.
 
 A run never leaves anything else, but heights also come from files.
 """
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 import numpy.typing as npt
@@ -12,7 +12,7 @@ import numpy.typing as npt
 from workbench.errors import Refused
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import freeform_nets
-from workbench.scene import Scene
+from workbench.scene import AnyReceiver, Scene
 
 Array = npt.NDArray[np.float64]
 
@@ -22,8 +22,10 @@ _TOUCH = 1e-9
 _PLACES = 512
 
 
-def check_body(scene: Scene, heights: Mapping[str, Array], screen_z: float | None = None) -> None:
-    """Refuse a lens whose faces touch or cross, or that meets the screen.
+def check_body(
+    scene: Scene, heights: Mapping[str, Array], receivers: Sequence[AnyReceiver] = ()
+) -> None:
+    """Refuse a lens whose faces touch or cross, and an optic that meets the screen or the source.
 
     Parameters
     ----------
@@ -31,45 +33,56 @@ def check_body(scene: Scene, heights: Mapping[str, Array], screen_z: float | Non
         The design task.
     heights : mapping of str to ndarray, shape (n_u, n_v)
         Control heights of each freeform face by its name, scene units.
-    screen_z : float, optional
-        Where the screen comes closest to the lens, in place of the scene's.
+    receivers : sequence of AnyReceiver
+        In place of the scene's, where there are some.
 
     Raises
     ------
     Refused
         With the place and the height there.
     """
-    screen = scene.receiver.nearest_z if screen_z is None else screen_z
-    gap, lens = _TOUCH * max(scene.lens.half_width), scene.lens
-    exit_face, entrance = heights["exit"], heights.get("entrance")
-    top = lens.entrance_z if entrance is None else float(entrance.max())
+    optic = scene.optic
+    gap = _TOUCH * max(optic.half_width)
+    face, entrance = heights[optic.face], heights.get("entrance")
+    low, high, below, above = _room(scene, receivers or (scene.receiver,))
+    top = low if entrance is None else float(entrance.max())
     # A face lies in the convex hull of its control points: nearly always they alone tell.
-    if top + gap < exit_face.min() and exit_face.max() < screen - gap:
+    if top + gap < face.min() and face.max() < high - gap:
         return
-    nets = freeform_nets(lens)
+    nets = freeform_nets(optic)
     u, v = (
         np.linspace(0, 1, (n - p) * math.ceil(_PLACES / (n - p)) + 1)
-        for n, p in zip(nets["exit"].shape, nets["exit"].degree, strict=True)
+        for n, p in zip(nets[optic.face].shape, nets[optic.face].degree, strict=True)
     )
-    x, y = ((2 * t - 1) * r for t, r in zip((u, v), lens.half_width, strict=True))
-    height, below = (
-        np.full((len(u), len(v)), lens.entrance_z)
-        if each is None
-        else nets[face].grid(u, v).evaluate(each)[0]
-        for face, each in (("exit", exit_face), ("entrance", entrance))
+    x, y = ((2 * t - 1) * r for t, r in zip((u, v), optic.half_width, strict=True))
+    height, floor = (
+        np.full((len(u), len(v)), low) if each is None else nets[name].grid(u, v).evaluate(each)[0]
+        for name, each in ((optic.face, face), ("entrance", entrance))
     )
-    # Places beside the lens count as its middle.
+    # Places beside the optic count as its middle.
     middle = len(u) // 2, len(v) // 2
-    inside = outline_of(lens).contains(x[:, None], y)
-    height, below = (np.where(inside, z, z[middle]) for z in (height, below))
+    inside = outline_of(optic).contains(x[:, None], y)
+    height, floor = (np.where(inside, z, z[middle]) for z in (height, floor))
     for room, limit in (
-        (height - below, "above the entrance face at z = {:g}"),
-        (screen - height, f"before the screen at z = {screen:g}"),
+        (height - floor, f"{below} at z = {{:g}}"),
+        (high - height, f"{above} at z = {high:g}"),
     ):
         if room.min() <= gap:
             i, j = np.unravel_index(room.argmin(), room.shape)
             raise Refused(
-                "lens",
-                f"its exit face is at z = {height[i, j]:.5g} {scene.unit} at x = {x[i]:.4g}, "
-                f"y = {y[j]:.4g}, not {limit.format(below[i, j])}: that is no body of glass",
+                optic.called,
+                f"its {optic.face_called} is at z = {height[i, j]:.5g} {scene.unit} at "
+                f"x = {x[i]:.4g}, y = {y[j]:.4g}, not {limit.format(floor[i, j])}: "
+                f"that is no {optic.body_called}",
             )
+
+
+def _room(scene: Scene, receivers: Sequence[AnyReceiver]) -> tuple[float, float, str, str]:
+    """What a face has to stay between, and what is there."""
+    optic = scene.optic
+    ends = [receiver.nearest_to(optic) for receiver in receivers]
+    if optic.onwards > 0:
+        place = optic.entrance_range[0] - optic.entrance_offsets[0]
+        return place, min(ends), f"above {optic.front_called}", "before the screen"
+    low = max(*ends, scene.source.nearest_z)
+    return low, math.inf, "above the screen and the source", "below all"

@@ -1,6 +1,6 @@
 """Outlines of a lens: what of its bounding rectangle is glass.
 
-A new outline is a class here, a row in ``_OUTLINES``, and its name in `workbench.scene.lens`.
+A new outline is a class here, a row in ``_OUTLINES``, and its name in `workbench.scene.optic`.
 """
 
 from collections.abc import Callable, Mapping
@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Protocol, TypeVar
 import numpy as np
 import numpy.typing as npt
 
-from workbench.scene import Lens
+from workbench.scene import Optic
 
 if TYPE_CHECKING:
     from torch import Tensor
@@ -193,9 +193,9 @@ _OUTLINES: Mapping[str, Callable[[tuple[float, float]], Outline]] = {
 }
 
 
-def outline_of(lens: Lens) -> Outline:
+def outline_of(optic: Optic) -> Outline:
     """The outline of a lens."""
-    return outline_named(lens.outline, lens.half_width)
+    return outline_named(optic.outline, optic.half_width)
 
 
 def outline_named(name: str, half_width: tuple[float, float]) -> Outline:

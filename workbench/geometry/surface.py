@@ -10,7 +10,7 @@ import numpy.typing as npt
 from workbench.geometry.basis import basis_matrix, local_basis
 from workbench.geometry.knots import clamped_knots, greville, insertion_matrix
 from workbench.geometry.outlines import Outline, outline_of
-from workbench.scene import Lens
+from workbench.scene import Optic
 
 if TYPE_CHECKING:
     import torch
@@ -108,9 +108,9 @@ class ControlNet:
     half_width: tuple[float, float]
 
     @classmethod
-    def of(cls, lens: Lens) -> "ControlNet":
-        """The net of the exit face that a lens asks for; see also `freeform_nets`."""
-        return cls(lens.net_shape, lens.degree, lens.half_width)
+    def of(cls, optic: Optic) -> "ControlNet":
+        """The net of the face that the task shapes; see also `freeform_nets`."""
+        return cls(optic.net_shape, optic.degree, optic.half_width)
 
     @cached_property
     def knots(self) -> tuple[Array, Array]:
@@ -254,13 +254,13 @@ class ControlNet:
         return np.asarray(into_u @ heights @ into_v.T)
 
 
-def freeform_nets(lens: Lens) -> dict[str, ControlNet]:
-    """The net of each freeform face of a lens by the name of the face, as light meets them."""
-    nets = {"exit": ControlNet.of(lens)}
-    entrance = lens.entrance.net(lens.net_shape)
+def freeform_nets(optic: Optic) -> dict[str, ControlNet]:
+    """The net of each freeform face of an optic by the name of the face, as light meets them."""
+    nets = {optic.face: ControlNet.of(optic)}
+    entrance = optic.entrance.net(optic.net_shape)
     if entrance is None:
         return nets
-    return {"entrance": ControlNet(*entrance, lens.half_width), **nets}
+    return {"entrance": ControlNet(*entrance, optic.half_width), **nets}
 
 
 def even_counts(half_width: tuple[float, float], longer: int) -> tuple[int, int]:
@@ -269,12 +269,12 @@ def even_counts(half_width: tuple[float, float], longer: int) -> tuple[int, int]
     return n_x, n_y
 
 
-def sample_surface(lens: Lens, control_points: Array, count: tuple[int, int]) -> Array:
+def sample_surface(optic: Optic, control_points: Array, count: tuple[int, int]) -> Array:
     """Points of the exit face on a grid that includes the rim: regular where that is straight.
 
     Parameters
     ----------
-    lens : Lens
+    optic : Optic
         The lens.
     control_points : ndarray, shape (n_u, n_v)
         Control heights, scene units.
@@ -287,5 +287,5 @@ def sample_surface(lens: Lens, control_points: Array, count: tuple[int, int]) ->
         Scene units.
     """
     u, v = (2 * np.linspace(0, 1, n) - 1 for n in count)
-    x, y, z, _, _ = ControlNet.of(lens).over(outline_of(lens), u, v, control_points)
+    x, y, z, _, _ = ControlNet.of(optic).over(outline_of(optic), u, v, control_points)
     return np.stack([x, y, z], axis=-1)

@@ -13,7 +13,7 @@ from workbench.measured.rays import RaySet, read_rays
 from workbench.measured.rays.model import RayModel, model_of
 from workbench.measured.rays.placed import PlacedRays, placed
 from workbench.reading import opened
-from workbench.scene import Lens, MeasuredSource, PhotometricSource, RayFileSource
+from workbench.scene import MeasuredSource, Optic, PhotometricSource, RayFileSource
 
 T = TypeVar("T")
 
@@ -48,7 +48,7 @@ def placed_rays(source: RayFileSource) -> PlacedRays:
     return _placed(source, source.unit, rays_of(source))
 
 
-def ray_model(source: RayFileSource, lens: Lens, points: int) -> RayModel:
+def ray_model(source: RayFileSource, optic: Optic, points: int) -> RayModel:
     """The light of a source's rays to a lens as that of points; see `RayModel`.
 
     Raises
@@ -57,7 +57,7 @@ def ray_model(source: RayFileSource, lens: Lens, points: int) -> RayModel:
         If no ray comes to the lens, and as `rays_of`.
     """
     try:
-        face = (lens.half_width, lens.front_z)
+        face = (optic.half_width, optic.front_z)
         return _model(source, source.unit, rays_of(source), *face, points)
     except ValueError as error:
         raise Refused("source.file", f"'{source.file}' gives the lens no light: {error}") from None

@@ -59,7 +59,7 @@ class BeamPlan:
         fused: bool = True,
         mirrored: tuple[bool, bool] = (False, False),
     ) -> None:
-        net = net or ControlNet.of(scene.lens)
+        net = net or ControlNet.of(scene.optic)
         needed = precision_of(scene, net)
         path = Path.of(scene, net, dtype or needed, device_of(scene), Corners(*cells))
         self._pixels, self._half_extent = scene.receiver.pixels, scene.receiver.half_extent

@@ -6,7 +6,7 @@ import numpy as np
 import numpy.typing as npt
 
 from workbench.optics.cap import covering_caps
-from workbench.scene import Lens, LightOfPoints
+from workbench.scene import LightOfPoints, Optic
 
 Array = npt.NDArray[np.float64]
 
@@ -30,14 +30,14 @@ class Rays(NamedTuple):
     flux: Array
 
 
-def emit(source: LightOfPoints, lens: Lens, seed: int, draw: int = 0) -> Rays:
+def emit(source: LightOfPoints, optic: Optic, seed: int, draw: int = 0) -> Rays:
     """Rays of a source into the cap that just covers the entrance face.
 
     Parameters
     ----------
     source : LightOfPoints
         The source; each point of a grid has a cap and rays of its own.
-    lens : Lens
+    optic : Optic
         Gives the entrance face.
     seed : int
         The same seed gives the same rays.
@@ -66,7 +66,7 @@ def emit(source: LightOfPoints, lens: Lens, seed: int, draw: int = 0) -> Rays:
     else:
         a = generator.random((len(points), count, 2))
 
-    caps = covering_caps(points, lens.half_width, lens.front_z)
+    caps = covering_caps(points, optic.half_width, optic.front_z)
     versine = caps.versine[:, None] * a[..., 0]
     cos, sin = 1 - versine, np.sqrt(versine * (2 - versine))
     across, up = (basis[:, None] for basis in _perpendicular(caps.axis))
@@ -75,7 +75,7 @@ def emit(source: LightOfPoints, lens: Lens, seed: int, draw: int = 0) -> Rays:
     axis = caps.axis[:, None]
     direction = cos[..., None] * axis + sin[..., None] * aside
     with np.errstate(invalid="ignore", divide="ignore"):
-        way = (lens.front_z - points[:, 2:]) / caps.axis[:, 2:] * sin / direction[..., 2]
+        way = (optic.front_z - points[:, 2:]) / caps.axis[:, 2:] * sin / direction[..., 2]
     turned = axis[..., 2:] * aside[..., :2] - aside[..., 2:] * axis[..., :2]
     crossing = caps.centre[:, None] + way[..., None] * turned
     flux = np.broadcast_to(caps.versine[:, None] / caps.versine.max(), cos.shape)

@@ -10,7 +10,7 @@ import numpy.typing as npt
 from workbench.geometry.outlines import Outline, outline_of
 from workbench.optics.cap import Caps, covering_caps
 from workbench.optics.transmittance import TransmittanceLaw
-from workbench.scene import Lens, LightOfPoints
+from workbench.scene import LightOfPoints, Optic
 
 Array = npt.NDArray[np.float64]
 
@@ -38,22 +38,23 @@ class Entering(NamedTuple):
 
 
 @lru_cache(maxsize=8)
-def entering(source: LightOfPoints, lens: Lens) -> Entering:
+def entering(source: LightOfPoints, optic: Optic, law: TransmittanceLaw) -> Entering:
     """Account of a source's light before and at the entrance face.
 
-    The points are a grid, and their emission is that of `workbench.optics.emission.emit`.
+    The law is that of the face; the points are a grid, and emit as in
+    `workbench.optics.emission.emit`.
     """
     if source.axes is None:
         raise TypeError("the account of points that are no grid is not known")
-    lambertian, intensity = source.emission == "lambertian", intensity_of(source, lens)
-    law, distance = TransmittanceLaw.of(lens)[0], lens.front_z - source.nearest_z
-    outline = outline_of(lens)
+    lambertian, intensity = source.emission == "lambertian", intensity_of(source, optic)
+    distance = optic.front_z - source.nearest_z
+    outline = outline_of(optic)
     if not outline.whole:
         feet = source.positions[:, :2]
         met, refracted = intensity * _through(outline, feet, distance, law, lambertian)
         return Entering(intensity, missed=1 - met, reflected=met - refracted)
     (x, weight_x), (y, weight_y) = (
-        _nodes(centre, r, distance) for centre, r in zip(source.axes, lens.half_width, strict=True)
+        _nodes(centre, r, distance) for centre, r in zip(source.axes, optic.half_width, strict=True)
     )
     met = refracted = 0.0
     for row, weight in zip(x, weight_x, strict=True):
@@ -94,9 +95,9 @@ def _through(
     return found
 
 
-def intensity_of(source: LightOfPoints, lens: Lens) -> float:
+def intensity_of(source: LightOfPoints, optic: Optic) -> float:
     """Flux per solid angle of any point, straight ahead; all light of the source together is 1."""
-    caps = covering_caps(source.positions, lens.half_width, lens.front_z)
+    caps = covering_caps(source.positions, optic.half_width, optic.front_z)
     lambertian = source.emission == "lambertian"
     mean = _mean_cosine(caps) if lambertian else np.ones(len(caps.versine))
     return 1 / float(caps.solid_angle @ mean)

@@ -13,10 +13,11 @@ from workbench.optics.arrival import Arrival
 from workbench.optics.glass import Glass
 from workbench.optics.interfaces import Refraction
 from workbench.optics.lattice import make_lattice
-from workbench.optics.path import Path, Step
+from workbench.optics.path import Path
 from workbench.optics.rays import RayBundle
 from workbench.optics.samples import Samples
 from workbench.optics.sources import PointEmitter
+from workbench.optics.steps import Step
 from workbench.optics.surfaces import BSplineSurface, Meeting, Plane
 from workbench.optics.transmittance import TransmittanceLaw
 
@@ -69,7 +70,7 @@ class SampledFace(NamedTuple):
 
 def _before_the_lens(emitter: PointEmitter) -> bool:
     """Whether an outline that has curves has all points before it."""
-    outline = outline_of(emitter.lens)
+    outline = outline_of(emitter.optic)
     return outline.whole or bool(outline.contains(*emitter.source.positions[:, :2].T).all())
 
 
@@ -105,13 +106,13 @@ class FaceSamples:
     note = "samples on the exit face: no ray has to search for it"
 
     def __init__(self, face: SampledFace, path: Path) -> None:
-        lens, source = face.emitter.lens, face.emitter.source
-        lattice = make_lattice(source, lens, face.samples)
+        optic, source = face.emitter.optic, face.emitter.source
+        lattice = make_lattice(source, optic, face.samples, face.entering)
         self._exit, self._receiver = face.exit, path.receiver
         self._before = {face.missed: lattice.missed, face.reflected: lattice.reflected}
         # Near the mean height of the surface float32 keeps the digits that make its shape.
-        self._level, self._thickness = lens.base.height, lens.base.height - lens.entrance_z
-        self._entrance = lens.entrance_z - path.datum
+        self._level, self._thickness = path.level, path.level - optic.front_z
+        self._entrance = optic.front_z - path.datum
 
         def constant(values: np.ndarray) -> Tensor:
             return torch.as_tensor(values, dtype=path.dtype, device=path.device).contiguous()
@@ -129,7 +130,7 @@ class FaceSamples:
         self._away_y = constant(lattice.y.away)[None, :]
         self._glass = Glass(lattice.distance, face.entering, source.emission == "lambertian")
         self._area = constant(lattice.x.width)[:, None], constant(lattice.y.width)
-        if not (outline := outline_of(lens)).whole:
+        if not (outline := outline_of(optic)).whole:
             self._area = constant(lattice.areas(outline)), constant(np.ones(1))
         # Flux per area right before the points, but for Fresnel's loss.
         self._brightest = lattice.intensity / lattice.distance**2

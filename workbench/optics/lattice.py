@@ -8,7 +8,8 @@ import numpy.typing as npt
 from workbench.geometry.outlines import Outline
 from workbench.optics.entering import entering
 from workbench.optics.samples import Corners, Places, Samples, interleaving, places_of_points
-from workbench.scene import Lens, LightOfPoints
+from workbench.optics.transmittance import TransmittanceLaw
+from workbench.scene import LightOfPoints, Optic
 
 Array = npt.NDArray[np.float64]
 
@@ -83,23 +84,27 @@ class Lattice(NamedTuple):
         return outline.area_inside((x.low[:, None], x.high[:, None]), (y.low, y.high))
 
 
-def make_lattice(source: LightOfPoints, lens: Lens, samples: Samples) -> Lattice:
+def make_lattice(
+    source: LightOfPoints, optic: Optic, samples: Samples, law: TransmittanceLaw
+) -> Lattice:
     """Samples of a source's light on the exit face.
 
     Parameters
     ----------
-    source, lens
+    source, optic
         The light and the aperture.
     samples : tuple[int, int] or Corners
         Samples along x and y; rounded up, so that all points of a grid have the same number.
         Corners are those of each point, one point after the other.
+    law : TransmittanceLaw
+        How the entrance face refracts.
     """
     if source.axes is None:
         raise TypeError("points that are no grid cannot share samples of the exit face")
     # Nearer than this a source makes no other light, but float32 leaves its range.
-    distance = max(lens.front_z - source.nearest_z, 1e-8 * max(lens.half_width))
+    distance = max(optic.front_z - source.nearest_z, 1e-8 * max(optic.half_width))
     # About as far as this from its axis a point lights the exit face.
-    lit = lens.index * distance + max(lens.base.height - lens.entrance_z, 0.0)
+    lit = distance / law.ratio + max(optic.base.height - optic.front_z, 0.0)
     x, y = (
         _axis(
             centre,
@@ -108,9 +113,9 @@ def make_lattice(source: LightOfPoints, lens: Lens, samples: Samples) -> Lattice
             _turns(samples, axis, len(centre)),
             max(lit, _NARROWEST * r),
         )
-        for axis, (centre, r) in enumerate(zip(source.axes, lens.half_width, strict=True))
+        for axis, (centre, r) in enumerate(zip(source.axes, optic.half_width, strict=True))
     )
-    light = entering(source, lens)
+    light = entering(source, optic, law)
     return Lattice(x, y, distance, light.intensity, light.missed, light.reflected)
 
 

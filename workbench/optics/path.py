@@ -5,44 +5,23 @@ is the reference: tests hold all other tracers to it, and where there is no othe
 """
 
 from collections.abc import Mapping, Sequence
-from typing import NamedTuple
 
 import torch
 from torch import Tensor
 
-from workbench.geometry.outlines import Outline, Rectangle, outline_of
+from workbench.geometry.outlines import Outline, outline_of
 from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.optics.arrival import Arrival
-from workbench.optics.interfaces import Interface, Refraction
 from workbench.optics.intersection import Bundle
 from workbench.optics.rays import RayBundle, Vector
 from workbench.optics.receivers import Receiver, receiver_of
 from workbench.optics.samples import Samples
 from workbench.optics.sources import Emitter, emitter_of
-from workbench.optics.surfaces import BSplineSurface, Plane, Surface
-from workbench.optics.transmittance import TransmittanceLaw
+from workbench.optics.steps import Along, Step, steps_of
 from workbench.scene import Scene
 
 # Less light than this is none: rays that carry all of it add up to 1 but for so much.
 _ROUNDING = 1e-12
-
-
-class Step(NamedTuple):
-    """A face on the way of the light.
-
-    Attributes
-    ----------
-    surface : Surface
-        Where rays meet it.
-    interface : Interface
-        What it does to them.
-    missed : str
-        Name in the light account of light that does not meet it.
-    """
-
-    surface: Surface
-    interface: Interface
-    missed: str
 
 
 class Path:
@@ -106,34 +85,19 @@ class Path:
         device: torch.device | str = "cpu",
         samples: Samples | None = None,
     ) -> "Path":
-        """The path of a scene, with heights of the exit face on a net.
+        """The path of a scene, with heights of the face that the task shapes on a net.
 
         ``samples`` as for `emitter_of`.
         """
-        lens, source = scene.lens, scene.source
-        entering, leaving = TransmittanceLaw.of(lens)
-        entrance_net = freeform_nets(lens).get("entrance")
-        straight = source.along_axis and entrance_net is None  # up to the exit face
-        datum = lens.base.height if straight else lens.entrance_z
-        emitter, outline = emitter_of(source, lens, samples), outline_of(lens)
-        # Of light by area, what is outside the outline is out of the flux before the first face.
-        before = Rectangle(lens.half_width) if emitter.by_area else outline
-        behind = before if straight else outline
-
-        def spline(name: str, net: ControlNet, outline: Outline) -> BSplineSurface:
-            return BSplineSurface(name, net, datum, dtype, device, source.subdivisions, outline)
-
-        entrance: Surface = Plane("entrance", lens.entrance_z - datum, before)
-        if entrance_net is not None:
-            at_face = before if source.along_axis else outline
-            entrance = spline("entrance", entrance_net, at_face)
-        exit_face = spline("exit", net, behind)
-        steps = (
-            Step(entrance, Refraction(entering, "fresnel_entrance"), "missed_lens"),
-            Step(exit_face, Refraction(leaving, "fresnel_exit", lens.absorption), "left_side"),
-        )
-        receiver = receiver_of(scene.receiver, lens, datum)
-        level, seed = lens.base.height, scene.run.seed
+        optic, source = scene.optic, scene.source
+        # Light along the axis stays so up to the only freeform face.
+        straight = source.along_axis and len(freeform_nets(optic)) == 1
+        datum = optic.base.height if straight else optic.datum
+        emitter, outline = emitter_of(source, optic, samples), outline_of(optic)
+        light = emitter.by_area, source.along_axis, source.subdivisions
+        steps = steps_of(optic, Along(net, datum, *light, dtype, device))
+        receiver = receiver_of(scene.receiver, optic, datum)
+        level, seed = optic.base.height, scene.run.seed
         return cls(emitter, steps, receiver, datum, level, outline, seed, dtype, device)
 
     @property

@@ -12,7 +12,7 @@ from workbench.geometry.surface import ControlNet
 from workbench.optics.path import Path
 from workbench.optics.rays import Vector
 from workbench.optics.sources import emitter_of
-from workbench.scene import Lens, Scene
+from workbench.scene import Optic, Scene
 
 Array = npt.NDArray[np.float64]
 
@@ -48,10 +48,10 @@ def ray_paths(scene: Scene, heights: Mapping[str, Array], count: tuple[int, int]
     count : tuple[int, int]
         Numbers of rays along x and y, spread over the lens.
     """
-    lens = scene.lens
-    x, y = (torch.as_tensor(c) for c in _grid(lens, count))
-    rays = emitter_of(scene.source, lens).towards(x, y)
-    path = Path.of(scene, ControlNet.of(lens), torch.float64)
+    optic = scene.optic
+    x, y = (torch.as_tensor(c) for c in _grid(optic, count))
+    rays = emitter_of(scene.source, optic).towards(x, y)
+    path = Path.of(scene, ControlNet.of(optic), torch.float64)
     faces, arrival = path.follow(rays, {face: torch.tensor(each) for face, each in heights.items()})
     hits = arrival.column.isfinite() & arrival.row.isfinite() & (arrival.rays.flux > 0)
     ends = _rows(path.ends(arrival.rays), len(x))
@@ -68,8 +68,8 @@ def _rows(place: Vector, count: int) -> Array:
     return np.stack([c.expand(count).numpy() for c in place], axis=-1)
 
 
-def _grid(lens: Lens, count: tuple[int, int]) -> tuple[Array, Array]:
+def _grid(optic: Optic, count: tuple[int, int]) -> tuple[Array, Array]:
     """Places (x, y) spread over the lens in rows, each of shape (n,); middles of its rectangles."""
     u, v = ((np.arange(m) + 0.5) / m * 2 - 1 for m in count)
-    x, y = outline_of(lens).from_square(u[:, None], v)
+    x, y = outline_of(optic).from_square(u[:, None], v)
     return x.ravel(), y.ravel()

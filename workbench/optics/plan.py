@@ -60,7 +60,7 @@ class Plan:
         locked: Mask | None = None,
     ) -> None:
         self._filter = filter or scene.filter
-        net = net or ControlNet.of(scene.lens)
+        net = net or ControlNet.of(scene.optic)
         needed = precision_of(scene, net)
         # Fine by the scene's need, not by that of the caller.
         fine = dtype is None and needed == torch.float64

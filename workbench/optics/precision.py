@@ -51,27 +51,27 @@ def shift_of(scene: Scene, net: ControlNet | None = None) -> float:
     Heights are rounded to a part ε of the largest, so slopes to that over the distance of control
     points; light is bent by n − 1 times the slope. Directions of rays from points are rounded, too.
     """
-    lens, receiver = scene.lens, scene.receiver
-    net = net or ControlNet.of(lens)
-    rise = _RISE * max(lens.half_width)
+    optic, receiver = scene.optic, scene.receiver
+    net = net or ControlNet.of(optic)
+    rise = _RISE * max(optic.half_width)
     low, high = (
         end + offset
         for end, offset in zip(
-            lens.base.extent(lens.half_width), lens.height_range or (-rise, rise), strict=True
+            optic.base.extent(optic.half_width), optic.height_range or (-rise, rise), strict=True
         )
     )
-    level, steepest = lens.base.height, 0.0
-    nets = [each for face, each in freeform_nets(lens).items() if face != "exit"]
+    level, steepest = optic.base.height, 0.0
+    nets = [each for face, each in freeform_nets(optic).items() if face != optic.face]
     if not scene.source.along_axis or nets:
-        level = min(level, lens.entrance_z)  # rays that search for the face count from there
-        steepest = (lens.index**2 - 1) ** -0.5
+        level = min(level, optic.front_z)  # rays that search for the face count from there
+        steepest = optic.steepest
     largest = max(abs(low - level), abs(high - level))
     density = max(
         count / r
         for each in (net, *nets)
         for count, r in zip(each.shape, each.half_width, strict=True)
     )
-    bent = (lens.index - 1) * largest * density
+    bent = optic.deflection * largest * density
     # From the lowest point of the lens, the farthest from the receiver.
     pixels_per_radian = max(
         far * m / (2 * r)

@@ -19,10 +19,11 @@ from workbench.geometry.surface import ControlNet, GridBasis
 from workbench.optics.arrival import Arrival
 from workbench.optics.glass import Glass
 from workbench.optics.interfaces import Refraction
-from workbench.optics.path import Path, Step
+from workbench.optics.path import Path
 from workbench.optics.rays import RayBundle, Vector
 from workbench.optics.samples import Corners, Places, parts_inside, places
 from workbench.optics.sources.origins import Origins
+from workbench.optics.steps import Step
 from workbench.optics.surfaces import BSplineSurface, Meeting, Plane
 from workbench.optics.transmittance import TransmittanceLaw
 

@@ -59,7 +59,7 @@ class FittedCamera:
         self._perspective = perspective
         self._left: tuple[object, ...] = ()
         self.view = ""
-        self.top = scene.lens.base.extent(scene.lens.half_width)[1]
+        self.top = scene.optic.base.extent(scene.optic.half_width)[1]
 
     def fit(self, view: str) -> None:
         """Turn the camera and fit everything, or a part of it, into what it sees.
@@ -151,7 +151,7 @@ class FittedCamera:
 
     def _corners(self, view: str) -> Array:
         """What a view has to hold, (n, 3)."""
-        lens = self._scene.lens
+        lens = self._scene.optic
         if view == "lens":
             return _corners(lens.half_width, lens.front_z, self.top)
         if view == "screen":
@@ -180,7 +180,7 @@ class FittedCamera:
         In parallel projection; in perspective, lines of sight spread the two further apart.
         """
         places = _on_receiver(self._scene)
-        wide = self._scene.lens.half_width[0] + float(np.abs(places[:, 0]).max())
+        wide = self._scene.optic.half_width[0] + float(np.abs(places[:, 0]).max())
         across = math.atan2(wide, float(places[:, 2].min()) - self.top)
         return min(across + math.radians(_CLEAR), math.pi / 2)
 
@@ -261,28 +261,28 @@ def _half_height(camera: Any) -> float:
 
 def in_view(scene: Scene) -> bool:
     """Whether the source stands where a picture can show it together with the lens."""
-    source, lens = scene.source, scene.lens
+    source, optic = scene.source, scene.optic
     places = _on_receiver(scene)
-    width = 2 * max(*lens.half_width, float(np.abs(places[:, :2]).max()))
-    reach = _FARTHEST * max(float(places[:, 2].max()) - lens.front_z, width)
-    return lens.front_z - source.nearest_z <= reach
+    width = 2 * max(*optic.half_width, float(np.abs(places[:, :2]).max()))
+    reach = _FARTHEST * max(float(places[:, 2].max()) - optic.front_z, width)
+    return optic.front_z - source.nearest_z <= reach
 
 
 def start_z(scene: Scene) -> float:
     """Where rays begin to be drawn."""
-    source, lens = scene.source, scene.lens
+    source, optic = scene.source, scene.optic
     if source.place is None:
-        return lens.front_z - 0.5 * max(lens.half_width)
+        return optic.front_z - 0.5 * max(optic.half_width)
     if in_view(scene):
         return source.nearest_z
-    return lens.front_z - 2.0 * max(lens.half_width)
+    return optic.front_z - 2.0 * max(optic.half_width)
 
 
 def space(scene: Scene) -> Array:
     """What a picture has to hold: corners of the source, of the lens and of the screen, (n, 3)."""
-    lens, source = scene.lens, scene.source
-    before = lens.front_z - 0.5 * max(lens.half_width)
-    corners = [_corners(lens.half_width, before), _on_receiver(scene)]
+    optic, source = scene.optic, scene.source
+    before = optic.front_z - 0.5 * max(optic.half_width)
+    corners = [_corners(optic.half_width, before), _on_receiver(scene)]
     if in_view(scene):
         corners.append(source.seen((2, 2)))
     return np.concatenate(corners)
@@ -290,7 +290,7 @@ def space(scene: Scene) -> Array:
 
 def _on_receiver(scene: Scene) -> Array:
     """Where the receiver is drawn, (n, 3)."""
-    return scene.receiver.outline(scene.lens).reshape(-1, 3)
+    return scene.receiver.outline(scene.optic).reshape(-1, 3)
 
 
 def _direction(azimuth: float, elevation: float) -> Array:

@@ -19,7 +19,7 @@ from workbench.geometry.surface import ControlNet
 from workbench.pictures import shapes
 from workbench.pictures.dots import Dots
 from workbench.pictures.sight import Sight
-from workbench.scene import Lens
+from workbench.scene import Optic
 
 Array = npt.NDArray[np.float64]
 Mask = npt.NDArray[np.bool_]
@@ -48,20 +48,20 @@ class ControlNetPicture:
     ----------
     plotter : pyvista.BasePlotter
         Where the lens is drawn.
-    lens : Lens
+    optic : Optic
         Says where the control points are along x and y.
     dark : bool
         Whether the ground is dark.
     """
 
-    def __init__(self, plotter: Any, lens: Lens, *, dark: bool = False) -> None:
-        self._net = ControlNet.of(lens)
+    def __init__(self, plotter: Any, optic: Optic, *, dark: bool = False) -> None:
+        self._net = ControlNet.of(optic)
         x, y = self._net.positions
         self._places = np.zeros((len(x), len(y), 3))
         self._places[..., 0], self._places[..., 1] = x[:, None], y
-        self._shaping = self._net.shaping(outline_of(lens))  # the others are not shown
+        self._shaping = self._net.shaping(outline_of(optic))  # the others are not shown
         self._reach = _REACH * math.hypot(np.diff(x).max(), np.diff(y).max())
-        self._lift = np.array([0.0, 0.0, _LIFT * max(lens.half_width)])
+        self._lift = np.array([0.0, 0.0, _LIFT * max(optic.half_width)])
         self._shown = False
         self._marked: tuple[int, int] | None = None
         self._brush: tuple[tuple[int, int], float] | None = None

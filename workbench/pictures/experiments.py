@@ -202,9 +202,9 @@ def _image(axes: Axes, scene: Scene, image: Array, colours: str, ends: tuple[flo
 
 def _height_field(axes: Axes, scene: Scene, heights: Array) -> None:
     """How far the exit face is from its base, with contours: the deviations are subtle."""
-    lens = scene.lens
-    x, y, z = np.moveaxis(sample_surface(lens, heights, (_SAMPLES, _SAMPLES)), -1, 0)
-    rise = z - lens.base.height_at(x, y)
+    optic = scene.optic
+    x, y, z = np.moveaxis(sample_surface(optic, heights, (_SAMPLES, _SAMPLES)), -1, 0)
+    rise = z - optic.base.height_at(x, y)
     axes.contourf(x, y, rise, levels=24, cmap="viridis")
     axes.contour(x, y, rise, levels=24, colors="k", linewidths=0.25)
     axes.set_aspect("equal")
@@ -220,17 +220,17 @@ def _traced(axes: Axes, scene: Scene, heights: ControlHeights) -> None:
     for lands, colour in ((True, _LANDS), (False, _LOST)):
         some = paths.points[paths.on_screen == lands][:, :, [2, 0]]
         axes.add_collection(LineCollection(list(some), colors=colour, linewidths=0.3, alpha=0.25))
-    lens, screen_z, half_width = scene.lens, scene.receiver.plane_z, scene.receiver.half_extent[0]
-    reach = 1.15 * max(lens.half_width[0], half_width)
+    optic, screen_z, half_width = scene.optic, scene.receiver.plane_z, scene.receiver.half_extent[0]
+    reach = 1.15 * max(optic.half_width[0], half_width)
     axes.plot([screen_z, screen_z], [-half_width, half_width], "k", lw=1.5)
-    x, _, z = np.moveaxis(sample_surface(lens, heights["exit"], (_SAMPLES, 3))[:, 1], -1, 0)
+    x, _, z = np.moveaxis(sample_surface(optic, heights["exit"], (_SAMPLES, 3))[:, 1], -1, 0)
     axes.plot(
-        [lens.entrance_z, *z, lens.entrance_z, lens.entrance_z],
+        [optic.front_z, *z, optic.front_z, optic.front_z],
         [x[0], *x, x[-1], x[0]],
         color="#2f6f9f",
         lw=1.0,
     )
     axes.set_ylim(-reach, reach)
-    axes.set_xlim(paths.points[:, 0, 2].min(), screen_z + 0.02 * (screen_z - lens.entrance_z))
+    axes.set_xlim(paths.points[:, 0, 2].min(), screen_z + 0.02 * (screen_z - optic.front_z))
     axes.set_title(f"{_RAYS} × {_RAYS} rays, seen from the side", fontsize=_FONT)
     axes.tick_params(labelsize=_FONT - 1)

@@ -35,18 +35,18 @@ def explode_paths(points: Array, scene: Scene) -> Array:
         The scene that they were traced in.
     """
     drawn = points.copy()
-    drawn[:, 0] = _nearer(points[:, 0], scene.lens.front_z, _source_scale(scene))
+    drawn[:, 0] = _nearer(points[:, 0], scene.optic.front_z, _source_scale(scene))
     screen, shown = scene.screen, _drawn_screen(scene)
     if screen is not None and shown is not None and shown != screen:
         x, y, off = screen.sides @ (points[:, -1] - screen.position).T
         arrives = np.abs(off) <= _ROUNDING * (abs(screen.z) + max(screen.half_width))
         scale = shown.half_width[0] / screen.half_width[0]
-        drawn[arrives, -1] = shown.drawn(scene.lens, scale * x[arrives], scale * y[arrives])
+        drawn[arrives, -1] = shown.drawn(scene.optic, scale * x[arrives], scale * y[arrives])
     return drawn
 
 
 def _lens_width(scene: Scene) -> float:
-    return 2 * max(scene.lens.half_width)
+    return 2 * max(scene.optic.half_width)
 
 
 def _drawn_screen(scene: Scene) -> Screen | None:
@@ -56,14 +56,14 @@ def _drawn_screen(scene: Scene) -> Screen | None:
         return None
     scale = min(1.0, _WIDTH * _lens_width(scene) / (2 * max(screen.half_width)))
     (r_x, r_y), (x, y) = screen.half_width, screen.center
-    z = min(screen.z, scene.lens.highest + _TO_SCREEN * _lens_width(scene))
+    z = min(screen.z, scene.optic.highest + _TO_SCREEN * _lens_width(scene))
     return screen.model_copy(
         update={"half_width": (scale * r_x, scale * r_y), "center": (scale * x, scale * y), "z": z}
     )
 
 
 def _source_scale(scene: Scene) -> float:
-    away = scene.lens.front_z - scene.source.nearest_z
+    away = scene.optic.front_z - scene.source.nearest_z
     return 1.0 if math.isinf(away) else min(1.0, _TO_SOURCE * _lens_width(scene) / away)
 
 
@@ -71,7 +71,7 @@ def _drawn_source(scene: Scene) -> Source:
     source, scale = scene.source, _source_scale(scene)
     if source.place is None:
         return source
-    x, y, z = _nearer(np.array(source.place), scene.lens.front_z, scale).tolist()
+    x, y, z = _nearer(np.array(source.place), scene.optic.front_z, scale).tolist()
     return source.placed((x, y, z)).shrunk(scale)
 
 

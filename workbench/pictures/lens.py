@@ -187,13 +187,13 @@ class LensPicture:
         )
 
     def _add_lens(self) -> None:
-        lens = self._scene.lens
+        optic = self._scene.optic
         side = np.linspace(-1, 1, _BASE_SAMPLES)
-        x, y = outline_of(lens).from_square(side[:, None], side)
+        x, y = outline_of(optic).from_square(side[:, None], side)
         points = np.zeros((1, 3))
         self._face, self._net, self._walls, self._edges = (pv.PolyData(points) for _ in range(4))
         self._samples = (0, 0)
-        self._place_lens(np.stack([x, y, lens.base.height_at(x, y)], axis=-1))
+        self._place_lens(np.stack([x, y, optic.base.height_at(x, y)], axis=-1))
         self._add(self._walls, body=True, color=_GLASS, opacity=0.25, ambient=0.3)
         self._add(
             self._face,
@@ -211,7 +211,7 @@ class LensPicture:
     def _place_lens(self, surface: Array) -> None:
         points = surface.reshape(-1, 3)
         self._camera.top = float(points[:, 2].max())
-        walls = shapes.wall_points(surface, self._scene.lens.entrance_z)
+        walls = shapes.wall_points(surface, self._scene.optic.flat_z(points[:, 2]))
         for mesh in (self._face, self._net):
             mesh.points = points
         for mesh in (self._walls, self._edges):
@@ -221,7 +221,7 @@ class LensPicture:
             self._samples = (m_u, m_v)
             self._face.faces = shapes.quads(m_u, m_v)
             self._net.lines = shapes.net_lines(m_u, m_v, _NET_FIELDS)
-            straight = outline_of(self._scene.lens).whole
+            straight = outline_of(self._scene.optic).whole
             self._walls.faces = shapes.wall_faces(m_u, m_v, straight)
             self._edges.lines = shapes.wall_lines(m_u, m_v, straight)
             for mesh in (self._net, self._edges):
@@ -229,8 +229,8 @@ class LensPicture:
         self._face.point_data.active_normals = shapes.normals(surface)
 
     def _add_screen(self) -> None:
-        lens, receiver = self._scene.lens, self._scene.receiver
-        corners = receiver.outline(lens)
+        optic, receiver = self._scene.optic, self._scene.receiver
+        corners = receiver.outline(optic)
         count = len(corners)
         plane = pv.PolyData(corners.reshape(-1, 3), faces=shapes.quads(count, count))
         # Texture rows count upwards in VTK: the last row of an image lies at its origin.
@@ -245,7 +245,7 @@ class LensPicture:
         self._paint_screen(np.zeros((n_y, n_x)))
         self._add(plane, body=True, texture=self._texture, lighting=False)
         # A touch larger than the plane, which would swallow parts of it.
-        around = shapes.rim(receiver.outline(lens, 1.004))
+        around = shapes.rim(receiver.outline(optic, 1.004))
         frame = pv.PolyData(around, lines=[len(around), *range(len(around))])
         self._lines.append(self._add(frame, line_width=1.5, lighting=False))
 
@@ -270,7 +270,7 @@ class LensPicture:
         self._place_source(self._scene)
 
     def _place_face(self, lit: Scene) -> None:
-        face = lit.source.face(lit.lens, start_z(lit))
+        face = lit.source.face(lit.optic, start_z(lit))
         self._glow.SetVisibility(face.size > 0)
         if not face.size:  # VTK takes no empty arrays
             return
@@ -319,10 +319,10 @@ class LensPicture:
         self._rays.cell_data["colour"] = colours
 
     def _add_axes(self) -> None:
-        lens = self._scene.lens
-        length = 0.5 * max(lens.half_width)
-        corner = (-1.1 * lens.half_width[0], -1.1 * lens.half_width[1])
-        origin = np.array([*corner, lens.entrance_z - length])
+        optic = self._scene.optic
+        length = 0.5 * max(optic.half_width)
+        corner = (-1.1 * optic.half_width[0], -1.1 * optic.half_width[1])
+        origin = np.array([*corner, optic.lowest - length])
         for direction, (name, colour) in zip(np.eye(3), _AXES, strict=True):
             arm = pv.Line(origin, origin + length * direction)
             self._add(arm, color=colour, line_width=2.5, lighting=False)
@@ -335,7 +335,7 @@ class LensPicture:
             text.SetJustificationToCentered()
             text.SetVerticalJustificationToCentered()
             self._plotter.add_actor(label, reset_camera=False, render=False)
-        end = float(self._scene.receiver.outline(lens)[..., 2].max())
+        end = float(self._scene.receiver.outline(optic)[..., 2].max())
         optical = pv.Line((0, 0, start_z(self._scene)), (0, 0, end))
         optical.clear_data()  # distances along it, which would colour it
         self._lines.append(self._add(optical, line_width=1.0, opacity=0.6, lighting=False))

@@ -126,20 +126,20 @@ class SurfaceImage:
     """
 
     def __init__(self, axes: "Axes", scene: Scene, aspect: Aspect) -> None:
-        lens = scene.lens
+        optic = scene.optic
         self._aspect = aspect
-        self._net = ControlNet.of(lens)
-        count_x, count_y = even_counts(lens.half_width, _PLACES)
+        self._net = ControlNet.of(optic)
+        count_x, count_y = even_counts(optic.half_width, _PLACES)
         self._u, self._v = ((np.arange(n) + 0.5) / n for n in (count_x, count_y))
-        x, y = (2 * self._u - 1) * lens.half_width[0], (2 * self._v - 1) * lens.half_width[1]
+        x, y = (2 * self._u - 1) * optic.half_width[0], (2 * self._v - 1) * optic.half_width[1]
         # Nothing is shown beside the lens.
-        self._beside = np.where(outline_of(lens).contains(x[:, None], y), 0.0, np.nan)
-        self._base = lens.base.height_at(x[:, None], y)
-        self._size = max(lens.half_width) ** aspect.length  # of values that are more than rounding
+        self._beside = np.where(outline_of(optic).contains(x[:, None], y), 0.0, np.nan)
+        self._base = optic.base.height_at(x[:, None], y)
+        self._size = max(optic.half_width) ** aspect.length  # of values that are more than rounding
         self.values = np.zeros((count_y, count_x))
         colours = SIGNED if aspect.signed else UNSIGNED[1]
         size = (count_x, count_y)
-        extent = Extent.around(lens.half_width, scene.unit)
+        extent = Extent.around(optic.half_width, scene.unit)
         self._image = map_image(axes, aspect.name, extent, size, colours)
         self._scale = 0.0
         unit = aspect.unit.format(scene.unit)

@@ -137,13 +137,13 @@ def gather(
 
 
 def _manufacture(scene: Scene, heights: Array) -> Section:
-    lens = scene.lens
-    limits = Limits(min_thickness=lens.min_thickness, min_radius=scene.run.min_radius)
-    maps = surface_maps(lens, heights, even_counts(lens.half_width, _PLACES))
+    optic = scene.optic
+    limits = Limits(min_thickness=optic.least_thickness, min_radius=scene.run.min_radius)
+    maps = surface_maps(optic, heights, even_counts(optic.half_width, _PLACES))
     draw = partial(pictures.draw_manufacture, maps=maps, limits=limits, unit=scene.unit)
     return Section(
         "Manufacture",
-        manufacture_rows(manufacture(lens, heights), limits, scene.unit),
+        manufacture_rows(manufacture(optic, heights), limits, scene.unit),
         (Picture("Thickness, slope and curvature of the exit face", draw, 6.2),),
         note=f"Found at a place (x, y) in {scene.unit}, and a bound that holds everywhere. Limits "
         "are those of the scene; what is beyond them is hatched.",

@@ -6,6 +6,7 @@ possible: whatever cannot be built, traced or made is refused here, with the pat
 
 from workbench.scene.area_source import AreaSource
 from workbench.scene.auto_net import AutoNet
+from workbench.scene.base import Base, FlatBase, SphereBase
 from workbench.scene.collimated_source import CollimatedSource, GaussianProfile, UniformProfile
 from workbench.scene.emission import ExactMethod, MeshMethod
 from workbench.scene.entrance import FlatEntrance, FreeformEntrance
@@ -14,8 +15,10 @@ from workbench.scene.fields import LENGTH, FieldDescription, Measure
 from workbench.scene.filter import BoxFilter, Filter, GaussianFilter
 from workbench.scene.grid_source import GridSource
 from workbench.scene.kinds import Kinds
-from workbench.scene.lens import Base, FlatBase, Lens, SphereBase
+from workbench.scene.lens import Lens
 from workbench.scene.measured_source import MeasuredSource, PhotometricSource, RayFileSource
+from workbench.scene.mirror import Mirror
+from workbench.scene.optic import Optic
 from workbench.scene.part import NonNegative, Part, Positive
 from workbench.scene.points import LightOfPoints, PointSource
 from workbench.scene.receiver import AnyReceiver
@@ -61,7 +64,9 @@ __all__ = [
     "Measure",
     "MeasuredSource",
     "MeshMethod",
+    "Mirror",
     "NonNegative",
+    "Optic",
     "PaperRun",
     "Part",
     "PhotometricSource",

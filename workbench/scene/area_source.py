@@ -6,11 +6,10 @@ import numpy as np
 import numpy.typing as npt
 from pydantic import ConfigDict
 
-from workbench.errors import Refused
 from workbench.scene import limits
 from workbench.scene.emission import Emission
 from workbench.scene.fields import LENGTH, PLACE, Version, about
-from workbench.scene.lens import Lens
+from workbench.scene.optic import Optic
 from workbench.scene.part import Positive
 from workbench.scene.points import MOST_RAYS, AnySource, Place, PointSource, disc, in_front
 from workbench.scene.receiver import AnyReceiver
@@ -61,8 +60,8 @@ class AreaSource(AnySource):
     @classmethod
     def begun(cls, scene: "Scene") -> dict[str, Any]:
         """Where the scene's source is, a tenth as wide as the lens."""
-        x, y = scene.lens.half_width
-        place = scene.source.place or in_front(scene.lens)
+        x, y = scene.optic.half_width
+        place = scene.source.place or in_front(scene.optic)
         return {"center": place, "half_width": (x / 10, y / 10)}
 
     @property
@@ -95,27 +94,24 @@ class AreaSource(AnySource):
         """Its outline."""
         return self.outline
 
-    def blur(self, lens: Lens, receiver: AnyReceiver) -> tuple[float, float]:
+    def blur(self, optic: Optic, receiver: AnyReceiver) -> tuple[float, float]:
         """Its angles as seen from the lens, times how far they move light."""
-        way = lens.front_z - self.center[2]
+        way = optic.front_z - self.center[2]
         x, y = (
             2 * r * farther / way
-            for r, farther in zip(self.half_width, receiver.per_radian(lens.highest), strict=True)
+            for r, farther in zip(
+                self.half_width, receiver.per_radian(optic.leaving_z), strict=True
+            )
         )
         return x, y
 
-    def check_before(self, lens: Lens) -> None:
-        """Refuse a lens that is not behind it, or too near, too far or too small beside it."""
+    def check_before(self, optic: Optic) -> None:
+        """Refuse an optic that is not behind it, or too near, too far or too small beside it."""
         x, y, z = self.center
-        if z >= lens.front_z:
-            raise Refused(
-                "source.center[2]",
-                f"{z:g} is not before the entrance face; less than {lens.front_z:g}",
-            )
         aside = [("source.center[0]", x), ("source.center[1]", y)]
         extent = [(f"source.half_width[{axis}]", r) for axis, r in enumerate(self.half_width)]
-        limits.check_lengths(aside + extent, lens.half_width, limits.FARTHEST)
-        limits.check_way("source.center[2]", lens.front_z - z, lens.half_width)
+        limits.check_lengths(aside + extent, optic.half_width, limits.FARTHEST)
+        limits.check_before("source.center[2]", z, optic)
 
     def seen(self, most: tuple[int, int]) -> Array:
         """Points over its face; see `AnySource.seen`."""
@@ -129,7 +125,7 @@ class AreaSource(AnySource):
             return np.asarray(places[far <= 1 + 1e-9])
         return places.reshape(-1, 3)
 
-    def face(self, lens: Lens, z: float) -> Array:
+    def face(self, optic: Optic, z: float) -> Array:
         """Its own; see `AnySource.face`."""
         if self.outline == "rectangle":
             return self.corners.reshape(2, 2, 3)

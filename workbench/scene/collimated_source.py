@@ -11,7 +11,7 @@ from workbench.errors import Refused
 from workbench.scene import limits
 from workbench.scene.fields import ANGLE, LENGTH, PLACE, SINCE_2, about
 from workbench.scene.kinds import Kinds
-from workbench.scene.lens import Lens
+from workbench.scene.optic import Optic
 from workbench.scene.part import Part, Positive
 from workbench.scene.points import AnySource, disc
 from workbench.scene.receiver import AnyReceiver
@@ -55,7 +55,7 @@ class GaussianProfile(Part):
     @classmethod
     def begun(cls, scene: "Scene") -> dict[str, Any]:
         """Most of its light meets the lens."""
-        return {"radius": min(scene.lens.half_width) / 2}
+        return {"radius": min(scene.optic.half_width) / 2}
 
 
 Profile = Annotated[UniformProfile | GaussianProfile, Kinds("kind", default="uniform")]
@@ -151,22 +151,22 @@ class CollimatedSource(AnySource):
         ways = np.column_stack([x * aside, y * aside, 1 - versine])
         return np.asarray(ways @ turned(self.direction).T)
 
-    def face(self, lens: Lens, z: float) -> Array:
+    def face(self, optic: Optic, z: float) -> Array:
         """Its disc; see `AnySource.face`."""
         if not self.continuous:
-            return super().face(lens, z)
+            return super().face(optic, z)
         places = disc()
         ways = self.directions(*places[..., :2].reshape(-1, 2).T)
-        middle = np.array([0.0, 0.0, lens.front_z])
-        return np.asarray(middle + (z - lens.front_z) * ways / ways[:, 2:]).reshape(places.shape)
+        middle = np.array([0.0, 0.0, optic.front_z])
+        return np.asarray(middle + (z - optic.front_z) * ways / ways[:, 2:]).reshape(places.shape)
 
-    def blur(self, lens: Lens, receiver: AnyReceiver) -> tuple[float, float]:
+    def blur(self, optic: Optic, receiver: AnyReceiver) -> tuple[float, float]:
         """The angle of its disc, times how far that moves light."""
         angle = math.radians(self.angular_diameter)
-        x, y = receiver.per_radian(lens.highest)
+        x, y = receiver.per_radian(optic.leaving_z)
         return angle * x, angle * y
 
-    def check_before(self, lens: Lens) -> None:
+    def check_before(self, optic: Optic) -> None:
         """Refuse light that comes from behind the entrance face, and beams too slim for it."""
         steepest = math.hypot(*self.direction) + self.angular_diameter / 2
         if steepest >= 90:
@@ -174,16 +174,16 @@ class CollimatedSource(AnySource):
             raise Refused(
                 f"source.direction[{axis}]",
                 f"{self.direction[axis]:g} brings light {steepest:g} degrees from the axis, which "
-                "does not come to the entrance face; less than 90 in all",
+                f"does not come to {optic.front_called}; less than 90 in all",
             )
-        radius, least = self.profile.radius, _NARROWEST * max(lens.half_width)
+        radius, least = self.profile.radius, _NARROWEST * max(optic.half_width)
         if radius < least:
             raise Refused(
                 "source.profile.radius",
-                f"{radius:g} is too narrow for a lens with a half-width of "
-                f"{max(lens.half_width):g}; at least {least:g}",
+                f"{radius:g} is too narrow for a {optic.called} with a half-width of "
+                f"{max(optic.half_width):g}; at least {least:g}",
             )
         if math.isfinite(radius):
             limits.check_lengths(
-                [("source.profile.radius", radius)], lens.half_width, limits.FARTHEST
+                [("source.profile.radius", radius)], optic.half_width, limits.FARTHEST
             )

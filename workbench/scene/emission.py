@@ -7,7 +7,7 @@ from pydantic import ConfigDict, Field
 from workbench.errors import Refused
 from workbench.scene.fields import Choices, ForMethod, about
 from workbench.scene.kinds import Kinds
-from workbench.scene.lens import Lens
+from workbench.scene.optic import Optic
 from workbench.scene.part import Part
 
 Subdivisions = Annotated[int, Field(ge=1, le=64)]
@@ -22,7 +22,7 @@ class ExactMethod(Part):
     method: Literal["exact"] = "exact"
     subdivisions: ClassVar[None] = None
 
-    def check_for(self, lens: Lens) -> None:
+    def check_for(self, optic: Optic) -> None:
         """Refuse nothing: it suits any lens."""
 
 
@@ -41,14 +41,14 @@ class MeshMethod(Part):
         ),
     ] = (4, 4)
 
-    def check_for(self, lens: Lens) -> None:
+    def check_for(self, optic: Optic) -> None:
         """Refuse more triangles than there is memory for."""
-        if lens.known_shape is None:
+        if optic.known_shape is None:
             return  # checked with what the program chooses
         across, up = (
             (count - degree) * n
             for count, degree, n in zip(
-                lens.known_shape, lens.degree, self.subdivisions, strict=True
+                optic.known_shape, optic.degree, self.subdivisions, strict=True
             )
         )
         if across * up > _MOST:

@@ -92,7 +92,7 @@ class FreeformEntrance(Part):
 
     def lengths(self) -> list[tuple[str, float]]:
         """Paths and values of lengths that could be too long."""
-        path = "lens.entrance.height_range"
+        path = "entrance.height_range"
         return [(f"{path}[{end}]", z) for end, z in enumerate(self.height_range or ())]
 
 

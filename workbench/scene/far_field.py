@@ -11,7 +11,7 @@ from workbench.scene.fields import ANGLE, PLACE, about
 from workbench.scene.receiver import AnyReceiver, Array, Pixels
 
 if TYPE_CHECKING:
-    from workbench.scene.lens import Lens
+    from workbench.scene.optic import Optic
     from workbench.scene.task import Scene
 
 # Of the sphere on which it is drawn, in half-widths of the lens.
@@ -58,7 +58,7 @@ class FarField(AnyReceiver):
     def begun(cls, scene: "Scene") -> dict[str, Any]:
         """As wide as the receiver that is there looks from the lens."""
         receiver = scene.receiver
-        wide = zip(receiver.half_extent, receiver.per_radian(scene.lens.highest), strict=True)
+        wide = zip(receiver.half_extent, receiver.per_radian(scene.optic.leaving_z), strict=True)
         half = tuple(float(f"{math.degrees(math.atan(r / far)):.3g}") for r, far in wide)
         return {"half_angle": half, "pixels": receiver.pixels}
 
@@ -117,36 +117,39 @@ class FarField(AnyReceiver):
         """Refused."""
         raise Refused("far_field", "is at no distance; a screen is needed")
 
-    def towards(self, place: tuple[Array, Array, Array], u: Array, v: Array) -> tuple[Array, ...]:
+    def towards(
+        self, optic: "Optic", place: tuple[Array, Array, Array], u: Array, v: Array
+    ) -> tuple[Array, ...]:
         """The same from everywhere."""
-        return tuple(np.moveaxis(_direction(u, v), -1, 0))
+        return tuple(np.moveaxis(_direction(optic, u, v), -1, 0))
 
-    def drawn(self, lens: "Lens", u: Array, v: Array) -> Array:
-        """On a sphere around the exit face."""
-        around = np.array([0.0, 0.0, lens.highest])
-        return np.asarray(around + self.radius(lens) * _direction(u, v))
+    def drawn(self, optic: "Optic", u: Array, v: Array) -> Array:
+        """On a sphere around the place that light leaves."""
+        around = np.array([0.0, 0.0, optic.leaving_z])
+        return np.asarray(around + self.radius(optic) * _direction(optic, u, v))
 
     @staticmethod
-    def radius(lens: "Lens") -> float:
+    def radius(optic: "Optic") -> float:
         """Of the sphere on which it is drawn, scene units."""
-        return _RADIUS * max(lens.half_width)
+        return _RADIUS * max(optic.half_width)
 
-    @property
-    def nearest_z(self) -> float:
+    def nearest_to(self, optic: "Optic") -> float:
         """It is infinitely far."""
-        return math.inf
+        return optic.onwards * math.inf
 
     def per_radian(self, z: float) -> tuple[float, float]:
         """The same from everywhere."""
         degrees = math.degrees(1)
         return degrees / math.cos(math.radians(self.center[1])), degrees
 
-    def check_behind(self, lens: "Lens") -> None:
-        """Refuse nothing: light of any lens has a direction."""
+    def check_lit_by(self, optic: "Optic") -> None:
+        """Refuse nothing: light of any optic has a direction."""
 
 
-def _direction(h: Array, v: Array) -> Array:
-    """Unit vectors of angles in degrees, shape (..., 3)."""
+def _direction(optic: "Optic", h: Array, v: Array) -> Array:
+    """Unit vectors of angles of light that leaves an optic, in degrees, shape (..., 3)."""
     h, v = np.radians(h), np.radians(v)
-    parts = np.broadcast_arrays(np.cos(v) * np.sin(h), np.sin(v), np.cos(v) * np.cos(h))
+    parts = np.broadcast_arrays(
+        np.cos(v) * np.sin(h), np.sin(v), optic.onwards * np.cos(v) * np.cos(h)
+    )
     return np.stack(parts, axis=-1)

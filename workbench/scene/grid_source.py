@@ -11,7 +11,7 @@ from pydantic import ConfigDict, Field
 from workbench.errors import Refused
 from workbench.scene import limits
 from workbench.scene.fields import LENGTH, PLACE, about
-from workbench.scene.lens import Lens
+from workbench.scene.optic import Optic
 from workbench.scene.part import NonNegative
 from workbench.scene.points import MOST_RAYS, LightOfPoints, Place, PointSource, in_front
 from workbench.scene.receiver import AnyReceiver
@@ -78,8 +78,8 @@ class GridSource(LightOfPoints):
     @classmethod
     def begun(cls, scene: "Scene") -> dict[str, Any]:
         """Where the scene's source is, half as wide as the lens."""
-        x, y = scene.lens.half_width
-        place = scene.source.place or in_front(scene.lens)
+        x, y = scene.optic.half_width
+        place = scene.source.place or in_front(scene.optic)
         return {"center": place, "half_width": (x / 2, y / 2), "points": (25, 25)}
 
     @property
@@ -113,13 +113,13 @@ class GridSource(LightOfPoints):
         places = np.broadcast_arrays(x[:, None], y, self.center[2])
         return np.stack(places, axis=-1).reshape(-1, 3)
 
-    def blur(self, lens: Lens, receiver: AnyReceiver) -> tuple[float, float]:
+    def blur(self, optic: Optic, receiver: AnyReceiver) -> tuple[float, float]:
         """Its angles as seen from the lens, times how far they move light."""
-        way = lens.front_z - self.center[2]
+        way = optic.front_z - self.center[2]
         x, y = (
             2 * r * farther / way if count > 1 else 0.0
             for r, farther, count in zip(
-                self.half_width, receiver.per_radian(lens.highest), self.points, strict=True
+                self.half_width, receiver.per_radian(optic.leaving_z), self.points, strict=True
             )
         )
         return x, y
@@ -133,7 +133,7 @@ class GridSource(LightOfPoints):
         """All its rays."""
         return {"rays": f"= {self.ray_count:,} in all"}
 
-    def check_before(self, lens: Lens) -> None:
+    def check_before(self, optic: Optic) -> None:
         """Refuse a lens as a single point does; refuse more rays than there is memory for."""
         if self.ray_count > MOST_RAYS:
             raise Refused(
@@ -142,8 +142,8 @@ class GridSource(LightOfPoints):
                 f"at most {MOST_RAYS} rays in all",
             )
         extent = [(f"source.half_width[{axis}]", r) for axis, r in enumerate(self.half_width)]
-        limits.check_lengths(extent, lens.half_width, limits.FARTHEST)
-        super().check_before(lens)
+        limits.check_lengths(extent, optic.half_width, limits.FARTHEST)
+        super().check_before(optic)
 
     def seen(self, most: tuple[int, int]) -> Array:
         """Points spread over the same extent; see `AnySource.seen`."""

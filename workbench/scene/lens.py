@@ -1,124 +1,50 @@
 """The lens: an entrance face, a B-spline exit face over a base."""
 
 import math
-from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from collections.abc import Mapping
+from typing import Annotated, Any, Literal, Self
 
-import numpy as np
-import numpy.typing as npt
-from pydantic import ConfigDict, Field, field_validator
+from pydantic import Field, field_validator
 
 from workbench import materials
 from workbench.errors import Refused, shown
 from workbench.scene import limits
 from workbench.scene.auto_net import AutoNet, NumbersOrAuto
+from workbench.scene.base import Base, FlatBase
 from workbench.scene.entrance import Entrance, FlatEntrance
 from workbench.scene.fields import LENGTH, PLACE, RANGE, SINCE_2, Choices, Measure, about
-from workbench.scene.kinds import Kinds
-from workbench.scene.net import Degree, NetSize, check_net
-from workbench.scene.part import NonNegative, Part, Positive
-
-if TYPE_CHECKING:
-    from workbench.scene.task import Scene
+from workbench.scene.net import Degree, NetSize
+from workbench.scene.optic import Array, Optic, relative
+from workbench.scene.part import NonNegative, Positive
 
 Reflectance = Annotated[float, Field(ge=0, lt=1)]
 # An automatic entrance face may rise by this part of the lens's half-width.
 _RISE = 0.25
-_BaseHeight = Annotated[
-    float, LENGTH, about("Base at z", "Where the base crosses the optical axis.")
-]
-
-
-class FlatBase(Part):
-    """A plane across the axis."""
-
-    model_config = ConfigDict(title="Flat")
-
-    shape: Literal["flat"] = "flat"
-    height: _BaseHeight
-
-    def height_at(self, x: npt.ArrayLike, y: npt.ArrayLike) -> npt.NDArray[np.float64]:
-        """Height f(x, y) of the base, scene units; x and y broadcast."""
-        x, y = np.broadcast_arrays(x, y)
-        return np.full(x.shape, self.height)
-
-    def extent(self, half_width: tuple[float, float]) -> tuple[float, float]:
-        """Lowest and highest value over the aperture."""
-        return self.height, self.height
-
-    def check_within(self, half_width: tuple[float, float]) -> None:
-        """Refuse nothing: it suits any lens."""
-
-
-class SphereBase(Part):
-    """A spherical cap that rises or falls towards the rim."""
-
-    model_config = ConfigDict(title="Sphere")
-
-    shape: Literal["sphere"] = "sphere"
-    height: _BaseHeight
-    radius: Annotated[
-        Positive,
-        LENGTH,
-        about(
-            "Base radius", "Radius of curvature of the base; more than the lens's half-diagonal."
-        ),
-    ]
-    form: Annotated[
-        Literal["concave", "convex"],
-        about("Base form", "Concave rises towards the rim, convex falls."),
-    ] = "concave"
-
-    @classmethod
-    def begun(cls, scene: "Scene") -> dict[str, Any]:
-        """Shallow enough for any lens that a flat base was good for."""
-        return {"radius": float(f"{10 * math.hypot(*scene.lens.half_width):.2g}")}
-
-    def height_at(self, x: npt.ArrayLike, y: npt.ArrayLike) -> npt.NDArray[np.float64]:
-        """Height f(x, y) of the base, scene units; x and y broadcast."""
-        r2 = np.square(x) + np.square(y)
-        # R − √(R² − r²) without the cancellation of two large numbers.
-        sag = r2 / (self.radius + np.sqrt(self.radius**2 - r2))
-        return np.asarray(self.height + (sag if self.form == "concave" else -sag))
-
-    def extent(self, half_width: tuple[float, float]) -> tuple[float, float]:
-        """Lowest and highest value over the aperture."""
-        rim = float(self.height_at(*half_width))
-        return min(rim, self.height), max(rim, self.height)
-
-    def check_within(self, half_width: tuple[float, float]) -> None:
-        """Refuse a radius that is no number beside the lens, or does not span it."""
-        limits.check_lengths([("lens.base.radius", self.radius)], half_width, limits.FAR)
-        if self.radius <= math.hypot(*half_width):
-            raise Refused(
-                "lens.base.radius",
-                f"{self.radius:g} does not span the lens; "
-                f"more than its half-diagonal {math.hypot(*half_width):g}",
-            )
-
-
-Base = Annotated[FlatBase | SphereBase, Kinds("shape", default="flat")]
-
-
-def _relative(factor: float) -> Callable[[dict[str, Any]], float]:
-    """Default length: a multiple of the larger lens half-width (0 where that was refused)."""
-    return lambda data: factor * max(data.get("half_width", (0.0,)))
+# Room behind a lens before a receiver that is infinitely far, in half-widths of the lens.
+_ROOM = 8.0
 
 
 def _thinnest(data: dict[str, Any]) -> float:
     """Default minimal thickness: small beside the lens and its stock."""
     thickest = data.get("max_thickness")
-    relative = _relative(0.05)(data)
-    return relative if thickest is None else min(relative, thickest / 2)
+    usual = relative(0.05)(data)
+    return usual if thickest is None else min(usual, thickest / 2)
 
 
-class Lens(Part):
+class Lens(Optic):
     """Entrance face and B-spline exit face over a rectangle.
 
     ``max_thickness`` and ``min_thickness`` are counted from the entrance face to the exit face, and
     hold in any case: each face stays on its side of a plane, or of two. Defaults scale with the
     lens.
     """
+
+    called = "lens"
+    face = "exit"
+    face_called = "exit face"
+    body_called = "body of glass"
+    front_called = "the entrance face"
+    onwards = 1
 
     half_width: Annotated[
         tuple[Positive, Positive],
@@ -211,7 +137,7 @@ class Lens(Part):
         ),
     ] = Field(
         default_factory=lambda data: FlatBase(
-            height=data.get("entrance_z", 0.0) + _relative(0.5)(data)
+            height=data.get("entrance_z", 0.0) + relative(0.5)(data)
         )
     )
     height_range: Annotated[
@@ -261,14 +187,18 @@ class Lens(Part):
 
     def check(self) -> None:
         """Refuse what cannot be computed with, and what cannot be made."""
-        self._check_lengths()
-        if self.known_shape is not None:
-            check_net("lens.control_points", self.known_shape, self.degree)
+        self.check_face(
+            [
+                ("entrance_z", self.entrance_z),
+                *self.entrance.lengths(),
+                ("max_thickness", self.max_thickness or 0.0),
+                ("min_thickness", self.min_thickness),
+            ]
+        )
         self.entrance.check_within(self.known_shape)
         if not self.index > 1:
             raise Refused("lens.refractive_index", f"{self.index:g}; greater than 1 is needed")
         limits.check_index(self.index)
-        self.base.check_within(self.half_width)
         if self.floor >= self.ceiling:
             raise Refused(
                 "lens.max_thickness",
@@ -280,57 +210,15 @@ class Lens(Part):
         undesigned = max(self.base.extent(self.half_width)[0], self.floor) - self.entrance_z
         limits.check_absorption(self.absorption, undesigned)
 
-    def _check_lengths(self) -> None:
-        """Refuse lengths beside which the digits of the lens's shape are lost."""
-        limits.check_width(self.half_width)
-        heights = [
-            ("lens.entrance_z", self.entrance_z),
-            *self.entrance.lengths(),
-            ("lens.base.height", self.base.height),
-            *((f"lens.height_range[{end}]", z) for end, z in enumerate(self.height_range or ())),
-            ("lens.max_thickness", self.max_thickness or 0.0),
-            ("lens.min_thickness", self.min_thickness),
-        ]
-        limits.check_lengths(heights, self.half_width, limits.HEIGHT)
-
     def remarks(self) -> Mapping[str, str]:
         """The index of a named material, and the control points that the program has chosen."""
-        remarks = {}
+        remarks = self.net_remarks()
         if isinstance(self.refractive_index, str):
             remarks["refractive_index"] = f"n = {self.index:.5f}"
-        if isinstance(self.control_points, AutoNet) and self.control_points.shape is not None:
-            remarks["control_points"] = "{} × {}".format(*self.control_points.shape)
         return remarks
-
-    @property
-    def net_shape(self) -> tuple[int, int]:
-        """Numbers of control points along x and y: as given, or as the program has chosen.
-
-        Raises
-        ------
-        Refused
-            If it has yet to choose; a `Session`, which has a target, is a task where it has.
-        """
-        if self.known_shape is None:
-            raise Refused("lens.control_points", "'auto' needs a target to choose for; numbers")
-        return self.known_shape
-
-    @property
-    def known_shape(self) -> tuple[int, int] | None:
-        """As `net_shape`; None where the program has yet to choose."""
-        points = self.control_points
-        return points.shape if isinstance(points, AutoNet) else points
-
-    def with_net(self, shape: tuple[int, int] | None) -> "Lens":
-        """A lens for whose ``"auto"`` the program has chosen a net; None takes a choice back."""
-        if not isinstance(self.control_points, AutoNet):
-            return self
-        return self.altered(control_points=AutoNet(shape))
 
     def _check_range(self, low: float, high: float) -> None:
         """Refuse a height range that leaves a control point nowhere to be."""
-        if not low < high:
-            raise Refused("lens.height_range", f"[{low:g}, {high:g}] is empty; low before high")
         lowest, highest = self.base.extent(self.half_width)
         if lowest + high <= self.floor:
             raise Refused(
@@ -357,8 +245,18 @@ class Lens(Part):
     @property
     def entrance_range(self) -> tuple[float, float]:
         """The lowest and the highest z that the entrance face can come to."""
-        low, high = self.entrance.offsets(self._room_at_entrance)
+        low, high = self.entrance_offsets
         return self.entrance_z + low, self.entrance_z + high
+
+    @property
+    def entrance_offsets(self) -> tuple[float, float]:
+        """How far the entrance face can come from its place, down and up."""
+        return self.entrance.offsets(self._room_at_entrance)
+
+    @property
+    def datum(self) -> float:
+        """The place of the entrance face."""
+        return self.entrance_z
 
     @property
     def _room_at_entrance(self) -> float:
@@ -375,6 +273,16 @@ class Lens(Part):
         return max(min(shared) / 2, 0.0)
 
     @property
+    def leaving_z(self) -> float:
+        """The highest that the exit face can become."""
+        return self.highest
+
+    @property
+    def lowest(self) -> float:
+        """That of the entrance face."""
+        return self.front_z
+
+    @property
     def floor(self) -> float:
         """The z that the minimal thickness keeps the exit face above."""
         return self.entrance_range[1] + self.min_thickness
@@ -383,17 +291,6 @@ class Lens(Part):
     def ceiling(self) -> float:
         """The z that the maximal thickness keeps the exit face below; infinite without one."""
         return math.inf if self.max_thickness is None else self.front_z + self.max_thickness
-
-    def limits_at(
-        self, x: npt.ArrayLike, y: npt.ArrayLike
-    ) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]:
-        """Lowest and highest z that control points at (x, y) may have; x and y broadcast.
-
-        The highest is infinite where neither a height range nor a maximal thickness is given.
-        """
-        low, high = self.height_range or (-math.inf, math.inf)
-        base = self.base.height_at(x, y)
-        return np.maximum(base + low, self.floor), np.minimum(base + high, self.ceiling)
 
     @property
     def highest(self) -> float:
@@ -406,6 +303,42 @@ class Lens(Part):
         if self.height_range is not None:
             return min(top + self.height_range[1], self.ceiling)
         return max(top, self.floor) if self.max_thickness is None else self.ceiling
+
+    @property
+    def deflection(self) -> float:
+        """As light leaves the glass."""
+        return self.index - 1
+
+    @property
+    def held_by(self) -> Literal["max_thickness", "screen"]:
+        """The stock, or the screen."""
+        return "screen" if self.max_thickness is None else "max_thickness"
+
+    def bounded(self, receiver_z: float) -> Self:
+        """The exit face stays in the nearer half of the way to the receiver, if nothing else says.
+
+        Where the receiver is infinitely far, it stays below some widths of the lens.
+        """
+        if self.height_range is not None or self.max_thickness is not None:
+            return self
+        if math.isinf(receiver_z):
+            receiver_z = self.highest + _ROOM * max(self.half_width)
+        thickness = (self.highest + receiver_z) / 2 - self.front_z
+        return self.model_copy(update={"max_thickness": thickness})
+
+    def flat_z(self, heights: Array) -> float:
+        """The entrance face."""
+        return self.entrance_z
+
+    @property
+    def steepest(self) -> float:
+        """By Snell's law at the entrance face."""
+        return float((self.index**2 - 1) ** -0.5)
+
+    @property
+    def least_thickness(self) -> float:
+        """That of the glass."""
+        return self.min_thickness
 
     @property
     def index(self) -> float:

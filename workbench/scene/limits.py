@@ -6,8 +6,12 @@ height loses the digits that make its shape, and light of a point arrives.
 
 import math
 from collections.abc import Iterable
+from typing import TYPE_CHECKING
 
 from workbench.errors import Refused
+
+if TYPE_CHECKING:
+    from workbench.scene.optic import Optic
 
 LARGEST_INDEX = 10.0
 """No transparent material has a larger refractive index."""
@@ -24,8 +28,8 @@ FARTHEST, NEAREST = 1e12, 1e-10
 _SMALLEST, _LARGEST, _SLIMMEST = 1e-6, 1e6, 1e-3
 
 
-def check_width(half_width: tuple[float, float]) -> None:
-    """Refuse a lens that is too large, too small or too slim to compute with.
+def check_width(called: str, half_width: tuple[float, float]) -> None:
+    """Refuse an optic, called so, that is too large, too small or too slim to compute with.
 
     Raises
     ------
@@ -36,14 +40,14 @@ def check_width(half_width: tuple[float, float]) -> None:
     axis = half_width.index(large)
     if not _SMALLEST <= large <= _LARGEST:
         raise Refused(
-            f"lens.half_width[{axis}]",
+            f"{called}.half_width[{axis}]",
             f"{large:g} cannot be computed with; from {_SMALLEST:g} to {_LARGEST:g}, "
             "in another unit if need be",
         )
     if half_width[1 - axis] < _SLIMMEST * large:
         raise Refused(
-            f"lens.half_width[{1 - axis}]",
-            f"{half_width[1 - axis]:g} makes the lens slimmer than {1 / _SLIMMEST:g} to 1; "
+            f"{called}.half_width[{1 - axis}]",
+            f"{half_width[1 - axis]:g} makes the {called} slimmer than {1 / _SLIMMEST:g} to 1; "
             f"at least {_SLIMMEST * large:g}",
         )
 
@@ -103,29 +107,28 @@ def check_lengths(
         if abs(length) > longest:
             raise Refused(
                 path,
-                f"{length:g} is too long for a lens with a half-width of {max(half_width):g}; "
+                f"{length:g} is too long beside a half-width of {max(half_width):g}; "
                 f"at most {longest:g}",
             )
 
 
-def check_way(path: str, way: float, half_width: tuple[float, float]) -> None:
-    """Refuse a source that is too near before the entrance face, or too far.
+def check_before(path: str, z: float, optic: "Optic") -> None:
+    """Refuse a source that does not stand before all of an optic, is too near or too far.
 
     Raises
     ------
     Refused
-        With the way, and what is possible.
+        With its z or its way, and what is possible.
     """
-    least, most = NEAREST * max(half_width), FARTHEST * max(half_width)
-    lens = f"for a lens with a half-width of {max(half_width):g}"
+    front, size, way = optic.front_called, max(optic.half_width), optic.front_z - z
+    if z >= optic.lowest:
+        raise Refused(path, f"{z:g} is not before {front}; less than {optic.lowest:g}")
+    least, most = NEAREST * size, FARTHEST * size
+    beside = f"for a {optic.called} with a half-width of {size:g}"
     if way < least:
-        raise Refused(
-            path,
-            f"{way:g} before the entrance face is too near {lens}; at least {least:g}",
-        )
+        raise Refused(path, f"{way:g} before {front} is too near {beside}; at least {least:g}")
     if way > most:
         raise Refused(
             path,
-            f"{way:g} before the entrance face is too far {lens}; "
-            f"at most {most:g}, or collimated light",
+            f"{way:g} before {front} is too far {beside}; at most {most:g}, or collimated light",
         )

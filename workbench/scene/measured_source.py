@@ -14,7 +14,7 @@ from workbench.errors import Refused
 from workbench.scene import limits
 from workbench.scene.content import Content
 from workbench.scene.fields import FILE, LENGTH, PLACE, Measure, Version, about
-from workbench.scene.lens import Lens
+from workbench.scene.optic import Optic
 from workbench.scene.points import MOST_RAYS, AnySource, Place, PointSource, in_front
 
 if TYPE_CHECKING:
@@ -122,17 +122,12 @@ class MeasuredSource(AnySource):
         """The same source elsewhere."""
         return self.model_copy(update={"position": place})
 
-    def check_before(self, lens: Lens) -> None:
-        """Refuse a lens that is not behind it, or too near or too far, as a point does."""
+    def check_before(self, optic: Optic) -> None:
+        """Refuse an optic that is not behind it, or too near or too far, as a point does."""
         x, y, z = self.position
-        if z >= lens.front_z:
-            raise Refused(
-                "source.position[2]",
-                f"{z:g} is not before the entrance face; less than {lens.front_z:g}",
-            )
         aside = [("source.position[0]", x), ("source.position[1]", y)]
-        limits.check_lengths(aside, lens.half_width, limits.FARTHEST)
-        limits.check_way("source.position[2]", lens.front_z - z, lens.half_width)
+        limits.check_lengths(aside, optic.half_width, limits.FARTHEST)
+        limits.check_before("source.position[2]", z, optic)
 
 
 class PhotometricSource(MeasuredSource):
@@ -163,7 +158,7 @@ class PhotometricSource(MeasuredSource):
     @classmethod
     def begun(cls, scene: "Scene") -> dict[str, Any]:
         """Where the scene's source is."""
-        return {"position": scene.source.place or in_front(scene.lens)}
+        return {"position": scene.source.place or in_front(scene.optic)}
 
     @property
     def sharp(self) -> PointSource:
@@ -206,7 +201,7 @@ class RayFileSource(MeasuredSource):
     @classmethod
     def begun(cls, scene: "Scene") -> dict[str, Any]:
         """Where the scene's source is."""
-        return {"position": scene.source.place or in_front(scene.lens)}
+        return {"position": scene.source.place or in_front(scene.optic)}
 
     @property
     def point_count(self) -> int:

@@ -8,11 +8,10 @@ import numpy as np
 import numpy.typing as npt
 from pydantic import ConfigDict
 
-from workbench.errors import Refused
 from workbench.scene import limits
 from workbench.scene.emission import Emission, ExactMethod, Fresh, Intersection, Sampling
 from workbench.scene.fields import LENGTH, PLACE, about
-from workbench.scene.lens import Lens
+from workbench.scene.optic import Optic
 from workbench.scene.part import Part
 from workbench.scene.receiver import AnyReceiver
 
@@ -93,7 +92,7 @@ class AnySource(Part):
         """Where it comes closest to the lens, scene units."""
         return -math.inf if self.place is None else self.place[2]
 
-    def blur(self, lens: Lens, receiver: AnyReceiver) -> tuple[float, float]:
+    def blur(self, optic: Optic, receiver: AnyReceiver) -> tuple[float, float]:
         """Widths along x and y of what one place of the lens makes of it on the receiver.
 
         In its coordinates, about: as behind a pinhole.
@@ -122,7 +121,7 @@ class AnySource(Part):
     def measured_in(self, unit: str) -> None:
         """Keep the unit of the scene's lengths, if it is needed: a file has one of its own."""
 
-    def check_before(self, lens: Lens) -> None:
+    def check_before(self, optic: Optic) -> None:
         """Refuse a lens that it cannot light.
 
         Raises
@@ -135,7 +134,7 @@ class AnySource(Part):
         """Points to draw it with, shape (n, 3): no more than ``most`` along x and y."""
         return np.zeros((0, 3)) if self.place is None else np.array([self.place])
 
-    def face(self, lens: Lens, z: float) -> Array:
+    def face(self, optic: Optic, z: float) -> Array:
         """What shines, to be drawn: a grid of points of shape (m, n, 3), empty for points.
 
         A disc infinitely far away is drawn at ``z``, as wide as the middle of the lens sees it.
@@ -204,19 +203,14 @@ class LightOfPoints(AnySource):
         """Those of its triangle mesh."""
         return self.intersection.subdivisions
 
-    def check_before(self, lens: Lens) -> None:
-        """Refuse a lens that is not behind it, or too near, too far or too fine."""
+    def check_before(self, optic: Optic) -> None:
+        """Refuse an optic that is not behind it, or too near, too far or too fine."""
         x, y, z = self.place
         path = f"source.{self.middle}"
-        if z >= lens.front_z:
-            raise Refused(
-                f"{path}[2]",
-                f"{z:g} is not before the entrance face; less than {lens.front_z:g}",
-            )
         aside = [(f"{path}[0]", x), (f"{path}[1]", y)]
-        limits.check_lengths(aside, lens.half_width, limits.FARTHEST)
-        limits.check_way(f"{path}[2]", lens.front_z - z, lens.half_width)
-        self.intersection.check_for(lens)
+        limits.check_lengths(aside, optic.half_width, limits.FARTHEST)
+        limits.check_before(f"{path}[2]", z, optic)
+        self.intersection.check_for(optic)
 
     def placed(self, place: Place) -> Self:
         """The same source with its middle elsewhere."""
@@ -256,7 +250,7 @@ class PointSource(LightOfPoints):
     @classmethod
     def begun(cls, scene: "Scene") -> dict[str, Any]:
         """Where the scene's source is."""
-        return {"position": scene.source.place or in_front(scene.lens)}
+        return {"position": scene.source.place or in_front(scene.optic)}
 
     @property
     def ray_count(self) -> int:
@@ -287,6 +281,6 @@ def disc() -> Array:
     return np.stack([0 * rim, rim])
 
 
-def in_front(lens: Lens) -> Place:
+def in_front(optic: Optic) -> Place:
     """On the axis, far enough away for the lens to bend all its light."""
-    return (0.0, 0.0, lens.front_z - _DISTANCE * max(lens.half_width))
+    return (0.0, 0.0, optic.front_z - _DISTANCE * max(optic.half_width))

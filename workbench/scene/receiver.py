@@ -12,7 +12,7 @@ from workbench.scene.fields import Measure, about
 from workbench.scene.part import Part
 
 if TYPE_CHECKING:
-    from workbench.scene.lens import Lens
+    from workbench.scene.optic import Optic
 
 Array = npt.NDArray[np.float64]
 
@@ -104,31 +104,32 @@ class AnyReceiver(Part):
         """The same with its middle elsewhere along the axis; refused as for `plane_z`."""
 
     @abstractmethod
-    def towards(self, place: tuple[Array, Array, Array], u: Array, v: Array) -> tuple[Array, ...]:
-        """Unit vectors from places (x, y, z) of the scene to places on it; three arrays."""
+    def towards(
+        self, optic: "Optic", place: tuple[Array, Array, Array], u: Array, v: Array
+    ) -> tuple[Array, ...]:
+        """Unit vectors from places (x, y, z) of an optic to places on it; three arrays."""
 
     @abstractmethod
-    def drawn(self, lens: "Lens", u: Array, v: Array) -> Array:
+    def drawn(self, optic: "Optic", u: Array, v: Array) -> Array:
         """Where places on it are drawn in the scene, shape (..., 3); u and v broadcast."""
 
-    def outline(self, lens: "Lens", part: float = 1.0) -> Array:
+    def outline(self, optic: "Optic", part: float = 1.0) -> Array:
         """Corners of its facets as it is drawn, shape (m, m, 3), u along the first axis.
 
         Parameters
         ----------
-        lens : Lens
-            The lens before it.
+        optic : Optic
+            What lights it.
         part : float
             Of its extents, about its middle.
         """
         steps = part * np.linspace(-1, 1, self.facets + 1)
         (u, v), (r_u, r_v) = self.middle, self.half_extent
-        return self.drawn(lens, u + r_u * steps[:, None], v + r_v * steps)
+        return self.drawn(optic, u + r_u * steps[:, None], v + r_v * steps)
 
-    @property
     @abstractmethod
-    def nearest_z(self) -> float:
-        """Where it comes closest to the lens, scene units."""
+    def nearest_to(self, optic: "Optic") -> float:
+        """The z at which it comes closest to an optic that lights it, scene units."""
 
     @abstractmethod
     def per_radian(self, z: float) -> tuple[float, float]:
@@ -141,8 +142,8 @@ class AnyReceiver(Part):
         """Refuse lengths that are too long beside a lens with these half-widths."""
 
     @abstractmethod
-    def check_behind(self, lens: "Lens") -> None:
-        """Refuse a lens that cannot light it.
+    def check_lit_by(self, optic: "Optic") -> None:
+        """Refuse an optic that cannot light it.
 
         Raises
         ------

@@ -15,7 +15,7 @@ from workbench.scene.receiver import AnyReceiver, Array, Pixels
 from workbench.scene.turning import turned
 
 if TYPE_CHECKING:
-    from workbench.scene.lens import Lens
+    from workbench.scene.optic import Optic
     from workbench.scene.task import Scene
 
 _Turn = Annotated[float, Field(ge=-180, le=180)]
@@ -69,12 +69,13 @@ class Screen(AnyReceiver):
 
     @classmethod
     def begun(cls, scene: "Scene") -> dict[str, Any]:
-        """Some widths of the lens behind it, as wide as the receiver that is there looks."""
-        receiver, highest = scene.receiver, scene.lens.highest
-        away = float(f"{_DISTANCE * max(scene.lens.half_width):.3g}")
-        wide = zip(receiver.half_extent, receiver.per_radian(highest), strict=True)
+        """Some widths of the lens away from it, as wide as the receiver that is there looks."""
+        receiver, optic = scene.receiver, scene.optic
+        away = float(f"{_DISTANCE * max(optic.half_width):.3g}")
+        wide = zip(receiver.half_extent, receiver.per_radian(optic.leaving_z), strict=True)
         half = tuple(float(f"{away * math.tan(min(r / far, _WIDEST)):.3g}") for r, far in wide)
-        return {"z": float(f"{highest + away:.6g}"), "half_width": half, "pixels": receiver.pixels}
+        z = float(f"{optic.leaving_z + optic.onwards * away:.6g}")
+        return {"z": z, "half_width": half, "pixels": receiver.pixels}
 
     @property
     def half_extent(self) -> tuple[float, float]:
@@ -88,7 +89,7 @@ class Screen(AnyReceiver):
 
     @property
     def sides(self) -> Array:
-        """Unit vectors along its x and y, and the one away from the light, as rows (3, 3)."""
+        """Unit vectors along its x and y, and across it, turned from +z, as rows (3, 3)."""
         return turned(self.tilt).T
 
     @property
@@ -111,7 +112,9 @@ class Screen(AnyReceiver):
         """The same at another z."""
         return self.model_copy(update={"z": z})
 
-    def towards(self, place: tuple[Array, Array, Array], u: Array, v: Array) -> tuple[Array, ...]:
+    def towards(
+        self, optic: "Optic", place: tuple[Array, Array, Array], u: Array, v: Array
+    ) -> tuple[Array, ...]:
         """Along lines."""
         right, up, _ = self.sides
         way = [
@@ -121,7 +124,7 @@ class Screen(AnyReceiver):
         length = np.sqrt(way[0] ** 2 + way[1] ** 2 + way[2] ** 2)
         return tuple(part / length for part in way)
 
-    def drawn(self, lens: "Lens", u: Array, v: Array) -> Array:
+    def drawn(self, optic: "Optic", u: Array, v: Array) -> Array:
         """Where they are."""
         right, up, _ = self.sides
         return np.asarray(self.position + u[..., None] * right + v[..., None] * up)
@@ -135,9 +138,10 @@ class Screen(AnyReceiver):
         """Flux of an image (n_y, n_x) of irradiance."""
         return float(density.sum()) * self.pixel_measure
 
-    @property
-    def nearest_z(self) -> float:
-        """Where its lowest edge is."""
+    def nearest_to(self, optic: "Optic") -> float:
+        """The lowest edge; of one below that leans none, as it may be beside the optic."""
+        if optic.onwards < 0:
+            return self.z if self.upright else -math.inf
         (right, up, _), (r_x, r_y) = self.sides, self.half_width
         return float(self.z - r_x * abs(right[2]) - r_y * abs(up[2]))
 
@@ -157,24 +161,37 @@ class Screen(AnyReceiver):
         lengths += [(f"screen.center[{k}]", c) for k, c in enumerate(self.center)]
         limits.check_lengths(lengths, half_width, limits.FAR)
 
-    def check_behind(self, lens: "Lens") -> None:
-        """Refuse a lens that may touch it, or that is behind it."""
-        r_x, r_y = lens.half_width
-        corners = np.array(list(product((-r_x, r_x), (-r_y, r_y), (lens.front_z, lens.highest))))
-        if not self.upright and ((self.position - corners) @ self.sides[2] <= 0).any():
+    def check_lit_by(self, optic: "Optic") -> None:
+        """Refuse an optic that may touch it, or that is behind it."""
+        (r_x, r_y), ends = optic.half_width, (optic.lowest, optic.highest)
+        corners = np.array(list(product((-r_x, r_x), (-r_y, r_y), ends)))
+        before = optic.onwards * ((self.position - corners) @ self.sides[2]) > 0
+        if not self.upright and not before.all():
             raise Refused(
                 "screen.tilt",
                 f"[{self.tilt[0]:g}, {self.tilt[1]:g}] turns the back of the screen to light of "
-                "the lens; its front has to face all of the lens",
+                f"the {optic.called}; its front has to face all of the {optic.called}",
             )
-        nearest = self.nearest_z
-        if nearest <= lens.highest:
+        if optic.onwards < 0:
+            self._check_below(optic)
+            return
+        nearest = self.nearest_to(optic)
+        if nearest <= optic.highest:
             low, more = "", ""
             if not self.upright:
                 low, more = f"puts its lowest edge at z = {nearest:g}, which ", " and the tilt adds"
             raise Refused(
                 "screen.z",
                 f"{self.z:g} {low}may touch the lens; more than "
-                f"{lens.highest + (self.z - nearest):g}, the highest that the exit face can "
+                f"{optic.highest + (self.z - nearest):g}, the highest that the exit face can "
                 f"become{more}",
+            )
+
+    def _check_below(self, optic: "Optic") -> None:
+        """Refuse an optic whose light does not go up to it; one that leans may be beside it."""
+        if self.z >= optic.lowest and self.upright:
+            raise Refused(
+                "screen.z",
+                f"{self.z:g} may touch the {optic.called}, or be behind it; less than "
+                f"{optic.lowest:g}, the lowest that it can become",
             )

@@ -2,7 +2,7 @@
 
 import json
 from collections.abc import Mapping
-from typing import Annotated, Any, Literal, Self
+from typing import Annotated, Any, Literal, Self, TypeVar
 
 from pydantic import (
     AfterValidator,
@@ -20,12 +20,16 @@ from workbench.scene.far_field import FarField
 from workbench.scene.fields import SINCE_2, Version, about
 from workbench.scene.filter import Filter, GaussianFilter
 from workbench.scene.lens import Lens
+from workbench.scene.mirror import Mirror
+from workbench.scene.optic import Optic
 from workbench.scene.part import Part
 from workbench.scene.receiver import AnyReceiver
 from workbench.scene.run import AutoRun, Run, Stage, during
 from workbench.scene.screen import Screen
 from workbench.scene.source import Source
 from workbench.scene.target import Target
+
+AnyPart = TypeVar("AnyPart", bound=Part)
 
 Unit = Literal["mm", "cm", "m", "inch"]
 
@@ -40,7 +44,9 @@ class _Versioned(Part, extra="ignore"):
 
 
 class Scene(Part):
-    """A whole design task. Only lens, source, screen or far_field, and target are required.
+    """A whole design task.
+
+    Only lens or mirror, source, screen or far_field, and target are required.
 
     Examples
     --------
@@ -60,7 +66,12 @@ class Scene(Part):
     """
 
     model_config = ConfigDict(
-        json_schema_extra={"oneOf": [{"required": ["screen"]}, {"required": ["far_field"]}]}
+        json_schema_extra={
+            "allOf": [
+                {"oneOf": [{"required": [one]}, {"required": [other]}]}
+                for one, other in (("lens", "mirror"), ("screen", "far_field"))
+            ]
+        }
     )
 
     format: Literal["freeform-scene"] = "freeform-scene"
@@ -74,7 +85,12 @@ class Scene(Part):
             "becomes one of 10 mm.",
         ),
     ] = "mm"
-    lens: Annotated[Lens, about("Lens", "What shapes the light.")]
+    lens: Annotated[Lens | None, about("Lens", "What shapes the light.")] = None
+    mirror: Annotated[
+        Mirror | None,
+        SINCE_2,
+        about("Mirror", "What shapes the light by reflecting it, in place of a lens."),
+    ] = None
     source: Annotated[Source, about("Source", "Where the light comes from.")]
     screen: Annotated[Screen | None, about("Screen", "Where the light is wanted.")] = None
     far_field: Annotated[
@@ -95,20 +111,21 @@ class Scene(Part):
 
     def check(self) -> None:
         """Refuse parts that do not go together, and stages that are not possible."""
-        self.receiver.check_lengths(self.lens.half_width)
+        optic = self.optic
+        self.receiver.check_lengths(optic.half_width)
         if self.run.min_radius is not None:
             radius = [("run.min_radius", self.run.min_radius)]
-            limits.check_lengths(radius, self.lens.half_width, limits.FAR)
+            limits.check_lengths(radius, optic.half_width, limits.FAR)
         self.source.measured_in(self.unit)
-        self.source.check_before(self.lens)
-        self.receiver.check_behind(self.lens)
+        self.source.check_before(optic)
+        self.receiver.check_lit_by(optic)
         for field in ("smoothness", "min_radius"):
             value = getattr(self.run, field)
-            if value is not None and min(self.lens.degree) < 2:
+            if value is not None and min(optic.degree) < 2:
                 raise Refused(
                     f"run.{field}",
                     f"{value:g} is about curvature, and faces of degree 1 are flat between edges; "
-                    "lens.degree of at least 2",
+                    f"{optic.called}.degree of at least 2",
                 )
         self.parts()
 
@@ -118,14 +135,18 @@ class Scene(Part):
         return self.known_to(version, write(self)) | {"version": version}
 
     @property
+    def optic(self) -> Optic:
+        """What shapes the light: the lens or the mirror."""
+        return _only({"lens": self.lens, "mirror": self.mirror})
+
+    def with_optic(self, optic: Optic) -> Self:
+        """The scene with another optic of the same kind, which goes with all else."""
+        return self.model_copy(update={self.optic.called: optic})
+
+    @property
     def receiver(self) -> AnyReceiver:
         """Where the light is wanted: the screen or the far field."""
-        given = [each for each in (self.screen, self.far_field) if each is not None]
-        if not given:
-            raise Refused("screen", "missing; it or far_field is required")
-        if len(given) > 1:
-            raise Refused("far_field", "is given together with a screen; one of them is needed")
-        return given[0]
+        return _only({"screen": self.screen, "far_field": self.far_field})
 
     def with_receiver(self, receiver: AnyReceiver) -> Self:
         """The scene with another receiver of the same kind."""
@@ -187,32 +208,30 @@ class Scene(Part):
             try:
                 parts.append(self._during(stage))
             except Refused as refused:
-                path = refused.path.removeprefix("lens.").removeprefix("run.")
+                path = refused.path.removeprefix(f"{self.optic.called}.").removeprefix("run.")
                 raise Refused(f"run.stages[{number}].{path}", refused.reason) from None
         last = self.run.model_copy(update={"stages": (), "iterations": left})
         return (*parts, self.model_copy(update={"run": last}))
 
     def with_net(self, shape: tuple[int, int] | None) -> Self:
-        """The scene with what its ``"auto"`` control points come to; see `Lens.with_net`."""
-        lens = self.lens.with_net(shape)
-        return self if lens is self.lens else self.altered(lens=lens)
+        """The scene with what its ``"auto"`` control points come to; see `Optic.with_net`."""
+        optic = self.optic.with_net(shape)
+        return self if optic is self.optic else self.altered(**{optic.called: optic})
 
     def settled(self) -> Self:
         """The scene with numbers in place of what the program has chosen."""
-        lens = self.lens
-        if lens.known_shape is None:
+        optic = self.optic
+        if optic.known_shape is None:
             return self
-        return self.model_copy(
-            update={"lens": lens.model_copy(update={"control_points": lens.known_shape})}
-        )
+        return self.with_optic(optic.model_copy(update={"control_points": optic.known_shape}))
 
     def _during(self, stage: Stage) -> Self:
         """The scene with what a stage changes."""
-        lens = self.lens
+        optic = self.optic
         if stage.control_points is not None:
-            lens = lens.altered(control_points=stage.control_points)
+            optic = optic.altered(control_points=stage.control_points)
         return self.altered(
-            lens=lens,
+            **{optic.called: optic},
             source=stage.source or self.source,
             filter=stage.filter or self.filter,
             run=during(self.run, stage),
@@ -247,8 +266,9 @@ class Scene(Part):
             version = _Versioned.model_validate_json(text).version
         except ValidationError as error:
             raise refusal(error, cls) from None
-        if version >= 2 and "reflection" not in scene.lens.model_fields_set:
-            return scene.altered(lens=scene.lens.altered(reflection="fresnel"))
+        lens = scene.lens
+        if version >= 2 and lens is not None and "reflection" not in lens.model_fields_set:
+            return scene.altered(lens=lens.altered(reflection="fresnel"))
         return scene
 
     @classmethod
@@ -264,3 +284,14 @@ class Scene(Part):
         """The scene as plain dictionaries and lists."""
         data: dict[str, Any] = self.model_dump(mode="json", exclude_none=True)
         return data
+
+
+def _only(parts: Mapping[str, AnyPart | None]) -> AnyPart:
+    """The one of two parts that is given, where exactly one has to be."""
+    one, other = parts
+    given = [part for part in parts.values() if part is not None]
+    if not given:
+        raise Refused(one, f"missing; it or {other} is required")
+    if len(given) > 1:
+        raise Refused(other, f"is given together with a {one}; one of them is needed")
+    return given[0]

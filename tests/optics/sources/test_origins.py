@@ -11,6 +11,7 @@ from workbench.optics.entering import entering
 from workbench.optics.samples import Corners
 from workbench.optics.sources import emitter_of
 from workbench.optics.sources.origins import Origins, through_cells
+from workbench.optics.transmittance import TransmittanceLaw
 
 NODE, WEIGHT = np.polynomial.legendre.leggauss(60)
 
@@ -29,7 +30,7 @@ def through_the_face(origins, lens):
 def test_light_of_points_meets_the_face_or_misses_it(make_scene, source, emission):
     scene = make_scene({"source": source | {"emission": emission}})
     origins = emitter_of(scene.source, scene.lens).origins
-    missed = entering(scene.source, scene.lens).missed
+    missed = entering(scene.source, scene.lens, TransmittanceLaw.of(scene.lens)[0]).missed
     assert through_the_face(origins, scene.lens) == pytest.approx(1 - missed, abs=1e-12)
 
 

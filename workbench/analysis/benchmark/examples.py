@@ -120,15 +120,15 @@ def wavy(scene: Scene) -> Array:
     ndarray, shape (n_u, n_v)
         Scene units, within the scene's height range.
     """
-    x, y = ControlNet.of(scene.lens).positions
-    r_x, r_y = scene.lens.half_width
+    x, y = ControlNet.of(scene.optic).positions
+    r_x, r_y = scene.optic.half_width
     rise = np.cos(np.pi * x / r_x)[:, None] * np.cos(1.5 * np.pi * y / r_y + 0.5)[None, :]
     receiver = scene.receiver
     # A slope s bends light by (n − 1) s.
-    wide = zip(receiver.half_extent, receiver.per_radian(scene.lens.base.height), strict=True)
-    slope = min(0.1 * r / far for r, far in wide) / (scene.lens.index - 1)
+    wide = zip(receiver.half_extent, receiver.per_radian(scene.optic.base.height), strict=True)
+    slope = min(0.1 * r / far for r, far in wide) / scene.optic.deflection
     height = slope * min(r_x, r_y) / (1.5 * np.pi)
-    limits = HeightLimits.of(scene.lens, ControlNet.of(scene.lens))
+    limits = HeightLimits.of(scene.optic, ControlNet.of(scene.optic))
     height = min(height, 0.4 * float((limits.upper - limits.lower).min()))
     return np.asarray(limits.undesigned + height * rise)
 

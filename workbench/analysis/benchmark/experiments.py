@@ -183,8 +183,8 @@ def design(example: Example, method: str, rays: int, notify: Notify) -> Design:
 def derivative(example: Example) -> Derivative:
     """Derivative of the flat lens's image with respect to the control point in its middle."""
     scene = example.scene
-    n_u, n_v = scene.lens.net_shape
-    flat = {"exit": np.full((n_u, n_v), scene.lens.base.height)}
+    n_u, n_v = scene.optic.net_shape
+    flat = {"exit": np.full((n_u, n_v), scene.optic.base.height)}
     found = irradiance_derivative(scene, flat, (n_u // 2, n_v // 2))
     return Derivative(
         name=example.name,

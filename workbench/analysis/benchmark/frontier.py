@@ -262,7 +262,7 @@ def verified(example: Example, lens: Array, accuracy: float = ACCURACY) -> Verif
     """Judge a lens by cells of that accuracy; by random rays where the source has many points."""
     # A method may design on a net of its own.
     net = {"control_points": lens.shape}
-    scene = example.scene.model_copy(update={"lens": example.scene.lens.model_copy(update=net)})
+    scene = example.scene.model_copy(update={"lens": example.scene.optic.model_copy(update=net)})
     image = finished(imaging(scene, {"exit": lens}, accuracy))
     if image is None:
         light = validate(scene, example.target, {"exit": lens}, _RAYS)

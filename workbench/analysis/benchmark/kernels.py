@@ -86,7 +86,7 @@ class Descent:
 
 def rays_of(scene: Scene) -> int:
     """How many rays a scene traces."""
-    x, y, _ = emitter_of(scene.source, scene.lens).rays(scene.run.seed).position
+    x, y, _ = emitter_of(scene.source, scene.optic).rays(scene.run.seed).position
     return (x + y).numel()
 
 

@@ -53,9 +53,9 @@ def _auto(example: Example, iterations: int | None) -> Iterator[Lens]:
 
 
 def _paper(example: Example, iterations: int | None) -> Iterator[Lens]:
-    n_u, n_v = example.scene.lens.net_shape
+    n_u, n_v = example.scene.optic.net_shape
     net = {"control_points": (min(n_u, _PAPER_NET), min(n_v, _PAPER_NET))}
-    lens = example.scene.lens.model_copy(update=net)
+    lens = example.scene.optic.model_copy(update=net)
     coarse = replace(example, scene=example.scene.model_copy(update={"lens": lens}))
     lenses = _designed(coarse, "paper", iterations or _PAPER_ITERATIONS)
     return takewhile(lambda lens: lens.seconds <= _PAPER_SECONDS, lenses)
@@ -73,7 +73,7 @@ def _transport(example: Example, iterations: int | None) -> Iterator[Lens]:
     first = transport_start(example.scene, example.target)
     if first is None:
         raise RunFailed("no light leaves the lens, so there is none to transport")
-    limits = HeightLimits.of(example.scene.lens, ControlNet.of(example.scene.lens))
+    limits = HeightLimits.of(example.scene.optic, ControlNet.of(example.scene.optic))
     yield Lens(time.perf_counter() - start, limits.nearest(first))
 
 

@@ -26,10 +26,10 @@ def measurements(iterations: int | None, notify: Notify) -> Iterator[Measured]:
 def _entrance_and_search() -> list[Variant]:
     """Collimated light by its own path, and as the light of a point far away."""
     parallel = Example.of("flame")
-    lens = parallel.scene.lens
+    optic = parallel.scene.optic
     # Of the light in a cone around a square, 2/π meets the square.
     rays = round(rays_of(parallel.scene) * 3.1416 / 2)
-    far = [0.0, 0.0, lens.entrance_z - 1e5 * max(lens.half_width)]
+    far = [0.0, 0.0, optic.front_z - 1e5 * max(optic.half_width)]
     point = Example.of("flame", source={"kind": "point", "position": far, "rays": rays})
     return _pair(
         ("left out", Descent(parallel, wavy(parallel.scene))),

@@ -130,7 +130,7 @@ def _done(level: int, part: float) -> float:
 def _levels(scene: Scene, light: LightSource) -> Iterator[tuple[int, int]]:
     """Cells along x and y of each level; none if there would be too few in the first."""
     # Where light is parallel, cells end where the polynomials of the face do.
-    spans = [n - p for n, p in zip(scene.lens.net_shape, scene.lens.degree, strict=True)]
+    spans = [n - p for n, p in zip(scene.optic.net_shape, scene.optic.degree, strict=True)]
     n_x, n_y = (count * -(-_ENOUGH // count) for count in spans)
     if (wanted := 16 * n_x * n_y * light.finer(2).origins) > _BEGIN:
         shrink = math.sqrt(_BEGIN / wanted)

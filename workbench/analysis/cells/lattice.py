@@ -56,9 +56,9 @@ class Lattice:
         lifted: tuple[bool, bool] | None = None,
     ) -> None:
         self._train, self._pixels = train, scene.receiver.pixels
-        p, q = scene.lens.degree
+        p, q = scene.optic.degree
         self._lifted = (p > 2, q > 2) if lifted is None else lifted
-        self._outline = outline_of(scene.lens)
+        self._outline = outline_of(scene.optic)
         self._u, self._v = (np.linspace(-1, 1, n + 1) for n in cells)
         self._width = tuple(2 / n for n in cells)
         self._rows = max(_AT_ONCE // (cells[1] + 1) - 3, 4)  # of cells traced together

@@ -66,8 +66,7 @@ class Trace:
         pose = Pose() if pose is None else pose
         at = [scene.receiver] if distances is None else map(scene.receiver.moved_to, distances)
         receivers = tuple(at)
-        nearest = (receiver.nearest_z for receiver in receivers)
-        check_body(scene, heights, min(nearest, default=scene.receiver.nearest_z))
+        check_body(scene, heights, receivers or (scene.receiver,))
         self._train = OpticalTrain.of(scene, heights, rays, seed, pose, receivers)
         self.rays = self._train.source.rays
         self._traced = [0] * BATCHES  # rays of each batch up to now

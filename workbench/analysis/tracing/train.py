@@ -1,6 +1,7 @@
 """The optical train of a scene, the sequence of elements that its light passes, and the walk."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
 
 import numpy as np
 
@@ -18,7 +19,7 @@ from workbench.analysis.tracing.receivers import detector_of
 from workbench.analysis.tracing.sources import light_source
 from workbench.analysis.tracing.surfaces import FlatFace, SplineFace
 from workbench.geometry.outlines import outline_of
-from workbench.scene import AnyReceiver, Scene
+from workbench.scene import AnyReceiver, Lens, Scene
 
 # Rays followed together: what is made of them on the way stays within the cache.
 _AT_ONCE = 1 << 13
@@ -99,20 +100,11 @@ class OpticalTrain:
         receivers: Sequence[AnyReceiver],
     ) -> "OpticalTrain":
         """The train of a scene with receivers of one kind; for the parameters see `Trace`."""
-        lens, n = scene.lens, scene.lens.index
-        entering, leaving = reflectances(lens)
-        entrance = FlatFace(0.0, outline_of(lens), "missed_lens")
-        exit_face = SplineFace(lens, heights["exit"], "left_side")
+        optic = scene.optic
         return cls(
-            light_source(scene.source, lens, pose, rays, seed),
-            (
-                (entrance, DielectricBoundary(1.0, n, "fresnel_entrance", entering)),
-                (
-                    exit_face,
-                    DielectricBoundary(n, 1.0, "fresnel_exit", leaving, lens.absorption),
-                ),
-            ),
-            detector_of(receivers, lens, pose),
+            light_source(scene.source, optic, pose, rays, seed),
+            _FACES[type(optic)](optic, heights),
+            detector_of(receivers, optic, pose),
         )
 
     def walk(self, rays: TracedRays, tally: Tally) -> None:
@@ -156,3 +148,18 @@ class OpticalTrain:
                 for name, flux in lost.items():
                     tally.lose(name, flux)
         return rays
+
+
+def _of_lens(lens: Lens, heights: Mapping[str, Array]) -> Sequence[tuple[Face, Boundary]]:
+    n, (entering, leaving) = lens.index, reflectances(lens)
+    entrance = FlatFace(0.0, outline_of(lens), "missed_lens")
+    exit_face = SplineFace(lens, heights["exit"], "left_side")
+    return (
+        (entrance, DielectricBoundary(1.0, n, "fresnel_entrance", entering)),
+        (exit_face, DielectricBoundary(n, 1.0, "fresnel_exit", leaving, lens.absorption)),
+    )
+
+
+_FACES: Mapping[type, Callable[[Any, Mapping[str, Array]], Sequence[tuple[Face, Boundary]]]] = {
+    Lens: _of_lens
+}

@@ -3,7 +3,7 @@
 1. Optimal transport between the light that leaves the exit face and the target says which part of
    the light should go where. The cost −x·y is the one for which a thin lens under small angles can
    be exact (Glimm and Oliker 2003); the rest is left to the optimiser.
-2. Snell's law says which slopes the face needs for that.
+2. The laws of refraction and reflection say which slopes the face needs for that.
 3. Least squares find the face of the B-spline space that comes closest to these slopes.
 
 The flux on the face and the heights in 2 depend on the face itself: all of it is done twice.
@@ -40,7 +40,7 @@ _FITS = 2
 # better one of both lenses is taken: each may be much better than the other.
 _FEW_ROUNDS, _GOOD = 1, 0.06
 # Where no face could bend the light as wanted, the normal is kept along the axis by this part of
-# what it is where light goes straight on, n − 1.
+# what it is where light goes straight on or back: n − 1, and 2 for a mirror.
 _UPRIGHT = 0.1
 
 
@@ -60,7 +60,7 @@ def transport_start(scene: Scene, target: Array) -> Array | None:
         Heights, scene units, beyond their limits where these are too narrow for the task. None if
         no light leaves the lens even where its faces are parallel.
     """
-    lens, receiver, net = scene.lens, scene.receiver, ControlNet.of(scene.lens)
+    optic, receiver, net = scene.optic, scene.receiver, ControlNet.of(scene.optic)
     cells = max(_CELLS, 2 * max(net.shape))
     light = _Light(scene, net, cells)
     fit = SlopeFit(net, cells)
@@ -68,7 +68,7 @@ def transport_start(scene: Scene, target: Array) -> Array | None:
     image = target / target.max() * receiver.relative_measure()
     wanted = _resampled(image[::-1].T, cells)  # along x first and y upwards, as the lens is
     wanted /= wanted.sum()
-    r = np.array(lens.half_width) * np.array(receiver.half_extent)
+    r = np.array(optic.half_width) * np.array(receiver.half_extent)
     weights = r / math.sqrt(r.prod())
 
     passing = ((z, flux) for z in _candidates(limits) if (flux := light.flux(z)) is not None)
@@ -101,15 +101,16 @@ class _Faces(NamedTuple):
 
     def bent(self, transport: Transport, heights: Array) -> Array:
         """Control heights of a face, from those of one like it."""
-        light, n, receiver = self.light, self.scene.lens.index, self.scene.receiver
+        light, optic, receiver = self.light, self.scene.optic, self.scene.receiver
+        n = optic.index
         places = zip(transport.map(), receiver.half_extent, receiver.middle, strict=True)
         to_u, to_v = (((2 * to + 1) / len(to) - 1) * half + middle for to, half, middle in places)
         for _ in range(_FITS):
             z = self.fit.surface(heights)
             d_x, d_y, d_z = light.direction(z)
-            out_x, out_y, out_z = receiver.towards((light.x, light.y, z), to_u, to_v)
-            # Snell's law as vectors: the normal is along n d_in − d_out.
-            normal_z = np.maximum(n * d_z - out_z, _UPRIGHT * (n - 1))
+            out_x, out_y, out_z = receiver.towards(optic, (light.x, light.y, z), to_u, to_v)
+            # Snell's law as vectors: the normal is along n d_in − d_out; of a mirror, n is 1.
+            normal_z = np.maximum(n * d_z - out_z, _UPRIGHT * optic.deflection)
             slope_x = -(n * d_x - out_x) / normal_z
             slope_y = -(n * d_y - out_y) / normal_z
             heights = self.limits.placed(self.fit.heights(slope_x, slope_y))
@@ -119,7 +120,7 @@ class _Faces(NamedTuple):
 def _error(scene: Scene, target: Array, heights: Array) -> float:
     """How far the image of a lens is from the target, in the image by which a descent begins."""
     image = image_of(COARSE, scene, target, scene.receiver.half_extent)
-    return relative_error(image.step({"exit": torch.as_tensor(heights)}).state, target)
+    return relative_error(image.step({scene.optic.face: torch.as_tensor(heights)}).state, target)
 
 
 def _candidates(limits: HeightLimits) -> Iterator[Array]:
@@ -133,41 +134,50 @@ class _Light:
     """Light on the exit face: its flux in each cell, and its direction from inside."""
 
     def __init__(self, scene: Scene, net: ControlNet, cells: int) -> None:
-        r_x, r_y = scene.lens.half_width
+        r_x, r_y = scene.optic.half_width
         middle = 2 * (np.arange(cells) + 0.5) / cells - 1
         self.x, self.y = (middle * r_x)[:, None], (middle * r_y)[None, :]
-        self._entrance_z = scene.lens.entrance_z
+        self._entrance_z, self._face = scene.optic.front_z, scene.optic.face
+        self._along: tuple[float, float, float] | None = None
         self._glass: Glass | None = None
         scene = scene.model_copy(update={"source": scene.source.sharp})
-        origins = emitter_of(scene.source, scene.lens).origins
-        (x, y, z), n = origins.places[0], scene.lens.index
+        origins = emitter_of(scene.source, scene.optic).origins
+        (x, y, z), n = origins.places[0], scene.optic.index
         if origins.infinite:  # by Snell's law, one direction in the glass
             self._along = x / n, y / n, math.sqrt(1 - (x**2 + y**2) / n**2)
         else:
             self._away_x, self._away_y = self.x - x, self.y - y
-            entering, _ = TransmittanceLaw.of(scene.lens)
-            self._glass = Glass(self._entrance_z - z, entering, origins.lambertian)
+            self._from_z = z
+            if n > 1:
+                entering = TransmittanceLaw.constant(1 / n, 0.0)  # it bends as any other
+                self._glass = Glass(self._entrance_z - z, entering, origins.lambertian)
         path = Path.of(scene, net, torch.float64, samples=(cells, cells))
         self._reference = Reference(path)
 
     def flux(self, heights: Array) -> Array | None:
         """Flux that leaves the face, in each cell; all together 1. None if there is none."""
         with torch.no_grad():
-            flux = self._reference.arrival({"exit": torch.as_tensor(heights)}).rays.flux
+            flux = self._reference.arrival({self._face: torch.as_tensor(heights)}).rays.flux
             total = flux.sum().item()
         return np.asarray((flux / total).numpy(), dtype=np.float64) if total > 0 else None
 
     def direction(self, z: Array) -> tuple[Array, Array, Array]:
         """Unit vectors at places of the face with heights z."""
-        if self._glass is None:
+        if self._along is not None:
             d_x, d_y, d_z = (np.full_like(z, part) for part in self._along)
             return d_x, d_y, d_z
+        if self._glass is None:
+            return _unit(self._away_x, self._away_y, z - self._from_z)
         depth = torch.as_tensor((z - self._entrance_z).clip(0))
         light = self._glass.light(torch.as_tensor(self._away_x**2 + self._away_y**2), depth)
         slope = (light.part * light.steepness).numpy()
-        slope_x, slope_y = self._away_x * slope, self._away_y * slope
-        along = 1 / np.sqrt(1 + slope_x**2 + slope_y**2)
-        return slope_x * along, slope_y * along, along
+        return _unit(self._away_x * slope, self._away_y * slope, np.ones_like(z))
+
+
+def _unit(x: Array, y: Array, z: Array) -> tuple[Array, Array, Array]:
+    """Vectors of length 1 along others."""
+    length = np.sqrt(x**2 + y**2 + z**2)
+    return x / length, y / length, z / length
 
 
 def _resampled(image: Array, cells: int) -> Array:

@@ -57,31 +57,36 @@ class Design:
     @property
     def heights(self) -> Array:
         """Control heights of the exit face, shape (n_u, n_v)."""
-        return self.result.state.heights["exit"]
+        return self.result.state.heights[self.scene.optic.face]
 
     @cached_property
     def net(self) -> ControlNet:
         """Control net of the exit face."""
-        return ControlNet.of(self.scene.lens)
+        return ControlNet.of(self.scene.optic)
 
     @cached_property
     def outline(self) -> Outline:
         """What of the aperture is glass."""
-        return outline_of(self.scene.lens)
+        return outline_of(self.scene.optic)
+
+    @property
+    def flat_z(self) -> float:
+        """Where the flat side of the solid part is, scene units."""
+        return self.scene.optic.flat_z(self.heights)
 
     @property
     def largest_chord_error(self) -> float:
         """How far a mesh may be from the exit face, scene units."""
         if self.chord_error is not None:
             return self.chord_error
-        return _FINE * max(self.scene.lens.half_width)
+        return _FINE * max(self.scene.optic.half_width)
 
     def basis(self, x: Array, y: Array) -> GridBasis[Array]:
         """Basis values of the exit face on the grid of x (m_x,) and y (m_y,), scene units.
 
         Beyond the edge the face goes on smoothly, as the polynomials at its rim do.
         """
-        r_x, r_y = self.scene.lens.half_width
+        r_x, r_y = self.scene.optic.half_width
         return self.net.grid((x / r_x + 1) / 2, (y / r_y + 1) / 2)
 
     def surface(self, x: Array, y: Array) -> tuple[Array, Array, Array]:

@@ -92,7 +92,7 @@ def _face_error(design: Design, path: Path) -> float:
     ]
     # OpenCASCADE reads into millimetres.
     x, y, z = np.array([[p.X(), p.Y(), p.Z()] for p in places]).T * 1e-3 / METRES[design.unit]
-    r_x, r_y = design.scene.lens.half_width
+    r_x, r_y = design.scene.optic.half_width
     # Rounding may lead a hair beyond the rim, where the polynomials go on.
     basis = design.net.points((x / r_x + 1) / 2, (y / r_y + 1) / 2)
     return float(np.abs(basis.evaluate(design.heights)[0] - z).max())

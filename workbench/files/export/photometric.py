@@ -57,7 +57,7 @@ def write_ldt(design: Design, file: BinaryIO) -> Deviation:
     # Type of luminaire, symmetry (none), planes of C, their distance, angles γ, theirs.
     head: list[object] = [_PROGRAM, 1, 0, _PLANES, step_c, len(table.gamma), step_gamma]
     names: list[object] = ["simulated", "Freeform lens", "", "", ""]
-    size = 2e3 * max(design.scene.lens.half_width) * design.metres
+    size = 2e3 * max(design.scene.optic.half_width) * design.metres
     sizes: list[object] = [round(size), 0, 0, round(size), *[0] * 5]
     # Downward flux and light output ratio in per cent, factor, tilt, sets of lamps.
     factors: list[object] = [100, round(out, 4), 1, 0, 1]

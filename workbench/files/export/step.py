@@ -41,7 +41,7 @@ _RISING = (True, True, False, False)  # whether that is the way around
 def write_step(design: Design, file: BinaryIO) -> Deviation:
     """Write the lens as a solid."""
     model = _Model()
-    size = max(design.scene.lens.half_width)
+    size = max(design.scene.optic.half_width)
     rim = None if design.outline.whole else Rim.of(design, _TOLERANCE * size)
     tolerance = max(_TOLERANCE * size, 0.0 if rim is None else rim.off)
     solid = _solid(model, design, _straight if rim is None else partial(_arcs, rim))
@@ -130,7 +130,7 @@ def _straight(
     model: _Model, design: Design, net: list[list[str]], places: Array
 ) -> tuple[_Side, ...]:
     """The sides of a rectangle."""
-    entrance_z = design.scene.lens.entrance_z
+    entrance_z = design.flat_z
     rims = ([row[0] for row in net], net[-1], [row[-1] for row in net], net[0])
     upper = [places[corner].tolist() for corner in _CORNERS]
     lower = [[*place[:2], entrance_z] for place in upper]
@@ -148,7 +148,7 @@ def _arcs(
     rim: Rim, model: _Model, design: Design, net: list[list[str]], places: Array
 ) -> tuple[_Side, ...]:
     """The quarters of an ellipse."""
-    (r_x, r_y), entrance_z = design.net.half_width, design.scene.lens.entrance_z
+    (r_x, r_y), entrance_z = design.net.half_width, design.flat_z
     middle = (0.0, 0.0, entrance_z)
     wide = r_x >= r_y  # readers want the longer semi-axis first
     placement = model.placement(middle, (0, 0, 1), (1, 0, 0) if wide else (0, 1, 0))

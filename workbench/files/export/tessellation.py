@@ -92,15 +92,15 @@ class Tessellation(NamedTuple):
         steps = []
         for axis, bend in ((0, bends[0]), (1, bends[2])):
             sharpest = (bend + bends[1]).max(axis=1 - axis)
-            span = 2 * design.scene.lens.half_width[axis] / len(sharpest)
+            span = 2 * design.scene.optic.half_width[axis] / len(sharpest)
             steps.append(np.maximum(np.ceil(span * np.sqrt(sharpest / (4 * allowed))), 1))
         _check_cells(math.prod(float(s.sum()) for s in steps), design)
         x, y = (
             (2 * _divided(s.astype(int)) - 1) * r
-            for s, r in zip(steps, design.scene.lens.half_width, strict=True)
+            for s, r in zip(steps, design.scene.optic.half_width, strict=True)
         )
         z = design.surface(x, y)[0]
-        return cls(x[:, None], y[None, :], z, design.scene.lens.entrance_z)
+        return cls(x[:, None], y[None, :], z, design.flat_z)
 
     @classmethod
     def _mapped(cls, design: Design, allowed: float) -> "Tessellation":
@@ -119,7 +119,7 @@ class Tessellation(NamedTuple):
             _check_cells(float(count) ** 2, design)
             side = np.linspace(-1, 1, count + 1)
             x, y, z, _, _ = design.net.over(design.outline, side, side, design.heights)
-            found = cls(x, y, z, design.scene.lens.entrance_z)
+            found = cls(x, y, z, design.flat_z)
             off = found.chord_error(design) / allowed
             if off <= 1:
                 return found

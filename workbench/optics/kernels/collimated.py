@@ -27,10 +27,11 @@ from workbench.optics.kernels.locked import Mask, Rays, count, split
 from workbench.optics.kernels.passes import GridPasses, Landing
 from workbench.optics.kernels.spread import Spread, make_canvases, make_spread, pad
 from workbench.optics.light import Light, Nodes
-from workbench.optics.path import Path, Step
+from workbench.optics.path import Path
 from workbench.optics.receivers import PlaneReceiver
 from workbench.optics.samples import Samples, cells, places
 from workbench.optics.sources import CollimatedEmitter
+from workbench.optics.steps import Step
 from workbench.optics.surfaces import Plane
 from workbench.optics.transmittance import TransmittanceLaw
 from workbench.scene import BoxFilter, Filter, GaussianFilter, Screen

@@ -10,7 +10,8 @@ from workbench.optics.account import Account
 from workbench.optics.interfaces import Refraction
 from workbench.optics.kernels.function import Sums
 from workbench.optics.light import Light
-from workbench.optics.path import Path, Step
+from workbench.optics.path import Path
+from workbench.optics.steps import Step
 from workbench.optics.surfaces import BSplineSurface
 from workbench.optics.transmittance import TransmittanceLaw
 

@@ -66,8 +66,8 @@ class FusedFaceSamples:
         sampled, face = SampledFace.of(path), ExitFace.rectangular(path)
         if sampled is None or face is None:
             raise TypeError("the kernel for samples does not match this path")
-        source, lens, net = sampled.emitter.source, sampled.emitter.lens, face.net
-        lattice = make_lattice(source, lens, sampled.samples)
+        source, optic, net = sampled.emitter.source, sampled.emitter.optic, face.net
+        lattice = make_lattice(source, optic, sampled.samples, sampled.entering)
         self._face = face
         self._before = {sampled.missed: lattice.missed, sampled.reflected: lattice.reflected}
         self._dtype, self._receiver = path.dtype, path.receiver
@@ -99,12 +99,12 @@ class FusedFaceSamples:
             kind(1 / y.cell),
             halves.weighted(y.width, 1).astype(kind),
         )
-        n, lambertian = lens.index, source.emission == "lambertian"
+        n, lambertian = optic.index, source.emission == "lambertian"
         self._glass = Glass(lattice.distance, sampled.entering, lambertian)
         self._widest = float(np.hypot(np.abs(x.away).max(), np.abs(y.away).max()))
         apparent = n * lattice.distance
-        self._level = lens.base.height
-        self._lift = self._level - lens.entrance_z
+        self._level = path.level
+        self._lift = self._level - optic.front_z
         self._optics = Optics(
             kind(n),
             kind(n * n - 1),

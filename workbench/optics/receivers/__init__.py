@@ -9,16 +9,16 @@ from typing import Any
 from workbench.optics.receivers.far_field import FarFieldReceiver
 from workbench.optics.receivers.plane import PlaneReceiver
 from workbench.optics.receivers.receiver import Receiver, ReceiverNumbers
-from workbench.scene import AnyReceiver, FarField, Lens, Screen
+from workbench.scene import AnyReceiver, FarField, Optic, Screen
 
 __all__ = ["FarFieldReceiver", "PlaneReceiver", "Receiver", "ReceiverNumbers", "receiver_of"]
 
-_RECEIVERS: Mapping[type, Callable[[Any, Lens, float], Receiver]] = {
-    Screen: lambda screen, lens, datum: PlaneReceiver(screen, datum),
-    FarField: lambda far_field, lens, datum: FarFieldReceiver(far_field, far_field.radius(lens)),
+_RECEIVERS: Mapping[type, Callable[[Any, Optic, float], Receiver]] = {
+    Screen: lambda screen, optic, datum: PlaneReceiver(screen, datum),
+    FarField: lambda far_field, optic, datum: FarFieldReceiver(far_field, far_field.radius(optic)),
 }
 
 
-def receiver_of(part: AnyReceiver, lens: Lens, datum: float) -> Receiver:
+def receiver_of(part: AnyReceiver, optic: Optic, datum: float) -> Receiver:
     """The element on which light makes an image; behind a lens; z is counted from a datum."""
-    return _RECEIVERS[type(part)](part, lens, datum)
+    return _RECEIVERS[type(part)](part, optic, datum)

@@ -23,7 +23,7 @@ from workbench.scene import (
     AreaSource,
     CollimatedSource,
     GridSource,
-    Lens,
+    Optic,
     PhotometricSource,
     PointSource,
     RayFileSource,
@@ -102,12 +102,12 @@ class Emitter(Protocol):
         ...
 
 
-def _collimated(source: CollimatedSource, lens: Lens, samples: Samples | None) -> Emitter:
+def _collimated(source: CollimatedSource, optic: Optic, samples: Samples | None) -> Emitter:
     straight = source.along_axis
-    return (CollimatedEmitter if straight else DirectionEmitter)(source, lens, samples)
+    return (CollimatedEmitter if straight else DirectionEmitter)(source, optic, samples)
 
 
-_EMITTERS: Mapping[type, Callable[[Any, Lens, Samples | None], Emitter]] = {
+_EMITTERS: Mapping[type, Callable[[Any, Optic, Samples | None], Emitter]] = {
     CollimatedSource: _collimated,
     AreaSource: AreaEmitter,
     PointSource: PointEmitter,
@@ -117,7 +117,7 @@ _EMITTERS: Mapping[type, Callable[[Any, Lens, Samples | None], Emitter]] = {
 }
 
 
-def emitter_of(source: Source, lens: Lens, samples: Samples | None = None) -> Emitter:
+def emitter_of(source: Source, optic: Optic, samples: Samples | None = None) -> Emitter:
     """The element that emits the light of a source towards a lens.
 
     Parameters
@@ -128,4 +128,4 @@ def emitter_of(source: Source, lens: Lens, samples: Samples | None = None) -> Em
         Rays along x and y that are wanted in place of the source's own. A source whose
         rays are drawn at random keeps them.
     """
-    return _EMITTERS[type(source)](source, lens, samples)
+    return _EMITTERS[type(source)](source, optic, samples)

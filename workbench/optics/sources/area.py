@@ -11,7 +11,7 @@ from workbench.optics.samples import Samples
 from workbench.optics.sources.evenly import Spread
 from workbench.optics.sources.extended import ExtendedEmitter
 from workbench.optics.sources.origins import Origins, vector
-from workbench.scene import AreaSource, Lens
+from workbench.scene import AreaSource, Optic
 
 
 class AreaEmitter(ExtendedEmitter):
@@ -20,8 +20,8 @@ class AreaEmitter(ExtendedEmitter):
     All light of the half-space before it is 1: what misses the entrance face misses the lens.
     """
 
-    def __init__(self, source: AreaSource, lens: Lens, samples: Samples | None = None) -> None:
-        super().__init__(lens, source.rays, samples)
+    def __init__(self, source: AreaSource, optic: Optic, samples: Samples | None = None) -> None:
+        super().__init__(optic, source.rays, samples)
         self._source, self.outline = source, source.outline
         self.aspect = source.half_width[0] / source.half_width[1]
 
@@ -39,7 +39,7 @@ class AreaEmitter(ExtendedEmitter):
         """Rays from the middle of the emitter and its corners in turn; see `Emitter.towards`."""
         starts = np.vstack([self._source.center, self._source.corners])
         start = starts[np.arange(len(x)) % len(starts)]
-        way = np.column_stack([x, y, np.full(len(x), self.lens.front_z)]) - start
+        way = np.column_stack([x, y, np.full(len(x), self.optic.front_z)]) - start
         way /= np.linalg.norm(way, axis=1, keepdims=True)
         flux = torch.full((len(x),), 1 / max(len(x), 1), dtype=torch.float64)
         return RayBundle(vector([*start.T]), vector([*way.T]), flux, torch.ones_like(flux).bool())

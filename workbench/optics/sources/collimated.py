@@ -12,7 +12,7 @@ from workbench.geometry.outlines import outline_of
 from workbench.optics.rays import RayBundle
 from workbench.optics.samples import Corners, Samples, cells, parts_inside, places, shares
 from workbench.optics.sources.origins import Origins
-from workbench.scene import CollimatedSource, Lens
+from workbench.scene import CollimatedSource, Optic
 
 Array = npt.NDArray[np.float64]
 
@@ -24,7 +24,7 @@ class CollimatedEmitter:
     ----------
     source : CollimatedSource
         How many rays.
-    lens : Lens
+    optic : Optic
         Gives the entrance face.
     samples : tuple[int, int] or Corners, optional
         Rays along x and y; those of the source by default.
@@ -38,10 +38,10 @@ class CollimatedEmitter:
     by_area = True
 
     def __init__(
-        self, source: CollimatedSource, lens: Lens, samples: Samples | None = None
+        self, source: CollimatedSource, optic: Optic, samples: Samples | None = None
     ) -> None:
-        self.samples, self._lens = samples or source.rays, lens
-        self._outline = outline_of(lens)
+        self.samples, self._lens = samples or source.rays, optic
+        self._outline = outline_of(optic)
         self._waist = source.profile.radius
 
     @property

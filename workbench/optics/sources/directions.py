@@ -11,7 +11,7 @@ from workbench.optics.samples import Samples
 from workbench.optics.sources.evenly import Spread
 from workbench.optics.sources.extended import ExtendedEmitter
 from workbench.optics.sources.origins import Origins, vector
-from workbench.scene import CollimatedSource, Lens
+from workbench.scene import CollimatedSource, Optic
 
 # Directions to look at, beside that in the middle.
 _RIM = Spread(np.array([0.0, -1, 1, 0, 0]), np.array([0.0, 0, 0, -1, 1]), np.full(5, 0.2))
@@ -26,9 +26,9 @@ class DirectionEmitter(ExtendedEmitter):
     outline = "ellipse"
 
     def __init__(
-        self, source: CollimatedSource, lens: Lens, samples: Samples | None = None
+        self, source: CollimatedSource, optic: Optic, samples: Samples | None = None
     ) -> None:
-        super().__init__(lens, source.ray_count, samples)
+        super().__init__(optic, source.ray_count, samples)
         self._source = source
 
     def origins_at(self, places: Spread) -> Origins:
@@ -37,7 +37,7 @@ class DirectionEmitter(ExtendedEmitter):
         ways = self._source.directions(places.x, places.y)
         flux = places.share * 2 / (math.pi * waist**2)
         if math.isinf(waist):
-            area = 4 * math.prod(self.lens.half_width)
+            area = 4 * math.prod(self.optic.half_width)
             flux = places.share / (area * (places.share @ ways[:, 2]))
         return Origins(ways, True, flux, waist=waist)
 
@@ -45,8 +45,8 @@ class DirectionEmitter(ExtendedEmitter):
         """Rays of the middle of the disc and of its rim in turn; see `Emitter.towards`."""
         number = np.arange(len(x)) % (5 if self._source.continuous else 1)
         ways = self.origins_at(_RIM).places[number]
-        back = 0.5 * max(self.lens.half_width) / ways[:, 2]
-        face = np.column_stack([x, y, np.full(len(x), self.lens.front_z)])
+        back = 0.5 * max(self.optic.half_width) / ways[:, 2]
+        face = np.column_stack([x, y, np.full(len(x), self.optic.front_z)])
         flux = torch.full((len(x),), 1 / max(len(x), 1), dtype=torch.float64)
         start = (face - back[:, None] * ways).T
         return RayBundle(vector([*start]), vector([*ways.T]), flux, torch.ones_like(flux).bool())

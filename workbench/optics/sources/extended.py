@@ -13,7 +13,7 @@ from workbench.optics.rays import RayBundle
 from workbench.optics.samples import Corners, Samples
 from workbench.optics.sources.evenly import Outline, Spread, filling, spread
 from workbench.optics.sources.origins import Origins, splits_of, through_cells, vector
-from workbench.scene import Lens
+from workbench.scene import Optic
 
 Array = npt.NDArray[np.float64]
 
@@ -29,7 +29,7 @@ class ExtendedEmitter(ABC):
 
     Parameters
     ----------
-    lens : Lens
+    optic : Optic
         Gives the entrance face.
     rays : int
         How many rays are drawn, where no corners are asked for.
@@ -41,8 +41,8 @@ class ExtendedEmitter(ABC):
     outline: Outline
     aspect: float = 1.0
 
-    def __init__(self, lens: Lens, rays: int, samples: Samples | None) -> None:
-        self.lens, self.samples = lens, samples
+    def __init__(self, optic: Optic, rays: int, samples: Samples | None) -> None:
+        self.optic, self.samples = optic, samples
         self._rays = rays
 
     @abstractmethod
@@ -81,7 +81,7 @@ class ExtendedEmitter(ABC):
     def _through_cells(self, samples: Samples) -> RayBundle:
         count = samples.origins if isinstance(samples, Corners) else 1
         origins = self.origins_at(spread(count, self.outline, self.aspect))
-        rays = through_cells(origins, self.lens, samples)
+        rays = through_cells(origins, self.optic, samples)
         # The sum over cells may exceed the light that there is, a little.
         return rays._replace(flux=rays.flux / rays.flux.sum().clamp_min(1))
 
@@ -92,13 +92,13 @@ class ExtendedEmitter(ABC):
         count = self._rays
         sobol = qmc.Sobol(4, seed=np.random.default_rng([seed, draw]))
         a, b, across, up = sobol.random_base2(max(count - 1, 1).bit_length())[:count].T
-        r_x, r_y = self.lens.half_width
+        r_x, r_y = self.optic.half_width
         x, y = (2 * across - 1) * r_x, (2 * up - 1) * r_y
         share = np.full(count, 1 / count)
         origins = self.origins_at(Spread(*filling(a, b, self.outline), share))
-        lit = origins.light(x, y, self.lens.front_z, np.arange(count))
-        flux = lit.density * outline_of(self.lens).contains(x, y)
+        lit = origins.light(x, y, self.optic.front_z, np.arange(count))
+        flux = lit.density * outline_of(self.optic).contains(x, y)
         flux *= (1 - self.beside) / flux.sum()
-        place = x, y, np.full(count, self.lens.front_z)
+        place = x, y, np.full(count, self.optic.front_z)
         alive = torch.ones(count, dtype=torch.bool)
         return RayBundle(vector(place), vector(lit.direction), torch.as_tensor(flux), alive)

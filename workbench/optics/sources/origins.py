@@ -14,7 +14,7 @@ import torch
 from workbench.geometry.outlines import outline_of
 from workbench.optics.rays import RayBundle, Vector
 from workbench.optics.samples import Corners, Samples, parts_inside, places_of_points
-from workbench.scene import Lens
+from workbench.scene import Optic
 
 Array = npt.NDArray[np.float64]
 Index = npt.NDArray[np.intp]
@@ -116,7 +116,7 @@ class Origins(NamedTuple):
         return Lit((d_x, d_y, d_z), density * d_z if self.lambertian else density)
 
 
-def through_cells(origins: Origins, lens: Lens, samples: Samples) -> RayBundle:
+def through_cells(origins: Origins, optic: Optic, samples: Samples) -> RayBundle:
     """Rays through cells of the entrance face, shape (m_x, m_y for each origin).
 
     Several origins need `Corners`. The flux is that of what of the cells is inside the outline of
@@ -124,13 +124,13 @@ def through_cells(origins: Origins, lens: Lens, samples: Samples) -> RayBundle:
     """
     count = len(origins.places)
     across, up = (places_of_points(samples, axis, n) for axis, n in enumerate((1, count)))
-    r_x, r_y = lens.half_width
+    r_x, r_y = optic.half_width
     x, y = ((2 * along.part - 1) * r for along, r in ((across, r_x), (up, r_y)))
     area = 4 * r_x * r_y * (across.high - across.low)[:, None] * (up.high - up.low)
-    area *= parts_inside(outline_of(lens), across, up)
+    area *= parts_inside(outline_of(optic), across, up)
     origin = np.repeat(np.arange(count), len(up.part) // count)
-    lit = origins.light(x[:, None], y, lens.front_z, origin)
-    place = np.broadcast_arrays(x[:, None], y, np.full(area.shape, lens.front_z))
+    lit = origins.light(x[:, None], y, optic.front_z, origin)
+    place = np.broadcast_arrays(x[:, None], y, np.full(area.shape, optic.front_z))
     alive = torch.ones(area.shape, dtype=torch.bool)
     return RayBundle(
         vector(place), vector(lit.direction), torch.as_tensor(lit.density * area), alive

@@ -12,7 +12,7 @@ from workbench.measured.photometry import IntensityTable
 from workbench.optics.rays import RayBundle
 from workbench.optics.samples import Corners, Samples
 from workbench.optics.sources.origins import Index, Origins, splits_of, through_cells, vector
-from workbench.scene import Lens, PhotometricSource
+from workbench.scene import Optic, PhotometricSource
 
 Array = npt.NDArray[np.float64]
 
@@ -44,9 +44,9 @@ class PhotometricEmitter:
     """
 
     def __init__(
-        self, source: PhotometricSource, lens: Lens, samples: Samples | None = None
+        self, source: PhotometricSource, optic: Optic, samples: Samples | None = None
     ) -> None:
-        self._source, self._lens, self.samples = source, lens, samples
+        self._source, self._lens, self.samples = source, optic, samples
         table = intensity_of(source)
         pattern = TurnedTable(table, source.matrix)
         self.origins = Origins(

@@ -10,7 +10,7 @@ from workbench.optics.entering import intensity_of
 from workbench.optics.rays import RayBundle, Vector
 from workbench.optics.samples import Corners, Samples
 from workbench.optics.sources.origins import Origins, splits_of, through_cells
-from workbench.scene import Lens, LightOfPoints
+from workbench.scene import LightOfPoints, Optic
 
 Array = npt.NDArray[np.float64]
 
@@ -22,7 +22,7 @@ class PointEmitter:
     ----------
     source : LightOfPoints
         Where the points are, and how they emit.
-    lens : Lens
+    optic : Optic
         Gives the entrance face.
     samples : tuple[int, int] or Corners, optional
         Of the exit face along x and y; see `workbench.optics.face_samples`.
@@ -38,10 +38,10 @@ class PointEmitter:
     def __init__(
         self,
         source: LightOfPoints,
-        lens: Lens,
+        optic: Optic,
         samples: Samples | None = None,
     ) -> None:
-        self.source, self.lens, self.samples = source, lens, samples
+        self.source, self.optic, self.samples = source, optic, samples
 
     @property
     def by_area(self) -> bool:
@@ -52,7 +52,7 @@ class PointEmitter:
     def origins(self) -> Origins:
         """See `Emitter`."""
         points = self.source.positions
-        intensity = np.full(len(points), intensity_of(self.source, self.lens))
+        intensity = np.full(len(points), intensity_of(self.source, self.optic))
         return Origins(points, False, intensity, self.source.emission == "lambertian")
 
     @property
@@ -67,15 +67,15 @@ class PointEmitter:
     def rays(self, seed: int, draw: int = 0) -> RayBundle:
         """Rays drawn by the seed, or at corners of cells; see `Emitter.rays`."""
         if isinstance(self.samples, Corners):
-            return through_cells(self.origins, self.lens, self.samples)
-        rays = emit(self.source, self.lens, seed, draw)
-        onto_face = np.column_stack([rays.crossing, np.full(len(rays.flux), self.lens.front_z)])
+            return through_cells(self.origins, self.optic, self.samples)
+        rays = emit(self.source, self.optic, seed, draw)
+        onto_face = np.column_stack([rays.crossing, np.full(len(rays.flux), self.optic.front_z)])
         return _bundle(onto_face, rays.direction, rays.flux)
 
     def towards(self, x: Tensor, y: Tensor) -> RayBundle:
         """Rays from the middle of the source and its corners in turn; see `Emitter.towards`."""
         corners = np.vstack([self.source.place, self.source.corners])
-        place = np.column_stack([x, y, np.full(len(x), self.lens.front_z)])
+        place = np.column_stack([x, y, np.full(len(x), self.optic.front_z)])
         origin = corners[np.arange(len(place)) % len(corners)]
         direction = place - origin
         direction /= np.linalg.norm(direction, axis=1, keepdims=True)

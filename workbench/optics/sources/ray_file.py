@@ -10,7 +10,7 @@ from workbench.measured.rays.model import RayModel
 from workbench.optics.rays import RayBundle
 from workbench.optics.samples import Corners, Samples
 from workbench.optics.sources.origins import Index, Origins, splits_of, through_cells, vector
-from workbench.scene import Lens, RayFileSource
+from workbench.scene import Optic, RayFileSource
 
 Array = npt.NDArray[np.float64]
 
@@ -35,9 +35,9 @@ class RayFileEmitter:
 
     beside = 0.0
 
-    def __init__(self, source: RayFileSource, lens: Lens, samples: Samples | None = None) -> None:
-        self._source, self._lens, self.samples = source, lens, samples
-        self._model = ray_model(source, lens, source.point_count)
+    def __init__(self, source: RayFileSource, optic: Optic, samples: Samples | None = None) -> None:
+        self._source, self._lens, self.samples = source, optic, samples
+        self._model = ray_model(source, optic, source.point_count)
         points = self._model.places
         self.origins = Origins(
             points, False, np.ones(len(points)), pattern=ModelPattern(self._model)

@@ -8,7 +8,7 @@ import numpy as np
 from workbench.analysis.tracing.elements import Array, TracedRays
 from workbench.analysis.tracing.pose import Pose
 from workbench.compiled import jit
-from workbench.scene import FarField, Lens
+from workbench.scene import FarField, Optic
 
 
 class FarFieldDetector:
@@ -18,17 +18,17 @@ class FarFieldDetector:
     ----------
     far_fields : sequence of FarField
         The directions in which each image is.
-    lens : Lens
+    optic : Optic
         Of no matter to directions.
     pose : Pose
         How the lens stands.
     """
 
-    def __init__(self, far_fields: Sequence[FarField], lens: Lens, pose: Pose) -> None:
+    def __init__(self, far_fields: Sequence[FarField], optic: Optic, pose: Pose) -> None:
         first = far_fields[0]
         self.images, self.pixels = len(far_fields), math.prod(first.pixels)
         self._size = first.pixels
-        self._turn, _ = pose.to_scene(lens.entrance_z)
+        self._turn, _ = pose.to_scene(optic.front_z)
         self._scales = np.array([_scale(each) for each in far_fields])
 
     def count(self, rays: TracedRays, flux: Array, beside: Array) -> None:

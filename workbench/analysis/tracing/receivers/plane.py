@@ -9,7 +9,7 @@ from scipy.spatial.transform import Rotation
 from workbench.analysis.tracing.elements import Array, TracedRays
 from workbench.analysis.tracing.pose import Pose
 from workbench.compiled import jit
-from workbench.scene import Lens, Screen
+from workbench.scene import Optic, Screen
 
 
 class PlaneDetector:
@@ -19,17 +19,17 @@ class PlaneDetector:
     ----------
     screens : sequence of Screen
         Where they are; all with the same pixels.
-    lens : Lens
+    optic : Optic
         Gives the entrance face, from which rays count.
     pose : Pose
         How the lens stands.
     """
 
-    def __init__(self, screens: Sequence[Screen], lens: Lens, pose: Pose) -> None:
+    def __init__(self, screens: Sequence[Screen], optic: Optic, pose: Pose) -> None:
         first = screens[0]
         self.images, self.pixels = len(screens), math.prod(first.pixels)
         self._size = first.pixels
-        self._to_scene = pose.to_scene(lens.entrance_z)
+        self._to_scene = pose.to_scene(optic.front_z)
         self._planes = np.array([_plane(screen) for screen in screens])
 
     def count(self, rays: TracedRays, flux: Array, beside: Array) -> None:

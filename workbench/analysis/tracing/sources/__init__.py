@@ -19,7 +19,7 @@ from workbench.scene import (
     AreaSource,
     CollimatedSource,
     GridSource,
-    Lens,
+    Optic,
     PhotometricSource,
     PointSource,
     RayFileSource,
@@ -28,14 +28,14 @@ from workbench.scene import (
 
 
 def _collimated(
-    source: CollimatedSource, lens: Lens, pose: Pose, rays: int, seed: int
+    source: CollimatedSource, optic: Optic, pose: Pose, rays: int, seed: int
 ) -> LightSource:
     """Parallel light that is even, or a beam."""
     even = math.isinf(source.profile.radius) and not source.continuous
-    return (CollimatedLight if even else BeamLight)(source, lens, pose, rays, seed)
+    return (CollimatedLight if even else BeamLight)(source, optic, pose, rays, seed)
 
 
-_SOURCES: Mapping[type, Callable[[Any, Lens, Pose, int, int], LightSource]] = {
+_SOURCES: Mapping[type, Callable[[Any, Optic, Pose, int, int], LightSource]] = {
     CollimatedSource: _collimated,
     AreaSource: AreaLight,
     PointSource: PointLight,
@@ -45,18 +45,18 @@ _SOURCES: Mapping[type, Callable[[Any, Lens, Pose, int, int], LightSource]] = {
 }
 
 
-def light_source(source: Source, lens: Lens, pose: Pose, rays: int, seed: int) -> LightSource:
+def light_source(source: Source, optic: Optic, pose: Pose, rays: int, seed: int) -> LightSource:
     """The element that a source is.
 
     Parameters
     ----------
     source : Source
         The source.
-    lens : Lens
+    optic : Optic
         Gives the entrance face.
     pose : Pose
         How the lens stands.
     rays, seed : int
         How many rays are drawn at least, and which.
     """
-    return _SOURCES[type(source)](source, lens, pose, rays, seed)
+    return _SOURCES[type(source)](source, optic, pose, rays, seed)

@@ -9,7 +9,7 @@ from workbench.analysis.tracing.elements import Array, TracedRays
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import Cells
 from workbench.analysis.tracing.sources.even import in_disc, in_square, pairs
-from workbench.scene import AreaSource, Lens
+from workbench.scene import AreaSource, Optic
 
 # Points that stand for the emitter at the first level of cells, and by which the light that meets
 # the face is added up, along each axis.
@@ -25,13 +25,13 @@ class AreaLight:
     """
 
     def __init__(
-        self, source: AreaSource, lens: Lens, pose: Pose, rays: int, seed: int, doubled: int = 0
+        self, source: AreaSource, optic: Optic, pose: Pose, rays: int, seed: int, doubled: int = 0
     ) -> None:
-        self._given = source, lens, pose, rays, seed
-        self._source, self._lens, self._pose, self._seed = source, lens, pose, seed
-        self._upwards, self._half_width = pose.axis(), lens.half_width
+        self._given = source, optic, pose, rays, seed
+        self._source, self._lens, self._pose, self._seed = source, optic, pose, seed
+        self._upwards, self._half_width = pose.axis(), optic.half_width
         self._lambertian = source.emission == "lambertian"
-        self._cells = Cells(rays, lens.half_width[0] / lens.half_width[1], seed)
+        self._cells = Cells(rays, optic.half_width[0] / optic.half_width[1], seed)
         self.rays, self.emitted = self._cells.count, 1.0
         self.origins = _ORIGINS << doubled
         self._points = self._on_emitter(*self._even(self.origins))
@@ -66,7 +66,7 @@ class AreaLight:
             x, y = (np.sqrt(a) * turn(2 * math.pi * b) for turn in (np.cos, np.sin))
         r_x, r_y = self._source.half_width
         places = np.column_stack([r_x * x, r_y * y, np.zeros_like(x)]) + self._source.center
-        return self._pose.to_lens(places, self._lens.entrance_z)
+        return self._pose.to_lens(places, self._lens.front_z)
 
     def _between(self, points: Array, x: Array, y: Array) -> TracedRays:
         """Rays from points to places of the face, with their flux per area of it."""

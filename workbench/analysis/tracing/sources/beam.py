@@ -10,7 +10,7 @@ from workbench.analysis.tracing.elements import Array, TracedRays
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import Cells
 from workbench.analysis.tracing.sources.even import in_disc, pairs
-from workbench.scene import CollimatedSource, Lens
+from workbench.scene import CollimatedSource, Optic
 
 # Directions that stand for the disc at the first level of cells.
 _ORIGINS = 32
@@ -35,20 +35,20 @@ class BeamLight:
     def __init__(
         self,
         source: CollimatedSource,
-        lens: Lens,
+        optic: Optic,
         pose: Pose,
         rays: int,
         seed: int,
         doubled: int = 0,
     ) -> None:
-        self._given = source, lens, pose, rays, seed
-        self._seed, self._half_width = seed, lens.half_width
+        self._given = source, optic, pose, rays, seed
+        self._seed, self._half_width = seed, optic.half_width
         self._waist, self._angle = source.profile.radius, math.radians(source.angular_diameter) / 2
         frame = Pose(tilt=(math.radians(source.direction[0]), math.radians(source.direction[1])))
         # Columns: where the disc's right, its upper side and its middle point, as the lens sees it.
         self._frame = pose.ways(frame.to_scene(0.0)[0].T).T
-        self._middle = pose.to_lens(np.array([[0.0, 0.0, lens.entrance_z]]), lens.entrance_z)[0]
-        self._cells = Cells(rays, lens.half_width[0] / lens.half_width[1], seed)
+        self._middle = pose.to_lens(np.array([[0.0, 0.0, optic.front_z]]), optic.front_z)[0]
+        self._cells = Cells(rays, optic.half_width[0] / optic.half_width[1], seed)
         self.rays = self._cells.count
         self.origins = _ORIGINS << doubled if self._angle else 1
         self._ways = self._towards(*in_disc(self.origins))

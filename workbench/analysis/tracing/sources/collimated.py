@@ -8,7 +8,7 @@ from workbench.analysis.tracing.elements import Array, TracedRays
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import Cells
 from workbench.geometry.outlines import outline_of
-from workbench.scene import CollimatedSource, Lens
+from workbench.scene import CollimatedSource, Optic
 
 
 class CollimatedLight:
@@ -19,10 +19,10 @@ class CollimatedLight:
     """
 
     def __init__(
-        self, source: CollimatedSource, lens: Lens, pose: Pose, rays: int, seed: int
+        self, source: CollimatedSource, optic: Optic, pose: Pose, rays: int, seed: int
     ) -> None:
-        r_x, r_y = lens.half_width
-        self._outline = outline_of(lens)
+        r_x, r_y = optic.half_width
+        self._outline = outline_of(optic)
         self._direction = pose.ways(source.directions(np.zeros(1), np.zeros(1)))
         self._cells = Cells(rays, r_x / r_y, seed)
         self.rays = self._cells.count

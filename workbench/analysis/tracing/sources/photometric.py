@@ -11,7 +11,7 @@ from workbench.analysis.tracing.sources.cells import BATCHES, Cells
 from workbench.analysis.tracing.sources.turning import file_axes
 from workbench.geometry.outlines import outline_of
 from workbench.measured.lamps import intensity_of
-from workbench.scene import Lens, PhotometricSource
+from workbench.scene import Optic, PhotometricSource
 
 
 class PhotometricLight:
@@ -24,14 +24,14 @@ class PhotometricLight:
     beside = 0.0
 
     def __init__(
-        self, source: PhotometricSource, lens: Lens, pose: Pose, rays: int, seed: int
+        self, source: PhotometricSource, optic: Optic, pose: Pose, rays: int, seed: int
     ) -> None:
-        r_x, r_y = lens.half_width
-        self._outline, self._beside = outline_of(lens), 2 * r_x
-        self._point = pose.to_lens(np.array([source.position]), lens.entrance_z)[0]
+        r_x, r_y = optic.half_width
+        self._outline, self._beside = outline_of(optic), 2 * r_x
+        self._point = pose.to_lens(np.array([source.position]), optic.front_z)[0]
         # Directions as the lens sees them, into those of the file.
         turned = file_axes(source.rotation)
-        to_scene, _ = pose.to_scene(lens.entrance_z)
+        to_scene, _ = pose.to_scene(optic.front_z)
         self._to_file = turned.inv().as_matrix() @ to_scene
         table = intensity_of(source)
         self._intensity = RegularGridInterpolator(

@@ -10,7 +10,7 @@ from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import Cells
 from workbench.analysis.tracing.sources.cone_kernels import emit
 from workbench.analysis.tracing.sources.cones import Cones, covering_cones, powers
-from workbench.scene import Lens, LightOfPoints
+from workbench.scene import LightOfPoints, Optic
 
 
 class PointLight:
@@ -22,13 +22,15 @@ class PointLight:
 
     beside = 0.0
 
-    def __init__(self, source: LightOfPoints, lens: Lens, pose: Pose, rays: int, seed: int) -> None:
+    def __init__(
+        self, source: LightOfPoints, optic: Optic, pose: Pose, rays: int, seed: int
+    ) -> None:
         self._seed = seed
         # Flux goes with the cosine to this; even light has none.
         lambertian = source.emission == "lambertian"
         self._upwards = pose.axis() if lambertian else np.zeros(3)
-        self._points = pose.to_lens(source.positions, lens.entrance_z)
-        cones = covering_cones(self._points, lens.half_width, 0.0)
+        self._points = pose.to_lens(source.positions, optic.front_z)
+        cones = covering_cones(self._points, optic.half_width, 0.0)
         # In one order of memory always, or the loops would be compiled for each.
         self._cones = Cones(*map(np.ascontiguousarray, cones))
         self._cells = Cells(rays, 1.0, seed)

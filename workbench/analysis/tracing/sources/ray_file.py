@@ -10,7 +10,7 @@ from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import BATCHES
 from workbench.analysis.tracing.sources.turning import file_axes
 from workbench.measured.lamps import ray_model, rays_of
-from workbench.scene import Lens, RayFileSource
+from workbench.scene import Optic, RayFileSource
 
 _AT_ONCE = 1 << 15
 _FEET = 12 * units.METRES["inch"]
@@ -26,21 +26,23 @@ class RayFileLight:
 
     beside = 0.0
 
-    def __init__(self, source: RayFileSource, lens: Lens, pose: Pose, rays: int, seed: int) -> None:
+    def __init__(
+        self, source: RayFileSource, optic: Optic, pose: Pose, rays: int, seed: int
+    ) -> None:
         found = rays_of(source)
         count = len(found.flux)
         order = np.random.default_rng([seed, 25]).permutation(count)
         self._chosen = order[: min(max(rays, BATCHES), count)]
         self.rays = len(self._chosen)
-        self._found, self._pose, self._z = found, pose, lens.entrance_z
+        self._found, self._pose, self._z = found, pose, optic.front_z
         unit = source.file_unit or found.unit or source.unit
         metres = _FEET if unit == "feet" else units.METRES[unit]
         self._scale = float(metres / units.METRES[source.unit])
         self._turn, self._place = file_axes(source.rotation), np.array(source.position)
-        self._beside = 2 * lens.half_width[0]
-        self._model = ray_model(source, lens, source.point_count)
-        self._to_scene, _ = pose.to_scene(lens.entrance_z)
-        self._points = pose.to_lens(self._model.places, lens.entrance_z)
+        self._beside = 2 * optic.half_width[0]
+        self._model = ray_model(source, optic, source.point_count)
+        self._to_scene, _ = pose.to_scene(optic.front_z)
+        self._points = pose.to_lens(self._model.places, optic.front_z)
         self.origins, self.emitted = len(self._points), 1.0
 
     def finer(self, level: int) -> "RayFileLight":

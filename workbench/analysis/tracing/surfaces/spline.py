@@ -8,7 +8,7 @@ from scipy.interpolate import BSpline
 from workbench.analysis.tracing.elements import Array, Crossings, TracedRays
 from workbench.analysis.tracing.surfaces.spline_kernels import Spline, meet
 from workbench.geometry.outlines import outline_of
-from workbench.scene import Lens
+from workbench.scene import Optic
 
 
 class SplineFace:
@@ -16,7 +16,7 @@ class SplineFace:
 
     Parameters
     ----------
-    lens : Lens
+    optic : Optic
         The lens.
     control_points : ndarray, shape (n_u, n_v)
         Control heights, scene units.
@@ -24,21 +24,21 @@ class SplineFace:
         See `Face`.
     """
 
-    def __init__(self, lens: Lens, control_points: Array, missed: str) -> None:
+    def __init__(self, optic: Optic, control_points: Array, missed: str) -> None:
         self.missed = missed
         knots = [
             np.concatenate([np.full(p, -r), np.linspace(-r, r, n - p + 1), np.full(p, r)])
-            for r, n, p in zip(lens.half_width, lens.net_shape, lens.degree, strict=True)
+            for r, n, p in zip(optic.half_width, optic.net_shape, optic.degree, strict=True)
         ]
         # A spline is never steeper than the steepest of its derivative's coefficients.
         steepest = []
-        for axis, (t, p) in enumerate(zip(knots, lens.degree, strict=True)):
+        for axis, (t, p) in enumerate(zip(knots, optic.degree, strict=True)):
             width = np.expand_dims(t[p + 1 : -1] - t[1 : -p - 1], 1 - axis)
             slopes = np.abs(np.diff(control_points, axis=axis)) * p / width
             steepest.append(float(slopes.max()))
-        heights = np.ascontiguousarray(control_points - lens.entrance_z, dtype=np.float64)
-        along_x, along_y = (_pieces(t, p) for t, p in zip(knots, lens.degree, strict=True))
-        r_x, r_y = lens.half_width
+        heights = np.ascontiguousarray(control_points - optic.front_z, dtype=np.float64)
+        along_x, along_y = (_pieces(t, p) for t, p in zip(knots, optic.degree, strict=True))
+        r_x, r_y = optic.half_width
         self._spline = Spline(
             heights,
             along_x,
@@ -51,7 +51,7 @@ class SplineFace:
             highest=float(heights.max()),
             steepest_x=steepest[0],
             steepest_y=steepest[1],
-            curved=not outline_of(lens).whole,
+            curved=not outline_of(optic).whole,
         )
 
     def meet(self, rays: TracedRays) -> Crossings:

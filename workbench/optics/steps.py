@@ -1,0 +1,90 @@
+"""Faces on the way of the light: which ones an optic has.
+
+A new kind of optic is its fields in `workbench.scene`, and a row in ``_STEPS``.
+"""
+
+from collections.abc import Callable, Mapping
+from typing import Any, NamedTuple
+
+import torch
+
+from workbench.geometry.outlines import Outline, Rectangle, outline_of
+from workbench.geometry.surface import ControlNet, freeform_nets
+from workbench.optics.interfaces import Interface, Refraction
+from workbench.optics.surfaces import BSplineSurface, Plane, Surface
+from workbench.optics.transmittance import TransmittanceLaw
+from workbench.scene import Lens, Optic
+
+
+class Step(NamedTuple):
+    """A face on the way of the light.
+
+    Attributes
+    ----------
+    surface : Surface
+        Where rays meet it.
+    interface : Interface
+        What it does to them.
+    missed : str
+        Name in the light account of light that does not meet it.
+    """
+
+    surface: Surface
+    interface: Interface
+    missed: str
+
+
+class Along(NamedTuple):
+    """What is known of the light and of the trace before there are faces.
+
+    Attributes
+    ----------
+    net : ControlNet
+        Where control heights sit.
+    datum : float
+        z of the scene from which elements count z.
+    by_area : bool
+        Whether what is outside the outline is out of the flux before the first face.
+    along_axis : bool
+        Whether all rays go along +z.
+    subdivisions : tuple[int, int], optional
+        See `BSplineSurface`.
+    dtype, device
+        Float type and device of the walk.
+    """
+
+    net: ControlNet
+    datum: float
+    by_area: bool
+    along_axis: bool
+    subdivisions: tuple[int, int] | None
+    dtype: torch.dtype
+    device: torch.device | str
+
+    def spline(self, name: str, net: ControlNet, outline: Outline) -> BSplineSurface:
+        """A B-spline on a net."""
+        how = self.dtype, self.device, self.subdivisions
+        return BSplineSurface(name, net, self.datum, *how, outline)
+
+
+def steps_of(optic: Optic, along: Along) -> tuple[Step, ...]:
+    """Faces of an optic, in the order in which light meets them."""
+    return _STEPS[type(optic)](optic, along)
+
+
+def _of_lens(lens: Lens, along: Along) -> tuple[Step, ...]:
+    outline, entrance_net = outline_of(lens), freeform_nets(lens).get("entrance")
+    entering, leaving = TransmittanceLaw.of(lens)
+    before = Rectangle(lens.half_width) if along.by_area else outline
+    straight = along.along_axis and entrance_net is None  # up to the exit face
+    entrance: Surface = Plane("entrance", lens.entrance_z - along.datum, before)
+    if entrance_net is not None:
+        entrance = along.spline("entrance", entrance_net, before if along.along_axis else outline)
+    exit_face = along.spline("exit", along.net, before if straight else outline)
+    return (
+        Step(entrance, Refraction(entering, "fresnel_entrance"), "missed_lens"),
+        Step(exit_face, Refraction(leaving, "fresnel_exit", lens.absorption), "left_side"),
+    )
+
+
+_STEPS: Mapping[type, Callable[[Any, Along], tuple[Step, ...]]] = {Lens: _of_lens}

@@ -1,0 +1,195 @@
+"""The mirror: one B-spline face that light reaches along +z and leaves to -z."""
+
+from collections.abc import Mapping
+from typing import Annotated, ClassVar, Literal, Self
+
+from pydantic import Field
+
+from workbench.scene.auto_net import AutoNet, NumbersOrAuto
+from workbench.scene.base import Base, FlatBase
+from workbench.scene.entrance import FlatEntrance
+from workbench.scene.fields import LENGTH, RANGE, Version, about
+from workbench.scene.net import Degree, NetSize
+from workbench.scene.optic import Array, Optic, relative
+from workbench.scene.part import Positive
+
+
+class Mirror(Optic):
+    """One face that reflects, lit from below.
+
+    It is the lower face of a plate; no light comes to the plate's flat back.
+    """
+
+    since: ClassVar[Version] = 2
+    called = "mirror"
+    face = "mirror"
+    face_called = "mirror"
+    body_called = "mirror"
+    front_called = "the mirror"
+    onwards = -1
+
+    half_width: Annotated[
+        tuple[Positive, Positive],
+        LENGTH,
+        about("Half width", "Half of the mirror's extent along x and y. All of it is lit."),
+    ]
+    outline: Annotated[
+        Literal["rectangle", "ellipse"],
+        about(
+            "Outline",
+            "The shape of the mirror as seen along the axis; the half widths of an ellipse are its "
+            "semi-axes. Light beside it misses the mirror.",
+        ),
+    ] = "rectangle"
+    reflectance: Annotated[
+        float,
+        about(
+            "Reflectance",
+            "Part of the light that the mirror reflects, at all angles: about 0.9 for aluminium, "
+            "0.97 for silver. It absorbs the rest.",
+            gt=0,
+            le=1,
+        ),
+    ] = 1.0
+    degree: Annotated[
+        tuple[Degree, Degree],
+        about(
+            "Degree",
+            "Polynomial degree of the mirror's B-spline along x and y. 3 gives smooth curvature.",
+        ),
+    ] = (3, 3)
+    control_points: Annotated[
+        tuple[NetSize, NetSize] | AutoNet,
+        NumbersOrAuto(),
+        about(
+            "Control points",
+            "Number of control points along x and y. More of them draw finer detail and take "
+            "longer. Automatic takes what the target's detail, the screen's pixels and the size of "
+            "the source are worth; the paper's method then has nets like those of the paper.",
+        ),
+    ]
+    base: Annotated[
+        Base,
+        about(
+            "Base",
+            "The shape of the mirror before the design; heights are counted from it.",
+        ),
+    ] = FlatBase(height=0.0)
+    height_range: Annotated[
+        tuple[float, float] | None,
+        LENGTH,
+        RANGE,
+        about(
+            "Height range",
+            "How far the mirror may be from the base. Automatic takes what the task needs, at most "
+            "the larger half width: steeper mirrors send no light back.",
+        ),
+    ] = None
+    thickness: Annotated[
+        Positive,
+        LENGTH,
+        about(
+            "Thickness",
+            "How far the flat back of the plate is behind the highest point of the mirror, in "
+            "exports of the plate.",
+        ),
+    ] = Field(default_factory=relative(0.1))
+
+    def check(self) -> None:
+        """Refuse what cannot be computed with."""
+        self.check_face([("thickness", self.thickness)])
+
+    def remarks(self) -> Mapping[str, str]:
+        """The control points that the program has chosen."""
+        return self.net_remarks()
+
+    @property
+    def front_z(self) -> float:
+        """The lowest place of the base."""
+        return self.base.extent(self.half_width)[0]
+
+    @property
+    def datum(self) -> float:
+        """That of the base."""
+        return self.base.height
+
+    @property
+    def entrance(self) -> FlatEntrance:
+        """None that could be shaped."""
+        return FlatEntrance()
+
+    @property
+    def entrance_range(self) -> tuple[float, float]:
+        """There is no such face."""
+        return self.front_z, self.front_z
+
+    @property
+    def entrance_offsets(self) -> tuple[float, float]:
+        """There is no such face."""
+        return 0.0, 0.0
+
+    @property
+    def leaving_z(self) -> float:
+        """The same: light comes and goes on one side."""
+        return self.front_z
+
+    @property
+    def lowest(self) -> float:
+        """The z that no point of the mirror can be below."""
+        return self.floor
+
+    @property
+    def highest(self) -> float:
+        """The z that no point of the mirror can be above."""
+        return self.ceiling
+
+    @property
+    def floor(self) -> float:
+        """The lowest place of the base and of the height range."""
+        low, _ = self._range
+        return self.base.extent(self.half_width)[0] + low
+
+    @property
+    def ceiling(self) -> float:
+        """The highest place of the base and of the height range."""
+        _, high = self._range
+        return self.base.extent(self.half_width)[1] + high
+
+    @property
+    def _range(self) -> tuple[float, float]:
+        """The height range, or the most that it may automatically be."""
+        most = max(self.half_width)
+        return self.height_range or (-most, most)
+
+    @property
+    def index(self) -> float:
+        """There is no glass."""
+        return 1.0
+
+    @property
+    def steepest(self) -> float:
+        """That of light from points nearby."""
+        return 1.0
+
+    @property
+    def least_thickness(self) -> float:
+        """The plate is as thick as its thickness says, at least."""
+        return 0.0
+
+    @property
+    def deflection(self) -> float:
+        """A mirror turns light by twice the angle that it is turned by itself."""
+        return 2.0
+
+    @property
+    def held_by(self) -> Literal["height_range"]:
+        """The most that the range may automatically be."""
+        return "height_range"
+
+    def bounded(self, receiver_z: float) -> Self:
+        """Itself: the range of its heights is finite anyway."""
+        return self
+
+    def flat_z(self, heights: Array) -> float:
+        """The back of the plate."""
+        return float(heights.max()) + self.thickness
