@@ -1,10 +1,13 @@
 """The error of a lens by cells, with random rays as the second opinion."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from tests.analysis.lenses import net_of
 from workbench.analysis import validation
+from workbench.analysis.cells import image
 from workbench.analysis.cells.image import imaging
 from workbench.analysis.metrics import paper_loss, relative_l2
 from workbench.analysis.validation import validate, validating
@@ -81,7 +84,7 @@ def test_the_second_opinion_finds_an_image_that_is_off(lens, target, monkeypatch
     def moved(*task):
         found = yield from imaging(*task)
         irradiance = 0.9 * found.irradiance + 0.1 * np.roll(found.irradiance, 1, axis=1)
-        return type(found)(irradiance, found.bound, found.cells)
+        return replace(found, irradiance=irradiance)
 
     monkeypatch.setattr(validation, "imaging", moved)
     scene, heights = lens({"kind": "collimated"})
@@ -100,6 +103,17 @@ def test_without_an_accuracy_and_for_too_many_points_there_are_random_rays_alone
     assert alone.to_data()["deterministic"] is None
     monkeypatch.setattr("workbench.analysis.cells.image._BEGIN", 100)
     assert validate(scene, target, heights, 1000, accuracy=0.1).to_data() == alone.to_data()
+
+
+def test_it_says_where_cells_are_not_as_exact_as_was_asked_for(lens, target, monkeypatch):
+    scene, heights = lens({"kind": "collimated"})
+    exact = validate(scene, target, heights, 10_000, accuracy=1e-2).by_cells
+    assert exact.less_exact is None
+    monkeypatch.setattr(image, "_MOST", 1)
+    coarse = validate(scene, target, heights, 10_000, accuracy=1e-6).by_cells
+    assert coarse.bound > 1e-6
+    assert coarse.less_exact.startswith(f"off by up to {100 * coarse.bound:.2g} %, not 0.0001 %")
+    assert coarse.to_data()["error_bound_wanted"] == 1e-6
 
 
 def test_the_part_that_is_done_never_falls(lens, target):

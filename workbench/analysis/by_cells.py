@@ -31,6 +31,8 @@ class ByCells:
         Part of the emitted flux that lands on the screen.
     bound : float
         Bound of the error of the image, over its norm; see `imaging`.
+    wanted : float
+        What this was to be at most.
     cells : tuple[int, int]
         Cells along x and y.
     difference : float
@@ -48,6 +50,7 @@ class ByCells:
     loss: float
     efficiency: float
     bound: float
+    wanted: float
     cells: tuple[int, int]
     difference: float
     noise: float
@@ -85,6 +88,7 @@ class ByCells:
             loss=paper_loss(irradiance, target),
             efficiency=receiver.total(irradiance),
             bound=image.bound,
+            wanted=image.wanted,
             cells=image.cells,
             difference=difference,
             noise=root(difference**2 - float(np.mean(products))),
@@ -97,6 +101,16 @@ class ByCells:
         """How far random rays are from this image, in units of their noise: 1 if both are right."""
         return self.difference / self.noise if self.noise > 0 else None
 
+    @property
+    def less_exact(self) -> str | None:
+        """That the image is less exact than was asked for, and why; None where it is not."""
+        if self.bound <= self.wanted:
+            return None
+        return (
+            f"off by up to {100 * self.bound:.2g} %, not {100 * self.wanted:.2g} %: "
+            "finer cells would take too many rays"
+        )
+
     def to_data(self) -> dict[str, Any]:
         """The figures by name, for JSON."""
         return {
@@ -105,6 +119,7 @@ class ByCells:
             "loss": self.loss,
             "efficiency": self.efficiency,
             "error_bound": self.bound,
+            "error_bound_wanted": self.wanted,
             "cells": list(self.cells),
             "difference": self.difference,
             "noise": self.noise,

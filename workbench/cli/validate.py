@@ -110,12 +110,13 @@ def _print_cells(found: ByCells, own: Array | None) -> None:
     columns, rows = found.cells
     low, high = found.relative_l2_corrected_interval
     difference = None if own is None else relative_l2(found.irradiance, own)
+    by = f"{columns} x {rows} cells, without random rays"
     for name, value in (
         (
             "verified error",
             f"{found.relative_l2_corrected:.5f}  (relative L2, {low:.5f} to {high:.5f})",
         ),
-        ("by", f"{columns} x {rows} cells, without random rays"),
+        ("by", "; ".join(filter(None, (by, found.less_exact)))),
         ("loss", f"{found.loss:.4g}"),
         ("optimiser's image", _or_dash(difference, ".5f", "  (relative L2 difference to it)")),
         ("on screen", f"{found.efficiency:.5f}"),

@@ -45,7 +45,7 @@ def _cell_rows(found: ByCells | None) -> tuple[Row, ...]:
     return (
         Row("verified error", percent(found.relative_l2_corrected)),
         Row("it is surely", _interval(found.relative_l2_corrected_interval)),
-        Row("cells", f"{columns} × {rows}"),
+        Row("cells", "; ".join(filter(None, (f"{columns} × {rows}", found.less_exact)))),
         Row("random rays are off by", f"{percent(found.difference)}, {times}"),
     )
 

@@ -1,5 +1,6 @@
 """Cells that are refined until the image is good enough."""
 
+import math
 import time
 
 import numpy as np
@@ -8,6 +9,7 @@ import pytest
 from tests.analysis.lenses import net_of
 from workbench.analysis.cells import image
 from workbench.analysis.cells.image import imaging
+from workbench.analysis.cells.lattice import Lattice
 from workbench.errors import Refused, RunFailed
 
 POINT = {"kind": "point", "position": [0.3, -0.2, -4.0]}
@@ -72,6 +74,32 @@ def test_refining_ends_with_the_cells_that_are_allowed(make_scene, monkeypatch):
     reached = found(make_scene(), waves(make_scene()), accuracy=1e-9)
     assert reached.cells == (4 * 36, 4 * 35)
     assert 1e-9 < reached.bound < 0.1
+
+
+def test_no_level_follows_more_rays_than_are_allowed_where_much_light_is_lost(
+    make_scene, monkeypatch
+):
+    most, followed = 1 << 19, []
+
+    class Counted(Lattice):
+        def tracing(self, threads=None):
+            found = yield from super().tracing(threads)
+            followed.append(self.rays)
+            return found
+
+    monkeypatch.setattr(image, "_MOST", most)
+    monkeypatch.setattr(image, "_BEGIN", 1 << 15)
+    monkeypatch.setattr(image, "Lattice", Counted)
+    near = {"kind": "grid", "center": [0, 0, -0.3], "half_width": [0.1, 0.1], "points": [2, 3]}
+    scene = make_scene({"source": near, "screen.half_width": [3.0, 3.0]})
+    # Waves so steep that they reflect much of the light totally, in many places.
+    steep = net_of(scene, lambda x, y: 0.6 + 0.15 * np.sin(9 * x) * np.cos(8 * y))
+    reached = found(scene, steep)
+    assert len(followed) >= 3
+    assert max(followed) <= most
+    # Nodes alone would leave room for one more: rays in cells of which a part is lost count too.
+    assert 4 * 6 * math.prod(reached.cells) < most < 4 * followed[-1]
+    assert reached.bound > reached.wanted == image.ACCURACY
 
 
 def test_sources_of_many_points_have_fewer_cells_for_each(make_scene, monkeypatch):

@@ -1,7 +1,7 @@
 """An image of a lens whose error is bounded: lattices refined until two of them agree."""
 
 import math
-from collections.abc import Generator, Iterator, Mapping
+from collections.abc import Generator, Mapping
 from dataclasses import dataclass
 from functools import partial
 
@@ -21,8 +21,8 @@ from workbench.scene import Scene
 ACCURACY = 1e-3
 """Relative error of an image that is good enough for a check of a lens."""
 
-# Cells for all points of the source together: of the first three levels at most, some seconds on
-# two cores, and of any later one.
+# Cells for all points of the source together in the first three levels at most: some seconds on two
+# cores. No later level is begun that would follow more rays than this: half a minute at most.
 _BEGIN, _MOST = 1 << 22, 1 << 26
 # Least cells along an axis: as a rule, and where a source has many points.
 _ENOUGH, _FEWEST = 32, 8
@@ -42,11 +42,15 @@ class CellImage:
         Bound of the error of the image, ‖I − I_exact‖ / ‖I‖, from two levels of cells.
     cells : tuple[int, int]
         Cells along x and y of the finer level.
+    wanted : float
+        The accuracy that was asked for. Where the bound is above it, finer cells would have taken
+        too many rays.
     """
 
     irradiance: Array
     bound: float
     cells: tuple[int, int]
+    wanted: float
 
     def error(self, target: Array) -> tuple[float, float]:
         """Relative L2 distance to a target in any scale, and the bound of its own error."""
@@ -77,7 +81,7 @@ def imaging(
     heights : mapping of str to ndarray, shape (n_u, n_v)
         Control heights of each freeform face by its name, scene units.
     accuracy : float
-        Cells are refined until the bound is below this, or there are too many of them.
+        Cells are refined until the bound is below this, or too many rays would be followed.
     pose : Pose, optional
         How the lens stands; straight and centred by default.
     threads : int, optional
@@ -103,23 +107,25 @@ def imaging(
     check_body(scene, heights)
     pose = Pose() if pose is None else pose
     train = OpticalTrain.of(scene, heights, 1, 0, pose, [scene.receiver])
+    cells = _first(scene, train.source)
+    if min(cells) < _FEWEST:
+        return None
     images: list[Array] = []
-    bound = math.inf
-    for level, cells in enumerate(_levels(scene, train.source)):
-        finer = OpticalTrain(train.source.finer(level), train.faces, train.detector)
-        lattice = Lattice(scene, finer, cells)
+    bound, level = math.inf, 0
+    while True:
+        lattice = Lattice(scene, train.lit_by(train.source.finer(level)), cells)
         # Each level takes most of what is left of the whole.
         image = yield from within(lattice.tracing(threads), partial(_done, level))
         images = [*images[-2:], image]
         if level >= 2:
             bound = _bound(*images)
-            if bound <= accuracy:
+            more = 4 * train.source.finer(level + 1).origins / train.source.finer(level).origins
+            if bound <= accuracy or more * lattice.rays > _MOST:
                 break
-    if not images:
-        return None
-    if not images[-1].any():
+        cells, level = (2 * cells[0], 2 * cells[1]), level + 1
+    if not image.any():
         raise RunFailed("no light of this lens reaches the screen, so there is no image to judge")
-    return CellImage(images[-1] / scene.receiver.pixel_measure, bound, cells)
+    return CellImage(image / scene.receiver.pixel_measure, bound, cells, accuracy)
 
 
 def _done(level: int, part: float) -> float:
@@ -127,18 +133,15 @@ def _done(level: int, part: float) -> float:
     return 1 - math.pow(0.25, level + part)
 
 
-def _levels(scene: Scene, light: LightSource) -> Iterator[tuple[int, int]]:
-    """Cells along x and y of each level; none if there would be too few in the first."""
+def _first(scene: Scene, light: LightSource) -> tuple[int, int]:
+    """Cells along x and y of the first level."""
     # Where light is parallel, cells end where the polynomials of the face do.
     spans = [n - p for n, p in zip(scene.optic.net_shape, scene.optic.degree, strict=True)]
     n_x, n_y = (count * -(-_ENOUGH // count) for count in spans)
     if (wanted := 16 * n_x * n_y * light.finer(2).origins) > _BEGIN:
         shrink = math.sqrt(_BEGIN / wanted)
         n_x, n_y = (int(n * shrink) for n in (n_x, n_y))
-    level = 0
-    while min(n_x, n_y) >= _FEWEST and n_x * n_y * light.finer(level).origins <= _MOST:
-        yield n_x, n_y
-        n_x, n_y, level = 2 * n_x, 2 * n_y, level + 1
+    return n_x, n_y
 
 
 def _bound(coarse: Array, middle: Array, fine: Array) -> float:

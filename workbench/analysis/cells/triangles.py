@@ -29,16 +29,20 @@ class Canvas:
     ----------
     here, behind : ndarray, shapes (n_y, n_x), (n_y, n_x + 1)
         What is added to each pixel, and what is added to a pixel and all behind it in its row.
+    rays : int
+        Rays followed for it.
     """
 
     def __init__(self, pixels: tuple[int, int]) -> None:
         n_x, n_y = pixels
         self.here, self.behind = np.zeros((n_y, n_x)), np.zeros((n_y, n_x + 1))
+        self.rays = 0
 
     def add(self, other: "Canvas") -> None:
         """Take in the light of another one."""
         self.here += other.here
         self.behind += other.behind
+        self.rays += other.rays
 
     def flux(self) -> Array:
         """Flux in each pixel, shape (n_y, n_x)."""

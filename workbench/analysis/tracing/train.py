@@ -107,6 +107,10 @@ class OpticalTrain:
             detector_of(receivers, optic, pose),
         )
 
+    def lit_by(self, source: LightSource) -> "OpticalTrain":
+        """The same elements with another source."""
+        return OpticalTrain(source, self.faces, self.detector)
+
     def walk(self, rays: TracedRays, tally: Tally) -> None:
         """Follow rays from the source to the receiver, and add their light to a tally."""
         flux = float(rays.flux.sum())

@@ -11,9 +11,9 @@ from workbench.analysis.tracing.sources.cells import Cells
 from workbench.analysis.tracing.sources.even import in_disc, in_square, pairs
 from workbench.scene import AreaSource, Optic
 
-# Points that stand for the emitter at the first level of cells, and by which the light that meets
-# the face is added up, along each axis.
-_ORIGINS, _NODES = 32, 24
+# Points that stand for the emitter at the first level of cells: their error is then like that of
+# the cells. And those by which the light that meets the face is added up, along each axis.
+_ORIGINS, _NODES = 64, 24
 
 
 class AreaLight:

@@ -1,0 +1,43 @@
+"""Cells that are closer together where the light is near."""
+
+import math
+
+import numpy as np
+import pytest
+
+from tests.analysis.cells.test_lattice import distance, flux_of
+from tests.analysis.lenses import net_of
+from workbench.analysis.cells import grading
+from workbench.analysis.cells.grading import Grading
+
+
+@pytest.mark.parametrize(("away", "foot"), [(0.1, 0.0), (0.5, -0.3), (8.0, 2.0)])
+def test_it_maps_the_axis_onto_itself_with_the_stretch_of_its_derivative(away, foot):
+    grade = Grading(away, foot)
+    even = np.linspace(-1, 1, 2001)
+    place, stretch = grade(even)
+    assert place[[0, -1]] == pytest.approx([-1, 1], abs=1e-12)
+    assert np.gradient(place, even)[1:-1] == pytest.approx(stretch[1:-1], rel=1e-4)
+    assert stretch == pytest.approx(
+        stretch[0] * np.hypot(away, place - foot) / math.hypot(away, 1 + foot)
+    )
+
+
+def test_places_of_light_from_afar_are_even(make_scene):
+    even = np.linspace(-1, 1, 5)
+    for source in ({"kind": "collimated"}, {"kind": "point", "position": [0, 0, -1000]}):
+        for grade in Grading.of(make_scene({"source": source})):
+            place, stretch = grade(even)
+            assert np.array_equal(place, even)
+            assert np.array_equal(stretch, np.ones(5))
+
+
+def test_as_many_cells_err_less_near_a_point_of_light(make_scene, monkeypatch):
+    near = {"kind": "point", "position": [0.1, 0, -0.2], "emission": "lambertian"}
+    scene = make_scene({"source": near, "screen.half_width": [4.0, 4.0]})
+    heights = net_of(scene, lambda x, y: 0.4 - 0.1 * x**2 - 0.05 * y**2 + 0.02 * np.sin(x + 2 * y))
+    exact, graded = (flux_of(scene, heights, (n, n)) for n in (600, 60))
+    monkeypatch.setattr(grading, "_FAR", 0.0)
+    even = flux_of(scene, heights, (60, 60))
+    assert distance(graded, exact) < 0.3 * distance(even, exact)
+    assert flux_of(scene, heights, (600, 600)) == pytest.approx(exact, abs=3e-3 * exact.max())
