@@ -13,7 +13,7 @@ from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.beams import beam_image
 from workbench.optics.plan import Plan
 from workbench.optics.samples import Corners, places, places_of_points
-from workbench.scene import BoxFilter
+from workbench.scene import BoxFilter, FarField
 
 
 def splits(shape):
@@ -339,3 +339,30 @@ def test_totally_reflected_light_is_in_the_account(make_scene):
         _, account = plan.trace({"exit": heights})
         assert 0.2 < account.lost["total_reflection"] < 0.6
         assert account.on_screen + sum(account.lost.values()) == pytest.approx(1, abs=1e-6)
+
+
+TILTED = {"kind": "collimated", "direction": [9, 4]}
+
+
+@pytest.mark.parametrize(
+    ("source", "far"),
+    # Points of a grid share their samples before a far field, where the reference has some of each.
+    [*((each, False) for each in SOURCES.values()), (SOURCES["point"], True), (TILTED, True)],
+)
+def test_neighbours_of_totally_reflected_light_land_alike(make_scene, rng, source, far):
+    """They have no second difference: what became of the ray beside them must not count in it."""
+    scene = make_scene({"source": source, "lens.control_points": [9, 8]})
+    if far:
+        field = FarField(half_angle=(40.0, 30.0), pixels=(20, 16))
+        scene = scene.altered(screen=None, far_field=field)
+    wild = torch.tensor(scene.lens.base.height + 0.2 * rng.standard_normal((9, 8)))
+    found = []
+    for plan in tracers(scene, dtype=torch.float64):
+        heights = wild.clone().requires_grad_()
+        image, account = plan.trace({"exit": heights})
+        assert account.lost["total_reflection"] > 0.02
+        (gradient,) = torch.autograd.grad((image * image.detach()).sum(), [heights])
+        found.append((image.detach(), gradient))
+    (image, gradient), (twin, twins) = found
+    torch.testing.assert_close(image, twin, rtol=0, atol=1e-11)
+    assert (gradient - twins).norm() < 1e-6 * twins.norm()

@@ -86,7 +86,7 @@ def _refract(light, spread, i, j, lanes, t):  # type: ignore[no-untyped-def]
         t[_BEND + lane] = bend
         column = place[lane] + spread.per_x * z_x * bend
         t[COLUMN + lane] = column if passes else kind(np.inf)
-        t[ROW + lane] = row + spread.per_y * z_y * bend
+        t[ROW + lane] = row + spread.per_y * z_y * bend if passes else kind(np.inf)
         t[WEIGHT + lane] = weight
         passed += wide[lane] if passes else kind(0)
     return np.float64(passed * high[j])

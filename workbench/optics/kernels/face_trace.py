@@ -185,7 +185,7 @@ def _refract(across, i, up, j, optics, spread, lanes, t):  # type: ignore[no-unt
         column = place[lane] + spread.per_x * (n * s_x - gamma * z_x) * path
         row = y + spread.per_y * (n * s_y - gamma * z_y) * path
         t[COLUMN + lane] = column if reaches else kind(np.inf)
-        t[ROW + lane] = row
+        t[ROW + lane] = row if reaches else kind(np.inf)
         t[WEIGHT + lane] = weight
         t[_FLUX + lane] = flux
         t[_G + lane] = g

@@ -220,23 +220,23 @@ def from_point(points, k, across, i, up, j, outline, medium, lanes, t):  # type:
         lit = cos2 * cos * (one - lambert + lambert * cos)
         d_lit = cos2 * (three * (one - lambert) + kind(4) * lambert * cos) * d_cos
 
+        slope = part * g
+        d_slope = d_part * g + part * d_g
+        # p_x + p (x − p_x), without the cancellation for a point far beside the lens: 1 − p is
+        # the slope times the depth.
+        way, d_way = slope * depth, d_slope * depth + slope
+        from_x, to_x = low[lane] - p_x, high[lane] - p_x
         wide_x, rise_x = _seen(
-            p_x + part * (low[lane] - p_x),
-            p_x + part * (high[lane] - p_x),
-            d_part * (low[lane] - p_x),
-            d_part * (high[lane] - p_x),
-            r_x,
+            low[lane] - way * from_x, high[lane] - way * to_x, -d_way * from_x, -d_way * to_x, r_x
         )
         wide_y, rise_y = _seen(
-            p_y + part * low_y, p_y + part * high_y, d_part * low_y, d_part * high_y, r_y
+            up.low[j] - way * low_y, up.high[j] - way * high_y, -d_way * low_y, -d_way * high_y, r_y
         )
         # What is seen of the sample's part is its width on the entrance face over p, and light of
         # a ring around the axis is on 1 / (p dρ_e/dρ) of its area.
         area, d_area = wide_x * wide_y, rise_x * wide_y + wide_x * rise_y
         ring = narrow / part
         d_ring = d_narrow / part - ring * rise
-        slope = part * g
-        d_slope = d_part * g + part * d_g
         both = flux * lit * enters
         t[S_X + lane] = away_x * slope
         t[S_Y + lane] = away_y * slope

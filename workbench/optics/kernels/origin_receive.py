@@ -69,7 +69,7 @@ def _triple(vector: npt.NDArray[np.float64], kind: type[Number]) -> Triple:
 
 @jit(fastmath=FAST, error_model="numpy", forceinline=True)
 def receive(landing, across, i, up, j, lanes, t):  # type: ignore[no-untyped-def]
-    """Columns and rows of a batch; columns are infinite for light that does not get there."""
+    """Columns and rows of a batch; infinite for light that does not get there."""
     if landing.far:
         _receive_direction(landing, lanes, t)
     else:
@@ -100,7 +100,8 @@ def _receive_place(landing, x, y, lanes, t):  # type: ignore[no-untyped-def]
         h_x, h_y, h_z = x[lane] + o_x * way, y + o_y * way, z + o_z * way
         column = landing.column_0 + c_x * h_x + c_y * h_y + c_z * h_z
         t[COLUMN + lane] = column if arrives else kind(np.inf)
-        t[ROW + lane] = landing.row_0 + r_x * h_x + r_y * h_y + r_z * h_z
+        row = landing.row_0 + r_x * h_x + r_y * h_y + r_z * h_z
+        t[ROW + lane] = row if arrives else kind(np.inf)
 
 
 @jit(fastmath=FAST, error_model="numpy", forceinline=True)
@@ -111,8 +112,9 @@ def _receive_direction(landing, lanes, t):  # type: ignore[no-untyped-def]
         o_x, o_y, o_z = t[O_X + lane], t[O_Y + lane], t[O_Z + lane]
         aside = np.sqrt(o_x * o_x + o_z * o_z)
         column = landing.column_0 + per_h * np.arctan2(o_x, o_z)
+        row = landing.row_0 + per_v * np.arctan2(o_y, aside)
         t[COLUMN + lane] = column if o_z > kind(0) else kind(np.inf)
-        t[ROW + lane] = landing.row_0 + per_v * np.arctan2(o_y, aside)
+        t[ROW + lane] = row if o_z > kind(0) else kind(np.inf)
 
 
 @jit(fastmath=FAST, error_model="numpy", forceinline=True)
