@@ -115,6 +115,26 @@ def test_a_gaussian_beam_goes_through_a_plate_as_it_is(make_scene):
     assert light.account.lost["fresnel_entrance"] == pytest.approx(0.04 * met, abs=1e-9)
 
 
+@pytest.mark.parametrize("direction", [[0.0, 0.0], [20.0, -10.0]])
+def test_few_rays_of_a_slim_beam_are_all_lit(make_scene, direction):
+    slim = {"kind": "gaussian", "radius": 0.02}
+    source = {"kind": "collimated", "rays": [8, 8], "profile": slim, "angular_diameter": 1.0}
+    scene = make_scene({"source": source | {"direction": direction}})
+    rays = emitter_of(scene.source, scene.lens).rays(0)
+    x, y, _ = rays.position
+    assert (rays.flux > 0).all()
+    assert rays.flux.sum().item() == pytest.approx(1, abs=1e-9)
+    assert (rays.flux * (x**2 + y**2)).sum().item() == pytest.approx(0.02**2 / 2, rel=0.2)
+
+
+def test_rays_that_all_pass_the_outline_by_miss_the_lens(make_scene):
+    corner = {"kind": "collimated", "rays": [1, 1], "angular_diameter": 1.0}
+    for seed in range(12):
+        scene = make_scene({"source": corner, "lens.outline": "ellipse", "run": {"seed": seed}})
+        rays = emitter_of(scene.source, scene.lens).rays(seed)
+        assert rays.flux.isfinite().all()
+
+
 def test_a_tilted_beam_lands_beside_the_axis(make_scene):
     scene = make_scene(PLATE | {"source": BEAM | {"direction": [0.0, 5.0]}})
     light = BeamPlan(scene, Corners(100, 100), dtype=torch.float64).trace(plate(scene))

@@ -3,6 +3,7 @@
 import math
 
 import numpy as np
+import numpy.typing as npt
 import torch
 from torch import Tensor
 
@@ -13,6 +14,10 @@ from workbench.optics.sources.extended import ExtendedEmitter
 from workbench.optics.sources.origins import Origins, vector
 from workbench.scene import CollimatedSource, Optic
 
+Array = npt.NDArray[np.float64]
+
+# The shadow of a beam on the face is not taken to be longer than this many of its radii.
+_LONGEST = 20.0
 # Directions to look at, beside that in the middle.
 _RIM = Spread(np.array([0.0, -1, 1, 0, 0]), np.array([0.0, 0, 0, -1, 1]), np.full(5, 0.2))
 
@@ -41,6 +46,17 @@ class DirectionEmitter(ExtendedEmitter):
             flux = places.share / (area * (places.share @ ways[:, 2]))
         return Origins(ways, True, flux, waist=waist)
 
+    def onto_face(self, across: Array, up: Array) -> tuple[Array, Array, Array]:
+        """See `ExtendedEmitter`; rays of a beam are as dense as its light, however slim it is."""
+        waist = self._source.profile.radius
+        if math.isinf(waist):
+            return super().onto_face(across, up)
+        (x, wide), (y, high) = (
+            _as_dense(part, r, waist / 2 / _ahead(self._source))
+            for part, r in zip((across, up), self.optic.half_width, strict=True)
+        )
+        return x, y, wide * high
+
     def towards(self, x: Tensor, y: Tensor) -> RayBundle:
         """Rays of the middle of the disc and of its rim in turn; see `Emitter.towards`."""
         number = np.arange(len(x)) % (5 if self._source.continuous else 1)
@@ -50,3 +66,21 @@ class DirectionEmitter(ExtendedEmitter):
         flux = torch.full((len(x),), 1 / max(len(x), 1), dtype=torch.float64)
         start = (face - back[:, None] * ways).T
         return RayBundle(vector([*start]), vector([*ways.T]), flux, torch.ones_like(flux).bool())
+
+
+def _ahead(source: CollimatedSource) -> float:
+    """Cosine to the axis of the most slanted light."""
+    steepest = math.hypot(*source.direction) + source.angular_diameter / 2
+    return max(math.cos(math.radians(steepest)), 1 / _LONGEST)
+
+
+def _as_dense(part: Array, r: float, deviation: float) -> tuple[Array, Array]:
+    """Places from −r to r as dense as a normal distribution, and the length that each stands for.
+
+    The length is in any unit.
+    """
+    from scipy.special import ndtr, ndtri  # late: as of all that rays are drawn with
+
+    outside = ndtr(-r / deviation)
+    place = ndtri(outside + (1 - 2 * outside) * part)
+    return (deviation * place).clip(-r, r), np.exp(place**2 / 2)

@@ -49,6 +49,14 @@ class ExtendedEmitter(ABC):
     def origins_at(self, places: Spread) -> Origins:
         """Origins at places of the source's outline."""
 
+    def onto_face(self, across: Array, up: Array) -> tuple[Array, Array, Array]:
+        """Places (x, y) of the entrance face for even parts in [0, 1], and the area of each.
+
+        The area is in any unit.
+        """
+        r_x, r_y = self.optic.half_width
+        return (2 * across - 1) * r_x, (2 * up - 1) * r_y, np.ones_like(across)
+
     @abstractmethod
     def towards(self, x: Tensor, y: Tensor) -> RayBundle:
         """See `Emitter.towards`."""
@@ -92,13 +100,13 @@ class ExtendedEmitter(ABC):
         count = self._rays
         sobol = qmc.Sobol(4, seed=np.random.default_rng([seed, draw]))
         a, b, across, up = sobol.random_base2(max(count - 1, 1).bit_length())[:count].T
-        r_x, r_y = self.optic.half_width
-        x, y = (2 * across - 1) * r_x, (2 * up - 1) * r_y
+        x, y, area = self.onto_face(across, up)
         share = np.full(count, 1 / count)
         origins = self.origins_at(Spread(*filling(a, b, self.outline), share))
         lit = origins.light(x, y, self.optic.front_z, np.arange(count))
-        flux = lit.density * outline_of(self.optic).contains(x, y)
-        flux *= (1 - self.beside) / flux.sum()
+        flux = lit.density * area * outline_of(self.optic).contains(x, y)
+        if flux.any():  # else all rays pass the outline by
+            flux *= (1 - self.beside) / flux.sum()
         place = x, y, np.full(count, self.optic.front_z)
         alive = torch.ones(count, dtype=torch.bool)
         return RayBundle(vector(place), vector(lit.direction), torch.as_tensor(flux), alive)

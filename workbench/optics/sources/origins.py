@@ -145,7 +145,7 @@ def splits_of(corners: Corners, origins: tuple[int, int]) -> tuple[Array, Array]
 
 def vector(parts: Sequence[Array]) -> Vector:
     """Arrays as tensors with memory of their own."""
-    x, y, z = (torch.as_tensor(np.ascontiguousarray(part)) for part in parts)
+    x, y, z = (torch.as_tensor(np.array(part)) for part in parts)
     return x, y, z
 
 
