@@ -1,6 +1,6 @@
 """What has to hold for every trace, however extreme its scene."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from itertools import product
 from typing import NamedTuple
 
@@ -11,16 +11,29 @@ import torch
 
 from tests.stress.scenes import Case
 from workbench.geometry.surface import ControlNet
+from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.kernels.collimated import FusedCollimatedRays
 from workbench.optics.kernels.face import FusedFaceSamples
 from workbench.optics.kernels.point import FusedPointRays
-from workbench.optics.light import Tracer
+from workbench.optics.light import Light, Tracer
 from workbench.optics.path import Path
+from workbench.optics.plan import Plan
 from workbench.optics.reference import Reference
-from workbench.scene import CollimatedSource, ExactMethod, PointSource, Scene, Screen, Source
+from workbench.optics.samples import Corners
+from workbench.scene import (
+    AnyReceiver,
+    CollimatedSource,
+    ExactMethod,
+    FarField,
+    Filter,
+    Scene,
+    Screen,
+    Source,
+)
 
 Array = npt.NDArray[np.float64]
 Make = Callable[[Scene], Tracer]
+Ways = Callable[[Case, torch.dtype], dict[str, list[Make]]]
 
 LEDGER = {torch.float64: 1e-9, torch.float32: 1e-5}
 # Image (L1), lost light, gradient (relative).
@@ -60,6 +73,49 @@ def ways(case: Case, dtype: torch.dtype) -> dict[str, list[Make]]:
         lambda scene: FusedFaceSamples(path(scene, case.samples)),
     ]
     return {source.intersection.method: search, "samples": samples}
+
+
+class _Beams:
+    """Beams of light as a tracer; they need no filter."""
+
+    def __init__(self, plan: BeamPlan) -> None:
+        self._plan, self.notes = plan, list(plan.notes)
+
+    def image(self, heights: Mapping[str, torch.Tensor], filter: Filter) -> Light:
+        return self._plan.trace(heights)
+
+
+class _Rays(_Beams):
+    """Rays of the source as a tracer."""
+
+    def __init__(self, plan: Plan) -> None:
+        self._plan, self.notes = plan, list(plan.notes)
+
+
+def any_light(case: Case, dtype: torch.dtype) -> dict[str, list[Make]]:
+    """Ways that serve any source, receiver and outline: reference and kernel, if there is one."""
+    corners = Corners(*case.samples, case.origins)
+    beams: list[Make] = [
+        lambda scene, fused=fused: _Beams(BeamPlan(scene, corners, dtype=dtype, fused=fused))
+        for fused in (False, True)
+    ]
+    rays: list[Make] = [
+        lambda scene, fused=fused: _Rays(Plan(scene, dtype=dtype, fused=fused))
+        for fused in (False, True)
+    ]
+    if _sampled_otherwise(case.scene.source):
+        return {"beams": beams[:1], "fused beams": beams[1:], "rays": rays}
+    return {"beams": beams, "rays": rays}
+
+
+def _sampled_otherwise(source: Source) -> bool:
+    """Whether the kernel has other beams than the reference.
+
+    It knows the light of each cell of a straight beam, and has points of a grid share their samples
+    where the reference gives each its own.
+    """
+    straight_beam = isinstance(source, CollimatedSource) and source.along_axis
+    return source.kind == "grid" or (straight_beam and source.profile.kind == "gaussian")
 
 
 def see(tracer: Tracer, scene: Scene, heights: torch.Tensor, cotangent: torch.Tensor) -> Seen:
@@ -108,10 +164,10 @@ def noise(case: Case, dtype: torch.dtype) -> float:
 
     A height moves hits by the distance of the screen over that of control points.
     """
-    lens, screen, info = case.scene.lens, case.scene.screen, torch.finfo(dtype)
+    lens, receiver, info = case.scene.lens, case.scene.receiver, torch.finfo(dtype)
     steepest = max(n / r for n, r in zip(lens.control_points, lens.half_width, strict=True))
-    pixels = max(n / r for n, r in zip(screen.pixels, screen.half_width, strict=True))
-    lever = (1 + (screen.z - lens.entrance_z) * steepest) * pixels
+    pixels = max(n / r for n, r in zip(receiver.pixels, receiver.half_extent, strict=True))
+    lever = (1 + max(receiver.per_radian(lens.entrance_z)) * steepest) * pixels
     largest = float(case.cotangent().abs().max())
     return lever * (100 * info.eps * largest + info.smallest_normal)
 
@@ -128,23 +184,27 @@ def _distances(one: Seen, other: Seen, noise: float) -> Array:
     )
 
 
-def _nudged(screen: Screen, wide: tuple[float, float], nudge: tuple[float, float]) -> Screen:
-    """A screen of other half-widths whose pixels are moved a little."""
-    (r_x, r_y), (n_x, n_y), (x, y) = wide, screen.pixels, screen.center
+def _nudged(
+    receiver: Screen | FarField, wide: tuple[float, float], nudge: tuple[float, float]
+) -> AnyReceiver:
+    """A receiver of other half-extents whose pixels are moved a little."""
+    (r_x, r_y), (n_x, n_y), (x, y) = wide, receiver.pixels, receiver.center
     center = x - nudge[0] * 2 * r_x / n_x, y + nudge[1] * 2 * r_y / n_y
-    return screen.model_copy(update={"half_width": wide, "center": center})
+    return receiver.model_copy(update={receiver.extent: wide, "center": center})
 
 
 def _moved(scene: Scene, signs: list[int]) -> Source:
     """The source a few roundings of the aperture aside, which matters to one right before it."""
     source, hair = scene.source, 4 * torch.finfo(torch.float64).eps
     if isinstance(source, CollimatedSource):
-        return source
-    name = "position" if isinstance(source, PointSource) else "center"
-    x, y, z = getattr(source, name)
+        if source.along_axis:
+            return source
+        about_x, about_y = source.direction
+        tilted = about_x + 90 * hair * signs[0], about_y + 90 * hair * signs[1]
+        return source.model_copy(update={"direction": tilted})
+    x, y, z = source.place
     r_x, r_y = scene.lens.half_width
-    place = (x + signs[0] * hair * r_x, y + signs[1] * hair * r_y, z)
-    return source.model_copy(update={name: place})
+    return source.placed((x + signs[0] * hair * r_x, y + signs[1] * hair * r_y, z))
 
 
 def _neighbours(case: Case, make: Make, dtype: torch.dtype) -> list[Seen]:
@@ -158,12 +218,12 @@ def _neighbours(case: Case, make: Make, dtype: torch.dtype) -> list[Seen]:
     found = []
     # Pixels move to each side, or apart and together.
     for *signs, growth in [*product((-1, 1), (-1, 1), (0,)), (0, 0, -1), (0, 0, 1)]:
-        wide = tuple(r * (1 + hair * growth) for r in scene.screen.half_width)
-        nudge = tuple(hair * m * sign for m, sign in zip(scene.screen.pixels, signs, strict=True))
+        receiver = scene.receiver
+        wide = tuple(r * (1 + hair * growth) for r in receiver.half_extent)
+        nudge = tuple(hair * m * sign for m, sign in zip(receiver.pixels, signs, strict=True))
         index = scene.lens.index * (1 + hair * rng.uniform(0, 1))
-        other = scene.model_copy(
+        other = scene.with_receiver(_nudged(receiver, wide, nudge)).model_copy(
             update={
-                "screen": _nudged(scene.screen, wide, nudge),
                 "lens": scene.lens.model_copy(update={"refractive_index": index}),
                 "source": _moved(scene, signs),
             }
@@ -173,10 +233,10 @@ def _neighbours(case: Case, make: Make, dtype: torch.dtype) -> list[Seen]:
     return found
 
 
-def check_traces(case: Case, dtype: torch.dtype) -> None:
+def check_traces(case: Case, dtype: torch.dtype, by: Ways = ways) -> None:
     """Every way to trace a case is sane, and kernels agree with their reference."""
     scene = case.scene
-    for makes in ways(case, dtype).values():
+    for makes in by(case, dtype).values():
         seen = [see(make(scene), scene, case.heights(), case.cotangent()) for make in makes]
         for one in seen:
             sane(one, dtype)

@@ -20,7 +20,7 @@ TARGETS = ("tophat", "one pixel", "line", "checkerboard", "noise", "denormal", "
 
 def target(kind: str, scene: Scene) -> npt.NDArray[np.float64]:
     """A target that is hard to reach."""
-    n_x, n_y = scene.screen.pixels
+    n_x, n_y = scene.receiver.pixels
     rng = np.random.default_rng(1)
     image = np.zeros((n_y, n_x))
     if kind == "tophat":

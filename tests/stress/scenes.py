@@ -7,6 +7,7 @@ import torch
 from hypothesis import strategies as st
 
 from tests.scenes import changed
+from tests.stress.lamps import LAMPS
 from workbench.design.heights import HeightRange
 from workbench.geometry.surface import ControlNet
 from workbench.scene import Scene
@@ -14,8 +15,9 @@ from workbench.scene import Scene
 LENGTHS = {
     "lens": ("half_width", "entrance_z", "height_range", "min_thickness"),
     "base": ("height", "radius"),
-    "screen": ("z", "half_width"),
+    "screen": ("z", "half_width", "center"),
     "source": ("position", "center", "half_width"),
+    "profile": ("radius",),
 }
 FACES = ("flat", "wavy", "rough", "wild", "critical", "floor")
 WEIGHTS = ("noise", "one pixel", "checkerboard", "nothing", "denormal")
@@ -35,7 +37,9 @@ class Case(NamedTuple):
     weight : str
         Cotangent of the image, one of WEIGHTS.
     samples : tuple[int, int]
-        Of the exit face, where the source is one of points.
+        Of the exit face, where the source is one of points; cells of beams.
+    origins : int
+        Of light that comes from everywhere in a disc or an area.
     seed : int
         Of the face and the weights.
     """
@@ -45,11 +49,12 @@ class Case(NamedTuple):
     face: str = "wavy"
     weight: str = "noise"
     samples: tuple[int, int] = (20, 20)
+    origins: int = 8
     seed: int = 0
 
     @property
     def scene(self) -> Scene:
-        return Scene.from_data(in_units(self.data, 2.0**self.unit))
+        return Scene.from_data(in_units(self.data, 2.0**self.unit)).carrying(LAMPS)
 
     def heights(self) -> torch.Tensor:
         """Control heights within their range."""
@@ -70,7 +75,7 @@ class Case(NamedTuple):
 
     def cotangent(self) -> torch.Tensor:
         """Cotangent of the image."""
-        n_x, n_y = self.scene.screen.pixels
+        n_x, n_y = self.scene.receiver.pixels
         rng = np.random.default_rng(self.seed + 1)
         values = np.zeros((n_y, n_x))
         if self.weight in ("noise", "denormal"):
@@ -83,14 +88,14 @@ class Case(NamedTuple):
 
 
 def in_units(data: dict[str, Any], factor: float) -> dict[str, Any]:
-    """The scene's data with all lengths multiplied."""
+    """The scene's data with all lengths multiplied, and what is per length divided."""
 
     def walk(part: dict[str, Any], name: str) -> dict[str, Any]:
-        lengths = LENGTHS.get(name, ())
+        powers = dict.fromkeys(LENGTHS.get(name, ()), 1) | {"absorption": -1}
         return {
             key: walk(value, key)
             if isinstance(value, dict)
-            else (np.multiply(value, factor).tolist() if key in lengths else value)
+            else (np.multiply(value, factor ** powers[key]).tolist() if key in powers else value)
             for key, value in part.items()
         }
 
