@@ -6,11 +6,50 @@ from hypothesis import HealthCheck, given, settings
 
 from tests.stress.checks import any_light, check_traces
 from tests.stress.lights import lit_cases
-from tests.stress.scenes import Case
+from tests.stress.scenes import Case, plain
 
 DTYPES = [torch.float64, torch.float32]
-FEW = settings(max_examples=40, suppress_health_check=list(HealthCheck))
+FEW = settings(max_examples=20, suppress_health_check=list(HealthCheck))
 MANY = settings(max_examples=2000, suppress_health_check=list(HealthCheck))
+
+FAR_FIELD = {"half_angle": [40.0, 30.0], "center": [5.0, -10.0], "pixels": [16, 17]}
+SLIM = {"kind": "collimated", "rays": [5, 4], "direction": [-20.0, 5.0]}
+SUN = {"kind": "collimated", "rays": [20, 20], "angular_diameter": 5.0}
+LED = {"kind": "area", "center": [0.0, 0.1, -1.0], "half_width": [0.3, 0.2], "rays": 300}
+
+# Each has broken something once, or stands for an extreme that chance may not meet.
+NAMED = {
+    "a point far aside keeps its flux before an ellipse": plain(
+        {"source": {"kind": "point", "position": [0.0, -1e5, -1e6], "rays": 500}}
+        | {"lens.outline": "ellipse"},
+        samples=(12, 16),
+    ),
+    "rays beside totally reflected ones": plain({"source": SUN}, face="wild"),
+    "a slim beam of few rays": plain(
+        {"source": SLIM | {"profile": {"kind": "gaussian", "radius": 0.01}}}
+    ),
+    "an emitter before a coated, absorbing lens and a far field": plain(
+        {"source": LED, "screen": None, "far_field": FAR_FIELD, "lens.reflection": "fresnel"}
+        | {"lens.absorption": 1.0, "lens.coating": [0.0, 0.3], "lens.outline": "ellipse"},
+    ),
+    "a lamp that is turned away gives no light": plain(
+        {
+            "source": {
+                "kind": "photometric",
+                "file": "narrow.ies",
+                "position": [0.0, 0.0, -2.0],
+                "rotation": [180.0, 0.0, 0.0],
+                "rays": 200,
+            }
+        }
+    ),
+}
+
+
+@pytest.mark.parametrize("dtype", DTYPES)
+@pytest.mark.parametrize("case", NAMED.values(), ids=NAMED.keys())
+def test_named_extremes_of_any_light(case, dtype):
+    check_traces(case, dtype, any_light)
 
 
 @FEW
