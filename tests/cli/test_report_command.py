@@ -1,17 +1,24 @@
 import base64
+import contextlib
 import io
 import json
+import logging
+import math
 import os
 import re
+import shutil
 import sys
 from datetime import datetime
 from html.parser import HTMLParser
+from pathlib import Path
 
 import numpy as np
 import pytest
 from PIL import Image
 
 from tests.accounts import account_of
+from tests.scenes import changed
+from workbench.cli import main
 from workbench.design.lens_state import LensState
 from workbench.design.session import VerifiedError
 from workbench.design.snapshot import Result
@@ -19,6 +26,7 @@ from workbench.files.session import KeptRun, Session, write_session
 from workbench.geometry.faces import FaceArrays
 from workbench.report.content import Picture, Report, Row, Section
 from workbench.report.pdf import write_pdf
+from workbench.scene import Scene
 from workbench.targets import load_target
 
 DAY = datetime(2001, 2, 3, 4, 5, 6)
@@ -36,11 +44,12 @@ def no_3d(monkeypatch, white):
     monkeypatch.setattr("workbench.pictures.report.lens_image", lambda *_, **__: white)
 
 
-@pytest.fixture
-def lens(make_scene, tmp_path):
+@pytest.fixture(scope="module")
+def wavy(tmp_path_factory):
     """A session with a wavy lens that no run has made."""
-    scene = make_scene()
-    target = load_target(scene, tmp_path)
+    folder = tmp_path_factory.mktemp("wavy")
+    scene = Scene.from_data(changed({}))
+    target = load_target(scene, folder)
     result = Result(
         LensState(
             heights=FaceArrays({"exit": 0.5 + 0.01 * np.sin(np.arange(120.0)).reshape(12, 10)}),
@@ -53,10 +62,35 @@ def lens(make_scene, tmp_path):
     )
     checked = VerifiedError(0.0625, (0.06, 0.065))
     kept = KeptRun("first <try>", scene, target, result, checked)
-    path = tmp_path / "a <b> & 'c'.freeform"
+    path = folder / "a <b> & 'c'.freeform"
     write_session(Session(scene, target, result, runs=(kept,)), path)
     os.utime(path, (DAY.timestamp(), DAY.timestamp()))
     return path
+
+
+@pytest.fixture
+def lens(wavy, tmp_path):
+    """The same, for a test of its own."""
+    return Path(shutil.copy2(wavy, tmp_path))
+
+
+@pytest.fixture(scope="module")
+def reports(wavy, white):
+    """The folder of both reports of that lens, ``out.html`` and ``out.pdf``."""
+    said = io.StringIO()
+    files = wavy.with_name("out.html"), wavy.with_name("out.pdf")
+    arguments = [str(argument) for argument in ("report", wavy, *files, *RAYS, *OFF)]
+    with (
+        pytest.MonkeyPatch.context() as patch,
+        contextlib.redirect_stdout(said),
+        contextlib.redirect_stderr(said),
+    ):
+        patch.setattr("workbench.pictures.report.lens_image", lambda *_, **__: white)
+        patch.setattr("workbench.cli.progress._LINES", math.inf)
+        patch.setattr(logging.getLogger("workbench.compiled"), "disabled", True)
+        status = main(arguments)
+    assert (status, said.getvalue()) == (0, "")
+    return wavy.parent
 
 
 class Page(HTMLParser):
@@ -98,10 +132,8 @@ def number(text):
 @pytest.mark.usefixtures("no_3d")
 class TestHtml:
     @pytest.fixture
-    def page(self, freeform, lens, tmp_path):
-        status, printed, told = freeform("report", lens, tmp_path / "out.html", *RAYS, *OFF)
-        assert (status, printed, told) == (0, "", "")
-        return (tmp_path / "out.html").read_text()
+    def page(self, reports):
+        return (reports / "out.html").read_text()
 
     def test_it_needs_nothing_else_and_names_are_text(self, page, lens):
         found = Page(page)
@@ -169,16 +201,13 @@ class TestHtml:
         assert number(found["worst"]) >= number(found["mean"]) > 0
 
 
-@pytest.mark.usefixtures("no_3d")
 class TestPdf:
-    def test_it_opens_and_has_all_text(self, freeform, lens, tmp_path):
+    def test_it_opens_and_has_all_text(self, reports, wavy):
         pypdf = pytest.importorskip("pypdf")
-        files = tmp_path / "out.pdf", tmp_path / "out.html"
-        assert freeform("report", lens, *files, *RAYS, *OFF)[0] == 0
-        reader = pypdf.PdfReader(files[0])
-        assert reader.metadata.title == lens.stem
+        reader = pypdf.PdfReader(reports / "out.pdf")
+        assert reader.metadata.title == wavy.stem
         text = " ".join(" ".join(page.extract_text() for page in reader.pages).split())
-        page = Page(files[1].read_text())
+        page = Page((reports / "out.html").read_text())
         for heading in page.headings:
             assert heading in text
         for name, value in page.rows.items():

@@ -49,9 +49,8 @@ def paint(polygons: Iterable[tuple[npt.ArrayLike, float]], receiver: AnyReceiver
     for outline, grey in polygons:
         u, v = (np.asarray(outline, dtype=np.float64) + receiver.middle).T
         corners = np.stack(receiver.to_pixels(u, v), axis=1)  # [n, (column, row)]
-        edges = list(zip(corners, np.roll(corners, -1, axis=0), strict=True))
-        turning = np.sign(sum(a[0] * b[1] - a[1] * b[0] for a, b in edges))
-        start, end = np.concatenate([_cut_at_pixel_edges(a, b) for a, b in edges]).swapaxes(0, 1)
+        start, end = _cut_at_pixel_edges(corners, np.roll(corners, -1, axis=0))
+        turning = np.sign((start[:, 0] * end[:, 1] - start[:, 1] * end[:, 0]).sum())
 
         # Green's theorem, row by row: a piece of the outline that crosses some part of a row's
         # height changes every pixel to its right by that part, and its own pixel by the share
@@ -68,7 +67,17 @@ def paint(polygons: Iterable[tuple[npt.ArrayLike, float]], receiver: AnyReceiver
     return painted
 
 
-def _cut_at_pixel_edges(start: Array, end: Array) -> Array:
+def _cut_at_pixel_edges(start: Array, end: Array) -> tuple[Array, Array]:
+    """Starts and ends of pieces of straight lines, each piece within one pixel; shape (n, 2)."""
+    lines = np.stack([start, end], axis=1)
+    # Most lines of a fine outline lie within a pixel as they are.
+    whole = (np.ceil(lines.max(axis=1)) - np.floor(lines.min(axis=1)) <= 1).all(axis=1)
+    cut = [_pieces(*line) for line in lines[~whole]]
+    pieces = np.concatenate([lines[whole], *cut])
+    return pieces[:, 0], pieces[:, 1]
+
+
+def _pieces(start: Array, end: Array) -> Array:
     """Pieces of a straight line, each within one pixel; shape (pieces, 2 ends, 2)."""
     cuts = [np.array([0.0, 1.0])]
     for a, b in zip(start, end, strict=True):
