@@ -46,9 +46,9 @@ class ReceiverPanel(Panel):
         if getattr(scene, name) is not None:
             return None
         kind = self._kinds[name]
-        begun = kind.model_validate(kind.begun(scene))
+        made = kind.model_validate(kind.defaults_for(scene))
         changes: Changes = dict.fromkeys(self._titles)
-        return changes | {name: begun.model_dump(mode="json", exclude_none=True)}
+        return changes | {name: made.model_dump(mode="json", exclude_none=True)}
 
 
 class _ChoiceOfReceiver(ChoiceRow):

@@ -55,7 +55,7 @@ class SourcePanel(PartPanel):
         kind = next((k for k in _KINDS if path.suffix.lower() in k.endings), _KINDS[0])
         file = {"file": str(path.absolute())}
         scene = self.session.scene
-        source: dict[str, Any] = {"kind": _NAMED.name_of(kind), **kind.begun(scene)}
+        source: dict[str, Any] = {"kind": _NAMED.name_of(kind), **kind.defaults_for(scene)}
         if isinstance(scene.source, kind):
             source = scene.source.model_dump(mode="json")
         edit = Edit(

@@ -63,7 +63,7 @@ class SphereBase(Part):
     ] = "concave"
 
     @classmethod
-    def begun(cls, scene: "Scene") -> dict[str, Any]:
+    def defaults_for(cls, scene: "Scene") -> dict[str, Any]:
         """Shallow enough for any lens or mirror that a flat base was good for."""
         return {"radius": float(f"{10 * math.hypot(*scene.optic.half_width):.2g}")}
 

@@ -53,7 +53,7 @@ class GaussianProfile(Part):
     ]
 
     @classmethod
-    def begun(cls, scene: "Scene") -> dict[str, Any]:
+    def defaults_for(cls, scene: "Scene") -> dict[str, Any]:
         """Most of its light meets the lens."""
         return {"radius": min(scene.optic.half_width) / 2}
 

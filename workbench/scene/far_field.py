@@ -55,7 +55,7 @@ class FarField(AnyReceiver):
     pixels: Pixels
 
     @classmethod
-    def begun(cls, scene: "Scene") -> dict[str, Any]:
+    def defaults_for(cls, scene: "Scene") -> dict[str, Any]:
         """As wide as the receiver that is there looks from the lens."""
         receiver = scene.receiver
         wide = zip(receiver.half_extent, receiver.per_radian(scene.optic.leaving_z), strict=True)

@@ -76,7 +76,7 @@ class GridSource(LightOfPoints):
     ] = 1000
 
     @classmethod
-    def begun(cls, scene: "Scene") -> dict[str, Any]:
+    def defaults_for(cls, scene: "Scene") -> dict[str, Any]:
         """Where the scene's source is, half as wide as the lens."""
         x, y = scene.optic.half_width
         place = scene.source.place or in_front(scene.optic)

@@ -66,7 +66,7 @@ class Kinds:
         kind : type[Part]
             The kind of the new one.
         scene : Scene
-            Where the new one begins; see `Part.begun`.
+            Where the new one begins; see `Part.defaults_for`.
 
         Returns
         -------
@@ -84,7 +84,7 @@ class Kinds:
         }
         if self.field in kind.model_fields:
             kept[self.field] = self.name_of(kind)
-        given = kept | kind.begun(scene)
+        given = kept | kind.defaults_for(scene)
         needed = {name for name, field in kind.model_fields.items() if field.is_required()}
         return None if needed - given.keys() else kind.model_validate(given)
 

@@ -156,7 +156,7 @@ class PhotometricSource(MeasuredSource):
     ]
 
     @classmethod
-    def begun(cls, scene: "Scene") -> dict[str, Any]:
+    def defaults_for(cls, scene: "Scene") -> dict[str, Any]:
         """Where the scene's source is."""
         return {"position": scene.source.place or in_front(scene.optic)}
 
@@ -199,7 +199,7 @@ class RayFileSource(MeasuredSource):
     ] = None
 
     @classmethod
-    def begun(cls, scene: "Scene") -> dict[str, Any]:
+    def defaults_for(cls, scene: "Scene") -> dict[str, Any]:
         """Where the scene's source is."""
         return {"position": scene.source.place or in_front(scene.optic)}
 

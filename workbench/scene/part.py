@@ -131,7 +131,7 @@ class Part(BaseModel):
         return tuple(describe(name, cls.model_fields[name]) for name in names)
 
     @classmethod
-    def begun(cls, scene: "Scene") -> dict[str, Any]:
+    def defaults_for(cls, scene: "Scene") -> dict[str, Any]:
         """What a new part of this kind begins with in a scene, beside defaults."""
         return {}
 

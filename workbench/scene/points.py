@@ -248,7 +248,7 @@ class PointSource(LightOfPoints):
     ] = 500_000
 
     @classmethod
-    def begun(cls, scene: "Scene") -> dict[str, Any]:
+    def defaults_for(cls, scene: "Scene") -> dict[str, Any]:
         """Where the scene's source is."""
         return {"position": scene.source.place or in_front(scene.optic)}
 

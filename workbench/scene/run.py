@@ -145,7 +145,7 @@ class AutoRun(RunSettings):
     start: ClassVar[Literal["zeros"]] = "zeros"
 
     @classmethod
-    def begun(cls, scene: "Scene") -> dict[str, Any]:
+    def defaults_for(cls, scene: "Scene") -> dict[str, Any]:
         """The scene's stages; there is no learning rate in those that follow this method."""
         stages = scene.run.stages
         return {

@@ -68,7 +68,7 @@ class Screen(AnyReceiver):
     pixels: Pixels
 
     @classmethod
-    def begun(cls, scene: "Scene") -> dict[str, Any]:
+    def defaults_for(cls, scene: "Scene") -> dict[str, Any]:
         """Some widths of the lens away from it, as wide as the receiver that is there looks."""
         receiver, optic = scene.receiver, scene.optic
         away = float(f"{_DISTANCE * max(optic.half_width):.3g}")
