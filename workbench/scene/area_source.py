@@ -6,13 +6,12 @@ import numpy as np
 import numpy.typing as npt
 from pydantic import ConfigDict
 
-from workbench.scene import limits
 from workbench.scene.emission import Emission
 from workbench.scene.fields import LENGTH, PLACE, Version, about
 from workbench.scene.optic import Optic
 from workbench.scene.part import Positive
-from workbench.scene.points import MOST_RAYS, AnySource, Place, PointSource, disc, in_front
-from workbench.scene.receiver import AnyReceiver
+from workbench.scene.points import MOST_RAYS, Place, check_place, disc, in_front
+from workbench.scene.wide_source import WideSource
 
 if TYPE_CHECKING:
     from workbench.scene.task import Scene
@@ -20,7 +19,7 @@ if TYPE_CHECKING:
 Array = npt.NDArray[np.float64]
 
 
-class AreaSource(AnySource):
+class AreaSource(WideSource):
     """A flat emitter that faces the lens; it shines into the whole half-space before it.
 
     What misses the entrance face misses the lens.
@@ -65,11 +64,6 @@ class AreaSource(AnySource):
         return {"center": place, "half_width": (x / 10, y / 10)}
 
     @property
-    def place(self) -> Place:
-        """Its middle."""
-        return self.center
-
-    @property
     def continuous(self) -> bool:
         """Always."""
         return True
@@ -80,38 +74,14 @@ class AreaSource(AnySource):
         return self.rays
 
     @property
-    def mirrored(self) -> tuple[bool, bool]:
-        """Where its middle is on the axis."""
-        return self.center[0] == 0, self.center[1] == 0
-
-    @property
-    def sharp(self) -> PointSource:
-        """Its middle."""
-        return PointSource(kind="point", position=self.center, emission=self.emission)
-
-    @property
     def blur_shape(self) -> Literal["rectangle", "ellipse"]:
         """Its outline."""
         return self.outline
 
-    def blur(self, optic: Optic, receiver: AnyReceiver) -> tuple[float, float]:
-        """Its angles as seen from the lens, times how far they move light."""
-        way = optic.front_z - self.center[2]
-        x, y = (
-            2 * r * farther / way
-            for r, farther in zip(
-                self.half_width, receiver.per_radian(optic.leaving_z), strict=True
-            )
-        )
-        return x, y
-
     def check_before(self, optic: Optic) -> None:
         """Refuse an optic that is not behind it, or too near, too far or too small beside it."""
-        x, y, z = self.center
-        aside = [("source.center[0]", x), ("source.center[1]", y)]
-        extent = [(f"source.half_width[{axis}]", r) for axis, r in enumerate(self.half_width)]
-        limits.check_lengths(aside + extent, optic.half_width, limits.FARTHEST)
-        limits.check_before("source.center[2]", z, optic)
+        check_place("source.center", self.center, optic)
+        super().check_before(optic)
 
     def seen(self, most: tuple[int, int]) -> Array:
         """Points over its face; see `AnySource.seen`."""
@@ -135,15 +105,6 @@ class AreaSource(AnySource):
     def corners(self) -> Array:
         """Corners of the rectangle around it, shape (4, 3)."""
         return self.seen((2, 2))
-
-    def placed(self, place: Place) -> Self:
-        """The same emitter with its middle elsewhere."""
-        return self.model_copy(update={"center": place})
-
-    def shrunk(self, factor: float) -> Self:
-        """An emitter of another size about the same middle."""
-        x, y = self.half_width
-        return self.model_copy(update={"half_width": (factor * x, factor * y)})
 
     def widened(self, corner: Array, digits: int) -> Self:
         """An emitter about the same middle with a corner at a place; see `AnySource.widened`."""

@@ -9,12 +9,12 @@ import numpy.typing as npt
 from pydantic import ConfigDict, Field
 
 from workbench.errors import Refused
-from workbench.scene import limits
 from workbench.scene.fields import LENGTH, PLACE, about
 from workbench.scene.optic import Optic
 from workbench.scene.part import NonNegative
-from workbench.scene.points import MOST_RAYS, LightOfPoints, Place, PointSource, in_front
+from workbench.scene.points import MOST_RAYS, LightOfPoints, Place, in_front
 from workbench.scene.receiver import AnyReceiver
+from workbench.scene.wide_source import WideSource
 
 if TYPE_CHECKING:
     from workbench.scene.task import Scene
@@ -24,7 +24,7 @@ Array = npt.NDArray[np.float64]
 PointCount = Annotated[int, Field(ge=1, le=512)]
 
 
-class GridSource(LightOfPoints):
+class GridSource(WideSource, LightOfPoints):
     """Many points of equal intensity, standing for a source of some size.
 
     Each emits into a cone of its own that just covers the entrance face, so its part of the flux
@@ -88,16 +88,6 @@ class GridSource(LightOfPoints):
         return self.rays * math.prod(self.points)
 
     @property
-    def mirrored(self) -> tuple[bool, bool]:
-        """Where its middle is on the axis."""
-        return self.center[0] == 0, self.center[1] == 0
-
-    @property
-    def sharp(self) -> PointSource:
-        """Its middle."""
-        return PointSource(kind="point", position=self.center, emission=self.emission)
-
-    @property
     def axes(self) -> tuple[Array, Array]:
         """The x of its columns, shape (m_x,), and the y of its rows of points, shape (m_y,)."""
         x, y = (
@@ -115,13 +105,8 @@ class GridSource(LightOfPoints):
 
     def blur(self, optic: Optic, receiver: AnyReceiver) -> tuple[float, float]:
         """Its angles as seen from the lens, times how far they move light."""
-        way = optic.front_z - self.center[2]
-        x, y = (
-            2 * r * farther / way if count > 1 else 0.0
-            for r, farther, count in zip(
-                self.half_width, receiver.per_radian(optic.leaving_z), self.points, strict=True
-            )
-        )
+        widths = super().blur(optic, receiver)
+        x, y = (w if count > 1 else 0.0 for w, count in zip(widths, self.points, strict=True))
         return x, y
 
     @property
@@ -141,8 +126,6 @@ class GridSource(LightOfPoints):
                 f"{self.rays} from each of {math.prod(self.points)} points are too many; "
                 f"at most {MOST_RAYS} rays in all",
             )
-        extent = [(f"source.half_width[{axis}]", r) for axis, r in enumerate(self.half_width)]
-        limits.check_lengths(extent, optic.half_width, limits.FARTHEST)
         super().check_before(optic)
 
     def seen(self, most: tuple[int, int]) -> Array:
@@ -154,11 +137,6 @@ class GridSource(LightOfPoints):
     def corners(self) -> Array:
         """Its outermost points, shape (n, 3); none where there is nothing to widen."""
         return self.seen((2, 2)) if max(self.points) > 1 else np.zeros((0, 3))
-
-    def shrunk(self, factor: float) -> Self:
-        """A grid of another size about the same middle."""
-        x, y = self.half_width
-        return self.model_copy(update={"half_width": (factor * x, factor * y)})
 
     def widened(self, corner: Array, digits: int) -> Self:
         """A grid about the same middle with a corner at a place; see `AnySource.widened`."""

@@ -6,12 +6,8 @@ height loses the digits that make its shape, and light of a point arrives.
 
 import math
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
 
 from workbench.errors import Refused
-
-if TYPE_CHECKING:
-    from workbench.scene.optic import Optic
 
 LARGEST_INDEX = 10.0
 """No transparent material has a larger refractive index."""
@@ -110,25 +106,3 @@ def check_lengths(
                 f"{length:g} is too long beside a half-width of {max(half_width):g}; "
                 f"at most {longest:g}",
             )
-
-
-def check_before(path: str, z: float, optic: "Optic") -> None:
-    """Refuse a source that does not stand before all of an optic, is too near or too far.
-
-    Raises
-    ------
-    Refused
-        With its z or its way, and what is possible.
-    """
-    front, size, way = optic.front_called, max(optic.half_width), optic.front_z - z
-    if z >= optic.lowest:
-        raise Refused(path, f"{z:g} is not before {front}; less than {optic.lowest:g}")
-    least, most = NEAREST * size, FARTHEST * size
-    beside = f"for a {optic.called} with a half-width of {size:g}"
-    if way < least:
-        raise Refused(path, f"{way:g} before {front} is too near {beside}; at least {least:g}")
-    if way > most:
-        raise Refused(
-            path,
-            f"{way:g} before {front} is too far {beside}; at most {most:g}, or collimated light",
-        )

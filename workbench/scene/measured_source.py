@@ -11,11 +11,10 @@ import numpy.typing as npt
 from pydantic import ConfigDict, Field, PrivateAttr
 
 from workbench.errors import Refused
-from workbench.scene import limits
 from workbench.scene.content import Content
 from workbench.scene.fields import FILE, LENGTH, PLACE, Measure, Version, about
 from workbench.scene.optic import Optic
-from workbench.scene.points import MOST_RAYS, AnySource, Place, PointSource, in_front
+from workbench.scene.points import MOST_RAYS, AnySource, Place, PointSource, check_place, in_front
 
 if TYPE_CHECKING:
     from workbench.scene.task import Scene
@@ -124,10 +123,7 @@ class MeasuredSource(AnySource):
 
     def check_before(self, optic: Optic) -> None:
         """Refuse an optic that is not behind it, or too near or too far, as a point does."""
-        x, y, z = self.position
-        aside = [("source.position[0]", x), ("source.position[1]", y)]
-        limits.check_lengths(aside, optic.half_width, limits.FARTHEST)
-        limits.check_before("source.position[2]", z, optic)
+        check_place("source.position", self.position, optic)
 
 
 class PhotometricSource(MeasuredSource):

@@ -8,6 +8,7 @@ import numpy as np
 import numpy.typing as npt
 from pydantic import ConfigDict
 
+from workbench.errors import Refused
 from workbench.scene import limits
 from workbench.scene.emission import Emission, ExactMethod, Fresh, Intersection, Sampling
 from workbench.scene.fields import LENGTH, PLACE, about
@@ -205,11 +206,7 @@ class LightOfPoints(AnySource):
 
     def check_before(self, optic: Optic) -> None:
         """Refuse an optic that is not behind it, or too near, too far or too fine."""
-        x, y, z = self.place
-        path = f"source.{self.middle}"
-        aside = [(f"{path}[0]", x), (f"{path}[1]", y)]
-        limits.check_lengths(aside, optic.half_width, limits.FARTHEST)
-        limits.check_before(f"{path}[2]", z, optic)
+        check_place(f"source.{self.middle}", self.place, optic)
         self.intersection.check_for(optic)
 
     def placed(self, place: Place) -> Self:
@@ -272,6 +269,30 @@ class PointSource(LightOfPoints):
         """The x and the y of its points, shape (1,) each."""
         x, y, _ = self.position
         return np.array([x]), np.array([y])
+
+
+def check_place(path: str, place: Place, optic: Optic) -> None:
+    """Refuse light from a place that is not before all of an optic, too near or too far.
+
+    Raises
+    ------
+    Refused
+        With its coordinate or its way, and what is possible.
+    """
+    x, y, z = place
+    aside = [(f"{path}[0]", x), (f"{path}[1]", y)]
+    limits.check_lengths(aside, optic.half_width, limits.FARTHEST)
+    front, size, way = optic.front_called, max(optic.half_width), optic.front_z - z
+    if z >= optic.lowest:
+        raise Refused(f"{path}[2]", f"{z:g} is not before {front}; less than {optic.lowest:g}")
+    least, most = limits.NEAREST * size, limits.FARTHEST * size
+    beside = f"for a {optic.called} with a half-width of {size:g}"
+    if way < least:
+        near = f"{way:g} before {front} is too near {beside}; at least {least:g}"
+        raise Refused(f"{path}[2]", near)
+    if way > most:
+        far = f"{way:g} before {front} is too far {beside}; at most {most:g}, or collimated light"
+        raise Refused(f"{path}[2]", far)
 
 
 def disc() -> Array:
