@@ -142,7 +142,9 @@ class LensTools(QObject):
             return None
         self.lens_taken.emit()
         draft = self._settling
-        return (frame.state.heights if draft is None else draft.heights)["exit"]
+        return (frame.state.heights if draft is None else draft.heights)[
+            frame.session.scene.optic.face
+        ]
 
     def _shape(self, heights: Array, settled: bool) -> None:
         frame = self._view.frame
@@ -150,7 +152,8 @@ class LensTools(QObject):
             return
         self._shaping = not settled
         drawing_queue().hurry(self._shaping)
-        lens = FaceArrays({**frame.state.heights, "exit": heights})
+        face = frame.session.scene.optic.face
+        lens = FaceArrays({**frame.state.heights, face: heights})
         draft = Draft(self._document.session, lens, frame.result, settled)
         self._settling = draft if settled else None
         self._live.show(draft)
@@ -222,14 +225,15 @@ class LensTools(QObject):
         if self._is_idle():
             session = self._document.session
             unlocked = np.zeros(session.scene.optic.net_shape, dtype=bool)
-            self._set_locked(change(session.locked.get("exit", unlocked)), text)
+            self._set_locked(change(session.locked.get(session.scene.optic.face, unlocked)), text)
 
     def _set_locked(self, locked: Mask, text: str) -> None:
         before = self._document.session
-        if np.array_equal(locked, before.locked.get("exit", np.zeros_like(locked))):
+        face = before.scene.optic.face
+        if np.array_equal(locked, before.locked.get(face, np.zeros_like(locked))):
             return
-        masks = {**before.locked, "exit": locked}
-        locks = FaceArrays({face: mask for face, mask in masks.items() if mask.any()})
+        masks = {**before.locked, face: locked}
+        locks = FaceArrays({each: mask for each, mask in masks.items() if mask.any()})
         session = replace(before, locked=locks)
         self._as_own(lambda: self._document.change(session, text))
 

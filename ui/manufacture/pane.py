@@ -128,7 +128,10 @@ class ManufacturePane(SideBySide):
         # One behind another tab is not hidden, but nothing of it is seen.
         if frame is None or self._background.busy or self.visibleRegion().isEmpty():
             return
-        optic, heights = frame.session.scene.optic, frame.state.heights["exit"]
+        optic, heights = (
+            frame.session.scene.optic,
+            frame.state.heights[frame.session.scene.optic.face],
+        )
 
         def work(task: Task) -> _Found:
             maps = surface_maps(optic, heights, even_counts(optic.half_width, _PLACES))

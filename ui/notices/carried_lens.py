@@ -89,7 +89,13 @@ class CarriedLens(QObject):
             if other.contains(net):
                 self._say(f"On {_size(other.shape)} control points the lens is the same.")
             else:
-                self._ask(before, after, deviation(net, old["exit"], other, new["exit"]))
+                self._ask(
+                    before,
+                    after,
+                    deviation(
+                        net, old[before.scene.optic.face], other, new[after.scene.optic.face]
+                    ),
+                )
         elif before.result is not None:
             self._tell_once(
                 before,

@@ -66,7 +66,7 @@ def make_frame(session: "Session", snapshot: "Snapshot", history: "History") -> 
     return Frame(
         session=session,
         snapshot=snapshot,
-        surface=sample_surface(scene.optic, heights["exit"], _SURFACE_SAMPLES),
+        surface=sample_surface(scene.optic, heights[scene.optic.face], _SURFACE_SAMPLES),
         source=source,
         paths=ray_paths(lit, heights, (RAYS, RAYS)),
         result=history.ended_with(snapshot),

@@ -181,7 +181,7 @@ class SceneView(View):
     def show_design(self, session: "Session") -> None:
         """Take note of another scene, target or set of locks."""
         super().show_design(session)
-        locked = session.locked.get("exit")
+        locked = session.locked.get(session.scene.optic.face)
         if locked is not self._locked:
             self.show_locked(locked)
 
@@ -325,7 +325,7 @@ class SceneView(View):
     def _draw_tools(self, frame: "Frame") -> None:
         net, handles, tool = self._net, self._handles, self._tool
         assert net is not None and handles is not None  # made with the picture
-        net.update(frame.state.heights["exit"])
+        net.update(frame.state.heights[frame.session.scene.optic.face])
         net.mark(self._marked)
         if tool is not None:
             self._hint.setText(tool.hint)

@@ -38,7 +38,7 @@ class SurfaceContent:
 
     def change(self, frame: "Frame") -> bool:
         """Show the face of a frame."""
-        return self.image.update(frame.state.heights["exit"])
+        return self.image.update(frame.state.heights[frame.session.scene.optic.face])
 
     def values(self, frame: "Frame") -> npt.NDArray[np.float64]:
         """Those of the map."""

@@ -92,13 +92,13 @@ def irradiance_derivative(
     _check(scene, index)
     plan = Plan(scene, dtype=dtype)
     tensors = {face: torch.tensor(each, device=device_of(scene)) for face, each in heights.items()}
-    rise = torch.zeros_like(tensors["exit"])
+    rise = torch.zeros_like(tensors[scene.optic.face])
     rise[index] = 1.0
     # Dual numbers rather than `torch.func.jvp`, whose wrapped tensors have no values that the
     # search for intersections could look at.
     with _DUAL_NUMBERS, torch.no_grad(), forward_ad.dual_level():
-        moved = forward_ad.make_dual(tensors["exit"], rise)  # type: ignore[no-untyped-call]
-        dual = plan.flux({**tensors, "exit": moved})
+        moved = forward_ad.make_dual(tensors[scene.optic.face], rise)  # type: ignore[no-untyped-call]
+        dual = plan.flux({**tensors, scene.optic.face: moved})
         flux, change = forward_ad.unpack_dual(dual)  # type: ignore[no-untyped-call]
     assert change is not None  # every image depends on every height, if only by 0
     change = change.to(torch.float64)

@@ -64,7 +64,7 @@ def screen_at(scene: Scene, heights: Mapping[str, Array], part: float) -> float:
     float
         z of the screen.
     """
-    highest = max(scene.optic.highest, float(heights["exit"].max()))
+    highest = max(scene.optic.highest, float(heights[scene.optic.face].max()))
     return highest + part * (scene.receiver.plane_z - highest)
 
 

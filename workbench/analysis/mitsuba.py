@@ -69,7 +69,7 @@ class MitsubaScene:
             "integrator": {"type": "ptracer", "max_depth": _SEGMENTS, "rr_depth": 100},
             "sensor": self._camera(),
             "screen": self._screen(),
-            **self._body(heights["exit"]),
+            **self._body(heights[scene.optic.face]),
             **self._baffle(),
         }
 

@@ -44,7 +44,7 @@ def manufacture(path: Path, limits: Limits, plot: Path | None, as_json: bool) ->
     scene = session.scene
     if plot is not None:
         check_writable(plot)
-    found = look_at(scene.optic, result.state.heights["exit"])
+    found = look_at(scene.optic, result.state.heights[scene.optic.face])
     if limits.min_thickness is None:
         limits = replace(limits, min_thickness=scene.optic.least_thickness)
     judged = verdicts(found, limits)
@@ -57,7 +57,7 @@ def manufacture(path: Path, limits: Limits, plot: Path | None, as_json: bool) ->
         from workbench.pictures.manufacture import write_manufacture  # late: draws
 
         count = even_counts(scene.optic.half_width, _PLACES)
-        maps = surface_maps(scene.optic, result.state.heights["exit"], count)
+        maps = surface_maps(scene.optic, result.state.heights[scene.optic.face], count)
         with replacing(plot) as file:
             write_manufacture(file, maps, limits, scene.unit)
     broken = [_sentence(v, scene.unit) for v in judged if v.state == "broken"]

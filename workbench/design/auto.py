@@ -78,7 +78,7 @@ def auto_steps(room: Room) -> Generator[Step, None, str]:
     mirrored = _mirrored(scene, target, room.start, locked)
     smoothness = Smoothness.of(scene, target, device)
     before = room.begin
-    heights = {"exit": torch.tensor(before, device=device)}
+    heights = {scene.optic.face: torch.tensor(before, device=device)}
     # All lenses are judged by the finest image, so that their losses can be compared.
     extent = light_extent_of(scene, heights)
     judge = image_of(FINE, scene, target, extent, mirrored)

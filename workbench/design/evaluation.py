@@ -43,7 +43,7 @@ class Evaluator:
         self._kept = heights
         self._device = device_of(scene)
         self._image = method_of(scene).image(
-            scene, target, self._tensors(heights), locked.get("exit")
+            scene, target, self._tensors(heights), locked.get(scene.optic.face)
         )
 
     def suits(self, scene: Scene, heights: ControlHeights, locked: Locks = NO_LOCKS) -> bool:

@@ -18,7 +18,7 @@ Mask = npt.NDArray[np.bool_]
 
 @dataclass(frozen=True)
 class HeightRange:
-    """Open interval of each control height of the exit face, entered through tanh.
+    """Open interval of each control height of a face, entered through tanh.
 
     De Koning et al. (2023), eqs. 10 and 28. By the convex-hull property the whole exit face then
     clears the entrance face by the minimal thickness, at every iteration.
@@ -31,12 +31,15 @@ class HeightRange:
         Parameters of the undesigned lens: base plus the middle of the height range.
     kept : Tensor, shape (n_u, n_v), float64, optional
         Heights that no parameter changes; NaN where one does.
+    face : str
+        Name of the face.
     """
 
     lower: Tensor
     upper: Tensor
     rest: Tensor
     kept: Tensor | None = None
+    face: str = "exit"
 
     @classmethod
     def of(cls, optic: Optic, net: ControlNet, device: torch.device | str = "cpu") -> "HeightRange":
@@ -50,9 +53,10 @@ class HeightRange:
         limits = HeightLimits.of(optic, net)
         if not np.isfinite(limits.upper).all():
             raise ValueError("the lens has neither a height range nor a maximal thickness")
-        rest = _inside(limits.undesigned, limits.lower, limits.upper)
-        ends = (limits.lower, limits.upper, rest)
-        return cls(*(torch.as_tensor(part, device=device) for part in ends))
+        ends = limits.lower, limits.upper
+        parts = (*ends, _inside(limits.undesigned, *ends))
+        lower, upper, rest = (torch.as_tensor(part, device=device) for part in parts)
+        return cls(lower, upper, rest, face=optic.face)
 
     def keeping(self, locked: Mask | None, start: Array | None) -> "HeightRange":
         """The same range, but locked control points keep their heights exactly.
@@ -72,7 +76,7 @@ class HeightRange:
 
     def heights(self, parameters: Tensor) -> Mapping[str, Tensor]:
         """Control heights (n_u, n_v) of parameters, by the name of the face."""
-        return {"exit": self._heights(parameters)}
+        return {self.face: self._heights(parameters)}
 
     def _heights(self, parameters: Tensor) -> Tensor:
         free = self.lower + (self.upper - self.lower) * (0.5 * torch.tanh(parameters) + 0.5)

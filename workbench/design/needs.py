@@ -49,20 +49,21 @@ def check_parts(
         except Refused as refused:
             if part is finished:
                 raise
-            path = refused.path.removeprefix("lens.").removeprefix("run.")
+            path = refused.path.removeprefix(f"{part.optic.called}.").removeprefix("run.")
             raise Refused(f"run.stages[{stage}].{path}", refused.reason) from None
-    if "exit" in locked and start is not None:
+    face = finished.optic.face
+    if face in locked and start is not None:
         limits = HeightLimits.of(bounded(finished), ControlNet.of(finished.optic))
-        inside = start["exit"].clip(limits.lower, limits.upper)
-        kept = np.where(locked["exit"], start["exit"], inside)
-        check_body(finished, {**start, "exit": kept})
+        inside = start[face].clip(limits.lower, limits.upper)
+        kept = np.where(locked[face], start[face], inside)
+        check_body(finished, {**start, face: kept})
 
 
 def _check_net(part: Scene, finished: Scene) -> None:
     """Refuse another net than that of the finished lens, which the locks are about."""
     if freeform_nets(part.optic) != freeform_nets(finished.optic):
         raise Refused(
-            "lens.control_points",
-            f"{list(part.optic.net_shape)} are not the control points of the finished lens "
-            "that are locked; leave the stage's net out or unlock them",
+            f"{part.optic.called}.control_points",
+            f"{list(part.optic.net_shape)} are not the control points of the finished "
+            f"{part.optic.called} that are locked; leave the stage's net out or unlock them",
         )

@@ -146,7 +146,7 @@ class Session:
 
     def __post_init__(self) -> None:
         if self.scene.optic.known_shape is None:
-            there = None if self.heights is None else self.heights["exit"].shape
+            there = None if self.heights is None else self.heights[self.scene.optic.face].shape
             object.__setattr__(self, "scene", _on_net(self.scene, self.target, there))
 
     @property

@@ -44,6 +44,7 @@ class Smoothness:
 
     def __init__(self, scene: Scene, target: Array, device: torch.device) -> None:
         net, run = ControlNet.of(scene.optic), scene.run
+        self._face = scene.optic.face
         x, y = net.positions
         base = scene.optic.base.height_at(x[:, None], y[None, :])
         self._base = torch.as_tensor(base, device=device)
@@ -68,14 +69,12 @@ class Smoothness:
         heights : mapping of str to Tensor, shape (n_u, n_v), float64
             Control heights of each freeform face by its name, scene units.
         """
-        exit_face = heights["exit"]
-        penalty = exit_face.new_zeros(())
+        face = heights[self._face]
+        penalty = face.new_zeros(())
         if self._weight:
-            penalty = penalty + self._weight * self.bending(exit_face)
+            penalty = penalty + self._weight * self.bending(face)
         if self._radius is not None:
-            penalty = penalty + _PRICE * self.curvature_excess(
-                exit_face, self._radius * (1 + _RESERVE)
-            )
+            penalty = penalty + _PRICE * self.curvature_excess(face, self._radius * (1 + _RESERVE))
         return penalty
 
     def bending(self, heights: Tensor) -> Tensor:

@@ -19,7 +19,11 @@ from workbench.scene import Scene
 
 _TARGET = "target.npy"
 # By the name of the face.
-_CONTROL_POINTS = {"entrance": "entrance_points.npy", "exit": "control_points.npy"}
+_CONTROL_POINTS = {
+    "entrance": "entrance_points.npy",
+    "exit": "control_points.npy",
+    "mirror": "control_points.npy",
+}
 _IRRADIANCE = "irradiance.npy"
 _LOSS = "loss.npy"
 _SECONDS = "seconds.npy"  # sessions of earlier programs have none

@@ -41,10 +41,11 @@ from workbench.scene import Scene
 
 HEADER = "session.json"
 # By the name of the face.
-_LOCKED = {"entrance": "entrance_locked.npy", "exit": "locked.npy"}
+_LOCKED = {"entrance": "entrance_locked.npy", "exit": "locked.npy", "mirror": "locked.npy"}
 _START = {
     "entrance": "entrance_start.npy",
     "exit": "start.npy",
+    "mirror": "start.npy",
 }  # control heights, where no result has any
 _ENDING = re.compile(r"\.[a-z0-9]{1,8}")
 

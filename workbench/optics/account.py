@@ -50,6 +50,19 @@ LOSSES: Mapping[str, Loss] = {
         "a larger lens catches it",
         always=True,
     ),
+    "missed_mirror": Loss(
+        "Missed the mirror",
+        "Light that passes the mirror by: between it and the rim of the light's cone, and through "
+        "the corners of the rectangle around an elliptic mirror.",
+        "misses the mirror",
+        "a larger mirror catches it",
+    ),
+    "absorbed_mirror": Loss(
+        "Absorbed by the mirror",
+        "The part of the light on the mirror that it does not reflect.",
+        "is absorbed by the mirror",
+        "a coating with a higher reflectance reflects it",
+    ),
     "left_side": Loss(
         "Out of the side",
         "Light that entered the lens so slanted that it meets a side wall before the exit face.",

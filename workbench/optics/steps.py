@@ -10,10 +10,10 @@ import torch
 
 from workbench.geometry.outlines import Outline, Rectangle, outline_of
 from workbench.geometry.surface import ControlNet, freeform_nets
-from workbench.optics.interfaces import Interface, Refraction
+from workbench.optics.interfaces import Interface, Reflection, Refraction
 from workbench.optics.surfaces import BSplineSurface, Plane, Surface
 from workbench.optics.transmittance import TransmittanceLaw
-from workbench.scene import Lens, Optic
+from workbench.scene import Lens, Mirror, Optic
 
 
 class Step(NamedTuple):
@@ -87,4 +87,14 @@ def _of_lens(lens: Lens, along: Along) -> tuple[Step, ...]:
     )
 
 
-_STEPS: Mapping[type, Callable[[Any, Along], tuple[Step, ...]]] = {Lens: _of_lens}
+def _of_mirror(mirror: Mirror, along: Along) -> tuple[Step, ...]:
+    whole = along.by_area and along.along_axis
+    outline = Rectangle(mirror.half_width) if whole else outline_of(mirror)
+    face = along.spline("mirror", along.net, outline)
+    return (Step(face, Reflection(mirror.reflectance, "absorbed_mirror"), "missed_mirror"),)
+
+
+_STEPS: Mapping[type, Callable[[Any, Along], tuple[Step, ...]]] = {
+    Lens: _of_lens,
+    Mirror: _of_mirror,
+}

@@ -99,7 +99,7 @@ def lens_image(
     try:
         picture = LensPicture(plotter, scene, session.target, explode=explode)
         picture.update(
-            sample_surface(scene.optic, heights["exit"], _SURFACE_SAMPLES),
+            sample_surface(scene.optic, heights[scene.optic.face], _SURFACE_SAMPLES),
             ray_paths(scene, heights, _RAYS),
             irradiance,
         )

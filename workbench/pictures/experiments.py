@@ -189,7 +189,7 @@ def _block(block: SubFigure, design: Design) -> None:
     _image(off, scene, error, SIGNED, (-most, most))
     off.set_title(f"error, ± {most:g}", fontsize=_FONT)
     lit.set_title("irradiance", fontsize=_FONT)
-    _height_field(sag, scene, design.result.state.heights["exit"])
+    _height_field(sag, scene, design.result.state.heights[scene.optic.face])
     _traced(rays, scene, design.result.state.heights)
 
 
@@ -223,7 +223,9 @@ def _traced(axes: Axes, scene: Scene, heights: ControlHeights) -> None:
     optic, screen_z, half_width = scene.optic, scene.receiver.plane_z, scene.receiver.half_extent[0]
     reach = 1.15 * max(optic.half_width[0], half_width)
     axes.plot([screen_z, screen_z], [-half_width, half_width], "k", lw=1.5)
-    x, _, z = np.moveaxis(sample_surface(optic, heights["exit"], (_SAMPLES, 3))[:, 1], -1, 0)
+    x, _, z = np.moveaxis(
+        sample_surface(optic, heights[scene.optic.face], (_SAMPLES, 3))[:, 1], -1, 0
+    )
     axes.plot(
         [optic.front_z, *z, optic.front_z, optic.front_z],
         [x[0], *x, x[-1], x[0]],

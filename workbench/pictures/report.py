@@ -49,7 +49,7 @@ def draw_images(figure: "FigureBase", session: Session, irradiance: Array) -> No
     IrradianceImage(lit, scene, target).update(irradiance)
     IrradianceImage(wanted, scene, target).update(target_irradiance(scene, target))
     ErrorImage(off, scene, target).update(irradiance)
-    SurfaceImage(face, scene, ASPECTS[0]).update(result.state.heights["exit"])
+    SurfaceImage(face, scene, ASPECTS[0]).update(result.state.heights[scene.optic.face])
     density = scene.receiver.density.capitalize()
     titles = (density, "Target", f"{density} − target", "Exit face over its base")
     for axes, title in zip((lit, wanted, off, face), titles, strict=True):

@@ -114,7 +114,7 @@ def gather(
             note=f"{scene.receiver.density.capitalize()} and target are compared at the same flux: "
             "red is too much light, blue too little.",
         ),
-        _manufacture(scene, heights["exit"]),
+        _manufacture(scene, heights[scene.optic.face]),
     ]
     if tolerances is not None:
         sections.append(_tolerances(session, *tolerances, max(rays // 4, 1)))

@@ -83,7 +83,7 @@ def _designed(example: Example, method: str, iterations: int) -> Iterator[Lens]:
     scene = Scene.from_data(example.scene.to_data() | {"run": {"method": method} | settings})
     for snapshot in run(scene, example.target):
         if snapshot.best:
-            heights = snapshot.state.heights["exit"]
+            heights = snapshot.state.heights[example.scene.optic.face]
             own = relative_l2(snapshot.state.irradiance, example.target)
         yield Lens(snapshot.seconds, heights, own)
 

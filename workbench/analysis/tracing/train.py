@@ -13,13 +13,13 @@ from workbench.analysis.tracing.elements import (
     LightSource,
     TracedRays,
 )
-from workbench.analysis.tracing.interfaces import DielectricBoundary, reflectances
+from workbench.analysis.tracing.interfaces import DielectricBoundary, MirrorBoundary, reflectances
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.receivers import detector_of
 from workbench.analysis.tracing.sources import light_source
-from workbench.analysis.tracing.surfaces import FlatFace, SplineFace
+from workbench.analysis.tracing.surfaces import FlatFace, MirrorFace, SplineFace
 from workbench.geometry.outlines import outline_of
-from workbench.scene import AnyReceiver, Lens, Scene
+from workbench.scene import AnyReceiver, Lens, Mirror, Scene
 
 # Rays followed together: what is made of them on the way stays within the cache.
 _AT_ONCE = 1 << 13
@@ -164,6 +164,12 @@ def _of_lens(lens: Lens, heights: Mapping[str, Array]) -> Sequence[tuple[Face, B
     )
 
 
+def _of_mirror(mirror: Mirror, heights: Mapping[str, Array]) -> Sequence[tuple[Face, Boundary]]:
+    face = MirrorFace(mirror, heights["mirror"], "missed_mirror")
+    return ((face, MirrorBoundary(mirror.reflectance)),)
+
+
 _FACES: Mapping[type, Callable[[Any, Mapping[str, Array]], Sequence[tuple[Face, Boundary]]]] = {
-    Lens: _of_lens
+    Lens: _of_lens,
+    Mirror: _of_mirror,
 }

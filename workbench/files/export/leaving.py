@@ -32,7 +32,7 @@ def leaving(design: Design) -> LeavingRays:
     """Trace the rays of the scene in float64 up to where they leave the lens."""
     path = Path.of(design.scene, design.net, torch.float64)
     with torch.no_grad():
-        rays = path.walk({"exit": torch.tensor(design.heights)}).rays
+        rays = path.walk({design.scene.optic.face: torch.tensor(design.heights)}).rays
     leaves = rays.flux > 0
     x, y, z, d_x, d_y, d_z, flux = (
         part.expand(leaves.shape)[leaves].numpy()

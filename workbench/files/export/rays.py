@@ -20,7 +20,7 @@ def write_rays(design: Design, file: BinaryIO) -> Deviation:
     """
     path = Path.of(design.scene, design.net, torch.float64)
     with torch.no_grad():
-        arrival = path.walk({"exit": torch.tensor(design.heights)})
+        arrival = path.walk({design.scene.optic.face: torch.tensor(design.heights)})
     arrives = (arrival.rays.flux > 0) & arrival.column.isfinite() & arrival.row.isfinite()
     ends = path.ends(arrival.rays)
     x, y, z, flux, *direction = (

@@ -14,11 +14,13 @@ from workbench.scene import AnyReceiver, FarField, Optic, Screen
 __all__ = ["FarFieldReceiver", "PlaneReceiver", "Receiver", "ReceiverNumbers", "receiver_of"]
 
 _RECEIVERS: Mapping[type, Callable[[Any, Optic, float], Receiver]] = {
-    Screen: lambda screen, optic, datum: PlaneReceiver(screen, datum),
-    FarField: lambda far_field, optic, datum: FarFieldReceiver(far_field, far_field.radius(optic)),
+    Screen: lambda screen, optic, datum: PlaneReceiver(screen, datum, optic.onwards),
+    FarField: lambda far_field, optic, datum: FarFieldReceiver(
+        far_field, far_field.radius(optic), optic.onwards
+    ),
 }
 
 
 def receiver_of(part: AnyReceiver, optic: Optic, datum: float) -> Receiver:
-    """The element on which light makes an image; behind a lens; z is counted from a datum."""
+    """The element on which light makes an image; lit by an optic; z is counted from a datum."""
     return _RECEIVERS[type(part)](part, optic, datum)

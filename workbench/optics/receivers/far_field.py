@@ -20,7 +20,9 @@ class FarFieldReceiver:
     far_field : FarField
         The directions in which light is wanted.
     distance : float
-        How far behind the lens rays end in a drawing, scene units.
+        How far away rays end in a drawing, scene units.
+    onwards : int
+        1 for light to +z, -1 for light to -z.
 
     Attributes
     ----------
@@ -32,12 +34,13 @@ class FarFieldReceiver:
 
     upright = False
 
-    def __init__(self, far_field: FarField, distance: float) -> None:
-        self.part, self._distance = far_field, distance
+    def __init__(self, far_field: FarField, distance: float, onwards: int = 1) -> None:
+        self.part, self._distance, self._onwards = far_field, distance, onwards
 
     def places(self, rays: RayBundle) -> tuple[Tensor, Tensor]:
         """See `Receiver`."""
         d_x, d_y, d_z = rays.direction
+        d_z = self._onwards * d_z
         onwards = rays.alive & (d_z > ACROSS)
         d_z = torch.where(onwards, d_z, 1.0)
         h = torch.atan2(d_x, d_z)

@@ -1,4 +1,4 @@
-"""A screen, anywhere behind the lens and tilted."""
+"""A screen, anywhere in the light and tilted."""
 
 from collections.abc import Iterable
 
@@ -19,6 +19,8 @@ class PlaneReceiver:
         The part of the plane on which light is wanted.
     datum : float
         z of the scene from which the path counts z.
+    onwards : int
+        1 for light to +z, -1 for light to -z, as it comes to an upright screen.
 
     Attributes
     ----------
@@ -26,9 +28,10 @@ class PlaneReceiver:
         As given.
     """
 
-    def __init__(self, screen: Screen, datum: float) -> None:
+    def __init__(self, screen: Screen, datum: float, onwards: int = 1) -> None:
         self.part = screen
-        self._right, self._up, self._away = (_triple(side) for side in screen.sides)
+        right, up, across = screen.sides
+        self._right, self._up, self._away = map(_triple, (right, up, onwards * across))
         x, y, z = _triple(screen.position)
         self._middle = x, y, z - datum
 

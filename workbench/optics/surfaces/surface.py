@@ -16,7 +16,7 @@ class Meeting(NamedTuple):
     position : tuple of three tensors
         Places on the surface; of rays that do not meet it finite stand-ins.
     normal : tuple of three tensors
-        Unit normals there, to the side to which the light goes.
+        Unit normals there, with a positive z.
     met : Tensor of bool
         Whether a ray meets the surface within its outline.
     """

@@ -1,5 +1,6 @@
 """What a face does to the light that meets it: a file for each kind."""
 
 from workbench.analysis.tracing.interfaces.dielectric import DielectricBoundary, reflectances
+from workbench.analysis.tracing.interfaces.mirror import MirrorBoundary
 
-__all__ = ["DielectricBoundary", "reflectances"]
+__all__ = ["DielectricBoundary", "MirrorBoundary", "reflectances"]

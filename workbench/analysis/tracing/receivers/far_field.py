@@ -19,7 +19,7 @@ class FarFieldDetector:
     far_fields : sequence of FarField
         The directions in which each image is.
     optic : Optic
-        Of no matter to directions.
+        Tells to which side light goes.
     pose : Pose
         How the lens stands.
     """
@@ -28,7 +28,8 @@ class FarFieldDetector:
         first = far_fields[0]
         self.images, self.pixels = len(far_fields), math.prod(first.pixels)
         self._size = first.pixels
-        self._turn, _ = pose.to_scene(optic.front_z)
+        turn, _ = pose.to_scene(optic.front_z)
+        self._turn = turn * [[1.0], [1.0], [float(optic.onwards)]]  # angles from where light goes
         self._scales = np.array([_scale(each) for each in far_fields])
 
     def count(self, rays: TracedRays, flux: Array, beside: Array) -> None:

@@ -30,7 +30,7 @@ class PlaneDetector:
         self.images, self.pixels = len(screens), math.prod(first.pixels)
         self._size = first.pixels
         self._to_scene = pose.to_scene(optic.front_z)
-        self._planes = np.array([_plane(screen) for screen in screens])
+        self._planes = np.array([_plane(screen, optic.onwards) for screen in screens])
 
     def count(self, rays: TracedRays, flux: Array, beside: Array) -> None:
         """Add rays to the images; see `Detector.count`."""
@@ -41,7 +41,7 @@ class PlaneDetector:
         _hits(*rays, *self._to_scene, self._planes[0], self._size, places)
 
 
-def _plane(screen: Screen) -> Array:
+def _plane(screen: Screen, onwards: int) -> Array:
     """A screen as rows (4, 3): its middle, away from the light, and columns and rows for lengths.
 
     Those of its middle are half of all.
@@ -49,7 +49,7 @@ def _plane(screen: Screen) -> Array:
     turned = Rotation.from_rotvec([*screen.tilt, 0.0], degrees=True).as_matrix().T
     (r_x, r_y), (n_x, n_y) = screen.half_width, screen.pixels
     per_length = turned[0] * (n_x / (2 * r_x)), -turned[1] * (n_y / (2 * r_y))
-    return np.array([[*screen.center, screen.z], turned[2], *per_length])
+    return np.array([[*screen.center, screen.z], onwards * turned[2], *per_length])
 
 
 @jit(error_model="numpy")

@@ -62,6 +62,16 @@ class SplineFace:
         return Crossings(position, normal, flux, missed)
 
 
+class MirrorFace(SplineFace):
+    """The face of a mirror, which may be before the plane in which rays are counted; a `Face`."""
+
+    def meet(self, rays: TracedRays) -> Crossings:
+        """Where rays from far below first meet it; see `Face.meet`."""
+        way = rays.direction / rays.direction[:, 2:]
+        back = (rays.position[:, 2:] - self._spline.lowest).clip(min=0)
+        return super().meet(rays._replace(position=rays.position - back * way))
+
+
 def _pieces(knots: Array, degree: int) -> Array:
     """Basis functions as polynomials on each knot span, as in `Spline`: Taylor's, by scipy."""
     count = len(knots) - degree - 1

@@ -1,0 +1,33 @@
+"""The boundary that reflects."""
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from workbench.analysis.tracing.elements import Crossings, TracedRays
+
+
+class MirrorBoundary:
+    """Angles of incidence and reflection are the same; a `Boundary`.
+
+    Parameters
+    ----------
+    reflectance : float
+        Part of the light that is reflected; the rest is called ``absorbed_mirror`` in the light
+        account.
+    """
+
+    def __init__(self, reflectance: float) -> None:
+        self._reflectance = reflectance
+
+    def turn(
+        self, rays: TracedRays, crossings: Crossings
+    ) -> tuple[TracedRays, Mapping[str, float]]:
+        """The reflected light, and what is absorbed; see `Boundary.turn`."""
+        met, normal = crossings.flux > 0, crossings.normal
+        along = np.einsum("mk,mk->m", *np.broadcast_arrays(rays.direction, normal))
+        direction = np.where(met[:, None], rays.direction - 2 * along[:, None] * normal, 0.0)
+        absorbed = (1 - self._reflectance) * float(crossings.flux.sum())
+        lost = {"absorbed_mirror": absorbed} if absorbed else {}
+        flux = self._reflectance * crossings.flux
+        return TracedRays(crossings.position, np.ascontiguousarray(direction), flux), lost
