@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from tests.measured.photometry.files import ies
 from workbench.analysis.validation import validate
 from workbench.design.limits import undesigned
 from workbench.design.transport import transport_start
@@ -55,6 +56,47 @@ def test_the_first_lens_sends_light_near_its_target(make_scene, corner, source, 
     before = validate(scene, corner, undesigned(scene.lens), 200_000)
     assert seen.relative_l2 < 0.35 < before.relative_l2
     assert seen.account.lost["off_screen"] < 0.01 and seen.account.lost["total_reflection"] < 0.001
+
+
+def test_the_light_of_a_lamp_that_shines_to_one_side_is_spread_as_wanted(make_scene, tmp_path):
+    c, gamma = np.arange(0, 361, 15.0), np.arange(0, 91, 5.0)
+    turned, steep = np.radians(c)[:, None], np.radians(gamma)
+    candela = 1000 * np.cos(steep) * (1 + 0.9 * np.sin(2 * steep) * np.cos(turned)) ** 2
+    lamp = tmp_path / "lamp.ies"
+    lamp.write_text(ies(c, gamma, candela))
+    source = {"kind": "photometric", "file": str(lamp), "position": [0, 0, -1.5]}
+    scene = make_scene(
+        {
+            "version": 2,
+            "source": source,
+            "lens.control_points": [40, 40],
+            "lens.height_range": None,
+            "screen.half_width": [1.5, 1.5],
+        }
+    )
+    wanted = np.pad(np.ones((16, 16)), 8)
+    heights = transport_start(scene, wanted)
+    assert validate(scene, wanted, {"exit": heights}, 200_000).relative_l2_corrected < 0.2
+
+
+def test_the_light_of_rays_comes_from_where_they_start_not_from_the_origin_of_their_file(
+    make_scene, rng, tmp_path
+):
+    count = 200_000
+    way = rng.uniform(-1.1, 1.1, (count, 2)) - [0.4, -0.3]
+    direction = np.column_stack([way, np.full(count, 2.0)])
+    direction /= np.linalg.norm(direction, axis=1, keepdims=True)
+    place = np.column_stack([np.tile([0.4, -0.3, 1.0], (count, 1)), direction, np.ones(count)])
+    rays = tmp_path / "rays.csv"
+    np.savetxt(rays, place, "%.6f", ",", header="x,y,z,l,m,n,flux", comments="")
+    source = {"kind": "ray_file", "file": str(rays), "position": [0, 0, -3], "file_unit": "cm"}
+    scene = make_scene(
+        {"version": 2, "source": source, "lens.control_points": [40, 40]}
+        | {"lens.height_range": None, "screen.half_width": [1.5, 1.5]}
+    )
+    wanted = np.pad(np.ones((16, 16)), 8)
+    heights = transport_start(scene, wanted)
+    assert validate(scene, wanted, {"exit": heights}, 200_000).relative_l2_corrected < 0.2
 
 
 def test_a_lens_twice_as_large_is_the_same_lens(make_scene, corner):

@@ -28,7 +28,7 @@ from workbench.optics.path import Path
 from workbench.optics.reference import Reference
 from workbench.optics.sources import emitter_of
 from workbench.optics.transmittance import TransmittanceLaw
-from workbench.scene import Scene
+from workbench.scene import PointSource, Scene
 
 Array = npt.NDArray[np.float64]
 
@@ -62,8 +62,8 @@ def transport_start(scene: Scene, target: Array) -> Array | None:
     """
     optic, receiver, net = scene.optic, scene.receiver, ControlNet.of(scene.optic)
     cells = max(_CELLS, 2 * max(net.shape))
-    light = _Light(scene, net, cells)
     fit = SlopeFit(net, cells)
+    light = _Light(scene, net, fit, cells)
     limits = HeightLimits.of(bounded(scene), net)
     image = target / target.max() * receiver.relative_measure()
     wanted = _resampled(image[::-1].T, cells)  # along x first and y upwards, as the lens is
@@ -131,16 +131,24 @@ def _candidates(limits: HeightLimits) -> Iterator[Array]:
 
 
 class _Light:
-    """Light on the exit face: its flux in each cell, and its direction from inside."""
+    """Light on the exit face: its flux in each cell, and its direction from inside.
 
-    def __init__(self, scene: Scene, net: ControlNet, cells: int) -> None:
+    It comes from one place, the middle of the source; what a file says of its intensity counts.
+    """
+
+    def __init__(self, scene: Scene, net: ControlNet, fit: SlopeFit, cells: int) -> None:
         r_x, r_y = scene.optic.half_width
         middle = 2 * (np.arange(cells) + 0.5) / cells - 1
         self.x, self.y = (middle * r_x)[:, None], (middle * r_y)[None, :]
         self._entrance_z, self._face = scene.optic.front_z, scene.optic.face
         self._along: tuple[float, float, float] | None = None
         self._glass: Glass | None = None
-        scene = scene.model_copy(update={"source": scene.source.sharp})
+        self._fit, self._given = fit, emitter_of(scene.source, scene.optic).origins
+        sharp = scene.source.sharp
+        if self._given.pattern is not None:  # a file's origin need not be where its light is
+            x, y, z = (float(c) for c in self._given.middle(self.x, self.y, self._entrance_z))
+            sharp = PointSource(kind="point", position=(x, y, z))
+        scene = scene.model_copy(update={"source": sharp})
         origins = emitter_of(scene.source, scene.optic).origins
         (x, y, z), n = origins.places[0], scene.optic.index
         if origins.infinite:  # by Snell's law, one direction in the glass
@@ -151,15 +159,27 @@ class _Light:
             if n > 1:
                 entering = TransmittanceLaw.constant(1 / n, 0.0)  # it bends as any other
                 self._glass = Glass(self._entrance_z - z, entering, origins.lambertian)
+        self._sharp = origins
         path = Path.of(scene, net, torch.float64, samples=(cells, cells))
         self._reference = Reference(path)
 
     def flux(self, heights: Array) -> Array | None:
         """Flux that leaves the face, in each cell; all together 1. None if there is none."""
         with torch.no_grad():
-            flux = self._reference.arrival({self._face: torch.as_tensor(heights)}).rays.flux
-            total = flux.sum().item()
-        return np.asarray((flux / total).numpy(), dtype=np.float64) if total > 0 else None
+            leaving = self._reference.arrival({self._face: torch.as_tensor(heights)}).rays.flux
+        flux = leaving.numpy().astype(np.float64)
+        if self._given.pattern is not None:
+            flux = flux * self._brighter(self._fit.surface(heights))
+        total = float(flux.sum())
+        return flux / total if total > 0 else None
+
+    def _brighter(self, z: Array) -> Array:
+        """Light that enters on its way to each place, over that of the point in the middle."""
+        d_x, d_y, d_z = self.direction(z)
+        depth = z - self._entrance_z
+        x, y = self.x - depth * d_x / d_z, self.y - depth * d_y / d_z
+        given, even = (o.density(x, y, self._entrance_z) for o in (self._given, self._sharp))
+        return given / even
 
     def direction(self, z: Array) -> tuple[Array, Array, Array]:
         """Unit vectors at places of the face with heights z."""

@@ -115,6 +115,17 @@ class Origins(NamedTuple):
             density = density * self.pattern.at(origin, (d_x, d_y, d_z))
         return Lit((d_x, d_y, d_z), density * d_z if self.lambertian else density)
 
+    def density(self, x: Array, y: Array, z: float) -> Array:
+        """Flux per area of all origins together at places of the face; see `light`."""
+        count = len(self.places)
+        return sum((self.light(x, y, z, np.array(k)).density for k in range(count)), np.zeros(1))
+
+    def middle(self, x: Array, y: Array, z: float) -> Array:
+        """Mean of the places, weighed with the light of each at places of the face; see `light`."""
+        count = len(self.places)
+        light = [self.light(x, y, z, np.array(k)).density.sum() for k in range(count)]
+        return np.average(self.places, axis=0, weights=light if any(light) else None)
+
 
 def through_cells(origins: Origins, optic: Optic, samples: Samples) -> RayBundle:
     """Rays through cells of the entrance face, shape (m_x, m_y for each origin).
