@@ -9,6 +9,7 @@ from typing import Protocol
 from workbench.optics.kernels.collimated import FusedCollimatedRays
 from workbench.optics.kernels.face import FusedFaceSamples
 from workbench.optics.kernels.locked import Mask
+from workbench.optics.kernels.mirror import FusedMirrorRays
 from workbench.optics.kernels.origins import FusedOrigins
 from workbench.optics.kernels.point import FusedPointRays
 from workbench.optics.light import BeamTracer, Tracer
@@ -52,8 +53,18 @@ class BeamKernel(Protocol):
         ...
 
 
-_BEAM_KERNELS: tuple[BeamKernel, ...] = (FusedCollimatedRays, FusedFaceSamples, FusedOrigins)
-_KERNELS: tuple[Kernel, ...] = (FusedCollimatedRays, FusedFaceSamples, FusedPointRays)
+_BEAM_KERNELS: tuple[BeamKernel, ...] = (
+    FusedCollimatedRays,
+    FusedMirrorRays,
+    FusedFaceSamples,
+    FusedOrigins,
+)
+_KERNELS: tuple[Kernel, ...] = (
+    FusedCollimatedRays,
+    FusedMirrorRays,
+    FusedFaceSamples,
+    FusedPointRays,
+)
 
 
 def beam_kernel_of(path: Path) -> BeamKernel | None:

@@ -3,12 +3,8 @@
 The bundle is parallel to z and meets the flat entrance face at a right angle, so it goes straight
 on and can start on the exit face (de Koning et al. 2023, section 2.2): no entrance refraction, no
 intersection, and slopes on a tensor grid by small matrix products.
-
-The loops are those of `workbench.optics.kernels.rows`. Nothing is kept for the way back: it
-traces the same rays again, which costs less than memory.
 """
 
-from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -21,41 +17,38 @@ from workbench.optics.halves import Halves
 from workbench.optics.interfaces import Refraction
 from workbench.optics.kernels.collimated_trace import LOOPS, Optics
 from workbench.optics.kernels.exit_face import ExitFace
-from workbench.optics.kernels.function import Sums, kind_of, trace
-from workbench.optics.kernels.grid import Axis, make_axis
-from workbench.optics.kernels.locked import Mask, Rays, count, split
-from workbench.optics.kernels.passes import GridPasses, Landing
+from workbench.optics.kernels.function import Sums, kind_of
+from workbench.optics.kernels.locked import Mask, Rays
+from workbench.optics.kernels.parallel import ParallelRays, rays_along
+from workbench.optics.kernels.passes import GridPasses
 from workbench.optics.kernels.spread import Spread, make_canvases, make_spread, pad
-from workbench.optics.light import Light, Nodes
+from workbench.optics.light import Light
 from workbench.optics.path import Path
 from workbench.optics.receivers import PlaneReceiver
-from workbench.optics.samples import Samples, cells, places
+from workbench.optics.samples import cells
 from workbench.optics.sources import CollimatedEmitter
 from workbench.optics.steps import Step
 from workbench.optics.surfaces import Plane
 from workbench.optics.transmittance import TransmittanceLaw
-from workbench.scene import BoxFilter, Filter, GaussianFilter, Screen
+from workbench.scene import GaussianFilter, Screen
 
 Array = npt.NDArray[np.float64]
 AnyArray = npt.NDArray[np.floating[Any]]
 
 
-class FusedCollimatedRays:
-    """A tensor grid of rays; a `workbench.optics.light.Tracer`.
+class FusedCollimatedRays(ParallelRays):
+    """Parallel light through a lens with a flat entrance face.
 
     Parameters
     ----------
     path : Path
         One that `matches`.
-    mirrored : tuple[bool, bool]
-        Whether heights, lens and locks are mirror images of themselves in x, in y: then the rays
-        of one half are traced alone, if their number is even.
-    locked : ndarray of bool, shape (n_u, n_v), optional
-        Control points whose heights are the same in all lenses to come; rays that see none of the
-        others are traced for the first lens alone.
+    mirrored, locked
+        See `ParallelRays`.
     """
 
     name = "collimated"
+    note = "collimated light: entrance refraction and intersection left out"
 
     @staticmethod
     def matches(path: Path) -> bool:
@@ -71,80 +64,28 @@ class FusedCollimatedRays:
         lens = _ParallelLens.of(path)
         if lens is None:
             raise TypeError("the kernel for collimated light does not match this path")
-        net, samples, n = lens.face.net, lens.emitter.samples, lens.face.law.ratio
-        self._face, self._dtype = lens.face, path.dtype
-        kind = self._kind = kind_of(path.dtype)
-        self._halves, self._emitter = Halves.of(samples, (1, 1), mirrored), lens.emitter
-        self.mirrored = self._halves.mirrored
-        shares = [lens.emitter.shares(axis) for axis in (0, 1)]
-        across, up = (
-            _rays(net, samples, axis, shares[axis], self._halves, kind) for axis in (0, 1)
-        )
-        self._all, self._inside = (across, up), lens.emitter.inside
-        self._moving, self._still = split((across, up), locked)
-        self._still_light: tuple[Filter, Tensor, Sums] | None = None
-        self.traced = count(self._moving) / count((across, up))
-        self._level, self._receiver = path.datum, path.receiver
+        super().__init__(path, lens.emitter, lens.face.net, lens.face.name, mirrored, locked)
+        self._face, n, kind = lens.face, lens.face.law.ratio, self.kind
         entering, beside = lens.entering.at(1.0, 1.0), lens.emitter.beside
         self._before = {lens.missed: beside, lens.reflected: (1 - entering) * (1 - beside)}
-        self._optics = Optics(
+        self.optics = Optics(
             kind(n),
             kind(n * n - 1),
             kind(path.receiver.numbers().point[2]),
             kind(16 * np.finfo(kind).eps),
-            kind(entering / cells(samples)),
+            kind(entering / cells(lens.emitter.samples)),
             kind(-lens.entrance_z),
             kind(lens.face.absorption),
             lens.face.law.cast(kind),
         )
 
-    @property
-    def notes(self) -> list[str]:
-        """See `workbench.optics.light.Tracer`."""
-        notes = ["collimated light: entrance refraction and intersection left out"]
-        notes += self._halves.notes
-        if self.traced < 1:
-            notes.append(f"locked control points: {self.traced:.0%} of the rays after the first")
-        return notes
+    def passes(self, rays: Rays, spread: Spread) -> GridPasses:
+        """See `ParallelRays`."""
+        return _Passes(self, rays, spread)
 
-    @property
-    def splits(self) -> tuple[Array, Array]:
-        """See `workbench.optics.light.BeamTracer`."""
-        return self._halves.splits(self._emitter.splits)
-
-    def inside(self, rays: Rays) -> Array:
-        """Part of what some rays stand for that is glass: a row for each v, or one for all."""
-        if self._inside is None:
-            return np.ones((1, len(rays[0].place)))
-        columns, rows = (
-            np.searchsorted(every.place, some.place)
-            for every, some in zip(self._all, rays, strict=True)
-        )
-        return self._inside[columns].T[rows]
-
-    def image(self, heights: Mapping[str, Tensor], filter: Filter) -> Light:
-        """Trace a lens; see `workbench.optics.light.Tracer`."""
-        spread = make_spread(self._receiver, filter, self._kind)
-        face = heights[self._face.name]
-
-        def traced(rays: Rays) -> tuple[Tensor, Sums]:
-            return trace(face, self._level, self._dtype, _Passes(self, rays, spread))
-
-        flux, sums = traced(self._moving)
-        if self._still:
-            if self._still_light is None or self._still_light[0] != filter:
-                with torch.no_grad():
-                    parts = [traced(rays) for rays in self._still]
-                self._still_light = filter, *_together(parts)
-            flux, sums = _together([(flux, sums), self._still_light[1:]])
+    def light(self, flux: Tensor, sums: Sums) -> Light:
+        """See `ParallelRays`."""
         return self._face.light(flux, sums, self._before)
-
-    def nodes(self, heights: Mapping[str, Tensor]) -> Nodes:
-        """Trace the corners of cells of light; see `workbench.optics.light.BeamTracer`."""
-        spread = make_spread(self._receiver, BoxFilter(), self._kind)
-        landing = Landing(_Passes(self, self._moving, spread))
-        traced = trace(heights[self._face.name], self._level, self._dtype, landing)
-        return Nodes(*self._face.light(*traced, self._before))
 
 
 class _ParallelLens(NamedTuple):
@@ -169,30 +110,13 @@ class _ParallelLens(NamedTuple):
         return None
 
 
-def _rays(
-    net: ControlNet,
-    samples: Samples,
-    axis: int,
-    share: Array,
-    halves: Halves,
-    kind: type[np.floating[Any]],
-) -> Axis:
-    """All rays along an axis, or the first half of them; see `CollimatedEmitter.shares`."""
-    part = halves.first(places(samples, axis).part, axis)
-    return make_axis(net, axis, part, kind, halves.weighted(share, axis))
-
-
-def _together(parts: Sequence[tuple[Tensor, Sums]]) -> tuple[Tensor, Sums]:
-    """The light of several sets of rays."""
-    images, sums = zip(*parts, strict=True)
-    return sum(images[1:], images[0]), Sums(*map(sum, zip(*sums, strict=True)))
-
-
 def compile_for(dtype: torch.dtype) -> None:
     """Compile the kernels for a float type by tracing a few rays."""
     kind = kind_of(dtype)
     net = ControlNet((2, 2), (1, 1), (1.0, 1.0))
-    across, up = (_rays(net, (2, 2), axis, np.ones(2), Halves(None, None), kind) for axis in (0, 1))
+    across, up = (
+        rays_along(net, (2, 2), axis, np.ones(2), Halves(None, None), kind) for axis in (0, 1)
+    )
     law = TransmittanceLaw.fresnel(1.5).cast(kind)
     numbers = Optics._make([*(kind(1.5) for _ in Optics._fields[:-1]), law])
     screen = Screen(z=1.0, half_width=(1.0, 1.0), pixels=(2, 2))
@@ -224,9 +148,9 @@ class _Passes(GridPasses):
             rows.astype(kind),
             np.ascontiguousarray(wide, kind),
             up.share,
-            source._optics,
+            source.optics,
         )
-        self._arriving = float(source._optics.arriving)
+        self._arriving = float(source.optics.arriving)
         shares = float((wide.sum(axis=1, dtype=float) * up.share).sum(dtype=float))
         self._flux = self.copies * shares * self._arriving
 

@@ -20,12 +20,13 @@ from enum import Enum
 
 import torch
 
-from workbench.optics.kernels import beam_image, collimated, face, origins, point
+from workbench.optics.kernels import beam_image, collimated, face, mirror, origins, point
 
 # What compiles a kernel for a float type, by tiny calls.
 _COMPILERS: dict[str, Callable[[torch.dtype], None]] = {
     "collimated": collimated.compile_for,
     "face": face.compile_for,
+    "mirror": mirror.compile_for,
     "point": point.compile_for,
     "origins": origins.compile_for,
     "beams": beam_image.compile_for,
@@ -53,7 +54,7 @@ def obtain(name: str, dtype: torch.dtype) -> bool:
     Parameters
     ----------
     name : str
-        "collimated", "face", "point", "origins" or "beams".
+        "collimated", "face", "mirror", "point", "origins" or "beams".
     dtype : torch.dtype
         Float type of the trace.
     """
