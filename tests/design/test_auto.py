@@ -49,7 +49,7 @@ def test_tasks_with_a_point_off_the_axis_are_not_mirrored(make_scene):
     assert auto._mirrored(scene, np.ones((32, 32)), None) == (False, True)
     lopsided = np.ones((12, 10))
     lopsided[0, 0] = 2
-    assert auto._mirrored(make_scene({}), np.ones((32, 32)), lopsided) == (False, False)
+    assert auto._mirrored(make_scene({}), np.ones((32, 32)), {"exit": lopsided}) == (False, False)
 
 
 @pytest.mark.parametrize("kind", ["point", "grid"])

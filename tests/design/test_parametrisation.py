@@ -15,6 +15,7 @@ from workbench.design.parametrisation import (
 )
 from workbench.design.run import run
 from workbench.errors import Refused
+from workbench.geometry.surface import ControlNet
 from workbench.scene import PaperRun, Scene
 from workbench.targets import load_target
 
@@ -55,7 +56,7 @@ def test_links_of_the_sparse_net_are_the_pairs_of_neighbours(paper_scene, size, 
         for n, p in zip(size, degree, strict=True)
     )
     neurons = math.prod(size)
-    assert link_count(scene.lens) == pairs
+    assert link_count(ControlNet.of(scene.lens)) == pairs
     assert parameter_count(scene) == 2 * neurons + 2 * (pairs + neurons)
 
 

@@ -19,14 +19,14 @@ def corner():
 
 
 def ends(room):
-    free = room.height_range()
+    free = room.height_range().ranges["exit"]
     return free.lower.min().item(), free.upper.max().item()
 
 
 def test_an_automatic_range_holds_the_first_lens_with_some_space(make_scene, corner):
     room = Room(make_scene(FREE), corner)
     low, high = ends(room)
-    most = np.abs(room.first - 0.5).max()
+    most = np.abs(room.first["exit"] - 0.5).max()
     assert high - 0.5 == pytest.approx(3 * most)
     assert low == max(0.05, 0.5 - 3 * most)
     assert room.notes == (f"heights within {3 * most:.3g} cm of the base",)
@@ -34,7 +34,7 @@ def test_an_automatic_range_holds_the_first_lens_with_some_space(make_scene, cor
 
 def test_an_automatic_range_holds_the_lens_that_the_run_goes_on_from(make_scene, corner):
     heights = np.full((24, 24), 1.9)
-    assert ends(Room(make_scene(FREE), corner, heights))[1] > 1.9
+    assert ends(Room(make_scene(FREE), corner, {"exit": heights}))[1] > 1.9
 
 
 def test_an_automatic_range_keeps_to_the_stock(make_scene, corner):
@@ -66,7 +66,7 @@ def test_runs_by_either_method_take_an_automatic_range(make_scene, corner):
 def test_a_too_small_range_is_reported_with_the_range_that_is_needed(make_scene, corner):
     *_, last = run(make_scene(FREE | {"lens.height_range": [-0.05, 0.05]}), corner)
     short = last.state.shortfall
-    first = Room(make_scene(FREE), corner).first
+    first = Room(make_scene(FREE), corner).first["exit"]
     assert (short.cause, short.allowed) == ("height_range", (-0.05, 0.05))
     assert short.needed == pytest.approx((first.min() - 0.5, first.max() - 0.5), rel=0.1)
     assert short.share > 0.1
@@ -80,7 +80,7 @@ def test_too_thin_stock_is_reported_with_the_thickness_that_is_needed(make_scene
     stock = {"lens.max_thickness": 0.2, "lens.min_thickness": 0.1}
     *_, last = run(make_scene(FREE | stock), corner)
     short = last.state.shortfall
-    extent = np.ptp(Room(make_scene(FREE), corner).first)
+    extent = np.ptp(Room(make_scene(FREE), corner).first["exit"])
     assert (short.cause, short.allowed) == ("max_thickness", (0.1, 0.2))
     assert short.needed == pytest.approx((0.1, 0.1 + extent), rel=0.1)
 

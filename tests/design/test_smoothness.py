@@ -61,7 +61,7 @@ def test_bending_energy_of_a_quadratic_face(make_scene, degree):
     changes = {"lens.half_width": [1.0, 0.7], "lens.degree": list(degree)}
     scene = make_scene(changes | {"run.smoothness": 1.0})
     r, s, t = 0.03, -0.02, 0.05
-    energy = smoothness_of(scene).bending(quadratic(scene, r, s, t))
+    energy = smoothness_of(scene).faces["exit"].bending(quadratic(scene, r, s, t))
     assert energy.item() == pytest.approx((r**2 + 2 * s**2 + t**2) * 4 * 1.0 * 0.7, rel=1e-10)
 
 
@@ -70,7 +70,7 @@ def test_the_base_itself_has_no_bending_energy(make_scene):
     scene = make_scene({"lens.base": base, "run.smoothness": 1.0})
     x, y = ControlNet.of(scene.lens).positions
     heights = torch.as_tensor(scene.lens.base.height_at(x[:, None], y) + 0.1)
-    assert smoothness_of(scene).bending(heights).item() == pytest.approx(0, abs=1e-13)
+    assert smoothness_of(scene).faces["exit"].bending(heights).item() == pytest.approx(0, abs=1e-13)
 
 
 def test_excess_of_a_quadratic_face(make_scene):
@@ -79,11 +79,11 @@ def test_excess_of_a_quadratic_face(make_scene):
     scene = make_scene(size | {"run.min_radius": 2.0})
     heights = quadratic(scene, 0.5, 0.5, 0.5)  # principal curvatures 1 and 0
     found = smoothness_of(scene)
-    assert found.curvature_excess(heights, 2.0).item() == pytest.approx(1.0, rel=1e-4)
-    assert found.curvature_excess(
+    assert found.faces["exit"].curvature_excess(heights, 2.0).item() == pytest.approx(1.0, rel=1e-4)
+    assert found.faces["exit"].curvature_excess(
         2 * scene.lens.base.height - heights, 2.0
     ).item() == pytest.approx(1.0, rel=1e-4)
-    assert found.curvature_excess(heights, 0.99).item() == 0
+    assert found.faces["exit"].curvature_excess(heights, 0.99).item() == 0
 
 
 def test_excess_begins_where_the_maps_say(make_scene, rng):
@@ -93,15 +93,15 @@ def test_excess_begins_where_the_maps_say(make_scene, rng):
     maps = surface_maps(scene.lens, heights, (u, v))
     radius = 1 / max(maps.concave.max(), maps.convex.max())
     found, heights = smoothness_of(scene), torch.as_tensor(heights)
-    assert found.curvature_excess(heights, 0.99 * radius).item() == 0
-    assert found.curvature_excess(heights, 1.01 * radius).item() > 0
+    assert found.faces["exit"].curvature_excess(heights, 0.99 * radius).item() == 0
+    assert found.faces["exit"].curvature_excess(heights, 1.01 * radius).item() > 0
 
 
 def test_gradient_is_that_of_finite_differences(make_scene, rng):
     scene = make_scene({"run.smoothness": 0.01, "run.min_radius": 0.5})
     found = smoothness_of(scene)
     heights = torch.as_tensor(0.5 + 0.05 * rng.random((12, 10))).requires_grad_()
-    assert found.curvature_excess(heights, 0.5).item() > 0
+    assert found.faces["exit"].curvature_excess(heights, 0.5).item() > 0
     (gradient,) = torch.autograd.grad(found.penalty({"exit": heights}), [heights])
     ahead, step = torch.as_tensor(rng.normal(size=(12, 10))), 1e-6
     with torch.no_grad():
@@ -131,8 +131,10 @@ def test_it_is_the_same_in_any_unit_and_on_any_net(make_scene, rng):
     ).item() == pytest.approx(penalty, rel=1e-9)
     finer = make_scene(settings | {"lens.control_points": [21, 17]})  # twice as many spans
     refined = ControlNet.of(scene.lens).refine(heights, ControlNet.of(finer.lens))
-    assert smoothness_of(finer).bending(torch.as_tensor(refined)).item() == pytest.approx(
-        smoothness_of(scene).bending(torch.as_tensor(heights)).item(), rel=1e-9
+    assert smoothness_of(finer).faces["exit"].bending(
+        torch.as_tensor(refined)
+    ).item() == pytest.approx(
+        smoothness_of(scene).faces["exit"].bending(torch.as_tensor(heights)).item(), rel=1e-9
     )
 
 
@@ -164,7 +166,7 @@ class TestRuns:
         for weight in (1e-9, 1e-1):
             scene = make_scene(task | {"run.smoothness": weight})
             heights = torch.as_tensor(best(scene).state.heights["exit"].copy())
-            energies.append(smoothness_of(scene).bending(heights).item())
+            energies.append(smoothness_of(scene).faces["exit"].bending(heights).item())
         assert energies[1] < 0.8 * energies[0]
 
     def test_the_best_lens_is_chosen_by_its_merit(self, make_scene, monkeypatch):

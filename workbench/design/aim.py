@@ -23,7 +23,7 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from workbench.design.transport import transport_start
+from workbench.design.transport import First, first_of
 from workbench.extended.blur import Blur
 from workbench.extended.deblur import spread_light
 from workbench.scene import Scene
@@ -38,8 +38,8 @@ class _Aim(NamedTuple):
     target: Array
 
 
-def first_lens(scene: Scene, target: Array) -> Array | None:
-    """Control heights of a first lens by transport; see `transport_start`.
+def first_lens(scene: Scene, target: Array) -> First | None:
+    """A first lens by transport; see `first_of`.
 
     Parameters
     ----------
@@ -48,11 +48,11 @@ def first_lens(scene: Scene, target: Array) -> Array | None:
     target : ndarray, shape (n_y, n_x)
         The wanted image in any scale, row 0 at +y.
     """
-    if Blur.of(scene).within_a_pixel:
-        return transport_start(scene, target)
+    first = first_of(scene, target)
+    if first is None or Blur.of(scene).within_a_pixel:
+        return first
     # How far the exit face is from the receiver tells how wide the blur is.
-    rough = transport_start(scene, target)
-    return None if rough is None else transport_start(*_aim(scene, target, float(rough.mean())))
+    return first_of(*_aim(scene, target, float(first.heights[scene.optic.face].mean())))
 
 
 def _aim(scene: Scene, target: Array, exit_z: float) -> _Aim:

@@ -11,7 +11,7 @@
   that light beside the screen counts as an error.
 """
 
-from collections.abc import Callable, Generator, Sequence
+from collections.abc import Callable, Generator, Mapping, Sequence
 from functools import partial
 from typing import NamedTuple
 
@@ -21,15 +21,16 @@ import torch
 from scipy.ndimage import binary_dilation
 from torch import Tensor
 
-from workbench.design.heights import HeightRange, Mask
+from workbench.design.heights import Freedom, Mask
 from workbench.design.lbfgs import Evaluation, minimise
 from workbench.design.levels import FINE, Level, image_of, levels_of, light_extent_of
 from workbench.design.loss import check_gradient
 from workbench.design.room import Room
 from workbench.design.smoothness import Smoothness
 from workbench.design.step import Step
-from workbench.design.waves import Waves
+from workbench.design.waves import FaceWaves
 from workbench.design.wide_image import WideImage
+from workbench.geometry.faces import NO_LOCKS
 from workbench.optics.plan import device_of
 from workbench.scene import Scene
 
@@ -78,7 +79,7 @@ def auto_steps(room: Room) -> Generator[Step, None, str]:
     mirrored = _mirrored(scene, target, room.start, locked)
     smoothness = Smoothness.of(scene, target, device)
     before = room.begin
-    heights = {scene.optic.face: torch.tensor(before, device=device)}
+    heights = {face: torch.tensor(each, device=device) for face, each in before.items()}
     # All lenses are judged by the finest image, so that their losses can be compared.
     extent = light_extent_of(scene, heights)
     judge = image_of(FINE, scene, target, extent, mirrored)
@@ -92,14 +93,15 @@ def auto_steps(room: Room) -> Generator[Step, None, str]:
     if goes_on or room.first is None:
         parameters = free.parameters(before)
     else:
-        parameters = free.parameters(_joined(room.limits.nearest(room.first), before, locked))
+        first = {face: room.limits[face].nearest(each) for face, each in room.first.items()}
+        parameters = free.parameters(_joined(first, before, locked))
         extent = light_extent_of(scene, free.heights(parameters))
         judge = image_of(FINE, scene, target, extent, mirrored)
     steps = _descend(
         lambda level: judge if level is FINE else image_of(level, scene, target, extent, mirrored),
         partial(_evaluated, judge=judge, free=free, smoothness=smoothness),
         parameters,
-        Waves(parameters, _CUT, mirrored),
+        FaceWaves(parameters, _CUT, mirrored),
         levels_of(scene),
         scene.run.iterations + goes_on,
     )
@@ -110,9 +112,9 @@ def auto_steps(room: Room) -> Generator[Step, None, str]:
 
 def _descend(
     image_for: Callable[[Level], WideImage],
-    evaluated: Callable[[WideImage, Tensor, Tensor], Evaluation[_Judged]],
-    parameters: Tensor,
-    waves: Waves,
+    evaluated: Callable[[WideImage, Tensor, Mapping[str, Tensor]], Evaluation[_Judged]],
+    parameters: Mapping[str, Tensor],
+    waves: FaceWaves,
     path: Sequence[Level],
     left: int,
 ) -> Generator[Step, None, str]:
@@ -129,9 +131,10 @@ def _descend(
 
     def objective(x: Tensor) -> Evaluation[_Judged]:
         x = x.detach().requires_grad_()
-        return evaluated(image, x, parameters + waves.change(x))
+        moved = {face: parameters[face] + each for face, each in waves.change(x).items()}
+        return evaluated(image, x, moved)
 
-    steps = minimise(objective, waves.nothing, _MAX_STEP, _longest_change(waves))
+    steps = minimise(objective, waves.nothing, _MAX_STEP, waves.longest)
     errors: list[float] = []  # squares of the lowest ones of this level
     for _ in range(left):
         try:
@@ -154,24 +157,27 @@ def _descend(
     return _LOWEST
 
 
-def _joined(first: Array, before: Array, locked: Mask | None) -> Array:
+def _joined(
+    first: Mapping[str, Array], before: Mapping[str, Array], locked: Mapping[str, Mask]
+) -> dict[str, Array]:
     """A first lens, moved along z until it meets locked control points that stay as before.
 
-    Light hardly minds how far the face is from the screen, but it is lost at a step in the face.
+    Light hardly minds how far a face is from the screen, but it is lost at a step in the face.
     """
-    if locked is None:
-        return first
-    rim = locked & binary_dilation(~locked)
-    return np.asarray(first + (before - first)[rim].mean())
+    joined = dict(first)
+    for face, mask in locked.items():
+        rim = mask & binary_dilation(~mask)
+        joined[face] = first[face] + (before[face] - first[face])[rim].mean()
+    return joined
 
 
 def _evaluated(
     image: WideImage,
     x: Tensor,
-    parameters: Tensor,
+    parameters: Mapping[str, Tensor],
     *,
     judge: WideImage,
-    free: HeightRange,
+    free: Freedom,
     smoothness: Smoothness | None,
 ) -> Evaluation[_Judged]:
     """What a level minimises over x, from which parameters come, and what ``judge`` says of it."""
@@ -193,15 +199,14 @@ def _evaluated(
     return Evaluation(value.item(), gradient, _Judged(step, own, fine))
 
 
-def _longest_change(waves: Waves) -> Callable[[Tensor], float]:
-    return lambda amplitudes: waves.change(amplitudes).abs().max().item()
-
-
 def _mirrored(
-    scene: Scene, target: Array, start: Array | None, locked: Mask | None = None
+    scene: Scene,
+    target: Array,
+    start: Mapping[str, Array] | None,
+    locked: Mapping[str, Mask] = NO_LOCKS,
 ) -> tuple[bool, bool]:
     """Whether target, source, receiver, first lens and locks are mirrored in x, in y."""
-    nets = [net for net in (start, locked) if net is not None]
+    nets: list[Array | Mask] = [*(start or {}).values(), *locked.values()]
     in_x, in_y = (
         all(each) for each in zip(scene.source.mirrored, scene.receiver.mirrored, strict=True)
     )

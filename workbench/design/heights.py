@@ -1,6 +1,6 @@
 """Control point freedom: keeps every control height in its range, whatever the optimiser does."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -20,8 +20,8 @@ Mask = npt.NDArray[np.bool_]
 class HeightRange:
     """Open interval of each control height of a face, entered through tanh.
 
-    De Koning et al. (2023), eqs. 10 and 28. By the convex-hull property the whole exit face then
-    clears the entrance face by the minimal thickness, at every iteration.
+    De Koning et al. (2023), eqs. 10 and 28. By the convex-hull property the whole face then keeps
+    within the limits, and both faces apart by the minimal thickness, at every iteration.
 
     Attributes
     ----------
@@ -43,20 +43,26 @@ class HeightRange:
 
     @classmethod
     def of(cls, optic: Optic, net: ControlNet, device: torch.device | str = "cpu") -> "HeightRange":
-        """The range that a lens allows on a control net.
+        """The range that an optic allows on a control net of its shaped face; see `within`."""
+        return cls.within(HeightLimits.of(optic, net), device, optic.face)
+
+    @classmethod
+    def within(
+        cls, limits: HeightLimits, device: torch.device | str = "cpu", face: str = "exit"
+    ) -> "HeightRange":
+        """The range between the limits of a face.
 
         Raises
         ------
         ValueError
             If the lens leaves its range to the run; see `workbench.design.room`.
         """
-        limits = HeightLimits.of(optic, net)
         if not np.isfinite(limits.upper).all():
             raise ValueError("the lens has neither a height range nor a maximal thickness")
         ends = limits.lower, limits.upper
         parts = (*ends, _inside(limits.undesigned, *ends))
         lower, upper, rest = (torch.as_tensor(part, device=device) for part in parts)
-        return cls(lower, upper, rest, face=optic.face)
+        return cls(lower, upper, rest, face=face)
 
     def keeping(self, locked: Mask | None, start: Array | None) -> "HeightRange":
         """The same range, but locked control points keep their heights exactly.
@@ -86,6 +92,41 @@ class HeightRange:
         """Parameters of control heights; heights at or beyond an end go just inside it."""
         lower, upper = self.lower.cpu().numpy(), self.upper.cpu().numpy()
         return torch.as_tensor(_inside(heights, lower, upper), device=self.lower.device)
+
+
+class Freedom:
+    """The ranges of all freeform faces of a lens; parameters and heights by the names of faces.
+
+    Parameters
+    ----------
+    ranges : iterable of HeightRange
+        One for each face, in the order in which light meets them.
+
+    Attributes
+    ----------
+    ranges : dict of str to HeightRange
+        The same by the names of their faces.
+    """
+
+    def __init__(self, ranges: Iterable[HeightRange]) -> None:
+        self.ranges = {each.face: each for each in ranges}
+
+    @property
+    def rest(self) -> dict[str, Tensor]:
+        """Parameters of the undesigned lens."""
+        return {face: each.rest for face, each in self.ranges.items()}
+
+    def heights(self, parameters: Mapping[str, Tensor]) -> dict[str, Tensor]:
+        """Control heights of parameters."""
+        return {
+            face: height
+            for face, each in self.ranges.items()
+            for height in each.heights(parameters[face]).values()
+        }
+
+    def parameters(self, heights: Mapping[str, Array]) -> dict[str, Tensor]:
+        """Parameters of control heights; see `HeightRange.parameters`."""
+        return {face: each.parameters(heights[face]) for face, each in self.ranges.items()}
 
 
 def _inside(heights: Array, lower: Array, upper: Array) -> Array:

@@ -104,6 +104,11 @@ class HeightLimits:
         fits = (heights >= self.lower - slack) & (heights <= self.upper + slack)
         return bool((fits | ~self.shaping).all())
 
+    def kept(self, heights: Array, locked: Mask | None) -> Array:
+        """Heights cut off at the limits, but for locked ones, which stay as they are."""
+        inside = heights.clip(self.lower, self.upper)
+        return inside if locked is None else np.where(locked, heights, inside)
+
     def placed(self, heights: Array) -> Array:
         """A surface moved along z to where the undesigned lens is, as far as the limits allow.
 

@@ -10,7 +10,7 @@ from workbench.design.limits import HeightLimits, bounded
 from workbench.design.methods import method_of
 from workbench.errors import Refused
 from workbench.geometry.body import check_body
-from workbench.geometry.surface import ControlNet, freeform_nets
+from workbench.geometry.surface import freeform_nets
 from workbench.optics.plan import device_of
 from workbench.scene import Scene
 
@@ -51,12 +51,10 @@ def check_parts(
                 raise
             path = refused.path.removeprefix(f"{part.optic.called}.").removeprefix("run.")
             raise Refused(f"run.stages[{stage}].{path}", refused.reason) from None
-    face = finished.optic.face
-    if face in locked and start is not None:
-        limits = HeightLimits.of(bounded(finished), ControlNet.of(finished.optic))
-        inside = start[face].clip(limits.lower, limits.upper)
-        kept = np.where(locked[face], start[face], inside)
-        check_body(finished, {**start, face: kept})
+    if locked and start is not None:
+        limits = HeightLimits.of_faces(bounded(finished))
+        kept = {face: limits[face].kept(each, locked.get(face)) for face, each in start.items()}
+        check_body(finished, kept)
 
 
 def _check_net(part: Scene, finished: Scene) -> None:

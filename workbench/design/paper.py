@@ -13,7 +13,7 @@ from workbench.design.room import Room
 from workbench.design.smoothness import Smoothness
 from workbench.design.step import Step
 from workbench.errors import Refused
-from workbench.geometry.surface import ControlNet
+from workbench.geometry.surface import freeform_nets
 from workbench.optics.plan import device_of
 from workbench.scene import Scene
 
@@ -48,16 +48,19 @@ def paper_steps(room: Room) -> Generator[Step, None, NoReturn]:
     """
     scene, start = room.scene, room.start
     device = device_of(scene)
-    image = FilteredImage(scene, room.target, room.locked)
+    image = FilteredImage(scene, room.target, room.locked.get(scene.optic.face))
     free = room.height_range(device)
     smoothness = Smoothness.of(scene, room.target, device)
-    shift = build(ControlNet.of(scene.optic), scene.run, device)
+    shifts = {
+        face: build(net, scene.run, device) for face, net in freeform_nets(scene.optic).items()
+    }
     rest = free.rest
     if start is not None:
-        rest = free.parameters(start) - shift().detach()
-    optimiser = torch.optim.Adam(shift.parameters(), lr=scene.run.rate, fused=True)
+        rest = {face: z - shifts[face]().detach() for face, z in free.parameters(start).items()}
+    numbers = [number for shift in shifts.values() for number in shift.parameters()]
+    optimiser = torch.optim.Adam(numbers, lr=scene.run.rate, fused=True)
     while True:
-        shaped = free.heights(rest + shift())
+        shaped = free.heights({face: z + shifts[face]() for face, z in rest.items()})
         # The light's gradient ends at the heights, where it is checked; the network's begins.
         heights = {face: each.detach().requires_grad_() for face, each in shaped.items()}
         loss, step = image.compare(heights)

@@ -8,7 +8,8 @@ import os
 from pathlib import Path
 
 from workbench.errors import Refused
-from workbench.scene import Optic, Scene
+from workbench.geometry.surface import ControlNet, freeform_nets
+from workbench.scene import Scene
 
 # A parameter, its gradient and Adam's two moments.
 _COPIES = 4
@@ -24,10 +25,14 @@ def parameter_count(scene: Scene) -> int:
     on the input 1; the two others are linked to the layer before, fully or within the
     neighbourhood. Every link has a weight and every neuron a bias.
     """
-    neurons = math.prod(scene.optic.net_shape)
+    return sum(_parameters_of_face(scene, net) for net in freeform_nets(scene.optic).values())
+
+
+def _parameters_of_face(scene: Scene, net: ControlNet) -> int:
+    neurons = math.prod(net.shape)
     match scene.run.parametrisation:
         case "sparse":
-            links = link_count(scene.optic)
+            links = link_count(net)
         case "dense":
             links = neurons**2
         case _:
@@ -35,10 +40,10 @@ def parameter_count(scene: Scene) -> int:
     return 2 * neurons + 2 * (links + neurons)
 
 
-def link_count(optic: Optic) -> int:
+def link_count(net: ControlNet) -> int:
     """Links into a layer whose neurons see (2p + 1) × (2q + 1) neighbours, less at the border."""
     return math.prod(
-        n * (2 * p + 1) - p * (p + 1) for n, p in zip(optic.net_shape, optic.degree, strict=True)
+        n * (2 * p + 1) - p * (p + 1) for n, p in zip(net.shape, net.degree, strict=True)
     )
 
 

@@ -1,5 +1,6 @@
 """The room of a run: where its control heights may be, and whether that is enough."""
 
+from collections.abc import Mapping
 from functools import cached_property
 
 import numpy as np
@@ -7,9 +8,11 @@ import numpy.typing as npt
 import torch
 
 from workbench.design.aim import first_lens
-from workbench.design.heights import HeightRange, Mask
+from workbench.design.heights import Freedom, HeightRange, Mask
 from workbench.design.limits import HeightLimits, bounded
 from workbench.design.shortfall import Cause, Shortfall
+from workbench.design.transport import First
+from workbench.geometry.faces import NO_LOCKS
 from workbench.geometry.surface import ControlNet
 from workbench.scene import Optic, Scene
 
@@ -36,71 +39,84 @@ class Room:
         The design task, without stages.
     target : ndarray, shape (n_y, n_x)
         The wanted image in any scale, row 0 at +y.
-    start : ndarray, shape (n_u, n_v), optional
-        Control heights to go on from; an automatic range holds them.
-    locked : ndarray of bool, shape (n_u, n_v), optional
+    start : mapping of str to ndarray, shape (n_u, n_v), optional
+        Control heights of each freeform face to go on from; an automatic range holds them.
+    locked : mapping of str to ndarray of bool, shape (n_u, n_v)
         Control points that keep the heights that they begin with.
 
     Attributes
     ----------
     scene, target, start, locked
         As given.
-    limits : HeightLimits
-        What the lens allows.
+    limits : dict of str to HeightLimits
+        What the lens allows at each freeform face.
     """
 
     def __init__(
-        self, scene: Scene, target: Array, start: Array | None = None, locked: Mask | None = None
+        self,
+        scene: Scene,
+        target: Array,
+        start: Mapping[str, Array] | None = None,
+        locked: Mapping[str, Mask] = NO_LOCKS,
     ) -> None:
         self.scene, self.target, self.start, self.locked = scene, target, start, locked
         self._net = ControlNet.of(scene.optic)
-        self._lens = bounded(scene)
-        self._found: tuple[Array | None] | None = None  # once it was looked for
-        self.limits = HeightLimits.of(self._lens, self._net)
+        self._lens, self._face = bounded(scene), scene.optic.face
+        self._found: tuple[First | None] | None = None  # once it was looked for
+        self.limits = HeightLimits.of_faces(self._lens)
 
     @property
-    def first(self) -> Array | None:
+    def first(self) -> Mapping[str, Array] | None:
         """Control heights of the first lens, beyond the limits where these are too narrow."""
         if self._found is None:
             self._found = (first_lens(self.scene, self.target),)
-        return self._found[0]
+        found = self._found[0]
+        return None if found is None else found.heights
 
     @property
-    def begin(self) -> Array:
+    def begin(self) -> dict[str, Array]:
         """Control heights that the run begins with; those that are not locked within the limits."""
         if self.start is None:
-            return self.limits.undesigned
-        inside = self.start.clip(self.limits.lower, self.limits.upper)
-        return inside if self.locked is None else np.where(self.locked, self.start, inside)
+            return {face: each.undesigned for face, each in self.limits.items()}
+        return {
+            face: each.kept(self.start[face], self.locked.get(face))
+            for face, each in self.limits.items()
+        }
 
-    def height_range(self, device: torch.device | str = "cpu") -> HeightRange:
-        """The range of a run that optimises: finite, locked control points left out."""
-        free = HeightRange.of(self._ranged, self._net, device)
-        return free.keeping(self.locked, self.start)
+    def height_range(self, device: torch.device | str = "cpu") -> Freedom:
+        """The ranges of a run that optimises: finite, locked control points left out."""
+        start = self.start or {}
+        return Freedom(
+            HeightRange.within(limits, device, face).keeping(self.locked.get(face), start.get(face))
+            for face, limits in HeightLimits.of_faces(self._ranged).items()
+        )
 
     @property
     def notes(self) -> tuple[str, ...]:
         """What was chosen for the run, once it is."""
-        if self._found is None or self._lens.height_range is not None:
+        if self._found is None:
             return ()
+        found = () if self._found[0] is None else self._found[0].notes
+        if self._lens.height_range is not None:
+            return found
         assert self._ranged.height_range is not None
         most = self._ranged.height_range[1]
-        return (f"heights within {most:.3g} {self.scene.unit} of the base",)
+        return (*found, f"heights within {most:.3g} {self.scene.unit} of the base")
 
-    def shortfall(self, heights: Array) -> Shortfall | None:
+    def shortfall(self, lens: Mapping[str, Array]) -> Shortfall | None:
         """What the task needs beyond the limits; None where they do not seem to hinder it.
 
         Parameters
         ----------
-        heights : ndarray, shape (n_u, n_v)
-            Control heights of a lens of the run, scene units.
+        lens : mapping of str to ndarray, shape (n_u, n_v)
+            Control heights of the faces of a lens of the run, scene units.
         """
         looked = self._found is not None
         if not looked and self._lens.height_range is None:
             return None  # nothing has been chosen yet that heights could be at an end of
-        low, high = HeightLimits.of(self._ranged, self._net).ends(heights, _END)
-        if self.locked is not None:
-            low, high = low & ~self.locked, high & ~self.locked
+        low, high = HeightLimits.of(self._ranged, self._net).ends(lens[self._face], _END)
+        if (locked := self.locked.get(self._face)) is not None:
+            low, high = low & ~locked, high & ~locked
         share = float((low | high).mean())
         if not looked and share < _MANY:
             return None
@@ -110,13 +126,14 @@ class Room:
         """What the first lens lacks."""
         if self.first is None:
             return None
-        tolerable = _TOLERABLE * float(np.ptp(self.first - self.limits.undesigned))
-        if self.limits.lacks(self.first) <= tolerable:
+        first, limits = self.first[self._face], self.limits[self._face]
+        tolerable = _TOLERABLE * float(np.ptp(first - limits.undesigned))
+        if limits.lacks(first) <= tolerable:
             return None
         optic = self.scene.optic.model_copy(update={"height_range": None})
         optic = bounded(self.scene.with_optic(optic))
         limits = HeightLimits.of(optic, self._net)
-        lacks = limits.lacks(self.first)
+        lacks = limits.lacks(first)
         beyond = lacks > tolerable or self._lens.height_range is None
         if beyond and optic.held_by != "height_range":
             thickest = optic.ceiling - optic.front_z
@@ -124,7 +141,7 @@ class Room:
                 (optic.least_thickness, thickness) for thickness in (thickest + lacks, thickest)
             )
             return Shortfall(optic.held_by, needed, allowed, share)
-        off = limits.placed(self.first) - self._base
+        off = limits.placed(first) - self._base
         needed = float(off.min()), float(off.max())
         most = limits.lower - self._base, limits.upper - self._base
         allowed = self._lens.height_range or (float(most[0].min()), float(most[1].max()))
@@ -156,10 +173,11 @@ class Room:
         """The lens with a height range in any case."""
         if self._lens.height_range is not None:
             return self._lens
-        lenses = (self.limits.undesigned, self.first, self.start)
-        most = max(float(np.abs(z - self._base).max()) for z in lenses if z is not None)
+        faces = [self.limits[self._face].undesigned]
+        faces += [each[self._face] for each in (self.first, self.start) if each is not None]
+        most = max(float(np.abs(z - self._base).max()) for z in faces)
         half = max(_TIMES * most, _LEAST * _natural(self.scene))
-        return self._lens.model_copy(update={"height_range": (-half, half)})
+        return self._lens.ranged(-half, half)
 
 
 def _natural(scene: Scene) -> float:

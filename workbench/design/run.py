@@ -89,12 +89,7 @@ def run(
     for stage, part in enumerate(parts[first:], first):
         # The first lens of a later stage counts as an iteration: its loss is one of another task.
         most = 1 if done else part.run.iterations + (stage == first)
-        room = Room(
-            part,
-            target,
-            None if start is None else start[part.optic.face],
-            locked.get(part.optic.face),
-        )
+        room = Room(part, target, start, locked)
         steps = method_of(part).steps(room)
         lowest = math.inf
         best_heights: ControlHeights | None = None
@@ -115,7 +110,7 @@ def run(
             best = best_heights is None or merit < lowest
             if best:
                 lowest, best_heights = merit, state.heights
-            state = replace(state, shortfall=room.shortfall(state.heights[part.optic.face]))
+            state = replace(state, shortfall=room.shortfall(state.heights))
             state = replace(state, heights=_carried(state.heights, part.optic, scene.optic))
             seconds += time.perf_counter() - resumed
             yield Snapshot(

@@ -1,4 +1,4 @@
-"""What a shop asks of the exit face, as a term that a run minimises besides the image's error.
+"""What a shop asks of freeform faces, as a term that a run minimises besides the image's error.
 
 It is there only if a scene asks for it: ``run.smoothness`` weighs how much the face bends, and
 ``run.min_radius`` keeps it from bending more sharply than a tool can follow.
@@ -15,7 +15,7 @@ from workbench.design.loss import share
 from workbench.design.step import Step
 from workbench.geometry.basis import basis_matrix
 from workbench.geometry.curvature import mean_and_gaussian
-from workbench.geometry.surface import ControlNet
+from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.scene import Scene
 
 Array = npt.NDArray[np.float64]
@@ -30,7 +30,7 @@ _UMBILIC = 1e-3
 
 
 class Smoothness:
-    """Penalty of a face for its bends; dimensionless, the same in any unit.
+    """Penalty of the faces of a lens for their bends; dimensionless, the same in any unit.
 
     Parameters
     ----------
@@ -40,17 +40,23 @@ class Smoothness:
         The wanted image in any scale.
     device : torch.device
         Where the heights are.
+
+    Attributes
+    ----------
+    faces : dict of str to FaceBends
+        The freeform faces by their names.
     """
 
     def __init__(self, scene: Scene, target: Array, device: torch.device) -> None:
-        net, run = ControlNet.of(scene.optic), scene.run
-        self._face = scene.optic.face
-        x, y = net.positions
-        base = scene.optic.base.height_at(x[:, None], y[None, :])
-        self._base = torch.as_tensor(base, device=device)
+        optic, run, nets = scene.optic, scene.run, freeform_nets(scene.optic)
+        x, y = nets[optic.face].positions
+        # An entrance face bends away from a plane, whose place does not matter.
+        bases = {optic.face: optic.base.height_at(x[:, None], y[None, :])}
+        self.faces = {
+            face: FaceBends(net, bases.get(face, np.zeros(net.shape)), device)
+            for face, net in nets.items()
+        }
         self._weight, self._radius = run.smoothness or 0.0, run.min_radius
-        self._products = [_products(net, axis, device) for axis in (0, 1)]
-        self._derivatives = [_derivatives(net, axis, device) for axis in (0, 1)]
         wanted = share(target)
         self._loss_of_1 = float(np.sqrt(np.square(wanted).mean()))
 
@@ -69,13 +75,52 @@ class Smoothness:
         heights : mapping of str to Tensor, shape (n_u, n_v), float64
             Control heights of each freeform face by its name, scene units.
         """
-        face = heights[self._face]
-        penalty = face.new_zeros(())
-        if self._weight:
-            penalty = penalty + self._weight * self.bending(face)
-        if self._radius is not None:
-            penalty = penalty + _PRICE * self.curvature_excess(face, self._radius * (1 + _RESERVE))
+        penalty = torch.zeros((), dtype=torch.float64)
+        for face, bends in self.faces.items():
+            if self._weight:
+                penalty = penalty + self._weight * bends.bending(heights[face])
+            if self._radius is not None:
+                excess = bends.curvature_excess(heights[face], self._radius * (1 + _RESERVE))
+                penalty = penalty + _PRICE * excess
         return penalty
+
+    def merit(self, loss: Tensor, penalty: Tensor) -> Tensor:
+        """Loss and penalty as one number, in the measure of the loss: what tells the best lens.
+
+        Parameters
+        ----------
+        loss : Tensor, scalar
+            Paper's loss of the image.
+        penalty : Tensor, scalar
+            Of the same lens.
+        """
+        return (loss.double().square() + self._loss_of_1**2 * penalty).sqrt()
+
+    def judged(self, step: Step, penalty: Tensor) -> Step:
+        """A step that tells its merit."""
+        if step.merit is not None:
+            return step  # no light is on the screen
+        merit = self.merit(torch.tensor(step.state.loss), penalty.detach())
+        return step._replace(merit=merit.item())
+
+
+class FaceBends:
+    """How much a face bends, and how sharply.
+
+    Parameters
+    ----------
+    net : ControlNet
+        Where its control heights sit.
+    base : ndarray, shape (n_u, n_v)
+        Control heights from which its bending is counted.
+    device : torch.device
+        Where the heights are.
+    """
+
+    def __init__(self, net: ControlNet, base: Array, device: torch.device) -> None:
+        self._base = torch.as_tensor(base, device=device)
+        self._products = [_products(net, axis, device) for axis in (0, 1)]
+        self._derivatives = [_derivatives(net, axis, device) for axis in (0, 1)]
 
     def bending(self, heights: Tensor) -> Tensor:
         """Bending energy ∫ (d_xx² + 2 d_xy² + d_yy²) dx dy of the deviation d from the base.
@@ -107,25 +152,6 @@ class Smoothness:
         # The principal curvatures are mean ± apart, both at most mean.abs() + apart.
         apart = ((mean * mean - gauss).clamp_min(0) + (_UMBILIC / radius) ** 2).sqrt()
         return ((mean.abs() + apart) * radius - 1).clamp_min(0).square().mean()
-
-    def merit(self, loss: Tensor, penalty: Tensor) -> Tensor:
-        """Loss and penalty as one number, in the measure of the loss: what tells the best lens.
-
-        Parameters
-        ----------
-        loss : Tensor, scalar
-            Paper's loss of the image.
-        penalty : Tensor, scalar
-            Of the same lens.
-        """
-        return (loss.double().square() + self._loss_of_1**2 * penalty).sqrt()
-
-    def judged(self, step: Step, penalty: Tensor) -> Step:
-        """A step that tells its merit."""
-        if step.merit is not None:
-            return step  # no light is on the screen
-        merit = self.merit(torch.tensor(step.state.loss), penalty.detach())
-        return step._replace(merit=merit.item())
 
 
 def _products(net: ControlNet, axis: int, device: torch.device) -> list[Tensor]:

@@ -4,6 +4,8 @@ Irradiance answers to the second derivatives of the face. Short waves of the sam
 far more than long ones, and a descent that treats all heights alike spends its steps on them.
 """
 
+from collections.abc import Mapping
+
 import numpy as np
 import torch
 from scipy.fft import dct
@@ -38,3 +40,34 @@ class Waves:
         """Change of the net, shape (n_u, n_v), of amplitudes of shape (waves,)."""
         along_u, along_v = self._waves
         return along_u.T @ (self._size * amplitudes.view_as(self._size)) @ along_v
+
+
+class FaceWaves:
+    """Waves over the nets of several faces, their amplitudes one after the other.
+
+    Parameters
+    ----------
+    like : mapping of str to Tensor, shape (n_u, n_v)
+        Gives size, float type and device for each face.
+    cut, mirrored
+        See `Waves`.
+
+    Attributes
+    ----------
+    nothing : Tensor, shape (waves,)
+        Amplitudes of no change.
+    """
+
+    def __init__(self, like: Mapping[str, Tensor], cut: float, mirrored: tuple[bool, bool]) -> None:
+        self._waves = {face: Waves(each, cut, mirrored) for face, each in like.items()}
+        self.nothing = torch.cat([each.nothing for each in self._waves.values()])
+
+    def change(self, amplitudes: Tensor) -> dict[str, Tensor]:
+        """Change of the net of each face, of amplitudes of shape (waves,)."""
+        counts = [len(each.nothing) for each in self._waves.values()]
+        parts = zip(self._waves.items(), torch.split(amplitudes, counts), strict=True)
+        return {face: waves.change(part) for (face, waves), part in parts}
+
+    def longest(self, amplitudes: Tensor) -> float:
+        """The most by which amplitudes change anything."""
+        return max(change.abs().max().item() for change in self.change(amplitudes).values())

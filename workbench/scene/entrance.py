@@ -27,6 +27,10 @@ class FlatEntrance(Part):
         """It is where it stands; see `FreeformEntrance.offsets`."""
         return 0.0, 0.0
 
+    def within(self, offsets: tuple[float, float]) -> "FlatEntrance":
+        """The same: it has no range."""
+        return self
+
     def check_within(self, exit_shape: NetShape | None) -> None:
         """Refuse nothing: it suits any lens."""
 
@@ -75,6 +79,10 @@ class FreeformEntrance(Part):
     def offsets(self, room: float) -> tuple[float, float]:
         """How far the face may be from its place, down and up; automatic leaves it ``room``."""
         return (0.0, room) if self.height_range is None else self.height_range
+
+    def within(self, offsets: tuple[float, float]) -> "FreeformEntrance":
+        """The same with this range."""
+        return self.model_copy(update={"height_range": offsets})
 
     def check_within(self, exit_shape: NetShape | None) -> None:
         """Refuse a net that cannot be, and a range that leaves a control point nowhere to be."""

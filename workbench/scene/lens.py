@@ -326,6 +326,11 @@ class Lens(Optic):
         thickness = (self.highest + receiver_z) / 2 - self.front_z
         return self.model_copy(update={"max_thickness": thickness})
 
+    def ranged(self, low: float, high: float) -> Self:
+        """See `Optic.ranged`: the entrance face keeps the room that it has now."""
+        entrance = self.entrance.within(self.entrance_offsets)
+        return super().ranged(low, high).model_copy(update={"entrance": entrance})
+
     def flat_z(self, heights: Array) -> float:
         """The entrance face."""
         return self.entrance_z

@@ -121,6 +121,10 @@ class Optic(Part):
     def bounded(self, receiver_z: float) -> Self:
         """The optic with all that limits its heights, before a receiver that begins at a z."""
 
+    def ranged(self, low: float, high: float) -> Self:
+        """The optic with another height range; nothing else of it moves."""
+        return self.model_copy(update={"height_range": (low, high)})
+
     @abstractmethod
     def flat_z(self, heights: Array) -> float:
         """Where the flat side of the solid part is, if the face has these control heights."""

@@ -10,7 +10,7 @@ The flux on the face and the heights in 2 depend on the face itself: all of it i
 """
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 import numpy as np
@@ -28,20 +28,20 @@ from workbench.optics.path import Path
 from workbench.optics.reference import Reference
 from workbench.optics.sources import emitter_of
 from workbench.optics.transmittance import TransmittanceLaw
-from workbench.scene import PointSource, Scene
+from workbench.scene import AnyReceiver, PointSource, Scene
 
 Array = npt.NDArray[np.float64]
 
 # Cells along each axis, of lens and screen alike; finer nets get more places for their slopes.
-_CELLS = 256
+CELLS = 256
 _FITS = 2
 # Rounds of transport on the finest grid for a quick lens. Where the error of its image is less than
 # this, the descent does the rest sooner; else as many rounds follow as bring light nearer, and the
 # better one of both lenses is taken: each may be much better than the other.
-_FEW_ROUNDS, _GOOD = 1, 0.06
+FEW_ROUNDS, _GOOD = 1, 0.06
 # Where no face could bend the light as wanted, the normal is kept along the axis by this part of
 # what it is where light goes straight on or back: n − 1, and 2 for a mirror.
-_UPRIGHT = 0.1
+UPRIGHT = 0.1
 
 
 def transport_start(scene: Scene, target: Array) -> Array | None:
@@ -60,35 +60,50 @@ def transport_start(scene: Scene, target: Array) -> Array | None:
         Heights, scene units, beyond their limits where these are too narrow for the task. None if
         no light leaves the lens even where its faces are parallel.
     """
-    optic, receiver, net = scene.optic, scene.receiver, ControlNet.of(scene.optic)
-    cells = max(_CELLS, 2 * max(net.shape))
+    net = ControlNet.of(scene.optic)
+    cells = max(CELLS, 2 * max(net.shape))
     fit = SlopeFit(net, cells)
     light = _Light(scene, net, fit, cells)
     limits = HeightLimits.of(bounded(scene), net)
-    image = target / target.max() * receiver.relative_measure()
-    wanted = _resampled(image[::-1].T, cells)  # along x first and y upwards, as the lens is
-    wanted /= wanted.sum()
-    r = np.array(optic.half_width) * np.array(receiver.half_extent)
-    weights = r / math.sqrt(r.prod())
+    wanted, weights = wanted_cells(scene, target, cells)
 
     passing = ((z, flux) for z in _candidates(limits) if (flux := light.flux(z)) is not None)
     heights, flux = next(passing, (None, None))
     if heights is None or flux is None:
         return None
-    transport = Transport(flux, wanted, (float(weights[0]), float(weights[1])), _FEW_ROUNDS)
+    transport = Transport(flux, wanted, weights, FEW_ROUNDS)
     faces = _Faces(scene, light, fit, limits)
     heights = faces.bent(transport, heights)
     # A lens that reflects all light totally is improved blindly.
     passed = light.flux(heights)
     flux = flux if passed is None else passed
-    transport.improve(flux, _FEW_ROUNDS)
+    transport.improve(flux, FEW_ROUNDS)
     heights = faces.bent(transport, heights)
-    error = _error(scene, target, limits.nearest(heights))
+    error = first_error(scene, target, {scene.optic.face: heights})
     if error < _GOOD:
         return heights
     transport.improve(flux)
     other = faces.bent(transport, heights)
-    return other if _error(scene, target, limits.nearest(other)) < error else heights
+    return other if first_error(scene, target, {scene.optic.face: other}) < error else heights
+
+
+def wanted_cells(scene: Scene, target: Array, cells: int) -> tuple[Array, tuple[float, float]]:
+    """The light that is wanted in each of ``cells`` by ``cells``, and what ways along x and y cost.
+
+    Along x first and y upwards, as the lens is; all together 1.
+    """
+    optic, receiver = scene.optic, scene.receiver
+    image = target / target.max() * receiver.relative_measure()
+    wanted = _resampled(image[::-1].T, cells)
+    r_x, r_y = (a * b for a, b in zip(optic.half_width, receiver.half_extent, strict=True))
+    return wanted / wanted.sum(), (math.sqrt(r_x / r_y), math.sqrt(r_y / r_x))
+
+
+def destinations(transport: Transport, receiver: AnyReceiver) -> tuple[Array, Array]:
+    """Where on the receiver the light of each cell should go, in the receiver's coordinates."""
+    places = zip(transport.map(), receiver.half_extent, receiver.middle, strict=True)
+    to_u, to_v = (((2 * to + 1) / len(to) - 1) * half + middle for to, half, middle in places)
+    return to_u, to_v
 
 
 class _Faces(NamedTuple):
@@ -103,24 +118,28 @@ class _Faces(NamedTuple):
         """Control heights of a face, from those of one like it."""
         light, optic, receiver = self.light, self.scene.optic, self.scene.receiver
         n = optic.index
-        places = zip(transport.map(), receiver.half_extent, receiver.middle, strict=True)
-        to_u, to_v = (((2 * to + 1) / len(to) - 1) * half + middle for to, half, middle in places)
+        to_u, to_v = destinations(transport, receiver)
         for _ in range(_FITS):
             z = self.fit.surface(heights)
             d_x, d_y, d_z = light.direction(z)
             out_x, out_y, out_z = receiver.towards(optic, (light.x, light.y, z), to_u, to_v)
             # Snell's law as vectors: the normal is along n d_in − d_out; of a mirror, n is 1.
-            normal_z = np.maximum(n * d_z - out_z, _UPRIGHT * optic.deflection)
+            normal_z = np.maximum(n * d_z - out_z, UPRIGHT * optic.deflection)
             slope_x = -(n * d_x - out_x) / normal_z
             slope_y = -(n * d_y - out_y) / normal_z
             heights = self.limits.placed(self.fit.heights(slope_x, slope_y))
         return heights
 
 
-def _error(scene: Scene, target: Array, heights: Array) -> float:
-    """How far the image of a lens is from the target, in the image by which a descent begins."""
+def first_error(scene: Scene, target: Array, heights: Mapping[str, Array]) -> float:
+    """How far the image of a lens is from the target, in the image by which a descent begins.
+
+    Heights beyond their limits are brought within first.
+    """
+    limits = HeightLimits.of_faces(bounded(scene))
     image = image_of(COARSE, scene, target, scene.receiver.half_extent)
-    return relative_error(image.step({scene.optic.face: torch.as_tensor(heights)}).state, target)
+    near = {face: torch.as_tensor(limits[face].nearest(z)) for face, z in heights.items()}
+    return relative_error(image.step(near).state, target)
 
 
 def _candidates(limits: HeightLimits) -> Iterator[Array]:

@@ -10,7 +10,7 @@ from torch import Tensor
 from workbench.geometry.outlines import Outline, Rectangle
 from workbench.geometry.patches import Patches
 from workbench.geometry.surface import ControlNet, GridBasis
-from workbench.optics.intersection import Bundle, ExactIntersection, Met
+from workbench.optics.intersection import RIM, Bundle, ExactIntersection, Met
 from workbench.optics.mesh import MeshIntersection, TriangleMesh
 from workbench.optics.rays import RayBundle
 from workbench.optics.surfaces.surface import Meeting
@@ -77,8 +77,9 @@ class BSplineSurface:
         self._last = meeting.position[2].detach().flatten()
         # What a whole graph hangs on is not kept.
         self._met_before = None if rays.position[2].requires_grad else (rays, way)
-        x, y, _ = meeting.position
-        return meeting._replace(met=meeting.met & self.outline.contains(x.detach(), y.detach()))
+        within = 1 - RIM * torch.finfo(self._dtype).eps
+        x, y = (part.detach() * within for part in meeting.position[:2])
+        return meeting._replace(met=meeting.met & self.outline.contains(x, y))
 
     def _way(self, rays: RayBundle) -> "_Way":
         x, y, _ = rays.position

@@ -1,0 +1,144 @@
+"""Runs that shape both faces of a lens."""
+
+import numpy as np
+import pytest
+
+from workbench.design.limits import HeightLimits, bounded, undesigned
+from workbench.design.run import run
+from workbench.design.session import Session
+from workbench.design.transport import first_of
+from workbench.files.session import read_session, write_session
+from workbench.geometry.faces import FaceArrays
+from workbench.scene import Scene
+
+FREEFORM = {"lens.entrance": {"shape": "freeform"}, "lens.height_range": None}
+PAPER = {"method": "paper", "iterations": 4}
+
+
+@pytest.fixture
+def uneven():
+    """A rectangle, brighter in one quarter."""
+    image = np.zeros((32, 32))
+    image[6:26, 10:22] = 1.0
+    image[6:16, 16:22] = 0.4
+    return image
+
+
+def assert_apart(scene, heights):
+    """The minimal thickness holds everywhere: each face is in the hull of its control points."""
+    assert heights["exit"].min() - heights["entrance"].max() >= scene.lens.min_thickness - 1e-12
+    limits = HeightLimits.of_faces(bounded(scene))
+    assert all(limits[face].hold(z) for face, z in heights.items())
+
+
+def test_auto_shapes_both_faces_and_keeps_them_apart(make_scene, uneven):
+    scene = make_scene({**FREEFORM, "run.iterations": 5})
+    shots = list(run(scene, uneven))
+    assert shots[-1].state.loss < 0.8 * shots[1].state.loss
+    for shot in shots:
+        assert_apart(scene, shot.state.heights)
+    first, last = shots[1].state.heights, shots[-1].state.heights
+    assert list(last) == ["entrance", "exit"]
+    assert all(np.abs(last[face] - first[face]).max() > 1e-5 for face in last)
+
+
+def test_the_first_lens_bends_parallel_light_by_half_at_each_face(make_scene, uneven):
+    scene = make_scene(FREEFORM)
+    first = first_of(scene, uneven)
+    flat = first_of(make_scene({"lens.height_range": None}), uneven)
+    alone = np.ptp(flat.heights["exit"])
+    for z in first.heights.values():
+        assert np.ptp(z) == pytest.approx(alone / 2, rel=0.1)
+    assert "% by both faces and" in first.notes[0]
+    assert first.notes[0].endswith("it begins with both faces")
+
+
+def test_the_log_compares_the_first_lens_with_that_of_one_face(make_scene, uneven):
+    *_, last = run(make_scene({**FREEFORM, "run.iterations": 1}), uneven)
+    assert any(note.startswith("first lens: ") for note in last.notes)
+
+
+def test_an_entrance_face_without_room_bends_less(make_scene, uneven):
+    narrow = {"shape": "freeform", "height_range": [0, 0.02]}
+    scene = make_scene({**FREEFORM, "lens.entrance": narrow})
+    first = first_of(scene, uneven)
+    assert 0.01 < np.ptp(first.heights["entrance"]) <= 0.02
+    assert np.ptp(first.heights["exit"]) > 0.1
+
+
+@pytest.mark.parametrize("parametrisation", ["none", "sparse"])
+def test_the_paper_method_shapes_both_faces(make_scene, uneven, parametrisation):
+    settings = {**PAPER, "parametrisation": parametrisation}
+    scene = make_scene({**FREEFORM, "run": settings})
+    shots = list(run(scene, uneven))
+    assert shots[-1].state.loss < shots[0].state.loss
+    assert_apart(scene, shots[-1].state.heights)
+    for face, z in shots[-1].state.heights.items():
+        assert np.abs(z - shots[0].state.heights[face]).max() > 1e-4
+
+
+def test_locked_control_points_of_the_entrance_face_stay(make_scene, uneven):
+    scene = make_scene({**FREEFORM, "run.iterations": 2})
+    start = {
+        "entrance": np.full(scene.lens.net_shape, 0.1),
+        "exit": np.full(scene.lens.net_shape, 0.5),
+    }
+    mask = np.zeros(scene.lens.net_shape, dtype=bool)
+    mask[:, :4] = True
+    *_, last = run(scene, uneven, start, {"entrance": mask})
+    moved = last.state.heights["entrance"] != 0.1
+    assert not moved[mask].any()
+    assert moved[~mask].all()
+
+
+def test_a_run_goes_on_from_both_faces(make_scene, uneven):
+    scene = make_scene({**FREEFORM, "run.iterations": 2})
+    *_, last = run(scene, uneven)
+    first, *_ = run(scene, uneven, last.state.heights)
+    for face, z in last.state.heights.items():
+        np.testing.assert_array_equal(first.state.heights[face], z)
+
+
+def test_sessions_keep_the_entrance_face_and_its_locks(make_scene, uneven, tmp_path):
+    scene = make_scene(
+        {**FREEFORM, "lens.entrance": {"shape": "freeform", "control_points": [7, 9]}}
+    )
+    start = undesigned(scene.lens)
+    mask = np.arange(63).reshape(7, 9) % 5 == 0
+    session = Session(scene, uneven, start=start, locked=FaceArrays({"entrance": mask}))
+    write_session(session, tmp_path / "two.freeform")
+    again = read_session(tmp_path / "two.freeform")
+    assert again.start == start
+    assert again.locked == session.locked
+    assert again.scene == scene
+
+
+def test_a_lens_becomes_two_faced_and_one_faced_again(make_scene, uneven):
+    flat = make_scene({"lens.height_range": None})
+    bent = np.linspace(0.4, 0.6, 120).reshape(12, 10)
+    session = Session(flat, uneven, start=FaceArrays({"exit": bent}))
+    two = session.with_scene(make_scene(FREEFORM), uneven)
+    assert list(two.start) == ["entrance", "exit"]
+    np.testing.assert_array_equal(two.start["exit"], bent)
+    assert np.ptp(two.start["entrance"]) == 0
+    one = two.with_scene(flat, uneven)
+    assert list(one.start) == ["exit"]
+    np.testing.assert_array_equal(one.start["exit"], bent)
+
+
+def test_another_entrance_net_carries_the_face(make_scene, uneven):
+    def scene(count):
+        return Scene.from_data(make_scene({**FREEFORM, "lens.entrance": {**_net(count)}}).to_data())
+
+    coarse = scene(8)
+    bent = 0.1 + 0.05 * np.random.default_rng(2).random((8, 8))
+    start = FaceArrays({"entrance": bent, "exit": np.full((12, 10), 0.5)})
+    session = Session(coarse, uneven, start=start)
+    finer = session.with_scene(scene(13), uneven)
+    assert finer.start["entrance"].shape == (13, 13)
+    again = finer.with_scene(coarse, uneven)
+    np.testing.assert_allclose(again.start["entrance"], bent, atol=1e-12)
+
+
+def _net(count):
+    return {"shape": "freeform", "control_points": [count, count]}

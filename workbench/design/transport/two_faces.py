@@ -1,0 +1,238 @@
+"""A first lens of two faces that share the bending of the light.
+
+As in `workbench.design.transport.start`, but light is followed from cells of the plane before the
+lens. In the glass it takes a direction between where it comes from and where it should go. That of
+near points takes the one in the middle: both faces turn it by the same angle, and it meets both at
+the same angles. Collimated light is turned by 1/(2n) of the way, which takes equal slopes of both
+faces where these are small. Snell's law says what slopes that takes, at the places that the light
+meets, and least squares find the faces. The exit face comes second, and mends with the light that
+the entrance face really sends what that could not do.
+"""
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+import torch
+from scipy.ndimage import map_coordinates
+
+from workbench.design.limits import HeightLimits, bounded
+from workbench.design.transport.back_and_forth import MOST_ROUNDS, Transport
+from workbench.design.transport.face import SlopeFit
+from workbench.design.transport.start import (
+    CELLS,
+    FEW_ROUNDS,
+    UPRIGHT,
+    destinations,
+    wanted_cells,
+)
+from workbench.geometry.surface import freeform_nets
+from workbench.optics.path import Path
+from workbench.optics.sources import emitter_of
+from workbench.optics.sources.origins import through_cells
+from workbench.scene import Scene
+
+Array = npt.NDArray[np.float64]
+Vector = tuple[Array, Array, Array]
+
+# Rounds of transport, each with light that knows more of the lens; and of faces in each.
+_ROUNDS, _FITS = 3, 2
+# What is left of the bending at the entrance face in each trial after one whose face did not fit
+# between its limits.
+_LESS, _TRIALS = 0.9, 4
+# Steps that find which cell's light comes to a place, and how near, in cells.
+_STEPS, _NEAR = 30, 1e-3
+
+
+def split_start(scene: Scene, target: Array) -> dict[str, Array] | None:
+    """Control heights of both faces of a first lens.
+
+    Parameters
+    ----------
+    scene : Scene
+        The design task; an extended source counts as a point at its centre.
+    target : ndarray, shape (n_y, n_x)
+        The wanted image in any scale, row 0 at +y.
+
+    Returns
+    -------
+    dict of str to ndarray, shape (n_u, n_v), or None
+        Heights by the names of the faces, scene units; those of the exit face beyond their limits
+        where these are too narrow for the task. None if no light leaves a plate.
+    """
+    nets, limits = freeform_nets(scene.optic), HeightLimits.of_faces(bounded(scene))
+    cells = max(CELLS, 2 * max(max(net.shape) for net in nets.values()))
+    light = _Light(scene, cells)
+    heights = {
+        face: np.full(net.shape, float(limits[face].undesigned.mean()))
+        for face, net in nets.items()
+    }
+    traced = light.through(heights)
+    if traced.flux is None:
+        return None
+    transport = Transport(traced.flux, *wanted_cells(scene, target, cells), FEW_ROUNDS)
+    fits = {face: SlopeFit(net, cells) for face, net in nets.items()}
+    faces = _Faces(scene, light, fits, limits)
+    for number in range(_ROUNDS):
+        heights = faces.bent(transport, heights)
+        flux = light.through(heights).flux
+        # A lens that no light leaves is improved blindly.
+        if number + 1 < _ROUNDS and flux is not None:
+            transport.improve(flux, FEW_ROUNDS if number + 2 < _ROUNDS else MOST_ROUNDS)
+    return heights
+
+
+class _Traced(NamedTuple):
+    """Light of each cell in a lens; arrays of shape (cells, cells).
+
+    Attributes
+    ----------
+    entrance, exit : tuple of three ndarray
+        Places where it meets the faces; of light that does not, where it ends.
+    glass : tuple of three ndarray
+        Unit vectors along which it goes between the faces.
+    flux : ndarray, optional
+        Of what leaves the lens, all together 1; None where that is none.
+    """
+
+    entrance: Vector
+    exit: Vector
+    glass: Vector
+    flux: Array | None
+
+
+class _Light:
+    """Light of a scene through cells of the plane before the lens."""
+
+    def __init__(self, scene: Scene, cells: int) -> None:
+        lens = scene.optic
+        scene = scene.model_copy(update={"source": scene.source.sharp})
+        self._path = Path.of(scene, freeform_nets(lens)["exit"], torch.float64)
+        origins = emitter_of(scene.source, lens).origins
+        rays = through_cells(origins, lens, (cells, cells))
+        x, y, z = rays.position
+        self._rays = rays._replace(position=(x, y, z - self._path.datum))
+        self.split = 0.5 / lens.index if origins.infinite else 0.5
+        self.coming = _three([part.numpy() for part in rays.direction])
+        self._width = [2 * r / cells for r in lens.half_width]
+        self._corner = [-r for r in lens.half_width]
+
+    def through(self, heights: dict[str, Array]) -> _Traced:
+        """The light in a lens with these control heights."""
+        tensors = {face: torch.as_tensor(z) for face, z in heights.items()}
+        found, rays = [], self._rays
+        with torch.no_grad():
+            for surface, interface, _ in self._path.steps:
+                meeting = surface.meet(rays, tensors)
+                rays = interface.turn(rays, meeting).rays
+                found += [meeting.position, rays.direction]
+        flux = rays.flux.numpy()
+        entrance, glass, exit_face, _ = (
+            _three([np.broadcast_to(part.numpy(), flux.shape) for part in vector])
+            for vector in found
+        )
+        total = float(flux.sum())
+        return _Traced(
+            _lifted(entrance, self._path.datum),
+            _lifted(exit_face, self._path.datum),
+            glass,
+            flux / total if total > 0 else None,
+        )
+
+    def evenly(self, values: tuple[Array, Array], place: Vector) -> list[Array]:
+        """Values of the light that comes to the middles of even cells of a face.
+
+        Parameters
+        ----------
+        values : tuple of ndarray, shape (cells, cells)
+            Of the light of each cell of the plane before the lens.
+        place : tuple of three ndarray
+            Where that meets the face.
+        """
+        # In cells of the face; beyond the last light the nearest counts.
+        at = [
+            (part - corner) / width - 0.5
+            for part, corner, width in zip(place[:2], self._corner, self._width, strict=True)
+        ]
+        own = np.indices(at[0].shape).astype(np.float64)
+        off = [part - mine for part, mine in zip(at, own, strict=True)]
+        cell = own.copy()
+        for _ in range(_STEPS):
+            # What comes from a cell is off by about as much as what comes from beside it.
+            new = np.stack(
+                [mine - _between(part, cell) for mine, part in zip(own, off, strict=True)]
+            )
+            new = (cell + new) / 2
+            moved = np.abs(new - cell).max()
+            cell = new.clip(0, len(own[0]) - 1)
+            if moved < _NEAR:
+                break
+        return [_between(each, cell) for each in values]
+
+
+class _Faces(NamedTuple):
+    """Finds faces that send light where a transport says."""
+
+    scene: Scene
+    light: _Light
+    fits: dict[str, SlopeFit]
+    limits: dict[str, HeightLimits]
+
+    def bent(self, transport: Transport, heights: dict[str, Array]) -> dict[str, Array]:
+        """Control heights of both faces, from those of a lens like it."""
+        receiver, n = self.scene.receiver, self.scene.optic.index
+        to_u, to_v = destinations(transport, receiver)
+        for _ in range(_FITS):
+            traced = self.light.through(heights)
+            leaving = _three(receiver.towards(self.scene.optic, traced.exit, to_u, to_v))
+            entrance = self._entrance(traced, leaving)
+            traced = self.light.through({**heights, "entrance": entrance})
+            leaving = _three(receiver.towards(self.scene.optic, traced.exit, to_u, to_v))
+            slopes = _slopes(traced.glass, leaving, n, 1.0)
+            bent = self.fits["exit"].heights(*self.light.evenly(slopes, traced.exit))
+            heights = {"entrance": entrance, "exit": self.limits["exit"].placed(bent)}
+        return heights
+
+    def _entrance(self, traced: _Traced, leaving: Vector) -> Array:
+        """The entrance face that bends light by half, or by less where that does not fit."""
+        coming, limits, n = self.light.coming, self.limits["entrance"], self.scene.optic.index
+        part = self.light.split
+        for _ in range(_TRIALS):
+            x, y, z = ((1 - part) * a + part * b for a, b in zip(coming, leaving, strict=True))
+            slopes = _slopes(coming, _unit((x, y, z)), 1.0, n)
+            bent = self.fits["entrance"].heights(*self.light.evenly(slopes, traced.entrance))
+            lacks = limits.lacks(bent)
+            if lacks <= 0:
+                return limits.placed(bent)
+            extent = float(np.ptp(bent))
+            part *= _LESS * (extent - lacks) / extent
+        return limits.nearest(bent)
+
+
+def _slopes(before: Vector, behind: Vector, index: float, other: float) -> tuple[Array, Array]:
+    """Slopes of a face between media of two indices that turns light, by Snell's law as vectors."""
+    sign = 1.0 if other > index else -1.0
+    x, y, z = (sign * (other * b - index * a) for a, b in zip(before, behind, strict=True))
+    z = np.maximum(z, UPRIGHT * abs(other - index))
+    return -x / z, -y / z
+
+
+def _between(values: Array, cell: Array) -> Array:
+    return np.asarray(map_coordinates(values, cell, order=1, mode="nearest"))
+
+
+def _unit(vector: Vector) -> Vector:
+    x, y, z = vector
+    length = np.sqrt(x**2 + y**2 + z**2)
+    return x / length, y / length, z / length
+
+
+def _three(parts: Sequence[Array]) -> Vector:
+    x, y, z = parts
+    return x, y, z
+
+
+def _lifted(place: Vector, by: float) -> Vector:
+    x, y, z = place
+    return x, y, z + by
