@@ -91,13 +91,32 @@ def test_all_losses_say_what_they_are():
     assert all(all(loss[:-1]) for loss in LOSSES.values())
 
 
-def test_where_most_light_is_lost_before_the_screen_is_said_with_what_helps():
+def test_where_most_light_is_lost_before_the_screen_is_said_with_what_helps(make_scene):
+    scene = make_scene()
     account = account_of(2.0, 0.2, 0.1, 0.1, 1.2, 0.2, 0.1, 0.1)
-    assert account.advice == (
+    assert account.advice(scene) == (
         "Only 10.0 % of the light lands on the screen; 60 % leaves by the side. A thinner lens, or "
         "a source farther away or nearer to the axis, keeps it."
     )
-    assert not account_of(2.0, 0.2, 0.9, 0.0, 0.7, 0.0, 0.1, 0.1).advice
+    assert not account_of(2.0, 0.2, 0.9, 0.0, 0.7, 0.0, 0.1, 0.1).advice(scene)
+
+
+@pytest.mark.parametrize("shape", ["flat", "sphere"])
+def test_a_flatter_base_is_no_advice_where_the_base_is_flat(make_scene, shape):
+    round_base = {"shape": "sphere", "height": 0.5, "radius": 4.0, "form": "convex"}
+    flat_base = {"shape": "flat", "height": 0.5}
+    scene = make_scene({"lens.base": flat_base if shape == "flat" else round_base})
+    advice = account_of(1.0, 0.1, 0.1, 0.1, 0.0, 0.6, 0.1, 0.0).advice(scene)
+    assert "60 % is totally reflected" in advice
+    assert ("flatter" in advice) == (shape == "sphere")
+    assert "hicker stock" in advice
+
+
+def test_the_advice_names_the_receiver(make_scene):
+    far = {"half_angle": [20.0, 10.0], "pixels": [8, 4]}
+    scene = make_scene({"screen": None, "far_field": far})
+    advice = account_of(2.0, 0.2, 0.1, 0.1, 1.2, 0.2, 0.1, 0.1).advice(scene)
+    assert advice.startswith("Only 10.0 % of the light lands in the far field; 60 % leaves")
 
 
 def test_light_that_passes_a_far_field_by_is_called_so(make_scene):

@@ -99,7 +99,7 @@ class Check(QObject):
             f"{verified_error(found.verified)} ({100 * low:.2f} to {100 * high:.2f} %); "
             "with the scatter of the rays "
             f"{100 * found.relative_l2:.2f} ± {100 * found.noise:.2f} %, loss {found.loss:.3e}; "
-            f"{100 * found.efficiency:.1f} % on the screen"
+            f"{100 * found.efficiency:.1f} % {lens.session.scene.receiver.place}"
         )
 
     def _give_up(self, lens: CheckedLens, error: Exception) -> None:

@@ -1,4 +1,4 @@
-"""Says after a run why little light reaches the screen, and what would help."""
+"""Says after a run why little light comes to the receiver, and what would help."""
 
 from typing import TYPE_CHECKING
 
@@ -33,8 +33,8 @@ class LostLightNotice(QObject):
 
     def say(self) -> None:
         """Say it of the lens that the document has."""
-        result = self._document.session.result
-        self._text = "" if result is None else result.state.account.advice
+        scene, result = self._document.session.scene, self._document.session.result
+        self._text = "" if result is None else result.state.account.advice(scene)
         if self._text and not self._messages.text:
             self._messages.warn(self._text)
 

@@ -76,10 +76,11 @@ class RunLog(QObject):
         if self._last is None:
             self._tell("Run ended before its first lens")
             return
-        shot, result = self._last, self._document.session.result
+        shot, session = self._last, self._document.session
+        result, place = session.result, session.scene.receiver.place
         why = f" ({result.ended})" if result is not None and result.ended else ""
         self._tell(
             f"Run ended{why} after iteration {shot.iteration} of {shot.iterations}, "
             f"{clock(shot.seconds)}: last loss {shot.state.loss:.3e}, "
-            f"{100 * shot.state.account.efficiency:.1f} % on the screen"
+            f"{100 * shot.state.account.efficiency:.1f} % {place}"
         )

@@ -59,7 +59,9 @@ class RunStatus:
             "certified. freeform bound tells more",
         )
         self._light = _figure(
-            bar, "Part of the light that lands on the screen", "on screen 000.0 %"
+            bar,
+            "Part of the light that lands where it is wanted: on the screen, or in the far field",
+            "in the far field 000.0 %",
         )
         self._elapsed = _figure(bar, "Run time", "00:00 elapsed")
         self._left = _figure(
@@ -107,9 +109,10 @@ class RunStatus:
         each_second = "" if rate is None else f", {rate:.3g}/s"
         self._iteration.setText(f"iteration {done} of {all_of_it}{each_second}" if counting else "")
         self._loss.setText(f"loss {snapshot.state.loss:.3e}")
-        self._light.setText(f"on screen {100 * snapshot.state.account.efficiency:.1f} %")
+        scene, landed = frame.session.scene, snapshot.state.account.efficiency
+        self._light.setText(f"{scene.receiver.place} {100 * landed:.1f} %")
         self._elapsed.setText(f"{clock(snapshot.seconds)} elapsed" if counting else "")
-        may_stop = frame.session.scene.run.method == "auto"
+        may_stop = scene.run.method == "auto"
         at_most = "at most " if may_stop else ""
         self._left.setText("" if left is None else f"{at_most}{clock(left)} left")
 

@@ -30,7 +30,7 @@ _COLUMNS = {
     "Name": "What the run is called; a check mark draws its loss beside that of this run",
     "Verified": "Relative L2 error of its lens, by an independent trace with other rays",
     "Loss": "Loss of its best lens, as the run saw it",
-    "On screen": "Part of the light that lands on the screen",
+    "On screen": "Part of the light that lands on the screen, or in the far field",
     "Time": "Run time",
     "Iterations": "Iterations taken, those of runs that it continued included",
     "Net": "Numbers of control points along x and y",

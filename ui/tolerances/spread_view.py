@@ -41,7 +41,8 @@ class SpreadView(PlotView):
         """How far each lens is off, and what comes of it."""
         if self._sample is None:
             return []
-        unit = self._sample.frame.session.scene.unit
+        scene = self._sample.frame.session.scene
+        unit = scene.unit
         rows = [each.to_data() for each in self._sample.others]
         columns: dict[str, list[float]] = {
             "tilt x [deg]": [row["tilt"][0] for row in rows],
@@ -51,7 +52,7 @@ class SpreadView(PlotView):
             "index error": [row["index"] for row in rows],
             f"error of the screen's distance [{unit}]": [row["distance"] for row in rows],
             "relative L2 error": [row["relative_l2"] for row in rows],
-            "light on the screen": [row["efficiency"] for row in rows],
+            f"light {scene.receiver.place}": [row["efficiency"] for row in rows],
         }
         return [Column(name, np.array(values)) for name, values in columns.items()]
 

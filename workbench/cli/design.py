@@ -71,12 +71,12 @@ def design(path: Path, output: Path, iterations: int | None, seconds: float, as_
             if result is not None:
                 keeper.finish(result)
     if result is not None:
-        _print(result, as_json)
+        _print(result, session.scene.receiver.place, as_json)
         if result.state.shortfall is not None:
             shortfall = result.state.shortfall
             print(f"{shortfall.sentence(session.scene.unit)}: {shortfall.cure}", file=sys.stderr)
-        elif result.state.account.advice:
-            print(result.state.account.advice, file=sys.stderr)
+        elif advice := result.state.account.advice(session.scene):
+            print(advice, file=sys.stderr)
         if not as_json and not interruption.asked:
             _print_bound(session, result)
     if interruption.asked:
@@ -113,13 +113,13 @@ def _tell_left_behind(keeper: Keeper, path: Path) -> None:
         )
 
 
-def _print(result: Result, as_json: bool) -> None:
+def _print(result: Result, place: str, as_json: bool) -> None:
     figures = Figures.of(result)
     if as_json:
         print(json.dumps(figures.model_dump(exclude={"stage_starts", "stages_left"})))
     else:
         print(
             f"loss {figures.loss:.4g} after {figures.iterations} iterations in "
-            f"{figures.seconds:.1f} s; {figures.efficiency:.1%} of the light on the screen; "
+            f"{figures.seconds:.1f} s; {figures.efficiency:.1%} of the light {place}; "
             f"{result.ended}"
         )

@@ -91,7 +91,7 @@ def validate(
         print(json.dumps(figures))
     else:
         if found.by_cells:
-            _print_cells(found.by_cells, own)
+            _print_cells(found.by_cells, own, scene.receiver.place)
         _print(found, difference)
         if bound.known:
             print(f"{'bound':<18}{bound.relative_l2:.5f}  (no lens of this size can be below)")
@@ -106,7 +106,7 @@ def validate(
             write_focus(file, scene, session.target, series)
 
 
-def _print_cells(found: ByCells, own: Array | None) -> None:
+def _print_cells(found: ByCells, own: Array | None, place: str) -> None:
     columns, rows = found.cells
     low, high = found.relative_l2_corrected_interval
     difference = None if own is None else relative_l2(found.irradiance, own)
@@ -119,7 +119,7 @@ def _print_cells(found: ByCells, own: Array | None) -> None:
         ("by", "; ".join(filter(None, (by, found.less_exact)))),
         ("loss", f"{found.loss:.4g}"),
         ("optimiser's image", _or_dash(difference, ".5f", "  (relative L2 difference to it)")),
-        ("on screen", f"{found.efficiency:.5f}"),
+        (place, f"{found.efficiency:.5f}"),
     ):
         print(f"{name:<18}{value}")
     print("\nSecond opinion: random rays")

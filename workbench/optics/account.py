@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from workbench.scene import AnyReceiver
+from workbench.scene import AnyReceiver, Scene
 
 
 class Loss(NamedTuple):
@@ -21,7 +21,8 @@ class Loss(NamedTuple):
     where : str
         Where such light goes, after "of the light, 10 %".
     cure : str
-        What brings it to the screen, as a sentence without its end.
+        What brings it to the receiver, as a sentence without its end; "{flatter}" stands for a
+        flatter base, where there is one.
     always : bool
         Whether every account has it, and with that every file of version 1.
     """
@@ -39,7 +40,7 @@ LOSSES: Mapping[str, Loss] = {
         "Light that passes the lens and the {receiver} by. A lens that sends much light here "
         "wastes it, or has more than its surface can bend.",
         "passes beside it",
-        "a larger or a nearer screen catches it",
+        "a larger {receiver} catches it",
         always=True,
     ),
     "missed_lens": Loss(
@@ -74,7 +75,7 @@ LOSSES: Mapping[str, Loss] = {
         "Totally reflected",
         "Light that meets the exit face too steeply to leave the lens there.",
         "is totally reflected",
-        "a lower index or a flatter base lets it out",
+        "{flatter}thicker stock, a lower index or a target that needs less bending lets it out",
         always=True,
     ),
     "fresnel_entrance": Loss(
@@ -94,7 +95,7 @@ LOSSES: Mapping[str, Loss] = {
         "Reflected on exit",
         "The part that the exit face reflects of the light that it refracts.",
         "is reflected at the exit",
-        "a lower index or a flatter base lets it out",
+        "{flatter}thicker stock, a lower index or a target that needs less bending lets it out",
         always=True,
     ),
 }
@@ -156,20 +157,21 @@ class Account:
         """Flux of rays that came to the screen's plane, on the screen or beside it."""
         return self.on_screen + self.lost["off_screen"]
 
-    @property
-    def advice(self) -> str:
-        """Where most light goes before the screen's plane, and what would help, in two sentences.
+    def advice(self, scene: Scene) -> str:
+        """Where most light goes before the receiver, and what would help, in two sentences.
 
-        Empty if at least half of the light comes to this plane: what is beside the screen there is
-        for a run to bring back.
+        Empty if at least half of the light comes there: what is beside it is for a run to bring
+        back.
         """
         if self.arrived >= 0.5 * self.emitted:
             return ""
         most = max((name for name in self.lost if name != "off_screen"), key=self.lost.__getitem__)
-        where, cure = LOSSES[most].where, LOSSES[most].cure
+        where, receiver = LOSSES[most].where, scene.receiver
+        flatter = "" if scene.optic.base.shape == "flat" else "a flatter base, "
+        cure = LOSSES[most].cure.format(receiver=receiver.called, flatter=flatter)
         part = self.lost[most] / self.emitted
         return (
-            f"Only {100 * self.efficiency:.1f} % of the light lands on the screen; "
+            f"Only {100 * self.efficiency:.1f} % of the light lands {receiver.place}; "
             f"{100 * part:.0f} % {where}. {cure[0].upper()}{cure[1:]}."
         )
 

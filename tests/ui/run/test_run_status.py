@@ -62,7 +62,7 @@ def test_progress_while_a_run_goes_on(bar, session, make_scene, snapshots, name,
     assert status._iteration.text() == "iteration 40 of 100, 10/s"
     assert status._left.text() == left
     assert status._elapsed.text() == "0:04 elapsed"
-    assert status._light.text() == "on screen 92.0 %"
+    assert status._light.text() == "on the screen 92.0 %"
     status.settle()
     assert status._left.text() == "" and status._progress.isHidden()
 
