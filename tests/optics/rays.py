@@ -25,9 +25,7 @@ class Given:
 
 def with_rays(path, rays):
     """A path with given rays in place of those of its source."""
-    return Path(
-        Given(rays), path.steps, path.receiver, path.datum, path.level, path.outline, 0, path.dtype
-    )
+    return Path(Given(rays), path.steps, path.receiver, path.datum, path.outline, 0, path.dtype)
 
 
 def bundle(position, direction, flux):

@@ -96,7 +96,6 @@ def test_a_plate_in_pieces_is_the_plate(make_scene, source):
         [entrance, *between, *rest],
         whole.receiver,
         datum=whole.datum,
-        level=whole.level,
         outline=whole.outline,
         seed=0,
         dtype=torch.float64,

@@ -223,9 +223,7 @@ def in_glass(scene, positions, directions, dtype):
     rays = bundle(
         np.array(positions), np.array(directions), np.full(len(positions), 1 / len(positions))
     )
-    return Path(
-        Given(rays), path.shaped, path.receiver, path.datum, path.level, path.outline, 0, dtype
-    )
+    return Path(Given(rays), path.shaped, path.receiver, path.datum, path.outline, 0, dtype)
 
 
 class TestHardCases:

@@ -41,7 +41,6 @@ def changed(path, emitter=None, steps=None):
         steps or path.steps,
         path.receiver,
         path.datum,
-        path.level,
         path.outline,
         0,
         path.dtype,

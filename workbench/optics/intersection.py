@@ -21,12 +21,13 @@ from torch import Tensor
 from workbench.geometry.patches import Patches
 from workbench.optics.rays import RayBundle
 
+RIM = 1 + 1e-6
+"""Rays meet the face up to here, in half-widths: by rounding those at its rim are beside it."""
+
 # Newton's method needs some four steps; where it has not come to rest after these, bisection does.
 _NEWTON_STEPS, _BISECTIONS = 20, 60
 # A walk takes some ten steps, along a degree-1 face (whose f' jumps) some hundred.
 _WALK_STEPS = 2000
-RIM = 16
-"""Part of the aperture beyond its rim that counts as inside, in roundings: rays on the rim do."""
 # f counts as falling where it surely falls at least this fast.
 _FALLS = 0.1
 
@@ -221,8 +222,7 @@ def _depth_of_side(bundle: Bundle, half_width: tuple[float, float]) -> Tensor:
     for start, slope, r in zip(
         (bundle.x, bundle.y), (bundle.slope_x, bundle.slope_y), half_width, strict=True
     ):
-        r = r * (1 + RIM * torch.finfo(start.dtype).eps)
-        room = torch.where(slope > 0, r - start, start + r)
+        room = torch.where(slope > 0, r * RIM - start, start + r * RIM)
         reach = torch.where(slope == 0, torch.inf, room / slope.abs().clamp_min(1e-300))
         depth = torch.minimum(depth, reach)
     return depth

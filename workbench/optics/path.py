@@ -38,8 +38,6 @@ class Path:
     datum : float
         z of the scene from which the elements count z: near the face, so that float32 keeps the
         digits that make its shape.
-    level : float
-        z of the scene near the mean height of the freeform face.
     outline : Outline
         Of the lens.
     seed : int
@@ -49,7 +47,7 @@ class Path:
 
     Attributes
     ----------
-    emitter, steps, receiver, datum, level, outline, dtype, device
+    emitter, steps, receiver, datum, outline, dtype, device
         As they were given.
     shaped : tuple of Step
         Those of the steps that depend on control heights: the first freeform face and all behind.
@@ -61,14 +59,13 @@ class Path:
         steps: Sequence[Step],
         receiver: Receiver,
         datum: float,
-        level: float,
         outline: Outline,
         seed: int,
         dtype: torch.dtype = torch.float32,
         device: torch.device | str = "cpu",
     ) -> None:
         self.emitter, self.steps, self.receiver = emitter, tuple(steps), receiver
-        self.datum, self.level, self.outline = datum, level, outline
+        self.datum, self.outline = datum, outline
         self.dtype, self.device, self._seed, self._draw = dtype, device, seed, 0
         fixed = next((i for i, step in enumerate(steps) if step.surface.freeform), len(steps))
         self._fixed, self.shaped = self.steps[:fixed], self.steps[fixed:]
@@ -97,8 +94,7 @@ class Path:
         light = emitter.by_area, source.along_axis, source.subdivisions
         steps = steps_of(optic, Along(net, datum, *light, dtype, device))
         receiver = receiver_of(scene.receiver, optic, datum)
-        level, seed = optic.base.height, scene.run.seed
-        return cls(emitter, steps, receiver, datum, level, outline, seed, dtype, device)
+        return cls(emitter, steps, receiver, datum, outline, scene.run.seed, dtype, device)
 
     @property
     def rays(self) -> RayBundle:

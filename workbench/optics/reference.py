@@ -13,6 +13,7 @@ from torch import Tensor
 from workbench.optics.account import Account
 from workbench.optics.arrival import Arrival
 from workbench.optics.face_samples import FaceSamples, SampledFace
+from workbench.optics.front_samples import FrontGrid, FrontSamples
 from workbench.optics.irradiance import reconstruct
 from workbench.optics.light import Light, Nodes
 from workbench.optics.path import Path
@@ -44,12 +45,16 @@ class Reference:
         self._walk: Callable[[Mapping[str, Tensor]], Arrival] = path.walk
         self.notes: list[str] = []
         face, self._shared = SampledFace.of(path), SharedGrid.of(path)
+        self._front = FrontGrid.of(path)
         if face is not None and (self._shared is None or path.outline.whole):
             self._shared = None
             self._walk, self.notes = FaceSamples(face, path).walk, [FaceSamples.note]
         elif self._shared is not None:
             self._walk = SharedSamples(self._shared, path).walk
             self.notes = [SharedSamples.note]
+        elif self._front is not None:
+            self._walk = FrontSamples(self._front, path).walk
+            self.notes = [FrontSamples.note]
 
     def arrival(self, heights: Mapping[str, Tensor]) -> Arrival:
         """The light of a lens at the receiver, before it becomes an image."""
@@ -81,8 +86,7 @@ class Reference:
     @property
     def splits(self) -> tuple[Array, Array]:
         """See `workbench.optics.light.BeamTracer`."""
-        grids = self._path.emitter if self._shared is None else self._shared
-        return grids.splits
+        return (self._shared or self._front or self._path.emitter).splits
 
     def flux(self, heights: Mapping[str, Tensor], filter: Filter) -> Tensor:
         """The image alone, for `torch.func` transforms, which no sums survive as numbers."""

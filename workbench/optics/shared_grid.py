@@ -20,6 +20,7 @@ from workbench.optics.arrival import Arrival
 from workbench.optics.glass import Glass
 from workbench.optics.interfaces import Refraction
 from workbench.optics.path import Path
+from workbench.optics.patterns import interpolated, tabulated
 from workbench.optics.rays import RayBundle, Vector
 from workbench.optics.samples import Corners, Places, parts_inside, places
 from workbench.optics.sources.origins import Origins
@@ -29,9 +30,6 @@ from workbench.optics.transmittance import TransmittanceLaw
 
 Array = npt.NDArray[np.float64]
 
-# Places along an axis of the entrance face at which patterns are looked up: of all origins
-# together, and of each at least and at most.
-_PATTERN, _FEWEST, _MOST = 2048, 65, 513
 # In the middle of the lens no distance to the outline has a direction.
 _CENTRE = 1e-12
 _NODE, _WEIGHT = np.polynomial.legendre.leggauss(20)
@@ -54,6 +52,8 @@ class SharedGrid(NamedTuple):
         Of the entrance face.
     net : ControlNet
         Where the control heights of the exit face sit.
+    level : float
+        z of the scene that kernels count these heights from.
     outline : Outline
         Of the lens.
     missed, reflected : str
@@ -67,6 +67,7 @@ class SharedGrid(NamedTuple):
     exit: Step
     law: TransmittanceLaw
     net: ControlNet
+    level: float
     outline: Outline
     missed: str
     reflected: str
@@ -81,10 +82,12 @@ class SharedGrid(NamedTuple):
         match path.steps:
             case (
                 Step(Plane(z=z), Refraction(law=law, reflected=reflected), missed) as entrance,
-                Step(BSplineSurface(net=net, subdivisions=None), Refraction()) as exit_face,
+                Step(
+                    BSplineSurface(net=net, subdivisions=None, level=level), Refraction()
+                ) as exit_face,
             ) if origins.infinite or np.ptp(origins.places[:, 2]) == 0:
                 z, corners = z + path.datum, emitter.samples
-                elements = z, entrance, exit_face, law, net, path.outline
+                elements = z, entrance, exit_face, law, net, level, path.outline
                 return cls(origins, corners, *elements, missed, reflected)
         return None
 
@@ -112,23 +115,8 @@ class SharedGrid(NamedTuple):
         return {self.missed: 1 - met, self.reflected: met - passed}
 
     def patterns(self) -> Array | None:
-        """Intensities of each origin towards places of the entrance face, over its `flux`.
-
-        Values between are those of bilinear interpolation. Shape (origins, n, n): from −x to x,
-        and from −y to y in the last axis. None where no pattern was given.
-        """
-        pattern = self.origins.pattern
-        if pattern is None:
-            return None
-        count = len(self.origins.flux)
-        n = min(max(int(_PATTERN / math.sqrt(count)), _FEWEST), _MOST)
-        (r_x, r_y), way = self.half_width, np.linspace(-1, 1, n)
-        place = self.origins.places[:, None, None]
-        x, y = way[:, None] * r_x - place[..., 0], way * r_y - place[..., 1]
-        away = np.broadcast_arrays(x, y, self.entrance_z - place[..., 2])
-        distance = np.sqrt(np.square(away).sum(axis=0))
-        direction = (away[0] / distance, away[1] / distance, away[2] / distance)
-        return pattern.at(np.arange(count)[:, None, None], direction)
+        """Intensities of each origin towards places of the entrance face; see `tabulated`."""
+        return tabulated(self.origins, self.half_width, self.entrance_z)
 
     @property
     def lines(self) -> tuple[Places, Places]:
@@ -204,7 +192,7 @@ class SharedSamples:
     def __init__(self, shared: SharedGrid, path: Path) -> None:
         self._shared, self._path, self._before = shared, path, shared.before()
         # Near the mean height of the surface float32 keeps the digits that make its shape.
-        self._level, self._thickness = path.level, path.level - shared.entrance_z
+        self._level, self._thickness = shared.level, shared.level - shared.entrance_z
         self._entrance = shared.entrance_z - path.datum
         self._index = 1 / shared.law.ratio
 
@@ -334,28 +322,9 @@ class SharedSamples:
         flux = self._flux * lit * wide_x * wide_y * narrow / part
         x, y = self._x - way * away_x, self._y - way * away_y
         if self._patterns is not None:
-            flux = flux * self._intensity(self._patterns, x, y)
+            flux = flux * interpolated(self._patterns, (x, y), self._shared.half_width)
         slope_x, slope_y = part * away_x / distance, part * away_y / distance
         return (x, y), (slope_x * cos, slope_y * cos, cos), flux
-
-    def _intensity(self, patterns: Tensor, x: Tensor, y: Tensor) -> Tensor:
-        """Values of the patterns at places of the entrance face; see `SharedGrid.patterns`."""
-        last = patterns.shape[1] - 1
-        origin = torch.arange(len(patterns), device=patterns.device).reshape(1, -1, 1)
-        (i, u), (j, v) = (
-            _cell((place / r + 1) * (last / 2), last)
-            for place, r in zip((x, y), self._shared.half_width, strict=True)
-        )
-        low = patterns[origin, i, j] * (1 - v) + patterns[origin, i, j + 1] * v
-        high = patterns[origin, i + 1, j] * (1 - v) + patterns[origin, i + 1, j + 1] * v
-        return low * (1 - u) + high * u
-
-
-def _cell(place: Tensor, last: int) -> tuple[Tensor, Tensor]:
-    """Number of the cell of a place, and which part of the cell is before it."""
-    place = place.clamp(0, last)
-    cell = place.detach().floor().clamp(0, last - 1)
-    return cell.long(), place - cell
 
 
 def _seen(low: Tensor, high: Tensor, half_width: float) -> Tensor:

@@ -61,10 +61,12 @@ class Along(NamedTuple):
     dtype: torch.dtype
     device: torch.device | str
 
-    def spline(self, name: str, net: ControlNet, outline: Outline) -> BSplineSurface:
-        """A B-spline on a net."""
+    def spline(
+        self, name: str, net: ControlNet, outline: Outline, level: float
+    ) -> BSplineSurface:
+        """A B-spline on a net, about a level."""
         how = self.dtype, self.device, self.subdivisions
-        return BSplineSurface(name, net, self.datum, *how, outline)
+        return BSplineSurface(name, net, self.datum, *how, outline, level)
 
 
 def steps_of(optic: Optic, along: Along) -> tuple[Step, ...]:
@@ -79,8 +81,9 @@ def _of_lens(lens: Lens, along: Along) -> tuple[Step, ...]:
     straight = along.along_axis and entrance_net is None  # up to the exit face
     entrance: Surface = Plane("entrance", lens.entrance_z - along.datum, before)
     if entrance_net is not None:
-        entrance = along.spline("entrance", entrance_net, before if along.along_axis else outline)
-    exit_face = along.spline("exit", along.net, before if straight else outline)
+        at_face = before if along.along_axis else outline
+        entrance = along.spline("entrance", entrance_net, at_face, lens.entrance_z)
+    exit_face = along.spline("exit", along.net, before if straight else outline, lens.base.height)
     return (
         Step(entrance, Refraction(entering, "fresnel_entrance"), "missed_lens"),
         Step(exit_face, Refraction(leaving, "fresnel_exit", lens.absorption), "left_side"),

@@ -12,6 +12,7 @@ from workbench.optics.kernels.locked import Mask
 from workbench.optics.kernels.mirror import FusedMirrorRays
 from workbench.optics.kernels.origins import FusedOrigins
 from workbench.optics.kernels.point import FusedPointRays
+from workbench.optics.kernels.two_faces import FusedTwoFaces
 from workbench.optics.light import BeamTracer, Tracer
 from workbench.optics.path import Path
 from workbench.optics.reference import Reference
@@ -58,6 +59,7 @@ _BEAM_KERNELS: tuple[BeamKernel, ...] = (
     FusedMirrorRays,
     FusedFaceSamples,
     FusedOrigins,
+    FusedTwoFaces,
 )
 _KERNELS: tuple[Kernel, ...] = (
     FusedCollimatedRays,

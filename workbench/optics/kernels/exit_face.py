@@ -25,6 +25,8 @@ class ExitFace(NamedTuple):
         What its heights are called.
     net : ControlNet
         Where its control heights sit.
+    level : float
+        z of the scene near its mean height.
     mesh : bool
         Whether triangles stand for it.
     whole : bool
@@ -39,6 +41,7 @@ class ExitFace(NamedTuple):
 
     name: str
     net: ControlNet
+    level: float
     mesh: bool
     whole: bool
     law: TransmittanceLaw
@@ -49,16 +52,20 @@ class ExitFace(NamedTuple):
     @classmethod
     def of(cls, path: Path) -> "ExitFace | None":
         """The only face of a path that depends on heights; None where that is no such face."""
-        match path.shaped:
-            case (
-                Step(
-                    BSplineSurface(name=name, net=net, subdivisions=subdivisions, outline=outline),
-                    Refraction(law=law, reflected=reflected, absorption=absorption),
-                    missed,
-                ),
-            ) if law.ratio > 1:
-                mesh = subdivisions is not None
-                return cls(name, net, mesh, outline.whole, law, absorption, missed, reflected)
+        face = cls.at(path.shaped[0]) if len(path.shaped) == 1 else None
+        return face if face is not None and face.law.ratio > 1 else None
+
+    @classmethod
+    def at(cls, step: Step) -> "ExitFace | None":
+        """The face of a step; None where that is no B-spline that refracts."""
+        match step:
+            case Step(
+                BSplineSurface(name=name, net=net, outline=outline) as surface,
+                Refraction(law=law, reflected=reflected, absorption=absorption),
+                missed,
+            ):
+                shape = net, surface.level, surface.subdivisions is not None, outline.whole
+                return cls(name, *shape, law, absorption, missed, reflected)
         return None
 
     @classmethod

@@ -8,6 +8,8 @@ import torch
 from torch import Tensor
 from torch.autograd.function import once_differentiable
 
+from workbench.optics.account import Account
+
 AnyArray = npt.NDArray[np.floating[Any]]
 
 
@@ -59,22 +61,56 @@ def trace(heights: Tensor, level: float, dtype: torch.dtype, passes: Passes) -> 
         Flux in each pixel, shape (n_y, n_x), differentiable; and the sums.
     """
     sums: list[Sums] = []
-    flux = _Trace.apply((heights - level).to(dtype), passes, sums)  # type: ignore[no-untyped-call]
+    flux = _Trace.apply(passes, sums, (heights - level).to(dtype))  # type: ignore[no-untyped-call]
     return flux, sums[0]
+
+
+class PassesOfTwo(Protocol):
+    """A trace through two faces and its adjoint; shapes as for `Passes`."""
+
+    def forward(self, first: AnyArray, second: AnyArray) -> tuple[AnyArray, Account]:
+        """Nodes, and the account of their light."""
+        ...
+
+    def backward(
+        self, first: AnyArray, second: AnyArray, cotangent: AnyArray
+    ) -> tuple[AnyArray, AnyArray]:
+        """Cotangents of the heights of both faces."""
+        ...
+
+
+def trace_two(
+    heights: tuple[Tensor, Tensor],
+    levels: tuple[float, float],
+    dtype: torch.dtype,
+    passes: PassesOfTwo,
+) -> tuple[Tensor, Account]:
+    """As `trace`, through two faces."""
+    accounts: list[Account] = []
+    above = [(each - z).to(dtype) for each, z in zip(heights, levels, strict=True)]
+    nodes = _Trace.apply(passes, accounts, *above)  # type: ignore[no-untyped-call]
+    return nodes, accounts[0]
 
 
 class _Trace(torch.autograd.Function):
     @staticmethod
-    def forward(ctx: Any, heights: Tensor, passes: Passes, sums: list[Sums]) -> Tensor:
+    def forward(
+        ctx: Any, passes: Passes | PassesOfTwo, sums: list[Any], *heights: Tensor
+    ) -> Tensor:
         ctx.passes = passes
-        ctx.save_for_backward(heights)
-        image, found = passes.forward(heights.contiguous().numpy())
+        ctx.save_for_backward(*heights)
+        image, found = passes.forward(*map(_array, heights))
         sums.append(found)
         return torch.from_numpy(image)
 
     @staticmethod
     @once_differentiable
-    def backward(ctx: Any, cotangent: Tensor) -> tuple[Tensor, None, None]:
-        (heights,) = ctx.saved_tensors
-        gradient = ctx.passes.backward(heights.contiguous().numpy(), cotangent.contiguous().numpy())
-        return torch.from_numpy(gradient).to(heights.dtype), None, None
+    def backward(ctx: Any, cotangent: Tensor) -> tuple[Tensor | None, ...]:
+        heights = ctx.saved_tensors
+        found = ctx.passes.backward(*map(_array, heights), _array(cotangent))
+        gradients = found if isinstance(found, tuple) else (found,)
+        return None, None, *(torch.from_numpy(each).to(heights[0].dtype) for each in gradients)
+
+
+def _array(values: Tensor) -> AnyArray:
+    return np.asarray(values.contiguous().numpy())

@@ -76,7 +76,7 @@ def _make(name: str, enter: Any) -> OriginLoops:
                     enter(origins, k, across, i, up, j, outline, medium, lanes, t)
                     found = refract(medium, lanes, t)
                     receive(landing, across, i, up, j, lanes, t)
-                    _put(t, i, k * count + j, lanes, nodes)
+                    put(t, i, k * count + j, lanes, nodes)
                     for number in range(4):
                         sums[number] += found[number]
 
@@ -99,7 +99,7 @@ def _make(name: str, enter: Any) -> OriginLoops:
                 for k in range(len(origins.flux)):
                     enter(origins, k, across, i, up, j, outline, medium, lanes, t)
                     refract(medium, lanes, t)
-                    _take(cotangent, i, k * count + j, lanes, t)
+                    take(cotangent, i, k * count + j, lanes, t)
                     receive_back(landing, across, i, up, j, lanes, t)
                     refract_back(medium, lanes, t)
                 for lane in range(np.uintp(lanes)):
@@ -113,7 +113,8 @@ def _make(name: str, enter: Any) -> OriginLoops:
 
 
 @jit(fastmath=FAST, error_model="numpy", forceinline=True)
-def _put(t, i, row, lanes, nodes):  # type: ignore[no-untyped-def]
+def put(t, i, row, lanes, nodes):  # type: ignore[no-untyped-def]
+    """Put columns, rows and flux of a batch into the nodes, from number ``i`` of a row on."""
     columns, rows, flux = nodes[0, row, i:], nodes[1, row, i:], nodes[2, row, i:]
     for lane in range(np.uintp(lanes)):
         columns[lane] = t[COLUMN + lane]
@@ -122,7 +123,8 @@ def _put(t, i, row, lanes, nodes):  # type: ignore[no-untyped-def]
 
 
 @jit(fastmath=FAST, error_model="numpy", forceinline=True)
-def _take(cotangent, i, row, lanes, t):  # type: ignore[no-untyped-def]
+def take(cotangent, i, row, lanes, t):  # type: ignore[no-untyped-def]
+    """Take the cotangents of these, the adjoint of `put`."""
     columns, rows, flux = cotangent[0, row, i:], cotangent[1, row, i:], cotangent[2, row, i:]
     for lane in range(np.uintp(lanes)):
         t[D_COLUMN + lane] = columns[lane]

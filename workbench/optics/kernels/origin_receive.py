@@ -68,15 +68,6 @@ def _triple(vector: npt.NDArray[np.float64], kind: type[Number]) -> Triple:
 
 
 @jit(fastmath=FAST, error_model="numpy", forceinline=True)
-def receive(landing, across, i, up, j, lanes, t):  # type: ignore[no-untyped-def]
-    """Columns and rows of a batch; infinite for light that does not get there."""
-    if landing.far:
-        _receive_direction(landing, lanes, t)
-    else:
-        _receive_place(landing, across.place[i:], up.place[j], lanes, t)
-
-
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
 def _approach(landing, x, y, z, o_x, o_y, o_z):  # type: ignore[no-untyped-def]
     """Whether light meets the plane, how fast it comes nearer, and how far off the plane is."""
     kind = type(z)
@@ -89,78 +80,104 @@ def _approach(landing, x, y, z, o_x, o_y, o_z):  # type: ignore[no-untyped-def]
 
 
 @jit(fastmath=FAST, error_model="numpy", forceinline=True)
-def _receive_place(landing, x, y, lanes, t):  # type: ignore[no-untyped-def]
-    kind = t.dtype.type
-    one = kind(1)
+def on_plane(landing, x, y, z, o_x, o_y, o_z):  # type: ignore[no-untyped-def]
+    """Column and row of light at a place and with a direction of any length, on a plane.
+
+    The column is infinite for light that does not get there.
+    """
+    one, inf = type(z)(1), type(z)(np.inf)
     (c_x, c_y, c_z), (r_x, r_y, r_z) = landing.column, landing.row
-    for lane in range(np.uintp(lanes)):
-        o_x, o_y, o_z, z = t[O_X + lane], t[O_Y + lane], t[O_Z + lane], t[Z + lane]
-        arrives, speed, gap = _approach(landing, x[lane], y, z, o_x, o_y, o_z)
-        way = gap / (speed if arrives else one)
-        h_x, h_y, h_z = x[lane] + o_x * way, y + o_y * way, z + o_z * way
-        column = landing.column_0 + c_x * h_x + c_y * h_y + c_z * h_z
-        t[COLUMN + lane] = column if arrives else kind(np.inf)
-        row = landing.row_0 + r_x * h_x + r_y * h_y + r_z * h_z
-        t[ROW + lane] = row if arrives else kind(np.inf)
+    arrives, speed, gap = _approach(landing, x, y, z, o_x, o_y, o_z)
+    way = gap / (speed if arrives else one)
+    h_x, h_y, h_z = x + o_x * way, y + o_y * way, z + o_z * way
+    column = landing.column_0 + c_x * h_x + c_y * h_y + c_z * h_z
+    return column if arrives else inf, landing.row_0 + r_x * h_x + r_y * h_y + r_z * h_z
 
 
 @jit(fastmath=FAST, error_model="numpy", forceinline=True)
-def _receive_direction(landing, lanes, t):  # type: ignore[no-untyped-def]
-    kind = t.dtype.type
-    per_h, per_v = landing.column[0], landing.row[0]
+def on_plane_back(landing, x, y, z, o_x, o_y, o_z, d_column, d_row):  # type: ignore[no-untyped-def]
+    """Adjoint of `on_plane`: cotangents of the place, and of the direction."""
+    zero, one = type(z)(0), type(z)(1)
+    (n_x, n_y, n_z), (c_x, c_y, c_z), (r_x, r_y, r_z) = landing.normal, landing.column, landing.row
+    arrives, speed, gap = _approach(landing, x, y, z, o_x, o_y, o_z)
+    by_speed = (one if arrives else zero) / (speed if arrives else one)
+    way = gap * by_speed
+    d_h_x = d_column * c_x + d_row * r_x
+    d_h_y = d_column * c_y + d_row * r_y
+    d_h_z = d_column * c_z + d_row * r_z
+    d_gap = (d_h_x * o_x + d_h_y * o_y + d_h_z * o_z) * by_speed
+    d_speed = -d_gap * way
+    d_place = (
+        (d_h_x if arrives else zero) - d_gap * n_x,
+        (d_h_y if arrives else zero) - d_gap * n_y,
+        (d_h_z if arrives else zero) - d_gap * n_z,
+    )
+    return d_place, (
+        way * d_h_x + d_speed * n_x,
+        way * d_h_y + d_speed * n_y,
+        way * d_h_z + d_speed * n_z,
+    )
+
+
+@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+def by_direction(landing, o_x, o_y, o_z):  # type: ignore[no-untyped-def]
+    """As `on_plane`, of a far field."""
+    aside = np.sqrt(o_x * o_x + o_z * o_z)
+    column = landing.column_0 + landing.column[0] * np.arctan2(o_x, o_z)
+    row = landing.row_0 + landing.row[0] * np.arctan2(o_y, aside)
+    return column if o_z > type(o_z)(0) else type(o_z)(np.inf), row
+
+
+@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+def by_direction_back(landing, o_x, o_y, o_z, d_column, d_row):  # type: ignore[no-untyped-def]
+    """Adjoint of `by_direction`: cotangents of the direction."""
+    zero, one = type(o_z)(0), type(o_z)(1)
+    aside2 = o_x * o_x + o_z * o_z
+    aside = np.sqrt(aside2)
+    d_h = d_column * landing.column[0] / (aside2 if o_z > zero else one)
+    d_v = d_row * landing.row[0] / (aside2 + o_y * o_y if o_z > zero else one)
+    d_aside = -d_v * o_y / (aside if o_z > zero else one)
+    return d_h * o_z + d_aside * o_x, d_v * aside, d_aside * o_z - d_h * o_x
+
+
+@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+def receive(landing, across, i, up, j, lanes, t):  # type: ignore[no-untyped-def]
+    """Columns and rows of a batch of samples; see `on_plane`."""
+    x, y = across.place[i:], up.place[j]
+    if landing.far:
+        for lane in range(np.uintp(lanes)):
+            column, row = by_direction(landing, t[O_X + lane], t[O_Y + lane], t[O_Z + lane])
+            t[COLUMN + lane] = column
+            t[ROW + lane] = row
+        return
     for lane in range(np.uintp(lanes)):
         o_x, o_y, o_z = t[O_X + lane], t[O_Y + lane], t[O_Z + lane]
-        aside = np.sqrt(o_x * o_x + o_z * o_z)
-        column = landing.column_0 + per_h * np.arctan2(o_x, o_z)
-        row = landing.row_0 + per_v * np.arctan2(o_y, aside)
-        t[COLUMN + lane] = column if o_z > kind(0) else kind(np.inf)
-        t[ROW + lane] = row if o_z > kind(0) else kind(np.inf)
+        column, row = on_plane(landing, x[lane], y, t[Z + lane], o_x, o_y, o_z)
+        t[COLUMN + lane] = column
+        t[ROW + lane] = row
 
 
 @jit(fastmath=FAST, error_model="numpy", forceinline=True)
 def receive_back(landing, across, i, up, j, lanes, t):  # type: ignore[no-untyped-def]
     """Adjoint of `receive`: cotangents of the direction, and of the height."""
+    x, y = across.place[i:], up.place[j]
     if landing.far:
-        _receive_direction_back(landing, lanes, t)
-    else:
-        _receive_place_back(landing, across.place[i:], up.place[j], lanes, t)
-
-
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
-def _receive_place_back(landing, x, y, lanes, t):  # type: ignore[no-untyped-def]
-    kind = t.dtype.type
-    zero, one = kind(0), kind(1)
-    (n_x, n_y, n_z), (c_x, c_y, c_z), (r_x, r_y, r_z) = landing.normal, landing.column, landing.row
-    for lane in range(np.uintp(lanes)):
-        o_x, o_y, o_z, z = t[O_X + lane], t[O_Y + lane], t[O_Z + lane], t[Z + lane]
-        arrives, speed, gap = _approach(landing, x[lane], y, z, o_x, o_y, o_z)
-        by_speed = (one if arrives else zero) / (speed if arrives else one)
-        way = gap * by_speed
-        d_column, d_row = t[D_COLUMN + lane], t[D_ROW + lane]
-        d_h_x = d_column * c_x + d_row * r_x
-        d_h_y = d_column * c_y + d_row * r_y
-        d_h_z = d_column * c_z + d_row * r_z
-        d_gap = (d_h_x * o_x + d_h_y * o_y + d_h_z * o_z) * by_speed
-        d_speed = -d_gap * way
-        t[D_O_X + lane] = way * d_h_x + d_speed * n_x
-        t[D_O_Y + lane] = way * d_h_y + d_speed * n_y
-        t[D_O_Z + lane] = way * d_h_z + d_speed * n_z
-        t[D_P_Z + lane] = (d_h_z if arrives else zero) - d_gap * n_z
-
-
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
-def _receive_direction_back(landing, lanes, t):  # type: ignore[no-untyped-def]
-    kind = t.dtype.type
-    zero, one = kind(0), kind(1)
-    per_h, per_v = landing.column[0], landing.row[0]
+        for lane in range(np.uintp(lanes)):
+            o_x, o_y, o_z = t[O_X + lane], t[O_Y + lane], t[O_Z + lane]
+            d_column, d_row = t[D_COLUMN + lane], t[D_ROW + lane]
+            d_x, d_y, d_z = by_direction_back(landing, o_x, o_y, o_z, d_column, d_row)
+            t[D_O_X + lane] = d_x
+            t[D_O_Y + lane] = d_y
+            t[D_O_Z + lane] = d_z
+            t[D_P_Z + lane] = t.dtype.type(0)
+        return
     for lane in range(np.uintp(lanes)):
         o_x, o_y, o_z = t[O_X + lane], t[O_Y + lane], t[O_Z + lane]
-        aside2 = o_x * o_x + o_z * o_z
-        aside = np.sqrt(aside2)
-        d_h = t[D_COLUMN + lane] * per_h / (aside2 if o_z > zero else one)
-        d_v = t[D_ROW + lane] * per_v / (aside2 + o_y * o_y if o_z > zero else one)
-        d_aside = -d_v * o_y / (aside if o_z > zero else one)
-        t[D_O_X + lane] = d_h * o_z + d_aside * o_x
-        t[D_O_Y + lane] = d_v * aside
-        t[D_O_Z + lane] = d_aside * o_z - d_h * o_x
-        t[D_P_Z + lane] = zero
+        d_column, d_row = t[D_COLUMN + lane], t[D_ROW + lane]
+        d_place, (d_x, d_y, d_z) = on_plane_back(
+            landing, x[lane], y, t[Z + lane], o_x, o_y, o_z, d_column, d_row
+        )
+        t[D_O_X + lane] = d_x
+        t[D_O_Y + lane] = d_y
+        t[D_O_Z + lane] = d_z
+        t[D_P_Z + lane] = d_place[2]

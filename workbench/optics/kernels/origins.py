@@ -60,7 +60,7 @@ class FusedOrigins:
         shared, face = SharedGrid.of(path), ExitFace.of(path)
         if shared is None or face is None:
             raise TypeError("the kernel for origins does not match this path")
-        self._face, self._level, self._dtype = face, path.level, path.dtype
+        self._face, self._level, self._dtype = face, shared.level, path.dtype
         self._before = shared.before()
         self._count = len(shared.origins.flux)
         kept, self.mirrored = halved(shared.origins, mirrored)
@@ -100,7 +100,7 @@ class _Passes:
         mirrored: tuple[bool, bool],
     ) -> None:
         kind, n = kind_of(path.dtype), face.law.ratio
-        lift = path.level - shared.entrance_z
+        lift = shared.level - shared.entrance_z
         self._shared, self._kind, self._dtype = shared, kind, path.dtype
         self._mirrored = [axis for axis in (0, 1) if mirrored[axis]]
         self._bases = tuple(
@@ -116,7 +116,7 @@ class _Passes:
         critical = kind(16 * np.finfo(kind).eps)
         absorption, law = kind(face.absorption), face.law.cast(kind)
         self._medium = Medium(kind(n), kind(n * n - 1), kind(lift), critical, absorption, law)
-        self._landing = landing_of(path.receiver, path.level - path.datum, kind)
+        self._landing = landing_of(path.receiver, shared.level - path.datum, kind)
         self._entered, self._lift = entered, lift
         patterns = shared.patterns()
         patterns = np.zeros((0, 2, 2)) if patterns is None else patterns

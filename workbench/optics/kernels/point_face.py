@@ -64,19 +64,21 @@ class Face:
         along_x, along_y = (part.permute(1, 2, 0) for part in self._patches.to_powers)
         self.powers = along_x.contiguous().numpy(), along_y.contiguous().numpy()
 
-    def bounds(self, heights: AnyArray, steepest: AnyArray) -> Bounds:
+    def bounds(self, heights: AnyArray, steepest: AnyArray, size: float = 0.0) -> Bounds:
         """Bounds of a face.
 
         Parameters
         ----------
         heights : array, shape (n_u, n_v)
-            Control heights above the entrance face.
+            Control heights above the level from which the depths of rays count.
         steepest : array, shape (2,)
             The most that the slopes of the rays are along x and y.
+        size : float
+            A length whose rounding counts, too, where heights alone are smaller.
         """
         kind = heights.dtype.type
         lowest, highest, *slopes = _hull(heights, *self._distances)
-        tolerance = 4 * np.finfo(kind).eps * max(abs(lowest), abs(highest))
+        tolerance = 4 * np.finfo(kind).eps * max(abs(lowest), abs(highest), size)
         bends = math.inf, math.inf, math.inf
         if np.dot(slopes, steepest) >= 1 - FALLS_BY:  # some rays walk
             bends = self._patches.curvature_bounds(torch.from_numpy(heights))

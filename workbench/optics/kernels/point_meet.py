@@ -107,9 +107,9 @@ def _bracket(net, bounds, w, count):  # type: ignore[no-untyped-def]
 @jit(fastmath=FAST, error_model="numpy")
 def depth_of_side(net, x, y, slope_x, slope_y):  # type: ignore[no-untyped-def]
     """Depth at which a ray leaves the aperture; infinite for one along the axis."""
-    # Start on the right in a mirror where the ray goes left. A hair of room keeps 0/0 away.
-    room_x = net.half_x - math.copysign(x, x * slope_x) + net.hair
-    room_y = net.half_y - math.copysign(y, y * slope_y) + net.hair
+    # Start on the right in a mirror where the ray goes left.
+    room_x = net.rim_x - math.copysign(x, x * slope_x)
+    room_y = net.rim_y - math.copysign(y, y * slope_y)
     return min(room_x / abs(slope_x), room_y / abs(slope_y))
 
 

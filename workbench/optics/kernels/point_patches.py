@@ -15,6 +15,7 @@ import numpy as np
 
 from workbench.compiled import jit
 from workbench.geometry.surface import ControlNet
+from workbench.optics.intersection import RIM
 from workbench.optics.kernels.spread import BATCH
 from workbench.optics.kernels.taps import FAST
 
@@ -43,8 +44,8 @@ class Net(NamedTuple):
     ----------
     half_x, half_y : floating
         Half-widths of the aperture.
-    hair : floating
-        The least positive number.
+    rim_x, rim_y : floating
+        How far from the axis rays meet the face: see `workbench.optics.intersection.RIM`.
     per_x, per_y : floating
         Knot spans per unit of length.
     spans : tuple[int, int]
@@ -53,7 +54,8 @@ class Net(NamedTuple):
 
     half_x: np.floating[Any]
     half_y: np.floating[Any]
-    hair: np.floating[Any]
+    rim_x: np.floating[Any]
+    rim_y: np.floating[Any]
     per_x: np.floating[Any]
     per_y: np.floating[Any]
     spans: tuple[int, int]
@@ -64,8 +66,8 @@ def make_net(net: ControlNet, kind: type[np.floating[Any]]) -> Net:
     (n_u, n_v), (p, q), (r_x, r_y) = net.shape, net.degree, net.half_width
     spans = n_u - p, n_v - q
     per_x, per_y = kind(spans[0] / (2 * r_x)), kind(spans[1] / (2 * r_y))
-    hair = kind(np.finfo(kind).tiny)
-    return Net(kind(r_x), kind(r_y), hair, per_x, per_y, spans)
+    rim_x, rim_y = kind(r_x * RIM), kind(r_y * RIM)
+    return Net(kind(r_x), kind(r_y), rim_x, rim_y, per_x, per_y, spans)
 
 
 @jit(inline="always")

@@ -134,7 +134,7 @@ def trace(net, bounds, table, glass, spread, bundle, last, first, end, depths, c
         for ray in range(count):
             w[at(DEPTH, ray)] = depth[ray]
         sums[RUNS] += meet(net, bounds, table, w, count, patch, before, columns)
-        _polish(net, w, count)
+        polish(net, w, count)
         if glass.absorption > kind(0):
             sums[ABSORBED] += _absorb(glass, w, count)
         _hit(net, glass, spread, w, count)
@@ -204,7 +204,7 @@ def _load(bundle, start, count, w):  # type: ignore[no-untyped-def]
 
 
 @jit(fastmath=FAST, error_model="numpy")
-def _polish(net, w, count):  # type: ignore[no-untyped-def]
+def polish(net, w, count):  # type: ignore[no-untyped-def]
     """One more step, as the reference makes it: it moves the depth by rounding at most."""
     kind = w.dtype.type
     for ray in range(count):

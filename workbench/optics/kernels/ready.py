@@ -20,7 +20,15 @@ from enum import Enum
 
 import torch
 
-from workbench.optics.kernels import beam_image, collimated, face, mirror, origins, point
+from workbench.optics.kernels import (
+    beam_image,
+    collimated,
+    face,
+    mirror,
+    origins,
+    point,
+    two_faces,
+)
 
 # What compiles a kernel for a float type, by tiny calls.
 _COMPILERS: dict[str, Callable[[torch.dtype], None]] = {
@@ -29,6 +37,7 @@ _COMPILERS: dict[str, Callable[[torch.dtype], None]] = {
     "mirror": mirror.compile_for,
     "point": point.compile_for,
     "origins": origins.compile_for,
+    "two faces": two_faces.compile_for,
     "beams": beam_image.compile_for,
 }
 
@@ -54,7 +63,7 @@ def obtain(name: str, dtype: torch.dtype) -> bool:
     Parameters
     ----------
     name : str
-        "collimated", "face", "mirror", "point", "origins" or "beams".
+        "collimated", "face", "mirror", "point", "origins", "two faces" or "beams".
     dtype : torch.dtype
         Float type of the trace.
     """

@@ -34,10 +34,13 @@ class BSplineSurface:
         B-spline itself.
     outline : Outline, optional
         What of the rectangle is glass; all of it by default.
+    level : float, optional
+        z of the scene near its mean height, by default the datum: what kernels count heights from,
+        so that float32 keeps the digits that make the shape.
 
     Attributes
     ----------
-    net, subdivisions, outline
+    net, subdivisions, outline, level
         As given.
 
     Notes
@@ -58,10 +61,12 @@ class BSplineSurface:
         device: torch.device | str = "cpu",
         subdivisions: tuple[int, int] | None = None,
         outline: Outline | None = None,
+        level: float | None = None,
     ) -> None:
         self.name, self.outline = name, outline or Rectangle(net.half_width)
         self.kind = "B-spline" if subdivisions is None else "triangle mesh"
         self.net, self.subdivisions = net, subdivisions
+        self.level = datum if level is None else level
         self._datum, self._dtype, self._device = datum, dtype, device
         self._met_before: tuple[RayBundle, _Way] | None = None
         self._patches: Patches | None = None
@@ -69,6 +74,13 @@ class BSplineSurface:
 
     def meet(self, rays: RayBundle, heights: Mapping[str, Tensor]) -> Meeting:
         """Where rays meet the face; see `Surface.meet`."""
+        meeting = self.meet_rectangle(rays, heights)
+        x, y, _ = meeting.position
+        within = self.outline.contains(x.detach() / RIM, y.detach() / RIM)
+        return meeting._replace(met=meeting.met & within)
+
+    def meet_rectangle(self, rays: RayBundle, heights: Mapping[str, Tensor]) -> Meeting:
+        """As `meet`, also beside the outline but within the rectangle of the net."""
         # Counted from the datum, float32 keeps the digits that make the shape.
         above = (heights[self.name] - self._datum).to(self._dtype)
         known = self._met_before is not None and self._met_before[0] is rays
@@ -77,9 +89,7 @@ class BSplineSurface:
         self._last = meeting.position[2].detach().flatten()
         # What a whole graph hangs on is not kept.
         self._met_before = None if rays.position[2].requires_grad else (rays, way)
-        within = 1 - RIM * torch.finfo(self._dtype).eps
-        x, y = (part.detach() * within for part in meeting.position[:2])
-        return meeting._replace(met=meeting.met & self.outline.contains(x, y))
+        return meeting
 
     def _way(self, rays: RayBundle) -> "_Way":
         x, y, _ = rays.position

@@ -1,0 +1,148 @@
+"""Light of origins at samples of a freeform entrance face: slopes, flux, and how both go with z.
+
+All that the light before a face depends on at a sample is the height z of the face there, so the
+derivatives by it are taken on the way.
+"""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from workbench.compiled import jit
+from workbench.optics.kernels.grid import Z
+from workbench.optics.kernels.rows import OWN
+from workbench.optics.kernels.spread import BATCH
+from workbench.optics.kernels.taps import FAST
+
+Number = np.floating[Any]
+AnyArray = npt.NDArray[np.floating[Any]]
+
+_ONE = np.uintp(1)
+# Numbers of a batch: slopes of the light, its flux per area across the axis, and derivatives by z.
+S_X, S_Y, BRIGHT, D_S_X, D_S_Y, D_BRIGHT, NEXT = (OWN + np.uintp(BATCH * k) for k in range(7))
+"""The first number that is free for the rest of the way."""
+
+
+class FarLight(NamedTuple):
+    """Light from infinitely far; arrays of shape (k,), a number for each direction.
+
+    Attributes
+    ----------
+    x, y, z : ndarray
+        Unit vectors.
+    flux : ndarray
+        Flux per area across the axis, in the middle of the beam.
+    narrowing : floating
+        Flux falls with exp(−narrowing × square of the distance to the middle of the beam).
+    """
+
+    x: AnyArray
+    y: AnyArray
+    z: AnyArray
+    flux: AnyArray
+    narrowing: Number
+
+
+class NearLight(NamedTuple):
+    """Points before the face; arrays of shape (k,).
+
+    Attributes
+    ----------
+    x, y : ndarray
+        Where they are, scene units.
+    below : ndarray
+        How far they are before the level of heights.
+    flux : ndarray
+        Flux per solid angle straight ahead.
+    lambert : floating
+        1 for Lambertian points, else 0.
+    patterns : ndarray, shape (k or 0, n, n)
+        See `workbench.optics.patterns.tabulated`; none where intensity is even or Lambertian.
+    per_x, per_y : floating
+        Steps between values of the patterns for each length.
+    """
+
+    x: AnyArray
+    y: AnyArray
+    below: AnyArray
+    flux: AnyArray
+    lambert: Number
+    patterns: AnyArray
+    per_x: Number
+    per_y: Number
+
+
+@jit(fastmath=FAST, error_model="numpy")
+def from_far(light, k, x, y, lanes, t):  # type: ignore[no-untyped-def]
+    """Light of one direction at a batch of samples."""
+    zero = t.dtype.type(0)
+    d_x, d_y, d_z, flux = light.x[k], light.y[k], light.z[k], light.flux[k]
+    for lane in range(np.uintp(lanes)):
+        t[S_X + lane] = d_x / d_z
+        t[S_Y + lane] = d_y / d_z
+        t[BRIGHT + lane] = flux
+        t[D_S_X + lane] = zero
+        t[D_S_Y + lane] = zero
+        t[D_BRIGHT + lane] = zero
+    if light.narrowing > zero:  # in a loop of its own: exp does not vectorise
+        for lane in range(np.uintp(lanes)):
+            z = t[Z + lane]
+            along = x[lane] * d_x + y * d_y + z * d_z
+            beside2 = x[lane] * x[lane] + y * y + z * z - along * along
+            bright = flux * np.exp(-light.narrowing * beside2)
+            t[BRIGHT + lane] = bright
+            t[D_BRIGHT + lane] = -t.dtype.type(2) * light.narrowing * bright * (z - along * d_z)
+
+
+@jit(fastmath=FAST, error_model="numpy")
+def from_near(light, k, x, y, lanes, t):  # type: ignore[no-untyped-def]
+    """Light of one point at a batch of samples."""
+    kind = t.dtype.type
+    one, two, power = kind(1), kind(2), kind(3) + light.lambert
+    p_x, p_y, below, flux, lambert = (
+        light.x[k],
+        light.y[k],
+        light.below[k],
+        light.flux[k],
+        light.lambert,
+    )
+    for lane in range(np.uintp(lanes)):
+        by_way = one / (t[Z + lane] + below)
+        s_x, s_y = (x[lane] - p_x) * by_way, (y - p_y) * by_way
+        sine2 = s_x * s_x + s_y * s_y
+        cos2 = one / (one + sine2)
+        cos = np.sqrt(cos2)
+        bright = flux * cos2 * cos * (one - lambert + lambert * cos) * by_way * by_way
+        t[S_X + lane] = s_x
+        t[S_Y + lane] = s_y
+        t[BRIGHT + lane] = bright
+        t[D_S_X + lane] = -s_x * by_way
+        t[D_S_Y + lane] = -s_y * by_way
+        t[D_BRIGHT + lane] = bright * by_way * (power * sine2 * cos2 - two)
+    if len(light.patterns):
+        _weigh(light, k, lanes, t)
+
+
+@jit(fastmath=FAST, error_model="numpy")
+def _weigh(light, k, lanes, t):  # type: ignore[no-untyped-def]
+    """Weigh light with the pattern of its point, by bilinear interpolation."""
+    kind = t.dtype.type
+    zero, one = kind(0), kind(1)
+    pattern, below = light.patterns[k], light.below[k]
+    last = kind(len(pattern) - 1)
+    for lane in range(np.uintp(lanes)):
+        u = (light.x[k] + t[S_X + lane] * below) * light.per_x + last / kind(2)
+        v = (light.y[k] + t[S_Y + lane] * below) * light.per_y + last / kind(2)
+        d_u = t[D_S_X + lane] * below * light.per_x if zero < u < last else zero
+        d_v = t[D_S_Y + lane] * below * light.per_y if zero < v < last else zero
+        u, v = min(max(u, zero), last), min(max(v, zero), last)
+        i, j = np.uintp(min(u, last - one)), np.uintp(min(v, last - one))
+        u, v = u - kind(i), v - kind(j)
+        a, b = pattern[i, j], pattern[i, j + _ONE]
+        c, d = pattern[i + _ONE, j], pattern[i + _ONE, j + _ONE]
+        low, high = a + (b - a) * v, c + (d - c) * v
+        value = low + (high - low) * u
+        rise = (high - low) * d_u + ((b - a) * (one - u) + (d - c) * u) * d_v
+        t[D_BRIGHT + lane] = t[D_BRIGHT + lane] * value + t[BRIGHT + lane] * rise
+        t[BRIGHT + lane] *= value

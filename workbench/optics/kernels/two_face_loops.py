@@ -1,0 +1,147 @@
+"""The loops over samples of a freeform entrance face, and at each batch of them over all origins.
+
+What a batch sees of the entrance face is found once, whatever the number of origins; see
+`workbench.optics.kernels.rows` for how.
+"""
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from workbench.compiled import jit
+from workbench.optics.kernels.front_light import from_far, from_near
+from workbench.optics.kernels.grid import (
+    Z_X,
+    Z_Y,
+    Z,
+    blend,
+    blend_back,
+    contract,
+    contract_back,
+    make_rows,
+)
+from workbench.optics.kernels.origin_loops import OriginLoops, put, take
+from workbench.optics.kernels.point_meet import MET, meet
+from workbench.optics.kernels.point_patches import (
+    DEPTH,
+    ROWS,
+    STATE,
+    at,
+    collect,
+    evaluate_bends,
+    fill,
+    make_columns,
+    place,
+)
+from workbench.optics.kernels.point_trace import polish
+from workbench.optics.kernels.spread import BATCH
+from workbench.optics.kernels.taps import FAST
+from workbench.optics.kernels.two_face_trace import (
+    END,
+    SUM_Z,
+    SUM_Z_X,
+    SUM_Z_Y,
+    enter,
+    enter_back,
+    leave,
+    leave_back,
+)
+
+_NUMBERS = int(END)
+
+
+def _make(name: str, shine: Any) -> OriginLoops:
+    def land(  # type: ignore[no-untyped-def]
+        heights, bases, exit_face, light, body, landing, depths, begin, end, nodes, sums
+    ):
+        (across, up), (net, bounds, table) = bases, exit_face
+        kind = heights.dtype.type
+        rows, t = make_rows(heights), np.empty(_NUMBERS, heights.dtype)
+        w, columns = np.empty(ROWS * BATCH, heights.dtype), make_columns(table)
+        patch, before = np.zeros(BATCH, np.int32), np.empty(BATCH, np.int32)
+        count = len(up.first)
+        blocks = (end - begin + BATCH - 1) // BATCH
+        for block in range(blocks):
+            i = begin + (end - begin) * block // blocks
+            lanes = begin + (end - begin) * (block + 1) // blocks - i
+            contract(heights, across, i, lanes, rows)
+            x = across.place[i:]
+            for j in range(count):
+                blend(rows, up, j, lanes, t)
+                for k in range(len(light.flux)):
+                    shine(light, k, x, up.place[j], lanes, t)
+                    enter(body, x, up.place[j], body.areas[j, i:], lanes, t, w, sums)
+                    depth = depths[k * count + j, i:]
+                    for lane in range(lanes):
+                        w[at(DEPTH, lane)] = depth[lane]
+                    meet(net, bounds, table, w, lanes, patch, before, columns)
+                    polish(net, w, lanes)
+                    leave(net, body, landing, lanes, t, w, sums)
+                    put(t, i, k * count + j, lanes, nodes)
+                    for lane in range(lanes):
+                        met = w[at(STATE, lane)] == kind(MET)
+                        depth[lane] = w[at(DEPTH, lane)] if met else kind(np.inf)
+
+    def back(  # type: ignore[no-untyped-def]
+        heights, bases, exit_face, light, body, landing, depths, begin, end, cotangent, gradients
+    ):
+        (across, up), (net, _, table), (gradient, d_table) = bases, exit_face, gradients
+        kind = heights.dtype.type
+        rows, d_rows = make_rows(heights), make_rows(heights)
+        t, sums = np.empty(_NUMBERS, heights.dtype), np.zeros(8)
+        w, columns = np.empty(ROWS * BATCH, heights.dtype), make_columns(table)
+        patch = np.zeros(BATCH, np.int32)
+        count = len(up.first)
+        blocks = (end - begin + BATCH - 1) // BATCH
+        for block in range(blocks):
+            i = begin + (end - begin) * block // blocks
+            lanes = begin + (end - begin) * (block + 1) // blocks - i
+            contract(heights, across, i, lanes, rows)
+            d_rows[:] = kind(0)
+            x = across.place[i:]
+            for j in range(count):
+                blend(rows, up, j, lanes, t)
+                t[SUM_Z:] = kind(0)
+                for k in range(len(light.flux)):
+                    areas = body.areas[j, i:]
+                    shine(light, k, x, up.place[j], lanes, t)
+                    enter(body, x, up.place[j], areas, lanes, t, w, sums)
+                    depth = depths[k * count + j, i:]
+                    for lane in range(lanes):
+                        met = depth[lane] < kind(np.inf)
+                        w[at(DEPTH, lane)] = depth[lane] if met else kind(0)
+                        w[at(STATE, lane)] = kind(MET) if met else kind(MET - 1)
+                    place(net, w, lanes, patch)
+                    fill(table, patch, lanes, columns)
+                    evaluate_bends(columns, w, lanes)
+                    take(cotangent, i, k * count + j, lanes, t)
+                    leave_back(net, body, landing, lanes, t, w)
+                    enter_back(body, areas, lanes, t)
+                    collect(w, lanes, patch, columns, d_table)
+                for lane in range(np.uintp(lanes)):
+                    t[Z + lane] = t[SUM_Z + lane]
+                    t[Z_X + lane] = t[SUM_Z_X + lane]
+                    t[Z_Y + lane] = t[SUM_Z_Y + lane]
+                blend_back(d_rows, up, j, lanes, t)
+            contract_back(d_rows, across, i, lanes, gradient)
+
+    return OriginLoops(_kernel(land, f"{name}_land"), _kernel(back, f"{name}_back"))
+
+
+def _kernel(function: Callable[..., None], name: str) -> Callable[..., None]:
+    function.__qualname__ = name  # by which its code is kept
+    kernel: Callable[..., None] = jit(fastmath=FAST, error_model="numpy")(function)
+    return kernel
+
+
+FROM_FAR = _make("two_faces_far", from_far)
+"""As `workbench.optics.kernels.origin_loops.OriginLoops`, for light from infinitely far.
+
+They take (heights, bases, exit face, light, body, landing, depths, begin, end, nodes, sums) and
+(…, cotangent, gradients): the heights are those of the entrance face, the exit face is a control
+net with bounds and table of its patches, the depths of the last lens are where the search begins
+and those found take their place, and the gradients are that of the heights and that of the table.
+"""
+FROM_NEAR = _make("two_faces_near", from_near)
+"""The same for light of points."""
