@@ -68,7 +68,6 @@ def test_light_beside_the_first_face_is_named_as_that_face_says(make_scene):
         ],
         PlaneReceiver(make_scene().screen, 0.0),
         datum=0.0,
-        level=0.0,
         outline=plate.outline,
         seed=0,
         dtype=torch.float64,

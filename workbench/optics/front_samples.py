@@ -26,6 +26,7 @@ from workbench.optics.patterns import interpolated, tabulated
 from workbench.optics.rays import RayBundle, Vector
 from workbench.optics.samples import Corners, Places, parts_inside, places
 from workbench.optics.sources.origins import Origins
+from workbench.optics.steps import Step
 from workbench.optics.surfaces import BSplineSurface
 from workbench.optics.surfaces.surface import Meeting
 

@@ -63,8 +63,9 @@ def shift_of(scene: Scene, net: ControlNet | None = None) -> float:
     level, steepest = optic.base.height, 0.0
     nets = [each for face, each in freeform_nets(optic).items() if face != optic.face]
     if not scene.source.along_axis or nets:
-        level = min(level, optic.front_z)  # rays that search for the face count from there
         steepest = optic.steepest
+    if not scene.source.along_axis and not nets:
+        level = min(level, optic.front_z)  # rays that search for the face count from there
     largest = max(abs(low - level), abs(high - level))
     density = max(
         count / r

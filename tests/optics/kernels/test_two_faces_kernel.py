@@ -1,6 +1,5 @@
 """The fused trace through two freeform faces against its twin in torch."""
 
-
 import numpy as np
 import pytest
 import torch
@@ -10,16 +9,20 @@ from hypothesis import strategies as st
 from tests.optics.kernels.test_origins_kernel import (
     Light,
     changes,
+    from_far,
+    from_near,
     origins,
     receivers,
 )
 from tests.scenes import changed
 from workbench.geometry.surface import ControlNet
+from workbench.optics.beams import beam_image
 from workbench.optics.interfaces import Refraction
 from workbench.optics.kernels.two_faces import FusedTwoFaces
 from workbench.optics.path import Path, Step
 from workbench.optics.reference import Reference
 from workbench.optics.samples import Corners
+from workbench.optics.sources import Origins
 from workbench.optics.surfaces import BSplineSurface
 from workbench.optics.transmittance import TransmittanceLaw
 from workbench.scene import Scene
@@ -34,16 +37,8 @@ def two_faces(scene, origins, cells, dtype=torch.float64):
     )
     law, _ = TransmittanceLaw.of(scene.lens)
     front = Step(surface, Refraction(law, "fresnel_entrance"), "missed_lens")
-    path = Path(
-        Light(origins, Corners(*cells)),
-        (front, flat.steps[1]),
-        flat.receiver,
-        flat.datum,
-        flat.outline,
-        0,
-        dtype,
-    )
-    return path
+    emitter, steps = Light(origins, Corners(*cells)), (front, flat.steps[1])
+    return Path(emitter, steps, flat.receiver, flat.datum, flat.outline, 0, dtype)
 
 
 def faces(scene, seed, amplitude):
@@ -93,3 +88,87 @@ def test_twins_agree_in_float64(changes, receiver, origins, cells, amplitude, se
         assert fused_light == pytest.approx(light, abs=1e-11)
         for fused_gradient, gradient in zip(fused_gradients, gradients, strict=True):
             assert (fused_gradient - gradient).norm() <= 1e-6 * gradient.norm() + 1e-12
+
+
+LIGHTS = {
+    "directions": from_far(4, 0.02, (0.1, 0.0)),
+    "beam": from_far(3, 0.05, waist=0.7),
+    "points": from_near(4, (0.1, 0, -3), 0.3, lambertian=True),
+}
+
+
+@pytest.mark.parametrize("light", LIGHTS.values(), ids=LIGHTS)
+def test_gradients_are_those_of_central_differences(make_scene, light):
+    scene = make_scene({"lens.reflection": "fresnel", "lens.absorption": 0.2})
+    tracer, heights = FusedTwoFaces(two_faces(scene, light, (20, 16))), faces(scene, 1, 0.01)
+    generator = np.random.default_rng(0)
+    cotangent = torch.tensor(generator.normal(size=(3, len(light.flux) * 17, 21)))
+    *_, gradients = landed(tracer, heights, cotangent)
+    step = 1e-6
+    for (name, face), gradient in zip(heights.items(), gradients, strict=True):
+        way = torch.tensor(generator.normal(size=face.shape))
+        ahead, behind = (
+            (landed(tracer, heights | {name: face + sign * step * way}, cotangent)[0] * cotangent)
+            for sign in (1, -1)
+        )
+        same = (ahead[2] != 0) == (behind[2] != 0)
+        assert same.all()
+        assert (gradient * way).sum().item() == pytest.approx(
+            ((ahead - behind).sum() / (2 * step)).item(), rel=2e-6
+        )
+
+
+@pytest.mark.parametrize("light", LIGHTS.values(), ids=LIGHTS)
+def test_single_precision_is_enough(make_scene, light):
+    scene = make_scene({"screen.half_width": [2, 2]})
+    heights = faces(scene, 1, 0.01)
+    cotangent = torch.tensor(np.random.default_rng(0).normal(size=(3, len(light.flux) * 41, 51)))
+    found = [
+        landed(FusedTwoFaces(two_faces(scene, light, (50, 40), dtype)), heights, cotangent)
+        for dtype in (torch.float64, torch.float32)
+    ]
+    (nodes, exact, gradients), (single, rounded, single_gradients) = found
+    same = (nodes[2] > 0) == (single[2] > 0)
+    assert same.double().mean() > 0.999
+    assert ((single - nodes).abs() * same).max() < 1e-3  # of a pixel
+    assert rounded == pytest.approx(exact, abs=1e-4)
+    if same.all():
+        for one, other in zip(single_gradients, gradients, strict=True):
+            assert (one - other).norm() < 1e-3 * other.norm()
+
+
+def test_a_mirrored_trace_is_the_whole_trace(make_scene):
+    scene = make_scene({"screen.half_width": [1.5, 1.5]})
+    quarter = np.array([[0.3, 0.2], [0.1, 0.4], [0.0, 0.1]])
+    places = np.unique(np.vstack([quarter * [s, t] for s in (-1, 1) for t in (-1, 1)]), axis=0)
+    places = np.column_stack([places, np.full(len(places), -4.0)])
+    light = Origins(places, False, np.full(len(places), 0.1))
+    heights, cotangent = faces(scene, 3, 0.002), torch.randn(32, 32, dtype=torch.float64)
+    for axis in (0, 1):
+        heights = {name: (each + each.flip(axis)) / 2 for name, each in heights.items()}
+        cotangent = cotangent + cotangent.flip(1 - axis)
+    found = []
+    for promise in ((True, True), (False, False)):
+        tracer = FusedTwoFaces(two_faces(scene, light, (40, 30)), promise)
+        leaves = {name: each.clone().requires_grad_() for name, each in heights.items()}
+        hits, account = tracer.nodes(leaves)
+        image, _ = beam_image(hits, scene.screen.pixels, tracer.splits)
+        for axis in (0, 1):
+            if tracer.mirrored[axis]:
+                image = image + image.flip(1 - axis)
+        gradients = torch.autograd.grad((image * cotangent).sum(), list(leaves.values()))
+        found.append((image.detach(), account.to_data(), gradients))
+    (part, account, part_gradients), (whole, all_light, gradients) = found
+    assert (part - whole).abs().max() < 1e-12
+    assert account == pytest.approx(all_light, abs=1e-12)
+    for one, other in zip(part_gradients, gradients, strict=True):
+        assert (one - other).norm() < 1e-8 * other.norm()
+
+
+def test_all_light_is_accounted_for(make_scene):
+    scene = make_scene({"lens.absorption": 0.1})
+    heights = faces(scene, 1, 0.05)
+    for light in LIGHTS.values():
+        found = FusedTwoFaces(two_faces(scene, light, (30, 30))).nodes(heights).account
+        assert found.on_screen + sum(found.lost.values()) == pytest.approx(1, abs=1e-12)
+        assert found.lost["absorbed"] > 0.002

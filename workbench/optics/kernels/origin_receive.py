@@ -83,7 +83,7 @@ def _approach(landing, x, y, z, o_x, o_y, o_z):  # type: ignore[no-untyped-def]
 def on_plane(landing, x, y, z, o_x, o_y, o_z):  # type: ignore[no-untyped-def]
     """Column and row of light at a place and with a direction of any length, on a plane.
 
-    The column is infinite for light that does not get there.
+    Both are infinite for light that does not get there.
     """
     one, inf = type(z)(1), type(z)(np.inf)
     (c_x, c_y, c_z), (r_x, r_y, r_z) = landing.column, landing.row
@@ -91,7 +91,8 @@ def on_plane(landing, x, y, z, o_x, o_y, o_z):  # type: ignore[no-untyped-def]
     way = gap / (speed if arrives else one)
     h_x, h_y, h_z = x + o_x * way, y + o_y * way, z + o_z * way
     column = landing.column_0 + c_x * h_x + c_y * h_y + c_z * h_z
-    return column if arrives else inf, landing.row_0 + r_x * h_x + r_y * h_y + r_z * h_z
+    row = landing.row_0 + r_x * h_x + r_y * h_y + r_z * h_z
+    return column if arrives else inf, row if arrives else inf
 
 
 @jit(fastmath=FAST, error_model="numpy", forceinline=True)
@@ -125,7 +126,8 @@ def by_direction(landing, o_x, o_y, o_z):  # type: ignore[no-untyped-def]
     aside = np.sqrt(o_x * o_x + o_z * o_z)
     column = landing.column_0 + landing.column[0] * np.arctan2(o_x, o_z)
     row = landing.row_0 + landing.row[0] * np.arctan2(o_y, aside)
-    return column if o_z > type(o_z)(0) else type(o_z)(np.inf), row
+    inf, arrives = type(o_z)(np.inf), o_z > type(o_z)(0)
+    return column if arrives else inf, row if arrives else inf
 
 
 @jit(fastmath=FAST, error_model="numpy", forceinline=True)

@@ -179,7 +179,7 @@ def _fade(body, lanes, t, w):  # type: ignore[no-untyped-def]
 
 @jit(fastmath=FAST, error_model="numpy")
 def leave(net, body, landing, lanes, t, w, sums):  # type: ignore[no-untyped-def]
-    """Columns, rows and flux of a batch on the receiver; columns of lost light are infinite."""
+    """Columns, rows and flux of a batch on the receiver; those of lost light are infinite."""
     kind = t.dtype.type
     zero, inf = kind(0), kind(np.inf)
     absorbed, met_flux, passed, left = zero, zero, zero, zero
@@ -198,7 +198,7 @@ def leave(net, body, landing, lanes, t, w, sums):  # type: ignore[no-untyped-def
         else:
             column, row = on_plane(landing, x, y, w[at(DEPTH, lane)], o_x, o_y, o_z)
         t[COLUMN + lane] = column if passes else inf
-        t[ROW + lane] = row if passes else zero
+        t[ROW + lane] = row if passes else inf
         t[WEIGHT + lane] = weight
         absorbed += flux - arriving
         met_flux += arriving
