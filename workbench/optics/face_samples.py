@@ -37,6 +37,8 @@ class SampledFace(NamedTuple):
         How the entrance face refracts.
     net : ControlNet
         Where the control heights of the exit face sit.
+    level : float
+        z of the scene that heights of the exit face are counted from.
     exit : Step
         The exit face.
     """
@@ -47,6 +49,7 @@ class SampledFace(NamedTuple):
     reflected: str
     entering: TransmittanceLaw
     net: ControlNet
+    level: float
     exit: Step
 
     @classmethod
@@ -61,10 +64,10 @@ class SampledFace(NamedTuple):
                 PointEmitter(samples=tuple() as samples) as emitter,
                 (
                     Step(Plane(), Refraction(law=law, reflected=reflected), missed),
-                    Step(BSplineSurface(net=net)) as exit_face,
+                    Step(BSplineSurface(net=net, level=level)) as exit_face,
                 ),
             ) if emitter.source.axes is not None and _before_the_lens(emitter):
-                return cls(emitter, samples, missed, reflected, law, net, exit_face)
+                return cls(emitter, samples, missed, reflected, law, net, level, exit_face)
         return None
 
 
@@ -111,7 +114,7 @@ class FaceSamples:
         self._exit, self._receiver = face.exit, path.receiver
         self._before = {face.missed: lattice.missed, face.reflected: lattice.reflected}
         # Near the mean height of the surface float32 keeps the digits that make its shape.
-        self._level, self._thickness = path.level, path.level - optic.front_z
+        self._level, self._thickness = face.level, face.level - optic.front_z
         self._entrance = optic.front_z - path.datum
 
         def constant(values: np.ndarray) -> Tensor:

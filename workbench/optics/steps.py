@@ -61,9 +61,7 @@ class Along(NamedTuple):
     dtype: torch.dtype
     device: torch.device | str
 
-    def spline(
-        self, name: str, net: ControlNet, outline: Outline, level: float
-    ) -> BSplineSurface:
+    def spline(self, name: str, net: ControlNet, outline: Outline, level: float) -> BSplineSurface:
         """A B-spline on a net, about a level."""
         how = self.dtype, self.device, self.subdivisions
         return BSplineSurface(name, net, self.datum, *how, outline, level)

@@ -103,7 +103,7 @@ class FusedFaceSamples:
         self._glass = Glass(lattice.distance, sampled.entering, lambertian)
         self._widest = float(np.hypot(np.abs(x.away).max(), np.abs(y.away).max()))
         apparent = n * lattice.distance
-        self._level = path.level
+        self._level = sampled.level
         self._lift = self._level - optic.front_z
         self._optics = Optics(
             kind(n),
