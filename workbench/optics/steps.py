@@ -91,7 +91,7 @@ def _of_lens(lens: Lens, along: Along) -> tuple[Step, ...]:
 def _of_mirror(mirror: Mirror, along: Along) -> tuple[Step, ...]:
     whole = along.by_area and along.along_axis
     outline = Rectangle(mirror.half_width) if whole else outline_of(mirror)
-    face = along.spline("mirror", along.net, outline)
+    face = along.spline("mirror", along.net, outline, mirror.base.height)
     return (Step(face, Reflection(mirror.reflectance, "absorbed_mirror"), "missed_mirror"),)
 
 
