@@ -8,6 +8,7 @@ from scipy.ndimage import gaussian_filter
 from scipy.optimize import nnls
 
 from workbench.analysis.metrics import relative_l2
+from workbench.extended import deblur as deblur_module
 from workbench.extended.blur import Blur
 from workbench.extended.blurring import Blurring
 from workbench.extended.certificate import Certifier
@@ -131,3 +132,13 @@ def test_target_that_is_blurred_light_is_in_reach(rng):
     found = deblur(blurring.image(light), blur)
     assert found.bound < 1e-6
     assert found.error < 2e-3
+
+
+def test_a_search_is_made_once_for_all_who_ask(monkeypatch):
+    target = np.zeros((12, 12))
+    target[3:9, 5:8] = 1.7
+    first = deblur(target, Blur((2.5, 3.5)))
+    monkeypatch.setattr(deblur_module, "_closest", None)  # which cannot be called
+    assert deblur(target.copy(), Blur((2.5, 3.5))) is first
+    with pytest.raises(TypeError):  # another one has to be sought
+        deblur(target, Blur((2.5, 3.6)))

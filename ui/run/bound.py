@@ -1,14 +1,16 @@
 """The least error that any lens can reach with the source of the design on show, in the status."""
 
+from functools import partial
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
 from ui.document.document import Document
-from ui.threads.background import Background
+from ui.threads.background import Background, Task
 from ui.threads.failure import sentence_of
 
 if TYPE_CHECKING:
+    from workbench.extended.bound import Bound
     from workbench.files.session import Session
 
 
@@ -37,7 +39,7 @@ class BoundOfDesign(QObject):
         document.session_changed.connect(self.follow)
 
     def close(self) -> None:
-        """Wait for the thread; safe to call twice."""
+        """End the search and wait for its thread; safe to call twice."""
         self._background.close()
 
     def follow(self, session: "Session") -> None:
@@ -53,4 +55,12 @@ class BoundOfDesign(QObject):
         self._background.cancel()
         self.figures_changed.emit("")
         if bound.known:
-            self._background.begin(lambda _: bound.short, session)
+            self._background.begin(partial(_in_words, bound), session)
+
+
+def _in_words(bound: "Bound", task: Task) -> str:
+    """The bound in a few words; meant for the thread, which leaves it once it shall stop."""
+    for _ in bound.finding():
+        if task.stopped:
+            return ""
+    return bound.short

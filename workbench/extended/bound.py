@@ -1,5 +1,6 @@
 """The least error that any lens can reach with a source of some size, and the light it can use."""
 
+from collections.abc import Generator
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -9,7 +10,7 @@ import numpy.typing as npt
 
 from workbench.extended.blur import Blur
 from workbench.extended.blurring import Blurring
-from workbench.extended.deblur import Deblurred, deblur
+from workbench.extended.deblur import Deblurred, deblur, deblurring
 from workbench.scene import Scene
 
 Array = npt.NDArray[np.float64]
@@ -52,6 +53,10 @@ class Bound:
     def deblurred(self) -> Deblurred:
         """The light that, blurred, comes closest to the target; a second or some."""
         return deblur(self.target, self.blur)
+
+    def finding(self) -> Generator[None, None, Deblurred]:
+        """Find `deblurred` step by step, so that one can leave it; it is kept for later."""
+        return deblurring(self.target, self.blur)
 
     @property
     def relative_l2(self) -> float:

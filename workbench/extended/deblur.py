@@ -16,7 +16,7 @@ says how far the result is from the best at most, and when to stop.
 """
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Generator, Iterator
 from itertools import islice
 from typing import NamedTuple
 
@@ -36,6 +36,8 @@ _GAP, _NEGLIGIBLE = 0.03, 2e-4
 _STEPS, _LOOK_EVERY = 240, 40
 # Steps for light that a lens is to make.
 _SPREAD_STEPS = 80
+# So many results are kept: a window's status, its check and its report ask for the same one.
+_KEPT = 4
 # Places from where less of the light falls on the receiver are left out of the search.
 _LEAST_SHARE = 1e-4
 
@@ -92,6 +94,35 @@ def deblur(target: Array, blur: Blur) -> Deblurred:
     >>> deblur(pixel, Blur((1.0, 1.0))).bound
     0.0
     """
+    steps = deblurring(target, blur)
+    while True:
+        try:
+            next(steps)
+        except StopIteration as end:
+            found: Deblurred = end.value
+            return found
+
+
+_kept: dict[tuple[object, ...], Deblurred] = {}
+
+
+def deblurring(target: Array, blur: Blur) -> Generator[None, None, Deblurred]:
+    """`deblur` step by step, each a small part of a second, so that one can leave it.
+
+    The last results are kept and not sought again.
+    """
+    key = target.tobytes(), target.dtype.str, target.shape, blur
+    found = _kept.get(key)
+    if found is None:
+        found = yield from _closest(target, blur)
+        for old in list(_kept)[: len(_kept) + 1 - _KEPT]:
+            _kept.pop(old, None)
+        _kept[key] = found
+    return found
+
+
+def _closest(target: Array, blur: Blur) -> Generator[None, None, Deblurred]:
+    """See `deblur`."""
     wanted = target / target.sum()
     if blur.within_a_pixel:
         m_x, m_y = blur.margin
@@ -101,7 +132,11 @@ def deblur(target: Array, blur: Blur) -> Deblurred:
     certifier = Certifier(kernels, wanted)
     search = _search(kernels.astype(np.float32), wanted.astype(np.float32))
     best, error, bound, dual = None, np.inf, -1.0, wanted
-    for found in islice(search, _STEPS // _LOOK_EVERY):
+    for step, look in enumerate(islice(search, _STEPS)):
+        yield
+        if (step + 1) % _LOOK_EVERY:
+            continue
+        found = look()
         reached = float(np.linalg.norm(found.image - wanted)) / size
         if reached < error:
             best, error = found, reached
@@ -136,7 +171,7 @@ def spread_light(target: Array, blur: Blur) -> Array:
     """
     wanted = (target / target.sum()).astype(np.float32)
     search = _search(blur.spread[None].astype(np.float32), wanted)
-    return next(islice(search, _SPREAD_STEPS // _LOOK_EVERY - 1, None)).light
+    return next(islice(search, _SPREAD_STEPS - 1, None))().light
 
 
 class _Found(NamedTuple):
@@ -147,8 +182,8 @@ class _Found(NamedTuple):
     residual: Array
 
 
-def _search(kernels: Array, wanted: Array) -> Iterator[_Found]:
-    """Come closer for some steps at a time."""
+def _search(kernels: Array, wanted: Array) -> Iterator[Callable[[], _Found]]:
+    """Come closer step by step; what is found up to now is made when it is asked for."""
     shape = wanted.shape[0], wanted.shape[1]
     blurring = Blurring(kernels, shape)
     k, seen = blurring.kernels, blurring.seen
@@ -158,28 +193,31 @@ def _search(kernels: Array, wanted: Array) -> Iterator[_Found]:
     image = blurring.on_grid(wanted)
     light = np.zeros(dark.shape, wanted.dtype)
     away_image, away_light = np.zeros_like(image), np.zeros_like(light)
-    while True:
-        for _ in range(_LOOK_EVERY):
-            # Light that fits both copies best.
-            wave = blurring.waves(light + away_light)
-            off = share * (blurring.waves(image + away_image) - (k * wave).sum(axis=0))
-            wave += k.conj() * off
-            blurred = blurring.images((k * wave).sum(axis=0))
-            free = blurring.images(wave)
-            # Copies that keep to what each has to.
-            away_image -= _RELAXED * blurred + (1 - _RELAXED) * image
-            image = -away_image
-            on_receiver = (wanted + _IMAGE * image[seen]) / (1 + _IMAGE)
-            image[seen] = on_receiver + (1 - on_receiver.sum()) / wanted.size
-            away_image += image
-            away_light -= _RELAXED * free + (1 - _RELAXED) * light
-            light = np.maximum(-away_light, 0)
-            light[dark] = 0
-            away_light += light
+
+    def look() -> _Found:
         found = blurring.image(light)
         total = float(found.sum(dtype=np.float64))
-        yield _Found(
+        return _Found(
             light.sum(axis=0, dtype=np.float64)[blurring.places] / total,
             found.astype(np.float64) / total,
             (image[seen] - wanted).astype(np.float64),
         )
+
+    while True:
+        # Light that fits both copies best.
+        wave = blurring.waves(light + away_light)
+        off = share * (blurring.waves(image + away_image) - (k * wave).sum(axis=0))
+        wave += k.conj() * off
+        blurred = blurring.images((k * wave).sum(axis=0))
+        free = blurring.images(wave)
+        # Copies that keep to what each has to.
+        away_image -= _RELAXED * blurred + (1 - _RELAXED) * image
+        image = -away_image
+        on_receiver = (wanted + _IMAGE * image[seen]) / (1 + _IMAGE)
+        image[seen] = on_receiver + (1 - on_receiver.sum()) / wanted.size
+        away_image += image
+        away_light -= _RELAXED * free + (1 - _RELAXED) * light
+        light = np.maximum(-away_light, 0)
+        light[dark] = 0
+        away_light += light
+        yield look

@@ -1,11 +1,14 @@
 """The bound of the open design, in the status bar."""
 
+import time
+
 import pytest
 from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QStatusBar
 
 from ui.run.bound import BoundOfDesign
 from ui.run.status import RunStatus
+from workbench.extended import deblur
 
 GRID = {"kind": "grid", "center": [0, 0, -4], "half_width": [0.3, 0.3], "points": [50, 50]}
 
@@ -42,6 +45,28 @@ def test_edit_that_leaves_the_source_as_it_looks_asks_for_nothing(
     count = len(said)
     document.edit(make_scene({"source": GRID, "run.iterations": 7}), "run", "")
     assert len(said) == count
+
+
+def test_search_that_goes_on_is_left_when_the_window_closes(
+    bound, document, make_scene, qtbot, monkeypatch
+):
+    taken, most = [], 20_000
+
+    def long_search(target, blur):
+        for _ in range(most):
+            taken.append(None)
+            time.sleep(1e-3)
+            yield
+        raise AssertionError("nobody left the search")
+
+    monkeypatch.setattr(deblur, "_closest", long_search)
+    document.edit(make_scene({"source": GRID | {"half_width": [0.31, 0.3]}}), "source", "")
+    qtbot.waitUntil(lambda: bool(taken), timeout=30_000)
+    bound.close()
+    steps = len(taken)
+    assert steps < most
+    qtbot.wait(20)
+    assert len(taken) == steps
 
 
 def test_status_shows_a_bound_only_where_there_is_one(qtbot):
