@@ -63,7 +63,7 @@ class BeamPlan:
         needed = precision_of(scene, net)
         path = Path.of(scene, net, dtype or needed, device_of(scene), Corners(*cells))
         self._pixels, self._half_extent = scene.receiver.pixels, scene.receiver.half_extent
-        self._missed = path.steps[0].missed
+        self._missed, self._of_light = path.steps[0].missed, path.emitter.origins.note
         self._kernel, self._promised = beam_kernel_of(path), mirrored
         fine = dtype is None and needed == torch.float64
         self._choice = Choice(
@@ -76,7 +76,7 @@ class BeamPlan:
         notes = self._choice.notes(self._tracer.notes)
         rays = math.prod(len(split) for split in self._tracer.splits)
         notes.append(f"beams of light between {rays:,} rays: no noise, and no filter")
-        return (*notes, *self._choice.defects())
+        return (*filter(None, (*notes, self._of_light)), *self._choice.defects())
 
     def light_extent(self, heights: Mapping[str, Tensor]) -> tuple[float, float]:
         """How far from the receiver's middle, along u and v, nearly all light falls."""

@@ -6,6 +6,7 @@ import pytest
 from tests.lamps import led
 from workbench.errors import Refused
 from workbench.measured.lamps import placed_rays, ray_model
+from workbench.measured.rays.model import _off
 from workbench.scene import Scene
 
 
@@ -46,6 +47,24 @@ def test_points_stand_on_the_emitter_and_have_the_light_of_its_rays(scene):
     x, y, come = placed_rays(scene.source).onto(0.0)
     come &= (np.abs(x) <= 0.9) & (np.abs(y) <= 0.9)
     assert flux == pytest.approx(come.mean(), rel=0.005)
+
+
+def test_it_says_how_far_its_light_on_the_lens_is_from_that_of_its_rays(scene):
+    rays = placed_rays(scene.source)
+    x, y, come = rays.onto(0.0)
+    r_x, r_y = scene.lens.half_width
+    come &= (np.abs(x) <= r_x) & (np.abs(y) <= r_y)
+    model = ray_model(scene.source, scene.lens, 16)
+    assert 0 < model.off < 0.05
+    assert f"16 points stand for the rays of the file: {100 * model.off:.1f} %" in model.note
+    # All light on one side of the lens in place of an even one is half of it elsewhere.
+    radiance = model.radiance.copy()
+    half = radiance.shape[1] // 2
+    radiance[:, :half] = 0.0
+    radiance[:, half:] *= 2
+    one_sided = model._replace(radiance=radiance)
+    crossing = np.column_stack([x, y])[come]
+    assert _off(one_sided, crossing, rays.flux[come], (r_x, r_y)) == pytest.approx(0.5, abs=0.08)
 
 
 def test_intensity_of_points_is_that_of_an_even_emitter(scene):

@@ -38,6 +38,11 @@ def test_beams_of_points_make_the_image_of_the_rays(scene):
     assert found.account.on_screen + sum(found.account.lost.values()) == pytest.approx(1, abs=1e-9)
 
 
+def test_a_design_says_how_far_its_points_are_from_the_rays(scene):
+    notes = BeamPlan(scene, (40, 40)).notes
+    assert any(note.startswith("16 points stand for the rays of the file: ") for note in notes)
+
+
 def test_all_light_of_the_file_is_accounted_for(scene):
     heights = {"exit": waves(scene)}
     beams = BeamPlan(scene, (24, 24), dtype=torch.float64).trace(heights).account

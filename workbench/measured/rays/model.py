@@ -24,6 +24,9 @@ _FEWEST, _MOST = 4, 48
 # Standard deviation in cells of what smooths it; and parts of a cell of what it is compared with.
 _SMOOTH = 0.6
 _FINER = 4
+# Cells of the lens along each axis in which the model is compared with its rays, and places along
+# an axis of each.
+_COMPARED, _WITHIN = 8, 6
 # Nearest and farthest that the points are from the lens, in its half-widths.
 _NEAREST, _FARTHEST = 1e-2, 1e4
 
@@ -45,13 +48,36 @@ class RayModel(NamedTuple):
     spread : float
         How far rays start from their points, in the root mean square; over the same for a single
         point.
+    off : float
+        Light on the lens that is in other cells than that of the rays, of 8 × 8, over all of it.
     """
 
     places: Array
     radiance: Array
     extent: tuple[float, float]
     z: float
-    spread: float
+    spread: float = 0.0
+    off: float = 0.0
+
+    @property
+    def note(self) -> str:
+        """How far it is from its rays, in words."""
+        return (
+            f"{len(self.places)} points stand for the rays of the file: "
+            f"{100 * self.off:.1f} % of their light on the lens is elsewhere, and rays start "
+            f"{100 * self.spread:.0f} % as far from their point as from the middle of all"
+        )
+
+    def density(self, x: Array, y: Array) -> Array:
+        """Flux per area of the lens's plane, of all points together."""
+        total = np.zeros(np.broadcast(x, y).shape)
+        for k, place in enumerate(self.places):
+            way = x - place[0], y - place[1], np.full_like(total, self.z - place[2])
+            far = np.sqrt(np.square(way[0]) + np.square(way[1]) + np.square(way[2]))
+            direction = way[0] / far, way[1] / far, way[2] / far
+            lit = self.intensity(np.full(total.shape, k), direction)
+            total += lit * direction[2] / far**2
+        return total
 
     def intensity(self, origin: Index, direction: tuple[Array, Array, Array]) -> Array:
         """Flux per solid angle of points into directions; what the source emits in all is 1."""
@@ -116,7 +142,23 @@ def model_of(rays: PlacedRays, half_width: tuple[float, float], z: float, points
         np.sqrt(flux @ np.square(start - about).sum(axis=1)) for about in (middle[groups], mean)
     )
     places = np.column_stack([middle, np.full(k, z - way)])
-    return RayModel(places, radiance, extent, z, float(near / all_of_it) if all_of_it > 0 else 0.0)
+    model = RayModel(places, radiance, extent, z)
+    return model._replace(
+        spread=float(near / all_of_it) if all_of_it > 0 else 0.0,
+        off=_off(model, crossing, flux, half_width),
+    )
+
+
+def _off(model: RayModel, crossing: Array, flux: Array, half_width: tuple[float, float]) -> float:
+    """See `RayModel.off`."""
+    ends = [np.linspace(-r, r, _COMPARED + 1) for r in half_width]
+    of_rays, _, _ = np.histogram2d(crossing[:, 0], crossing[:, 1], bins=ends, weights=flux)
+    m = _COMPARED * _WITHIN
+    x, y = (r * (2 * (np.arange(m) + 0.5) / m - 1) for r in half_width)
+    lit = model.density(x[:, None], y) * 4 * half_width[0] * half_width[1] / m**2
+    cells = lit.reshape(_COMPARED, _WITHIN, _COMPARED, _WITHIN).sum(axis=(1, 3))
+    total = float(of_rays.sum())
+    return float(np.abs(cells - of_rays).sum()) / (2 * total) if total > 0 else 0.0
 
 
 def _way_from_waist(crossing: Array, slope: Array, flux: Array, size: float) -> float:

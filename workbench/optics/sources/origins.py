@@ -71,6 +71,8 @@ class Origins(NamedTuple):
         entrance face; infinite for even light.
     pattern : Pattern, optional
         Of points: intensity by direction; flux per solid angle is ``flux`` times that.
+    note : str
+        How far they are from what they stand for, in words; empty where nothing is to be said.
     """
 
     places: Array
@@ -79,6 +81,7 @@ class Origins(NamedTuple):
     lambertian: bool = False
     waist: float = math.inf
     pattern: Pattern | None = None
+    note: str = ""
 
     def light(self, x: Array, y: Array, z: float, origin: Index) -> Lit:
         """Light of origins at places of the entrance face.

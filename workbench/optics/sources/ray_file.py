@@ -37,10 +37,10 @@ class RayFileEmitter:
 
     def __init__(self, source: RayFileSource, optic: Optic, samples: Samples | None = None) -> None:
         self._source, self._lens, self.samples = source, optic, samples
-        self._model = ray_model(source, optic, source.point_count)
+        self._model = model = ray_model(source, optic, source.point_count)
         points = self._model.places
         self.origins = Origins(
-            points, False, np.ones(len(points)), pattern=ModelPattern(self._model)
+            points, False, np.ones(len(points)), pattern=ModelPattern(model), note=model.note
         )
 
     @property
