@@ -1,6 +1,8 @@
 """Scenes that tests start from, and how many processes run them."""
 
 import os
+import shutil
+import subprocess
 from pathlib import Path
 from typing import Any
 
@@ -20,9 +22,9 @@ settings.load_profile("default")
 
 
 _WHOLE = Path(__file__).parent
-# Half of the time is that of the window, whose tests run in one process: they share the keyboard
-# of one screen. Each process takes a gigabyte or more, and its kernels take all cores.
+# Each process takes a gigabyte or more, and its kernels take all cores.
 _MOST_PROCESSES = 3
+_XVFB = shutil.which("Xvfb")
 
 
 @pytest.hookimpl(optionalhook=True)
@@ -35,16 +37,45 @@ def pytest_xdist_auto_num_workers(config):
 
 
 class _Scheduling(LoadScopeScheduling):
-    """Tests of a file stay in one process, and so do all of the window, the first to begin."""
+    """Tests of a file stay in one process, in the order of a run in a single one.
+
+    So do all of the window where processes share a screen, and thereby its keyboard.
+    """
 
     def _split_scope(self, nodeid):
         file = nodeid.split("::")[0]
-        return "window" if file.startswith("tests/ui/") else file
+        return "window" if file.startswith("tests/ui/") and not _XVFB else file
 
 
 @pytest.hookimpl(optionalhook=True)
 def pytest_xdist_make_scheduler(config, log):
+    config.option.loadscopereorder = not _XVFB
     return _Scheduling(config, log)
+
+
+def pytest_configure(config):
+    """Give each of several processes a screen of its own."""
+    if _XVFB and hasattr(config, "workerinput"):
+        config.add_cleanup(_new_screen())
+
+
+def _new_screen():
+    """Begin a virtual screen, where windows of this process come to be; gives what ends it."""
+    here, there = os.pipe()
+    server = subprocess.Popen(
+        [_XVFB, "-displayfd", str(there), "-screen", "0", "1600x1000x24", "-nolisten", "tcp"],
+        pass_fds=[there],
+        stderr=subprocess.DEVNULL,
+    )
+    os.close(there)
+    with open(here) as number:
+        os.environ["DISPLAY"] = f":{number.readline().strip()}"
+
+    def end():
+        server.terminate()
+        server.wait()
+
+    return end
 
 
 @pytest.fixture(autouse=True)

@@ -21,7 +21,8 @@ def large(window, qtbot):
 
 def reset(window, qtbot):
     window.commands["reset_layout"].trigger()
-    qtbot.wait(50)
+    share = pytest.approx(_IMAGES_SHARE * SIZE.width(), abs=2)
+    qtbot.waitUntil(lambda: width(window) == share)
 
 
 def width(window, name="error"):
