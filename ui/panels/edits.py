@@ -129,13 +129,24 @@ def edited_scene(scene: Scene, edits: Iterable[Edit]) -> Scene:
         if edit.changes and not data:
             data = scene.to_data()
         for path, value in edit.changes.items():
-            holder, last = holder_of(data, path)
+            holder, last = _holder_in(data, scene, path)
             holder[last] = _read(value, path, data["unit"])
     if not data:
         return scene
     found = Scene.from_data(data)
     # Where nothing is changed, a net that was chosen stays chosen.
     return scene if found == scene.with_net(None) else found
+
+
+def _holder_in(data: dict[str, Any], scene: Scene, path: str) -> tuple[Any, int | str]:
+    """As `holder_of`, in data that leaves out what older files do not know while it is as usual."""
+    holder, last = holder_of(data, path)
+    if holder is None:
+        numbers = path[: path.rindex("[")]
+        around, name = holder_of(data, numbers)
+        around[name] = list(value_at(scene, numbers))
+        holder, last = holder_of(data, path)
+    return holder, last
 
 
 def _read(value: object, path: str, unit: str) -> object:

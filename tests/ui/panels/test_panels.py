@@ -58,6 +58,17 @@ def test_a_number_may_be_worked_out_and_have_a_unit(forms, document, qtbot, path
         assert not forms.refused and document.session is not before
 
 
+@pytest.mark.parametrize("field", ["center", "tilt"])
+def test_a_field_that_older_files_do_not_know_is_entered_number_by_number(
+    forms, document, qtbot, field
+):
+    enter(qtbot, forms, f"screen.{field}[1]", "0.75")
+    assert getattr(document.session.scene.screen, field) == (0, 0.75)
+    enter(qtbot, forms, f"screen.{field}[0]", "0.5")
+    assert getattr(document.session.scene.screen, field) == (0.5, 0.75)
+    assert not forms.refused
+
+
 def test_a_unit_that_was_typed_keeps_its_meaning_when_the_unit_changes(forms, document, qtbot):
     enter(qtbot, forms, "screen.z", "1 mm")  # within the lens
     choose(forms, "unit", "mm")
