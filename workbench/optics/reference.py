@@ -16,6 +16,7 @@ from workbench.optics.face_samples import FaceSamples, SampledFace
 from workbench.optics.front_samples import FrontGrid, FrontSamples
 from workbench.optics.irradiance import reconstruct
 from workbench.optics.light import Light, Nodes
+from workbench.optics.mirror_samples import MirrorSamples, SharedMirror
 from workbench.optics.path import Path
 from workbench.optics.shared_grid import SharedGrid, SharedSamples
 from workbench.scene import Filter
@@ -44,8 +45,14 @@ class Reference:
         self._path = path
         self._walk: Callable[[Mapping[str, Tensor]], Arrival] = path.walk
         self.notes: list[str] = []
+        self._shared: SharedGrid | SharedMirror | None
         face, self._shared = SampledFace.of(path), SharedGrid.of(path)
         self._front = FrontGrid.of(path)
+        mirror = SharedMirror.of(path)
+        if mirror is not None:
+            self._shared = mirror
+            self._walk, self.notes = MirrorSamples(mirror, path).walk, [MirrorSamples.note]
+            return
         if face is not None and (self._shared is None or path.outline.whole):
             self._shared = None
             self._walk, self.notes = FaceSamples(face, path).walk, [FaceSamples.note]

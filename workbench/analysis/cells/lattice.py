@@ -145,7 +145,7 @@ class Lattice:
         )
         x, y = (np.ravel(part) for part in self._outline.from_square(u, v))
         area = (self._outline.stretch(u, v) * along_u * along_v).ravel() * math.prod(self._width)
-        return self._train.source.through(origin, x, y), area
+        return self._train.lit(origin, x, y), area
 
     def _sample(self, canvas: Canvas, origin: int, i: Index, j: Index) -> None:
         """Add the light of cells of which a part is lost, ray by ray."""

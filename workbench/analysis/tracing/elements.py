@@ -93,8 +93,8 @@ class FaceLight(Protocol):
     origins: int
     emitted: float
 
-    def through(self, origin: int, x: Array, y: Array) -> TracedRays:
-        """Rays of one origin through places of the face.
+    def through(self, origin: int, x: Array, y: Array, z: Array | float = 0.0) -> TracedRays:
+        """Rays of one origin through places of the face, or of another before or behind it.
 
         Parameters
         ----------
@@ -102,11 +102,13 @@ class FaceLight(Protocol):
             Which of the origins.
         x, y : ndarray, shape (m,)
             Places, scene units.
+        z : ndarray, shape (m,), or float
+            How far they are over the plane of the face.
 
         Returns
         -------
         TracedRays
-            One ray for each place; its flux is that per area of the face.
+            One ray for each place; its flux is that per area of the plane.
         """
         ...
 
@@ -136,6 +138,13 @@ class Face(Protocol):
 
     def meet(self, rays: TracedRays) -> Crossings:
         """Where rays meet it."""
+        ...
+
+    def lit(self, source: FaceLight, origin: int, x: Array, y: Array) -> TracedRays:
+        """Rays of one origin to places of the face, if nothing is before it.
+
+        Their flux is that per area of the plane across the axis; see `FaceLight.through`.
+        """
         ...
 
 

@@ -111,6 +111,10 @@ class OpticalTrain:
         """The same elements with another source."""
         return OpticalTrain(source, self.faces, self.detector)
 
+    def lit(self, origin: int, x: Array, y: Array) -> TracedRays:
+        """Rays of one origin to places of the first face; see `Face.lit`."""
+        return self.faces[0][0].lit(self.source, origin, x, y)
+
     def walk(self, rays: TracedRays, tally: Tally) -> None:
         """Follow rays from the source to the receiver, and add their light to a tally."""
         flux = float(rays.flux.sum())

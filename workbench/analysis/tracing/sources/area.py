@@ -51,9 +51,9 @@ class AreaLight:
             rays = self._between(points, (2 * a - 1) * r_x, (2 * b - 1) * r_y)
             yield rays._replace(flux=rays.flux * 4 * r_x * r_y)
 
-    def through(self, origin: int, x: Array, y: Array) -> TracedRays:
+    def through(self, origin: int, x: Array, y: Array, z: Array | float = 0.0) -> TracedRays:
         """Rays through places of the entrance face; see `FaceLight.through`."""
-        rays = self._between(self._points[origin : origin + 1], x, y)
+        rays = self._between(self._points[origin : origin + 1], x, y, z)
         return rays._replace(flux=rays.flux / self.origins)
 
     def _even(self, count: int) -> tuple[Array, Array]:
@@ -68,9 +68,9 @@ class AreaLight:
         places = np.column_stack([r_x * x, r_y * y, np.zeros_like(x)]) + self._source.center
         return self._pose.to_lens(places, self._lens.front_z)
 
-    def _between(self, points: Array, x: Array, y: Array) -> TracedRays:
+    def _between(self, points: Array, x: Array, y: Array, z: Array | float = 0.0) -> TracedRays:
         """Rays from points to places of the face, with their flux per area of it."""
-        position = np.column_stack([x, y, np.zeros_like(x)])
+        position = np.column_stack([x, y, np.broadcast_to(z, x.shape)])
         way = position - points
         distance = np.linalg.norm(way, axis=1)
         way /= distance[:, None]

@@ -58,9 +58,9 @@ class PhotometricLight:
         beside = np.array([[self._beside, 0.0, 0.0]])
         yield TracedRays(beside, np.array([[0.0, 0.0, 1.0]]), np.array([max(missing, 0.0)]))
 
-    def through(self, origin: int, x: Array, y: Array) -> TracedRays:
+    def through(self, origin: int, x: Array, y: Array, z: Array | float = 0.0) -> TracedRays:
         """Rays through places of the entrance face; see `FaceLight.through`."""
-        position = np.column_stack([x, y, np.zeros_like(x)])
+        position = np.column_stack([x, y, np.broadcast_to(z, x.shape)])
         way = position - self._point
         square = np.einsum("ij,ij->i", way, way)
         direction = way / np.sqrt(square)[:, None]

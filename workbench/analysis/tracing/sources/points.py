@@ -56,12 +56,12 @@ class PointLight:
             emit(self._cones, from_point % cones, a, b, self._upwards, *rays)
             yield rays
 
-    def through(self, origin: int, x: Array, y: Array) -> TracedRays:
+    def through(self, origin: int, x: Array, y: Array, z: Array | float = 0.0) -> TracedRays:
         """Rays of a point through places of the entrance face; see `FaceLight.through`.
 
         Intensity is 1 / 2π, so that an even cone has the power of its versine.
         """
-        position = np.column_stack([x, y, np.zeros_like(x)])
+        position = np.column_stack([x, y, np.broadcast_to(z, x.shape)])
         direction = position - self._points[origin]
         distance = np.linalg.norm(direction, axis=1)
         direction /= distance[:, None]

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from workbench.analysis.tracing.elements import Crossings, TracedRays
+from workbench.analysis.tracing.elements import Array, Crossings, FaceLight, TracedRays
 from workbench.compiled import jit
 from workbench.geometry.outlines import Outline
 
@@ -35,6 +35,10 @@ class FlatFace:
         position, flux = np.empty_like(rays.position), np.empty_like(rays.flux)
         missed = _meet(*rays, self._z, self._half_width, self._curved, position, flux)
         return Crossings(position, self._normal, flux, missed)
+
+    def lit(self, source: FaceLight, origin: int, x: Array, y: Array) -> TracedRays:
+        """See `Face.lit`."""
+        return source.through(origin, x, y, self._z)
 
 
 @jit(error_model="numpy")

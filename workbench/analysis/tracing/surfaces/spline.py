@@ -5,10 +5,13 @@ import math
 import numpy as np
 from scipy.interpolate import BSpline
 
-from workbench.analysis.tracing.elements import Array, Crossings, TracedRays
-from workbench.analysis.tracing.surfaces.spline_kernels import Spline, meet
+from workbench.analysis.tracing.elements import Array, Crossings, FaceLight, TracedRays
+from workbench.analysis.tracing.surfaces.spline_kernels import Spline, meet, surface
 from workbench.geometry.outlines import outline_of
 from workbench.scene import Optic
+
+# Places on the rim, over the half-width, by rounding.
+_RIM = 1 + 1e-9
 
 
 class SplineFace:
@@ -61,6 +64,16 @@ class SplineFace:
         missed = meet(self._spline, *rays, position, normal, flux)
         return Crossings(position, normal, flux, missed)
 
+    def lit(self, source: FaceLight, origin: int, x: Array, y: Array) -> TracedRays:
+        """See `Face.lit`."""
+        z, slope_x, slope_y = np.empty((3, len(x)))
+        surface(self._spline, x, y, z, slope_x, slope_y)
+        rays = source.through(origin, x, y, z)
+        # It takes in more or less light than the plane z = const, as it leans.
+        d_x, d_y, d_z = rays.direction.T
+        lean = 1 - (d_x * slope_x + d_y * slope_y) / d_z
+        return rays._replace(flux=rays.flux * lean.clip(min=0))
+
 
 class MirrorFace(SplineFace):
     """The face of a mirror, which may be before the plane in which rays are counted; a `Face`."""
@@ -69,7 +82,13 @@ class MirrorFace(SplineFace):
         """Where rays from far below first meet it; see `Face.meet`."""
         way = rays.direction / rays.direction[:, 2:]
         back = (rays.position[:, 2:] - self._spline.lowest).clip(min=0)
-        return super().meet(rays._replace(position=rays.position - back * way))
+        found = super().meet(rays._replace(position=rays.position - back * way))
+        # What comes in from beside, over the rim, meets the back of the plate.
+        across = np.abs(found.position[:, 0]) / self._spline.r_x
+        up = np.abs(found.position[:, 1]) / self._spline.r_y
+        inside = across**2 + up**2 if self._spline.curved else np.maximum(across, up)
+        flux = np.where(inside <= _RIM, found.flux, 0.0)
+        return found._replace(flux=flux, missed=found.missed + float((found.flux - flux).sum()))
 
 
 def _pieces(knots: Array, degree: int) -> Array:

@@ -100,6 +100,14 @@ def meet(  # type: ignore[no-untyped-def]
     return missed
 
 
+@jit(error_model="numpy")
+def surface(spline, x, y, height, slope_x, slope_y):  # type: ignore[no-untyped-def]
+    """Get heights and slopes at places; all arrays of shape (m,)."""
+    basis = np.empty((2, 8))
+    for k in range(len(x)):
+        height[k], slope_x[k], slope_y[k] = _surface(spline, x[k], y[k], basis)
+
+
 @jit(error_model="numpy", inline="always")  # a call costs as much
 def _span_of(place, half_width, density, spans):  # type: ignore[no-untyped-def]
     """Number of the knot span of a place, and how far it is through it: 0 to 1."""
