@@ -142,8 +142,7 @@ class MirrorSamples:
         origins = self._shared.origins
         f_x, f_y, f_z = self._from
         if origins.infinite:
-            front = self._path.level - self._path.datum
-            x, y = self._x - f_x / f_z * (z - front), self._y - f_y / f_z * (z - front)
+            x, y = self._x - f_x / f_z * z, self._y - f_y / f_z * z
             beside2 = x.square() + y.square() - (x * f_x + y * f_y).square()
             return (f_x, f_y, f_z), self._flux * f_z * torch.exp(-2 * beside2 / origins.waist**2)
         away_x, away_y, away_z = self._x - f_x, self._y - f_y, z - f_z

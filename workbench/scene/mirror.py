@@ -105,8 +105,8 @@ class Mirror(Optic):
 
     @property
     def front_z(self) -> float:
-        """The lowest place of the base."""
-        return self.base.extent(self.half_width)[0]
+        """The middle of the base: what light crosses there is what the mirror is lit by."""
+        return self.base.height
 
     @property
     def datum(self) -> float:

@@ -24,9 +24,9 @@ class MirrorBoundary:
         self, rays: TracedRays, crossings: Crossings
     ) -> tuple[TracedRays, Mapping[str, float]]:
         """The reflected light, and what is absorbed; see `Boundary.turn`."""
-        met, normal = crossings.flux > 0, crossings.normal
+        normal = np.where(crossings.flux[:, None] > 0, crossings.normal, 0.0)
         along = np.einsum("mk,mk->m", *np.broadcast_arrays(rays.direction, normal))
-        direction = np.where(met[:, None], rays.direction - 2 * along[:, None] * normal, 0.0)
+        direction = rays.direction - 2 * along[:, None] * normal
         absorbed = (1 - self._reflectance) * float(crossings.flux.sum())
         lost = {"absorbed_mirror": absorbed} if absorbed else {}
         flux = self._reflectance * crossings.flux
