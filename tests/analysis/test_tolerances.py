@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from scipy.interpolate import BSpline
 
+from tests.lamps import crooked_lamp, led
 from workbench.analysis.surface_noise import with_noise
 from workbench.analysis.tolerances import (
     Distribution,
@@ -226,6 +227,128 @@ class TestPerturbed:
         assert (found.nominal, found.worst) == (0.1, 0.6)
         assert found.mean == pytest.approx(0.4)
         assert found.percentiles == pytest.approx({"5": 0.22, "50": 0.4, "95": 0.58})
+
+
+SOURCES = {
+    "tilted light": {"kind": "collimated", "direction": [3.0, 1.0], "angular_diameter": 2.0},
+    "beam": {"kind": "collimated", "profile": {"kind": "gaussian", "radius": 0.5}},
+    "point": {"kind": "point", "position": [0.3, 0.1, -3.0]},
+    "grid": {
+        "kind": "grid",
+        "center": [0.1, 0.0, -3.0],
+        "half_width": [0.2, 0.1],
+        "points": [2, 3],
+    },
+    "emitter": {"kind": "area", "center": [0.1, 0.2, -3.0], "half_width": [0.3, 0.2]},
+    "lamp": "photometric",
+    "rays": "ray_file",
+}
+
+
+def source_of(name, folder):
+    data = SOURCES[name]
+    if isinstance(data, dict):
+        return data
+    return crooked_lamp(folder) if data == "photometric" else led(folder, 20_000)
+
+
+class TestSource:
+    """A source that is out of its place is a lens and a screen that are, the other way."""
+
+    @pytest.mark.parametrize("outline", ["rectangle", "ellipse"])
+    @pytest.mark.parametrize("name", SOURCES)
+    def test_shifting_the_source_is_decentring_the_lens_the_other_way(
+        self, make_scene, rng, tmp_path, name, outline
+    ):
+        shift = (2 / 16, -3 / 16)
+        scene = make_scene({"source": source_of(name, tmp_path), "lens.outline": outline})
+        heights = {"exit": 0.5 + 0.05 * rng.random((12, 10))}
+        target = np.ones((32, 32))
+        moved = Pose(source_shift=(*shift, 0.0))
+        other = Pose(decentre=(-shift[0], -shift[1]))
+        here, there = (
+            validate(scene, target, heights, RAYS, pose=pose).irradiance for pose in (moved, other)
+        )
+        expected = np.roll(there, (3, 2), axis=(0, 1))[3:, 2:]  # pixels of 1/16
+        assert np.abs(here[3:, 2:] - expected).sum() < 1e-3 * expected.sum()
+
+    @pytest.mark.parametrize("name", ["emitter", "lamp", "rays", "grid"])
+    def test_turning_the_source_turns_what_it_emits(self, make_scene, tmp_path, name):
+        """In a far field a lens that turns with its source sends all light that much aside."""
+        angle = math.radians(2.0)
+        field = {"half_angle": [16.0, 16.0], "pixels": [32, 32]}
+        scene = make_scene(
+            {"source": source_of(name, tmp_path), "screen": None, "far_field": field}
+        )
+        place = scene.source.place
+        # About its own middle; the lens about its own, which moves it beside.
+        aside = np.array(place)
+        swung = Pose(tilt=(0.0, angle)).to_scene(0.0)[0] @ aside - aside
+        together = Pose(
+            tilt=(0.0, angle), source_tilt=(0.0, angle), source_shift=tuple(map(float, swung))
+        )
+        heights = {"exit": np.full((12, 10), 0.5)}
+        here, there = (
+            validate(scene, np.ones((32, 32)), heights, RAYS, pose=pose).irradiance
+            for pose in (Pose(), together)
+        )
+        # Two pixels to the right; those of a far field are not quite the same in each row.
+        moved = np.roll(here, 2, axis=1)[14:18, 4:28]
+        assert np.abs(there[14:18, 4:28] - moved).sum() < 0.05 * moved.sum()
+
+    def test_tilting_parallel_light_is_another_direction(self, wide):
+        heights, target = {"exit": np.full((12, 10), 0.5)}, np.ones((64, 64))
+        tilted = wide.model_copy(
+            update={"source": wide.source.model_copy(update={"direction": (2.0, -1.0)})}
+        )
+        turn = Pose(source_tilt=(math.radians(2.0), math.radians(-1.0)))
+        here = validate(wide, target, heights, RAYS, pose=turn).irradiance
+        there = validate(tilted, target, heights, RAYS).irradiance
+        assert np.abs(here - there).sum() < 1e-3 * there.sum()
+
+    def test_what_a_source_cannot_be_off_by_is_refused(self, make_scene):
+        point = make_scene({"source": {"kind": "point", "position": [0, 0, -2.0]}})
+        for scene, tolerances, words in (
+            (make_scene(), Tolerances(source_shift=0.1), "source_shift: 0.1 changes nothing"),
+            (point, Tolerances(source_tilt=0.1), "source_tilt: 5.72958 degrees change nothing"),
+            (point, Tolerances(source_shift=2.0), "source_shift: 2; at least 0, less than 2"),
+            (point, Tolerances(source_shift=-1.0), "source_shift: -1; at least 0"),
+            (make_scene(), Tolerances(source_tilt=1.0), "source_tilt: 57.2958 degrees; at least"),
+        ):
+            with pytest.raises(Refused) as refused:
+                tolerances.check(scene)
+            assert str(refused.value).startswith(words)
+
+    def test_drawn_within_the_ball_and_the_other_errors_as_before(self):
+        within = Tolerances(tilt=0.01, source_shift=0.5, source_tilt=0.02)
+        found = list(draw(within, 2000, 1))
+        far = [math.hypot(*each.pose.source_shift) for each in found]
+        assert 0.49 < max(far) <= 0.5
+        assert np.median(far) == pytest.approx(0.5 * 0.5 ** (1 / 3), rel=0.05)
+        assert max(math.hypot(*each.pose.source_tilt) for each in found) <= 0.02
+        without = list(draw(Tolerances(tilt=0.01), 2000, 1))
+        assert [e.pose.tilt for e in found] == [e.pose.tilt for e in without]
+
+
+@pytest.mark.parametrize(
+    "changes",
+    [
+        {"lens.outline": "ellipse"},
+        {"lens.base": {"shape": "sphere", "height": 0.5, "radius": 5.0, "form": "convex"}},
+        {"lens.outline": "ellipse", "lens.height_range": None, "lens.max_thickness": 0.9},
+    ],
+)
+def test_round_lenses_on_any_base_are_perturbed(make_scene, changes):
+    """Worse than the lens as designed, and still most of its light."""
+    scene = make_scene({"screen.half_width": [1.5, 1.5]} | changes)
+    x, y = ControlNet.of(scene.lens).positions
+    heights = {"exit": scene.lens.base.height_at(x[:, None], y)}
+    target = validate(scene, np.ones((32, 32)), heights, RAYS).irradiance
+    within = Tolerances(tilt=0.02, decentre=0.1, index=0.01, distance=0.1, surface=(1e-3, 0.4))
+    nominal, *others = perturbed(scene, target, heights, within, 3, 20_000)
+    for other in others:
+        assert nominal.relative_l2 < other.relative_l2 < 0.5
+        assert other.efficiency == pytest.approx(nominal.efficiency, rel=0.1)
 
 
 @pytest.mark.parametrize(

@@ -49,6 +49,18 @@ def test_figures_and_plot(freeform, lens, tmp_path):
     assert plot.read_bytes().startswith(b"\x89PNG")
 
 
+def test_the_source_is_off_too(freeform, lens):
+    status, printed, told = freeform(
+        "tolerances", lens, *FEW, "--source-tilt", 2, "--decentre", 0.1, "--json"
+    )
+    assert (status, told) == (0, "")
+    off = [each["source_tilt"] for each in json.loads(printed)["samples"]]
+    assert all(0 < sum(x * x for x in each) <= 4 for each in off)
+    status, _, told = freeform("tolerances", lens, *FEW, "--source-shift", 0.1)
+    assert status == 2
+    assert "source_shift: 0.1 changes nothing" in told
+
+
 def test_for_people(freeform, lens):
     status, printed, told = freeform("tolerances", lens, *FEW, "--surface", 0.01, 0.3)
     assert (status, told) == (0, "")

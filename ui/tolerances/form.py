@@ -1,7 +1,6 @@
 """Fields for how far lenses may be off, and for how many of them are traced."""
 
 import math
-from dataclasses import replace
 from typing import Any
 
 from PySide6.QtCore import Signal
@@ -35,7 +34,7 @@ class ToleranceForm(QWidget):
         super().__init__()
         self._scene: Scene | None = None
         self._data: dict[str, Any] = {}
-        tilt, decentre, index, distance, surface, lenses, seed = self._rows = (
+        tilt, decentre, index, distance, turn, shift, surface, lenses, seed = self._rows = (
             NumberRow(
                 "tilt",
                 "Tilt",
@@ -51,6 +50,18 @@ class ToleranceForm(QWidget):
             NumberRow("index", "Index ±", "Largest error of the refractive index"),
             NumberRow("distance", "Screen ±", "Largest error of the screen's distance", LENGTH),
             NumberRow(
+                "source_tilt",
+                "Source tilt",
+                "Largest angle by which the source is turned about its middle",
+                Measure("°"),
+            ),
+            NumberRow(
+                "source_shift",
+                "Source shift",
+                "Largest distance of the source from its place, in any direction",
+                LENGTH,
+            ),
+            NumberRow(
                 "surface",
                 "Surface",
                 "Root mean square of the exit face's error, and the length over which it is "
@@ -63,11 +74,11 @@ class ToleranceForm(QWidget):
             ),
             NumberRow("seed", "Seed", "The same seed gives the same lenses", whole=True),
         )
-        self._distance = distance
+        self._distance, self._turn, self._shift = distance, turn, shift
         grid = QGridLayout(self)
         grid.setContentsMargins(6, 4, 6, 6)
         grid.setVerticalSpacing(3)
-        pairs = ((tilt, decentre), (index, distance), (surface,), (lenses, seed))
+        pairs = ((tilt, decentre), (index, distance), (turn, shift), (surface,), (lenses, seed))
         for line, pair in enumerate(pairs):
             for number, row in enumerate(pair):
                 grid.addWidget(row.label, line, 2 * number)
@@ -115,11 +126,17 @@ class ToleranceForm(QWidget):
                 "decentre": _DECENTRE * width,
                 "index": 0.001,
                 "distance": 0.0,
+                "source_tilt": 0.0,
+                "source_shift": 0.0,
                 "surface": [0.0, _SCALE * width],
                 "lenses": 100,
                 "seed": 1,
             }
-        if before is None or (before.optic, before.receiver) != (scene.optic, scene.receiver):
+        if before is None or (before.optic, before.source, before.receiver) != (
+            scene.optic,
+            scene.source,
+            scene.receiver,
+        ):
             for row in self._rows:  # what was refused may be possible now
                 row.refuse("")
         self._show()
@@ -174,10 +191,16 @@ class ToleranceForm(QWidget):
             self._row(refused.path).refuse(refused.reason)
 
     def _possible(self, data: dict[str, Any]) -> Tolerances:
-        """Without an error of a distance where there is none, whatever was typed before."""
+        """Without errors of what a scene does not have, whatever was typed before."""
+        absent = [row.path for row, there in self._sometimes() if not there]
+        return _within(data | dict.fromkeys(absent, 0.0))
+
+    def _sometimes(self) -> tuple[tuple[NumberRow, bool], ...]:
+        """Rows that not all scenes have, and whether this one has them."""
         assert self._scene is not None  # there is one before anything is asked for
-        within = _within(data)
-        return within if self._scene.receiver.at_distance else replace(within, distance=0.0)
+        receiver, source = self._scene.receiver, self._scene.source
+        there = receiver.at_distance, source.turns, source.moves
+        return tuple(zip((self._distance, self._turn, self._shift), there, strict=True))
 
     def _refused(self) -> bool:
         return any(row.refusal for row in self._rows)
@@ -191,8 +214,9 @@ class ToleranceForm(QWidget):
         pending = {p for row in self._rows if row.refusal for p in row.editors}
         for row in self._rows:
             row.show_scene({"unit": self._scene.unit, **self._data}, pending)
-        self._distance.setVisible(self._scene.receiver.at_distance)
-        self._distance.label.setVisible(self._scene.receiver.at_distance)
+        for row, there in self._sometimes():
+            row.setVisible(there)
+            row.label.setVisible(there)
 
     def _row(self, path: str) -> NumberRow:
         return next(row for row in self._rows if row.concerns(path))
@@ -205,6 +229,8 @@ def _within(data: dict[str, Any]) -> Tolerances:
         index=data["index"],
         distance=data["distance"],
         surface=(data["surface"][0], data["surface"][1]),
+        source_tilt=math.radians(data["source_tilt"]),
+        source_shift=data["source_shift"],
     )
 
 

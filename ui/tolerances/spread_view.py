@@ -51,6 +51,14 @@ class SpreadView(PlotView):
             f"decentre y [{unit}]": [row["decentre"][1] for row in rows],
             "index error": [row["index"] for row in rows],
             f"error of the screen's distance [{unit}]": [row["distance"] for row in rows],
+            **{
+                f"source tilt {axis} [deg]": [row["source_tilt"][n] for row in rows]
+                for n, axis in enumerate("xy")
+            },
+            **{
+                f"source shift {axis} [{unit}]": [row["source_shift"][n] for row in rows]
+                for n, axis in enumerate("xyz")
+            },
             "relative L2 error": [row["relative_l2"] for row in rows],
             f"light {scene.receiver.place}": [row["efficiency"] for row in rows],
         }

@@ -38,6 +38,10 @@ class Tolerances:
         Largest error of the screen's distance; evenly to both sides.
     surface : tuple[float, float]
         Root mean square of the exit face's error, and the length over which it is alike.
+    source_tilt : float
+        As ``tilt``, of the source about its middle.
+    source_shift : float
+        Largest distance of the source from its place; evenly in the ball.
     """
 
     tilt: float = 0.0
@@ -45,11 +49,14 @@ class Tolerances:
     index: float = 0.0
     distance: float = 0.0
     surface: tuple[float, float] = (0.0, 1.0)
+    source_tilt: float = 0.0
+    source_shift: float = 0.0
 
     @property
     def any(self) -> bool:
         """Whether anything is off."""
-        return bool(self.tilt or self.decentre or self.index or self.distance or self.surface[0])
+        lengths = self.decentre, self.distance, self.source_shift, self.surface[0]
+        return any((self.tilt, self.source_tilt, self.index, *lengths))
 
     def check(self, scene: Scene) -> None:
         """Refuse what is not possible for a scene, in the words of the command line.
@@ -59,8 +66,10 @@ class Tolerances:
         Refused
             With the tolerance and what is allowed.
         """
-        if not 0 <= self.tilt < math.pi / 4:
-            raise Refused("tilt", f"{math.degrees(self.tilt):g} degrees; at least 0, less than 45")
+        for name in ("tilt", "source_tilt"):
+            angle = getattr(self, name)
+            if not 0 <= angle < math.pi / 4:
+                raise Refused(name, f"{math.degrees(angle):g} degrees; at least 0, less than 45")
         if not 0 <= self.decentre < math.inf:
             raise Refused("decentre", f"{self.decentre:g}; a finite number from 0 is needed")
         most = scene.optic.index - 1
@@ -73,12 +82,36 @@ class Tolerances:
                 f"{self.distance:g}; at least 0, less than {room:g}, else the screen may touch "
                 "the lens",
             )
+        self._check_source(scene)
         amplitude, scale = self.surface
         if not 0 <= amplitude < math.inf:
             raise Refused("surface[0]", f"{amplitude:g}; a finite number from 0 is needed")
         width = 2 * max(scene.optic.half_width)
         if amplitude > 0 and not FINEST * width <= scale <= width:
             raise Refused("surface[1]", f"{scale:g}; from {FINEST * width:g} to {width:g}")
+
+    def _check_source(self, scene: Scene) -> None:
+        """Refuse what the source of a scene cannot be off by."""
+        source = scene.source
+        if self.source_tilt and not source.turns:
+            raise Refused(
+                "source_tilt",
+                f"{math.degrees(self.source_tilt):g} degrees change nothing: this source lights "
+                "the lens alike however it is turned; 0",
+            )
+        if self.source_shift and not source.moves:
+            raise Refused(
+                "source_shift",
+                f"{self.source_shift:g} changes nothing: even light from infinitely far is the "
+                "same everywhere; 0",
+            )
+        room = scene.optic.front_z - source.nearest_z
+        if not 0 <= self.source_shift < room:
+            raise Refused(
+                "source_shift",
+                f"{self.source_shift:g}; at least 0, less than {room:g}, else the source may "
+                "touch the lens",
+            )
 
 
 @dataclass(frozen=True)
@@ -147,6 +180,8 @@ class Perturbed:
         return {
             "tilt": np.degrees(off.pose.tilt).tolist(),
             "decentre": list(off.pose.decentre),
+            "source_tilt": np.degrees(off.pose.source_tilt).tolist(),
+            "source_shift": list(off.pose.source_shift),
             "index": off.index,
             "distance": off.distance,
             "relative_l2": self.relative_l2,
@@ -156,13 +191,21 @@ class Perturbed:
 
 def draw(tolerances: Tolerances, samples: int, seed: int) -> Iterator[Perturbation]:
     """Random perturbations within tolerances; the same seed gives the same, of each kind."""
-    rng = np.random.default_rng([seed, 2000])
+    rng, of_source = (np.random.default_rng([seed, number]) for number in (2000, 2001))
     for _ in range(samples):
         tilt_x, tilt_y, shift_x, shift_y = (*_in_disc(rng), *_in_disc(rng))
+        turn_x, turn_y = _in_disc(of_source)
+        x, y, z = _in_ball(of_source)
         yield Perturbation(
             Pose(
                 (tolerances.tilt * tilt_x, tolerances.tilt * tilt_y),
                 (tolerances.decentre * shift_x, tolerances.decentre * shift_y),
+                (tolerances.source_tilt * turn_x, tolerances.source_tilt * turn_y),
+                (
+                    tolerances.source_shift * x,
+                    tolerances.source_shift * y,
+                    tolerances.source_shift * z,
+                ),
             ),
             index=tolerances.index * rng.uniform(-1, 1),
             distance=tolerances.distance * rng.uniform(-1, 1),
@@ -281,3 +324,10 @@ def _in_disc(rng: np.random.Generator) -> tuple[float, float]:
     """A point of the unit disc, evenly."""
     radius, angle = math.sqrt(rng.random()), 2 * math.pi * rng.random()
     return radius * math.cos(angle), radius * math.sin(angle)
+
+
+def _in_ball(rng: np.random.Generator) -> tuple[float, float, float]:
+    """A point of the unit ball, evenly."""
+    x, y, z = rng.normal(size=3)
+    far = math.cbrt(rng.random()) / math.hypot(x, y, z)
+    return float(x * far), float(y * far), float(z * far)

@@ -49,7 +49,8 @@ def tolerances(
     if not within.any:
         raise Refused(
             "usage",
-            "nothing is off; give --tilt, --decentre, --index, --distance or --surface",
+            "nothing is off; give --tilt, --decentre, --index, --distance, --surface, "
+            "--source-tilt or --source-shift",
         )
     session, result = read_designed(path)
     if plot is not None:

@@ -98,6 +98,8 @@ def tolerance_rows(
         "decentre up to": (within.decentre, f"{within.decentre:g} {unit}"),
         "index off by up to": (within.index, f"{within.index:g}"),
         "distance off by up to": (within.distance, f"{within.distance:g} {unit}"),
+        "source tilt up to": (within.source_tilt, f"{math.degrees(within.source_tilt):g}°"),
+        "source shift up to": (within.source_shift, f"{within.source_shift:g} {unit}"),
         "surface error, RMS": (amplitude, f"{amplitude:g} {unit} over {scale:g} {unit}"),
     }
     return (

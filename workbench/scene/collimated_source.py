@@ -116,6 +116,11 @@ class CollimatedSource(AnySource):
         return self.angular_diameter > 0
 
     @property
+    def moves(self) -> bool:
+        """A beam does."""
+        return math.isfinite(self.profile.radius)
+
+    @property
     def ray_count(self) -> int:
         """All its rays."""
         return math.prod(self.rays)

@@ -143,6 +143,16 @@ class AnySource(Part):
         return np.zeros((0, 0, 3))
 
     @property
+    def turns(self) -> bool:
+        """Whether its light is another one when it is turned about its middle."""
+        return True
+
+    @property
+    def moves(self) -> bool:
+        """Whether its light is another one when it stands elsewhere."""
+        return self.place is not None
+
+    @property
     def corners(self) -> Array:
         """Points by which it is widened, shape (n, 3)."""
         return np.zeros((0, 3))
@@ -178,6 +188,11 @@ class LightOfPoints(AnySource):
         """Its middle, scene units."""
         place: Place = getattr(self, self.middle)
         return place
+
+    @property
+    def turns(self) -> bool:
+        """Where its points are more than one, or light falls with the cosine: cones follow."""
+        return self.point_count > 1 or self.emission == "lambertian"
 
     @property
     def positions(self) -> Array:

@@ -176,6 +176,22 @@ def test_another_unit_converts_the_tolerances(pane, session, qtbot):
     assert within.surface == (0, 2)  # a tenth of 20 mm
 
 
+def test_only_sources_that_can_be_off_have_rows(pane, make_scene, qtbot):
+    led = {"kind": "area", "center": [0, 0, -3.0], "half_width": [0.2, 0.1]}
+    point = {"kind": "point", "position": [0, 0, -3.0]}
+    for source, turns, moves in ((led, True, True), (point, False, True)):
+        pane.form.show_scene(make_scene({"source": source}))
+        assert pane.form._row("source_tilt").isVisible() == turns
+        assert pane.form._row("source_shift").isVisible() == moves
+        enter(pane, qtbot, "source_shift", "0.2")
+        assert pane.form.within.source_shift == 0.2
+    assert "may touch the lens" in enter(pane, qtbot, "source_shift", "4").refusal
+    pane.form.show_scene(make_scene())  # even light from infinitely far
+    assert not pane.form._row("source_shift").isVisible()
+    assert pane.form.within.source_shift == 0
+    assert pane.form.accepted()
+
+
 def test_a_far_field_has_no_distance_that_is_off(pane, make_scene, session, qtbot):
     enter(pane, qtbot, "distance", "0.01")
     assert pane.form._row("distance").isVisible() and pane.form.within.distance == 0.01

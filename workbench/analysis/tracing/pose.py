@@ -1,4 +1,4 @@
-"""How a lens stands in the light: tilted and moved out of its place."""
+"""How a lens stands in the light, and its source: tilted and moved out of their places."""
 
 from dataclasses import dataclass
 
@@ -11,9 +11,9 @@ Array = npt.NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Pose:
-    """A lens turned about the middle of its entrance face, then moved sideways.
+    """A lens turned about the middle of its entrance face, then moved sideways; and its source.
 
-    Source and screen stay where they are.
+    The screen stays where it is.
 
     Attributes
     ----------
@@ -22,10 +22,30 @@ class Pose:
         between optical axis and lens.
     decentre : tuple[float, float]
         Shift along x and y, scene units.
+    source_tilt : tuple[float, float]
+        As ``tilt``, of the source about its middle.
+    source_shift : tuple[float, float, float]
+        Shift of the source along x, y and z, scene units.
     """
 
     tilt: tuple[float, float] = (0.0, 0.0)
     decentre: tuple[float, float] = (0.0, 0.0)
+    source_tilt: tuple[float, float] = (0.0, 0.0)
+    source_shift: tuple[float, float, float] = (0.0, 0.0, 0.0)
+
+    def of_source(self, middle: tuple[float, float, float]) -> "Pose":
+        """What takes points and directions of the source, as the scene says them, to the lens.
+
+        Parameters
+        ----------
+        middle : tuple of three float
+            About which the source is turned, scene units.
+        """
+        if not any((*self.source_tilt, *self.source_shift)):
+            return self
+        return _SourcePose(
+            self.tilt, self.decentre, self.source_tilt, self.source_shift, middle=middle
+        )
 
     def to_lens(self, points: Array, entrance_z: float) -> Array:
         """Points (m, 3) of the scene as the lens sees them, from the middle of its entrance."""
@@ -49,3 +69,30 @@ class Pose:
     def _inverse(self, vectors: Array) -> Array:
         found: Array = self._rotation().inv().apply(vectors)
         return found
+
+
+@dataclass(frozen=True)
+class _SourcePose(Pose):
+    """A pose for the points and directions of a source that is out of its place."""
+
+    middle: tuple[float, float, float] = (0.0, 0.0, 0.0)
+
+    def to_lens(self, points: Array, entrance_z: float) -> Array:
+        moved: Array = self._turn().apply(points - np.array(self.middle)) + self._stands()
+        return super().to_lens(moved, entrance_z)
+
+    def ways(self, vectors: Array) -> Array:
+        return super().ways(self._turn().apply(vectors))
+
+    def to_scene(self, entrance_z: float) -> tuple[Array, Array]:
+        turn, shift = super().to_scene(entrance_z)
+        back = self._turn().inv()
+        place: Array = back.apply(shift - self._stands()) + np.array(self.middle)
+        return back.as_matrix() @ turn, place
+
+    def _stands(self) -> Array:
+        """Where the middle is."""
+        return np.add(self.middle, self.source_shift)
+
+    def _turn(self) -> Rotation:
+        return Rotation.from_rotvec([*self.source_tilt, 0.0])

@@ -101,8 +101,9 @@ class OpticalTrain:
     ) -> "OpticalTrain":
         """The train of a scene with receivers of one kind; for the parameters see `Trace`."""
         optic = scene.optic
+        middle = scene.source.place or (0.0, 0.0, optic.front_z)
         return cls(
-            light_source(scene.source, optic, pose, rays, seed),
+            light_source(scene.source, optic, pose.of_source(middle), rays, seed),
             _FACES[type(optic)](optic, heights),
             detector_of(receivers, optic, pose),
         )

@@ -32,6 +32,8 @@ def add_tolerances(parser: argparse.ArgumentParser) -> None:
         ("decentre", "LENGTH", "largest distance of the lens from the axis"),
         ("index", "N", "largest error of the refractive index"),
         ("distance", "LENGTH", "largest error of the screen's distance"),
+        ("source-tilt", "DEGREES", "largest angle by which the source is turned"),
+        ("source-shift", "LENGTH", "largest distance of the source from its place"),
     ):
         parser.add_argument(f"--{name}", metavar=metavar, type=float, default=0.0, help=does)
     parser.add_argument(
@@ -54,4 +56,6 @@ def tolerances_of(options: argparse.Namespace) -> "Tolerances":
         index=options.index,
         distance=options.distance,
         surface=tuple(options.surface),
+        source_tilt=math.radians(options.source_tilt),
+        source_shift=options.source_shift,
     )
