@@ -22,7 +22,7 @@ from workbench.errors import Refused
 from workbench.files.session import Session
 from workbench.scene import FieldDescription, Scene
 
-_PANELS: dict[str, type[PartPanel]] = {"lens": LensPanel, "run": RunPanel}
+_PANELS: dict[str, type[PartPanel]] = {"lens": LensPanel, "mirror": LensPanel, "run": RunPanel}
 
 
 class Forms(QScrollArea):

@@ -14,12 +14,12 @@ from workbench.scene import FieldDescription, Scene
 
 _OWN_INDEX = "index"
 _AUTOMATIC, _OWN_RANGE = "automatic", "own"
-_EXIT_RANGE = "lens.height_range"
+_FACE_RANGES = "lens.height_range", "mirror.height_range"
 _HELIUM_D_UM = 0.5876  # the line at which catalogues quote an index
 
 
 class LensPanel(PartPanel):
-    """Bound to ``scene.lens``."""
+    """Bound to ``scene.lens`` or ``scene.mirror``."""
 
     def own_rows(self) -> dict[str, Make]:
         """A material is a name or a number; a range may follow from the task."""
@@ -53,7 +53,7 @@ class LensPanel(PartPanel):
         )
         limits = NumberRow(
             path,
-            "From the base" if path == _EXIT_RANGE else "From the entrance",
+            "From the base" if path in _FACE_RANGES else "From the entrance",
             "How far a control point may move from the base, down and up. A wider range bends "
             "light further.",
             field.measure,
@@ -75,7 +75,7 @@ class LensPanel(PartPanel):
             return None
         if choice == _AUTOMATIC:
             return {path: None}
-        if path != _EXIT_RANGE:
+        if path not in _FACE_RANGES:
             return {path: list(optic.entrance_offsets)}
         half = 0.3 * max(optic.half_width)
         if heights is not None:

@@ -130,3 +130,8 @@ class PartPanel(Panel):
     def own_rows(self) -> dict[str, Make]:
         """Fields whose rows show more than the fields say."""
         return {}
+
+    def show_session(self, session: Session, present: Set[Row], pending: Set[str]) -> None:
+        """Show the part; nothing where the scene has none."""
+        super().show_session(session, present, pending)
+        self.setVisible(not present.isdisjoint(self.rows))

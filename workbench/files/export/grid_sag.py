@@ -45,7 +45,7 @@ def write_grid_sag(design: Design, file: BinaryIO) -> Deviation:
     found = CubicHermiteSpline(y, values, slopes)(between_y)
     exact = design.surface(between_x, between_y)[0].T - vertex
     error = float(np.abs(found - exact).max())
-    thickness = vertex - design.flat_z
+    thickness = abs(vertex - design.flat_z)
     return Deviation(
         "error of the bicubic interpolation",
         error,

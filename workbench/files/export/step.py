@@ -40,7 +40,7 @@ _RISING = (True, True, False, False)  # whether that is the way around
 
 def write_step(design: Design, file: BinaryIO) -> Deviation:
     """Write the lens as a solid."""
-    model = _Model()
+    model = _Model(design.flat_z > design.heights.min())
     size = max(design.scene.optic.half_width)
     rim = None if design.outline.whole else Rim.of(design, _TOLERANCE * size)
     tolerance = max(_TOLERANCE * size, 0.0 if rim is None else rim.off)
@@ -57,10 +57,17 @@ def write_step(design: Design, file: BinaryIO) -> Deviation:
 
 
 class _Model:
-    """Entities, numbered from 1."""
+    """Entities, numbered from 1.
 
-    def __init__(self) -> None:
+    Parameters
+    ----------
+    turned : bool
+        Whether the freeform face is below the flat one: then outside is where inside would be.
+    """
+
+    def __init__(self, turned: bool) -> None:
         self.entities: list[str] = []
+        self.turned = turned
 
     def add(self, entity: str) -> str:
         """Take in an entity; its reference."""
@@ -92,15 +99,20 @@ class _Model:
     def edge(self, start: str, end: str, curve: str) -> str:
         return self.add(f"EDGE_CURVE('',{start},{end},{curve},.T.)")
 
-    def face(self, surface: str, loop: Iterable[tuple[str, bool]]) -> str:
-        """A face whose normal is that of its surface, its loop counterclockwise around it."""
+    def face(self, surface: str, loop: Sequence[tuple[str, bool]]) -> str:
+        """A face whose normal is that of its surface, its loop counterclockwise around it.
+
+        Where the model is turned, the normal and the loop are the other way.
+        """
+        if self.turned:
+            loop = [(edge, not forward) for edge, forward in reversed(loop)]
         edges = [
             self.add(f"ORIENTED_EDGE('',*,*,{edge},{'.T.' if forward else '.F.'})")
             for edge, forward in loop
         ]
         around = self.add(f"EDGE_LOOP('',{_list(edges)})")
         bound = self.add(f"FACE_OUTER_BOUND('',{around},.T.)")
-        return self.add(f"ADVANCED_FACE('',({bound}),{surface},.T.)")
+        return self.add(f"ADVANCED_FACE('',({bound}),{surface},{'.F.' if self.turned else '.T.'})")
 
 
 class _Side(NamedTuple):
@@ -130,10 +142,10 @@ def _straight(
     model: _Model, design: Design, net: list[list[str]], places: Array
 ) -> tuple[_Side, ...]:
     """The sides of a rectangle."""
-    entrance_z = design.flat_z
+    flat_z = design.flat_z
     rims = ([row[0] for row in net], net[-1], [row[-1] for row in net], net[0])
     upper = [places[corner].tolist() for corner in _CORNERS]
-    lower = [[*place[:2], entrance_z] for place in upper]
+    lower = [[*place[:2], flat_z] for place in upper]
     sides = []
     for side, rim in enumerate(rims):
         curve = _curve(model, design.net.degree[side % 2], rim, design.net.knots[side % 2])
@@ -148,8 +160,8 @@ def _arcs(
     rim: Rim, model: _Model, design: Design, net: list[list[str]], places: Array
 ) -> tuple[_Side, ...]:
     """The quarters of an ellipse."""
-    (r_x, r_y), entrance_z = design.net.half_width, design.flat_z
-    middle = (0.0, 0.0, entrance_z)
+    (r_x, r_y), flat_z = design.net.half_width, design.flat_z
+    middle = (0.0, 0.0, flat_z)
     wide = r_x >= r_y  # readers want the longer semi-axis first
     placement = model.placement(middle, (0, 0, 1), (1, 0, 0) if wide else (0, 1, 0))
     if r_x == r_y:
@@ -165,7 +177,7 @@ def _arcs(
         points = [model.point(place) for place in quarter.c.tolist()]
         curve = _curve(model, quarter.k, points, quarter.t)
         upper = quarter(0.0).tolist()
-        sides.append(_Side(upper, [*upper[:2], entrance_z], curve, foot, True, wall))
+        sides.append(_Side(upper, [*upper[:2], flat_z], curve, foot, True, wall))
     return tuple(sides)
 
 
@@ -189,9 +201,8 @@ def _solid(model: _Model, design: Design, sides_of: _Sides) -> str:
         first, last = ends if side.rising else ends[::-1]
         tops.append((model.edge(over[first], over[last], side.top), side.rising))
         bottoms.append((model.edge(under[first], under[last], side.foot), side.rising))
-    uprights = [
-        model.edge(under[k], over[k], model.line(sides[k].lower, (0, 0, 1))) for k in range(4)
-    ]
+    rise = (0, 0, -1 if model.turned else 1)
+    uprights = [model.edge(under[k], over[k], model.line(sides[k].lower, rise)) for k in range(4)]
 
     faces = [model.face(surface, tops)]
     for number, side in enumerate(sides):

@@ -46,14 +46,14 @@ class Tessellation(NamedTuple):
     x, y : ndarray, shape (m_x, 1) and (1, m_y), or (m_x, m_y)
     z : ndarray, shape (m_x, m_y)
         Scene units.
-    entrance_z : float
-        Where the entrance face is.
+    flat_z : float
+        Where the flat side is: the entrance face of a lens, the back of a mirror.
     """
 
     x: Array
     y: Array
     z: Array
-    entrance_z: float
+    flat_z: float
 
     @classmethod
     def of(cls, design: Design, precision: float = 2.0**-53) -> "Tessellation":
@@ -128,18 +128,18 @@ class Tessellation(NamedTuple):
     def rounded(self) -> "Tessellation":
         """The same in single precision, as some formats keep it."""
         x, y, z = (c.astype(np.float32).astype(np.float64) for c in (self.x, self.y, self.z))
-        return Tessellation(x, y, z, float(np.float32(self.entrance_z)))
+        return Tessellation(x, y, z, float(np.float32(self.flat_z)))
 
     def body(self) -> Body:
-        """The closed body: exit face, four walls, entrance face."""
+        """The closed body: freeform face, four walls, flat side."""
         m_x, m_y = self.z.shape
         top = np.stack(np.broadcast_arrays(self.x, self.y, self.z), axis=-1)
         index = np.arange(m_x * m_y).reshape(m_x, m_y)
         # Counterclockwise, seen from above.
         rim = np.concatenate([index[:-1, 0], index[-1, :-1], index[:0:-1, -1], index[0, :0:-1]])
         feet = top.reshape(-1, 3)[rim]
-        feet[:, 2] = self.entrance_z
-        middle = np.array([[self.x.mean(), self.y.mean(), self.entrance_z]])
+        feet[:, 2] = self.flat_z
+        middle = np.array([[self.x.mean(), self.y.mean(), self.flat_z]])
         a, b, c, d = (
             corner.ravel()
             for corner in (index[:-1, :-1], index[1:, :-1], index[1:, 1:], index[:-1, 1:])
@@ -154,10 +154,10 @@ class Tessellation(NamedTuple):
             (rim, next_foot, next_rim),
             (center, next_foot, foot),
         ]
-        return Body(
-            np.concatenate([top.reshape(-1, 3), feet, middle]),
-            np.concatenate([np.column_stack(corners) for corners in triangles]),
-        )
+        found = np.concatenate([np.column_stack(corners) for corners in triangles])
+        if self.flat_z > self.z.min():  # the face is below: seen from outside, it is turned over
+            found = found[:, ::-1]
+        return Body(np.concatenate([top.reshape(-1, 3), feet, middle]), found)
 
     def chord_error(self, design: Design) -> float:
         """Largest distance, along z, between triangles and exit face, on a grid in each cell."""
