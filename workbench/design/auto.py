@@ -101,7 +101,7 @@ def auto_steps(room: Room) -> Generator[Step, None, str]:
         lambda level: judge if level is FINE else image_of(level, scene, target, extent, mirrored),
         partial(_evaluated, judge=judge, free=free, smoothness=smoothness),
         parameters,
-        FaceWaves(parameters, _CUT, mirrored),
+        FaceWaves(parameters, _CUT, mirrored, free.widths),
         levels_of(scene),
         scene.run.iterations + goes_on,
     )

@@ -116,6 +116,11 @@ class Freedom:
         """Parameters of the undesigned lens."""
         return {face: each.rest for face, each in self.ranges.items()}
 
+    @property
+    def widths(self) -> dict[str, float]:
+        """How wide the ranges are on average, scene units."""
+        return {face: (each.upper - each.lower).mean().item() for face, each in self.ranges.items()}
+
     def heights(self, parameters: Mapping[str, Tensor]) -> dict[str, Tensor]:
         """Control heights of parameters."""
         return {

@@ -51,6 +51,9 @@ class FaceWaves:
         Gives size, float type and device for each face.
     cut, mirrored
         See `Waves`.
+    widths : mapping of str to float
+        By how much about heights change with a parameter of each face. A wave of any face then
+        changes heights by as much: light does not mind how wide the range of a face is.
 
     Attributes
     ----------
@@ -58,15 +61,23 @@ class FaceWaves:
         Amplitudes of no change.
     """
 
-    def __init__(self, like: Mapping[str, Tensor], cut: float, mirrored: tuple[bool, bool]) -> None:
+    def __init__(
+        self,
+        like: Mapping[str, Tensor],
+        cut: float,
+        mirrored: tuple[bool, bool],
+        widths: Mapping[str, float],
+    ) -> None:
         self._waves = {face: Waves(each, cut, mirrored) for face, each in like.items()}
+        widest = max(widths.values())
+        self._factors = {face: widest / widths[face] for face in like}
         self.nothing = torch.cat([each.nothing for each in self._waves.values()])
 
     def change(self, amplitudes: Tensor) -> dict[str, Tensor]:
         """Change of the net of each face, of amplitudes of shape (waves,)."""
         counts = [len(each.nothing) for each in self._waves.values()]
         parts = zip(self._waves.items(), torch.split(amplitudes, counts), strict=True)
-        return {face: waves.change(part) for (face, waves), part in parts}
+        return {face: self._factors[face] * waves.change(part) for (face, waves), part in parts}
 
     def longest(self, amplitudes: Tensor) -> float:
         """The most by which amplitudes change anything."""

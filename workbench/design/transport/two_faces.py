@@ -21,7 +21,6 @@ from workbench.design.limits import HeightLimits, bounded
 from workbench.design.transport.back_and_forth import MOST_ROUNDS, Transport
 from workbench.design.transport.face import SlopeFit
 from workbench.design.transport.start import (
-    CELLS,
     FEW_ROUNDS,
     UPRIGHT,
     destinations,
@@ -36,6 +35,8 @@ from workbench.scene import Scene
 Array = npt.NDArray[np.float64]
 Vector = tuple[Array, Array, Array]
 
+# Cells along each axis, of lens and screen alike; finer nets get more. Each is a ray to follow.
+_CELLS = 128
 # Rounds of transport, each with light that knows more of the lens; and of faces in each.
 _ROUNDS, _FITS = 3, 2
 # What is left of the bending at the entrance face in each trial after one whose face did not fit
@@ -62,7 +63,7 @@ def split_start(scene: Scene, target: Array) -> dict[str, Array] | None:
         where these are too narrow for the task. None if no light leaves a plate.
     """
     nets, limits = freeform_nets(scene.optic), HeightLimits.of_faces(bounded(scene))
-    cells = max(CELLS, 2 * max(max(net.shape) for net in nets.values()))
+    cells = max(_CELLS, 2 * max(max(net.shape) for net in nets.values()))
     light = _Light(scene, cells)
     heights = {
         face: np.full(net.shape, float(limits[face].undesigned.mean()))
