@@ -187,6 +187,18 @@ EXAMPLES = (
         "Street light",
         "An LED's IES file; see intensity rise to both ends, so that the road below is even.",
     ),
+    Example(
+        "mirror-letter",
+        _RECEIVERS,
+        "Mirror: letter on a wall",
+        "Sunlight from below, thrown back to a wall beside it; see the mirror lean towards it.",
+    ),
+    Example(
+        "mirror-photo",
+        _RECEIVERS,
+        "Mirror: photograph beside the lamp",
+        "Light from one point, drawn on a screen beside that point; see what misses the mirror.",
+    ),
     *(
         Example(
             f"derivative-degree{degree}-filter{size}",

@@ -25,6 +25,18 @@ def _scene(source: dict[str, Any], receiver: dict[str, Any], image: str) -> dict
     }
 
 
+def _mirror(source: dict[str, Any], screen: dict[str, Any], image: str) -> dict[str, Any]:
+    """Scene in millimetres with a mirror of aluminium, 30 mm wide."""
+    return {
+        "version": 2,
+        "unit": "mm",
+        "mirror": {"half_width": [15, 15], "control_points": "auto", "reflectance": 0.9},
+        "source": source,
+        "screen": screen | {"pixels": [256, 256]},
+        "target": {"image": f"../targets/{image}.png"},
+    }
+
+
 SCENES = {
     "wall-washer": _scene(
         {"kind": "point", "position": [0, 0, -100]},
@@ -43,6 +55,16 @@ SCENES = {
         {"kind": "photometric", "file": "../lights/led.ies", "position": [0, 0, -20]},
         {"far_field": {"half_angle": [40, 40], "pixels": [256, 256]}},
         "street-256",
+    ),
+    "mirror-letter": _mirror(
+        {"kind": "collimated"},
+        {"z": -60, "center": [60, 0], "tilt": [0, -45], "half_width": [20, 20]},
+        "letter-256",
+    ),
+    "mirror-photo": _mirror(
+        {"kind": "point", "position": [-20, 0, -80]},
+        {"z": -100, "center": [40, 0], "half_width": [20, 20]},
+        "photo-256",
     ),
 }
 """Scenes by the names of their examples."""

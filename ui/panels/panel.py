@@ -119,6 +119,7 @@ class PartPanel(Panel):
     """
 
     def __init__(self, field: FieldDescription) -> None:
+        self._part = field.name
         rows, kinds = Rows(lambda: self.session.scene, self.own_rows()), field.mark(Kinds)
         super().__init__(
             field.title,
@@ -133,5 +134,6 @@ class PartPanel(Panel):
 
     def show_session(self, session: Session, present: Set[Row], pending: Set[str]) -> None:
         """Show the part; nothing where the scene has none."""
-        super().show_session(session, present, pending)
-        self.setVisible(not present.isdisjoint(self.rows))
+        there = getattr(session.scene, self._part) is not None
+        super().show_session(session, present if there else frozenset(), pending)
+        self.setVisible(there)
