@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import torch
 
-from workbench.design import auto
+from workbench.design import auto, levels
 from workbench.design.levels import COARSE, FINE, image_of
 from workbench.design.loss import share
 from workbench.design.run import run
@@ -90,7 +90,7 @@ def test_a_coarse_image_is_left_where_it_differs_from_the_fine_one(make_scene, l
         seen.append(level)
         return image_of(level, *task)
 
-    monkeypatch.setattr(auto, "image_of", look)
+    monkeypatch.setattr(levels, "image_of", look)
     monkeypatch.setattr(auto, "_TRUSTED", 0.0)
     lenses = run(scene, letter, found.state.heights)
     for _ in range(3):  # the first one again, then one of each level

@@ -68,6 +68,12 @@ def test_a_wide_source_is_worth_no_more_than_its_blur(chosen):
     assert grid([1.0, 1.0]) == (113, 135)
 
 
+def test_a_source_infinitely_far_is_worth_more_than_a_near_one_that_blurs_as_much(chosen):
+    """Its blur is even, and narrow lines come nearest to the target."""
+    sun = {"kind": "collimated", "angular_diameter": 2.0}
+    assert chosen({"source": sun})[0] > 113
+
+
 @pytest.mark.parametrize(
     ("parametrisation", "net"), [("none", (64, 64)), ("sparse", (64, 64)), ("dense", (32, 32))]
 )

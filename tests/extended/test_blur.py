@@ -94,5 +94,15 @@ def test_blur_is_narrower_from_an_exit_face_nearer_to_the_screen(make_scene):
 
 
 def test_light_spread_over_a_pixel_is_blurred_to_the_mean_of_all_places_in_it():
-    spread = Blur((3.0, 0.0)).spread
+    spread = Blur((3.0, 0.0)).spread()[0]
     np.testing.assert_allclose(spread[1], [1 / 24, 7 / 24, 1 / 3, 7 / 24, 1 / 24], atol=1e-9)
+
+
+def test_light_in_parts_of_a_pixel_adds_up_to_that_of_the_pixel():
+    blur = Blur((3.4, 2.1), "ellipse")
+    whole, parts = blur.spread(), blur.spread(4)
+    assert parts.shape == (16, *whole.shape[1:])
+    np.testing.assert_allclose(parts.mean(axis=0), whole[0], atol=1e-12)
+    left, right = parts[4], parts[7]  # in the second row
+    x = np.arange(whole.shape[2]) - blur.margin[0]
+    assert (right.sum(0) - left.sum(0)) @ x == pytest.approx(0.75, abs=0.01)

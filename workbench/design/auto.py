@@ -23,7 +23,7 @@ from torch import Tensor
 
 from workbench.design.heights import Freedom, Mask
 from workbench.design.lbfgs import Evaluation, minimise
-from workbench.design.levels import FINE, Level, image_of, levels_of, light_extent_of
+from workbench.design.levels import FINE, Level, images_of, levels_of
 from workbench.design.loss import check_gradient
 from workbench.design.room import Room
 from workbench.design.smoothness import Smoothness
@@ -44,6 +44,9 @@ _CUT = 4.0
 # A level ends when steps together make the image better by less than this part: five steps with so
 # many beams, or more where each costs less.
 _GAIN, _STEPS, _BEAMS, _MOST_STEPS = 0.05, 5, 768**2, 8
+# The same of blurred light: what a blur hides is found by smaller steps, and they cost little. With
+# the sun the first five make a letter's error 6 % less, the next fifteen another 3 %.
+_BLURRED_GAIN = 0.01
 # A coarse level ends as soon as its error differs from the true one by more than this part of it.
 _TRUSTED = 0.15
 # The finest image cannot tell smaller errors from its own.
@@ -81,8 +84,8 @@ def auto_steps(room: Room) -> Generator[Step, None, str]:
     before = room.begin
     heights = {face: torch.tensor(each, device=device) for face, each in before.items()}
     # All lenses are judged by the finest image, so that their losses can be compared.
-    extent = light_extent_of(scene, heights)
-    judge = image_of(FINE, scene, target, extent, mirrored)
+    image_for = images_of(scene, target, heights, mirrored)
+    judge = image_for(FINE)
     step = judge.step(heights)
     if smoothness is not None:
         step = smoothness.judged(step, smoothness.penalty(heights))
@@ -95,10 +98,10 @@ def auto_steps(room: Room) -> Generator[Step, None, str]:
     else:
         first = {face: room.limits[face].nearest(each) for face, each in room.first.items()}
         parameters = free.parameters(_joined(first, before, locked))
-        extent = light_extent_of(scene, free.heights(parameters))
-        judge = image_of(FINE, scene, target, extent, mirrored)
+        image_for = images_of(scene, target, free.heights(parameters), mirrored)
+        judge = image_for(FINE)
     steps = _descend(
-        lambda level: judge if level is FINE else image_of(level, scene, target, extent, mirrored),
+        image_for,
         partial(_evaluated, judge=judge, free=free, smoothness=smoothness),
         parameters,
         FaceWaves(parameters, _CUT, mirrored, free.widths),
@@ -145,11 +148,12 @@ def _descend(
         yield judged.step
         errors.append(min([found.value, *errors[-1:]]))
         patience = min(max(_STEPS, round(_STEPS * _BEAMS / image.beams)), _MOST_STEPS)
-        slow = len(errors) > patience and errors[-1] > (1 - _GAIN) ** 2 * errors[-1 - patience]
+        gain = _BLURRED_GAIN if image.blurred else _GAIN
+        slow = len(errors) > patience and errors[-1] > (1 - gain) ** 2 * errors[-1 - patience]
         if judged.error < _SMALLEST:
             return _SMALL
         if level is FINE and slow:
-            return f"converged: less than {100 * _GAIN:g} % better in {patience} iterations"
+            return f"converged: less than {100 * gain:g} % better in {patience} iterations"
         if slow or abs(judged.own - judged.error) > _TRUSTED * judged.error:
             level, errors = next(levels, FINE), []
             image = image_for(level)

@@ -1,14 +1,19 @@
 """How finely `workbench.design.auto` looks at lenses: from few beams of light to many."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 import numpy.typing as npt
+import torch
+from scipy.signal import fftconvolve
 from torch import Tensor
 
+from workbench.design.blurred_plan import BlurredPlan
 from workbench.design.wide_image import WideImage
+from workbench.extended.blur import Blur
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.samples import Corners
 from workbench.scene import Scene
@@ -60,6 +65,9 @@ _PER_PIXEL, _FEWEST_ORIGINS, _MOST_ORIGINS = 1.5, 16, 128
 _MOST_BEAMS = 1 << 22
 # Cells that tell how far the light of a lens reaches.
 _FEW_CELLS = (128, 128)
+# Cells of each origin, and of the middle of the source, that tell whether its blur is the same all
+# over a lens; and the greatest part of the image by which it may differ.
+_MANY_CELLS, _FINE_CELLS, _EVEN = (192, 192), (512, 512), 0.03
 
 
 def image_of(
@@ -68,6 +76,7 @@ def image_of(
     target: Array,
     light_extent: tuple[float, float],
     mirrored: tuple[bool, bool] = (False, False),
+    blur: Blur | None = None,
 ) -> WideImage:
     """The image by which a level compares lenses.
 
@@ -83,8 +92,10 @@ def image_of(
         As for `WideImage`; see `light_extent_of`.
     mirrored : tuple[bool, bool]
         As for `WideImage`.
+    blur : Blur, optional
+        As for `WideImage`; see `even_blur_of`.
     """
-    origins = _origins(scene)
+    origins = 1 if blur else _origins(scene)
     count = scene.source.point_count * origins
     finer = _MIRRORED ** sum(mirrored) / count**level.thinning
     cells = [
@@ -95,14 +106,33 @@ def image_of(
     cells = [number / finest for number in cells]
     # An even number makes a mirrored lens a mirrored image, of which half need be traced.
     m_x, m_y = (min(max(2 * math.ceil(count / 2), _FEWEST_CELLS), _MOST_CELLS) for count in cells)
-    return WideImage(scene, target, Corners(m_x, m_y, origins), light_extent, mirrored)
+    return WideImage(scene, target, Corners(m_x, m_y, origins), light_extent, mirrored, blur)
+
+
+def images_of(
+    scene: Scene,
+    target: Array,
+    heights: Mapping[str, Tensor],
+    mirrored: tuple[bool, bool] = (False, False),
+) -> Callable[[Level], WideImage]:
+    """The images by which levels compare lenses like one that is there, each made once.
+
+    Parameters
+    ----------
+    scene, target, mirrored
+        As for `image_of`.
+    heights : mapping of str to Tensor, shape (n_u, n_v)
+        Control heights of that lens; they say how far its light falls and how it is blurred.
+    """
+    extent, blur = light_extent_of(scene, heights), even_blur_of(scene, heights)
+    return cache(lambda level: image_of(level, scene, target, extent, mirrored, blur))
 
 
 def levels_of(scene: Scene) -> tuple[Level, ...]:
     """The levels that a descent goes through, one after the other.
 
-    Light of many origins has no use for a coarse one: its own image blurs what that would leave
-    out, and 30 of 55 steps with the sun were spent there for a tenth of the gain.
+    Light of a source of some size has no use for a coarse one: its own image blurs what that would
+    leave out, and 30 of 55 steps with the sun were spent there for a tenth of the gain.
     """
     many = scene.source.point_count * _origins(scene) > 1
     return (FINE,) if many else (COARSE, FINE)
@@ -131,3 +161,32 @@ def _origins(scene: Scene) -> int:
 def light_extent_of(scene: Scene, heights: Mapping[str, Tensor]) -> tuple[float, float]:
     """How far from the receiver's middle the light of a lens falls, in its coordinates."""
     return BeamPlan(scene, _FEW_CELLS).light_extent(heights)
+
+
+def even_blur_of(scene: Scene, heights: Mapping[str, Tensor]) -> Blur | None:
+    """What each part of a lens makes of a source of some size; None where that is not the same.
+
+    All origins are traced once, and compared with the blurred light of the middle of the source.
+
+    Parameters
+    ----------
+    scene : Scene
+        The design task.
+    heights : mapping of str to Tensor, shape (n_u, n_v)
+        Control heights of a lens like those to come.
+    """
+    origins = _origins(scene)
+    if origins == 1:
+        return None
+    blur = Blur.of(scene, heights[scene.optic.face].mean().item())
+    plans = (
+        BeamPlan(scene, Corners(*_MANY_CELLS, origins)),
+        BlurredPlan(scene, _FINE_CELLS, blur),
+    )
+    with torch.no_grad():
+        lights = (plan.trace(heights, blur.margin).flux for plan in plans)
+        traced, blurred = (light.double().cpu().numpy() for light in lights)
+    # Origins make dots of narrow light, which are no difference of the lens.
+    even = [fftconvolve(image, blur.spread()[0], mode="same") for image in (traced, blurred)]
+    unlike = np.linalg.norm(even[1] - even[0])
+    return blur if unlike < _EVEN * np.linalg.norm(even[0]) else None

@@ -10,7 +10,7 @@ from torch import Tensor
 from workbench.design.auto import auto_steps
 from workbench.design.filtered_image import FilteredImage
 from workbench.design.heights import Mask
-from workbench.design.levels import FINE, image_of, light_extent_of
+from workbench.design.levels import FINE, images_of
 from workbench.design.paper import check_paper, paper_steps
 from workbench.design.room import Room
 from workbench.design.step import Step
@@ -59,7 +59,7 @@ def method_of(scene: Scene) -> Method:
 
 
 def _finest(scene: Scene, target: Array, heights: Heights, locked: Mask | None) -> WideImage:
-    return image_of(FINE, scene, target, light_extent_of(scene, heights))
+    return images_of(scene, target, heights)(FINE)
 
 
 _METHODS = {

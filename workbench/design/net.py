@@ -33,11 +33,13 @@ _FEWEST = 96
 # places take little of the lens, and need as many as bright ones. A blurred photograph of 16
 # periods is off by 0.84 % on 96 control points, 0.30 % on 192 and 0.13 % on 384.
 _LEFT_OUT, _PER_PERIOD = 2e-3, 16.0
-# Control points per width of the blur that a source lays over the screen. Finer nets only take
-# time: a torch whose blur is a seventeenth of the image is 15.3 % off with 64 x 64 after 37 s, and
-# 18.5 % with 288 x 288 after 148 s; a letter and a ball in the sun, a forty-fourth, 6.6 and 4.1 %
-# with 192 x 192, 6.4 and 3.6 % with 384 x 384 in a third more time.
-_PER_BLUR = 5.0
+# Control points per width of the blur that a source lays over the screen: of one that is near, and
+# of one that is infinitely far. For the near one finer nets only take time: a torch whose blur is a
+# seventeenth of the image is 15.3 % off with 64 x 64 after 37 s, and 18.5 % with 288 x 288 after
+# 148 s. The blur of the sun is the same all over the lens, so that one trace stands for all of it,
+# and spots and lines much narrower than the blur are what comes nearest to the target: a letter, of
+# which it blurs a forty-fourth, is 6.8 % off with 192 x 192 and 5.7 % with 384 x 384.
+_PER_BLUR, _PER_FAR_BLUR = 5.0, 9.0
 
 
 def definite(scene: Scene, target: Array) -> Scene:
@@ -72,8 +74,9 @@ def _chosen(scene: Scene, target: Array) -> tuple[int, int]:
     if scene.run.usual_net is not None:
         n_u, n_v = (max(scene.run.usual_net, degree + 1) for degree in scene.optic.degree)
         return n_u, n_v
+    per_blur = _PER_FAR_BLUR if scene.source.place is None else _PER_BLUR
     across, up = (
-        min(_worth_of_target(target, axis), _worth_of_light(blur, half_width))
+        min(_worth_of_target(target, axis), _worth_of_light(blur, half_width, per_blur))
         for axis, blur, half_width in zip(
             (1, 0),
             scene.source.blur(scene.optic, scene.receiver),
@@ -105,6 +108,6 @@ def _worth_of_target(target: Array, axis: int) -> float:
     return _PER_PERIOD * half_periods / 2
 
 
-def _worth_of_light(blur: float, half_width: float) -> float:
+def _worth_of_light(blur: float, half_width: float, per_blur: float) -> float:
     """Control points along an axis that are seen through a blur."""
-    return math.inf if blur == 0 else _PER_BLUR * 2 * half_width / blur
+    return math.inf if blur == 0 else per_blur * 2 * half_width / blur

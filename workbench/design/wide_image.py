@@ -8,6 +8,7 @@ import numpy.typing as npt
 import torch
 from torch import Tensor
 
+from workbench.design.blurred_plan import BlurredPlan
 from workbench.design.lens_state import LensState
 from workbench.design.loss import check_finite, check_light, measure_of, paper_loss, share
 from workbench.design.step import Step
@@ -41,11 +42,16 @@ class WideImage:
         How far from the receiver's middle light falls.
     mirrored : tuple[bool, bool]
         Whether all lenses are mirror images of themselves in x, in y; see `BeamPlan`.
+    blur : Blur, optional
+        What each part of the lens makes of the source, if that is the same everywhere: light of
+        its middle is traced then, and blurred.
 
     Attributes
     ----------
     beams : int
         Cells that are traced, those of all origins together.
+    blurred : bool
+        Whether it is light of the middle of the source, blurred.
     """
 
     def __init__(
@@ -55,13 +61,19 @@ class WideImage:
         cells: tuple[int, int] | Corners,
         light_extent: tuple[float, float],
         mirrored: tuple[bool, bool] = (False, False),
+        blur: Blur | None = None,
     ) -> None:
         receiver = scene.receiver
         (n_x, n_y), r, most = receiver.pixels, receiver.half_extent, receiver.farthest
         m_x, m_y = (
             _margin(light_extent[k] / r[k], receiver.pixels[k], most[k] / r[k]) for k in (0, 1)
         )
-        self._plan, self._margin = BeamPlan(scene, cells, mirrored=mirrored), (m_x, m_y)
+        self._plan: BeamPlan | BlurredPlan = (
+            BlurredPlan(scene, (cells[0], cells[1]), blur, mirrored)
+            if blur
+            else BeamPlan(scene, cells, mirrored=mirrored)
+        )
+        self.blurred, self._margin = blur is not None, (m_x, m_y)
         halves = 2 ** sum(mirrored)
         corners = Corners(*cells)
         origins = corners.origins * scene.source.point_count

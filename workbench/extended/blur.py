@@ -17,6 +17,9 @@ Array = npt.NDArray[np.float64]
 _PLACES = ((20.0, 1), (9.0, 2), (0.0, 4))
 # Places in a pixel along an axis, at most.
 _MOST_PLACES = 8
+# Light that is to be blurred is told apart in so many parts of the blur's width, but not in more
+# than so many parts of a pixel.
+_PARTS, _MOST_PARTS = 16.0, 3
 # Width in pixels of what has none along an axis.
 _LEAST = 1e-6
 
@@ -94,6 +97,11 @@ class Blur:
         return max(self.widths) <= 1
 
     @property
+    def parts(self) -> int:
+        """Into how many parts along each axis pixels are cut for light that it is to blur."""
+        return min(math.ceil(_PARTS / max(min(self.widths), 1.0)), _MOST_PARTS)
+
+    @property
     def margin(self) -> tuple[int, int]:
         """Pixels along x and y that it takes on each side of the one that its middle is in."""
         x, y = (math.floor(width / 2 + 1) for width in self.widths)
@@ -166,14 +174,40 @@ class Blur:
             found = outline.area_inside(*ends) / outline.area
         return np.asarray(found.reshape(-1, *found.shape[2:]))
 
-    @property
-    def spread(self) -> Array:
-        """Light in each pixel about one whose light is spread over it evenly before it is blurred.
+    def at(self, places: Array) -> Array:
+        """Kernels for a middle at all pairs of places in a pixel; see `kernels`.
 
-        Shape (2 m_y + 1, 2 m_x + 1).
+        Parameters
+        ----------
+        places : ndarray, shape (m,)
+            In (-0.5, 0.5], along each axis.
+
+        Returns
+        -------
+        ndarray, shape (m m, 2 m_y + 1, 2 m_x + 1)
+            Those of the same place along y one after the other.
         """
-        even = (np.arange(_MOST_PLACES) + 0.5) / _MOST_PLACES - 0.5
-        return np.asarray(self._at(even, even).mean(axis=0))
+        return self._at(places, places)
+
+    def spread(self, parts: int = 1) -> Array:
+        """Light in each pixel about parts of one whose light is spread evenly before it is blurred.
+
+        Parameters
+        ----------
+        parts : int
+            Into so many along each axis a pixel is cut.
+
+        Returns
+        -------
+        ndarray, shape (parts parts, 2 m_y + 1, 2 m_x + 1)
+            Parts in the same row one after the other.
+        """
+        each = math.ceil(_MOST_PLACES / parts)
+        even = (np.arange(parts * each) + 0.5) / (parts * each) - 0.5
+        found = self.at(even).reshape(
+            parts, each, parts, each, *(2 * m + 1 for m in self.margin[::-1])
+        )
+        return np.asarray(found.mean(axis=(1, 3)).reshape(-1, *found.shape[4:]))
 
     def _points(self, axis: int) -> Array:
         """Where its points are along an axis, pixels from its middle."""

@@ -149,11 +149,11 @@ def _closest(target: Array, blur: Blur) -> Generator[None, None, Deblurred]:
     finer = blur.kernels(finer=2)
     if len(finer) > len(kernels):
         bound = Certifier(finer, wanted).bound(dual)
-    return Deblurred(best.light, best.image, error, bound)
+    return Deblurred(best.light.sum(axis=0), best.image, error, bound)
 
 
-def spread_light(target: Array, blur: Blur) -> Array:
-    """The light, spread evenly over each pixel, that comes closest to a target when it is blurred.
+def spread_light(target: Array, blur: Blur, parts: int = 1) -> Array:
+    """The light, spread evenly over each part of a pixel, that comes closest when it is blurred.
 
     A lens can make that: light at single places is as far out of its reach as sharp edges.
 
@@ -163,19 +163,24 @@ def spread_light(target: Array, blur: Blur) -> Array:
         The wanted image in any scale, not negative and not dark.
     blur : Blur
         What the source makes of light.
+    parts : int
+        Into so many along each axis a pixel is cut.
 
     Returns
     -------
-    ndarray, shape (n_y + 2 m_y, n_x + 2 m_x)
-        As in `Deblurred`.
+    ndarray, shape (parts (n_y + 2 m_y), parts (n_x + 2 m_x))
+        Flux in each part of a pixel, otherwise as in `Deblurred`.
     """
     wanted = (target / target.sum()).astype(np.float32)
-    search = _search(blur.spread[None].astype(np.float32), wanted)
-    return next(islice(search, _SPREAD_STEPS - 1, None))().light
+    search = _search(blur.spread(parts).astype(np.float32), wanted)
+    light = next(islice(search, _SPREAD_STEPS - 1, None))().light
+    rows, columns = light.shape[1:]
+    light = light.reshape(parts, parts, rows, columns).transpose(2, 0, 3, 1)
+    return np.asarray(light.reshape(rows * parts, columns * parts))
 
 
 class _Found(NamedTuple):
-    """Light and its image as in `Deblurred`, and the image's copy less the target."""
+    """Light of each place in a pixel, its image, and the image's copy less the target."""
 
     light: Array
     image: Array
@@ -198,7 +203,7 @@ def _search(kernels: Array, wanted: Array) -> Iterator[Callable[[], _Found]]:
         found = blurring.image(light)
         total = float(found.sum(dtype=np.float64))
         return _Found(
-            light.sum(axis=0, dtype=np.float64)[blurring.places] / total,
+            light[:, *blurring.places].astype(np.float64) / total,
             found.astype(np.float64) / total,
             (image[seen] - wanted).astype(np.float64),
         )

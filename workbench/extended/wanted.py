@@ -62,4 +62,4 @@ def wanted_light(target: Array, blur: Blur, margin: tuple[int, int]) -> Array:
 def _blurred(target: bytes, shape: tuple[int, int], blur: Blur) -> Array:
     """All of the closest light, blurred; a second or so, and several images want it."""
     light = spread_light(np.frombuffer(target).reshape(shape), blur)
-    return np.asarray(fftconvolve(light, blur.spread).clip(min=0))
+    return np.asarray(fftconvolve(light, blur.spread()[0]).clip(min=0))
