@@ -8,7 +8,7 @@ goes astray, as in this program: paths that meet more than both faces and the sc
 """
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
@@ -21,7 +21,7 @@ from workbench.analysis.watch import Watch, unwatched
 from workbench.errors import Refused
 from workbench.geometry.outlines import Rectangle, outline_of
 from workbench.geometry.surface import ControlNet
-from workbench.scene import Scene
+from workbench.scene import Lens, Mirror, Scene
 
 Array = npt.NDArray[np.float64]
 Indices = npt.NDArray[np.uint32]
@@ -30,8 +30,6 @@ Indices = npt.NDArray[np.uint32]
 _VARIANT = "scalar_rgb"
 # Least number of cells of the mesh along each axis; they divide the knot spans evenly.
 _CELLS = 1024
-# Segments of the way: source, entrance face, exit face, screen, camera.
-_SEGMENTS = 4
 # In half-widths of the lens: how far the baffle goes.
 _BAFFLE = 1000.0
 # Distance of the camera over the half-width of the screen.
@@ -64,13 +62,14 @@ class MitsubaScene:
         self._scene, self._unit = scene, max(scene.optic.half_width)
         check_known(scene.source)
         self._pixel_area = self._picture.screen.pixel_measure / self._unit**2
+        make, segments = _BODIES[type(scene.optic)]
+        body = make(self, heights[scene.optic.face])
         self._unlit: dict[str, Any] = {
             "type": "scene",
-            "integrator": {"type": "ptracer", "max_depth": _SEGMENTS, "rr_depth": 100},
+            "integrator": {"type": "ptracer", "max_depth": segments, "rr_depth": 100},
             "sensor": self._camera(),
             "screen": self._screen(),
-            **self._body(heights[scene.optic.face]),
-            **self._baffle(),
+            **body,
         }
 
     def flux(self, rays: int, seed: int, watch: Watch = unwatched) -> Array:
@@ -104,6 +103,8 @@ class MitsubaScene:
             picture = self._mi.render(lit, spp=samples, seed=int(state))
             radiance += np.array(picture)[:, :, 0]
             watch(done / passes)
+        if self._scene.optic.onwards < 0:  # seen from below, x goes to the left
+            radiance = radiance[:, ::-1]
         # Scattered evenly into the half-sphere.
         irradiance = math.pi / passes * radiance
         flux = np.asarray(irradiance * self._pixel_area / emitted)
@@ -135,7 +136,28 @@ class MitsubaScene:
             box = (_stacked(*around, optic.front_z) / self._unit).reshape(-1, 3)
             frame = np.stack([box[np.append(rim, rim[0])], foot], axis=1)
             body["frame"] = self._mesh(frame, black)
-        return body
+        return body | self._baffle()
+
+    def _mirror(self, heights: Array) -> dict[str, Any]:
+        """The face, which reflects; its back is met by no light."""
+        optic, net = self._scene.optic, ControlNet.of(self._scene.optic)
+        cells = [n - p for n, p in zip(net.shape, net.degree, strict=True)]
+        u, v = (np.linspace(-1, 1, spans * -(-_CELLS // spans) + 1) for spans in cells)
+        x, y, z, slope_x, slope_y = net.over(outline_of(optic), u, v, heights)
+        part = self._scene.mirror
+        reflectance = 1.0 if part is None else part.reflectance
+        metal = self._mi.load_dict(
+            {
+                "type": "twosided",
+                "bsdf": {
+                    "type": "conductor",
+                    "material": "none",
+                    "specular_reflectance": {"type": "rgb", "value": reflectance},
+                },
+            }
+        )
+        normals = _stacked(-slope_x, -slope_y, 1.0)
+        return {"mirror": self._mesh(_stacked(x, y, z) / self._unit, metal, normals)}
 
     def _mesh(self, places: Array, material: Any, normals: Array | None = None) -> Any:
         """Places of shape (m, n, 3) as triangles; counterclockwise if they run along x and y."""
@@ -200,8 +222,8 @@ class MitsubaScene:
         """Its picture is the screen, exactly."""
         screen, (n_x, n_y) = self._picture.screen, self._picture.screen.pixels
         middle, r_x = screen.position / self._unit, screen.half_width[0] / self._unit
-        _, up, away = screen.sides
-        behind = middle + _AWAY * r_x * away
+        _, up, across = screen.sides
+        behind = middle + _AWAY * r_x * self._scene.optic.onwards * across
         return {
             "type": "perspective",
             "fov": 2 * math.degrees(math.atan(1 / _AWAY)),
@@ -221,6 +243,15 @@ class MitsubaScene:
                 "component_format": "float32",
             },
         }
+
+
+_BODIES: Mapping[type, tuple[Callable[[MitsubaScene, Array], dict[str, Any]], int]] = {
+    Lens: (MitsubaScene._body, 4),
+    Mirror: (MitsubaScene._mirror, 4),
+}
+"""What stands for an optic, and segments of the way: source, faces, screen, camera.
+
+From a mirror light may go through the sheet that it came from."""
 
 
 def _mitsuba() -> Any:

@@ -79,13 +79,14 @@ def _sheets(
         return rays_as_light(mi, source, optic, unit, rays, seed)
     r_x, r_y = (r / unit for r in optic.half_width)
     z, to = optic.front_z / unit, mi.ScalarTransform4f
+    before = _BEFORE + (optic.front_z - optic.lowest) / unit
     if source.along_axis:
-        place = to().translate([0, 0, z - _BEFORE]).scale([r_x, r_y, 1])
+        place = to().translate([0, 0, z - before]).scale([r_x, r_y, 1])
         return {"light": _sheet(place)}, 4 * r_x * r_y
     (way,) = source.directions(np.zeros(1), np.zeros(1))
     size = math.hypot(r_x, r_y)
     # So far back that all of it is before the lens.
-    back = (_BEFORE + 1.5 * size * math.hypot(way[0], way[1])) / way[2]
+    back = (before + 1.5 * size * math.hypot(way[0], way[1])) / way[2]
     centre = [0, 0, z] - back * way
     place = to().look_at(centre, centre + way, [0, 1, 0]).scale([size, size, 1])
     return {"light": _sheet(place)}, 4 * r_x * r_y * float(way[2])
@@ -93,7 +94,8 @@ def _sheets(
 
 def _sheet(place: Any) -> dict[str, Any]:
     emitter = {"type": "directionalarea", "radiance": _EVEN}
-    return {"type": "rectangle", "to_world": place, "emitter": emitter}
+    # Light that a mirror sends back goes through it.
+    return {"type": "rectangle", "to_world": place, "emitter": emitter, "bsdf": {"type": "null"}}
 
 
 def _emitter(

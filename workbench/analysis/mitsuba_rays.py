@@ -53,7 +53,7 @@ def rays_as_light(
     """An emitter of rays of a source; parameters and result are those of `mitsuba_lights`."""
     random = np.random.default_rng([seed, 3])
     found = _RAYS[type(source)](source, optic, random, min(rays, _MOST))
-    (r_x, r_y), before = optic.half_width, _BEFORE * unit
+    (r_x, r_y), before = optic.half_width, _BEFORE * unit + optic.front_z - optic.lowest
     met = (abs(found.x) <= r_x) & (abs(found.y) <= r_y) & (found.flux > 0)
     if not met.any():
         return {}, 1.0

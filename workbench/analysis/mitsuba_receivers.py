@@ -91,7 +91,7 @@ def _of_far_field(far_field: FarField, optic: Optic) -> Picture:
     away = _FAR * max(optic.half_width)
     half_width = counts[0] * size / 2 * away, counts[1] * size / 2 * away
     screen = Screen(
-        z=optic.highest + away,
+        z=optic.leaving_z + optic.onwards * away,
         half_width=half_width,
         center=(middle[0] * away, middle[1] * away),
         pixels=(min(counts[0], 4096), min(counts[1], 4096)),
