@@ -64,8 +64,10 @@ def screen_at(scene: Scene, heights: Mapping[str, Array], part: float) -> float:
     float
         z of the screen.
     """
-    highest = max(scene.optic.highest, float(heights[scene.optic.face].max()))
-    return highest + part * (scene.receiver.plane_z - highest)
+    optic, onwards = scene.optic, scene.optic.onwards
+    beyond = float((onwards * heights[optic.face]).max())
+    edge = onwards * max(onwards * optic.edge_z, beyond)
+    return edge + part * (scene.receiver.plane_z - edge)
 
 
 def focus_series(

@@ -75,12 +75,14 @@ class Tolerances:
         most = scene.optic.index - 1
         if self.index != 0 and not 0 <= self.index < most:
             raise Refused("index", f"{self.index:g}; at least 0, less than {most:g}")
-        room = scene.receiver.plane_z - scene.optic.highest if self.distance else math.inf
+        optic, room = scene.optic, math.inf
+        if self.distance:
+            room = optic.onwards * (scene.receiver.plane_z - optic.edge_z)
         if not 0 <= self.distance < room:
             raise Refused(
                 "distance",
                 f"{self.distance:g}; at least 0, less than {room:g}, else the screen may touch "
-                "the lens",
+                f"the {optic.called}",
             )
         self._check_source(scene)
         amplitude, scale = self.surface
@@ -151,7 +153,7 @@ class Perturbation:
             heights = {**heights, face: rough}
         scene = scene.with_optic(optic)
         if self.distance:
-            screen = scene.receiver.moved_to(scene.receiver.plane_z + self.distance)
+            screen = scene.receiver.moved_to(scene.receiver.plane_z + optic.onwards * self.distance)
             scene = scene.model_copy(update={"screen": screen})
         return scene, heights
 

@@ -83,6 +83,11 @@ class Optic(Part):
         """The z that no point of its face can be above, as far as it is known before a run."""
 
     @property
+    def edge_z(self) -> float:
+        """The z that its face cannot be beyond, on the side to which light goes."""
+        return self.highest if self.onwards > 0 else self.lowest
+
+    @property
     @abstractmethod
     def floor(self) -> float:
         """The z that its face is kept above whatever the height range is."""

@@ -1,0 +1,38 @@
+"""Screens of mirrors stand below them: farther away is a smaller z."""
+
+import numpy as np
+import pytest
+
+from workbench.analysis.focus import screen_at
+from workbench.analysis.tolerances import Perturbation, Tolerances
+from workbench.errors import Refused
+from workbench.scene import Scene
+
+
+@pytest.fixture
+def scene():
+    return Scene.from_data(
+        {
+            "mirror": {"half_width": [1, 1], "control_points": [4, 4], "height_range": [-0.5, 0.5]},
+            "source": {"kind": "collimated"},
+            "screen": {"z": -5.0, "half_width": [1, 1], "pixels": [4, 4]},
+            "target": {"builtin": "tophat"},
+        }
+    )
+
+
+def test_a_screen_at_half_the_way_is_between_mirror_and_screen(scene):
+    heights = {"mirror": np.zeros((4, 4))}
+    assert screen_at(scene, heights, 1.0) == pytest.approx(-5.0)
+    assert screen_at(scene, heights, 0.5) == pytest.approx(-2.75)
+
+
+def test_a_screen_that_is_too_far_has_a_smaller_z(scene):
+    moved, _ = Perturbation(distance=0.25).applied(scene, {"mirror": np.zeros((4, 4))})
+    assert moved.screen.z == pytest.approx(-5.25)
+
+
+def test_a_distance_up_to_the_mirror_is_tolerated(scene):
+    Tolerances(distance=4.0).check(scene)
+    with pytest.raises(Refused, match=r"less than 4.5, else the screen may touch the mirror"):
+        Tolerances(distance=4.6).check(scene)
