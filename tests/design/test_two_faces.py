@@ -142,3 +142,28 @@ def test_another_entrance_net_carries_the_face(make_scene, uneven):
 
 def _net(count):
     return {"shape": "freeform", "control_points": [count, count]}
+
+
+def test_the_entrance_face_keeps_light_of_a_near_point_from_the_side(make_scene):
+    near = {
+        "source": {"kind": "point", "position": [0, 0, -0.56], "rays": 1000},
+        "screen.z": 10.0,
+        "screen.half_width": [4, 4],
+        "lens.outline": "ellipse",
+        "lens.height_range": None,
+        "lens.base": {"shape": "flat", "height": 0.12},
+        "lens.max_thickness": 1.8,
+        "lens.min_thickness": 0.02,
+        "run.iterations": 3,
+        "version": 2,
+    }
+    disc = (np.hypot(*np.meshgrid(np.linspace(-1, 1, 32), np.linspace(-1, 1, 32))) < 0.8) * 1.0
+    wide = {"shape": "freeform", "height_range": [0, 0.48]}
+    one, two = (
+        list(run(make_scene({**near, "lens.entrance": each}), disc))[-1].state.account
+        for each in ({"shape": "flat"}, wide)
+    )
+    share_one, share_two = (
+        each.lost["left_side"] / (1 - each.lost["missed_lens"]) for each in (one, two)
+    )
+    assert share_two < 0.4 * share_one

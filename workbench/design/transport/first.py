@@ -15,7 +15,7 @@ Array = npt.NDArray[np.float64]
 
 _BOTH, _ALONE = "both faces", "the exit face alone"
 # Light that both faces bend meets them less steeply, and a descent improves both: worth so much.
-_HANDICAP = {_ALONE: 3.0}
+_HANDICAP = {_ALONE: 1.8}
 
 
 class First(NamedTuple):

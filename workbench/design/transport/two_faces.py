@@ -1,12 +1,12 @@
 """A first lens of two faces that share the bending of the light.
 
 As in `workbench.design.transport.start`, but light is followed from cells of the plane before the
-lens. In the glass it takes a direction between where it comes from and where it should go. That of
-near points takes the one in the middle: both faces turn it by the same angle, and it meets both at
-the same angles. Collimated light is turned by 1/(2n) of the way, which takes equal slopes of both
-faces where these are small. Snell's law says what slopes that takes, at the places that the light
-meets, and least squares find the faces. The exit face comes second, and mends with the light that
-the entrance face really sends what that could not do.
+lens. In the glass it takes a direction between where it comes from and where it should go.
+Collimated light is turned by 1/(2n) of the way, which takes equal slopes of both faces where these
+are small. That of near points is turned by most of the way: what would be turned later leaves
+through the side before it comes to the exit face. Snell's law says what slopes that takes, at the
+places that the light meets, and least squares find the faces. The exit face comes second, and mends
+with the light that the entrance face really sends what that could not do.
 """
 
 from collections.abc import Sequence
@@ -39,6 +39,16 @@ Vector = tuple[Array, Array, Array]
 _CELLS = 128
 # Rounds of transport, each with light that knows more of the lens; and of faces in each.
 _ROUNDS, _FITS = 3, 2
+# The part of the way by which light of near points is turned at the entrance face. Half of it would
+# be by equal angles. A point 14 mm before a round lens of 50 mm, entrance face with 12 mm of room:
+#
+# | part | error after 50 steps | lands on the screen of what meets the lens |
+# |---|---|---|
+# | flat entrance face | 13.3 % | 64 % |
+# | 0.6 | 6.0 % | 72 % |
+# | 0.7 | 2.8 % | 79 % |
+# | 0.85 | 2.9 % | 85 % |
+_NEAR_PART = 0.85
 # What is left of the bending at the entrance face in each trial after one whose face did not fit
 # between its limits.
 _LESS, _TRIALS = 0.9, 4
@@ -114,7 +124,7 @@ class _Light:
         rays = through_cells(origins, lens, (cells, cells))
         x, y, z = rays.position
         self._rays = rays._replace(position=(x, y, z - self._path.datum))
-        self.split = 0.5 / lens.index if origins.infinite else 0.5
+        self.split = 0.5 / lens.index if origins.infinite else _NEAR_PART
         self.coming = _three([part.numpy() for part in rays.direction])
         self._width = [2 * r / cells for r in lens.half_width]
         self._corner = [-r for r in lens.half_width]
