@@ -62,6 +62,7 @@ class BeamPlan:
         net = net or ControlNet.of(scene.optic)
         needed = precision_of(scene, net)
         path = Path.of(scene, net, dtype or needed, device_of(scene), Corners(*cells))
+        self._called, self._back = scene.receiver.called, scene.optic.onwards < 0
         self._pixels, self._half_extent = scene.receiver.pixels, scene.receiver.half_extent
         self._missed, self._of_light = path.steps[0].missed, path.emitter.origins.note
         self._kernel, self._promised = beam_kernel_of(path), mirrored
@@ -76,6 +77,8 @@ class BeamPlan:
         notes = self._choice.notes(self._tracer.notes)
         rays = math.prod(len(split) for split in self._tracer.splits)
         notes.append(f"beams of light between {rays:,} rays: no noise, and no filter")
+        if self._back:
+            notes.append(f"shading by the {self._called} and by the mirror itself is ignored")
         return (*filter(None, (*notes, self._of_light)), *self._choice.defects())
 
     def light_extent(self, heights: Mapping[str, Tensor]) -> tuple[float, float]:
