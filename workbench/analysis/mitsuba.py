@@ -20,7 +20,7 @@ from workbench.analysis.mitsuba_receivers import picture_of
 from workbench.analysis.watch import Watch, unwatched
 from workbench.errors import Refused
 from workbench.geometry.outlines import Rectangle, outline_of
-from workbench.geometry.surface import ControlNet
+from workbench.geometry.surface import ControlNet, check_one_face
 from workbench.scene import Lens, Mirror, Scene
 
 Array = npt.NDArray[np.float64]
@@ -56,6 +56,7 @@ class MitsubaScene:
     """
 
     def __init__(self, scene: Scene, heights: Mapping[str, Array]) -> None:
+        check_one_face(scene.optic, "the comparison with Mitsuba")
         self._mi = _mitsuba()
         self._picture = picture_of(scene.receiver, scene.optic)
         # Mitsuba counts in single precision and has thresholds made for lengths of about 1.

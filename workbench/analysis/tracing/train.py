@@ -19,6 +19,7 @@ from workbench.analysis.tracing.receivers import detector_of
 from workbench.analysis.tracing.sources import light_source
 from workbench.analysis.tracing.surfaces import FlatFace, MirrorFace, SplineFace
 from workbench.geometry.outlines import outline_of
+from workbench.geometry.surface import check_one_face
 from workbench.scene import AnyReceiver, Lens, Mirror, Scene
 
 # Rays followed together: what is made of them on the way stays within the cache.
@@ -101,6 +102,7 @@ class OpticalTrain:
     ) -> "OpticalTrain":
         """The train of a scene with receivers of one kind; for the parameters see `Trace`."""
         optic = scene.optic
+        check_one_face(optic, "the independent check")
         middle = scene.source.place or (0.0, 0.0, optic.front_z)
         return cls(
             light_source(scene.source, optic, pose.of_source(middle), rays, seed),

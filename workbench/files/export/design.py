@@ -11,7 +11,7 @@ import numpy.typing as npt
 from workbench import units
 from workbench.design.snapshot import Result
 from workbench.geometry.outlines import Outline, outline_of
-from workbench.geometry.surface import ControlNet, GridBasis
+from workbench.geometry.surface import ControlNet, GridBasis, check_one_face
 from workbench.scene import Scene
 
 Array = npt.NDArray[np.float64]
@@ -38,11 +38,19 @@ class Design:
     chord_error : float, optional
         How far a mesh may be from the exit face, scene units; 1e-4 of the larger half-width by
         default.
+
+    Raises
+    ------
+    Refused
+        If the lens has two freeform faces.
     """
 
     scene: Scene
     result: Result
     chord_error: float | None = None
+
+    def __post_init__(self) -> None:
+        check_one_face(self.scene.optic, "exports")
 
     @property
     def unit(self) -> str:
