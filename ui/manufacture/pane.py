@@ -19,7 +19,7 @@ from ui.threads.background import Background, Task
 from ui.threads.failure import sentence_of
 from ui.widgets.side_by_side import SideBySide
 from workbench.analysis.manufacture import Manufacture, SurfaceMaps, manufacture, surface_maps
-from workbench.geometry.surface import even_counts
+from workbench.geometry.surface import even_counts, freeform_nets
 
 if TYPE_CHECKING:
     from ui.shown.frame import Frame
@@ -128,10 +128,11 @@ class ManufacturePane(SideBySide):
         # One behind another tab is not hidden, but nothing of it is seen.
         if frame is None or self._background.busy or self.visibleRegion().isEmpty():
             return
-        optic, heights = (
-            frame.session.scene.optic,
-            frame.state.heights[frame.session.scene.optic.face],
-        )
+        optic = frame.session.scene.optic
+        if len(freeform_nets(optic)) > 1:
+            self._figures.say("Found of lenses with a flat entrance face only.")
+            return
+        heights = frame.state.heights[optic.face]
 
         def work(task: Task) -> _Found:
             maps = surface_maps(optic, heights, even_counts(optic.half_width, _PLACES))

@@ -16,7 +16,7 @@ from workbench.geometry.basis import basis_matrix
 from workbench.geometry.bounds import derivative_range
 from workbench.geometry.curvature import local_shape
 from workbench.geometry.outlines import outline_of
-from workbench.geometry.surface import ControlNet
+from workbench.geometry.surface import ControlNet, check_one_face
 from workbench.scene import Optic
 
 Array = npt.NDArray[np.float64]
@@ -135,7 +135,13 @@ def surface_maps(optic: Optic, control_points: Array, count: tuple[int, int]) ->
         Control heights, scene units.
     count : tuple[int, int]
         Numbers of points along x and y.
+
+    Raises
+    ------
+    Refused
+        If the lens has two freeform faces.
     """
+    check_one_face(optic, "figures of manufacture")
     u, v = np.linspace(0, 1, count[0]), np.linspace(1, 0, count[1])
     shape = local_shape(ControlNet.of(optic), control_points, u, v)
     x, y = (2 * u - 1) * optic.half_width[0], (2 * v - 1) * optic.half_width[1]
@@ -160,6 +166,11 @@ def manufacture(optic: Optic, control_points: Array) -> Manufacture:
     control_points : ndarray, shape (n_u, n_v)
         Control heights, scene units.
 
+    Raises
+    ------
+    Refused
+        If the lens has two freeform faces.
+
     Examples
     --------
     >>> import numpy as np
@@ -170,6 +181,7 @@ def manufacture(optic: Optic, control_points: Array) -> Manufacture:
     >>> round(found.thinnest.value, 12), round(found.thickest.value, 12)
     (0.5, 0.7)
     """
+    check_one_face(optic, "figures of manufacture")
     net = ControlNet.of(optic)
     parts_x, parts_y = (
         math.ceil(_PARTS / (n - p)) for n, p in zip(net.shape, net.degree, strict=True)

@@ -17,7 +17,7 @@ from workbench.design.origin import origin
 from workbench.design.session import KeptRun, Session, result_of, verified_error
 from workbench.errors import visible
 from workbench.extended.bound import Bound
-from workbench.geometry.surface import even_counts
+from workbench.geometry.surface import even_counts, freeform_nets
 from workbench.pictures import report as pictures
 from workbench.report.content import Picture, Report, Row, Section
 from workbench.report.figures import (
@@ -138,6 +138,11 @@ def gather(
 
 def _manufacture(scene: Scene, heights: Array) -> Section:
     optic = scene.optic
+    if len(freeform_nets(optic)) > 1:
+        return Section(
+            "Manufacture",
+            note="Thickness and curvature are found of lenses with a flat entrance face only.",
+        )
     limits = Limits(min_thickness=optic.least_thickness, min_radius=scene.run.min_radius)
     maps = surface_maps(optic, heights, even_counts(optic.half_width, _PLACES))
     draw = partial(pictures.draw_manufacture, maps=maps, limits=limits, unit=scene.unit)

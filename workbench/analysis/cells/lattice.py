@@ -16,6 +16,7 @@ from workbench.analysis.tracing.elements import TracedRays
 from workbench.analysis.tracing.in_order import in_order
 from workbench.analysis.tracing.train import OpticalTrain, Tally
 from workbench.geometry.outlines import outline_of
+from workbench.geometry.surface import freeform_nets
 from workbench.scene import Scene
 
 Index = npt.NDArray[np.intp]
@@ -63,7 +64,8 @@ class Lattice:
         lifted: tuple[bool, bool] | None = None,
     ) -> None:
         self._train, self._pixels = train, scene.receiver.pixels
-        p, q = scene.optic.degree
+        nets = freeform_nets(scene.optic).values()
+        p, q = (min(degrees) for degrees in zip(*(net.degree for net in nets), strict=True))
         self._lifted = (p > 2, q > 2) if lifted is None else lifted
         self._outline, self._grading = outline_of(scene.optic), Grading.of(scene)
         self._samples = _SAMPLES if train.source.origins < _MANY else _FEWER

@@ -17,9 +17,9 @@ from workbench.analysis.tracing.interfaces import DielectricBoundary, MirrorBoun
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.receivers import detector_of
 from workbench.analysis.tracing.sources import light_source
-from workbench.analysis.tracing.surfaces import FlatFace, MirrorFace, SplineFace
+from workbench.analysis.tracing.surfaces import FlatFace, FrontFace, SplineFace
 from workbench.geometry.outlines import outline_of
-from workbench.geometry.surface import check_one_face
+from workbench.geometry.surface import freeform_nets
 from workbench.scene import AnyReceiver, Lens, Mirror, Scene
 
 # Rays followed together: what is made of them on the way stays within the cache.
@@ -102,7 +102,6 @@ class OpticalTrain:
     ) -> "OpticalTrain":
         """The train of a scene with receivers of one kind; for the parameters see `Trace`."""
         optic = scene.optic
-        check_one_face(optic, "the independent check")
         middle = scene.source.place or (0.0, 0.0, optic.front_z)
         return cls(
             light_source(scene.source, optic, pose.of_source(middle), rays, seed),
@@ -163,7 +162,10 @@ class OpticalTrain:
 
 def _of_lens(lens: Lens, heights: Mapping[str, Array]) -> Sequence[tuple[Face, Boundary]]:
     n, (entering, leaving) = lens.index, reflectances(lens)
-    entrance = FlatFace(0.0, outline_of(lens), "missed_lens")
+    entrance: Face = FlatFace(0.0, outline_of(lens), "missed_lens")
+    if "entrance" in heights:
+        net = freeform_nets(lens)["entrance"]
+        entrance = FrontFace(lens, heights["entrance"], "missed_lens", net)
     exit_face = SplineFace(lens, heights["exit"], "left_side")
     return (
         (entrance, DielectricBoundary(1.0, n, "fresnel_entrance", entering)),
@@ -172,7 +174,7 @@ def _of_lens(lens: Lens, heights: Mapping[str, Array]) -> Sequence[tuple[Face, B
 
 
 def _of_mirror(mirror: Mirror, heights: Mapping[str, Array]) -> Sequence[tuple[Face, Boundary]]:
-    face = MirrorFace(mirror, heights["mirror"], "missed_mirror")
+    face = FrontFace(mirror, heights["mirror"], "missed_mirror")
     return ((face, MirrorBoundary(mirror.reflectance)),)
 
 

@@ -1,6 +1,6 @@
 """Faces that rays meet: a file for each kind."""
 
 from workbench.analysis.tracing.surfaces.flat import FlatFace
-from workbench.analysis.tracing.surfaces.spline import MirrorFace, SplineFace
+from workbench.analysis.tracing.surfaces.spline import FrontFace, SplineFace
 
-__all__ = ["FlatFace", "MirrorFace", "SplineFace"]
+__all__ = ["FlatFace", "FrontFace", "SplineFace"]

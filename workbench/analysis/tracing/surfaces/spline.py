@@ -8,6 +8,7 @@ from scipy.interpolate import BSpline
 from workbench.analysis.tracing.elements import Array, Crossings, FaceLight, TracedRays
 from workbench.analysis.tracing.surfaces.spline_kernels import Spline, meet, surface
 from workbench.geometry.outlines import outline_of
+from workbench.geometry.surface import ControlNet
 from workbench.scene import Optic
 
 # Places on the rim, over the half-width, by rounding.
@@ -25,22 +26,27 @@ class SplineFace:
         Control heights, scene units.
     missed : str
         See `Face`.
+    net : ControlNet, optional
+        Where the control points sit; the net of the face that the task shapes by default.
     """
 
-    def __init__(self, optic: Optic, control_points: Array, missed: str) -> None:
+    def __init__(
+        self, optic: Optic, control_points: Array, missed: str, net: ControlNet | None = None
+    ) -> None:
         self.missed = missed
+        net = net or ControlNet.of(optic)
         knots = [
             np.concatenate([np.full(p, -r), np.linspace(-r, r, n - p + 1), np.full(p, r)])
-            for r, n, p in zip(optic.half_width, optic.net_shape, optic.degree, strict=True)
+            for r, n, p in zip(net.half_width, net.shape, net.degree, strict=True)
         ]
         # A spline is never steeper than the steepest of its derivative's coefficients.
         steepest = []
-        for axis, (t, p) in enumerate(zip(knots, optic.degree, strict=True)):
+        for axis, (t, p) in enumerate(zip(knots, net.degree, strict=True)):
             width = np.expand_dims(t[p + 1 : -1] - t[1 : -p - 1], 1 - axis)
             slopes = np.abs(np.diff(control_points, axis=axis)) * p / width
             steepest.append(float(slopes.max()))
         heights = np.ascontiguousarray(control_points - optic.front_z, dtype=np.float64)
-        along_x, along_y = (_pieces(t, p) for t, p in zip(knots, optic.degree, strict=True))
+        along_x, along_y = (_pieces(t, p) for t, p in zip(knots, net.degree, strict=True))
         r_x, r_y = optic.half_width
         self._spline = Spline(
             heights,
@@ -75,15 +81,15 @@ class SplineFace:
         return rays._replace(flux=rays.flux * lean.clip(min=0))
 
 
-class MirrorFace(SplineFace):
-    """The face of a mirror, which may be before the plane in which rays are counted; a `Face`."""
+class FrontFace(SplineFace):
+    """The face that light meets first, perhaps before the plane where rays count; a `Face`."""
 
     def meet(self, rays: TracedRays) -> Crossings:
         """Where rays from far below first meet it; see `Face.meet`."""
         way = rays.direction / rays.direction[:, 2:]
         back = (rays.position[:, 2:] - self._spline.lowest).clip(min=0)
         found = super().meet(rays._replace(position=rays.position - back * way))
-        # What comes in from beside, over the rim, meets the back of the plate.
+        # What comes in from beside, over the rim, meets no front.
         across = np.abs(found.position[:, 0]) / self._spline.r_x
         up = np.abs(found.position[:, 1]) / self._spline.r_y
         inside = across**2 + up**2 if self._spline.curved else np.maximum(across, up)
