@@ -72,6 +72,7 @@ class TestValidate:
             "difference_over_noise",
             "efficiency",
             "error_bound",
+            "error_bound_wanted",
             "loss",
             "noise",
             "optimiser_difference",

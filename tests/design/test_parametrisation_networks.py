@@ -47,7 +47,8 @@ def paper(make_scene, **settings):
 
 def lenses(scene, start=None):
     target = load_target(scene, None)
-    return [snapshot.state.heights["exit"] for snapshot in run(scene, target, {"exit": start})]
+    begun = None if start is None else {"exit": start}
+    return [snapshot.state.heights["exit"] for snapshot in run(scene, target, begun)]
 
 
 @pytest.mark.parametrize("kind", KINDS)

@@ -139,7 +139,7 @@ def test_a_run_without_light_fails_with_its_light_account(make_scene, disc):
     assert "92.2% passes beside it" in text
     shares = [float(share) for share in re.findall(r"([\d.]+)%", text)]
     assert sum(shares) == pytest.approx(100, abs=0.2)
-    assert text.endswith("a larger or a nearer screen catches it")
+    assert text.endswith("a larger screen catches it")
 
 
 ASIDE = {

@@ -39,7 +39,7 @@ def test_as_many_steps_for_ten_thousand_points_as_for_four(make_scene, emission)
     parts = {
         "rays": lambda s: emit(s.source, s.lens, seed=0),
         "check": lambda s: light_source(s.source, s.lens, Pose(), 1000, 1),
-        "account": lambda s: entering.__wrapped__(s.source, s.lens),
+        "account": lambda s: entering.__wrapped__(s.source, s.lens, TransmittanceLaw.of(s.lens)[0]),
         "samples": lambda s: make_lattice(
             s.source, s.lens, (400, 400), TransmittanceLaw.of(s.lens)[0]
         ),

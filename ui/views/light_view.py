@@ -7,7 +7,7 @@ from PySide6.QtGui import QPainter, QPaintEvent, QPalette
 from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QWidget
 
 from ui.views.view import View
-from workbench.optics.account import words_for
+from workbench.optics.account import LOSSES, words_for
 from workbench.scene import Screen
 
 if TYPE_CHECKING:
@@ -39,11 +39,14 @@ class LightView(View):
 
     def texts(self) -> dict[str, str]:
         """What the table says, by what it is called there."""
-        return {line.name.text(): line.value.text() for line in (*self._rows.values(), self._sum)}
+        lines = (*self._rows.values(), self._sum)
+        return {line.name.text(): line.value.text() for line in lines if not line.value.isHidden()}
 
     def _draw(self, session: "Session", frame: "Frame | None") -> None:
         for name, text in words_for(session.scene.receiver).items():
             self._rows[name].call(*text)
+            loss = LOSSES.get(name)
+            self._rows[name].show(loss is None or loss.optic in ("", session.scene.optic.called))
         if frame is None:
             for line in (*self._rows.values(), self._sum):
                 line.clear()
@@ -77,6 +80,11 @@ class _Line:
         self.value.setAccessibleName(name)
         for widget in (self.name, self._bar, self.value):
             widget.setToolTip(f"<p>{tip}</p>")
+
+    def show(self, shown: bool) -> None:
+        """Show the line, or hide it."""
+        for widget in (self.name, self._bar, self.value):
+            widget.setVisible(shown)
 
     def clear(self) -> None:
         """Show that nothing is known."""

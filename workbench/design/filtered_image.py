@@ -32,7 +32,7 @@ class FilteredImage:
 
     def __init__(self, scene: Scene, target: Array, locked: Mask | None = None) -> None:
         device = device_of(scene)
-        self._plan = Plan(scene, locked=locked)
+        self._scene, self._plan = scene, Plan(scene, locked=locked)
         self._wanted = torch.as_tensor(share(target), dtype=torch.float32, device=device)
         self._relative = measure_of(scene.receiver, device)
         self._pixel_measure = scene.receiver.pixel_measure
@@ -46,7 +46,7 @@ class FilteredImage:
             If no light reaches the screen, or the loss is not finite.
         """
         traced = self._plan.trace(heights)
-        check_light(traced.flux.detach(), traced.account)
+        check_light(traced.flux.detach(), traced.account, self._scene)
         loss = paper_loss(traced.flux, self._wanted, self._relative)
         check_finite(loss, traced.account)
         state = LensState.traced(heights, traced.flux, self._pixel_measure, loss, traced.account)

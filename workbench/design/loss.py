@@ -8,7 +8,7 @@ from torch import Tensor
 from workbench.design.lens_state import LensState
 from workbench.errors import RunFailed
 from workbench.optics.account import LOSSES, Account
-from workbench.scene import AnyReceiver
+from workbench.scene import AnyReceiver, Scene
 
 
 def share(target: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
@@ -54,7 +54,7 @@ def relative_error(state: LensState, target: npt.NDArray[np.float64]) -> float:
     return float(state.loss * target.size**0.5 / np.linalg.norm(share(target)))
 
 
-def check_light(flux: Tensor, account: Account) -> None:
+def check_light(flux: Tensor, account: Account, scene: Scene) -> None:
     """Stop a run whose image has no light that it could move.
 
     Parameters
@@ -63,6 +63,8 @@ def check_light(flux: Tensor, account: Account) -> None:
         Light in each pixel of the image that the run looks at.
     account : Account
         Where the light went.
+    scene : Scene
+        The design task.
 
     Raises
     ------
@@ -74,7 +76,8 @@ def check_light(flux: Tensor, account: Account) -> None:
     parts = {LOSSES[name]: flux / account.emitted for name, flux in account.lost.items()}
     most = max(parts, key=lambda loss: parts[loss])
     went = ", ".join(f"{part:.1%} {loss.where}" for loss, part in parts.items() if part > 5e-4)
-    raise RunFailed(f"no light reaches the screen: of the emitted light {went}; {most.cure}")
+    cure = most.cure_in(scene)
+    raise RunFailed(f"no light reaches the screen: of the emitted light {went}; {cure}")
 
 
 def check_finite(loss: Tensor, account: Account) -> None:

@@ -63,7 +63,7 @@ class WideImage:
         mirrored: tuple[bool, bool] = (False, False),
         blur: Blur | None = None,
     ) -> None:
-        receiver = scene.receiver
+        self._scene, receiver = scene, scene.receiver
         (n_x, n_y), r, most = receiver.pixels, receiver.half_extent, receiver.farthest
         m_x, m_y = (
             _margin(light_extent[k] / r[k], receiver.pixels[k], most[k] / r[k]) for k in (0, 1)
@@ -101,7 +101,7 @@ class WideImage:
             If there is no light on the wide image, or the loss is not finite.
         """
         traced = self._plan.trace(heights, self._margin)
-        check_light(traced.flux.detach(), traced.account)
+        check_light(traced.flux.detach(), traced.account, self._scene)
         step = self._step(heights, traced)
         error = traced.flux / traced.account.arrived / self._wide_relative - self._wanted
         return error / self._scale, step

@@ -25,6 +25,8 @@ class Loss(NamedTuple):
         flatter base, where there is one.
     always : bool
         Whether every account has it, and with that every file of version 1.
+    optic : str
+        Which kind of optic loses light so, as that is called; empty for all.
     """
 
     title: str
@@ -32,6 +34,12 @@ class Loss(NamedTuple):
     where: str
     cure: str
     always: bool = False
+    optic: str = ""
+
+    def cure_in(self, scene: Scene) -> str:
+        """The cure for a scene."""
+        flatter = "" if scene.optic.base.shape == "flat" else "a flatter base, "
+        return self.cure.format(receiver=scene.receiver.called, flatter=flatter)
 
 
 LOSSES: Mapping[str, Loss] = {
@@ -50,6 +58,7 @@ LOSSES: Mapping[str, Loss] = {
         "misses the lens",
         "a larger lens catches it",
         always=True,
+        optic="lens",
     ),
     "missed_mirror": Loss(
         "Missed the mirror",
@@ -57,12 +66,14 @@ LOSSES: Mapping[str, Loss] = {
         "the corners of the rectangle around an elliptic mirror.",
         "misses the mirror",
         "a larger mirror catches it",
+        optic="mirror",
     ),
     "absorbed_mirror": Loss(
         "Absorbed by the mirror",
         "The part of the light on the mirror that it does not reflect.",
         "is absorbed by the mirror",
         "a coating with a higher reflectance reflects it",
+        optic="mirror",
     ),
     "left_side": Loss(
         "Out of the side",
@@ -70,6 +81,7 @@ LOSSES: Mapping[str, Loss] = {
         "leaves by the side",
         "a thinner lens, or a source farther away or nearer to the axis, keeps it",
         always=True,
+        optic="lens",
     ),
     "total_reflection": Loss(
         "Totally reflected",
@@ -77,6 +89,7 @@ LOSSES: Mapping[str, Loss] = {
         "is totally reflected",
         "{flatter}thicker stock, a lower index or a target that needs less bending lets it out",
         always=True,
+        optic="lens",
     ),
     "fresnel_entrance": Loss(
         "Reflected on entry",
@@ -84,12 +97,14 @@ LOSSES: Mapping[str, Loss] = {
         "is reflected at the entrance",
         "a source nearer to the axis lets it in",
         always=True,
+        optic="lens",
     ),
     "absorbed": Loss(
         "Absorbed",
         "The part that the glass absorbs of the light that comes to the exit face.",
         "is absorbed by the glass",
         "a thinner lens or a clearer glass lets more of it through",
+        optic="lens",
     ),
     "fresnel_exit": Loss(
         "Reflected on exit",
@@ -97,6 +112,7 @@ LOSSES: Mapping[str, Loss] = {
         "is reflected at the exit",
         "{flatter}thicker stock, a lower index or a target that needs less bending lets it out",
         always=True,
+        optic="lens",
     ),
 }
 """All losses by name, in the order in which they are listed."""
@@ -167,8 +183,7 @@ class Account:
             return ""
         most = max((name for name in self.lost if name != "off_screen"), key=self.lost.__getitem__)
         where, receiver = LOSSES[most].where, scene.receiver
-        flatter = "" if scene.optic.base.shape == "flat" else "a flatter base, "
-        cure = LOSSES[most].cure.format(receiver=receiver.called, flatter=flatter)
+        cure = LOSSES[most].cure_in(scene)
         part = self.lost[most] / self.emitted
         return (
             f"Only {100 * self.efficiency:.1f} % of the light lands {receiver.place}; "

@@ -69,7 +69,7 @@ def at_bench(display, make_session, qtbot):
             bench.window.show()
         # Until the first preview is drawn there is nothing to take hold of.
         view = bench.view
-        qtbot.waitUntil(lambda: view.frame is not None and view.lens is not None, timeout=60_000)
+        qtbot.waitUntil(lambda: view.frame is not None and view.optic is not None, timeout=60_000)
         qtbot.waitUntil(lambda: not view._outdated)
         return bench
 
@@ -596,7 +596,7 @@ def test_in_the_window(display, make_session, open_window, tmp_path, drag, qtbot
     window = open_window(make_session({"run.iterations": 3}))
     window.build()
     view, commands, document = window.loaded.views.scene, window.commands, window.document
-    qtbot.waitUntil(lambda: view.frame is not None and view.lens is not None, timeout=60_000)
+    qtbot.waitUntil(lambda: view.frame is not None and view.optic is not None, timeout=60_000)
     commands["sculpt"].trigger()
     qtbot.waitUntil(lambda: view.net._shown)
     held = drag(view, seen_at(view, view.net.places[6, 5]))

@@ -11,7 +11,6 @@ import numpy as np
 import numpy.typing as npt
 
 from workbench.compiled import jit
-from workbench.optics.intersection import RIM
 from workbench.optics.kernels.front_light import (
     BRIGHT,
     D_BRIGHT,
@@ -87,6 +86,8 @@ class Body(NamedTuple):
         Whether the outline is an ellipse.
     by_x2, by_y2 : floating
         One by the squares of its semi-axes.
+    rim2 : floating
+        Square of `workbench.optics.intersection.RIM`.
     law_in, law_out : TransmittanceLaw
         Of both faces.
     """
@@ -98,6 +99,7 @@ class Body(NamedTuple):
     curved: bool
     by_x2: Number
     by_y2: Number
+    rim2: Number
     law_in: TransmittanceLaw
     law_out: TransmittanceLaw
 
@@ -155,7 +157,7 @@ def _at_exit(net, body, ray, t, w):  # type: ignore[no-untyped-def]
     if body.curved:
         start = t[FRONT + np.uintp(ray)] + body.lift
         x_0, y_0 = w[at(X, ray)] + a * start, w[at(Y, ray)] + b * start
-        rim2 = max(x_0 * x_0 * body.by_x2 + y_0 * y_0 * body.by_y2, kind(1)) * kind(RIM * RIM)
+        rim2 = max(x_0 * x_0 * body.by_x2 + y_0 * y_0 * body.by_y2, kind(1)) * body.rim2
         met = met & (x * x * body.by_x2 + y * y * body.by_y2 <= rim2)
     z_x, z_y = w[at(Z_S, ray)] * net.per_x, w[at(Z_T, ray)] * net.per_y
     excess = law.ratio * law.ratio - kind(1)

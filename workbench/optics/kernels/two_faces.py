@@ -15,6 +15,7 @@ from torch import Tensor
 from workbench.geometry.surface import ControlNet
 from workbench.optics.account import Account
 from workbench.optics.front_samples import FrontGrid, FrontSamples
+from workbench.optics.intersection import RIM
 from workbench.optics.kernels import threads
 from workbench.optics.kernels.exit_face import ExitFace
 from workbench.optics.kernels.front_light import FarLight, NearLight
@@ -121,6 +122,7 @@ class _Given:
             not front.outline.whole,
             by_x2,
             by_y2,
+            kind(RIM**2),
             entrance.law.cast(kind),
             leaving.law.cast(kind),
         )
@@ -229,7 +231,7 @@ def compile_for(dtype: torch.dtype) -> None:
     exit_face = face.net, face.bounds(heights, np.ones(2)), make_table(heights, face.powers)
     pair, axes = np.ones(2, kind), (one, one, one)
     laws = (TransmittanceLaw.fresnel(ratio).cast(kind) for ratio in (1 / 1.5, 1.5))
-    body = Body(np.ones((2, 2), kind), -one, kind(1e-6), one, False, one, one, *laws)
+    body = Body(np.ones((2, 2), kind), -one, kind(1e-6), one, False, one, one, one, *laws)
     landing = Landing(False, axes, one, axes, axes, one, one)
     near = NearLight(pair, pair, pair, pair, one, np.ones((2, 2, 2), kind), one, one)
     for loops, light in ((FROM_FAR, FarLight(pair, pair, pair, pair, one)), (FROM_NEAR, near)):
