@@ -112,6 +112,18 @@ def parts_inside(outline: Outline, across: Places, up: Places) -> Array:
     return np.asarray(inside / ((right - left)[:, None] * (high - low)))
 
 
+def areas_of(outline: Outline, across: Places, up: Places) -> Array:
+    """Area inside an outline of what each ray stands for, as seen along the axis; (m_x, m_y)."""
+    (r_x, r_y), inside = outline.half_width, parts_inside(outline, across, up)
+    wide, high = across.high - across.low, up.high - up.low
+    return np.asarray(4 * r_x * r_y * wide[:, None] * high * inside)
+
+
+def splits_side_by_side(across: Places, up: Places, origins: int) -> tuple[Array, Array]:
+    """Splits of rays that all origins share, one origin after the other along y."""
+    return across.split, np.tile(up.split, (origins, 1))
+
+
 def interleaving(points: int) -> npt.NDArray[np.int64]:
     """Order in which points take turns: mirror-symmetric, and without a trend.
 

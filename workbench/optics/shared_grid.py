@@ -22,7 +22,7 @@ from workbench.optics.interfaces import Refraction
 from workbench.optics.path import Path
 from workbench.optics.patterns import interpolated, tabulated
 from workbench.optics.rays import RayBundle, Vector
-from workbench.optics.samples import Corners, Places, parts_inside, places
+from workbench.optics.samples import Corners, Places, parts_inside, places, splits_side_by_side
 from workbench.optics.sources.origins import Origins
 from workbench.optics.steps import Step
 from workbench.optics.surfaces import BSplineSurface, Meeting, Plane
@@ -131,8 +131,7 @@ class SharedGrid(NamedTuple):
     @property
     def splits(self) -> tuple[Array, Array]:
         """See `workbench.optics.light.BeamTracer`: origins one after the other along y."""
-        across, up = self.lines
-        return across.split, np.tile(up.split, (len(self.origins.places), 1))
+        return splits_side_by_side(*self.lines, len(self.origins.places))
 
 
 def _turned(

@@ -71,11 +71,7 @@ class FusedOrigins:
     @property
     def notes(self) -> list[str]:
         """See `workbench.optics.light.BeamTracer`."""
-        kind = "direction" if self._shared.origins.infinite else "point"
-        notes = [f"{self._count} {kind}{'s' * (self._count > 1)} of light", SharedSamples.note]
-        if any(self.mirrored):
-            notes.append(f"mirror symmetry: {len(self._shared.origins.flux)} of them are traced")
-        return notes
+        return notes_of(self._shared.origins, self._count, SharedSamples.note)
 
     @property
     def splits(self) -> tuple[Array, Array]:
@@ -225,6 +221,15 @@ def halved(origins: Origins, wanted: tuple[bool, bool]) -> tuple[Origins, tuple[
             kept = kept._replace(places=kept.places[some], flux=(kept.flux * share)[some])
             done[axis] = True
     return kept, (done[0], done[1])
+
+
+def notes_of(traced: Origins, count: int, note: str) -> list[str]:
+    """What is special about a trace of some origins, of so many in all, in words."""
+    kind = "direction" if traced.infinite else "point"
+    notes = [f"{count} {kind}{'s' * (count > 1)} of light", note]
+    if len(traced.flux) < count:
+        notes.append(f"mirror symmetry: {len(traced.flux)} of them are traced")
+    return notes
 
 
 def _paired(origins: Origins, axis: int) -> bool:

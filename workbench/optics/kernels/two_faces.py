@@ -22,7 +22,7 @@ from workbench.optics.kernels.front_light import FarLight, NearLight
 from workbench.optics.kernels.function import kind_of, trace_two
 from workbench.optics.kernels.grid import Axis, make_axis
 from workbench.optics.kernels.origin_receive import Landing, landing_of
-from workbench.optics.kernels.origins import halved
+from workbench.optics.kernels.origins import halved, notes_of
 from workbench.optics.kernels.point_face import Face, heights_cotangent, make_table
 from workbench.optics.kernels.two_face_loops import FROM_FAR, FROM_NEAR
 from workbench.optics.kernels.two_face_trace import (
@@ -80,11 +80,7 @@ class FusedTwoFaces:
     @property
     def notes(self) -> list[str]:
         """See `workbench.optics.light.BeamTracer`."""
-        kind = "direction" if self._front.origins.infinite else "point"
-        notes = [f"{self._count} {kind}{'s' * (self._count > 1)} of light", FrontSamples.note]
-        if any(self.mirrored):
-            notes.append(f"mirror symmetry: {len(self._front.origins.flux)} of them are traced")
-        return notes
+        return notes_of(self._front.origins, self._count, FrontSamples.note)
 
     @property
     def splits(self) -> tuple[Array, Array]:

@@ -1,0 +1,125 @@
+"""Light of origins at a tensor grid of samples of the first freeform face: it starts there.
+
+Rays through a plane before the face would search for it, and would miss what comes in over its rim.
+On a tensor grid of samples height and slopes are small matrix products, and what each origin of the
+light sends there follows from the place alone: a sample stands for the part of the face around it,
+and takes in more or less light than a plane across the axis, as the face leans to the light or not.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+import torch
+from torch import Tensor
+
+from workbench.geometry.surface import ControlNet, GridBasis
+from workbench.optics.path import Path
+from workbench.optics.patterns import interpolated
+from workbench.optics.rays import RayBundle, Vector
+from workbench.optics.samples import Places, areas_of
+from workbench.optics.sources.origins import Origins
+from workbench.optics.surfaces import Meeting
+
+Array = npt.NDArray[np.float64]
+
+
+class Lit(NamedTuple):
+    """Rays at a face, before it does anything to them, and where they meet it.
+
+    Shapes are (samples along x, origins × samples along y).
+    """
+
+    rays: RayBundle
+    meeting: Meeting
+
+
+class LitFace:
+    """Samples of a face with all that does not depend on its heights.
+
+    Parameters
+    ----------
+    net : ControlNet
+        Where its control heights sit.
+    level : float
+        z of the scene that heights are counted from; beams of some radius have their middle there.
+    lines : tuple of two Places
+        Samples along x and y.
+    origins : Origins
+        Where the light comes from.
+    path : Path
+        The path of the light.
+    patterns : ndarray, shape (origins, n, n), optional
+        See `workbench.optics.patterns.tabulated`, by the places in the plane of ``level``.
+    """
+
+    def __init__(
+        self,
+        net: ControlNet,
+        level: float,
+        lines: tuple[Places, Places],
+        origins: Origins,
+        path: Path,
+        patterns: Array | None = None,
+    ) -> None:
+        self._half_width, self._level, self._lift = net.half_width, level, level - path.datum
+        self._origins = origins
+
+        def constant(values: Array) -> Tensor:
+            return torch.as_tensor(values, dtype=path.dtype, device=path.device).contiguous()
+
+        across, up = lines
+        basis = net.grid(across.part, up.part)
+        self._basis = GridBasis(*map(constant, vars(basis).values()))
+        (r_x, r_y), shape_x, shape_y = net.half_width, (-1, 1, 1), (1, 1, -1)
+        # [samples along x, origins, samples along y]
+        self._x = constant((2 * across.part - 1) * r_x).reshape(shape_x)
+        self._y = constant((2 * up.part - 1) * r_y).reshape(shape_y)
+        self._areas = constant(areas_of(path.outline, *lines))[:, None]
+        self._flux = constant(origins.flux).reshape(1, -1, 1)
+        # Heights above the level: of light from infinitely far directions, which have none.
+        above = np.array([0.0, 0.0, 0.0 if origins.infinite else level])
+        self._at = tuple(constant(part).reshape(1, -1, 1) for part in (origins.places - above).T)
+        self._patterns = None if patterns is None else constant(patterns)
+
+    def light(self, heights: Tensor) -> Lit:
+        """The light that meets a face with control heights (n_u, n_v), z as in the scene."""
+        above = (heights - self._level).to(self._x.dtype)
+        z, face_x, face_y = (part[:, None] for part in self._basis.evaluate(above))
+        (s_x, s_y), density = self._come(z)
+        lean = 1 - s_x * face_x - s_y * face_y
+        met = lean > 0  # a face that leans away further is not lit from before
+        flux = torch.where(met, density * lean * self._areas, 0.0)
+        along = (s_x.square() + s_y.square() + 1).rsqrt()
+        length = (face_x.square() + face_y.square() + 1).rsqrt()
+        shape = flux.shape
+        at = _side_by_side((self._x, self._y, z + self._lift), shape)
+        normal = _side_by_side((-face_x * length, -face_y * length, length), shape)
+        direction = _side_by_side((s_x * along, s_y * along, along), shape)
+        flux, met = (part.reshape(shape[0], -1) for part in (flux, met.expand(shape)))
+        return Lit(RayBundle(at, direction, flux, met), Meeting(at, normal, met))
+
+    def _come(self, z: Tensor) -> tuple[tuple[Tensor, Tensor], Tensor]:
+        """Slopes of the light at the samples, and its flux per area across the axis."""
+        origins = self._origins
+        if origins.infinite:
+            d_x, d_y, d_z = self._at
+            r2 = self._x.square() + self._y.square() + z.square()
+            beside2 = r2 - (self._x * d_x + self._y * d_y + z * d_z).square()
+            fall = torch.exp(-2 * beside2 / origins.waist**2)
+            return (d_x / d_z, d_y / d_z), self._flux * d_z * fall
+        p_x, p_y, p_z = self._at
+        way = z - p_z
+        s_x, s_y = (self._x - p_x) / way, (self._y - p_y) / way
+        cos = (1 + s_x.square() + s_y.square()).rsqrt()
+        density = self._flux * cos.pow(4 if origins.lambertian else 3) / way.square()
+        if self._patterns is not None:
+            across = p_x - p_z * s_x, p_y - p_z * s_y
+            density = density * interpolated(self._patterns, across, self._half_width)
+        return (s_x, s_y), density
+
+
+def _side_by_side(parts: Vector, shape: torch.Size) -> Vector:
+    """Vectors of [samples along x, origins, samples along y], one origin beside the other."""
+    x, y, z = (part.expand(shape).reshape(shape[0], -1) for part in parts)
+    return x, y, z
