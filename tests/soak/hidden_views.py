@@ -286,7 +286,7 @@ def main() -> None:
         window.resize(1600, 1000)
         window.show()
         window.build()
-        while window.loaded.views.scene.frame is None or window.loaded.views.scene.lens is None:
+        while window.loaded.views.scene.frame is None or window.loaded.views.scene.optic is None:
             wait(0.2)
         dragged = [drag(window, "as opened", options.seconds)]
         all_docks(window)

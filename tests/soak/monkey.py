@@ -88,9 +88,9 @@ class Monkey(QObject):
             other = thread not in (threading.main_thread(), threading.current_thread())
             if other and not thread.daemon and not isinstance(thread, threading._DummyThread):
                 self.watch.tell(f"thread left: {thread.name}")
-        for thread in [each for each in gc.get_objects() if type(each) is QThread]:
-            if isValid(thread) and thread.isRunning():
-                self.watch.tell(f"running thread left: {thread}")
+        for of_qt in [each for each in gc.get_objects() if type(each) is QThread]:
+            if isValid(of_qt) and of_qt.isRunning():
+                self.watch.tell(f"running thread left: {of_qt}")
         self.watch.close()
         self._log.close()
 
@@ -229,7 +229,7 @@ def main() -> int:
     _furnish(folder)
     os.environ["XDG_CONFIG_HOME"] = str(folder / "settings")
     if options.keep_every_ms is not None:
-        ui.windows.Recovery = partial(
+        ui.windows.Recovery = partial(  # type: ignore[attr-defined]
             AccountedRecovery, account=folder / "kept.log", every_ms=options.keep_every_ms
         )
     played: list[Monkey] = []
