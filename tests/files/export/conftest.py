@@ -4,10 +4,12 @@ import numpy as np
 import pytest
 
 from tests.accounts import account_of
+from tests.scenes import changed
 from workbench.design.lens_state import LensState
 from workbench.design.snapshot import Result
 from workbench.files.export.design import Design
 from workbench.geometry.faces import FaceArrays
+from workbench.scene import Scene
 
 
 @pytest.fixture
@@ -19,20 +21,41 @@ def make_design(make_scene, rng):
         scene = make_scene(changes)
         if heights is None:
             heights = 0.5 + 0.05 * rng.normal(size=scene.lens.net_shape)
-        n_x, n_y = scene.screen.pixels
-        result = Result(
-            LensState(
-                heights=FaceArrays({"exit": np.asarray(heights)}),
-                irradiance=rng.random((n_y, n_x)),
-                loss=0.1,
-                account=account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
-            ),
-            losses=np.zeros(1),
-            seconds=1.0,
-        )
-        return Design(scene, result, chord_error)
+        return designed(scene, heights, rng, chord_error)
 
     return make
+
+
+@pytest.fixture
+def make_mirror(rng):
+    """A wavy mirror, 2 × 1.4 wide; ``heights`` in place of the waves, fields changed."""
+    data = {
+        "unit": "cm",
+        "mirror": {"half_width": [1.0, 0.7], "control_points": [7, 6], "thickness": 0.3},
+        "source": {"kind": "collimated", "rays": [64, 64]},
+        "screen": {"z": -5.0, "half_width": [1.0, 1.0], "pixels": [4, 4]},
+        "target": {"builtin": "tophat"},
+    }
+
+    def make(changes=None, heights=None):
+        scene = Scene.from_data(changed(changes or {}, data))
+        if heights is None:
+            heights = 0.05 * rng.normal(size=scene.optic.net_shape)
+        return designed(scene, heights, rng, 1e-4)
+
+    return make
+
+
+def designed(scene, heights, rng, chord_error):
+    """The optic of a scene with some control heights, and light of no meaning."""
+    n_x, n_y = scene.receiver.pixels
+    state = LensState(
+        heights=FaceArrays({scene.optic.face: np.asarray(heights)}),
+        irradiance=rng.random((n_y, n_x)),
+        loss=0.1,
+        account=account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
+    )
+    return Design(scene, Result(state, losses=np.zeros(1), seconds=1.0), chord_error)
 
 
 @pytest.fixture

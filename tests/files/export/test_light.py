@@ -71,6 +71,46 @@ def test_light_that_is_bent_aside_is_on_its_side(make_design, write):
         assert table.c[brightest] % 360 == plane
 
 
+@pytest.mark.parametrize("name", ["lens.ies", "lens.ldt"])
+@pytest.mark.parametrize("wide", [0.0, 0.02, 0.5])
+def test_flux_of_the_file_is_that_of_the_rays_at_the_pole(make_design, write, name, wide):
+    """A plate sends all parallel light into the nadir; a bulge sends it around there."""
+    x, y = np.linspace(-1, 1, 12)[:, None], np.linspace(-1, 1, 10)
+    design = make_design({"lens.half_width": [1.0, 1.0]}, 0.5 - wide * (x**2 + y**2) / 2)
+
+    path, deviation = write(write_ldt if name.endswith("ldt") else write_ies, design, name)
+
+    table = opened(path, read_photometry)
+    assert table.lumens == pytest.approx(1000 * leaving(design).flux.sum(), rel=1e-4)
+    assert deviation.size < 1e-9
+
+
+@pytest.mark.parametrize("name", ["mirror.ies", "mirror.ldt"])
+def test_light_of_a_mirror_is_around_the_nadir(make_mirror, write, name):
+    design = make_mirror()
+
+    path, deviation = write(write_ldt if name.endswith("ldt") else write_ies, design, name)
+
+    table, rays = opened(path, read_photometry), leaving(design)
+    assert table.lumens == pytest.approx(1000 * rays.flux.sum(), rel=1e-4)
+    assert deviation.size < 1e-9
+    assert "nadir is −z" in deviation.note
+    assert (table.candela[:, table.gamma > 90] == 0).all()
+    # Where a lamp with this file shines if it is turned about x, so that its nadir is −z.
+    backwards = rays.direction * [1, -1, -1]
+    assert np.average(table.at(backwards) > 0, weights=rays.flux) > 0.999
+
+
+def test_light_that_a_mirror_sends_aside_is_on_its_side(make_mirror, write):
+    """What is reflected to +x is in C0; what is reflected to +y, towards −z, is in C90."""
+    x, y = np.linspace(-1, 1, 7)[:, None], np.linspace(-1, 1, 6)
+    for heights, plane in ((0.2 * x + 0 * y, 0.0), (0.2 * y + 0 * x, 90.0)):
+        path, _ = write(write_ies, make_mirror({}, heights), f"tilted-{plane:g}.ies")
+        table = opened(path, read_photometry)
+        brightest, _ = np.unravel_index(table.candela.argmax(), table.candela.shape)
+        assert table.c[brightest] % 360 == plane
+
+
 def test_rays_behind_the_lens_are_read_again(design, write):
     path, deviation = write(write_tm25, design, "lens.tm25ray")
 

@@ -1,6 +1,7 @@
 """Intensity of the finished lens by direction: IES LM-63-2002 and EULUMDAT.
 
-The axis +z is the nadir, C0 is +x and C90 is −y. The source counts as one lamp of 1000 lm.
+The nadir is where light goes on to: +z behind a lens, −z before a mirror. C0 is +x and C90 is −y
+for a lens, +y for a mirror. The source counts as one lamp of 1000 lm.
 """
 
 import math
@@ -15,7 +16,8 @@ from workbench.errors import Refused
 from workbench.files.export.design import Design, Deviation
 from workbench.files.export.leaving import LeavingRays, leaving
 from workbench.measured.photometry import IntensityTable
-from workbench.measured.photometry.table import table_of
+from workbench.measured.photometry.table import solid_angles, table_of
+from workbench.scene import Optic
 
 Array = npt.NDArray[np.float64]
 
@@ -30,7 +32,7 @@ _PROGRAM = f"Freeform Lens Workbench {__version__}"
 def write_ies(design: Design, file: BinaryIO) -> Deviation:
     """Write the intensity as IES LM-63-2002."""
     rays = leaving(design)
-    table = intensity_of_rays(rays)
+    table = intensity_of_rays(rays, design.scene.optic)
     lines = [
         "IESNA:LM-63-2002",
         "[TEST] simulated",
@@ -45,19 +47,20 @@ def write_ies(design: Design, file: BinaryIO) -> Deviation:
         *(row for plane in table.candela for row in _rows(plane)),
     ]
     file.write(("\r\n".join(lines) + "\r\n").encode("ascii"))
-    return _deviation(table, rays)
+    return _deviation(table, rays, design.scene.optic)
 
 
 def write_ldt(design: Design, file: BinaryIO) -> Deviation:
     """Write the intensity as EULUMDAT, all planes of it."""
     rays = leaving(design)
-    table = intensity_of_rays(rays)
+    optic = design.scene.optic
+    table = intensity_of_rays(rays, optic)
     step_c, step_gamma = 360 / _PLANES, table.gamma[1]
     out = 100 * float(rays.flux.sum())
     # Type of luminaire, symmetry (none), planes of C, their distance, angles γ, theirs.
     head: list[object] = [_PROGRAM, 1, 0, _PLANES, step_c, len(table.gamma), step_gamma]
-    names: list[object] = ["simulated", "Freeform lens", "", "", ""]
-    size = 2e3 * max(design.scene.optic.half_width) * design.metres
+    names: list[object] = ["simulated", f"Freeform {optic.called}", "", "", ""]
+    size = 2e3 * max(optic.half_width) * design.metres
     sizes: list[object] = [round(size), 0, 0, round(size), *[0] * 5]
     # Downward flux and light output ratio in per cent, factor, tilt, sets of lamps.
     factors: list[object] = [100, round(out, 4), 1, 0, 1]
@@ -67,32 +70,45 @@ def write_ldt(design: Design, file: BinaryIO) -> Deviation:
     lines = [*head, *names, *sizes, *factors, *lamps, *ratios, *angles, *table.candela[:-1].ravel()]
     text = [f"{line:.7g}" if isinstance(line, float) else str(line) for line in lines]
     file.write(("\r\n".join(text) + "\r\n").encode("ascii"))
-    return _deviation(table, rays)
+    return _deviation(table, rays, optic)
 
 
-def intensity_of_rays(rays: LeavingRays) -> IntensityTable:
-    """Intensity of rays on planes of C and angles γ, cd: flux around each over its solid angle.
+def intensity_of_rays(rays: LeavingRays, optic: Optic) -> IntensityTable:
+    """Intensity of rays on planes of C and angles γ, cd.
+
+    A ray counts for the nearest plane and, by its distance from each, for the two nearest angles:
+    then the flux of the table, which is linear between its angles, is that of the rays, at the
+    poles as well.
+
+    Parameters
+    ----------
+    rays : LeavingRays
+        At least one.
+    optic : Optic
+        What they leave: it says where the nadir is.
 
     Raises
     ------
     Refused
-        If no ray leaves the lens.
+        If no ray leaves the optic.
     """
     if not len(rays.flux):
-        raise Refused("session", "no light leaves its lens, so that it has no intensity")
-    x, y, z = rays.direction.T
+        problem = f"no light leaves its {optic.body_called}, so that it has no intensity"
+        raise Refused("session", problem)
+    x, y, z = rays.direction.T * np.array([[1.0], [optic.onwards], [optic.onwards]])
     angle = np.degrees(np.arctan2(np.hypot(x, y), z))
     gamma = _angles(angle, rays.flux)
     plane = np.degrees(np.arctan2(-y, x)) % 360 * _PLANES / 360
     j = np.rint(plane).astype(np.intp) % _PLANES
-    i = np.clip(np.rint(angle / gamma[1]).astype(np.intp), 0, len(gamma) - 1)
-    cells = j * len(gamma) + i
-    counted = np.bincount(cells, _LUMENS * rays.flux, _PLANES * len(gamma)).astype(np.float64)
+    i = np.minimum((angle / gamma[1]).astype(np.intp), len(gamma) - 2)
+    part = angle / gamma[1] - i
+    counted = np.zeros(_PLANES * len(gamma))
+    for node, share in ((i, 1 - part), (i + 1, part)):
+        counted += np.bincount(j * len(gamma) + node, _LUMENS * rays.flux * share, len(counted))
     flux = counted.reshape(_PLANES, len(gamma))
-    flux[:, 0] = flux[:, 0].mean()  # one direction
-    edges = np.concatenate([[0.0], (gamma[1:] + gamma[:-1]) / 2, gamma[-1:]])
-    solid = 2 * np.pi / _PLANES * -np.diff(np.cos(np.radians(edges)))
-    candela = flux / solid
+    poles = np.isin(gamma, (0.0, 180.0))  # one direction in all planes
+    flux[:, poles] = flux[:, poles].mean(axis=0)
+    candela = flux / (2 * np.pi / _PLANES * solid_angles(gamma))
     c = np.linspace(0.0, 360.0, _PLANES + 1)
     return table_of(c, gamma, np.vstack([candela, candela[:1]]))
 
@@ -113,10 +129,13 @@ def _rows(values: Iterable[float]) -> list[str]:
     return [" ".join(words[first : first + 10]) for first in range(0, len(words), 10)]
 
 
-def _deviation(table: IntensityTable, rays: LeavingRays) -> Deviation:
+def _deviation(table: IntensityTable, rays: LeavingRays, optic: Optic) -> Deviation:
     """How far the flux of the table is from that of the rays."""
     out = float(rays.flux.sum())
     off = abs(table.lumens / (_LUMENS * out) - 1)
     noise = 1 / math.sqrt(len(rays.flux))
-    note = f"of {len(rays.flux)} rays, {_LUMENS * out:.1f} lm of {_LUMENS:g} lm leave the lens"
+    note = (
+        f"of {len(rays.flux)} rays, {_LUMENS * out:.1f} lm of {_LUMENS:g} lm leave the "
+        f"{optic.body_called}; the nadir is {'+z' if optic.onwards > 0 else '−z'}"
+    )
     return Deviation("flux off by", max(off, 0.0), f"of it, scatter about {noise:.1g}", note)

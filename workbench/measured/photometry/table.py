@@ -15,8 +15,8 @@ _NODES = 8  # of the rule for one interval of γ: exact for the sine at any step
 class IntensityTable:
     """Intensity in cd at angles of type C, all around; linear between them, 0 beyond the last γ.
 
-    γ counts from the nadir of the luminaire. Seen from the lamp along the nadir, C counts
-    clockwise: counterclockwise for who looks down on a luminaire from above.
+    γ counts from the nadir of the luminaire. Looking along the nadir, as from above down on a
+    luminaire, C counts counterclockwise.
 
     Attributes
     ----------
@@ -35,14 +35,7 @@ class IntensityTable:
     @cached_property
     def lumens(self) -> float:
         """Flux into all directions, lm: the exact integral of what is between the angles."""
-        node, weight = np.polynomial.legendre.leggauss(_NODES)
-        edges = np.radians(self.gamma)
-        width = np.diff(edges)[:, None]
-        part = (node + 1) / 2
-        angle = edges[:-1, None] + width * part
-        measure = np.sin(angle) * width * weight / 2  # [intervals, nodes]
-        before, behind = (measure * (1 - part)).sum(1), (measure * part).sum(1)
-        along = self.candela[:, :-1] @ before + self.candela[:, 1:] @ behind
+        along = self.candela @ solid_angles(self.gamma)
         return float(np.trapezoid(along, np.radians(self.c)))
 
     def at(self, direction: Array) -> Array:
@@ -64,6 +57,33 @@ class IntensityTable:
         within = (gamma >= self.gamma[0]) & (gamma <= self.gamma[-1])
         found: Array = np.where(within, (1 - in_c) * low + in_c * high, 0.0)
         return found
+
+
+def solid_angles(gamma: Array) -> Array:
+    """How much each angle γ counts in the flux of a table, sr per radian of C.
+
+    It is the integral over the sphere of what falls linearly from 1 at that angle to 0 at the two
+    beside it.
+
+    Parameters
+    ----------
+    gamma : ndarray, shape (n_g,)
+        Degrees, ascending, within 0 to 180.
+
+    Returns
+    -------
+    ndarray, shape (n_g,)
+    """
+    node, weight = np.polynomial.legendre.leggauss(_NODES)
+    edges = np.radians(gamma)
+    width = np.diff(edges)[:, None]
+    part = (node + 1) / 2
+    angle = edges[:-1, None] + width * part
+    measure = np.sin(angle) * width * weight / 2  # [intervals, nodes]
+    behind = (measure * part).sum(1)
+    weights = np.append(measure.sum(1) - behind, 0.0)
+    weights[1:] += behind
+    return weights
 
 
 def table_of(c: Array, gamma: Array, candela: Array) -> IntensityTable:
