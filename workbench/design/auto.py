@@ -18,7 +18,6 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 import torch
-from scipy.ndimage import binary_dilation
 from torch import Tensor
 
 from workbench.design.heights import Freedom, Mask
@@ -168,6 +167,8 @@ def _joined(
 
     Light hardly minds how far a face is from the screen, but it is lost at a step in the face.
     """
+    from scipy.ndimage import binary_dilation  # late: it takes long to import
+
     joined = dict(first)
     for face, mask in locked.items():
         rim = mask & binary_dilation(~mask)

@@ -8,7 +8,6 @@ from functools import cache
 import numpy as np
 import numpy.typing as npt
 import torch
-from scipy.signal import fftconvolve
 from torch import Tensor
 
 from workbench.design.blurred_plan import BlurredPlan
@@ -186,6 +185,8 @@ def even_blur_of(scene: Scene, heights: Mapping[str, Tensor]) -> Blur | None:
     with torch.no_grad():
         lights = (plan.trace(heights, blur.margin).flux for plan in plans)
         traced, blurred = (light.double().cpu().numpy() for light in lights)
+    from scipy.signal import fftconvolve  # late: it takes long to import
+
     # Origins make dots of narrow light, which are no difference of the lens.
     even = [fftconvolve(image, blur.spread()[0], mode="same") for image in (traced, blurred)]
     unlike = np.linalg.norm(even[1] - even[0])

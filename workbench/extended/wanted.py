@@ -8,10 +8,8 @@ from functools import lru_cache
 
 import numpy as np
 import numpy.typing as npt
-from scipy.signal import fftconvolve
 
 from workbench.extended.blur import Blur
-from workbench.extended.deblur import spread_light
 
 Array = npt.NDArray[np.float64]
 
@@ -61,5 +59,10 @@ def wanted_light(target: Array, blur: Blur, margin: tuple[int, int]) -> Array:
 @lru_cache(maxsize=4)
 def _blurred(target: bytes, shape: tuple[int, int], blur: Blur) -> Array:
     """All of the closest light, blurred; a second or so, and several images want it."""
+    # Late: these take long to import, and light from points or from one direction wants none of it.
+    from scipy.signal import fftconvolve
+
+    from workbench.extended.deblur import spread_light
+
     light = spread_light(np.frombuffer(target).reshape(shape), blur)
     return np.asarray(fftconvolve(light, blur.spread()[0]).clip(min=0))

@@ -5,7 +5,6 @@ from pathlib import Path
 
 import numpy as np
 import numpy.typing as npt
-from scipy.ndimage import gaussian_filter
 from scipy.sparse import csr_array
 
 from workbench.errors import Refused
@@ -65,8 +64,13 @@ def load_target(scene: Scene, folder: Path, kept: bytes | None = None) -> Array:
             light = np.maximum(coverage(frame, receiver) - light, 0.0)
     if not light.any():
         raise Refused("target", "is too small to light any pixel of the screen; enlarge the shape")
-    blurred: Array = gaussian_filter(light, target.blur, mode="constant")
-    return blurred
+    return _blurred(light, target.blur) if target.blur else light
+
+
+def _blurred(light: Array, sigma: float) -> Array:
+    from scipy.ndimage import gaussian_filter  # late: it takes long to import
+
+    return np.asarray(gaussian_filter(light, sigma, mode="constant"))
 
 
 def _bright_pixels(path: Path, picture: Array, invert: bool) -> Array:

@@ -15,7 +15,6 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 import torch
-from scipy.ndimage import map_coordinates
 
 from workbench.design.limits import HeightLimits, bounded
 from workbench.design.transport.back_and_forth import MOST_ROUNDS, Transport
@@ -230,6 +229,8 @@ def _slopes(before: Vector, behind: Vector, index: float, other: float) -> tuple
 
 
 def _between(values: Array, cell: Array) -> Array:
+    from scipy.ndimage import map_coordinates  # late: it takes long to import
+
     return np.asarray(map_coordinates(values, cell, order=1, mode="nearest"))
 
 
