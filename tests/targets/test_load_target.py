@@ -9,6 +9,7 @@ from PIL import Image
 from workbench.errors import Refused
 from workbench.scene import Scene
 from workbench.targets import load_target
+from workbench.targets.tone import SRGB
 
 F = np.array(
     [
@@ -178,3 +179,68 @@ def test_uniform_picture_cannot_be_inverted(load):
 def test_a_shape_that_no_pixel_sees_is_refused():
     with pytest.raises(Refused, match="target: is too small"):
         load_target(scene({"builtin": "tophat", "radius": 1e-9}, (2, 2)), Path())
+
+
+def test_turns_and_cuts_come_in_this_order(load):
+    np.testing.assert_allclose(load(F, (5, 4), (5, 4), turn="left"), np.rot90(F), atol=1e-12)
+    np.testing.assert_allclose(load(F, (5, 4), (5, 4), turn="right"), np.rot90(F, 3), atol=1e-12)
+    np.testing.assert_allclose(load(F, (4, 5), (4, 5), turn="around"), F[::-1, ::-1], atol=1e-12)
+    cut = load(F, (3, 2), (3, 2), crop=[0, 0.2, 0.25, 0.4])
+    np.testing.assert_allclose(cut, F[1:3, :3], atol=1e-12)
+    cut = load(F, (2, 3), (2, 3), crop=[0, 0.2, 0.25, 0.4], turn="left")
+    np.testing.assert_allclose(cut, np.rot90(F[1:3, :3]), atol=1e-12)
+
+
+def test_cuts_leave_a_pixel(load):
+    np.testing.assert_allclose(load([[0.5]], (2, 2), crop=[0.9, 0, 0.09, 0.5]), 1, atol=1e-12)
+    with pytest.raises(Refused, match=r"takes 1 of the width away; at most 0.99") as caught:
+        load(F, crop=[0.5, 0, 0.5, 0])
+    assert caught.value.path == "target.crop"
+
+
+def test_a_picture_that_fills_the_screen_is_cut_at_its_edges(load):
+    wide = np.tile([0.0, 1.0, 0.5, 0.0], (2, 1))
+    np.testing.assert_allclose(load(wide, (4, 4), fit="fill"), [[1, 1, 0.5, 0.5]] * 4, atol=1e-12)
+
+
+@given(
+    shape=st.tuples(st.integers(1, 30), st.integers(1, 30)),
+    pixels=st.tuples(st.integers(1, 40), st.integers(1, 40)),
+    half_width=st.tuples(st.floats(0.1, 10), st.floats(0.1, 10)),
+    padding=st.floats(0, 0.45),
+)
+def test_an_even_picture_that_fills_lights_all_within_the_padding(
+    tmp_path_factory, shape, pixels, half_width, padding
+):
+    path = tmp_path_factory.getbasetemp() / "even.npy"
+    np.save(path, np.ones(shape))
+    task = scene({"image": str(path), "padding": padding, "fit": "fill"}, pixels, half_width)
+    light = load_target(task, path.parent)
+    inside = (1 - 2 * padding) ** 2
+    assert light.min() >= 0 and light.max() <= 1 + 1e-12
+    assert light.mean() == pytest.approx(inside, rel=1e-9)
+
+
+def test_inversion_counts_in_stored_values(tmp_path):
+    stored = np.array([[0, 100, 255]], np.uint8)
+    Image.fromarray(stored).save(tmp_path / "a.png")
+    target = {"image": "a.png", "tone": "srgb", "invert": True}
+    light = load_target(scene(target, (3, 1), (3, 1)), tmp_path)
+    np.testing.assert_allclose(light, SRGB.light((255 - stored) / 255), atol=1e-7)
+
+
+@pytest.mark.parametrize("builtin", ["rectangle", "ring", "text"])
+def test_new_shapes_and_treatments_need_version_2(builtin):
+    task = scene({"builtin": builtin})
+    assert task.to_data()["version"] == 2
+    assert Scene.from_json(task.to_json()) == task
+
+
+def test_a_plain_picture_stays_version_1():
+    task = scene({"image": "a.png"})
+    assert task.to_data()["version"] == 1
+    assert task.to_data()["target"].keys() == {"image", "padding", "blur", "invert"}
+    for changed in ({"tone": "srgb"}, {"fit": "fill"}, {"turn": "left"}, {"crop": [0.1, 0, 0, 0]}):
+        data = scene({"image": "a.png", **changed}).to_data()
+        assert data["version"] == 2
+        assert data["target"].items() >= changed.items()

@@ -8,6 +8,7 @@ from PIL import Image
 
 from workbench.errors import Refused
 from workbench.targets.image import LARGEST_SIDE, read_image
+from workbench.targets.tone import SRGB
 
 LEVELS = np.array([[0, 50, 100, 150], [200, 255, 3, 7], [1, 2, 30, 90]], dtype=np.uint8)
 
@@ -74,6 +75,46 @@ def test_colour_becomes_grey_by_rec_709(tmp_path, colour, grey):
     for picture in (image, image.quantize(4)):  # the second one has a palette
         read = read_image(saved(tmp_path, picture, "a.png"))
         np.testing.assert_allclose(read, np.full((2, 3), grey), rtol=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("stored", "light"),
+    # IEC 61966-2-1; 188 is what monitors show as half the light, 10 lies on the straight line.
+    [(0, 0.0), (10, 10 / 255 / 12.92), (127, 0.21223), (188, 0.50289), (255, 1.0)],
+)
+def test_srgb_is_decoded_as_a_monitor_does(tmp_path, stored, light):
+    for picture in (Image.new("L", (3, 2), stored), Image.new("RGB", (3, 2), (stored,) * 3)):
+        read = read_image(saved(tmp_path, picture, "a.png"), tone=SRGB)
+        np.testing.assert_allclose(read, np.full((2, 3), light), atol=1e-5)
+    deep = Image.fromarray(np.full((2, 3), 257 * stored, np.uint16))
+    np.testing.assert_allclose(
+        read_image(saved(tmp_path, deep, "b.png"), tone=SRGB), np.full((2, 3), light), atol=1e-5
+    )
+
+
+def test_srgb_weighs_light_not_stored_values(tmp_path):
+    picture = Image.new("RGB", (1, 1), (255, 127, 0))
+    read = read_image(saved(tmp_path, picture, "a.png"), tone=SRGB)
+    assert read.item() == pytest.approx(0.2126 + 0.7152 * 0.212231, rel=1e-4)
+
+
+def test_light_and_stored_values_of_a_tone_are_inverse():
+    values = np.linspace(0, 1, 1001)
+    np.testing.assert_allclose(SRGB.stored(SRGB.light(values)), values, atol=1e-7)
+    assert np.all(np.diff(SRGB.light(values)) > 0)
+
+
+@pytest.mark.parametrize("ending", ["npy", "tif"])
+def test_numbers_are_no_shades_of_a_monitor(tmp_path, ending):
+    path = tmp_path / f"a.{ending}"
+    if ending == "npy":
+        np.save(path, np.ones((2, 3)))
+    else:
+        Image.fromarray(np.ones((2, 3), np.float32)).save(path)
+    with pytest.raises(Refused, match="'srgb' is for shades") as caught:
+        read_image(path, tone=SRGB)
+    assert caught.value.path == "target.tone"
+    assert read_image(path).max() == 1
 
 
 def test_transparency_lies_over_black(tmp_path):

@@ -1,11 +1,27 @@
 import numpy as np
 import pytest
 
-from workbench.scene import BallTarget, FlameTarget, Screen, TopHatTarget
+from workbench.errors import Refused
+from workbench.scene import (
+    BallTarget,
+    FlameTarget,
+    RectangleTarget,
+    RingTarget,
+    Screen,
+    TextTarget,
+    TopHatTarget,
+)
 from workbench.targets.coverage import coverage
 from workbench.targets.shapes import ball, draw, flame, top_hat
 
-SHAPES = [TopHatTarget(), FlameTarget(), BallTarget()]
+SHAPES = [
+    TopHatTarget(),
+    FlameTarget(),
+    BallTarget(),
+    RectangleTarget(),
+    RingTarget(),
+    TextTarget(),
+]
 
 
 def screen(pixels=(64, 64), half_width=(1.0, 1.0)):
@@ -136,3 +152,43 @@ def test_ball_facets_tile_the_disc_they_are_inscribed_in():
 def test_ball_is_lit_from_the_upper_left():
     light = ball(screen((100, 100)), 0.9)
     assert light[:50, :50].sum() > 1.5 * light[50:, 50:].sum()
+
+
+def test_a_rectangle_and_a_ring_have_their_areas():
+    raster = screen((50, 30), (2.0, 1.0))
+    lit = draw(RectangleTarget(width=0.3, height=0.55), raster, 0.9)
+    assert lit.mean() == pytest.approx(0.9**2 * 0.3 * 0.55, rel=1e-12)
+    np.testing.assert_allclose(draw(RectangleTarget(), raster, 1.0), 1, atol=1e-12)
+    ring = draw(RingTarget(radius=0.8, inner=0.5), raster, 1.0)
+    area = np.pi * 0.8**2 * (1 - 0.5**2)
+    assert ring.sum() * raster.pixel_measure == pytest.approx(area, rel=1e-4)
+    assert ring[13:17, 23:27].max() == 0
+
+
+def test_text_stands_upright_and_fills_the_width():
+    light = draw(TextTarget(text="L"), screen((60, 60)), 1.0)
+    rows = np.flatnonzero(light.sum(axis=1))
+    assert (rows[0], rows[-1]) == (0, 59)  # L is higher than wide
+    assert light[:30].sum() < light[30:].sum()  # its foot is below
+    columns = np.flatnonzero(light.sum(axis=0))
+    assert light[:, : columns.mean().astype(int)].sum() > 0.6 * light.sum()  # its stem is left
+    wide = draw(TextTarget(text="Light for all"), screen((90, 60)), 1.0)
+    lit = np.flatnonzero(wide.sum(axis=0))
+    assert (lit[0], lit[-1]) == (0, 89)
+
+
+def test_text_has_lines_and_letters_of_other_alphabets():
+    one = draw(TextTarget(text="AB"), screen(), 1.0)
+    for two in ("AB\nAB", r"AB\nAB"):
+        light = draw(TextTarget(text=two), screen(), 1.0)
+        lit = light.sum(axis=1) > 0
+        assert np.abs(np.diff(lit.astype(int))).sum() >= 2  # a gap between the lines
+        assert light.sum() != pytest.approx(one.sum(), rel=0.05)
+    shapes = {draw(TextTarget(text=each), screen(), 1.0).tobytes() for each in "ÄΩЖ№"}
+    assert len(shapes) == 4
+
+
+def test_text_that_draws_nothing_is_refused():
+    with pytest.raises(Refused, match="draws nothing") as caught:
+        draw(TextTarget(text="  "), screen(), 1.0)
+    assert caught.value.path == "target.text"

@@ -70,6 +70,18 @@ class CarriedLens(QObject):
                 "The lens does not fit the new outline: Start designs another one, Undo brings it "
                 "back.",
             )
+        elif set(new) - set(old):
+            self._say_of(
+                after,
+                "The entrance face is freeform now, and flat so far. Continue shapes both faces, "
+                "and Undo takes the change back.",
+            )
+        elif set(old) - set(new):
+            self._say_of(
+                after,
+                "The entrance face is flat now; the exit face stays as it was, but it was made for "
+                "the light of both. Continue shapes it alone, and Undo takes the change back.",
+            )
         elif net == other and new is not old:
             unit = after.scene.unit
             moved = max(float(np.abs(new[face] - old[face]).max()) for face in new)

@@ -66,7 +66,8 @@ class TargetPanel(PartPanel):
         if self.session.scene.image == str(path.absolute()):
             self.image_again.emit()
             return
-        target = {"image": str(path.absolute()), **self._finish()}
+        tone = "linear" if path.suffix.lower() == ".npy" else "srgb"  # numbers are light itself
+        target = {"image": str(path.absolute()), "tone": tone, **self._finish()}
         edit = Edit("target.image", "change of target image", {"target": target}, waits=False)
         self.edited.emit(edit)
 

@@ -30,7 +30,10 @@ from workbench.scene.target import (
     Finish,
     FlameTarget,
     ImageTarget,
+    RectangleTarget,
+    RingTarget,
     Target,
+    TextTarget,
     TopHatTarget,
 )
 from workbench.scene.task import Scene, Unit
@@ -73,6 +76,8 @@ __all__ = [
     "PointSource",
     "Positive",
     "RayFileSource",
+    "RectangleTarget",
+    "RingTarget",
     "Run",
     "RunSettings",
     "Scene",
@@ -81,6 +86,7 @@ __all__ = [
     "SphereBase",
     "Stage",
     "Target",
+    "TextTarget",
     "TopHatTarget",
     "UniformProfile",
     "Unit",

@@ -1,10 +1,11 @@
 """The wanted image."""
 
-from typing import Annotated, Literal
+from typing import Annotated, ClassVar, Literal
 
-from pydantic import ConfigDict
+from pydantic import ConfigDict, Field
 
-from workbench.scene.fields import FILE, Measure, about
+from workbench.errors import Refused
+from workbench.scene.fields import FILE, SINCE_2, Choices, Measure, Version, about
 from workbench.scene.kinds import Kinds
 from workbench.scene.part import Part
 
@@ -42,6 +43,10 @@ class Finish(Part):
         return None
 
 
+_Cut = Annotated[float, Field(ge=0, lt=1)]
+_MOST_CUT = 0.99
+
+
 class ImageTarget(Finish):
     """Bright pixels get much light, black ones and transparent ones none."""
 
@@ -59,11 +64,64 @@ class ImageTarget(Finish):
             min_length=1,
         ),
     ]
+    tone: Annotated[
+        Literal["linear", "srgb"],
+        SINCE_2,
+        Choices((("linear", "As stored"), ("srgb", "As shown by a monitor"))),
+        about(
+            "Brightness",
+            "What a pixel value means. A monitor shows half of the largest value as a fifth of "
+            "the light: a photograph looks as it does there only where that is undone (sRGB). "
+            "As stored, the value itself is the light: half of it is half the light.",
+        ),
+    ] = "linear"
+    fit: Annotated[
+        Literal["whole", "fill"],
+        SINCE_2,
+        Choices((("whole", "All of the picture"), ("fill", "All of the screen"))),
+        about(
+            "Fit",
+            "Whether all of the picture is seen, with a black border where the screen has "
+            "another aspect, or all of the screen is filled, and what is beyond it is cut away.",
+        ),
+    ] = "whole"
+    turn: Annotated[
+        Literal["none", "left", "right", "around"],
+        SINCE_2,
+        Choices(
+            (
+                ("none", "As it is"),
+                ("left", "A quarter to the left"),
+                ("right", "A quarter to the right"),
+                ("around", "Upside down"),
+            )
+        ),
+        about("Turn", "Turns the picture on the screen."),
+    ] = "none"
+    crop: Annotated[
+        tuple[_Cut, _Cut, _Cut, _Cut],
+        SINCE_2,
+        Measure("of the picture"),
+        about(
+            "Cut away",
+            "What is cut away at the left, top, right and bottom of the picture, as fractions of "
+            "its width and height, before it is turned.",
+        ),
+    ] = (0.0, 0.0, 0.0, 0.0)
 
     @property
     def file(self) -> str | None:
         """The image file."""
         return self.image
+
+    def check(self) -> None:
+        """Refuse to cut all of the picture away."""
+        left, top, right, bottom = self.crop
+        for along, cut in (("width", left + right), ("height", top + bottom)):
+            if cut > _MOST_CUT:
+                raise Refused(
+                    "target.crop", f"takes {cut:g} of the {along} away; at most {_MOST_CUT:g}"
+                )
 
 
 _Radius = Annotated[
@@ -114,6 +172,68 @@ class BallTarget(Finish):
     radius: _Radius = 0.8
 
 
+_OF_SCREEN = Measure("of the screen")
+
+
+class RectangleTarget(Finish):
+    """A uniform rectangle; as large as the screen, all of it evenly lit."""
+
+    model_config = ConfigDict(title="Rectangle")
+
+    since: ClassVar[Version] = 2
+    builtin: Literal["rectangle"] = "rectangle"
+    width: Annotated[
+        float,
+        _OF_SCREEN,
+        about("Width", "Width of the rectangle as a fraction of the screen's.", gt=0, le=1),
+    ] = 1.0
+    height: Annotated[
+        float,
+        _OF_SCREEN,
+        about(
+            "Height",
+            "Height of the rectangle as a fraction of the screen's; a small one makes a line.",
+            gt=0,
+            le=1,
+        ),
+    ] = 1.0
+
+
+class RingTarget(Finish):
+    """A uniform ring."""
+
+    model_config = ConfigDict(title="Ring")
+
+    since: ClassVar[Version] = 2
+    builtin: Literal["ring"] = "ring"
+    radius: _Radius = 0.8
+    inner: Annotated[
+        float,
+        Measure("of radius", "of the radius"),
+        about("Inner radius", "As a fraction of the radius.", gt=0, lt=1),
+    ] = 0.7
+
+
+class TextTarget(Finish):
+    """Words, as large as the screen lets them be."""
+
+    model_config = ConfigDict(title="Text")
+
+    since: ClassVar[Version] = 2
+    builtin: Literal["text"] = "text"
+    text: Annotated[
+        str,
+        about("Text", "The words; \\n begins a new line.", min_length=1, max_length=200),
+    ] = "Light"
+
+
 Target = Annotated[
-    ImageTarget | TopHatTarget | FlameTarget | BallTarget, Kinds("builtin", default="image")
+    ImageTarget
+    | TopHatTarget
+    | FlameTarget
+    | BallTarget
+    | RectangleTarget
+    | RingTarget
+    | TextTarget,
+    Kinds("builtin", default="image"),
 ]

@@ -12,6 +12,7 @@ from PIL import Image, ImageOps, UnidentifiedImageError
 
 from workbench.errors import Refused
 from workbench.targets.svg import draw_svg, is_svg
+from workbench.targets.tone import LINEAR, Tone
 
 Array = npt.NDArray[np.float64]
 
@@ -30,22 +31,22 @@ _HEADER_READERS = {
     (2, 0): np.lib.format.read_array_header_2_0,
 }
 
-# Rec. 709 luminance weights, applied to the stored values: brightness is linear in these.
+# Rec. 709 luminance weights.
 _RED_GREEN_BLUE = np.array([0.2126, 0.7152, 0.0722])
 
 # What is no brighter counts as black: rounding of transparent edges makes as much of black.
 _BLACK = 2 / 255
 
 
-def read_image(path: Path, side: int = 1024) -> Array:
-    """Read an image file as grey values, linear in the stored pixel values.
+def read_image(path: Path, side: int = 1024, tone: Tone = LINEAR) -> Array:
+    """Read an image file as light.
 
-    Colour becomes grey by the Rec. 709 weights of the stored values, without undoing any gamma.
-    What is transparent gives no light. Where all that is drawn on a transparent ground is black,
-    as in many a logo, the drawing itself is the light: its opacity counts. A 16-bit grey image
-    keeps its precision (16-bit colour is read with 8 bits); of several frames or pages the first
-    counts; an orientation noted in the file is honoured. An SVG is drawn on a transparent ground. A
-    file that ends in ``.npy`` holds the grey values themselves.
+    Colour becomes grey by the Rec. 709 weights of the light in each channel: of the stored values
+    themselves, or of what a monitor makes of these. What is transparent gives no light. Where all
+    that is drawn on a transparent ground is black, as in many a logo, the drawing itself is the
+    light: its opacity counts. A 16-bit grey image keeps its precision (16-bit colour is read with
+    8 bits); of several frames or pages the first counts; an orientation noted in the file is
+    honoured. An SVG is drawn on a transparent ground. A file that ends in ``.npy`` holds light.
 
     Parameters
     ----------
@@ -53,6 +54,8 @@ def read_image(path: Path, side: int = 1024) -> Array:
         Image file in one of `FORMATS`, SVG, or .npy with a 2-D array of numbers.
     side : int
         Pixels of the longer side of an SVG, which has none of its own.
+    tone : Tone
+        What a stored value means.
 
     Returns
     -------
@@ -63,7 +66,8 @@ def read_image(path: Path, side: int = 1024) -> Array:
     ------
     Refused
         If the file is missing, not such an image, damaged, empty, larger than `LARGEST_SIDE`
-        on a side, or holds a negative or non-finite value.
+        on a side, holds a negative or non-finite value, or holds numbers without a largest one
+        while the tone is that of a monitor.
     """
     try:
         if path.is_dir():
@@ -71,12 +75,12 @@ def read_image(path: Path, side: int = 1024) -> Array:
         if not path.is_file():
             raise _refused(path, "is not an existing file; an image file is needed")
         with path.open("rb") as file:
-            return decode_image(path, file, side)
+            return decode_image(path, file, side, tone)
     except OSError as error:
         raise _refused(path, f"cannot be read: {error.strerror or error}") from error
 
 
-def decode_image(path: Path, file: BinaryIO, side: int = 1024) -> Array:
+def decode_image(path: Path, file: BinaryIO, side: int = 1024, tone: Tone = LINEAR) -> Array:
     """Read the content of an image file, as `read_image` does.
 
     Parameters
@@ -85,16 +89,27 @@ def decode_image(path: Path, file: BinaryIO, side: int = 1024) -> Array:
         What refusals call it; its ending tells a .npy.
     file : BinaryIO
         The content, which can be sought.
-    side : int
+    side, tone
         As for `read_image`.
     """
-    decode = _read_npy if path.suffix.lower() == ".npy" else _read_picture
-    pixels = decode(path, file, side)
+    if path.suffix.lower() == ".npy":
+        pixels = _read_npy(path, file)
+        _check_known(path, tone)
+    else:
+        pixels = _read_picture(path, file, side, tone)
     if not np.isfinite(pixels).all():
         raise _refused(path, "holds a value that is NaN or infinite; finite values are needed")
     if pixels.min() < 0:
         raise _refused(path, f"holds {pixels.min():g}; values of at least 0 are needed")
     return pixels
+
+
+def _check_known(path: Path, tone: Tone) -> None:
+    """Refuse to take numbers for shades of a monitor, whose brightest one is not known."""
+    if tone is not LINEAR:
+        raise Refused(
+            "target.tone", f"'{tone.name}' is for shades, and '{path}' holds numbers; 'linear'"
+        )
 
 
 def _refused(path: Path, reason: str) -> Refused:
@@ -110,7 +125,7 @@ def _check_size(path: Path, rows: int, columns: int) -> None:
         )
 
 
-def _read_npy(path: Path, file: BinaryIO, side: int) -> Array:
+def _read_npy(path: Path, file: BinaryIO) -> Array:
     header = BytesIO(file.read(_LONGEST_HEADER))
     try:
         # The shape is known before any memory is taken. Never unpickles.
@@ -134,13 +149,13 @@ def _read_npy(path: Path, file: BinaryIO, side: int) -> Array:
         return np.array(stored, dtype=np.float64)
 
 
-def _read_picture(path: Path, file: BinaryIO, side: int) -> Array:
+def _read_picture(path: Path, file: BinaryIO, side: int, tone: Tone) -> Array:
     beginning = file.read(1024)
     file.seek(0)
     if not is_svg(beginning):
         # Given an open file, not its path: pillow would map an uncompressed TIFF and then garble
         # one that is stored lying on its side.
-        return _decode(path, file)
+        return _decode(path, file, tone)
     content = file.read(_LARGEST_DRAWING + 1)
     if len(content) > _LARGEST_DRAWING:
         raise _refused(path, f"is an SVG of more than {_LARGEST_DRAWING >> 20} MB")
@@ -148,17 +163,17 @@ def _read_picture(path: Path, file: BinaryIO, side: int) -> Array:
         drawn = draw_svg(content, side)
     except ValueError as error:
         raise _refused(path, f"is an SVG that cannot be drawn: {error}") from error
-    return _decode(path, BytesIO(drawn))
+    return _decode(path, BytesIO(drawn), tone)
 
 
-def _decode(path: Path, file: BinaryIO) -> Array:
+def _decode(path: Path, file: BinaryIO, tone: Tone) -> Array:
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", UserWarning)  # damaged metadata do no harm
             warnings.simplefilter("error", Image.DecompressionBombWarning)
             with Image.open(file, formats=FORMATS) as image:
                 _check_size(path, image.height, image.width)
-                return _grey(ImageOps.exif_transpose(image))
+                return _grey(path, ImageOps.exif_transpose(image), tone)
     except Refused:
         raise
     except UnidentifiedImageError as error:
@@ -172,23 +187,31 @@ def _decode(path: Path, file: BinaryIO) -> Array:
         raise _refused(path, f"is damaged or incomplete: {error}") from error
 
 
-def _grey(image: Image.Image) -> Array:
+def _grey(path: Path, image: Image.Image, tone: Tone) -> Array:
     if image.mode.startswith("I;16"):
-        return np.asarray(image) / 65535.0
+        return tone.light(np.asarray(image) / 65535.0)
     if image.mode in ("I", "F"):  # 32 bits a pixel
+        _check_known(path, tone)
         return np.asarray(image, dtype=np.float64)
     if image.has_transparency_data:
         image = image.convert("RGBA")
         opacity = np.asarray(image.getchannel("A")) / 255.0
-        light = _weighted(image.convert("RGB")) * opacity
-        is_shape = light.max() <= _BLACK and opacity.min() < opacity.max()
-        return opacity if is_shape else light
+        drawn = image.convert("RGB")
+        is_black = (_weighted(drawn, LINEAR) * opacity).max() <= _BLACK
+        is_shape = is_black and opacity.min() < opacity.max()
+        return opacity if is_shape else _weighted(drawn, tone) * opacity
     if image.mode in ("1", "L"):
-        return np.asarray(image.convert("L")) / 255.0
-    return _weighted(image.convert("RGB"))
+        return _light_of(np.asarray(image.convert("L")), tone)
+    return _weighted(image.convert("RGB"), tone)
 
 
-def _weighted(image: Image.Image) -> Array:
-    # einsum converts the bytes in passing, without a float copy of the three channels
-    grey: Array = np.einsum("rcs,s->rc", np.asarray(image), _RED_GREEN_BLUE / 255.0)
+def _weighted(image: Image.Image, tone: Tone) -> Array:
+    # Channel by channel: three of them as floats take eight times the memory of the picture.
+    grey = np.zeros((image.height, image.width))
+    for channel, weight in zip(image.split(), _RED_GREEN_BLUE, strict=True):
+        grey += weight * _light_of(np.asarray(channel), tone)
     return grey
+
+
+def _light_of(stored: npt.NDArray[np.uint8], tone: Tone) -> Array:
+    return tone.light(np.arange(256) / 255.0)[stored]

@@ -5,8 +5,18 @@ from itertools import combinations
 import numpy as np
 import numpy.typing as npt
 
-from workbench.scene import AnyReceiver, BallTarget, FlameTarget, TopHatTarget
+from workbench.scene import (
+    AnyReceiver,
+    BallTarget,
+    FlameTarget,
+    RectangleTarget,
+    RingTarget,
+    TextTarget,
+    TopHatTarget,
+)
 from workbench.targets.coverage import coverage, paint
+from workbench.targets.raster import put
+from workbench.targets.text import picture_of_text
 
 Array = npt.NDArray[np.float64]
 
@@ -41,15 +51,17 @@ _TOWARDS_LIGHT = np.array([-0.6, 0.7, 0.35])
 _DARKEST = 0.15
 
 
-def draw(
-    target: TopHatTarget | FlameTarget | BallTarget, receiver: AnyReceiver, scale: float
-) -> Array:
+Builtin = TopHatTarget | FlameTarget | BallTarget | RectangleTarget | RingTarget | TextTarget
+"""A target that is not read from a file."""
+
+
+def draw(target: Builtin, receiver: AnyReceiver, scale: float) -> Array:
     """Draw a built-in target.
 
     Parameters
     ----------
-    target : TopHatTarget, FlameTarget or BallTarget
-        Shape and its size relative to the smaller half-extent of the receiver.
+    target : Builtin
+        Shape and its size relative to the receiver.
     receiver : AnyReceiver
         Pixel raster.
     scale : float
@@ -60,7 +72,8 @@ def draw(
     ndarray, shape (n_y, n_x)
         Values in [0, 1], row 0 at +y; black outside the shape.
     """
-    unit = scale * min(receiver.half_extent)
+    half_u, half_v = (scale * half for half in receiver.half_extent)
+    unit = min(half_u, half_v)
     match target:
         case TopHatTarget():
             return top_hat(receiver, unit * target.radius)
@@ -68,6 +81,13 @@ def draw(
             return flame(receiver, 2 * unit * target.height)
         case BallTarget():
             return ball(receiver, unit * target.radius)
+        case RectangleTarget():
+            return rectangle(receiver, (half_u * target.width, half_v * target.height))
+        case RingTarget():
+            radius = unit * target.radius
+            return top_hat(receiver, radius) - top_hat(receiver, radius * target.inner)
+        case TextTarget():
+            return put(picture_of_text(target.text), receiver, (half_u, half_v))
 
 
 def top_hat(receiver: AnyReceiver, radius: float) -> Array:
@@ -80,6 +100,18 @@ def top_hat(receiver: AnyReceiver, radius: float) -> Array:
     """
     angle = 2 * np.pi * np.arange(_CORNERS_OF_DISC) / _CORNERS_OF_DISC
     return coverage(radius * np.stack([np.cos(angle), np.sin(angle)], axis=1), receiver)
+
+
+def rectangle(receiver: AnyReceiver, half_extent: tuple[float, float]) -> Array:
+    """Uniform rectangle; its half-extent in coordinates of the receiver.
+
+    Returns
+    -------
+    ndarray, shape (n_y, n_x)
+        Fraction of each pixel inside the rectangle.
+    """
+    corners = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)])
+    return coverage(corners * half_extent, receiver)
 
 
 def flame(receiver: AnyReceiver, height: float) -> Array:

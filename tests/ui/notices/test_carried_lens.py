@@ -14,6 +14,7 @@ from ui.widgets.message_bar import MessageBar
 from workbench.geometry.approximation import deviation
 from workbench.geometry.faces import FaceArrays
 from workbench.geometry.surface import ControlNet
+from workbench.scene import FlatEntrance, FreeformEntrance
 
 
 @pytest.fixture
@@ -147,3 +148,22 @@ def test_a_lens_of_another_task_is_reported_once_for_merged_edits(desk, qtbot):
     assert len(desk.log) == 1 and "another task" in desk.log[0]
     enter(qtbot, desk.forms, "screen.half_width[0]", "7")
     assert desk.document.undo_stack.count() == 2
+
+
+def test_a_second_freeform_face_is_said_and_taken_back(desk):
+    document = desk.document
+    before = document.session
+    two_faced = before.scene.lens.altered(
+        entrance=FreeformEntrance(control_points=(8, 8), height_range=(0.0, 0.1))
+    )
+    document.edit(before.scene.altered(lens=two_faced), "two faces", "lens.entrance.shape")
+    assert set(document.session.heights) == {"entrance", "exit"}
+    assert desk.messages.text.startswith("The entrance face is freeform now, and flat so far.")
+    document.undo_stack.undo()
+    assert document.session is before
+    document.undo_stack.redo()
+    two = document.session
+    flat = two.scene.lens.altered(entrance=FlatEntrance())
+    document.edit(two.scene.altered(lens=flat), "one face", "lens.entrance")
+    assert set(document.session.heights) == {"exit"}
+    assert desk.messages.text.startswith("The entrance face is flat now;")
