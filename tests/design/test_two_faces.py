@@ -7,8 +7,6 @@ from workbench.design.limits import HeightLimits, bounded, undesigned
 from workbench.design.run import run
 from workbench.design.session import Session
 from workbench.design.transport import first_of
-from workbench.errors import Refused
-from workbench.files.export.design import Design
 from workbench.files.session import read_session, write_session
 from workbench.geometry.faces import FaceArrays
 from workbench.scene import Scene
@@ -169,10 +167,3 @@ def test_the_entrance_face_keeps_light_of_a_near_point_from_the_side(make_scene)
         each.lost["left_side"] / (1 - each.lost["missed_lens"]) for each in (one, two)
     )
     assert share_two < 0.4 * share_one
-
-
-def test_what_knows_one_face_refuses_a_lens_of_two(make_scene, uneven):
-    scene = make_scene(FREEFORM)
-    *_, last = run(make_scene({**FREEFORM, "run.iterations": 1}), uneven)
-    with pytest.raises(Refused, match=r"lens.entrance.shape: .*exports"):
-        Design(scene, last)

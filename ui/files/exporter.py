@@ -12,7 +12,7 @@ from ui.run.lens_on_show import NO_LENS, LensOnShow
 from ui.threads.background import Background, Task
 from ui.threads.failure import sentence_of
 from ui.widgets.message_bar import MessageBar
-from workbench.files.export.formats import FORMATS, Format
+from workbench.files.export.formats import Format, formats_for
 
 if TYPE_CHECKING:
     from workbench.files.export.write import Written
@@ -73,7 +73,8 @@ class Exporter(QObject):
 
     def ask_for_name(self) -> Path | None:
         """Ask for a file; a name without an ending gets that of the chosen format."""
-        endings = {_filter(each): each.endings[0] for each in FORMATS}
+        offered = formats_for(self._document.session.heights or ())
+        endings = {_filter(each): each.endings[0] for each in offered}
         title, name = f"Export {self._lens.text}", self._document.name
         return self._dialogs.to_save("export", title, name, endings)
 

@@ -9,19 +9,26 @@ from workbench.design.lens_state import LensState
 from workbench.design.snapshot import Result
 from workbench.files.export.design import Design
 from workbench.geometry.faces import FaceArrays
+from workbench.geometry.surface import freeform_nets
 from workbench.scene import Scene
 
 
 @pytest.fixture
 def make_design(make_scene, rng):
-    """A wavy lens, 2 × 1.4 wide; ``heights`` in place of the waves, fields of the scene changed."""
+    """A wavy lens, 2 × 1.4 wide; ``heights`` in place of the waves, fields of the scene changed.
 
-    def make(changes=None, heights=None, chord_error=None):
+    A freeform entrance face is wavy, too, and of another net than the exit face.
+    """
+
+    def make(changes=None, heights=None, chord_error=None, entrance=None):
         changes = {"lens.half_width": [1.0, 0.7]} | (changes or {})
         scene = make_scene(changes)
         if heights is None:
             heights = 0.5 + 0.05 * rng.normal(size=scene.lens.net_shape)
-        return designed(scene, heights, rng, chord_error)
+        faces = {"exit": heights} if entrance is None else {"exit": heights, "entrance": entrance}
+        for name, net in freeform_nets(scene.lens).items():
+            faces.setdefault(name, 0.05 * rng.normal(size=net.shape))
+        return designed(scene, faces, rng, chord_error)
 
     return make
 
@@ -41,16 +48,16 @@ def make_mirror(rng):
         scene = Scene.from_data(changed(changes or {}, data))
         if heights is None:
             heights = 0.05 * rng.normal(size=scene.optic.net_shape)
-        return designed(scene, heights, rng, 1e-4)
+        return designed(scene, {"mirror": heights}, rng, 1e-4)
 
     return make
 
 
-def designed(scene, heights, rng, chord_error):
-    """The optic of a scene with some control heights, and light of no meaning."""
+def designed(scene, faces, rng, chord_error):
+    """The optic of a scene with control heights of its faces, and light of no meaning."""
     n_x, n_y = scene.receiver.pixels
     state = LensState(
-        heights=FaceArrays({scene.optic.face: np.asarray(heights)}),
+        heights=FaceArrays({face: np.asarray(heights) for face, heights in faces.items()}),
         irradiance=rng.random((n_y, n_x)),
         loss=0.1,
         account=account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
@@ -62,15 +69,19 @@ def designed(scene, heights, rng, chord_error):
 def volume():
     """Exact volume of a lens: a basis function's integral is its support over degree + 1."""
 
-    def integral(design):
+    def below(face):
         weights = [
             (knots[p + 1 :] - knots[: -p - 1]) / (p + 1) * (2 * r)
             for knots, p, r in zip(
-                design.net.knots, design.net.degree, design.net.half_width, strict=True
+                face.net.knots, face.net.degree, face.net.half_width, strict=True
             )
         ]
-        thickness = design.heights - design.scene.lens.entrance_z
-        return float(weights[0] @ thickness @ weights[1])
+        above = face.heights - face.scene.lens.entrance_z
+        return float(weights[0] @ above @ weights[1])
+
+    def integral(design):
+        exit_, *entrance = map(below, design.faces)
+        return exit_ - sum(entrance)
 
     return integral
 

@@ -3,27 +3,55 @@ from pathlib import Path
 import pytest
 
 from workbench.errors import Refused
-from workbench.files.export.formats import ENDINGS, format_of
+from workbench.files.export.formats import ENDINGS, OF_ONE_FACE, format_of, formats_for
 from workbench.files.export.write import export
 from workbench.files.session import Session
 
 pytestmark = pytest.mark.usefixtures("small_grids")
 
 
+TWO_FACES = {"version": 2, "lens.entrance": {"shape": "freeform", "control_points": [7, 9]}}
+
+
 @pytest.fixture
-def session(make_design):
-    design = make_design()
-    return Session(design.scene, design.result.state.irradiance, design.result)
+def make_session(make_design):
+    def make(changes=None):
+        design = make_design(changes)
+        return Session(design.scene, design.result.state.irradiance, design.result)
+
+    return make
+
+
+@pytest.fixture
+def session(make_session):
+    return make_session()
 
 
 @pytest.mark.parametrize("ending", ENDINGS)
-def test_every_ending_is_written(session, tmp_path, ending):
+def test_every_ending_is_written(make_session, tmp_path, ending):
+    session = make_session(TWO_FACES if "entrance" in ending else None)
     path = tmp_path / f"my.lens{ending.upper()}"
     (written,) = export(session, [path], chord_error=0.01)
     assert written.path == path
     assert written.format == format_of(path).name
     assert path.stat().st_size > 1000
     assert 0 <= written.deviation.size < 0.01
+
+
+def test_files_of_one_face_tell_which_of_two_they_hold(make_session, tmp_path):
+    paths = [tmp_path / name for name in ("lens.dat", "lens.entrance.dat", "lens.step")]
+    told = [written.format for written in export(make_session(TWO_FACES), paths)]
+    assert told == [
+        "OpticStudio grid sag, exit face (*.entrance.dat is for the entrance face)",
+        "OpticStudio grid sag, entrance face",
+        "STEP solid",
+    ]
+
+
+def test_only_lenses_of_two_faces_are_offered_files_of_the_entrance_face():
+    assert set(formats_for(["exit", "entrance"])) - set(formats_for(["exit"])) == {
+        found.of_entrance for found in OF_ONE_FACE
+    }
 
 
 @pytest.mark.parametrize(
@@ -48,6 +76,11 @@ class TestNothingIsWritten:
     def test_if_one_folder_is_missing(self, session, tmp_path):
         told = self.refused(session, [tmp_path / "lens.step", tmp_path / "missing" / "lens.stl"])
         assert told.endswith("cannot be written: its folder does not exist")
+        assert list(tmp_path.iterdir()) == []
+
+    def test_for_an_entrance_face_that_is_flat(self, session, tmp_path):
+        told = self.refused(session, [tmp_path / "lens.dat", tmp_path / "lens.entrance.dat"])
+        assert told.endswith("lens.entrance.dat: the entrance face is flat, so it has no file")
         assert list(tmp_path.iterdir()) == []
 
     def test_without_a_lens(self, session, tmp_path):

@@ -1,7 +1,7 @@
 """What exporters start from, and what they say of the file that they wrote."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import NamedTuple
 
@@ -11,7 +11,7 @@ import numpy.typing as npt
 from workbench import units
 from workbench.design.snapshot import Result
 from workbench.geometry.outlines import Outline, outline_of
-from workbench.geometry.surface import ControlNet, GridBasis, check_one_face
+from workbench.geometry.surface import ControlNet, GridBasis, freeform_nets
 from workbench.scene import Scene
 
 Array = npt.NDArray[np.float64]
@@ -27,7 +27,7 @@ _STEPS = 256
 
 @dataclass(frozen=True, eq=False)
 class Design:
-    """A lens that has been designed.
+    """A lens that has been designed, seen at one of its freeform faces.
 
     Attributes
     ----------
@@ -36,21 +36,17 @@ class Design:
     result : Result
         The lens found for it.
     chord_error : float, optional
-        How far a mesh may be from the exit face, scene units; 1e-4 of the larger half-width by
-        default.
-
-    Raises
-    ------
-    Refused
-        If the lens has two freeform faces.
+        How far a mesh may be from the freeform faces, scene units; 1e-4 of the larger half-width
+        by default.
+    face : str, optional
+        Name of the face that ``net`` and ``heights`` are of: "entrance" or, by default, the face
+        that every task shapes.
     """
 
     scene: Scene
     result: Result
     chord_error: float | None = None
-
-    def __post_init__(self) -> None:
-        check_one_face(self.scene.optic, "exports")
+    face: str | None = None
 
     @property
     def unit(self) -> str:
@@ -64,18 +60,29 @@ class Design:
 
     @property
     def heights(self) -> Array:
-        """Control heights of the exit face, shape (n_u, n_v)."""
-        return self.result.state.heights[self.scene.optic.face]
+        """Control heights of the face, shape (n_u, n_v)."""
+        return self.result.state.heights[self.face or self.scene.optic.face]
 
     @cached_property
     def net(self) -> ControlNet:
-        """Control net of the exit face."""
-        return ControlNet.of(self.scene.optic)
+        """Control net of the face."""
+        return freeform_nets(self.scene.optic)[self.face or self.scene.optic.face]
+
+    @cached_property
+    def faces(self) -> tuple["Design", ...]:
+        """The lens seen at each of its freeform faces; last the entrance face, if it is one."""
+        names = reversed(freeform_nets(self.scene.optic))
+        return tuple(replace(self, face=name) for name in names)
 
     @cached_property
     def outline(self) -> Outline:
         """What of the aperture is glass."""
         return outline_of(self.scene.optic)
+
+    @property
+    def outward(self) -> int:
+        """1 if normals of the face that point out of the body point to +z, -1 if to -z."""
+        return -1 if self.face == "entrance" else self.scene.optic.onwards
 
     @property
     def flat_z(self) -> float:
@@ -84,13 +91,13 @@ class Design:
 
     @property
     def largest_chord_error(self) -> float:
-        """How far a mesh may be from the exit face, scene units."""
+        """How far a mesh may be from the freeform faces, scene units."""
         if self.chord_error is not None:
             return self.chord_error
         return _FINE * max(self.scene.optic.half_width)
 
     def basis(self, x: Array, y: Array) -> GridBasis[Array]:
-        """Basis values of the exit face on the grid of x (m_x,) and y (m_y,), scene units.
+        """Basis values of the face on the grid of x (m_x,) and y (m_y,), scene units.
 
         Beyond the edge the face goes on smoothly, as the polynomials at its rim do.
         """

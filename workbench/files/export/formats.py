@@ -3,10 +3,11 @@
 What writes them is imported when it is needed: torch and OpenCASCADE take long.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection
+from dataclasses import replace
 from importlib import import_module
 from pathlib import Path
-from typing import TYPE_CHECKING, BinaryIO, NamedTuple
+from typing import TYPE_CHECKING, Any, BinaryIO, NamedTuple
 
 from workbench.errors import Refused
 
@@ -27,6 +28,8 @@ class Format(NamedTuple):
         The function that writes it, and the module of this package that has it.
     content : str, optional
         The function of that module that makes what is written.
+    face : str, optional
+        The face that a file holds, where it is not the one that each task shapes.
     """
 
     endings: tuple[str, ...]
@@ -34,16 +37,31 @@ class Format(NamedTuple):
     module: str
     writer: str
     content: str | None = None
+    face: str | None = None
+
+    @property
+    def of_entrance(self) -> "Format":
+        """The same for files of a freeform entrance face, which is told before the ending."""
+        endings = tuple(f".entrance{ending}" for ending in self.endings)
+        name = f"{self.name}, entrance face"
+        return self._replace(endings=endings, name=name, face="entrance")
 
     def load(self) -> "Callable[[Design, BinaryIO], Deviation]":
         """The function that writes a design."""
         module = import_module(f"{__package__}.{self.module}")
-        write: Callable[[Design, BinaryIO], Deviation] = getattr(module, self.writer)
-        if self.content is None:
-            return write
-        content = getattr(module, self.content)
-        return lambda design, file: write(content(design), file)
+        write: Callable[[Any, BinaryIO], Deviation] = getattr(module, self.writer)
+        content = (lambda design: design) if self.content is None else getattr(module, self.content)
+        return lambda design, file: write(content(replace(design, face=self.face)), file)
 
+
+OF_ONE_FACE = (
+    Format((".xyz", ".asc"), "point cloud with normals", "point_cloud", "write_points"),
+    Format((".dat",), "OpticStudio grid sag", "grid_sag", "write_grid_sag"),
+    Format((".height.png",), "height map, 16 bit", "maps", "write_png", "height"),
+    Format((".height.npy",), "height map", "maps", "write_npy", "height"),
+    Format((".height.csv",), "height map", "maps", "write_csv", "height"),
+)
+"""Those of the face that each task shapes, alone."""
 
 FORMATS = (
     Format((".step", ".stp"), "STEP solid", "step", "write_step"),
@@ -52,11 +70,7 @@ FORMATS = (
     Format((".obj",), "OBJ mesh", "obj", "write_obj"),
     Format((".ply",), "PLY mesh", "ply", "write_ply"),
     Format((".glb",), "glTF mesh", "gltf", "write_glb"),
-    Format((".xyz", ".asc"), "point cloud with normals", "point_cloud", "write_points"),
-    Format((".dat",), "OpticStudio grid sag", "grid_sag", "write_grid_sag"),
-    Format((".height.png",), "height map, 16 bit", "maps", "write_png", "height"),
-    Format((".height.npy",), "height map", "maps", "write_npy", "height"),
-    Format((".height.csv",), "height map", "maps", "write_csv", "height"),
+    *OF_ONE_FACE,
     Format((".irradiance.png",), "irradiance, 16 bit", "maps", "write_png", "irradiance"),
     Format(
         (".irradiance.tiff", ".irradiance.tif"),
@@ -72,11 +86,17 @@ FORMATS = (
     Format((".ldt",), "intensity, EULUMDAT", "photometric", "write_ldt"),
     Format((".tm25ray",), "rays behind the lens, IES TM-25", "tm25", "write_tm25"),
     Format((".rays.csv",), "rays on the screen", "rays", "write_rays"),
+    *(each.of_entrance for each in OF_ONE_FACE),
 )
 """All formats. What can be written in the same kind of file is told by a double ending."""
 
 ENDINGS = tuple(ending for found in FORMATS for ending in found.endings)
 """Endings of all formats."""
+
+
+def formats_for(faces: Collection[str]) -> list[Format]:
+    """The formats for a lens with freeform faces of these names."""
+    return [found for found in FORMATS if found.face is None or found.face in faces]
 
 
 def format_of(path: Path) -> Format:
@@ -88,7 +108,8 @@ def format_of(path: Path) -> Format:
         If it asks for none.
     """
     name = path.name.lower()
-    for found in FORMATS:
+    # Those of the entrance face come last, and end like those of the exit face.
+    for found in reversed(FORMATS):
         if name.endswith(found.endings):
             return found
     raise Refused(str(path), f"has no ending that tells a format; one of {', '.join(ENDINGS)}")

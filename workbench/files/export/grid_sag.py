@@ -2,9 +2,10 @@
 
 Knots of the B-spline are points of the grid. For degrees 2 and 3 the bicubic interpolation between
 these is therefore the B-spline itself, rim included. A face of degree 1 has edges, which only a
-linear interpolation keeps. Sag is height over that at the vertex x = y =
-0, so the thickness of the lens in OpticStudio is the one at its vertex. Points of which no
-neighbouring cell holds any of an elliptic lens are flagged as without data.
+linear interpolation keeps. Sag is height over that at the vertex x = y = 0, so the thickness of the
+lens in OpticStudio is the one at its vertex. A freeform entrance face is a surface of its own, with
+a file of its own. Points of which no neighbouring cell holds any of an elliptic lens are flagged as
+without data.
 """
 
 from typing import BinaryIO
@@ -45,13 +46,18 @@ def write_grid_sag(design: Design, file: BinaryIO) -> Deviation:
     found = CubicHermiteSpline(y, values, slopes)(between_y)
     exact = design.surface(between_x, between_y)[0].T - vertex
     error = float(np.abs(found - exact).max())
-    thickness = abs(vertex - design.flat_z)
     return Deviation(
         "error of the bicubic interpolation",
         error,
         design.unit,
-        f"thickness at the vertex {thickness:.10g} {design.unit}",
+        f"thickness at the vertex {_thickness(design):.10g} {design.unit}",
     )
+
+
+def _thickness(design: Design) -> float:
+    """That of the lens at its vertex."""
+    z, *other = (face.surface(np.zeros(1), np.zeros(1))[0].item() for face in design.faces)
+    return abs(z - (other[0] if other else design.flat_z))
 
 
 def _without_data(design: Design, x: Array, y: Array) -> Array:

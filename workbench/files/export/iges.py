@@ -1,21 +1,25 @@
 """IGES: the solid of the STEP file, as OpenCASCADE writes it (optional extra ``iges``)."""
 
 import tempfile
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, BinaryIO
 
 import numpy as np
+import numpy.typing as npt
 
 from workbench.errors import Refused, RunFailed
 from workbench.files.export.design import METRES, Design, Deviation
 from workbench.files.export.step import write_step
+
+Array = npt.NDArray[np.float64]
 
 _UNIT = {"mm": "MM", "cm": "CM", "m": "M", "inch": "INCH"}
 _PLACES = 33  # along each axis, where the face that has been written is measured
 
 
 def write_iges(design: Design, file: BinaryIO) -> Deviation:
-    """Write the solid, and measure the exit face that is read back.
+    """Write the solid, and measure the freeform faces that are read back.
 
     Raises
     ------
@@ -38,7 +42,8 @@ def write_iges(design: Design, file: BinaryIO) -> Deviation:
         _convert(step, iges, _UNIT[design.unit])
         file.write(iges.read_bytes())
         error_found = _face_error(design, iges)
-    return Deviation("error of the exit face", error_found, design.unit)
+    faces = "exit face" if len(design.faces) == 1 else "freeform faces"
+    return Deviation(f"error of the {faces}", error_found, design.unit)
 
 
 def _be_quiet() -> None:
@@ -82,8 +87,15 @@ def _read(reader: Any, path: Path) -> Any:
 
 
 def _face_error(design: Design, path: Path) -> float:
-    """Largest distance, along z, of the B-spline face in a file from the exit face."""
-    surface = _spline_face(path)
+    """Largest distance, along z, of the B-spline faces in a file from those of the lens."""
+    found = [_places(design, surface) for surface in _spline_faces(path)]
+    if not found:
+        raise RunFailed("OpenCASCADE finds no B-spline face in the IGES file that it wrote")
+    return max(min(_distance(face, places) for places in found) for face in design.faces)
+
+
+def _places(design: Design, surface: Any) -> Array:
+    """Places x, y, z on a face of a file, shape (3, m)."""
     low_u, high_u, low_v, high_v = surface.Bounds()
     places = [
         surface.Value(u, v)
@@ -91,14 +103,19 @@ def _face_error(design: Design, path: Path) -> float:
         for v in np.linspace(low_v, high_v, _PLACES).tolist()
     ]
     # OpenCASCADE reads into millimetres.
-    x, y, z = np.array([[p.X(), p.Y(), p.Z()] for p in places]).T * 1e-3 / METRES[design.unit]
-    r_x, r_y = design.scene.optic.half_width
+    return np.array([[p.X(), p.Y(), p.Z()] for p in places]).T * 1e-3 / METRES[design.unit]
+
+
+def _distance(face: Design, places: Array) -> float:
+    """Largest distance, along z, of places from a face of the lens."""
+    x, y, z = places
+    r_x, r_y = face.net.half_width
     # Rounding may lead a hair beyond the rim, where the polynomials go on.
-    basis = design.net.points((x / r_x + 1) / 2, (y / r_y + 1) / 2)
-    return float(np.abs(basis.evaluate(design.heights)[0] - z).max())
+    basis = face.net.points((x / r_x + 1) / 2, (y / r_y + 1) / 2)
+    return float(np.abs(basis.evaluate(face.heights)[0] - z).max())
 
 
-def _spline_face(path: Path) -> Any:
+def _spline_faces(path: Path) -> Iterator[Any]:
     from OCP.BRep import BRep_Tool
     from OCP.Geom import Geom_BSplineSurface
     from OCP.IGESControl import IGESControl_Reader
@@ -111,6 +128,5 @@ def _spline_face(path: Path) -> Any:
     while faces.More():
         surface = BRep_Tool.Surface_s(as_face(faces.Current()))
         if isinstance(surface, Geom_BSplineSurface):
-            return surface
+            yield surface
         faces.Next()
-    raise RunFailed("OpenCASCADE finds no B-spline face in the IGES file that it wrote")

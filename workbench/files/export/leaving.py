@@ -7,6 +7,7 @@ import numpy.typing as npt
 import torch
 
 from workbench.files.export.design import Design
+from workbench.optics.arrival import Arrival
 from workbench.optics.path import Path
 
 Array = npt.NDArray[np.float64]
@@ -28,11 +29,18 @@ class LeavingRays(NamedTuple):
     flux: Array
 
 
+def traced(design: Design) -> tuple[Path, Arrival]:
+    """The path of the scene in float64, and its rays where they come to the receiver."""
+    path = Path.of(design.scene, design.net, torch.float64)
+    heights = {face: torch.tensor(each) for face, each in design.result.state.heights.items()}
+    with torch.no_grad():
+        return path, path.walk(heights)
+
+
 def leaving(design: Design) -> LeavingRays:
     """Trace the rays of the scene in float64 up to where they leave the lens."""
-    path = Path.of(design.scene, design.net, torch.float64)
-    with torch.no_grad():
-        rays = path.walk({design.scene.optic.face: torch.tensor(design.heights)}).rays
+    path, arrival = traced(design)
+    rays = arrival.rays
     leaves = rays.flux > 0
     x, y, z, d_x, d_y, d_z, flux = (
         part.expand(leaves.shape)[leaves].numpy()

@@ -1,8 +1,8 @@
-"""Point cloud of the exit face with its normals, one line x y z nx ny nz per point.
+"""Point cloud of a freeform face with its normals, one line x y z nx ny nz per point.
 
-Programs that lay a surface through points guess at its edges. So each point has its normal, and
-the points go on beyond the edge, on the polynomials that end there. So do those of an elliptic
-lens, by as many steps.
+Programs that lay a surface through points guess at its edges. So each point has its normal, out
+of the body, and the points go on beyond the edge, on the polynomials that end there. So do those of
+an elliptic lens, by as many steps.
 """
 
 from typing import BinaryIO
@@ -36,6 +36,7 @@ def write_points(design: Design, file: BinaryIO) -> Deviation:
     x, y = design.lattice(_MARGIN)
     z, slope_x, slope_y = design.surface(x, y)
     length = np.sqrt(1 + slope_x**2 + slope_y**2)
+    length *= design.outward
     columns = np.broadcast_arrays(
         x[:, None], y, z, -slope_x / length, -slope_y / length, 1 / length
     )

@@ -5,11 +5,9 @@ Rays to a far field, which has no plane, are written where they are some way beh
 
 from typing import BinaryIO
 
-import torch
-
 from workbench.files.export.design import Design, Deviation
+from workbench.files.export.leaving import traced
 from workbench.files.export.tables import rounding, write_table
-from workbench.optics.path import Path
 
 
 def write_rays(design: Design, file: BinaryIO) -> Deviation:
@@ -18,9 +16,7 @@ def write_rays(design: Design, file: BinaryIO) -> Deviation:
     Position and direction cosines there, and flux; that of all lines is the flux on the screen
     and beside it.
     """
-    path = Path.of(design.scene, design.net, torch.float64)
-    with torch.no_grad():
-        arrival = path.walk({design.scene.optic.face: torch.tensor(design.heights)})
+    path, arrival = traced(design)
     arrives = (arrival.rays.flux > 0) & arrival.column.isfinite() & arrival.row.isfinite()
     ends = path.ends(arrival.rays)
     x, y, z, flux, *direction = (

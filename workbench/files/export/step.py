@@ -1,10 +1,10 @@
-"""STEP (ISO 10303-21, AP214): the lens as one solid whose exit face is *the* B-spline surface.
+"""STEP (ISO 10303-21, AP214): the lens as one solid; freeform faces are *the* B-spline surfaces.
 
-Four sides and the entrance face are planes, bounded by straight lines and by the B-spline curves
-at the rim of the exit face. Nothing is fitted, and no number is rounded. The wall of an elliptic
-lens is an ellipse that is extruded, in four quarters; there the rim of the exit face is fitted, as
-no B-spline curve is on both faces, and what remains is told. The header tells neither user nor
-time, so the same lens gives the same file.
+Four sides and a flat entrance face are planes, bounded by straight lines and by the B-spline curves
+at the rims of freeform faces. Nothing is fitted, and no number is rounded. The wall of an elliptic
+lens is an ellipse that is extruded, in four quarters; there the rim of a freeform face is fitted,
+as no B-spline curve is on both it and the wall, and what remains is told. The header tells neither
+user nor time, so the same lens gives the same file.
 """
 
 from collections.abc import Callable, Iterable, Sequence
@@ -13,6 +13,7 @@ from typing import BinaryIO, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
+from scipy.interpolate import BSpline
 
 from workbench.files.export.design import METRES, Design, Deviation
 from workbench.files.export.rim import Rim
@@ -41,19 +42,20 @@ _RISING = (True, True, False, False)  # whether that is the way around
 def write_step(design: Design, file: BinaryIO) -> Deviation:
     """Write the lens as a solid."""
     model = _Model(design.flat_z > design.heights.min())
-    size = max(design.scene.optic.half_width)
-    rim = None if design.outline.whole else Rim.of(design, _TOLERANCE * size)
-    tolerance = max(_TOLERANCE * size, 0.0 if rim is None else rim.off)
-    solid = _solid(model, design, _straight if rim is None else partial(_arcs, rim))
-    _product(model, solid, _context(model, design, tolerance))
+    near = _TOLERANCE * max(design.scene.optic.half_width)
+    whole = design.outline.whole
+    rims = [] if whole else [Rim.of(face, near) for face in design.faces]
+    off = max((rim.off for rim in rims), default=0.0)
+    solid = _solid(model, design, _straight if whole else partial(_arcs, rims))
+    _product(model, solid, _context(model, design, max(near, off)))
     file.write(_HEADER.encode())
     file.writelines(f"#{i}={entity};\n".encode() for i, entity in enumerate(model.entities, 1))
     file.write(_FOOTER.encode())
-    written = np.array([float(_real(z)) for z in design.heights.flat])
-    rounding = float(np.abs(written - design.heights.ravel()).max())
-    if rim is None:
+    heights = np.concatenate([face.heights.ravel() for face in design.faces])
+    rounding = float(np.abs([float(_real(z)) for z in heights] - heights).max())
+    if whole:
         return Deviation("rounding", rounding, design.unit)
-    return Deviation("error of the rim", max(rounding, rim.off), design.unit)
+    return Deviation("error of the rim", max(rounding, off), design.unit)
 
 
 class _Model:
@@ -99,12 +101,13 @@ class _Model:
     def edge(self, start: str, end: str, curve: str) -> str:
         return self.add(f"EDGE_CURVE('',{start},{end},{curve},.T.)")
 
-    def face(self, surface: str, loop: Sequence[tuple[str, bool]]) -> str:
+    def face(self, surface: str, loop: Sequence[tuple[str, bool]], turned: bool = False) -> str:
         """A face whose normal is that of its surface, its loop counterclockwise around it.
 
-        Where the model is turned, the normal and the loop are the other way.
+        Where it or the model is turned, the normal and the loop are the other way.
         """
-        if self.turned:
+        turned = turned != self.turned
+        if turned:
             loop = [(edge, not forward) for edge, forward in reversed(loop)]
         edges = [
             self.add(f"ORIENTED_EDGE('',*,*,{edge},{'.T.' if forward else '.F.'})")
@@ -112,7 +115,38 @@ class _Model:
         ]
         around = self.add(f"EDGE_LOOP('',{_list(edges)})")
         bound = self.add(f"FACE_OUTER_BOUND('',{around},.T.)")
-        return self.add(f"ADVANCED_FACE('',({bound}),{surface},{'.F.' if self.turned else '.T.'})")
+        return self.add(f"ADVANCED_FACE('',({bound}),{surface},{'.F.' if turned else '.T.'})")
+
+
+class _Net(NamedTuple):
+    """The control net of a freeform face.
+
+    Attributes
+    ----------
+    face : Design
+        The lens seen at this face.
+    places : ndarray, shape (n_u, n_v, 3)
+        The control points.
+    points : list of list of str
+        The same, as entities.
+    """
+
+    face: Design
+    places: Array
+    points: list[list[str]]
+
+    @classmethod
+    def of(cls, face: Design, model: _Model) -> "_Net":
+        x, y = face.net.positions
+        places = np.stack(np.broadcast_arrays(x[:, None], y, face.heights), axis=-1)
+        return cls(face, places, [[model.point(place) for place in row] for row in places.tolist()])
+
+    def rim(self, model: _Model, side: int) -> str:
+        """The curve along a side of a rectangle."""
+        points = self.points
+        rims = ([row[0] for row in points], points[-1], [row[-1] for row in points], points[0])
+        net = self.face.net
+        return _curve(model, net.degree[side % 2], rims[side], net.knots[side % 2])
 
 
 class _Side(NamedTuple):
@@ -121,7 +155,7 @@ class _Side(NamedTuple):
     Attributes
     ----------
     upper, lower : sequence of float
-        Its first corner, counterclockwise as seen from above, on the exit and on the entrance face.
+        Its first corner, counterclockwise as seen from above, on the exit face and on the other.
     top, foot : str
         Curves along its edges.
     rising : bool
@@ -138,59 +172,62 @@ class _Side(NamedTuple):
     wall: str
 
 
-def _straight(
-    model: _Model, design: Design, net: list[list[str]], places: Array
-) -> tuple[_Side, ...]:
+def _straight(model: _Model, nets: Sequence[_Net]) -> tuple[_Side, ...]:
     """The sides of a rectangle."""
-    flat_z = design.flat_z
-    rims = ([row[0] for row in net], net[-1], [row[-1] for row in net], net[0])
-    upper = [places[corner].tolist() for corner in _CORNERS]
-    lower = [[*place[:2], flat_z] for place in upper]
+    exit_, *entrance = nets
+    upper, *lower = ([net.places[corner].tolist() for corner in _CORNERS] for net in nets)
+    feet = lower[0] if lower else [[*place[:2], exit_.face.flat_z] for place in upper]
     sides = []
-    for side, rim in enumerate(rims):
-        curve = _curve(model, design.net.degree[side % 2], rim, design.net.knots[side % 2])
-        first = lower[side if _RISING[side] else (side + 1) % 4]
-        foot = model.line(first, _ALONG[side])
-        plane = model.plane(lower[side], _OUTWARD[side], _ALONG[side])
-        sides.append(_Side(upper[side], lower[side], curve, foot, _RISING[side], plane))
+    for side in range(4):
+        curve = exit_.rim(model, side)
+        if entrance:
+            foot = entrance[0].rim(model, side)
+        else:
+            first = feet[side if _RISING[side] else (side + 1) % 4]
+            foot = model.line(first, _ALONG[side])
+        plane = model.plane(feet[side], _OUTWARD[side], _ALONG[side])
+        sides.append(_Side(upper[side], feet[side], curve, foot, _RISING[side], plane))
     return tuple(sides)
 
 
-def _arcs(
-    rim: Rim, model: _Model, design: Design, net: list[list[str]], places: Array
-) -> tuple[_Side, ...]:
+def _arcs(rims: Sequence[Rim], model: _Model, nets: Sequence[_Net]) -> tuple[_Side, ...]:
     """The quarters of an ellipse."""
-    (r_x, r_y), flat_z = design.net.half_width, design.flat_z
+    face = nets[0].face
+    (r_x, r_y), flat_z = face.net.half_width, face.flat_z
     middle = (0.0, 0.0, flat_z)
     wide = r_x >= r_y  # readers want the longer semi-axis first
     placement = model.placement(middle, (0, 0, 1), (1, 0, 0) if wide else (0, 1, 0))
     if r_x == r_y:
-        foot = model.add(f"CIRCLE('',{placement},{_real(r_x)})")
+        ellipse = model.add(f"CIRCLE('',{placement},{_real(r_x)})")
         wall = model.add(f"CYLINDRICAL_SURFACE('',{placement},{_real(r_x)})")
     else:
         axes = ",".join(map(_real, (max(r_x, r_y), min(r_x, r_y))))
-        foot = model.add(f"ELLIPSE('',{placement},{axes})")
+        ellipse = model.add(f"ELLIPSE('',{placement},{axes})")
         upwards = model.add(f"VECTOR('',{model.direction((0, 0, 1))},1.)")
-        wall = model.add(f"SURFACE_OF_LINEAR_EXTRUSION('',{foot},{upwards})")
+        wall = model.add(f"SURFACE_OF_LINEAR_EXTRUSION('',{ellipse},{upwards})")
     sides = []
-    for quarter in rim.quarters:
-        points = [model.point(place) for place in quarter.c.tolist()]
-        curve = _curve(model, quarter.k, points, quarter.t)
-        upper = quarter(0.0).tolist()
-        sides.append(_Side(upper, [*upper[:2], flat_z], curve, foot, True, wall))
+    for quarters in zip(*(rim.quarters for rim in rims), strict=True):
+        upper, *lower = (quarter(0.0).tolist() for quarter in quarters)
+        curve, *foot = (_arc(model, quarter) for quarter in quarters)
+        below = lower[0] if lower else [*upper[:2], flat_z]
+        sides.append(_Side(upper, below, curve, foot[0] if foot else ellipse, True, wall))
     return tuple(sides)
 
 
-_Sides = Callable[[_Model, Design, list[list[str]], Array], tuple[_Side, ...]]
+def _arc(model: _Model, quarter: BSpline) -> str:
+    points = [model.point(place) for place in quarter.c.tolist()]
+    return _curve(model, quarter.k, points, quarter.t)
 
 
-def _solid(model: _Model, design: Design, sides_of: _Sides) -> str:
-    x, y = design.net.positions
-    places = np.stack(np.broadcast_arrays(x[:, None], y, design.heights), axis=-1)
-    net = [[model.point(place) for place in row] for row in places.tolist()]
-    surface = _surface(model, design, net)
-
-    sides = sides_of(model, design, net, places)
+def _solid(
+    model: _Model, design: Design, sides_of: Callable[[_Model, Sequence[_Net]], tuple[_Side, ...]]
+) -> str:
+    nets = [_Net.of(face, model) for face in design.faces]
+    surface, *entrance = (
+        _surface(model, net, name)
+        for net, name in zip(nets, ("exit face", "entrance face"), strict=False)
+    )
+    sides = sides_of(model, nets)
     over, under = (
         [model.vertex(place) for place in corners]
         for corners in ([side.upper for side in sides], [side.lower for side in sides])
@@ -210,17 +247,21 @@ def _solid(model: _Model, design: Design, sides_of: _Sides) -> str:
         around = [bottoms[number], (uprights[(number + 1) % 4], True)]
         loop = [*around, (top, not forward), (uprights[number], False)]
         faces.append(model.face(side.wall, loop))
-    below = [(edge, not forward) for edge, forward in reversed(bottoms)]
-    faces.append(model.face(model.plane(sides[0].lower, (0, 0, -1), (1, 0, 0)), below))
+    if entrance:
+        faces.append(model.face(entrance[0], bottoms, turned=True))
+    else:
+        below = [(edge, not forward) for edge, forward in reversed(bottoms)]
+        faces.append(model.face(model.plane(sides[0].lower, (0, 0, -1), (1, 0, 0)), below))
     shell = model.add(f"CLOSED_SHELL('',{_list(faces)})")
     return model.add(f"MANIFOLD_SOLID_BREP('freeform lens',{shell})")
 
 
-def _surface(model: _Model, design: Design, net: list[list[str]]) -> str:
-    (p, q), (along_u, along_v) = design.net.degree, map(_knots, design.net.knots)
-    points = _list("\n" + _list(row) for row in net)  # a line would be megabytes long
+def _surface(model: _Model, net: _Net, name: str) -> str:
+    space = net.face.net
+    (p, q), (along_u, along_v) = space.degree, map(_knots, space.knots)
+    points = _list("\n" + _list(row) for row in net.points)  # a line would be megabytes long
     return model.add(
-        f"B_SPLINE_SURFACE_WITH_KNOTS('exit face',{p},{q},{points},.UNSPECIFIED.,.F.,.F.,.F.,"
+        f"B_SPLINE_SURFACE_WITH_KNOTS('{name}',{p},{q},{points},.UNSPECIFIED.,.F.,.F.,.F.,"
         f"{along_u[0]},{along_v[0]},{along_u[1]},{along_v[1]},.UNSPECIFIED.)"
     )
 

@@ -1,6 +1,7 @@
-"""The closed body of the lens as triangles, with a bound on their distance from the exit face."""
+"""The closed body of the lens as triangles, and how far they are from its freeform faces."""
 
 import math
+from collections.abc import Iterator
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -36,28 +37,30 @@ class Body(NamedTuple):
 
 
 class Tessellation(NamedTuple):
-    """The exit face over a grid of cells, each cut along the diagonal from −x −y to +x +y.
+    """The faces over one grid of cells, each cut along the diagonal from −x −y to +x +y.
 
     The cells are rectangles; those of an ellipse are what `workbench.geometry.outlines` makes of
-    equal rectangles, so that the rim has no steps: its vertices are on it.
+    equal rectangles, so that the rim has no steps: its vertices are on it. Vertices of both faces
+    are above each other, which makes the walls.
 
     Attributes
     ----------
     x, y : ndarray, shape (m_x, 1) and (1, m_y), or (m_x, m_y)
     z : ndarray, shape (m_x, m_y)
-        Scene units.
-    flat_z : float
-        Where the flat side is: the entrance face of a lens, the back of a mirror.
+        That of the exit face, or of the mirror; scene units.
+    other : ndarray, shape (m_x, m_y) or ()
+        z of the other side: of a freeform entrance face, or a number for a flat side, which is
+        the entrance face of a lens and the back of a mirror.
     """
 
     x: Array
     y: Array
     z: Array
-    flat_z: float
+    other: Array
 
     @classmethod
     def of(cls, design: Design, precision: float = 2.0**-53) -> "Tessellation":
-        """Rectangles small enough for the design's chord error.
+        """Cells small enough for the design's chord error at each face.
 
         Parameters
         ----------
@@ -75,10 +78,11 @@ class Tessellation(NamedTuple):
         -----
         Linear interpolation on a right triangle with the sides h and k is off by at most
         (h² |z_xx| + 2 h k |z_xy| + k² |z_yy|) / 8, and 2 h k ≤ h² + k². Each direction gets half
-        of the error, and in each the strip of knot spans that bends most sets the step.
+        of the error, and in each the strip of knot spans that bends most sets the step. Where
+        there are two faces, strips end at the knots of both.
         """
         largest = design.largest_chord_error
-        rounding = _rounding(design, precision)
+        rounding = max(_rounding(face, precision) for face in design.faces)
         if largest < 2 * rounding:
             raise Refused(
                 "--chord-error",
@@ -88,19 +92,14 @@ class Tessellation(NamedTuple):
         allowed = largest - rounding
         if not design.outline.whole:
             return cls._mapped(design, allowed)
-        bends = [_most(design, order) for order in ((2, 0), (1, 1), (0, 2))]
-        steps = []
-        for axis, bend in ((0, bends[0]), (1, bends[2])):
-            sharpest = (bend + bends[1]).max(axis=1 - axis)
-            span = 2 * design.scene.optic.half_width[axis] / len(sharpest)
-            steps.append(np.maximum(np.ceil(span * np.sqrt(sharpest / (4 * allowed))), 1))
-        _check_cells(math.prod(float(s.sum()) for s in steps), design)
+        strips = [_strips(design, axis, allowed) for axis in (0, 1)]
+        _check_cells(math.prod(float(steps.sum()) for _, steps in strips), design)
         x, y = (
-            (2 * _divided(s.astype(int)) - 1) * r
-            for s, r in zip(steps, design.scene.optic.half_width, strict=True)
+            (2 * _divided(ends, steps.astype(int)) - 1) * r
+            for (ends, steps), r in zip(strips, design.scene.optic.half_width, strict=True)
         )
-        z = design.surface(x, y)[0]
-        return cls(x[:, None], y[None, :], z, design.flat_z)
+        z, *other = (face.surface(x, y)[0] for face in design.faces)
+        return cls(x[:, None], y[None, :], z, _other(design, other))
 
     @classmethod
     def _mapped(cls, design: Design, allowed: float) -> "Tessellation":
@@ -111,15 +110,20 @@ class Tessellation(NamedTuple):
         places, so it is tried out.
         """
         r = np.array(design.net.half_width)
-        bend = sum(float(_most(design, order).max()) for order in ((2, 0), (1, 1), (0, 2)))
+        orders = ((2, 0), (1, 1), (0, 2))
+        bend = max(
+            sum(float(_most(face, order).max()) for order in orders) for face in design.faces
+        )
         enough = math.ceil(2 * r.max() * math.sqrt(bend / (6 * allowed)))
         rim = math.ceil(math.sqrt(r.max() / (2 * allowed)))
         count = max(rim, math.ceil(enough / 4), 8)
         while True:
             _check_cells(float(count) ** 2, design)
             side = np.linspace(-1, 1, count + 1)
-            x, y, z, _, _ = design.net.over(design.outline, side, side, design.heights)
-            found = cls(x, y, z, design.flat_z)
+            (x, y, z, *_), *other = (
+                face.net.over(design.outline, side, side, face.heights) for face in design.faces
+            )
+            found = cls(x, y, z, _other(design, [each[2] for each in other]))
             off = found.chord_error(design) / allowed
             if off <= 1:
                 return found
@@ -127,54 +131,64 @@ class Tessellation(NamedTuple):
 
     def rounded(self) -> "Tessellation":
         """The same in single precision, as some formats keep it."""
-        x, y, z = (c.astype(np.float32).astype(np.float64) for c in (self.x, self.y, self.z))
-        return Tessellation(x, y, z, float(np.float32(self.flat_z)))
+        return Tessellation(*(c.astype(np.float32).astype(np.float64) for c in self))
 
     def body(self) -> Body:
-        """The closed body: freeform face, four walls, flat side."""
+        """The closed body: freeform face, walls, and the other side."""
         m_x, m_y = self.z.shape
-        top = np.stack(np.broadcast_arrays(self.x, self.y, self.z), axis=-1)
         index = np.arange(m_x * m_y).reshape(m_x, m_y)
         # Counterclockwise, seen from above.
         rim = np.concatenate([index[:-1, 0], index[-1, :-1], index[:0:-1, -1], index[0, :0:-1]])
-        feet = top.reshape(-1, 3)[rim]
-        feet[:, 2] = self.flat_z
-        middle = np.array([[self.x.mean(), self.y.mean(), self.flat_z]])
-        a, b, c, d = (
-            corner.ravel()
-            for corner in (index[:-1, :-1], index[1:, :-1], index[1:, 1:], index[:-1, 1:])
-        )
-        foot = m_x * m_y + np.arange(len(rim))
+        top = self._places(self.z)
+        if self.other.ndim:
+            bottom, foot = self._places(self.other), index.size + rim
+            closing = _cells(index.size + index)[:, ::-1]
+        else:  # its rim and a place amidst it
+            middle = np.array([[self.x.mean(), self.y.mean(), self.other]])
+            bottom, foot = top[rim], index.size + np.arange(len(rim))
+            bottom[:, 2] = self.other
+            bottom = np.concatenate([bottom, middle])
+            center = np.full(len(rim), foot[-1] + 1)
+            closing = np.column_stack([center, np.roll(foot, -1), foot])
         next_rim, next_foot = np.roll(rim, -1), np.roll(foot, -1)
-        center = np.full(len(rim), foot[-1] + 1)
-        triangles = [
-            (a, b, c),
-            (a, c, d),
-            (rim, foot, next_foot),
-            (rim, next_foot, next_rim),
-            (center, next_foot, foot),
-        ]
-        found = np.concatenate([np.column_stack(corners) for corners in triangles])
-        if self.flat_z > self.z.min():  # the face is below: seen from outside, it is turned over
+        walls = [(rim, foot, next_foot), (rim, next_foot, next_rim)]
+        found = np.concatenate([_cells(index), *map(np.column_stack, walls), closing])
+        if self.other.flat[0] > self.z.flat[0]:  # seen from outside, the face is turned over
             found = found[:, ::-1]
-        return Body(np.concatenate([top.reshape(-1, 3), feet, middle]), found)
+        return Body(np.concatenate([top, bottom]), found)
+
+    def _places(self, z: Array) -> Array:
+        """The vertices of a face, shape (m_x * m_y, 3)."""
+        return np.stack(np.broadcast_arrays(self.x, self.y, z), axis=-1).reshape(-1, 3)
 
     def chord_error(self, design: Design) -> float:
-        """Largest distance, along z, between triangles and exit face, on a grid in each cell."""
-        if not design.outline.whole:
-            return self._chord_error_of_mapped(design)
+        """Largest distance, along z, between triangles and faces, on a grid in each cell."""
+        whole = design.outline.whole
+        return max(
+            self._error_of_rectangles(face, z) if whole else self._error_of_mapped(face, z)
+            for face, z in zip(design.faces, self._freeform(), strict=True)
+        )
+
+    def _freeform(self) -> Iterator[Array]:
+        """The z of each freeform face."""
+        yield self.z
+        if self.other.ndim:
+            yield self.other
+
+    def _error_of_rectangles(self, face: Design, z: Array) -> float:
+        """The chord error of a face whose cells are rectangles."""
         x, y = _subdivided(self.x[:, 0]), _subdivided(self.y[0])
-        by_column = design.heights @ design.basis(x[:1], y).along_y
-        u = (x / design.net.half_width[0] + 1) / 2
-        first, along_x = local_basis(design.net.knots[0], design.net.degree[0], u)
+        by_column = face.heights @ face.basis(x[:1], y).along_y
+        u = (x / face.net.half_width[0] + 1) / 2
+        first, along_x = local_basis(face.net.knots[0], face.net.degree[0], u)
         row = first[:, None] + np.arange(along_x.shape[1])
         # Places in a cell: s along x, t along y, j the cell's column.
         s = np.linspace(0, 1, _LOOKS + 1)[:, None]
-        j = np.minimum(np.arange(by_column.shape[1]) // _LOOKS, self.z.shape[1] - 2)
+        j = np.minimum(np.arange(by_column.shape[1]) // _LOOKS, z.shape[1] - 2)
         t = np.arange(by_column.shape[1]) / _LOOKS - j
         high, low = np.maximum(s, t), np.minimum(s, t)
         largest = 0.0
-        for i, (near, far) in enumerate(pairwise(self.z)):
+        for i, (near, far) in enumerate(pairwise(z)):
             # Below the diagonal a triangle has the cell's corner at +x, above it that at +y.
             third = np.where(s > t, far[j], near[j + 1])
             flat = near[j] + high * (third - near[j]) + low * (far[j + 1] - third)
@@ -183,9 +197,9 @@ class Tessellation(NamedTuple):
             largest = max(largest, float(np.abs(flat - exact).max()))
         return largest
 
-    def _chord_error_of_mapped(self, design: Design) -> float:
-        """As `chord_error`, for cells that are no rectangles."""
-        places = np.stack(np.broadcast_arrays(self.x, self.y, self.z), axis=-1)
+    def _error_of_mapped(self, face: Design, z: Array) -> float:
+        """The same for cells that are no rectangles."""
+        places = np.stack(np.broadcast_arrays(self.x, self.y, z), axis=-1)
         a, b, c, d = places[:-1, :-1], places[1:, :-1], places[1:, 1:], places[:-1, 1:]
         largest = 0.0
         for i in range(_LOOKS + 1):
@@ -193,9 +207,43 @@ class Tessellation(NamedTuple):
                 s, t = i / _LOOKS, j / _LOOKS
                 for corner in (b, d):
                     x, y, flat = np.moveaxis((1 - s - t) * corner + s * a + t * c, -1, 0)
-                    exact = design.net.at(x, y, design.heights)[0]
+                    exact = face.net.at(x, y, face.heights)[0]
                     largest = max(largest, float(np.abs(flat - exact).max()))
         return largest
+
+
+def _other(design: Design, freeform: list[Array]) -> Array:
+    """The z of the other side: of its freeform face, if there is one."""
+    return freeform[0] if freeform else np.array(design.flat_z)
+
+
+def _cells(index: Indices) -> Indices:
+    """Two triangles of each cell of a grid, counterclockwise as seen from above."""
+    corners = (index[:-1, :-1], index[1:, :-1], index[1:, 1:], index[:-1, 1:])
+    a, b, c, d = (corner.ravel() for corner in corners)
+    return np.concatenate([np.column_stack([a, b, c]), np.column_stack([a, c, d])])
+
+
+def _strips(design: Design, axis: int, allowed: float) -> tuple[Array, Array]:
+    """Strips between knots across an axis, and into how many steps each has to be cut.
+
+    Returns
+    -------
+    ends : ndarray, shape (m + 1,)
+        Where strips end, in [0, 1].
+    steps : ndarray, shape (m,)
+        Whole numbers.
+    """
+    ends = np.unique(np.concatenate([face.net.knots[axis] for face in design.faces]))
+    width, middle = np.diff(ends), (ends[1:] + ends[:-1]) / 2
+    steps = np.ones(len(middle))
+    for face in design.faces:
+        bend = _most(face, (2, 0) if axis == 0 else (0, 2)) + _most(face, (1, 1))
+        sharpest = bend.max(axis=1 - axis)
+        sharpest = sharpest[(middle * len(sharpest)).astype(int)]
+        length = 2 * face.net.half_width[axis] * width
+        steps = np.maximum(steps, np.ceil(length * np.sqrt(sharpest / (4 * allowed))))
+    return ends, steps
 
 
 def _check_cells(cells: float, design: Design) -> None:
@@ -209,31 +257,33 @@ def _check_cells(cells: float, design: Design) -> None:
         )
 
 
-def _most(design: Design, order: tuple[int, int]) -> Array:
-    """The most that a derivative can be on each knot span."""
-    low, high = derivative_range(design.net, design.heights, order)
+def _most(face: Design, order: tuple[int, int]) -> Array:
+    """The most that a derivative of a face can be on each knot span."""
+    low, high = derivative_range(face.net, face.heights, order)
     return np.maximum(np.abs(low), np.abs(high))
 
 
-def _rounding(design: Design, precision: float) -> float:
-    """How far off rounded vertices can be, seen along z."""
+def _rounding(face: Design, precision: float) -> float:
+    """How far off rounded vertices of a face can be, seen along z."""
     sideways = sum(
         r * np.abs(np.diff(heights, axis=0) / np.diff(places)[:, None]).max()
         for r, heights, places in zip(
-            design.net.half_width,
-            (design.heights, design.heights.T),
-            design.net.positions,
+            face.net.half_width,
+            (face.heights, face.heights.T),
+            face.net.positions,
             strict=True,
         )
     )
-    return precision * float(np.abs(design.heights).max() + sideways)
+    return precision * float(np.abs(face.heights).max() + sideways)
 
 
-def _divided(steps: npt.NDArray[np.int_]) -> Array:
-    """Places in [0, 1] that cut each of the equal spans into so many equal steps."""
-    spans = len(steps)
-    parts = [(i + np.arange(k) / k) / spans for i, k in enumerate(steps)]
-    return np.concatenate([*parts, [1.0]])
+def _divided(ends: Array, steps: npt.NDArray[np.int_]) -> Array:
+    """Places that cut each of the strips into so many equal steps."""
+    parts = [
+        low + (high - low) * (np.arange(k) / k)
+        for (low, high), k in zip(pairwise(ends), steps, strict=True)
+    ]
+    return np.concatenate([*parts, ends[-1:]])
 
 
 def _subdivided(places: Array) -> Array:

@@ -1,13 +1,14 @@
 """Writes a session's lens and light, each file whole or not at all."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
 from workbench.design.session import result_of
+from workbench.errors import Refused
 from workbench.files.atomic import check_writable, replacing
 from workbench.files.export.design import Design, Deviation
-from workbench.files.export.formats import format_of
+from workbench.files.export.formats import OF_ONE_FACE, Format, format_of
 from workbench.files.session import Session
 from workbench.geometry.body import check_body
 
@@ -20,7 +21,7 @@ class Written(NamedTuple):
     path : Path
         The file.
     format : str
-        Name of its format.
+        Name of its format; for a lens of two freeform faces, also which of them it holds.
     deviation : Deviation
         How far what stands in it is from the design.
     """
@@ -68,10 +69,21 @@ def export(
     check_body(session.scene, result.state.heights)
     design = Design(session.scene, result, chord_error)
     formats = [format_of(path) for path in paths]
-    for path in paths:
+    faces = result.state.heights.keys()
+    for path, found in zip(paths, formats, strict=True):
+        if found.face is not None and found.face not in faces:
+            raise Refused(str(path), f"the {found.face} face is flat, so it has no file")
         check_writable(path)
     for path, found in zip(paths, formats, strict=True):
         write = found.load()
         with replacing(path) as file:
             deviation = write(design, file)
-        yield Written(path, found.name, deviation)
+        yield Written(path, _described(found, faces), deviation)
+
+
+def _described(found: Format, faces: Collection[str]) -> str:
+    """What is in a file of a lens with freeform faces of these names."""
+    if found not in OF_ONE_FACE or "entrance" not in faces:
+        return found.name
+    other = found.of_entrance.endings[0]
+    return f"{found.name}, exit face (*{other} is for the entrance face)"
