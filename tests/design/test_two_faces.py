@@ -13,6 +13,7 @@ from workbench.scene import Scene
 
 FREEFORM = {"lens.entrance": {"shape": "freeform"}, "lens.height_range": None}
 PAPER = {"method": "paper", "iterations": 4}
+NETWORKS = [("none", "zeros"), ("sparse", "uniform"), ("dense", "random")]
 
 
 @pytest.fixture
@@ -66,15 +67,21 @@ def test_an_entrance_face_without_room_bends_less(make_scene, uneven):
     assert np.ptp(first.heights["exit"]) > 0.1
 
 
-@pytest.mark.parametrize("parametrisation", ["none", "sparse"])
-def test_the_paper_method_shapes_both_faces(make_scene, uneven, parametrisation):
-    settings = {**PAPER, "parametrisation": parametrisation}
-    scene = make_scene({**FREEFORM, "run": settings})
+@pytest.mark.parametrize("height_range", [None, [-0.3, 0.3]])
+@pytest.mark.parametrize("parametrisation, start", NETWORKS)
+def test_the_paper_method_shapes_both_faces(
+    make_scene, uneven, parametrisation, start, height_range
+):
+    settings = {**PAPER, "parametrisation": parametrisation, "start": start}
+    scene = make_scene({**FREEFORM, "lens.height_range": height_range, "run": settings})
     shots = list(run(scene, uneven))
     assert shots[-1].state.loss < shots[0].state.loss
     assert_apart(scene, shots[-1].state.heights)
-    for face, z in shots[-1].state.heights.items():
-        assert np.abs(z - shots[0].state.heights[face]).max() > 1e-4
+    entrance, exit = (
+        np.abs(z - shots[0].state.heights[face]).max()
+        for face, z in shots[-1].state.heights.items()
+    )
+    assert entrance > 0.1 * exit > 1e-6
 
 
 def test_locked_control_points_of_the_entrance_face_stay(make_scene, uneven):

@@ -15,6 +15,8 @@ from workbench.scene import Optic
 Array = npt.NDArray[np.float64]
 Mask = npt.NDArray[np.bool_]
 
+_AT_END = 2.0  # parameters beyond it move heights by less than a tenth of what they do at 0
+
 
 @dataclass(frozen=True)
 class HeightRange:
@@ -115,6 +117,18 @@ class Freedom:
     def rest(self) -> dict[str, Tensor]:
         """Parameters of the undesigned lens."""
         return {face: each.rest for face, each in self.ranges.items()}
+
+    @property
+    def apart(self) -> dict[str, Tensor]:
+        """The same, but faces that are all at an end of their range are in its middle.
+
+        An entrance face with an automatic range begins at the lower end of it, for instance. There
+        the tanh passes next to no gradient.
+        """
+        return {
+            face: torch.where((z.abs() > _AT_END).all(), torch.zeros_like(z), z)
+            for face, z in self.rest.items()
+        }
 
     @property
     def widths(self) -> dict[str, float]:

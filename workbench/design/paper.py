@@ -37,9 +37,9 @@ def check_paper(scene: Scene) -> None:
 def paper_steps(room: Room) -> Generator[Step, None, NoReturn]:
     """Evaluate lens after lens, for ever; see `workbench.design.run.run`.
 
-    The inputs of the tanh are those of the undesigned lens, or of the start, plus how far the
-    parametrisation has moved since its own start. So a run with a network goes on from any
-    heights exactly, as if the biases of its last layer had been set to them.
+    The inputs of the tanh are those of the undesigned lens, apart from the ends, or of the start,
+    plus how far the parametrisation has moved since its own start. So a run with a network goes on
+    from any heights exactly, as if the biases of its last layer had been set to them.
 
     Raises
     ------
@@ -54,7 +54,7 @@ def paper_steps(room: Room) -> Generator[Step, None, NoReturn]:
     shifts = {
         face: build(net, scene.run, device) for face, net in freeform_nets(scene.optic).items()
     }
-    rest = free.rest
+    rest = free.apart
     if start is not None:
         rest = {face: z - shifts[face]().detach() for face, z in free.parameters(start).items()}
     numbers = [number for shift in shifts.values() for number in shift.parameters()]
