@@ -2,9 +2,12 @@
 
 import numpy as np
 import pytest
+from OCP.Geom import Geom_Line
+from OCP.GeomAPI import GeomAPI_IntCS
+from OCP.gp import gp_Dir, gp_Lin, gp_Pnt
 
-from workbench.files.export.iges import write_iges
-from workbench.files.export.step import write_step
+from workbench.files.export.iges import write_iges, write_iges_face
+from workbench.files.export.step import write_step, write_step_face
 from workbench.files.export.tessellation import Tessellation
 
 
@@ -51,3 +54,30 @@ def test_the_face_in_iges_is_the_mirror(make_mirror, tmp_path):
     with (tmp_path / "mirror.iges").open("wb") as file:
         deviation = write_iges(design, file)
     assert deviation.size < 1e-9
+
+
+@pytest.mark.parametrize("outline", ["rectangle", "ellipse"])
+@pytest.mark.parametrize(
+    "name, writer", [("mirror.step", write_step_face), ("mirror.iges", write_iges_face)]
+)
+def test_the_sheet_of_a_mirror_is_its_face_alone(
+    make_mirror, write, read_solid, name, writer, outline
+):
+    design = make_mirror({"mirror.outline": outline})
+    path, _ = write(writer, design, name)
+    sheet = read_solid(path)
+    assert sheet.is_valid and not sheet.is_solid and not sheet.is_closed
+    (surface,) = sheet.surfaces
+    for at_x, at_y in np.random.default_rng(3).uniform(-0.7, 0.7, (50, 2)):  # within the ellipse
+        line = gp_Lin(gp_Pnt(10 * at_x, 7 * at_y, 0), gp_Dir(0, 0, 1))  # mm
+        hits = GeomAPI_IntCS(Geom_Line(line), surface)
+        z, _, _ = design.net.at(np.array([at_x]), np.array([0.7 * at_y]), design.heights)
+        assert hits.NbPoints() == 1
+        assert hits.Point(1).Z() == pytest.approx(10 * z[0], abs=1e-8)  # 1e-9 of the width
+
+
+def test_the_normal_of_a_sheet_points_out_of_the_body(make_mirror, make_design, write):
+    for design, sense in ((make_mirror(), "F"), (make_design(), "T")):  # F: against that of x, y
+        path, _ = write(write_step_face, design, f"{sense}.step")
+        (face,) = (line for line in path.read_text().splitlines() if "ADVANCED_FACE" in line)
+        assert face.endswith(f",.{sense}.);")

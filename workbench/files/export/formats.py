@@ -55,6 +55,8 @@ class Format(NamedTuple):
 
 
 OF_ONE_FACE = (
+    Format((".face.step", ".face.stp"), "STEP sheet", "step", "write_step_face"),
+    Format((".face.iges", ".face.igs"), "IGES sheet", "iges", "write_iges_face"),
     Format((".xyz", ".asc"), "point cloud with normals", "point_cloud", "write_points"),
     Format((".dat",), "OpticStudio grid sag", "grid_sag", "write_grid_sag"),
     Format((".height.png",), "height map, 16 bit", "maps", "write_png", "height"),
@@ -108,7 +110,8 @@ def format_of(path: Path) -> Format:
         If it asks for none.
     """
     name = path.name.lower()
-    # Those of the entrance face come last, and end like those of the exit face.
+    # Those of one face end like those of the body, and those of the entrance face, which come
+    # last, like those of the exit face.
     for found in reversed(FORMATS):
         if name.endswith(found.endings):
             return found

@@ -1,7 +1,7 @@
-"""IGES: the solid of the STEP file, as OpenCASCADE writes it (optional extra ``iges``)."""
+"""IGES: the shape of the STEP file, as OpenCASCADE writes it (optional extra ``iges``)."""
 
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Any, BinaryIO
 
@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from workbench.errors import Refused, RunFailed
 from workbench.files.export.design import METRES, Design, Deviation
-from workbench.files.export.step import write_step
+from workbench.files.export.step import write_step, write_step_face
 
 Array = npt.NDArray[np.float64]
 
@@ -28,6 +28,20 @@ def write_iges(design: Design, file: BinaryIO) -> Deviation:
     RunFailed
         If it fails.
     """
+    return _write(design, design.faces, write_step, file)
+
+
+def write_iges_face(design: Design, file: BinaryIO) -> Deviation:
+    """Write the face that a design is seen at as a sheet, and measure it; see `write_iges`."""
+    return _write(design, [design], write_step_face, file)
+
+
+def _write(
+    design: Design,
+    faces: Sequence[Design],
+    as_step: Callable[[Design, BinaryIO], Deviation],
+    file: BinaryIO,
+) -> Deviation:
     try:
         import OCP.IGESControl  # noqa: F401
     except ImportError as error:
@@ -37,13 +51,13 @@ def write_iges(design: Design, file: BinaryIO) -> Deviation:
     _be_quiet()
     with tempfile.TemporaryDirectory() as folder:
         step, iges = Path(folder, "lens.step"), Path(folder, "lens.iges")
-        with step.open("wb") as solid:
-            write_step(design, solid)
+        with step.open("wb") as shape:
+            as_step(design, shape)
         _convert(step, iges, _UNIT[design.unit])
         file.write(iges.read_bytes())
-        error_found = _face_error(design, iges)
-    faces = "exit face" if len(design.faces) == 1 else "freeform faces"
-    return Deviation(f"error of the {faces}", error_found, design.unit)
+        error_found = _face_error(faces, iges)
+    called = design.scene.optic.face_called if len(faces) == 1 else "freeform faces"
+    return Deviation(f"error of the {called}", error_found, design.unit)
 
 
 def _be_quiet() -> None:
@@ -59,10 +73,10 @@ def _convert(step: Path, iges: Path, unit: str) -> None:
     from OCP.STEPControl import STEPControl_Reader
     from OCP.TCollection import TCollection_HAsciiString as Text
 
-    solids = 1  # not faces alone
+    solids = 1  # not faces alone, where there is one
     writer = IGESControl_Writer(unit, solids)
     if not writer.AddShape(_read(STEPControl_Reader(), step)):
-        raise RunFailed("OpenCASCADE could not turn the solid into IGES")
+        raise RunFailed("OpenCASCADE could not turn the shape into IGES")
     writer.ComputeModel()
     # Neither user nor time, so that the same lens gives the same file.
     model = writer.Model()
@@ -86,12 +100,12 @@ def _read(reader: Any, path: Path) -> Any:
     return reader.OneShape()
 
 
-def _face_error(design: Design, path: Path) -> float:
+def _face_error(faces: Sequence[Design], path: Path) -> float:
     """Largest distance, along z, of the B-spline faces in a file from those of the lens."""
-    found = [_places(design, surface) for surface in _spline_faces(path)]
+    found = [_places(faces[0], surface) for surface in _spline_faces(path)]
     if not found:
         raise RunFailed("OpenCASCADE finds no B-spline face in the IGES file that it wrote")
-    return max(min(_distance(face, places) for places in found) for face in design.faces)
+    return max(min(_distance(face, places) for places in found) for face in faces)
 
 
 def _places(design: Design, surface: Any) -> Array:

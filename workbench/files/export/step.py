@@ -4,11 +4,10 @@ Four sides and a flat entrance face are planes, bounded by straight lines and by
 at the rims of freeform faces. Nothing is fitted, and no number is rounded. The wall of an elliptic
 lens is an ellipse that is extruded, in four quarters; there the rim of a freeform face is fitted,
 as no B-spline curve is on both it and the wall, and what remains is told. The header tells neither
-user nor time, so the same lens gives the same file.
+user nor time, so the same lens gives the same file. A face alone is written as an open sheet.
 """
 
 from collections.abc import Callable, Iterable, Sequence
-from functools import partial
 from typing import BinaryIO, NamedTuple
 
 import numpy as np
@@ -31,6 +30,7 @@ ENDSEC;
 DATA;
 """
 _FOOTER = "ENDSEC;\nEND-ISO-10303-21;\n"
+_BREP, _SURFACE = "ADVANCED_BREP", "MANIFOLD_SURFACE"  # kinds of shapes
 _SI_PREFIX = {"mm": ".MILLI.", "cm": ".CENTI.", "m": "$"}
 # Corners of the lens, counterclockwise as seen from above; side k goes from corner k to k + 1.
 _CORNERS = ((0, 0), (-1, 0), (-1, -1), (0, -1))
@@ -42,18 +42,30 @@ _RISING = (True, True, False, False)  # whether that is the way around
 def write_step(design: Design, file: BinaryIO) -> Deviation:
     """Write the lens as a solid."""
     model = _Model(design.flat_z > design.heights.min())
+    return _write(_BREP, _solid, model, design.faces, file)
+
+
+def write_step_face(design: Design, file: BinaryIO) -> Deviation:
+    """Write the face that a design is seen at as a sheet; its normal points out of the body."""
+    return _write(_SURFACE, _sheet, _Model(design.outward < 0), [design], file)
+
+
+def _write(
+    kind: str, shape: "_Shape", model: "_Model", faces: Sequence[Design], file: BinaryIO
+) -> Deviation:
+    """Write a shape of some faces, and measure what is rounded or fitted in it."""
+    design = faces[0]
     near = _TOLERANCE * max(design.scene.optic.half_width)
-    whole = design.outline.whole
-    rims = [] if whole else [Rim.of(face, near) for face in design.faces]
+    rims = [] if design.outline.whole else [Rim.of(face, near) for face in faces]
     off = max((rim.off for rim in rims), default=0.0)
-    solid = _solid(model, design, _straight if whole else partial(_arcs, rims))
-    _product(model, solid, _context(model, design, max(near, off)))
+    item = shape(model, faces, rims)
+    _product(model, f"{kind}_SHAPE_REPRESENTATION", item, _context(model, design, max(near, off)))
     file.write(_HEADER.encode())
     file.writelines(f"#{i}={entity};\n".encode() for i, entity in enumerate(model.entities, 1))
     file.write(_FOOTER.encode())
-    heights = np.concatenate([face.heights.ravel() for face in design.faces])
+    heights = np.concatenate([face.heights.ravel() for face in faces])
     rounding = float(np.abs([float(_real(z)) for z in heights] - heights).max())
-    if whole:
+    if not rims:
         return Deviation("rounding", rounding, design.unit)
     return Deviation("error of the rim", max(rounding, off), design.unit)
 
@@ -219,41 +231,67 @@ def _arc(model: _Model, quarter: BSpline) -> str:
     return _curve(model, quarter.k, points, quarter.t)
 
 
-def _solid(
-    model: _Model, design: Design, sides_of: Callable[[_Model, Sequence[_Net]], tuple[_Side, ...]]
-) -> str:
-    nets = [_Net.of(face, model) for face in design.faces]
+def _sheet(model: _Model, faces: Sequence[Design], rims: Sequence[Rim]) -> str:
+    """An open shell of one face."""
+    net = _Net.of(faces[0], model)
+    surface = _surface(model, net, "freeform face")
+    if rims:
+        corners = [quarter(0.0).tolist() for quarter in rims[0].quarters]
+        curves, rising = [_arc(model, quarter) for quarter in rims[0].quarters], (True,) * 4
+    else:
+        corners = [net.places[corner].tolist() for corner in _CORNERS]
+        curves, rising = [net.rim(model, side) for side in range(4)], _RISING
+    vertices = [model.vertex(place) for place in corners]
+    face = model.face(surface, _around(model, vertices, curves, rising))
+    shell = model.add(f"OPEN_SHELL('',({face}))")
+    return model.add(f"SHELL_BASED_SURFACE_MODEL('freeform face',({shell}))")
+
+
+def _around(
+    model: _Model, vertices: Sequence[str], curves: Sequence[str], rising: Sequence[bool]
+) -> list[tuple[str, bool]]:
+    """Edges counterclockwise from vertex to vertex, and which of the curves go that way."""
+    loop = []
+    for number, (curve, forward) in enumerate(zip(curves, rising, strict=True)):
+        ends = number, (number + 1) % 4
+        first, last = ends if forward else ends[::-1]
+        loop.append((model.edge(vertices[first], vertices[last], curve), forward))
+    return loop
+
+
+def _solid(model: _Model, faces: Sequence[Design], rims: Sequence[Rim]) -> str:
+    nets = [_Net.of(face, model) for face in faces]
     surface, *entrance = (
         _surface(model, net, name)
         for net, name in zip(nets, ("exit face", "entrance face"), strict=False)
     )
-    sides = sides_of(model, nets)
+    sides = _arcs(rims, model, nets) if rims else _straight(model, nets)
     over, under = (
         [model.vertex(place) for place in corners]
         for corners in ([side.upper for side in sides], [side.lower for side in sides])
     )
-    tops, bottoms = [], []
-    for number, side in enumerate(sides):
-        ends = number, (number + 1) % 4
-        first, last = ends if side.rising else ends[::-1]
-        tops.append((model.edge(over[first], over[last], side.top), side.rising))
-        bottoms.append((model.edge(under[first], under[last], side.foot), side.rising))
+    rising = [side.rising for side in sides]
+    tops = _around(model, over, [side.top for side in sides], rising)
+    bottoms = _around(model, under, [side.foot for side in sides], rising)
     rise = (0, 0, -1 if model.turned else 1)
     uprights = [model.edge(under[k], over[k], model.line(sides[k].lower, rise)) for k in range(4)]
 
-    faces = [model.face(surface, tops)]
+    shell = [model.face(surface, tops)]
     for number, side in enumerate(sides):
         top, forward = tops[number]
         around = [bottoms[number], (uprights[(number + 1) % 4], True)]
         loop = [*around, (top, not forward), (uprights[number], False)]
-        faces.append(model.face(side.wall, loop))
+        shell.append(model.face(side.wall, loop))
     if entrance:
-        faces.append(model.face(entrance[0], bottoms, turned=True))
+        shell.append(model.face(entrance[0], bottoms, turned=True))
     else:
         below = [(edge, not forward) for edge, forward in reversed(bottoms)]
-        faces.append(model.face(model.plane(sides[0].lower, (0, 0, -1), (1, 0, 0)), below))
-    shell = model.add(f"CLOSED_SHELL('',{_list(faces)})")
-    return model.add(f"MANIFOLD_SOLID_BREP('freeform lens',{shell})")
+        shell.append(model.face(model.plane(sides[0].lower, (0, 0, -1), (1, 0, 0)), below))
+    closed = model.add(f"CLOSED_SHELL('',{_list(shell)})")
+    return model.add(f"MANIFOLD_SOLID_BREP('freeform lens',{closed})")
+
+
+_Shape = Callable[[_Model, Sequence[Design], Sequence[Rim]], str]
 
 
 def _surface(model: _Model, net: _Net, name: str) -> str:
@@ -307,11 +345,11 @@ def _context(model: _Model, design: Design, tolerance: float) -> str:
     )
 
 
-def _product(model: _Model, solid: str, context: str) -> None:
+def _product(model: _Model, representation: str, item: str, context: str) -> None:
     """What AP214 wants to know of a part before it shows its shape."""
     add = model.add
     origin = model.placement((0, 0, 0), (0, 0, 1), (1, 0, 0))
-    shape = add(f"ADVANCED_BREP_SHAPE_REPRESENTATION('',({origin},{solid}),{context})")
+    shape = add(f"{representation}('',({origin},{item}),{context})")
     application = add("APPLICATION_CONTEXT('automotive design')")
     add(
         "APPLICATION_PROTOCOL_DEFINITION('international standard','automotive_design',2000,"
