@@ -2,7 +2,8 @@
 
 ``first`` is by the first program that wrote sessions, ``staged`` by the first that ran in stages;
 ``compared`` has locks, kept runs and a view, ``checked`` a run whose error is verified, ``started``
-a lens of another task, ``drawn`` the picture of its target.
+a lens of another task, ``drawn`` the picture of its target. ``mirror`` and ``two-faces`` are of
+version 2.
 """
 
 import io
@@ -13,12 +14,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from workbench.analysis.validation import validate
 from workbench.files.session import read_session, write_session
 from workbench.geometry.faces import NO_LOCKS
 from workbench.targets import load_target
 
 GOLDEN = Path(__file__).parent / "golden"
 NAMES = sorted(path.name for path in GOLDEN.iterdir())
+NEWER = ("mirror.freeform", "two-faces.freeform")
 
 
 def arrays_of(path):
@@ -37,7 +40,9 @@ def header_of(path):
 
 
 def assert_result(result, figures, arrays):
-    np.testing.assert_array_equal(result.state.heights["exit"], arrays["control_points"])
+    entries = {"entrance": "entrance_points"}
+    for face, heights in result.state.heights.items():
+        np.testing.assert_array_equal(heights, arrays[entries.get(face, "control_points")])
     np.testing.assert_array_equal(result.state.irradiance, arrays["irradiance"])
     np.testing.assert_array_equal(result.losses, arrays["loss"])
     assert result.state.loss == figures["loss"]
@@ -48,7 +53,7 @@ def assert_result(result, figures, arrays):
 
 
 def test_all_golden_files_are_there():
-    names = ["checked", "compared", "drawn", "first", "staged", "started"]
+    names = ["checked", "compared", "drawn", "first", "mirror", "staged", "started", "two-faces"]
     assert [f"{name}.freeform" for name in names] == NAMES
 
 
@@ -56,8 +61,8 @@ def test_all_golden_files_are_there():
 def test_golden_files_open_with_all_their_content(name):
     session = read_session(GOLDEN / name)
     header, arrays = header_of(GOLDEN / name), arrays_of(GOLDEN / name)
-    assert header["version"] == 1
-    assert session.scene.lens.control_points == (6, 5)
+    assert header["version"] == (2 if name in NEWER else 1)
+    assert session.scene.optic.control_points == (6, 5)
     np.testing.assert_array_equal(session.target, arrays["target"])
     if "result" in header:
         assert_result(session.result, header["result"], arrays)
@@ -107,6 +112,21 @@ def test_what_belongs_to_the_window():
 def test_figures_of_a_check():
     (run,) = read_session(GOLDEN / "checked.freeform").runs
     assert run.verified == (0.0125, (0.011, 0.014))
+
+
+@pytest.mark.parametrize(
+    ("name", "faces", "error", "efficiency"),
+    [
+        ("mirror", ["mirror"], 0.2686, 0.4434),
+        ("two-faces", ["entrance", "exit"], 0.0978, 0.9702),
+    ],
+)
+def test_verified_figures_of_mirrors_and_lenses_of_two_faces(name, faces, error, efficiency):
+    session = read_session(GOLDEN / f"{name}.freeform")
+    assert list(session.heights) == faces
+    found = validate(session.scene, session.target, session.heights, 10_000, accuracy=1e-3)
+    assert found.verified.relative_l2_corrected == pytest.approx(error, abs=1e-3)
+    assert found.verified.efficiency == pytest.approx(efficiency, abs=1e-3)
 
 
 def test_a_lens_of_another_task():
