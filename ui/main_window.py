@@ -267,6 +267,7 @@ class MainWindow(QMainWindow):
                 "quit": self.quit_asked.emit,
                 "undo": self.document.undo_stack.undo,
                 "redo": self.document.undo_stack.redo,
+                "second_face": self.forms.switch_entrance,
                 "revert": self.files.revert,
                 "reset_layout": self._layout.reset,
                 **self._panes.slots(),
@@ -350,6 +351,7 @@ class MainWindow(QMainWindow):
         stack, commands = self.document.undo_stack, self.commands
         session = self.document.session
         now = Situation(
+            optic=session.scene.optic,
             state="loading" if self.loaded is None else self.loaded.state,
             has_lens=session.heights is not None,
             lens=self._lens.text,

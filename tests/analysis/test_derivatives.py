@@ -7,7 +7,9 @@ import pytest
 import torch
 
 from workbench.analysis.derivatives import irradiance_derivative
+from workbench.design.limits import undesigned
 from workbench.errors import Refused
+from workbench.geometry.surface import freeform_nets
 from workbench.optics.plan import Plan
 
 PAPER = {  # section 3.1, figure: degrees and filter size
@@ -189,3 +191,25 @@ def test_filters_that_count_rays_by_pixel_are_refused(make_scene, changes, field
     with pytest.raises(Refused, match="no derivative") as caught:
         irradiance_derivative(scene, {"exit": flat(scene)}, MIDDLE)
     assert caught.value.path == field
+
+
+def test_each_face_has_derivatives_of_its_own(make_scene, rng):
+    entrance = {"shape": "freeform", "control_points": [6, 7], "height_range": [-0.1, 0.1]}
+    scene = make_scene({"lens.entrance": entrance})
+    heights = {
+        face: each + 0.01 * rng.normal(size=each.shape)
+        for face, each in undesigned(scene.lens).items()
+    }
+    weights = rng.normal(size=scene.screen.pixels[::-1])
+    leaves = {face: torch.tensor(each, requires_grad=True) for face, each in heights.items()}
+    flux = Plan(scene, dtype=torch.float64).flux(leaves)
+    (flux * torch.as_tensor(weights)).sum().backward()
+    for face, index in [("entrance", (2, 3)), ("exit", (6, 5))]:
+        found = irradiance_derivative(scene, heights, index, face=face)
+        wanted = leaves[face].grad[index].item() / scene.screen.pixel_measure
+        assert (found.map * weights).sum() == pytest.approx(wanted, rel=1e-9)
+        assert found.position == pytest.approx(
+            [at[i] for at, i in zip(freeform_nets(scene.lens)[face].positions, index, strict=True)]
+        )
+    with pytest.raises(Refused, match="0 to 5"):
+        irradiance_derivative(scene, heights, (6, 5), face="entrance")

@@ -20,7 +20,7 @@ def flat():
 
 
 def test_without_a_radius_a_single_point_moves(lens, flat):
-    stroke = Stroke(lens, flat, None, (3, 4), 0.0)
+    stroke = Stroke(lens, "exit", flat, None, (3, 4), 0.0)
     raised = stroke.raised(0.1)
     assert raised[3, 4] == pytest.approx(0.6)
     raised[3, 4] = 0.5
@@ -55,14 +55,14 @@ def test_heights_stay_in_their_range(index, by, radius):
         height_range=(-0.3, 0.3),
         min_thickness=0.3,
     )
-    heights = Stroke(lens, np.full((12, 10), 0.5), None, index, radius).raised(by)
+    heights = Stroke(lens, "exit", np.full((12, 10), 0.5), None, index, radius).raised(by)
     assert heights.min() >= 0.3  # the minimal thickness ends before the height range
     assert heights.max() <= 0.8
 
 
 def test_heights_beyond_the_range_do_not_jump_into_it(lens, flat):
     flat[2, 2] = 0.9
-    stroke = Stroke(lens, flat, None, (2, 2), 0.0)
+    stroke = Stroke(lens, "exit", flat, None, (2, 2), 0.0)
     assert stroke.raised(1.0)[2, 2] == 0.9
     assert stroke.raised(-0.05)[2, 2] == pytest.approx(0.85)
 
@@ -70,11 +70,11 @@ def test_heights_beyond_the_range_do_not_jump_into_it(lens, flat):
 def test_locked_points_stay(lens, flat):
     locked = np.zeros((12, 10), dtype=bool)
     locked[4:6] = True
-    raised = Stroke(lens, flat, locked, (4, 4), 0.8).raised(0.2)
+    raised = Stroke(lens, "exit", flat, locked, (4, 4), 0.8).raised(0.2)
     np.testing.assert_array_equal(raised[locked], 0.5)
     assert raised[3, 4] > 0.55
-    assert not Stroke(lens, flat, locked, (4, 4), 0.0).moves
-    assert Stroke(lens, flat, locked, (3, 4), 0.0).moves
+    assert not Stroke(lens, "exit", flat, locked, (4, 4), 0.0).moves
+    assert Stroke(lens, "exit", flat, locked, (3, 4), 0.0).moves
 
 
 def test_sizes_go_from_a_point_to_the_whole_lens(lens):

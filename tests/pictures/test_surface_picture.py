@@ -85,3 +85,11 @@ def test_a_plate_has_no_height_in_spite_of_rounding(make_scene, rng):
     noise = 1e-16 * rng.standard_normal(scene.lens.net_shape)
     image.update(scene.lens.base.height + noise)
     assert not image.values.any()
+
+
+def test_the_entrance_face_is_shown_from_its_own_place(make_scene, axes):
+    entrance = {"shape": "freeform", "control_points": [6, 7], "height_range": [-0.1, 0.1]}
+    scene = make_scene({"lens.entrance": entrance, "lens.entrance_z": -0.2})
+    image = SurfaceImage(axes, scene, NAMED["height"], "entrance")
+    image.update(np.full((6, 7), -0.15))
+    np.testing.assert_allclose(image.values, 0.05, rtol=1e-12)

@@ -1,13 +1,18 @@
 """What a person may do now."""
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from ui.commands.table import LOCKS, NEW
+
+if TYPE_CHECKING:
+    from workbench.scene import Optic
 
 _TAKES_LENS = ("export", "report")
 
 # Not while a run works on the design as it was when it began.
 _CHANGING = (*NEW, *LOCKS, "gallery", "open", "restore_run", "delete_run", "undo", "redo", "revert")
+_ONE_FACE = "There is one freeform face: Freeform entrance face gives a lens a second one"
 _RUN_FIRST = (
     "Not while a run goes on: it works on the design as it was when it began. Stop it first"
 )
@@ -19,6 +24,8 @@ class Situation:
 
     Attributes
     ----------
+    optic : Optic
+        What is designed.
     state : str
         Of the run: "idle", "running", "paused" or "stopping"; "loading" while there cannot be one.
     has_lens : bool
@@ -31,12 +38,18 @@ class Situation:
         Whether the design has a file and differs from it.
     """
 
+    optic: "Optic"
     state: str
     has_lens: bool
     lens: str
     can_undo: bool
     can_redo: bool
     can_revert: bool
+
+    @property
+    def two_faces(self) -> bool:
+        """Whether the entrance face is freeform, too."""
+        return self.optic.entrance.shape == "freeform"
 
     @property
     def editable(self) -> bool:
@@ -56,6 +69,7 @@ class Situation:
     def texts(self) -> dict[str, str]:
         """What commands are called that do one thing or another."""
         return {
+            "second_face": f"{'Flat' if self.two_faces else 'Freeform'} &entrance face",
             "start": "&Start over" if self.has_lens else "&Start",
             "pause": "&Resume" if self.state == "paused" else "&Pause",
         }
@@ -66,6 +80,8 @@ class Situation:
         return {
             **dict.fromkeys(_CHANGING, self.editable),
             **dict.fromkeys(_TAKES_LENS, self.has_lens or under_way),
+            "second_face": self.optic.most_faces > 1,
+            "other_face": self.two_faces,
             "start": idle,
             "continue": idle and self.has_lens,
             "pause": under_way,
@@ -86,4 +102,8 @@ class Situation:
             **dict.fromkeys(_CHANGING, "" if self.editable else _RUN_FIRST),
             **dict.fromkeys(_TAKES_LENS, f"Takes {taken}" if taken else no_lens),
             "continue": no_lens,
+            "second_face": ""
+            if self.optic.most_faces > 1
+            else f"A {self.optic.called} has one freeform face",
+            "other_face": "" if self.two_faces else _ONE_FACE,
         }

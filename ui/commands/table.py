@@ -188,6 +188,13 @@ COMMANDS = {
     "move_source": Command(
         "&Move source", "Drag the source; Ctrl: along z", "Alt+M", "move-source", checked=False
     ),
+    "second_face": Command(
+        "&Freeform entrance face",
+        "Let light meet a second freeform face first, or a flat one again; the exit face stays",
+    ),
+    "other_face": Command(
+        "&Other face", "Turn the lens over, to sculpt or lock its other freeform face", "Alt+O"
+    ),
     "brush_larger": Command("Lar&ger brush", "More control points at once; also Ctrl+wheel", "]"),
     "brush_smaller": Command(
         "Smaller brus&h", "Fewer control points at once; also Ctrl+wheel", "["
@@ -255,6 +262,9 @@ MENUS: dict[str, list[Any]] = {
     "&Edit": ["undo", "redo", None, "copy_plot", "save_plot"],
     "&Design": [
         *TOOLS,
+        None,
+        "second_face",
+        "other_face",
         None,
         "brush_larger",
         "brush_smaller",

@@ -10,10 +10,12 @@ from PySide6.QtCore import QObject
 from ui.views.keys import ARROWS
 from ui.views.tools.tool import Pointer
 from workbench.design.brush import bump, resized
-from workbench.geometry.surface import ControlNet
+from workbench.geometry.surface import ControlNet, freeform_nets
 
 if TYPE_CHECKING:
     from ui.views.scene_view import SceneView
+
+Mask = npt.NDArray[np.bool_]
 
 _FIRST = 0.1  # of the lens's half-width
 
@@ -36,10 +38,19 @@ class Brush:
     @property
     def radius(self) -> float:
         """Scene units; 0 for a single point."""
-        optic = self._view.optic
-        if optic is None or not self._part:
+        net = self._net
+        if net is None or not self._part:
             return 0.0
-        return max(self._part * max(optic.half_width), resized(ControlNet.of(optic), 0.0, 1))
+        return max(self._part * max(net.half_width), resized(net, 0.0, 1))
+
+    @property
+    def place(self) -> str:
+        """Which face it works on, where there are several, to stand before other words."""
+        optic, nets = self._view.optic, self._view.nets
+        if optic is None or len(nets.faces) < 2:
+            return ""
+        name = optic.face_in_words(nets.face)
+        return f"{name[0].upper()}{name[1:]}. "
 
     @property
     def words(self) -> str:
@@ -48,16 +59,22 @@ class Brush:
 
     def resize(self, steps: int) -> None:
         """Make it larger, or smaller."""
-        optic = self._view.optic
-        if optic is not None:
-            radius = resized(ControlNet.of(optic), self.radius, steps)
-            self._part = radius / max(optic.half_width)
+        net = self._net
+        if net is not None:
+            self._part = resized(net, self.radius, steps) / max(net.half_width)
             self.hold(self._index)
             self._view.refresh()  # also where there is nothing but its size to tell
 
-    def point_at(self, at: Pointer) -> tuple[int, int] | None:
-        """The control point under the pointer, with the brush around it."""
-        index = self._view.net.pick(at.x, at.y) if self._view.net else None
+    def aim(self, at: Pointer) -> tuple[int, int] | None:
+        """The control point under the pointer, on whichever face, with the brush around it."""
+        index = self._view.nets.aim(at.x, at.y)
+        self.hold(index)
+        return index
+
+    def follow(self, at: Pointer) -> tuple[int, int] | None:
+        """The same on the face where it is already."""
+        net = self._view.nets.picture
+        index = None if net is None else net.pick(at.x, at.y)
         self.hold(index)
         return index
 
@@ -67,10 +84,10 @@ class Brush:
         It goes from where it was last, even if the pointer has left the lens, and begins in the
         middle.
         """
-        optic = self._view.optic
-        if optic is None:
+        net = self._net
+        if net is None:
             return None
-        shape = optic.net_shape
+        shape = net.shape
         last = self._last or (shape[0] // 2, shape[1] // 2)
         i, j = (
             min(max(at + by, 0), n - 1) for at, by, n in zip(last, (right, up), shape, strict=True)
@@ -82,16 +99,22 @@ class Brush:
         """Stay around a control point, wherever the pointer goes; or nowhere."""
         self._index = index
         self._last = index or self._last
-        self._view.show_brush(index, self.radius)
+        self._view.nets.show_brush(index, self.radius)
 
-    def touched(self, index: tuple[int, int]) -> npt.NDArray[np.bool_]:
-        """What it takes along around a control point, shape (n_u, n_v)."""
+    def paint(self, over: Mask | None, index: tuple[int, int], value: bool) -> Mask:
+        """Locks, shape (n_u, n_v), with a value where it is around a control point."""
+        net = self._net
+        assert net is not None  # or there would be no control point
+        painted = np.zeros(net.shape, dtype=bool) if over is None else over.copy()
+        block, weights = bump(net, index, self.radius)
+        painted[block] = np.where(weights > 0, value, painted[block])
+        return painted
+
+    @property
+    def _net(self) -> ControlNet | None:
+        """That of the face that is worked on."""
         optic = self._view.optic
-        assert optic is not None
-        touched = np.zeros(optic.net_shape, dtype=bool)
-        block, weights = bump(ControlNet.of(optic), index, self.radius)
-        touched[block] = weights > 0
-        return touched
+        return None if optic is None else freeform_nets(optic)[self._view.nets.face]
 
 
 class BrushTool(QObject):
@@ -123,7 +146,7 @@ class BrushTool(QObject):
         if at is None:
             self._brush.hold(None)
         else:
-            self._brush.point_at(at)
+            self._brush.aim(at)
 
     def turn_wheel(self, steps: int) -> None:
         """Change the brush."""

@@ -4,26 +4,23 @@ from collections.abc import Callable, Set
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-import numpy as np
-import numpy.typing as npt
 from PySide6.QtCore import QObject, Qt, Signal
 
-from ui.lens.brush import Brush, BrushTool
+from ui.lens.brush import Brush, BrushTool, Mask
 from ui.views.keys import ARROWS
 from ui.views.tools.tool import Pointer
 
 if TYPE_CHECKING:
     from ui.views.scene_view import SceneView
 
-Mask = npt.NDArray[np.bool_]
-
 _PAINTS: set[int] = {Qt.Key.Key_Space, Qt.Key.Key_Return, Qt.Key.Key_Enter}
 
 
 @dataclass
 class _Paint:
+    face: str
     before: Mask | None
-    locked: Mask
+    locked: Mask | None
     value: bool  # that the brush leaves
 
 
@@ -41,11 +38,11 @@ class Lock(BrushTool):
 
     Attributes
     ----------
-    painted : Signal(ndarray, str)
-        New locks, shape (n_u, n_v), and what was done.
+    painted : Signal(str, ndarray, str)
+        The name of a face, its new locks, shape (n_u, n_v), and what was done.
     """
 
-    painted = Signal(object, str)
+    painted = Signal(str, object, str)
 
     cursor = Qt.CursorShape.PointingHandCursor
     keys: Set[int] = ARROWS.keys() | _PAINTS
@@ -60,16 +57,17 @@ class Lock(BrushTool):
     @property
     def hint(self) -> str:
         """What can be done with it, in a line."""
-        locked = self._view.locked
+        locked = self._view.nets.locked
         count = 0 if locked is None else int(locked.sum())
         return (
-            "Paint over control points to lock them, or unlock them where you begin on a lock; or "
-            f"use arrows and Space. Brush, [ and ]: {self._brush.words}. {count} locked"
+            f"{self._brush.place}Paint over control points to lock them, or unlock them where you "
+            f"begin on a lock; or use arrows and Space. Brush, [ and ]: {self._brush.words}. "
+            f"{count} locked"
         )
 
     def press(self, at: Pointer) -> bool:
         """Begin to paint."""
-        index = self._brush.point_at(at)
+        index = self._brush.aim(at)
         if index is None:
             return False
         self._begin(index)
@@ -77,7 +75,7 @@ class Lock(BrushTool):
 
     def drag(self, at: Pointer) -> None:
         """Paint what the brush touches."""
-        index = self._brush.point_at(at)
+        index = self._brush.follow(at)
         if index is not None:
             self._touch(index)
 
@@ -91,26 +89,25 @@ class Lock(BrushTool):
         """Leave it so."""
         paint, self._paint = self._paint, None
         if paint is not None:
-            self.painted.emit(paint.locked, "lock" if paint.value else "unlock")
+            self.painted.emit(paint.face, paint.locked, "lock" if paint.value else "unlock")
 
     def cancel(self) -> None:
         """Take it back."""
         paint, self._paint = self._paint, None
         if paint is not None:
-            self._view.show_locked(paint.before)
+            self._view.nets.show_locked(paint.before)
 
     def _begin(self, index: tuple[int, int]) -> None:
-        optic = self._view.optic
-        if optic is None or not self._may():
+        if not self._may():
             return
-        before = self._view.locked
-        locked = np.zeros(optic.net_shape, dtype=bool) if before is None else before.copy()
-        self._paint = _Paint(before, locked, not locked[index])
+        nets = self._view.nets
+        before = nets.locked
+        self._paint = _Paint(nets.face, before, before, before is None or not before[index])
         self._touch(index)
 
     def _touch(self, index: tuple[int, int]) -> None:
         paint = self._paint
         if paint is not None:
             # A new array each time: whoever shows it tells by that that it has changed.
-            paint.locked = np.where(self._brush.touched(index), paint.value, paint.locked)
-            self._view.show_locked(paint.locked)
+            paint.locked = self._brush.paint(paint.locked, index, paint.value)
+            self._view.nets.show_locked(paint.locked)

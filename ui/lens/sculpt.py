@@ -12,9 +12,11 @@ from ui.lens.brush import Brush, BrushTool
 from ui.views.keys import ARROWS
 from ui.views.tools.tool import Pointer
 from workbench.design.brush import Stroke
+from workbench.geometry.faces import FaceArrays
 
 if TYPE_CHECKING:
     from ui.views.scene_view import SceneView
+    from workbench.geometry.faces import ControlHeights
 
 Array = npt.NDArray[np.float64]
 
@@ -28,6 +30,8 @@ _RISES: dict[int, int] = {Qt.Key.Key_PageUp: 1, Qt.Key.Key_PageDown: -1}
 
 @dataclass
 class _Drag:
+    heights: "ControlHeights"  # before
+    face: str
     stroke: Stroke
     place: Array  # of the control point in the middle, shape (3,)
     at: Pointer | None  # None with a key
@@ -44,11 +48,11 @@ class Sculpt(BrushTool):
     brush : Brush
         Which ones move together.
     heights : callable
-        Those of the lens to shape, or None while none may be shaped.
+        Those of the faces of the lens to shape, or None while none may be shaped.
 
     Attributes
     ----------
-    shaped : Signal(ndarray, bool)
+    shaped : Signal(ControlHeights, bool)
         New control heights, and whether the drag is over.
     refused : Signal(str)
         Why nothing moves.
@@ -61,7 +65,11 @@ class Sculpt(BrushTool):
     keys: Set[int] = ARROWS.keys() | _RISES.keys()
 
     def __init__(
-        self, view: "SceneView", brush: Brush, heights: Callable[[], Array | None], parent: QObject
+        self,
+        view: "SceneView",
+        brush: Brush,
+        heights: Callable[[], "ControlHeights | None"],
+        parent: QObject,
     ) -> None:
         super().__init__(view, brush, parent)
         self._heights = heights
@@ -71,8 +79,8 @@ class Sculpt(BrushTool):
     def hint(self) -> str:
         """What can be done with it, in a line."""
         text = (
-            "Drag control points along z, or use arrows, Page Up and Page Down; Shift: finely; "
-            f"Esc: back. Brush, [ and ]: {self._brush.words}"
+            f"{self._brush.place}Drag control points along z, or use arrows, Page Up and Page "
+            f"Down; Shift: finely; Esc: back. Brush, [ and ]: {self._brush.words}"
         )
         if self._drag is not None:
             text += f". Moved by {self._drag.rise:+.4g} {self._view.unit}"
@@ -80,7 +88,7 @@ class Sculpt(BrushTool):
 
     def press(self, at: Pointer) -> bool:
         """Take hold of the control points in the brush."""
-        index = self._brush.point_at(at)
+        index = self._brush.aim(at)
         if index is None:
             return False
         self._begin(index, at)
@@ -107,7 +115,7 @@ class Sculpt(BrushTool):
         super().repeat_key(key, fine)
         drag, optic = self._drag, self._view.optic
         if key in _RISES and drag is not None and optic is not None:
-            low, high = optic.height_range or (0.0, max(optic.half_width) / 2)
+            low, high = optic.range_of(drag.face) or (0.0, max(optic.half_width) / 2)
             self._raise(drag, _RISES[key] * _RISE * (high - low), fine)
 
     def release(self) -> None:
@@ -124,21 +132,25 @@ class Sculpt(BrushTool):
             super().turn_wheel(steps)
 
     def _begin(self, index: tuple[int, int], at: Pointer | None = None) -> None:
-        optic, net = self._view.optic, self._view.net
-        heights = self._heights()
+        optic, nets = self._view.optic, self._view.nets
+        heights, net, face = self._heights(), nets.picture, nets.face
         if optic is None or net is None or heights is None:
             return
-        stroke = Stroke(optic, heights, self._view.locked, index, self._brush.radius)
+        stroke = Stroke(optic, face, heights[face], nets.locked, index, self._brush.radius)
         if stroke.moves:
-            self._drag = _Drag(stroke, net.places[index].copy(), at)
+            self._drag = _Drag(heights, face, stroke, net.places[index].copy(), at)
         else:
             self.refused.emit("All control points in the brush are locked; unlock some first.")
 
     def _raise(self, drag: _Drag, by: float, fine: bool) -> None:
         drag.rise += by * (_FINE if fine else 1.0)
-        self.shaped.emit(drag.stroke.raised(drag.rise), False)
+        self._shape(drag, drag.rise, settled=False)
+
+    def _shape(self, drag: _Drag, rise: float, *, settled: bool) -> None:
+        shaped = FaceArrays({**drag.heights, drag.face: drag.stroke.raised(rise)})
+        self.shaped.emit(shaped, settled)
 
     def _end(self, *, moved: bool) -> None:
         drag, self._drag = self._drag, None
         if drag is not None:
-            self.shaped.emit(drag.stroke.raised(drag.rise if moved else 0.0), True)
+            self._shape(drag, drag.rise if moved else 0.0, settled=True)

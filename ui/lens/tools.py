@@ -6,7 +6,7 @@
 3. Whatever else changes the design in the midst of a drag ends the drag.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
@@ -21,9 +21,10 @@ from ui.lens.lock import Lock
 from ui.lens.move_source import MoveSource
 from ui.lens.sculpt import Sculpt
 from ui.views.drawing_queue import drawing_queue
-from workbench.design.limits import undesigned
+from workbench.design.limits import bounded, undesigned
 from workbench.errors import Refused
 from workbench.geometry.faces import FaceArrays
+from workbench.geometry.surface import freeform_nets
 from workbench.scene import Scene
 
 if TYPE_CHECKING:
@@ -36,11 +37,11 @@ if TYPE_CHECKING:
     from workbench.geometry.faces import ControlHeights
     from workbench.scene import Source
 
-Array = npt.NDArray[np.float64]
 Mask = npt.NDArray[np.bool_]
 
 _BUSY = "Stop the run first; then change the lens by hand."
 _NO_LENS = "There is no lens to shape yet."
+_ONE_FACE = "There is one freeform face. Design > Freeform entrance face gives a lens a second one."
 _NOT_TO_SCALE = "Show distances to scale first (View > Exploded distances); then move the source."
 
 
@@ -72,7 +73,7 @@ class LensTools(QObject):
             "move_source": self._move_source(),
         }
         self._tool: Tool | None = None
-        lock.painted.connect(lambda locked, verb: self._set_locked(locked, f"{verb} points"))
+        lock.painted.connect(self._take_paint)
         self._live = LiveLens(self)
         self._live.traced.connect(self._take)
         self._live.failed.connect(self._give_up)
@@ -87,6 +88,7 @@ class LensTools(QObject):
         """What commands do here."""
         return {
             **{name: partial(self._use, tool) for name, tool in self._tools.items()},
+            "other_face": self._turn_over,
             "brush_larger": partial(self._resize, 1),
             "brush_smaller": partial(self._resize, -1),
             "lock_all": lambda: self._lock(np.ones_like, "lock all points"),
@@ -116,6 +118,16 @@ class LensTools(QObject):
         self._tool = tool
         self._view.use(tool)
 
+    def _turn_over(self) -> None:
+        """Work on the next face, seen from outside."""
+        optic, nets = self._view.optic, self._view.nets
+        if optic is None or len(nets.faces) < 2:
+            self.message.emit(_ONE_FACE)
+            return
+        self._view.drop()
+        nets.choose(nets.faces[nets.faces.index(nets.face) - 1])
+        self._view.fit("lens" if optic.outwards(nets.face) > 0 else "entrance")
+
     def _resize(self, steps: int) -> None:
         if self._tool is not None:
             self._tool.turn_wheel(steps)
@@ -129,31 +141,31 @@ class LensTools(QObject):
         """Whether what is shown is the lens of the design, and no run works on it."""
         if not self._is_idle():
             return False
-        frame, optic = self._view.frame, self._document.session.scene.optic
-        there = frame is not None and frame.session.scene.optic == optic == self._view.optic
+        frame, scene = self._view.frame, self._document.session.scene
+        there = (
+            frame is not None
+            and frame.session.scene.optic == scene.optic
+            and bounded(scene) == self._view.optic
+        )
         if not there:
             self.message.emit(_NO_LENS)
         return there
 
-    def _heights(self) -> Array | None:
-        """Of the exit face of the lens that is shown, which a hand may now shape."""
+    def _heights(self) -> "ControlHeights | None":
+        """Of the faces of the lens that is shown, which a hand may now shape."""
         frame = self._view.frame
         if not self._may_change() or frame is None:
             return None
         self.lens_taken.emit()
         draft = self._settling
-        return (frame.state.heights if draft is None else draft.heights)[
-            frame.session.scene.optic.face
-        ]
+        return frame.state.heights if draft is None else draft.heights
 
-    def _shape(self, heights: Array, settled: bool) -> None:
+    def _shape(self, lens: "ControlHeights", settled: bool) -> None:
         frame = self._view.frame
         if frame is None:
             return
         self._shaping = not settled
         drawing_queue().hurry(self._shaping)
-        face = frame.session.scene.optic.face
-        lens = FaceArrays({**frame.state.heights, face: heights})
         draft = Draft(self._document.session, lens, frame.result, settled)
         self._settling = draft if settled else None
         self._live.show(draft)
@@ -222,20 +234,27 @@ class LensTools(QObject):
             self._control.preview()
 
     def _lock(self, change: Callable[[Mask], Mask], text: str) -> None:
+        """Change the locks of all faces."""
         if self._is_idle():
             session = self._document.session
-            unlocked = np.zeros(session.scene.optic.net_shape, dtype=bool)
-            self._set_locked(change(session.locked.get(session.scene.optic.face, unlocked)), text)
+            nets = freeform_nets(session.scene.optic)
+            self._set_locked(
+                {
+                    face: change(session.locked.get(face, np.zeros(net.shape, dtype=bool)))
+                    for face, net in nets.items()
+                },
+                text,
+            )
 
-    def _set_locked(self, locked: Mask, text: str) -> None:
+    def _take_paint(self, face: str, locked: Mask, verb: str) -> None:
+        self._set_locked({**self._document.session.locked, face: locked}, f"{verb} points")
+
+    def _set_locked(self, masks: Mapping[str, Mask], text: str) -> None:
         before = self._document.session
-        face = before.scene.optic.face
-        if np.array_equal(locked, before.locked.get(face, np.zeros_like(locked))):
-            return
-        masks = {**before.locked, face: locked}
-        locks = FaceArrays({each: mask for each, mask in masks.items() if mask.any()})
-        session = replace(before, locked=locks)
-        self._as_own(lambda: self._document.change(session, text))
+        locks = FaceArrays({face: mask for face, mask in masks.items() if mask.any()})
+        if locks != before.locked:
+            session = replace(before, locked=locks)
+            self._as_own(lambda: self._document.change(session, text))
 
     def _as_own(self, change: Callable[[], object]) -> None:
         self._own = True

@@ -147,6 +147,13 @@ class Forms(QScrollArea):
         self._source.choose_file(path)
         self.ensureWidgetVisible(self._source)
 
+    def switch_entrance(self) -> None:
+        """Give the lens a freeform entrance face, or a flat one again."""
+        two_faces = self._session.scene.optic.entrance.shape == "freeform"
+        shape = "flat" if two_faces else "freeform"
+        changes: dict[str, object] = {"lens.entrance": {"shape": shape}}
+        self.edit(Edit("lens.entrance.shape", f"{shape} entrance face", changes, alone=True))
+
     def set_running(self, running: bool, paused: bool = False) -> None:
         """Whether a run goes on, whose end edits wait for."""
         self._running = running

@@ -17,7 +17,10 @@ from ui.threads.background import Background
 from ui.threads.failure import sentence_of
 from ui.views.computing_view import ComputingView
 from ui.views.derivatives import DerivativeRequest, derivative
+from ui.views.face_choice import FaceChoice
 from ui.views.plot_view import PlotView
+from workbench.geometry.faces import ControlPoint
+from workbench.geometry.surface import freeform_nets
 from workbench.pictures.derivative import DerivativeImage
 
 if TYPE_CHECKING:
@@ -38,8 +41,8 @@ class DerivativeView(PlotView, ComputingView):
 
     Attributes
     ----------
-    chosen : Signal(tuple[int, int] or None)
-        The control point along x and along y; None while nobody sees the map.
+    chosen : Signal(ControlPoint or None)
+        The control point; None while nobody sees the map.
     """
 
     chosen = Signal(object)
@@ -54,23 +57,29 @@ class DerivativeView(PlotView, ComputingView):
         self._map: DerivativeMap | None = None
         self._rest = QTimer(self, singleShot=True, interval=_REST_MS)
         self._rest.timeout.connect(self._ask_for_map)
+        self._faces = FaceChoice()
         self._boxes = (_index_box("along x"), _index_box("along y"))
         self._place = QLabel()
         self._sum = QLabel(wordWrap=True)
         self._box.insertLayout(0, self._row())
         self._box.addWidget(self._sum)
         self._sum.setContentsMargins(6, 0, 6, 4)
+        self._faces.currentIndexChanged.connect(self._turn)
         for box in self._boxes:
             box.valueChanged.connect(self._want)
 
     @property
-    def index(self) -> tuple[int, int]:
-        """The chosen control point, along x and along y."""
-        return self._boxes[0].value(), self._boxes[1].value()
+    def point(self) -> ControlPoint:
+        """The chosen control point."""
+        along_x, along_y = self._boxes
+        return ControlPoint(self._faces.face, (along_x.value(), along_y.value()))
 
-    def choose(self, index: tuple[int, int]) -> None:
+    def choose(self, point: ControlPoint) -> None:
         """Choose another control point."""
-        for box, number in zip(self._boxes, index, strict=True):
+        with QSignalBlocker(self._faces):
+            self._faces.choose(point.face)
+        self._offer()
+        for box, number in zip(self._boxes, point.index, strict=True):
             with QSignalBlocker(box):
                 box.setValue(number)
         self._want()
@@ -84,8 +93,9 @@ class DerivativeView(PlotView, ComputingView):
         """Take note of another lens."""
         if self._frame is None or not same_task(self._frame.session, frame.session):
             self._map = None
-            self._offer(frame.session.scene.optic.net_shape)
+            self._faces.offer(frame.session.scene.optic)
         super().show_frame(frame)
+        self._offer()
         self._want()
 
     def show_nothing(self, session: "Session") -> None:
@@ -107,14 +117,22 @@ class DerivativeView(PlotView, ComputingView):
         name = QLabel("Control point")
         name.setToolTip("Choose it here, or click the lens in the 3D scene.")
         row.addWidget(name)
+        row.addWidget(self._faces)
         for box in self._boxes:
             row.addWidget(box)
         row.addWidget(self._place, 1)
         return row
 
-    def _offer(self, count: tuple[int, int]) -> None:
+    def _turn(self) -> None:
+        self._offer()
+        self._want()
+
+    def _offer(self) -> None:
         """Let only points of the net be chosen; of another net, the middle one to begin with."""
-        for box, n in zip(self._boxes, count, strict=True):
+        if self._frame is None:
+            return
+        net = freeform_nets(self._frame.session.scene.optic)[self._faces.face]
+        for box, n in zip(self._boxes, net.shape, strict=True):
             if box.maximum() != n - 1:
                 with QSignalBlocker(box):
                     box.setMaximum(n - 1)
@@ -126,7 +144,7 @@ class DerivativeView(PlotView, ComputingView):
         if self._seen():
             self._sum.setText("Computed when the lens rests…")
             self._rest.start()
-            self.chosen.emit(self.index)
+            self.chosen.emit(self.point)
 
     def _want_nothing(self) -> None:
         self._background.cancel()
@@ -136,7 +154,7 @@ class DerivativeView(PlotView, ComputingView):
     def _ask_for_map(self) -> None:
         frame = self._frame
         assert frame is not None
-        request = DerivativeRequest(frame.session.scene, frame.state.heights, self.index)
+        request = DerivativeRequest(frame.session.scene, frame.state.heights, self.point)
         self._sum.setText("Computing…")
         self._background.begin(partial(derivative, request), request)
 

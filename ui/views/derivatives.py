@@ -8,7 +8,7 @@ from ui.threads.cores import leave_core_for_window
 
 if TYPE_CHECKING:
     from workbench.analysis.derivatives import DerivativeMap
-    from workbench.geometry.faces import ControlHeights
+    from workbench.geometry.faces import ControlHeights, ControlPoint
     from workbench.scene import Scene
 
 
@@ -22,13 +22,13 @@ class DerivativeRequest:
         What is traced.
     heights : ControlHeights
         Its control heights.
-    index : tuple[int, int]
+    point : ControlPoint
         The control point.
     """
 
     scene: "Scene"
     heights: "ControlHeights"
-    index: tuple[int, int]
+    point: "ControlPoint"
 
 
 def derivative(request: DerivativeRequest, task: Task) -> "DerivativeMap":
@@ -37,4 +37,5 @@ def derivative(request: DerivativeRequest, task: Task) -> "DerivativeMap":
     from workbench.analysis.derivatives import irradiance_derivative
 
     leave_core_for_window()
-    return irradiance_derivative(request.scene, request.heights, request.index)
+    point = request.point
+    return irradiance_derivative(request.scene, request.heights, point.index, face=point.face)

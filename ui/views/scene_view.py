@@ -25,6 +25,7 @@ from PySide6.QtGui import QCloseEvent, QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import QGridLayout, QLabel, QSizePolicy, QWidget
 
 from ui.shown.frame import same_task, some_rays
+from ui.views.face_nets import FaceNets
 from ui.views.tools.steer import steer
 from ui.views.tools.tool import Pointer, Tool
 from ui.views.tools.tool_input import ToolInput
@@ -36,13 +37,10 @@ from workbench.pictures.images import LIGHT
 if TYPE_CHECKING:
     from ui.shown.frame import Frame
     from workbench.files.session import Session
-    from workbench.pictures.control_net import ControlNetPicture
     from workbench.pictures.lens import LensPicture
     from workbench.pictures.sight import Sight
     from workbench.pictures.source_handles import SourceHandles
     from workbench.scene import Optic, Scene, Source
-
-Mask = npt.NDArray[np.bool_]
 
 _NOTCH = 1.2  # times as large, by a notch of the wheel
 
@@ -52,10 +50,12 @@ class SceneView(View):
 
     Attributes
     ----------
-    picked : Signal(tuple[int, int])
-        The control point that was clicked, along x and along y.
+    picked : Signal(ControlPoint)
+        The control point that was clicked.
     escaped : Signal()
         The person wants no tool any more.
+    nets : FaceNets
+        The control points.
     """
 
     picked = Signal(object)
@@ -66,13 +66,11 @@ class SceneView(View):
         make_native(self)
         self._plotter: Any = None
         self._picture: LensPicture | None = None
-        self._net: ControlNetPicture | None = None
         self._handles: SourceHandles | None = None
         self._sight: Sight | None = None
-        self._marked: tuple[int, int] | None = None
+        self.nets = FaceNets(self)
+        self.nets.changed.connect(self._ask)
         self._tool: Tool | None = None
-        self._brush: tuple[tuple[int, int], float] | None = None
-        self._locked: Mask | None = None
         self._shown: Session | None = None
         self._held: npt.NDArray[np.float64] | None = None  # what the camera was turned to
         self._placement: dict[str, Any] | None = None  # of the camera, once the design is there
@@ -127,16 +125,6 @@ class SceneView(View):
         return "" if self._shown is None else self._shown.scene.unit
 
     @property
-    def locked(self) -> Mask | None:
-        """Control points that are locked, shape (n_u, n_v)."""
-        return self._locked
-
-    @property
-    def net(self) -> "ControlNetPicture | None":
-        """The control points; None before the first drawing."""
-        return self._net
-
-    @property
     def handles(self) -> "SourceHandles | None":
         """The handles of the source; None before the first drawing."""
         return self._handles
@@ -162,28 +150,14 @@ class SceneView(View):
         """Take back what a tool has under way."""
         self._tool_input.drop()
 
-    def show_brush(self, index: tuple[int, int] | None, radius: float) -> None:
-        """Highlight the control points of a brush, its radius in scene units; or none."""
-        brush = None if index is None else (index, radius)
-        if brush != self._brush:
-            self._brush = brush
-            self._ask()
-
     def refresh(self) -> None:
         """Draw what a tool has changed, its hint included."""
-        self._ask()
-
-    def show_locked(self, locked: Mask | None) -> None:
-        """Show other control points as locked."""
-        self._locked = locked
         self._ask()
 
     def show_design(self, session: "Session") -> None:
         """Take note of another scene, target or set of locks."""
         super().show_design(session)
-        locked = session.locked.get(session.scene.optic.face)
-        if locked is not self._locked:
-            self.show_locked(locked)
+        self.nets.show_locks(session.locked)
 
     def hold_camera(self, scene: "Scene") -> None:
         """Leave the camera where it is when this scene comes."""
@@ -247,16 +221,11 @@ class SceneView(View):
             self._picture.fit(view)
             self._plotter.update()
 
-    def mark(self, index: tuple[int, int] | None) -> None:
-        """Show the control points with one of them marked, to be picked from; or none."""
-        if index != self._marked:
-            self._marked = index
-            self._ask()
-
     def close_plotter(self) -> None:
         """Free what VTK holds; the view stays empty from then on. Safe to call twice."""
         self._closed = True
-        self._picture = self._net = self._handles = self._sight = None
+        self._picture = self._handles = self._sight = None
+        self.nets.close()
         if self._plotter is not None:
             self._plotter.close()
             self._plotter.deleteLater()
@@ -288,9 +257,9 @@ class SceneView(View):
             super().keyPressEvent(event)
 
     def _pick(self, at: Pointer) -> None:
-        index = None if self._net is None else self._net.pick(at.x, at.y)
-        if index is not None:
-            self.picked.emit(index)
+        point = self.nets.pick(at.x, at.y)
+        if point is not None:
+            self.picked.emit(point)
 
     def _zoom(self, at: Pointer, notches: float) -> None:
         """Come nearer to what is under the pointer, or go away from it."""
@@ -323,19 +292,11 @@ class SceneView(View):
             self._placement = None
 
     def _draw_tools(self, frame: "Frame") -> None:
-        net, handles, tool = self._net, self._handles, self._tool
-        assert net is not None and handles is not None  # made with the picture
-        net.update(frame.state.heights[frame.session.scene.optic.face])
-        net.mark(self._marked)
+        handles, tool = self._handles, self._tool
+        assert handles is not None  # made with the picture
         if tool is not None:
             self._hint.setText(tool.hint)
-        net.show(tool is not None and tool.shows_net)
-        # What was meant for another net is left out until the tool is moved.
-        shape, brush, locked = net.places.shape[:2], self._brush, self._locked
-        if brush is not None and (brush[0][0] >= shape[0] or brush[0][1] >= shape[1]):
-            brush = None
-        net.brush(*(brush or (None, 0.0)))
-        net.lock(locked if locked is not None and locked.shape == shape else None)
+        self.nets.draw(frame.state.heights, tool is not None and tool.shows_net)
         handles.show(frame.source if tool is not None and tool.shows_handles else None)
 
     def _open_plotter(self) -> None:
@@ -358,7 +319,6 @@ class SceneView(View):
             self._plotter.setCursor(self._tool.cursor)
 
     def _begin(self, session: "Session") -> None:
-        from workbench.pictures.control_net import ControlNetPicture
         from workbench.pictures.lens import LensPicture
         from workbench.pictures.sight import Sight
         from workbench.pictures.source_handles import SourceHandles
@@ -377,7 +337,7 @@ class SceneView(View):
             perspective=self._perspective,
             by_weight=self._by_weight,
         )
-        self._net = ControlNetPicture(self._plotter, scene.optic, dark=dark)
+        self.nets.begin(self._plotter, scene.optic, dark=dark)
         self._handles = SourceHandles(self._plotter, dark=dark)
         self._sight = Sight(self._plotter)
         if moved:
@@ -393,7 +353,6 @@ class SceneView(View):
     def _recolour(self) -> None:
         if self._picture is not None:
             self._picture.recolour(self.is_dark())
-        if self._net is not None:
-            self._net.recolour(self.is_dark())
+        self.nets.recolour(self.is_dark())
         if self._handles is not None:
             self._handles.recolour(self.is_dark())

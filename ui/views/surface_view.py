@@ -1,4 +1,4 @@
-"""The shape of the exit face as a map."""
+"""The shape of a freeform face as a map."""
 
 from typing import TYPE_CHECKING
 
@@ -7,6 +7,7 @@ import numpy.typing as npt
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QWidget
 
+from ui.views.face_choice import FaceChoice
 from ui.views.image_view import ImageView
 from workbench.pictures.maps import Extent
 from workbench.pictures.surface import ASPECTS, SurfaceImage
@@ -22,10 +23,13 @@ if TYPE_CHECKING:
 
 
 class SurfaceContent:
-    """Height over the base, slope or a curvature of the exit face."""
+    """Height over the base, slope or a curvature of a face."""
 
     image: SurfaceImage
     aspect = ASPECTS[0]
+
+    def __init__(self, faces: FaceChoice) -> None:
+        self._faces = faces
 
     def extent(self, session: "Session") -> Extent:
         """All of the lens."""
@@ -33,12 +37,13 @@ class SurfaceContent:
 
     def begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
         """An empty map of the aspect."""
-        self.image = SurfaceImage(axes, session.scene, self.aspect)
+        self._faces.offer(session.scene.optic)
+        self.image = SurfaceImage(axes, session.scene, self.aspect, self._faces.face)
         return self.image.artists
 
     def change(self, frame: "Frame") -> bool:
         """Show the face of a frame."""
-        return self.image.update(frame.state.heights[frame.session.scene.optic.face])
+        return self.image.update(frame.state.heights[self._faces.face])
 
     def values(self, frame: "Frame") -> npt.NDArray[np.float64]:
         """Those of the map."""
@@ -50,20 +55,23 @@ class SurfaceContent:
 
 
 class SurfaceView(ImageView):
-    """A map of the exit face, to be chosen above it."""
+    """A map of a face; both to be chosen above it."""
 
     _content: SurfaceContent
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(SurfaceContent(), parent=parent)
+        self._faces = FaceChoice()
+        super().__init__(SurfaceContent(self._faces), parent=parent)
         self._aspects = QComboBox()
         self._aspects.setAccessibleName("What the map shows")
         for number, aspect in enumerate(ASPECTS):
             self._aspects.addItem(aspect.name[0].upper() + aspect.name[1:])
             self._aspects.setItemData(number, aspect.tip, Qt.ItemDataRole.ToolTipRole)
         self._aspects.currentIndexChanged.connect(self._turn)
+        self._faces.currentIndexChanged.connect(self._begin_anew)
         row = QHBoxLayout()
         row.setContentsMargins(6, 4, 6, 0)
+        row.addWidget(self._faces)
         row.addWidget(self._aspects)
         row.addStretch(1)
         self._box.insertLayout(0, row)

@@ -63,7 +63,7 @@ class Views(QObject):
             "section": SectionView(link),
             "light": LightView(),
         }
-        self.derivative.chosen.connect(self.scene.mark)
+        self.derivative.chosen.connect(self.scene.nets.mark)
         self.scene.picked.connect(self.derivative.choose)
 
     def follow(self, shown: "ShownLens", history: "FrameHistory") -> None:

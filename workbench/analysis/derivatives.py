@@ -14,7 +14,7 @@ import torch
 from torch.autograd import forward_ad
 
 from workbench.errors import Refused
-from workbench.geometry.surface import ControlNet
+from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.optics.plan import Plan, device_of
 from workbench.scene import Scene
 
@@ -56,6 +56,7 @@ def irradiance_derivative(
     heights: Mapping[str, Array],
     index: tuple[int, int],
     dtype: torch.dtype = torch.float64,
+    face: str = "",
 ) -> DerivativeMap:
     """Derivative of the irradiance image with respect to one control height.
 
@@ -66,9 +67,11 @@ def irradiance_derivative(
     heights : mapping of str to ndarray, shape (n_u, n_v)
         Control heights of each freeform face by its name, scene units.
     index : tuple[int, int]
-        The control point of the exit face, along x and along y, counted from 0.
+        The control point, along x and along y, counted from 0.
     dtype : torch.dtype
         Float type of the trace.
+    face : str
+        The name of its face; by default the one that the task shapes.
 
     Raises
     ------
@@ -89,20 +92,22 @@ def irradiance_derivative(
     >>> abs(found.sum) < 1e-12 < found.map.max().item()
     True
     """
-    _check(scene, index)
+    face = face or scene.optic.face
+    net = freeform_nets(scene.optic)[face]
+    _check(scene, net, index)
     plan = Plan(scene, dtype=dtype)
     tensors = {face: torch.tensor(each, device=device_of(scene)) for face, each in heights.items()}
-    rise = torch.zeros_like(tensors[scene.optic.face])
+    rise = torch.zeros_like(tensors[face])
     rise[index] = 1.0
     # Dual numbers rather than `torch.func.jvp`, whose wrapped tensors have no values that the
     # search for intersections could look at.
     with _DUAL_NUMBERS, torch.no_grad(), forward_ad.dual_level():
-        moved = forward_ad.make_dual(tensors[scene.optic.face], rise)  # type: ignore[no-untyped-call]
-        dual = plan.flux({**tensors, scene.optic.face: moved})
+        moved = forward_ad.make_dual(tensors[face], rise)  # type: ignore[no-untyped-call]
+        dual = plan.flux({**tensors, face: moved})
         flux, change = forward_ad.unpack_dual(dual)  # type: ignore[no-untyped-call]
     assert change is not None  # every image depends on every height, if only by 0
     change = change.to(torch.float64)
-    x, y = ControlNet.of(scene.optic).positions
+    x, y = net.positions
     return DerivativeMap(
         index=index,
         position=(float(x[index[0]]), float(y[index[1]])),
@@ -112,8 +117,8 @@ def irradiance_derivative(
     )
 
 
-def _check(scene: Scene, index: tuple[int, int]) -> None:
-    for axis, (i, count) in enumerate(zip(index, scene.optic.net_shape, strict=True)):
+def _check(scene: Scene, net: ControlNet, index: tuple[int, int]) -> None:
+    for axis, (i, count) in enumerate(zip(index, net.shape, strict=True)):
         if not 0 <= i < count:
             raise Refused(f"index[{axis}]", f"{i} is no control point; 0 to {count - 1}")
     if not scene.filter.smooth:

@@ -1,10 +1,10 @@
-"""Shaping a lens by hand: a brush raises or lowers control points of the exit face."""
+"""Shaping an optic by hand: a brush raises or lowers control points of one of its faces."""
 
 import numpy as np
 import numpy.typing as npt
 
 from workbench.design.limits import HeightLimits
-from workbench.geometry.surface import ControlNet
+from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.scene import Optic
 
 Array = npt.NDArray[np.float64]
@@ -69,13 +69,15 @@ def resized(net: ControlNet, radius: float, steps: int) -> float:
 class Stroke:
     """One movement of the brush along z.
 
-    Heights stay in the range that the lens allows, which keeps its minimal thickness as well (see
+    Heights stay in the range that the optic allows, which keeps its minimal thickness as well (see
     `HeightLimits`); locked control points stay where they are.
 
     Parameters
     ----------
     optic : Optic
-        The lens.
+        The lens or mirror.
+    face : str
+        The name of the face that is shaped.
     heights : ndarray, shape (n_u, n_v)
         Its control heights before, scene units.
     locked : ndarray of bool, shape (n_u, n_v), optional
@@ -89,13 +91,14 @@ class Stroke:
     def __init__(
         self,
         optic: Optic,
+        face: str,
         heights: Array,
         locked: Mask | None,
         index: tuple[int, int],
         radius: float,
     ) -> None:
-        net = ControlNet.of(optic)
-        limits = HeightLimits.of(optic, net)
+        net = freeform_nets(optic)[face]
+        limits = HeightLimits.of_faces(optic)[face]
         self._heights = heights
         self._block, self._weights = bump(net, index, radius)
         if locked is not None:

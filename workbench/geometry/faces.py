@@ -1,6 +1,7 @@
 """What is known of each freeform face of a lens, by the name of the face."""
 
 from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 from typing import Any, TypeVar
 
 import numpy as np
@@ -71,6 +72,23 @@ ControlHeights = FaceArrays[np.float64]
 
 Locks = FaceArrays[np.bool_]
 """Control points of each face that keep their heights; a face without any may be left out."""
+
+
+@dataclass(frozen=True)
+class ControlPoint:
+    """One of the control points of an optic.
+
+    Attributes
+    ----------
+    face : str
+        The name of its face.
+    index : tuple[int, int]
+        Its place in the net of that face, along x and along y, counted from 0.
+    """
+
+    face: str
+    index: tuple[int, int]
+
 
 NO_LOCKS: Locks = FaceArrays({})
 """All control points may move."""

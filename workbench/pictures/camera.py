@@ -68,7 +68,8 @@ class FittedCamera:
         ----------
         view : str
             "side", "top" or "axis" for everything; "lens" or "screen" for that alone, from a side
-            where the other does not hide it; else the three-quarter view.
+            where the other does not hide it; "entrance" for the lens from where its light comes;
+            else the three-quarter view.
         """
         self.view = view
         corners = self._corners(view)
@@ -152,7 +153,7 @@ class FittedCamera:
     def _corners(self, view: str) -> Array:
         """What a view has to hold, (n, 3)."""
         lens = self._scene.optic
-        if view == "lens":
+        if view in ("lens", "entrance"):
             return _corners(lens.half_width, lens.front_z, self.top)
         if view == "screen":
             return _on_receiver(self._scene)
@@ -164,6 +165,8 @@ class FittedCamera:
         The longer the way of the light, the closer to the axis: it then looks about two and a half
         times as long as the widest of source, lens and screen, however long it is.
         """
+        if view == "entrance":
+            return _direction(math.radians(180 - _LENS_AZIMUTH), math.radians(_ELEVATION))
         clear = self._clear_azimuth()
         if view == "lens":
             return _direction(max(math.radians(_LENS_AZIMUTH), clear), math.radians(_ELEVATION))

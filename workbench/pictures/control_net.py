@@ -1,4 +1,4 @@
-"""Control points of the exit face in three dimensions: shown, picked, marked, brushed, locked.
+"""Control points of a face in three dimensions: shown, picked, marked, brushed, locked.
 
 1. All of a fine net would hide the lens. Of such a net only what is near the brush is shown, and
    beside no brush the locked points alone. Points seen close together are drawn small.
@@ -15,7 +15,7 @@ import pyvista as pv
 from workbench.design.brush import bump
 from workbench.geometry.lines import nearest_to_line
 from workbench.geometry.outlines import outline_of
-from workbench.geometry.surface import ControlNet
+from workbench.geometry.surface import freeform_nets
 from workbench.pictures import shapes
 from workbench.pictures.dots import Dots
 from workbench.pictures.sight import Sight
@@ -34,7 +34,7 @@ _SIZES = 4.0, 8.0, 8.0  # of points, of those in the brush and of locked ones, a
 _SMALLEST = 2.0, 3.0, 3.0
 _PARTS = 0.25, 0.6, 0.6  # of what is between neighbours
 _LINES = 6.0  # pixels between neighbours, from which on lines are drawn
-_LIFT = 0.004  # of the lens's half-width, above the face that would swallow half of each point
+_LIFT = 0.004  # of the lens's half-width, outside the face that would swallow half of each point
 _REACH = 0.75  # of the diagonal between neighbours; farther away nothing is picked
 _MOST_LOCKS = 40_000  # that are drawn; of more, every second or third
 _WHOLE = 1200  # control points of a net that is shown whole
@@ -42,7 +42,7 @@ _NEAR = 12  # control points on each side of the brush, of a finer one
 
 
 class ControlNetPicture:
-    """Draws control points of a lens on a plotter that the caller owns; none at first.
+    """Draws control points of a face on a plotter that the caller owns; none at first.
 
     Parameters
     ----------
@@ -50,18 +50,20 @@ class ControlNetPicture:
         Where the lens is drawn.
     optic : Optic
         Says where the control points are along x and y.
+    face : str
+        The name of the face.
     dark : bool
         Whether the ground is dark.
     """
 
-    def __init__(self, plotter: Any, optic: Optic, *, dark: bool = False) -> None:
-        self._net = ControlNet.of(optic)
+    def __init__(self, plotter: Any, optic: Optic, face: str, *, dark: bool = False) -> None:
+        self._net = freeform_nets(optic)[face]
         x, y = self._net.positions
         self._places = np.zeros((len(x), len(y), 3))
         self._places[..., 0], self._places[..., 1] = x[:, None], y
         self._shaping = self._net.shaping(outline_of(optic))  # the others are not shown
         self._reach = _REACH * math.hypot(np.diff(x).max(), np.diff(y).max())
-        self._lift = np.array([0.0, 0.0, _LIFT * max(optic.half_width)])
+        self._lift = np.array([0.0, 0.0, _LIFT * max(optic.half_width) * optic.outwards(face)])
         self._shown = False
         self._marked: tuple[int, int] | None = None
         self._brush: tuple[tuple[int, int], float] | None = None
@@ -122,7 +124,7 @@ class ControlNetPicture:
             self._place()
 
     def pick(self, x: float, y: float) -> tuple[int, int] | None:
-        """The control point under a place in the window, while any are shown.
+        """The control point under a place in the window, whether it is shown or not.
 
         Parameters
         ----------
@@ -135,8 +137,6 @@ class ControlNetPicture:
             Index of the point along x and y that is nearest to the line of sight; None where no
             point is near it.
         """
-        if self._marked is None and not self._shown:
-            return None
         start, end = self._sight.line(x, y)
         block = self._along(start, end)
         if block is None:

@@ -1,4 +1,4 @@
-"""The shape of the exit face as a map: height over the base, slope, curvatures."""
+"""The shape of a face as a map: height over the base, slope, curvatures."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -9,7 +9,7 @@ import numpy.typing as npt
 
 from workbench.geometry.curvature import LocalShape, local_shape
 from workbench.geometry.outlines import outline_of
-from workbench.geometry.surface import ControlNet, even_counts
+from workbench.geometry.surface import even_counts, freeform_nets
 from workbench.pictures.maps import (
     SIGNED,
     UNSIGNED,
@@ -61,10 +61,16 @@ class Aspect:
 _HOLLOW = "positive where the face is hollow, negative where it is a hump"
 
 ASPECTS = (
-    Aspect("height", "Deviation from the base along z", "{}", 1, lambda s: s.height),
+    Aspect(
+        "height",
+        "Deviation along z from the base, or of the entrance face from its place",
+        "{}",
+        1,
+        lambda s: s.height,
+    ),
     Aspect(
         "slope",
-        "Angle between the face and the plane of the entrance face",
+        "Angle between the face and a plane across the axis",
         "°",
         0,
         lambda s: np.degrees(np.arctan(s.slope)),
@@ -104,7 +110,7 @@ ASPECTS = (
 
 
 class SurfaceImage:
-    """One aspect of the exit face on axes that the caller owns.
+    """One aspect of a face on axes that the caller owns.
 
     The scale begins at zero, or is symmetric about it.
 
@@ -116,6 +122,8 @@ class SurfaceImage:
         Gives the lens.
     aspect : Aspect
         One of `ASPECTS`.
+    face : str
+        The name of the face; by default the one that the task shapes.
 
     Attributes
     ----------
@@ -125,16 +133,16 @@ class SurfaceImage:
         What `update` changes; the caller may blit them.
     """
 
-    def __init__(self, axes: "Axes", scene: Scene, aspect: Aspect) -> None:
+    def __init__(self, axes: "Axes", scene: Scene, aspect: Aspect, face: str = "") -> None:
         optic = scene.optic
         self._aspect = aspect
-        self._net = ControlNet.of(optic)
+        self._net = freeform_nets(optic)[face or optic.face]
         count_x, count_y = even_counts(optic.half_width, _PLACES)
         self._u, self._v = ((np.arange(n) + 0.5) / n for n in (count_x, count_y))
         x, y = (2 * self._u - 1) * optic.half_width[0], (2 * self._v - 1) * optic.half_width[1]
         # Nothing is shown beside the lens.
         self._beside = np.where(outline_of(optic).contains(x[:, None], y), 0.0, np.nan)
-        self._base = optic.base.height_at(x[:, None], y)
+        self._base = optic.place_of(face or optic.face, x[:, None], y)
         self._size = max(optic.half_width) ** aspect.length  # of values that are more than rounding
         self.values = np.zeros((count_y, count_x))
         colours = SIGNED if aspect.signed else UNSIGNED[1]

@@ -41,6 +41,7 @@ class Lens(Optic):
 
     called = "lens"
     face = "exit"
+    most_faces = 2
     face_called = "exit face"
     body_called = "body of glass"
     front_called = "the entrance face"

@@ -23,6 +23,7 @@ class Mirror(Optic):
     since: ClassVar[Version] = 2
     called = "mirror"
     face = "mirror"
+    most_faces = 1
     face_called = "mirror"
     body_called = "mirror"
     front_called = "the mirror"

@@ -26,6 +26,8 @@ class Optic(Part):
     """What it is called within a sentence, and the scene's field that holds it."""
     face: ClassVar[str]
     """Name of the face that the task shapes, as heights have it."""
+    most_faces: ClassVar[int]
+    """How many of its faces can be freeform."""
     face_called: ClassVar[str]
     """What that face is called within a sentence."""
     body_called: ClassVar[str]
@@ -133,6 +135,24 @@ class Optic(Part):
     @abstractmethod
     def flat_z(self, heights: Array) -> float:
         """Where the flat side of the solid part is, if the face has these control heights."""
+
+    def face_in_words(self, face: str) -> str:
+        """What one of its freeform faces is called within a sentence."""
+        return self.face_called if face == self.face else "entrance face"
+
+    def outwards(self, face: str) -> int:
+        """1 if one of its freeform faces is seen from +z, -1 if from -z."""
+        return self.onwards if face == self.face else -1
+
+    def place_of(self, face: str, x: npt.ArrayLike, y: npt.ArrayLike) -> Array:
+        """Where one of its freeform faces stands before the design, z at (x, y)."""
+        if face == self.face:
+            return self.base.height_at(x, y)
+        return np.full(np.broadcast(x, y).shape, self.datum)
+
+    def range_of(self, face: str) -> tuple[float, float] | None:
+        """How far one of its freeform faces may be from its place; None if nobody says so."""
+        return self.height_range if face == self.face else self.entrance_offsets
 
     @property
     def net_shape(self) -> tuple[int, int]:

@@ -2,12 +2,24 @@ import pytest
 
 from ui.commands.availability import Situation
 from ui.commands.table import COMMANDS
+from workbench.scene import Lens, Mirror
+from workbench.scene.entrance import FreeformEntrance
+
+LENS = Lens(half_width=(1, 1), control_points=(8, 8), refractive_index=1.5)
+TWO_FACES = LENS.altered(entrance=FreeformEntrance())
+MIRROR = Mirror(half_width=(1, 1), control_points=(8, 8))
 
 
 def situation(
-    state="idle", has_lens=True, lens="a lens", can_undo=True, can_redo=True, can_revert=True
+    state="idle",
+    has_lens=True,
+    lens="a lens",
+    can_undo=True,
+    can_redo=True,
+    can_revert=True,
+    optic=LENS,
 ):
-    return Situation(state, has_lens, lens, can_undo, can_redo, can_revert)
+    return Situation(optic, state, has_lens, lens, can_undo, can_redo, can_revert)
 
 
 def allowed(**what):
@@ -63,3 +75,12 @@ def test_export_and_report_take_any_lens_and_say_which():
 def test_revert_needs_unsaved_changes():
     assert "revert" in allowed()
     assert "revert" not in allowed(can_revert=False)
+
+
+def test_the_entrance_face_is_switched_and_the_other_face_is_only_where_there_is_one():
+    assert "second_face" in allowed() and "other_face" not in allowed()
+    assert situation().texts()["second_face"] == "Freeform &entrance face"
+    assert {"second_face", "other_face"} <= allowed(optic=TWO_FACES)
+    assert situation(optic=TWO_FACES).texts()["second_face"] == "Flat &entrance face"
+    assert not {"second_face", "other_face"} & allowed(optic=MIRROR)
+    assert situation(optic=MIRROR).reasons()["second_face"] == "A mirror has one freeform face"

@@ -5,21 +5,16 @@ import pytest
 import torch
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QFocusEvent, QGuiApplication, QImage, QKeyEvent, QMouseEvent, QWheelEvent
-from PySide6.QtWidgets import QApplication, QMainWindow
+from PySide6.QtWidgets import QApplication
 
 from tests.ui.hands import move_screen
-from ui.document.document import Document
+from tests.ui.lens.bench import control_point, seen_at, upwards
 from ui.files.scene_pictures import ScenePictures
-from ui.lens.tools import LensTools
-from ui.run.control import RunControl
-from ui.views.scene_view import SceneView
-from workbench.design.limits import undesigned
 from workbench.optics.plan import Plan
 from workbench.scene import Scene
 
 pytestmark = pytest.mark.usefixtures("kernels")
 
-LEFT = Qt.MouseButton.LeftButton
 POINT = {"kind": "point", "position": [0.0, 0.0, -3.0], "rays": 4096}
 GRID = {
     "kind": "grid",
@@ -28,113 +23,6 @@ GRID = {
     "points": [5, 5],
     "rays": 64,
 }
-
-
-class Bench:
-    """The 3D view with its tools, a document and its runs, and no more of the window."""
-
-    def __init__(self, session):
-        self.document = Document(session, "by hand")
-        self.window = QMainWindow()
-        self.document.setParent(self.window)
-        self.view = SceneView()
-        self.window.setCentralWidget(self.view)
-        self.window.resize(640, 480)
-        self.control = RunControl(self.document, self.window)
-        self.tools = LensTools(self.document, self.control, self.view, self.window)
-        self.commands = self.tools.slots()
-        self.said, self.put_away = [], []
-        self.tools.message.connect(self.said.append)
-        self.view.escaped.connect(lambda: self.put_away.append(True))
-        self.view.show_design(session)
-        self.document.session_changed.connect(self.view.show_design)
-        self.control.runner.frame_ready.connect(self.view.show_frame)
-
-    def close(self):
-        self.control.close()
-        self.tools.close()
-        self.view.close_plotter()
-
-    def heights(self):
-        session = self.document.session
-        return (session.heights or undesigned(session.scene.lens))["exit"]
-
-
-@pytest.fixture
-def at_bench(display, make_session, qtbot):
-    def at_bench(changes=None):
-        bench = Bench(make_session(changes))
-        qtbot.addWidget(bench.window, before_close_func=lambda _: bench.close())
-        with qtbot.waitExposed(bench.window):
-            bench.window.show()
-        # Until the first preview is drawn there is nothing to take hold of.
-        view = bench.view
-        qtbot.waitUntil(lambda: view.frame is not None and view.optic is not None, timeout=60_000)
-        qtbot.waitUntil(lambda: not view._outdated)
-        return bench
-
-    return at_bench
-
-
-@pytest.fixture
-def bench(at_bench):
-    return at_bench()
-
-
-@pytest.fixture
-def sculpting(bench, qtbot):
-    bench.commands["sculpt"]()
-    qtbot.waitUntil(lambda: bench.view.net._shown)
-    return bench
-
-
-def seen_at(view, place):
-    """Where a place of the scene is seen, as Qt counts."""
-    ((x, y),) = view.sight.pixels(np.array([place]))
-    scale = view.devicePixelRatioF()
-    return QPoint(round(x / scale), view._plotter.height() - 1 - round(y / scale))
-
-
-class Drag:
-    """A drag over the 3D view that the test begins, moves and ends."""
-
-    def __init__(self, qtbot, view, start):
-        self._qtbot, self._plotter, self.at = qtbot, view._plotter, start
-        qtbot.mousePress(self._plotter, LEFT, pos=start)
-
-    def move(self, by, keys=Qt.KeyboardModifier.NoModifier):
-        self.at = self.at + by
-        place = QPointF(self.at)
-        QApplication.sendEvent(
-            self._plotter,
-            QMouseEvent(
-                QEvent.Type.MouseMove,
-                place,
-                self._plotter.mapToGlobal(place),
-                Qt.MouseButton.NoButton,
-                LEFT,
-                keys,
-            ),
-        )
-
-    def release(self):
-        self._qtbot.mouseRelease(self._plotter, LEFT, pos=self.at)
-
-
-@pytest.fixture
-def drag(qtbot):
-    return lambda view, start: Drag(qtbot, view, start)
-
-
-def control_point(bench, index):
-    return seen_at(bench.view, bench.view.net.places[index])
-
-
-def upwards(view, length):
-    """Pixels, as Qt counts, that lead so far along z."""
-    there = seen_at(view, (0, 0, 0.5 + length)) - seen_at(view, (0, 0, 0.5))
-    assert there.manhattanLength() > 1
-    return there
 
 
 def test_dragging_a_point_is_one_step_with_its_light(sculpting, drag, qtbot):
@@ -242,16 +130,16 @@ def test_the_wheel_with_ctrl_is_the_brush_and_without_it_the_zoom(sculpting, qtb
         Qt.KeyboardModifier.NoModifier,
     )
     QApplication.sendEvent(view._plotter, move)
-    index, radius = view._brush
+    index, radius = view.nets.brush
     assert index == (6, 5)
     scale = camera.parallel_scale
     wheel(view, place, Qt.KeyboardModifier.ControlModifier)
-    assert view._brush[1] > 1.2 * radius and camera.parallel_scale == scale
-    qtbot.waitUntil(lambda: f"radius {view._brush[1]:.2g} cm" in view._hint.text())
+    assert view.nets.brush[1] > 1.2 * radius and camera.parallel_scale == scale
+    qtbot.waitUntil(lambda: f"radius {view.nets.brush[1]:.2g} cm" in view._hint.text())
     wheel(view, place, Qt.KeyboardModifier.NoModifier)
     assert camera.parallel_scale < scale
     QApplication.sendEvent(view._plotter, QEvent(QEvent.Type.Leave))
-    assert view._brush is None
+    assert view.nets.brush is None
 
 
 def test_a_change_of_the_design_ends_the_drag(sculpting, drag, qtbot):
@@ -316,28 +204,28 @@ def test_painting_locks_and_unlocks(bench, drag, qtbot):
     bench.commands["lock"]()
     for _ in range(2):
         bench.commands["brush_smaller"]()
-    qtbot.waitUntil(lambda: view.net._shown)
+    qtbot.waitUntil(lambda: view.nets.picture._shown)
     held = drag(view, control_point(bench, (3, 3)))
     held.move(control_point(bench, (4, 3)) - held.at)
     held.move(control_point(bench, (5, 3)) - held.at)
-    assert view.locked.sum() == 3 and not document.session.locked
+    assert view.nets.locked.sum() == 3 and not document.session.locked
     held.release()
     np.testing.assert_array_equal(
         np.argwhere(document.session.locked["exit"]), [[3, 3], [4, 3], [5, 3]]
     )
     assert document.undo_stack.undoText() == "lock points"
-    qtbot.waitUntil(lambda: view.net._locked is not None)
+    qtbot.waitUntil(lambda: view.nets.picture._locked is not None)
     held = drag(view, control_point(bench, (4, 3)))
     held.move(control_point(bench, (4, 4)) - held.at)
     held.release()
     np.testing.assert_array_equal(np.argwhere(document.session.locked["exit"]), [[3, 3], [5, 3]])
     held = drag(view, control_point(bench, (8, 8)))
     qtbot.keyClick(view._plotter, Qt.Key.Key_Escape)
-    np.testing.assert_array_equal(np.argwhere(view.locked), [[3, 3], [5, 3]])
+    np.testing.assert_array_equal(np.argwhere(view.nets.locked), [[3, 3], [5, 3]])
     held.release()
     document.undo_stack.undo()
     document.undo_stack.undo()
-    assert not document.session.locked and view.locked is None
+    assert not document.session.locked and view.nets.locked is None
 
 
 def test_tools_are_disabled_during_a_run(sculpting, drag, qtbot):
@@ -430,7 +318,7 @@ def test_keys_without_a_tool_move_the_camera(bench, qtbot):
     bench.commands["sculpt"]()
     middle = camera.focal_point
     qtbot.keyClick(view._plotter, Qt.Key.Key_Up)
-    assert view._brush and camera.focal_point == middle
+    assert view.nets.brush and camera.focal_point == middle
     qtbot.keyClick(view._plotter, Qt.Key.Key_Plus)
     assert camera.parallel_scale == pytest.approx(scale / 1.25)
     assert not view._picture.fitted
@@ -441,35 +329,35 @@ def test_keys_without_a_tool_move_the_camera(bench, qtbot):
 def test_arrows_move_the_brush_from_where_it_was(sculpting, qtbot):
     view = sculpting.view
     qtbot.keyClick(view._plotter, Qt.Key.Key_Right)
-    assert view._brush[0] == (7, 5)  # from the middle
+    assert view.nets.brush[0] == (7, 5)  # from the middle
     for _ in range(6):
         qtbot.keyClick(view._plotter, Qt.Key.Key_Up)
-    assert view._brush[0] == (7, 9)
+    assert view.nets.brush[0] == (7, 9)
     qtbot.waitUntil(lambda: view._tool_input._held is None)
     qtbot.mouseMove(view._plotter, control_point(sculpting, (3, 4)))
-    qtbot.waitUntil(lambda: view._brush[0] == (3, 4))
+    qtbot.waitUntil(lambda: view.nets.brush[0] == (3, 4))
     QApplication.sendEvent(view._plotter, QEvent(QEvent.Type.Leave))
-    assert view._brush is None
+    assert view.nets.brush is None
     qtbot.keyClick(view._plotter, Qt.Key.Key_Down)
     qtbot.keyClick(view._plotter, Qt.Key.Key_Left)
-    assert view._brush[0] == (2, 3)
-    qtbot.waitUntil(lambda: view.net._brush == view._brush)  # it is seen
+    assert view.nets.brush[0] == (2, 3)
+    qtbot.waitUntil(lambda: view.nets.picture._brush == view.nets.brush)  # it is seen
     sculpting.commands["turn"]()
-    assert view._brush is None
+    assert view.nets.brush is None
 
 
 def test_a_brush_beyond_another_net_is_not_drawn(sculpting, qtbot):
     view, document = sculpting.view, sculpting.document
     for _ in range(6):
         qtbot.keyClick(view._plotter, Qt.Key.Key_Right)
-    assert view._brush[0] == (11, 5)
+    assert view.nets.brush[0] == (11, 5)
     data = document.session.scene.to_data()
     coarse = {**data["lens"], "control_points": [8, 4]}
     document.edit(Scene.from_data({**data, "lens": coarse}), "net", "")
     qtbot.waitUntil(lambda: view._shown is document.session, timeout=20_000)
-    assert view.net._brush is None
+    assert view.nets.picture._brush is None
     qtbot.keyClick(view._plotter, Qt.Key.Key_Right)
-    assert view._brush[0] == (7, 3)
+    assert view.nets.brush[0] == (7, 3)
 
 
 def hold_key(view, key, times, as_repeats=True):
@@ -493,7 +381,7 @@ def test_a_held_key_is_one_step(sculpting, qtbot, as_repeats):
     # Neither hand nor pointer is in its way.
     qtbot.mouseMove(view._plotter, control_point(bench, (3, 4)))
     QApplication.sendEvent(view._plotter, QEvent(QEvent.Type.Leave))
-    assert view._brush[0] == (6, 5)
+    assert view.nets.brush[0] == (6, 5)
     qtbot.keyRelease(view._plotter, Qt.Key.Key_PageUp)
     qtbot.waitUntil(lambda: document.session.result is not None, timeout=20_000)
     np.testing.assert_array_equal(np.argwhere(bench.heights() != 0.5), [[6, 5]])
@@ -539,11 +427,11 @@ def test_keys_are_refused_as_drags_are(sculpting, qtbot):
 def test_space_locks_and_unlocks_what_is_in_the_brush(bench, qtbot):
     view, document = bench.view, bench.document
     bench.commands["lock"]()
-    qtbot.waitUntil(lambda: view.net._shown)
+    qtbot.waitUntil(lambda: view.nets.picture._shown)
     hold_key(view, Qt.Key.Key_Space, 3)
-    assert view.locked.sum() == 9 and not document.session.locked
+    assert view.nets.locked.sum() == 9 and not document.session.locked
     qtbot.keyClick(view._plotter, Qt.Key.Key_Escape)
-    assert view.locked is None and not bench.put_away
+    assert view.nets.locked is None and not bench.put_away
     qtbot.keyClick(view._plotter, Qt.Key.Key_Space)
     qtbot.waitUntil(lambda: document.undo_stack.count() == 1)
     locked = document.session.locked["exit"]
@@ -598,8 +486,8 @@ def test_in_the_window(display, make_session, open_window, tmp_path, drag, qtbot
     view, commands, document = window.loaded.views.scene, window.commands, window.document
     qtbot.waitUntil(lambda: view.frame is not None and view.optic is not None, timeout=60_000)
     commands["sculpt"].trigger()
-    qtbot.waitUntil(lambda: view.net._shown)
-    held = drag(view, seen_at(view, view.net.places[6, 5]))
+    qtbot.waitUntil(lambda: view.nets.picture._shown)
+    held = drag(view, seen_at(view, view.nets.picture.places[6, 5]))
     held.move(upwards(view, 0.1))
     held.release()
     qtbot.waitUntil(lambda: document.session.result is not None, timeout=20_000)
@@ -642,3 +530,14 @@ def test_keys_of_the_3d_widget_itself_do_nothing(bench, qtbot):
     now = [actor.prop.style for actor in view._plotter.actors.values() if hasattr(actor, "prop")]
     assert now == before and "Surface" in now
     assert view._plotter.camera_position == position
+
+
+def test_a_lens_of_automatic_range_is_shaped(at_bench, drag, qtbot):
+    bench = at_bench({"lens.height_range": None, "lens.max_thickness": None})
+    bench.commands["sculpt"]()
+    qtbot.waitUntil(lambda: bench.view.nets.picture._shown)
+    held = drag(bench.view, control_point(bench, (6, 5)))
+    held.move(upwards(bench.view, 0.1))
+    held.release()
+    qtbot.waitUntil(lambda: bench.document.session.result is not None, timeout=20_000)
+    assert bench.heights().max() > 0.55 and not bench.said

@@ -59,7 +59,7 @@ def test_the_lens_follows_a_drag_at_a_steady_rate(window, latency_probe, qtbot, 
     view, irradiance = window.loaded.views.scene, window.loaded.views.docked["irradiance"]
     qtbot.waitUntil(lambda: view.frame is not None and view.lens is not None, timeout=60_000)
     window.commands["sculpt"].trigger()
-    qtbot.waitUntil(lambda: view.net._shown and not view._outdated, timeout=60_000)
+    qtbot.waitUntil(lambda: view.nets.picture._shown and not view._outdated, timeout=60_000)
     asked = [{}, {}]  # when, by the largest height; one for each view
     watched = [Watch(each, when) for each, when in zip((view, irradiance), asked, strict=True)]
 
@@ -68,7 +68,7 @@ def test_the_lens_follows_a_drag_at_a_steady_rate(window, latency_probe, qtbot, 
             when[float(heights.max())] = time.perf_counter()
 
     window.loaded.tools._tools["sculpt"].shaped.connect(note)
-    ((x, y),) = view.sight.pixels(view.net.places[32, 32][None])
+    ((x, y),) = view.sight.pixels(view.nets.picture.places[32, 32][None])
     place = QPointF(x, view._plotter.height() - 1 - y)
 
     def send(kind, button, buttons):

@@ -29,7 +29,9 @@ def test_the_dock_shows_the_designed_lens(window, session, qtbot):
     view = dock.widget()
     qtbot.waitUntil(lambda: view._map is not None, timeout=60_000)
     assert not dock.visibleRegion().isEmpty() and other.visibleRegion().isEmpty()
-    wanted = irradiance_derivative(session.scene, {"exit": np.full((12, 10), 0.497)}, view.index)
+    wanted = irradiance_derivative(
+        session.scene, {"exit": np.full((12, 10), 0.497)}, view.point.index
+    )
     np.testing.assert_allclose(view._map.map, wanted.map, atol=1e-12)
 
 
@@ -66,7 +68,7 @@ def seen_at(window, index):
     """Where a control point is seen in the 3D view, as Qt counts."""
     view = window.loaded.views.scene
     renderer = view._plotter.renderer
-    renderer.SetWorldPoint(*view._net._places[index], 1.0)
+    renderer.SetWorldPoint(*view.nets.picture._places[index], 1.0)
     renderer.WorldToDisplay()
     x, y, _ = renderer.GetDisplayPoint()
     scale = view.devicePixelRatioF()
@@ -78,7 +80,10 @@ def picking(window, qtbot):
     """The window with its derivative dock open and the control points on show."""
     window.workspace.docks["derivative"].toggleViewAction().trigger()
     view, derivative = window.loaded.views.scene, window.loaded.views.derivative
-    qtbot.waitUntil(lambda: view._net is not None and view._net._marked == (6, 5), timeout=60_000)
+    qtbot.waitUntil(
+        lambda: view.nets.picture is not None and view.nets.picture._marked == (6, 5),
+        timeout=60_000,
+    )
     return view, derivative
 
 
@@ -86,8 +91,8 @@ def picking(window, qtbot):
 def test_a_click_in_the_3d_scene_chooses_the_control_point(window, picking, index, qtbot):
     view, derivative = picking
     qtbot.mouseClick(view._plotter, Qt.MouseButton.LeftButton, pos=seen_at(window, index))
-    assert derivative.index == index
-    qtbot.waitUntil(lambda: view._net._marked == index)
+    assert derivative.point.index == index
+    qtbot.waitUntil(lambda: view.nets.picture._marked == index)
     qtbot.waitUntil(
         lambda: derivative._map is not None and derivative._map.index == index, timeout=60_000
     )
@@ -96,7 +101,7 @@ def test_a_click_in_the_3d_scene_chooses_the_control_point(window, picking, inde
 def test_the_mark_follows_the_spin_boxes(picking, qtbot):
     view, derivative = picking
     derivative._boxes[1].setValue(2)
-    qtbot.waitUntil(lambda: view._net._marked == (6, 2))
+    qtbot.waitUntil(lambda: view.nets.picture._marked == (6, 2))
 
 
 def test_turning_the_camera_picks_nothing(window, picking, qtbot):
@@ -107,18 +112,18 @@ def test_turning_the_camera_picks_nothing(window, picking, qtbot):
     for step in range(1, 6):
         qtbot.mouseMove(view._plotter, place + QPoint(8 * step, 0))
     qtbot.mouseRelease(view._plotter, Qt.MouseButton.LeftButton, pos=place + QPoint(40, 0))
-    assert derivative.index == (6, 5)
+    assert derivative.point.index == (6, 5)
     qtbot.mouseClick(view._plotter, Qt.MouseButton.LeftButton, pos=QPoint(1, 1))
-    assert derivative.index == (6, 5)
+    assert derivative.point.index == (6, 5)
     assert view._plotter.camera.position != camera
 
 
 def test_with_the_dock_closed_there_is_nothing_to_pick(window, picking, qtbot):
     view, derivative = picking
     window.workspace.docks["derivative"].toggleViewAction().trigger()
-    qtbot.waitUntil(lambda: view._net._marked is None)
+    qtbot.waitUntil(lambda: view.nets.picture._marked is None)
     qtbot.mouseClick(view._plotter, Qt.MouseButton.LeftButton, pos=seen_at(window, (2, 7)))
-    assert derivative.index == (6, 5)
+    assert derivative.point.index == (6, 5)
 
 
 def test_an_example_of_a_map_shows_the_dock(window, qtbot):
@@ -126,6 +131,6 @@ def test_an_example_of_a_map_shows_the_dock(window, qtbot):
     window.commands["new_derivative-degree3-filter3"].trigger()
     dock, view = window.workspace.docks["derivative"], window.loaded.views.derivative
     qtbot.waitUntil(lambda: not dock.visibleRegion().isEmpty())
-    qtbot.waitUntil(lambda: view.index == (4, 4), timeout=60_000)
+    qtbot.waitUntil(lambda: view.point.index == (4, 4), timeout=60_000)
     window.commands["new_tophat"].trigger()
     assert dock.isVisible()

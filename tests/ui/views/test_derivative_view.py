@@ -34,7 +34,7 @@ def asked(monkeypatch):
     """What the engine was asked for, and in which thread; answers with a map of ones."""
     calls = []
 
-    def stand_in(scene, heights, index):
+    def stand_in(scene, heights, index, face):
         calls.append((scene, heights, index, QThread.currentThread()))
         n_x, n_y = scene.screen.pixels
         return DerivativeMap(index, (0.0, 0.0), np.ones((n_y, n_x)), 0.5, 2.0)
@@ -57,7 +57,7 @@ def seen(view, show):
 
 def test_shows_the_map_of_the_middle_point_and_its_sum(seen, frame, session, qtbot):
     seen.show_frame(frame(1))
-    assert seen.index == (6, 5)
+    assert seen.point.index == (6, 5)
     qtbot.waitUntil(lambda: "changes by" in seen._sum.text(), timeout=20_000)
     scene = session.scene
     wanted = irradiance_derivative(scene, {"exit": np.full((12, 10), 0.49)}, (6, 5))
@@ -72,9 +72,9 @@ def test_shows_the_map_of_the_middle_point_and_its_sum(seen, frame, session, qtb
 def test_it_says_that_there_is_no_map_yet(seen, frame, session, monkeypatch, qtbot):
     computing = threading.Event()
 
-    def wait_for_it(scene, heights, index):
+    def wait_for_it(scene, heights, index, face):
         assert computing.wait(30)
-        return irradiance_derivative(scene, heights, index)
+        return irradiance_derivative(scene, heights, index, face=face)
 
     monkeypatch.setattr(workbench.analysis.derivatives, "irradiance_derivative", wait_for_it)
     seen.show_frame(frame(1))
@@ -126,9 +126,9 @@ def test_another_point_is_another_map(seen, frame, asked, qtbot):
 def test_only_points_of_the_net_can_be_chosen(seen, frame, asked, make_session, qtbot):
     seen.show_frame(frame(1))
     seen._boxes[0].setValue(99)
-    assert seen.index == (11, 5)
+    assert seen.point.index == (11, 5)
     seen.show_frame(frame(1, of=make_session({"lens.control_points": [7, 10]})))
-    assert seen.index == (3, 5)
+    assert seen.point.index == (3, 5)
     qtbot.waitUntil(lambda: bool(asked) and asked[-1][2] == (3, 5))
 
 

@@ -67,3 +67,24 @@ def test_a_text_replaces_labels_that_would_overlap(view, qtbot):
         view.resize(300, height)
         qtbot.waitUntil(lambda empty=empty: view.empty is empty)
         assert view._hint.text() == (view._NO_ROOM if empty else "")
+
+
+def test_a_lens_of_two_faces_lets_one_be_chosen(show, make_session, frames, qtbot):
+    entrance = {"shape": "freeform", "height_range": [-0.1, 0.1]}
+    session = make_session({"lens.entrance": entrance})
+    x, y = ControlNet.of(session.scene.lens).positions
+    heights = {"exit": np.full((12, 10), 0.5), "entrance": 0.05 * x[:, None] + 0 * y}
+    frame = frames(1, session, heights=FaceArrays(heights))
+    view = SurfaceView()
+    view.show_frame(frame)
+    show(view, 500, 400)
+    qtbot.waitUntil(lambda: not view.empty)
+    names = [view._faces.itemText(number) for number in range(view._faces.count())]
+    assert names == ["Entrance face", "Exit face"] and view._faces.isVisible()
+    assert view._faces.face == "exit" and np.allclose(view._values, 0)
+    view._faces.choose("entrance")
+    qtbot.waitUntil(lambda: view._values is not None and np.ptp(view._values) > 0.09)
+    one = frames(1, heights=FaceArrays({"exit": np.full((12, 10), 0.5)}))
+    view.show_frame(one)
+    qtbot.waitUntil(lambda: not view._faces.isVisible())
+    assert view._faces.face == "exit"

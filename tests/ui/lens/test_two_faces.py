@@ -1,0 +1,135 @@
+"""Hands on a lens of two freeform faces."""
+
+import numpy as np
+import pytest
+
+from tests.ui.lens.bench import control_point, upwards
+from workbench.geometry.faces import ControlPoint
+
+pytestmark = pytest.mark.usefixtures("kernels")
+
+TWO_FACES = {"lens.entrance": {"shape": "freeform", "height_range": [-0.1, 0.1]}}
+
+
+@pytest.fixture
+def sculpting(at_bench, qtbot):
+    bench = at_bench(TWO_FACES)
+    bench.commands["sculpt"]()
+    for _ in range(2):
+        bench.commands["brush_smaller"]()
+    qtbot.waitUntil(lambda: bench.view.nets.picture._shown)
+    return bench
+
+
+def shown(nets):
+    return {face for face, picture in nets._pictures.items() if picture._shown}
+
+
+def test_the_exit_face_is_worked_on_first_and_the_hint_names_it(sculpting, qtbot):
+    view = sculpting.view
+    assert view.nets.faces == ("entrance", "exit") and view.nets.face == "exit"
+    assert view._hint.text().startswith("Exit face. Drag control points")
+    sculpting.commands["other_face"]()
+    qtbot.waitUntil(lambda: view._hint.text().startswith("Entrance face. Drag"))
+    assert shown(view.nets) == {"entrance"}
+    assert view._plotter.camera.direction[2] > 0  # it looks along the light
+    sculpting.commands["other_face"]()
+    qtbot.waitUntil(lambda: shown(view.nets) == {"exit"})
+    assert view._plotter.camera.direction[2] < 0
+
+
+@pytest.mark.parametrize(
+    "look, face, other", [("lens", "exit", "entrance"), ("entrance", "entrance", "exit")]
+)
+def test_the_face_that_is_seen_under_the_pointer_is_dragged(
+    sculpting, drag, qtbot, look, face, other
+):
+    bench, view, document = sculpting, sculpting.view, sculpting.document
+    view.fit(look)
+    picture = view.nets._pictures[face]
+    ((x, y),) = view.sight.pixels(picture.places[6, 5][None])
+    assert view.nets.aim(x, y) == (6, 5) and view.nets.face == face
+    before = view.frame.state.heights
+    held = drag(view, control_point(bench, (6, 5)))
+    held.move(upwards(view, 0.05))
+    held.release()
+    qtbot.waitUntil(lambda: document.session.result is not None, timeout=20_000)
+    heights = document.session.heights
+    np.testing.assert_array_equal(np.argwhere(heights[face] != before[face]), [[6, 5]])
+    assert heights[face][6, 5] - before[face][6, 5] == pytest.approx(0.05, abs=0.02)
+    assert (heights[other] == before[other]).all()
+    assert document.undo_stack.count() == 1
+    document.undo_stack.undo()
+    assert document.session.result is None
+
+
+def test_a_drag_of_each_face_in_turn_keeps_both(sculpting, drag, qtbot):
+    bench, view, document = sculpting, sculpting.view, sculpting.document
+    for look in ("lens", "entrance"):
+        view.fit(look)
+        face = {"lens": "exit", "entrance": "entrance"}[look]
+        view.nets.choose(face)
+        held = drag(view, control_point(bench, (6, 5)))
+        held.move(upwards(view, 0.05))
+        held.release()
+        steps = {"lens": 1, "entrance": 2}[look]
+        qtbot.waitUntil(lambda n=steps: document.undo_stack.count() == n, timeout=20_000)
+    assert all(np.ptp(each) > 0.03 for each in document.session.heights.values())
+
+
+def test_a_face_is_sculpted_within_its_own_range(sculpting, drag, qtbot):
+    bench, view, document = sculpting, sculpting.view, sculpting.document
+    bench.commands["other_face"]()
+    held = drag(view, control_point(bench, (6, 5)))
+    held.move(upwards(view, 0.5))
+    held.release()
+    qtbot.waitUntil(lambda: document.session.result is not None, timeout=20_000)
+    assert document.session.heights["entrance"].max() == pytest.approx(0.1)
+
+
+def test_locks_are_painted_on_the_face_that_is_seen(sculpting, drag, qtbot):
+    bench, view, document = sculpting, sculpting.view, sculpting.document
+    bench.commands["lock"]()
+    bench.commands["other_face"]()
+    held = drag(view, control_point(bench, (3, 3)))
+    held.move(control_point(bench, (4, 3)) - held.at)
+    held.release()
+    assert set(document.session.locked) == {"entrance"}
+    np.testing.assert_array_equal(
+        np.argwhere(document.session.locked["entrance"]), [[3, 3], [4, 3]]
+    )
+    qtbot.waitUntil(lambda: view._hint.text().endswith("2 locked"))
+    bench.commands["other_face"]()
+    qtbot.waitUntil(lambda: view._hint.text().endswith("0 locked"))
+    bench.commands["lock_all"]()
+    assert all(mask.all() for mask in document.session.locked.values())
+    assert set(document.session.locked) == {"entrance", "exit"}
+
+
+def test_the_other_face_ends_what_is_under_way(sculpting, drag, qtbot):
+    bench, view, document = sculpting, sculpting.view, sculpting.document
+    bench.commands["lock"]()
+    held = drag(view, control_point(bench, (3, 3)))
+    bench.commands["other_face"]()
+    held.move(control_point(bench, (4, 3)) - held.at)
+    held.release()
+    assert not document.session.locked and view.nets.locked is None
+
+
+def test_a_lens_of_one_face_has_no_other(at_bench):
+    bench = at_bench()
+    bench.commands["other_face"]()
+    assert "one freeform face" in bench.said[-1] and bench.view.nets.face == "exit"
+
+
+def test_without_a_tool_or_a_mark_nothing_is_picked(sculpting, qtbot):
+    bench, nets = sculpting, sculpting.view.nets
+    ((x, y),) = bench.view.sight.pixels(nets.picture.places[6, 5][None])
+    assert nets.pick(x, y) == ControlPoint("exit", (6, 5))
+    bench.commands["turn"]()
+    qtbot.waitUntil(lambda: not shown(nets))
+    assert nets.pick(x, y) is None
+    nets.mark(ControlPoint("entrance", (2, 2)))
+    qtbot.waitUntil(lambda: nets._pictures["entrance"]._marked == (2, 2))
+    assert nets.picture._marked is None
+    assert nets.pick(x, y) == ControlPoint("exit", (6, 5))
