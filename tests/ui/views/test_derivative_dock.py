@@ -53,7 +53,7 @@ def test_nothing_is_computed_behind_another_tab(window, qtbot):
 def test_closing_the_window_ends_a_computation(window, monkeypatch, qtbot):
     begun = threading.Event()
 
-    def slow(*_):
+    def slow(*_, **__):
         begun.set()
         time.sleep(0.2)
 

@@ -142,7 +142,7 @@ def test_a_refusal_is_shown_and_the_old_map_removed(seen, frame, make_session, q
 
 
 def test_defects_are_shown(seen, frame, monkeypatch, qtbot):
-    def broken(*_):
+    def broken(*_, **__):
         raise ZeroDivisionError("by zero")
 
     monkeypatch.setattr(workbench.analysis.derivatives, "irradiance_derivative", broken)
