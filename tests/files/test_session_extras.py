@@ -13,7 +13,7 @@ from workbench.design.session import LONGEST_NAME, KeptRun, Session, VerifiedErr
 from workbench.design.snapshot import Result
 from workbench.errors import Refused
 from workbench.files import header
-from workbench.files import session as session_file
+from workbench.files import designs
 from workbench.files.figures import Figures
 from workbench.files.session import read_session, write_session
 from workbench.geometry.faces import NO_LOCKS, FaceArrays
@@ -169,7 +169,7 @@ class TestPicture:
 
     def test_a_picture_that_is_too_large_is_refused(self, drawn, path, monkeypatch):
         write_session(drawn, path)
-        monkeypatch.setattr(session_file, "LARGEST_PICTURE", len(drawn.picture) - 1)
+        monkeypatch.setattr(designs, "LARGEST_PICTURE", len(drawn.picture) - 1)
         assert refused(path).startswith(": target_image.png: has 15 bytes; at most 14")
 
 

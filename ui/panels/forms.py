@@ -71,7 +71,7 @@ class Forms(QScrollArea):
         self._hint.setObjectName("hint")
         self._hint.setWordWrap(True)
         self._hint.hide()
-        parts = {field.name: field for field in Scene.fields() if field.parts}
+        parts = {field.name: field for field in Scene.fields() if field.parts and not field.listed}
         self._target = TargetPanel(parts.pop("target"))
         self._source = SourcePanel(parts["source"])
         made: list[Panel] = []

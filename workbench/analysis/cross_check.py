@@ -118,6 +118,7 @@ def cross_check(
     RunFailed
         If no light reaches the screen.
     """
+    scene.check_one_image("the comparison with Mitsuba")
     check_body(scene, heights)
     scene, left_out = bare_and_clear(scene)
     theirs = MitsubaScene(scene, heights)

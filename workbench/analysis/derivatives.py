@@ -118,6 +118,7 @@ def irradiance_derivative(
 
 
 def _check(scene: Scene, net: ControlNet, index: tuple[int, int]) -> None:
+    scene.check_one_image("derivative maps")
     for axis, (i, count) in enumerate(zip(index, net.shape, strict=True)):
         if not 0 <= i < count:
             raise Refused(f"index[{axis}]", f"{i} is no control point; 0 to {count - 1}")

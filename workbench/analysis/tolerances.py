@@ -66,6 +66,7 @@ class Tolerances:
         Refused
             With the tolerance and what is allowed.
         """
+        scene.check_one_image("tolerances")
         for name in ("tilt", "source_tilt"):
             angle = getattr(self, name)
             if not 0 <= angle < math.pi / 4:

@@ -10,7 +10,8 @@ random rays are the second opinion then.
 
 import math
 from collections.abc import Generator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -74,6 +75,8 @@ class Validation:
         Flux per area on the screen, row 0 at +y.
     by_cells : ByCells, optional
         What cells say, where that was asked for and the source has not too many points.
+    further : tuple of Validation
+        The same of each further image, in their order.
     """
 
     loss: float
@@ -88,6 +91,12 @@ class Validation:
     noise: float
     irradiance: Array
     by_cells: ByCells | None = None
+    further: tuple["Validation", ...] = ()
+
+    @property
+    def images(self) -> tuple["Validation", ...]:
+        """What is said of each image, the first one first."""
+        return (self, *self.further)
 
     @property
     def verified(self) -> "Validation | ByCells":
@@ -102,7 +111,8 @@ class Validation:
         return self.loss * self.verified.relative_l2_corrected / self.relative_l2
 
     def to_data(self) -> dict[str, Any]:
-        """The figures by name, for JSON."""
+        """The figures by name, for JSON; those of further images in a list, if there are any."""
+        further = {"further_images": [each.to_data() for each in self.further]}
         return {
             "loss": self.loss,
             "relative_l2": self.relative_l2,
@@ -115,6 +125,7 @@ class Validation:
             "rays": self.rays,
             "noise": self.noise,
             "deterministic": self.by_cells and self.by_cells.to_data(),
+            **(further if self.further else {}),
         }
 
 
@@ -135,9 +146,10 @@ def validate(
     Parameters
     ----------
     scene : Scene
-        Lens, source and screen; filter and run settings play no part.
+        Lens, source and screen; filter and run settings play no part. Each of its images is
+        checked by itself, with as many rays.
     target : ndarray, shape (n_y, n_x)
-        The target image in any scale, row 0 at +y.
+        The target image in any scale, row 0 at +y; of further images the scene has it.
     heights : mapping of str to ndarray, shape (n_u, n_v)
         Control heights of each freeform face by its name, scene units.
     rays : int
@@ -159,8 +171,8 @@ def validate(
     Raises
     ------
     Refused
-        If there are too many rays, the screen may touch the lens there, or the lens is no body;
-        see `check_body`.
+        If there are too many rays, the screen may touch the lens there, or is to be elsewhere
+        while there are further images, or the lens is no body; see `check_body`.
     RunFailed
         If no light reaches the screen.
 
@@ -208,7 +220,33 @@ def validating(
     -------
     Validation
     """
-    scene = scene if screen_z is None else with_screen_at(scene, screen_z)
+    if screen_z is not None:
+        scene.check_one_image("a check with the screen elsewhere")
+        scene = with_screen_at(scene, screen_z)
+    found: list[Validation] = []
+    images = scene.images(target)
+    for done, image in enumerate(images):
+        steps = _of_one(image.scene, image.target, heights, rays, seed, pose, threads, accuracy)
+        found.append((yield from within(steps, partial(_part_of_all, done, len(images)))))
+    first, *others = found
+    return replace(first, further=tuple(others)) if others else first
+
+
+def _part_of_all(done: int, images: int, part: float) -> float:
+    return (done + part) / images
+
+
+def _of_one(
+    scene: Scene,
+    target: Array,
+    heights: Mapping[str, Array],
+    rays: int,
+    seed: int,
+    pose: Pose | None,
+    threads: int | None,
+    accuracy: float | None,
+) -> Generator[float, None, Validation]:
+    """`validating` with a scene of one image."""
     if target.max() > _HUGE:
         target = target / target.max()
 
@@ -342,7 +380,7 @@ def with_screen_at(scene: Scene, z: float) -> Scene:
     """
     data = scene.to_data()
     data["screen"] = scene.receiver.moved_to(z).model_dump(mode="json")
-    return Scene.from_data(data).carrying(scene.light_files)
+    return Scene.from_data(data).with_contents_of(scene)
 
 
 def _account(tally: Tally) -> Account:

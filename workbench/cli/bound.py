@@ -23,6 +23,7 @@ def bound(path: Path, as_json: bool) -> None:
         If the scene cannot be read.
     """
     session = open_design(path)
+    session.scene.check_one_image("the bound")
     found = Bound(session.scene, session.target)
     if as_json:
         print(json.dumps(found.to_data()))

@@ -46,8 +46,9 @@ def design(path: Path, output: Path, iterations: int | None, seconds: float, as_
         After a signal; the best lens so far is written.
     """
     session = open_design(path)
-    if not is_session(path) and (why := why_not_kept(session.scene, session.picture)):
-        print(why, file=sys.stderr)
+    if not is_session(path):
+        for why in filter(None, map(why_not_kept, session.scene.single, session.pictures)):
+            print(why, file=sys.stderr)
     if not is_session(path) and (why := why_light_is_not_kept(session.scene)):
         print(why, file=sys.stderr)
     run = DesignRun(session, iterations)

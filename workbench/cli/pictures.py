@@ -5,7 +5,7 @@ from pathlib import Path
 from workbench.cli.designed import read_designed
 from workbench.errors import Refused
 from workbench.files.atomic import check_writable, replacing
-from workbench.pictures import PICTURES
+from workbench.pictures import PICTURES, write_images
 
 
 def pictures(path: Path, folder: Path) -> None:
@@ -16,7 +16,8 @@ def pictures(path: Path, folder: Path) -> None:
     path : Path
         Session with a lens.
     folder : Path
-        Gets irradiance.png, lens.png and loss.png.
+        Gets irradiance.png, lens.png and loss.png, and irradiance-2.png and so on of further
+        images.
 
     Raises
     ------
@@ -29,8 +30,11 @@ def pictures(path: Path, folder: Path) -> None:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise Refused(str(folder), f"cannot be made: {error.strerror or error}") from error
-    for name in PICTURES:
+    drawn = [(name, write, session.of_image(0)) for name, write in PICTURES.items()]
+    for number in range(1, len(session.scene.receivers)):
+        drawn.append((f"irradiance-{number + 1}.png", write_images, session.of_image(number)))
+    for name, _, _ in drawn:
         check_writable(folder / name)
-    for name, write in PICTURES.items():
+    for name, write, shown in drawn:
         with replacing(folder / name) as file:
-            write(session, file)
+            write(shown, file)

@@ -54,12 +54,15 @@ def validate(
     Raises
     ------
     Refused
-        If the session cannot be read or holds no lens, a screen may touch the lens, the plot
-        cannot be written, or Mitsuba is asked for and not installed.
+        If the session cannot be read or holds no lens, a screen may touch the lens, or is to be
+        elsewhere where there are several images, the plot cannot be written, or Mitsuba is asked
+        for and not installed.
     RunFailed
         If no light reaches the screen.
     """
     session, result = read_designed(path)
+    if screen_z is not None:
+        session.scene.check_one_image("--screen-z")
     scene = session.scene if screen_z is None else with_screen_at(session.scene, screen_z)
     task = scene, session.target, result.state.heights, rays
     if plot is not None:
@@ -84,15 +87,23 @@ def validate(
         if found.by_cells and own is not None:
             apart = relative_l2(found.by_cells.irradiance, own)
             figures["deterministic"]["optimiser_difference"] = apart
+        for each, image, its_own in zip(
+            figures.get("further_images", ()), found.further, result.state.further, strict=True
+        ):
+            each["optimiser_difference"] = relative_l2(image.irradiance, its_own.irradiance)
         if compared:
             figures["cross_check"] = compared.to_data()
         if series:
             figures["through_focus"] = [each.to_data() for each in series]
         print(json.dumps(figures))
     else:
-        if found.by_cells:
-            _print_cells(found.by_cells, own, scene.receiver.place)
-        _print(found, difference)
+        lights = [own, *(light.irradiance for light in result.state.further)]
+        for number, (image, light, receiver) in enumerate(
+            zip(found.images, lights, scene.receivers, strict=True), start=1
+        ):
+            if found.further:
+                print(f"{chr(10) * (number > 1)}Image {number}")
+            _print_image(image, light, receiver.place)
         if bound.known:
             print(f"{'bound':<18}{bound.relative_l2:.5f}  (no lens of this size can be below)")
         if compared:
@@ -104,6 +115,12 @@ def validate(
 
         with replacing(plot) as file:
             write_focus(file, scene, session.target, series)
+
+
+def _print_image(found: Validation, own: Array | None, place: str) -> None:
+    if found.by_cells:
+        _print_cells(found.by_cells, own, place)
+    _print(found, None if own is None else relative_l2(found.irradiance, own))
 
 
 def _print_cells(found: ByCells, own: Array | None, place: str) -> None:

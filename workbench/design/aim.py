@@ -25,7 +25,7 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from workbench.design.transport import First, first_of
+from workbench.design.transport import First, first_of, first_of_several
 from workbench.extended.blur import Blur
 from workbench.extended.deblur import spread_light
 from workbench.scene import Scene
@@ -44,7 +44,7 @@ class _Aim(NamedTuple):
 
 
 def first_lens(scene: Scene, target: Array) -> First | None:
-    """A first lens by transport; see `first_of`.
+    """A first lens by transport; see `first_of`, and for several images `first_of_several`.
 
     Parameters
     ----------
@@ -53,6 +53,8 @@ def first_lens(scene: Scene, target: Array) -> First | None:
     target : ndarray, shape (n_y, n_x)
         The wanted image in any scale, row 0 at +y.
     """
+    if scene.further_images:
+        return first_of_several(scene, target, lambda image: first_lens(image.scene, image.target))
     if Blur.of(scene).within_a_pixel:
         return first_of(scene, target)
     # How far the designed face is from the receiver tells how wide the blur is.

@@ -25,10 +25,10 @@ from workbench.design.lbfgs import Evaluation, minimise
 from workbench.design.levels import FINE, Level, images_of, levels_of
 from workbench.design.loss import check_gradient
 from workbench.design.room import Room
+from workbench.design.several_images import AnyImage
 from workbench.design.smoothness import Smoothness
 from workbench.design.step import Step
 from workbench.design.waves import FaceWaves
-from workbench.design.wide_image import WideImage
 from workbench.geometry.faces import NO_LOCKS
 from workbench.optics.plan import device_of
 from workbench.scene import Scene
@@ -113,8 +113,8 @@ def auto_steps(room: Room) -> Generator[Step, None, str]:
 
 
 def _descend(
-    image_for: Callable[[Level], WideImage],
-    evaluated: Callable[[WideImage, Tensor, Mapping[str, Tensor]], Evaluation[_Judged]],
+    image_for: Callable[[Level], AnyImage],
+    evaluated: Callable[[AnyImage, Tensor, Mapping[str, Tensor]], Evaluation[_Judged]],
     parameters: Mapping[str, Tensor],
     waves: FaceWaves,
     path: Sequence[Level],
@@ -177,11 +177,11 @@ def _joined(
 
 
 def _evaluated(
-    image: WideImage,
+    image: AnyImage,
     x: Tensor,
     parameters: Mapping[str, Tensor],
     *,
-    judge: WideImage,
+    judge: AnyImage,
     free: Freedom,
     smoothness: Smoothness | None,
 ) -> Evaluation[_Judged]:
@@ -212,11 +212,13 @@ def _mirrored(
 ) -> tuple[bool, bool]:
     """Whether target, source, receiver, first lens and locks are mirrored in x, in y."""
     nets: list[Array | Mask] = [*(start or {}).values(), *locked.values()]
-    in_x, in_y = (
-        all(each) for each in zip(scene.source.mirrored, scene.receiver.mirrored, strict=True)
-    )
-    return in_x and _even(target, 1) and all(_even(net, 0) for net in nets), (
-        in_y and _even(target, 0) and all(_even(net, 1) for net in nets)
+    images = scene.images(target)
+    receivers = (image.scene.receiver.mirrored for image in images)
+    in_x, in_y = (all(each) for each in zip(scene.source.mirrored, *receivers, strict=True))
+    targets = [image.target for image in images]
+    return (
+        in_x and all(_even(t, 1) for t in targets) and all(_even(net, 0) for net in nets),
+        in_y and all(_even(t, 0) for t in targets) and all(_even(net, 1) for net in nets),
     )
 
 

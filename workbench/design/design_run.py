@@ -68,4 +68,4 @@ class DesignRun:
 def _with_iterations(scene: Scene, iterations: int) -> Scene:
     data = scene.to_data()
     data["run"]["iterations"] = iterations
-    return Scene.from_data(data).carrying(scene.light_files)
+    return Scene.from_data(data).with_contents_of(scene)

@@ -28,9 +28,15 @@ class FilteredImage:
         The wanted image in any scale, row 0 at +y.
     locked : ndarray of bool, shape (n_u, n_v), optional
         Control points whose heights are the same in all lenses; see `workbench.optics.plan.Plan`.
+
+    Raises
+    ------
+    Refused
+        If the scene asks for a device that is not there, or for several images.
     """
 
     def __init__(self, scene: Scene, target: Array, locked: Mask | None = None) -> None:
+        scene.check_one_image("the paper's method")
         device = device_of(scene)
         self._scene, self._plan = scene, Plan(scene, locked=locked)
         self._wanted = torch.as_tensor(share(target), dtype=torch.float32, device=device)

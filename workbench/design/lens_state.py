@@ -1,6 +1,6 @@
 """A lens with its light: the one value that goes from the tracer to files and views."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Self
 
@@ -18,6 +18,25 @@ Array = npt.NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
+class FurtherLight:
+    """The light of a lens on the receiver of a further image.
+
+    Attributes
+    ----------
+    irradiance : ndarray, shape (n_y, n_x)
+        Flux per area there, row 0 at +y.
+    loss : float
+        Paper's loss of this image alone.
+    account : Account
+        Where the light goes.
+    """
+
+    irradiance: Array
+    loss: float
+    account: Account
+
+
+@dataclass(frozen=True, eq=False)
 class LensState:
     """A lens and what has been computed of it.
 
@@ -28,11 +47,14 @@ class LensState:
     irradiance : ndarray, shape (n_y, n_x)
         Flux per area on the screen, row 0 at +y.
     loss : float
-        Paper's loss (section 2.4) as the optimiser sees it.
+        Paper's loss (section 2.4) as the optimiser sees it; with further images that of an image
+        whose squared relative error is the weighted mean of all of them.
     account : Account
         Where the light goes.
     shortfall : Shortfall, optional
         What the task needs beyond the limits of the heights, where that is known to hinder it.
+    further : tuple of FurtherLight
+        The light of each further image, in their order.
     """
 
     heights: ControlHeights
@@ -40,6 +62,20 @@ class LensState:
     loss: float
     account: Account
     shortfall: Shortfall | None = None
+    further: tuple[FurtherLight, ...] = ()
+
+    @property
+    def lights(self) -> "tuple[LensState | FurtherLight, ...]":
+        """What has the irradiance and the account of each image, the first one first."""
+        return (self, *self.further)
+
+    def of_image(self, number: int, target: Array) -> Self:
+        """The lens with the light of one of its images alone, whose target is given."""
+        light = self.lights[number]
+        loss = _paper_loss(light.irradiance, target)
+        return replace(
+            self, irradiance=light.irradiance, loss=loss, account=light.account, further=()
+        )
 
     @classmethod
     def traced(
@@ -70,22 +106,37 @@ class LensState:
         copies = FaceArrays({face: _sealed(_copy(each)) for face, each in heights.items()})
         return cls(copies, _sealed(irradiance), loss.item(), account)
 
-    def scaled(self, factor: float, density: float) -> Self:
+    def scaled(self, factor: float, densities: Sequence[float]) -> Self:
         """The same lens with lengths in another unit.
 
         Parameters
         ----------
         factor : float
             So many of them are one of now.
-        density : float
-            By this the irradiance is divided.
+        densities : sequence of float
+            By these the irradiance of each image is divided.
         """
+        first, *others = (
+            _sealed(light.irradiance / density)
+            for light, density in zip(self.lights, densities, strict=True)
+        )
         return replace(
             self,
             heights=scaled(self.heights, factor),
-            irradiance=_sealed(self.irradiance / density),
+            irradiance=first,
             shortfall=self.shortfall and self.shortfall.scaled(factor),
+            further=tuple(
+                replace(light, irradiance=irradiance)
+                for light, irradiance in zip(self.further, others, strict=True)
+            ),
         )
+
+
+def _paper_loss(irradiance: Array, target: Array) -> float:
+    """Loss of de Koning et al. (2023), eq. 30."""
+    total = irradiance.sum() or 1.0  # an image without light differs by all of the target
+    difference = irradiance / total - target / target.max() / (target / target.max()).sum()
+    return float(np.linalg.norm(difference) / difference.size**0.5)
 
 
 def scaled(heights: ControlHeights, factor: float) -> ControlHeights:

@@ -11,6 +11,7 @@ import torch
 from torch import Tensor
 
 from workbench.design.blurred_plan import BlurredPlan
+from workbench.design.several_images import AnyImage, SeveralImages
 from workbench.design.wide_image import WideImage
 from workbench.extended.blur import Blur
 from workbench.optics.beam_plan import BeamPlan
@@ -113,7 +114,7 @@ def images_of(
     target: Array,
     heights: Mapping[str, Tensor],
     mirrored: tuple[bool, bool] = (False, False),
-) -> Callable[[Level], WideImage]:
+) -> Callable[[Level], AnyImage]:
     """The images by which levels compare lenses like one that is there, each made once.
 
     Parameters
@@ -123,6 +124,17 @@ def images_of(
     heights : mapping of str to Tensor, shape (n_u, n_v)
         Control heights of that lens; they say how far its light falls and how it is blurred.
     """
+    images = scene.images(target)
+    each = [_images_of_one(image.scene, image.target, heights, mirrored) for image in images]
+    if len(each) == 1:
+        return each[0]
+    return cache(lambda level: SeveralImages([image_for(level) for image_for in each], images))
+
+
+def _images_of_one(
+    scene: Scene, target: Array, heights: Mapping[str, Tensor], mirrored: tuple[bool, bool]
+) -> Callable[[Level], WideImage]:
+    """`images_of` with a scene of one image."""
     extent, blur = light_extent_of(scene, heights), even_blur_of(scene, heights)
     return cache(lambda level: image_of(level, scene, target, extent, mirrored, blur))
 
@@ -133,7 +145,7 @@ def levels_of(scene: Scene) -> tuple[Level, ...]:
     Light of a source of some size has no use for a coarse one: its own image blurs what that would
     leave out, and 30 of 55 steps with the sun were spent there for a tenth of the gain.
     """
-    many = scene.source.point_count * _origins(scene) > 1
+    many = scene.source.point_count * max(map(_origins, scene.single)) > 1
     return (FINE,) if many else (COARSE, FINE)
 
 

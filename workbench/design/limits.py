@@ -152,4 +152,6 @@ def undesigned(optic: Optic) -> ControlHeights:
 
 def bounded(scene: Scene) -> Optic:
     """The optic of a scene with all that limits its heights; see `Optic.bounded`."""
-    return scene.optic.bounded(scene.receiver.nearest_to(scene.optic))
+    optic = scene.optic
+    ends = (receiver.nearest_to(optic) for receiver in scene.receivers)
+    return optic.bounded(min(ends, key=lambda z: optic.onwards * z))

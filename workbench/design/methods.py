@@ -14,7 +14,6 @@ from workbench.design.levels import FINE, images_of
 from workbench.design.paper import check_paper, paper_steps
 from workbench.design.room import Room
 from workbench.design.step import Step
-from workbench.design.wide_image import WideImage
 from workbench.scene import Scene
 
 Array = npt.NDArray[np.float64]
@@ -58,7 +57,7 @@ def method_of(scene: Scene) -> Method:
     return _METHODS[scene.run.method]
 
 
-def _finest(scene: Scene, target: Array, heights: Heights, locked: Mask | None) -> WideImage:
+def _finest(scene: Scene, target: Array, heights: Heights, locked: Mask | None) -> Image:
     return images_of(scene, target, heights)(FINE)
 
 

@@ -67,7 +67,9 @@ def definite(scene: Scene, target: Array) -> Scene:
     """
     if scene.optic.known_shape is not None:
         return scene
-    return scene.with_net(_chosen(scene, target))
+    counts = (_chosen(image.scene, image.target) for image in scene.images(target))
+    n_u, n_v = map(max, zip(*counts, strict=True))  # enough for each image
+    return scene.with_net((n_u, n_v))
 
 
 def _chosen(scene: Scene, target: Array) -> tuple[int, int]:

@@ -19,7 +19,7 @@ from workbench.scene import Scene
 
 
 def check_paper(scene: Scene) -> None:
-    """Refuse a scene whose image has no gradient, or whose network does not fit into memory.
+    """Refuse several images, one without a gradient, or a network that does not fit into memory.
 
     Raises
     ------
@@ -31,6 +31,7 @@ def check_paper(scene: Scene) -> None:
             "filter.kind",
             "'box' is constant within a pixel and gives the paper's method no gradient; 'gaussian'",
         )
+    scene.check_one_image("the paper's method")
     check_memory(scene)
 
 

@@ -154,6 +154,24 @@ class Session:
         """Control heights of the lens as it stands: the result's, or those to start from."""
         return self.start if self.result is None else self.result.state.heights
 
+    @property
+    def pictures(self) -> tuple[bytes | None, ...]:
+        """Content of the image file of each target that keeps it, the first one first."""
+        return (self.picture, *(image.drawn.picture for image in self.scene.further_images))
+
+    def of_image(self, number: int) -> "Session":
+        """The session as if one of its images were the only one; 0 is the first.
+
+        Its lens is still the one that was found for all of them.
+        """
+        if not self.scene.further_images:
+            return self
+        scene, target, _ = self.scene.images(self.target)[number]
+        result = self.result
+        if result is not None:
+            result = replace(result, state=result.state.of_image(number, target))
+        return replace(self, scene=scene, target=target, result=result)
+
     def with_scene(self, scene: Scene, target: Array) -> "Session":
         """The session after an edit; what belongs to this task as well stays.
 
@@ -213,9 +231,9 @@ class Session:
             If a length of the scene would be beyond float64, or so small that it is 0.
         """
         factor = float(units.ratio(self.scene.unit, unit))
-        density = self.scene.receiver.density_in_unit(factor)
+        densities = [receiver.density_in_unit(factor) for receiver in self.scene.receivers]
         result = self.result and replace(
-            self.result, state=self.result.state.scaled(factor, density)
+            self.result, state=self.result.state.scaled(factor, densities)
         )
         start = None if self.start is None else scaled(self.start, factor)
         return replace(self, scene=self.scene.in_unit(unit), result=result, start=start)

@@ -3,6 +3,7 @@
 from dataclasses import replace
 from pathlib import Path
 
+from workbench.design.further_targets import with_targets, without_targets
 from workbench.design.light_files import with_light
 from workbench.design.picture import picture_of
 from workbench.design.session import Session
@@ -26,7 +27,7 @@ def begin(scene: Scene, folder: Path) -> Session:
     """
     from workbench.targets import load_target  # late: scipy.ndimage takes long to import
 
-    scene = with_light(scene, folder)
+    scene = with_targets(with_light(scene, folder), folder)
     picture = picture_of(scene, folder)
     return Session(scene, load_target(scene, folder, picture), picture=picture)
 
@@ -43,8 +44,9 @@ def with_task(session: Session, scene: Scene, folder: Path) -> Session:
     Refused
         If the target cannot be drawn.
     """
-    scene = with_light(scene.carrying(session.scene.light_files), folder)
-    if _drawing(scene) == _drawing(session.scene.in_unit(scene.unit)):
+    before = session.scene.in_unit(scene.unit)
+    scene = with_targets(with_light(scene.with_contents_of(before), folder), folder)
+    if _drawing(scene) == _drawing(before):
         return session.with_scene(scene, session.target)
     if session.picture is None or scene.image != session.scene.image:
         task = begin(scene, folder)
@@ -55,14 +57,15 @@ def with_task(session: Session, scene: Scene, folder: Path) -> Session:
 
 
 def with_file(session: Session, folder: Path) -> Session:
-    """The session with its image read anew from the file.
+    """The session with its images read anew from their files.
 
     Raises
     ------
     Refused
         If the target cannot be drawn.
     """
-    scene = session.scene.with_net(None)  # another target may be worth another one
+    # Another target may be worth another net.
+    scene = with_targets(without_targets(session.scene.with_net(None)), folder)
     task = begin(scene, folder)
     return replace(session.with_scene(scene, task.target), picture=task.picture)
 

@@ -92,8 +92,11 @@ class Bound:
 
     @property
     def known(self) -> bool:
-        """Whether the source's size sets a bound at all; without one there is nothing to find."""
-        return not self.blur.within_a_pixel
+        """Whether the source's size sets a bound at all; without one there is nothing to find.
+
+        Of several images, each may be worse than alone: none is known of them together.
+        """
+        return not self.scene.further_images and not self.blur.within_a_pixel
 
     @property
     def short(self) -> str:

@@ -3,21 +3,26 @@
 A kept run's entries are named like those of the open design, in a folder of their own.
 """
 
+import re
 from collections.abc import Mapping
+from pathlib import Path
 
 import numpy as np
 
-from workbench.design.lens_state import LensState, frozen
+from workbench.design.lens_state import FurtherLight, LensState, frozen
+from workbench.design.picture import LARGEST_PICTURE
 from workbench.design.snapshot import Result
 from workbench.errors import Refused, shown
 from workbench.files.entries import Entries
-from workbench.files.figures import Figures
+from workbench.files.figures import AccountFigures, Figures
 from workbench.files.npy import Array
 from workbench.geometry.faces import ControlHeights, FaceArrays
 from workbench.geometry.surface import freeform_nets
-from workbench.scene import Scene
+from workbench.scene import Drawn, Scene
 
 _TARGET = "target.npy"
+# Of further images, by their numbers from 1.
+_FURTHER_TARGET, _FURTHER_IRRADIANCE = "further_target_{}.npy", "further_irradiance_{}.npy"
 # By the name of the face.
 _CONTROL_POINTS = {
     "entrance": "entrance_points.npy",
@@ -34,15 +39,26 @@ _FARTHEST = 1000
 # No pixel has more than all light; so many times as much leaves room for other units of flux.
 _BRIGHTEST = 1000
 
+_ENDING = re.compile(r"\.[a-z0-9]{1,8}")
+
 _TINY, _HUGE = 1e-100, 1e100  # largest values that are left as they are
 
 
-def entries_of(folder: str, target: Array, result: Result | None) -> dict[str, Array]:
+def entries_of(folder: str, scene: Scene, target: Array, result: Result | None) -> dict[str, Array]:
     """The arrays of a design, by the names of their entries."""
+    _, *others = scene.images(target)
     arrays = {folder + _TARGET: target}
+    arrays |= {
+        folder + _FURTHER_TARGET.format(number): image.target
+        for number, image in enumerate(others, start=1)
+    }
     if result is not None:
         arrays |= {folder + _CONTROL_POINTS[face]: z for face, z in result.state.heights.items()}
         arrays[folder + _IRRADIANCE] = result.state.irradiance
+        arrays |= {
+            folder + _FURTHER_IRRADIANCE.format(number): light.irradiance
+            for number, light in enumerate(result.state.further, start=1)
+        }
         arrays[folder + _LOSS] = result.losses
         if result.seconds_at is not None:
             arrays[folder + _SECONDS] = result.seconds_at
@@ -51,8 +67,10 @@ def entries_of(folder: str, target: Array, result: Result | None) -> dict[str, A
 
 def names_of(entries: Entries, folder: str, scene: Scene, figures: Figures | None) -> set[str]:
     """Names of the entries of a design that has, or has not, a result."""
-    names = [_TARGET]
+    numbers = range(1, len(scene.further_images) + 1)
+    names = [_TARGET, *(_FURTHER_TARGET.format(number) for number in numbers)]
     if figures is not None:
+        names += [_FURTHER_IRRADIANCE.format(number) for number in numbers]
         names += [_CONTROL_POINTS[face] for face in freeform_nets(scene.optic)]
         names += [_IRRADIANCE, _LOSS]
         if folder + _SECONDS in entries:
@@ -71,12 +89,61 @@ def read_target(entries: Entries, folder: str, scene: Scene) -> Array:
     Refused
         If it is not as the scene implies, or it is dark.
     """
+    return _read_target(entries, folder + _TARGET, scene)
+
+
+def with_read_targets(entries: Entries, folder: str, scene: Scene) -> Scene:
+    """The scene of a design with the targets of its further images; see `read_target`."""
+    if not scene.further_images:
+        return scene
+    pictures = picture_entries(scene, folder)
+    images = []
+    for number, (alone, image) in enumerate(
+        zip(scene.single[1:], scene.further_images, strict=True), start=1
+    ):
+        light = _read_target(entries, folder + _FURTHER_TARGET.format(number), alone)
+        images.append(image.drawn_as(Drawn(light, _read_picture(entries, pictures[number]))))
+    return scene.model_copy(update={"further_images": tuple(images)})
+
+
+def picture_entries(scene: Scene, folder: str = "") -> list[str | None]:
+    """Names of the entries of the targets' image files, None for a built-in shape.
+
+    Any program can open them there.
+    """
+    stems = ["target", *(f"further_target_{k}" for k in range(1, len(scene.further_images) + 1))]
+    return [
+        None if alone.image is None else f"{folder}{stem}_image{_ending(alone.image)}"
+        for stem, alone in zip(stems, scene.single, strict=True)
+    ]
+
+
+def names_of_pictures(entries: Entries, scene: Scene) -> set[str]:
+    """Those entries of image files that are there."""
+    return {name for name in picture_entries(scene) if name is not None and name in entries}
+
+
+def read_picture(entries: Entries, scene: Scene) -> bytes | None:
+    """The image file of the first target, where it is kept."""
+    return _read_picture(entries, picture_entries(scene)[0])
+
+
+def _read_picture(entries: Entries, name: str | None) -> bytes | None:
+    if name is None or name not in entries:
+        return None
+    return entries.content(name, LARGEST_PICTURE)
+
+
+def _ending(image: str) -> str:
+    ending = Path(image).suffix.lower()
+    return ending if _ENDING.fullmatch(ending) else ""
+
+
+def _read_target(entries: Entries, name: str, scene: Scene) -> Array:
     n_x, n_y = scene.receiver.pixels
-    target = entries.array(folder + _TARGET, (n_y, n_x))
+    target = entries.array(name, (n_y, n_x))
     if target.min() < 0 or not target.any():
-        raise Refused(
-            entries.where(folder + _TARGET), "is dark or has negative values; some light is needed"
-        )
+        raise Refused(entries.where(name), "is dark or has negative values; some light is needed")
     peak = float(target.max())
     return target if _TINY < peak < _HUGE else frozen(target / peak)
 
@@ -124,10 +191,10 @@ def _read_face(entries: Entries, name: str, scene: Scene, shape: tuple[int, int]
     return heights
 
 
-def _read_irradiance(entries: Entries, name: str, scene: Scene, figures: Figures) -> Array:
+def _read_irradiance(entries: Entries, name: str, scene: Scene, ledger: AccountFigures) -> Array:
     n_x, n_y = scene.receiver.pixels
     irradiance = entries.array(name, (n_y, n_x))
-    most = figures.ledger.emitted / np.broadcast_to(scene.receiver.pixel_measure, irradiance.shape)
+    most = ledger.emitted / np.broadcast_to(scene.receiver.pixel_measure, irradiance.shape)
     brightness = np.abs(irradiance) / most
     if brightness.max() > _BRIGHTEST:
         row, column = np.unravel_index(brightness.argmax(), irradiance.shape)
@@ -137,6 +204,28 @@ def _read_irradiance(entries: Entries, name: str, scene: Scene, figures: Figures
             f"{most[row, column]:.5g} would be all of it",
         )
     return irradiance
+
+
+def _read_further(
+    entries: Entries, folder: str, scene: Scene, figures: Figures
+) -> tuple[FurtherLight, ...]:
+    """The light of a lens at the receivers of further images."""
+    given, _, *others = figures.further_images or (), *scene.single
+    if len(given) != len(others):
+        raise Refused(
+            entries.where("session.json"),
+            f"has figures of {len(given)} further images; the scene has {len(others)}",
+        )
+    return tuple(
+        FurtherLight(
+            _read_irradiance(
+                entries, folder + _FURTHER_IRRADIANCE.format(number), alone, each.ledger
+            ),
+            each.loss,
+            each.ledger.to_account(),
+        )
+        for number, (alone, each) in enumerate(zip(others, given, strict=True), start=1)
+    )
 
 
 def read_result(entries: Entries, folder: str, scene: Scene, figures: Figures) -> Result:
@@ -156,10 +245,11 @@ def read_result(entries: Entries, folder: str, scene: Scene, figures: Figures) -
         )
     state = LensState(
         heights=read_heights(entries, scene, _CONTROL_POINTS, folder),
-        irradiance=_read_irradiance(entries, folder + _IRRADIANCE, scene, figures),
+        irradiance=_read_irradiance(entries, folder + _IRRADIANCE, scene, figures.ledger),
         loss=figures.loss,
         account=figures.ledger.to_account(),
         shortfall=None if figures.shortfall is None else figures.shortfall.to_shortfall(),
+        further=_read_further(entries, folder, scene, figures),
     )
     return Result(
         state,

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Self
 
 from pydantic import Field, SerializerFunctionWrapHandler, create_model, model_serializer
 
+from workbench.design.lens_state import FurtherLight
 from workbench.design.session import VerifiedError
 from workbench.design.shortfall import Cause, Interval, Shortfall
 from workbench.design.snapshot import Result
@@ -88,6 +89,23 @@ class ShortfallFigures(Part):
         return Shortfall(**self.model_dump())
 
 
+class FurtherFigures(Part):
+    """All of a `FurtherLight` but its irradiance, and its efficiency."""
+
+    loss: NonNegative
+    efficiency: float
+    ledger: AccountFigures
+
+    @classmethod
+    def of(cls, light: FurtherLight) -> Self:
+        """The figures of the light at the receiver of a further image."""
+        return cls(
+            loss=light.loss,
+            efficiency=light.account.efficiency,
+            ledger=AccountFigures.of(light.account),
+        )
+
+
 class Figures(Part):
     """All of a `Result` but its arrays, and its efficiency."""
 
@@ -100,6 +118,7 @@ class Figures(Part):
     stages_left: Count | None = None  # of one that ended before the last
     ended: Annotated[str, Field(max_length=LONGEST_REASON)] | None = None  # why it did
     shortfall: ShortfallFigures | None = None  # of a lens whose limits are too narrow
+    further_images: tuple[FurtherFigures, ...] | None = None
 
     @classmethod
     def of(cls, result: Result) -> Self:
@@ -116,4 +135,5 @@ class Figures(Part):
             stages_left=result.stages_left or None,
             ended=result.ended[:LONGEST_REASON] or None,
             shortfall=None if short is None else ShortfallFigures.of(short),
+            further_images=tuple(map(FurtherFigures.of, state.further)) or None,
         )

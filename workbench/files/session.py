@@ -1,19 +1,27 @@
 """Sessions: a design and its result in one zip, as plain JSON and .npy arrays."""
 
-import re
 import zipfile
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 from workbench import __version__
 from workbench.design.net import definite
-from workbench.design.picture import LARGEST_PICTURE
 from workbench.design.session import KeptRun as KeptRun  # to be had from here, too
 from workbench.design.session import Session as Session
 from workbench.design.task import begin
 from workbench.errors import Refused
 from workbench.files.atomic import replacing
-from workbench.files.designs import entries_of, names_of, read_heights, read_result, read_target
+from workbench.files.designs import (
+    entries_of,
+    names_of,
+    names_of_pictures,
+    picture_entries,
+    read_heights,
+    read_picture,
+    read_result,
+    read_target,
+    with_read_targets,
+)
 from workbench.files.entries import Entries
 from workbench.files.figures import Figures, VerifiedFigures
 from workbench.files.fingerprint import digest
@@ -47,7 +55,6 @@ _START = {
     "exit": "start.npy",
     "mirror": "start.npy",
 }  # control heights, where no result has any
-_ENDING = re.compile(r"\.[a-z0-9]{1,8}")
 
 
 def open_design(path: Path) -> Session:
@@ -102,12 +109,14 @@ def write_session(session: Session, path: Path) -> str:
         raise Refused(
             str(path), f"its text would have {len(text)} bytes; at most {LARGEST_TEXT} can be read"
         )
-    arrays: dict[str, Array | Mask] = {**entries_of("", session.target, session.result)}
+    arrays: dict[str, Array | Mask] = {
+        **entries_of("", session.scene, session.target, session.result)
+    }
     arrays |= {_LOCKED[face]: mask for face, mask in session.locked.items()}
     if session.result is None and session.start is not None:
         arrays |= {_START[face]: z for face, z in session.start.items()}
     for number, run in enumerate(session.runs):
-        arrays |= entries_of(_folder(number), run.target, run.result)
+        arrays |= entries_of(_folder(number), run.scene, run.target, run.result)
     with replacing(path) as file:
         with zipfile.ZipFile(file, "w", zipfile.ZIP_STORED) as archive:
             with archive.open(HEADER, "w") as entry:
@@ -117,8 +126,8 @@ def write_session(session: Session, path: Path) -> str:
                     write_array(entry, array)
             for name, light in _light_of(session).items():
                 archive.writestr(name, light)
-            if session.picture is not None:
-                archive.writestr(_picture_entry(session.scene), session.picture)
+            for name, picture in _pictures_of(session).items():
+                archive.writestr(name, picture)
         file.seek(0)
         return digest(file)
 
@@ -163,9 +172,7 @@ def read_session(path: Path) -> Session:
         starts = header.result is None and any(_START[face] in entries for face in nets)
         if starts:
             names.update(_START[face] for face in nets)
-        drawn = scene.image is not None and _picture_entry(scene) in entries
-        if drawn:
-            names.add(_picture_entry(scene))
+        names |= names_of_pictures(entries, scene)
         for number, (run, task) in enumerate(runs):
             names |= names_of(entries, _folder(number), task, run.result)
             names |= names_of_light(entries, _folder(number), task)
@@ -178,7 +185,7 @@ def read_session(path: Path) -> Session:
             tuple(_read_runs(entries, runs)),
             header.view,
             read_heights(entries, scene, _START) if starts else None,
-            entries.content(_picture_entry(scene), LARGEST_PICTURE) if drawn else None,
+            read_picture(entries, scene),
         )
 
 
@@ -188,6 +195,16 @@ def _light_of(session: Session) -> dict[str, bytes]:
     for number, run in enumerate(session.runs):
         found |= light_entries(_folder(number), run.scene, session.scene.light_files)
     return found
+
+
+def _pictures_of(session: Session) -> dict[str, bytes]:
+    """Files of the targets' images by names of entries, those that are kept."""
+    names = picture_entries(session.scene)
+    return {
+        name: data
+        for name, data in zip(names, session.pictures, strict=True)
+        if name is not None and data is not None
+    }
 
 
 def _header(session: Session, path: Path) -> Header:
@@ -225,6 +242,7 @@ def _scene_of(
 ) -> Scene:
     """The scene of a design; of a program that does not say what it took, with our choice."""
     scene = read_part(header.scene, header.control_points, where)
+    scene = with_read_targets(entries, folder, scene)
     if scene.optic.known_shape is None:
         scene = definite(scene, read_target(entries, folder, scene))
     return with_kept_light(entries, folder, with_absolute_files(scene, path), light)
@@ -236,12 +254,6 @@ def _read_runs(entries: Entries, runs: Sequence[tuple[RunHeader, Scene]]) -> Ite
         result = read_result(entries, _folder(number), scene, run.result)
         verified = None if run.verified is None else run.verified.to_error()
         yield KeptRun(run.name, scene, target, result, verified)
-
-
-def _picture_entry(scene: Scene) -> str:
-    """Name of the entry of the target's image file: any program can open it there."""
-    ending = Path(scene.image or "").suffix.lower()
-    return "target_image" + (ending if _ENDING.fullmatch(ending) else "")
 
 
 def _folder(number: int) -> str:

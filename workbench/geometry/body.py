@@ -34,7 +34,7 @@ def check_body(
     heights : mapping of str to ndarray, shape (n_u, n_v)
         Control heights of each freeform face by its name, scene units.
     receivers : sequence of AnyReceiver
-        In place of the scene's, where there are some.
+        In place of all of the scene's, where there are some.
 
     Raises
     ------
@@ -44,7 +44,7 @@ def check_body(
     optic = scene.optic
     gap = _TOUCH * max(optic.half_width)
     face, entrance = heights[optic.face], heights.get("entrance")
-    low, high, below, above = _room(scene, receivers or (scene.receiver,))
+    low, high, below, above = _room(scene, receivers or scene.receivers)
     top = low if entrance is None else float(entrance.max())
     # A face lies in the convex hull of its control points: nearly always they alone tell.
     if top + gap < face.min() and face.max() < high - gap:

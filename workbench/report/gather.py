@@ -1,5 +1,6 @@
 """Makes the report of a session: traces its lens anew and collects what is known of it."""
 
+from collections.abc import Iterator
 from datetime import datetime
 from functools import partial
 
@@ -12,7 +13,7 @@ from workbench.analysis.manufacture import manufacture, surface_maps
 from workbench.analysis.manufacture_limits import Limits
 from workbench.analysis.metrics import relative_l2
 from workbench.analysis.tolerances import Distribution, Tolerances, perturbed
-from workbench.analysis.validation import validate
+from workbench.analysis.validation import Validation, validate
 from workbench.design.origin import origin
 from workbench.design.session import KeptRun, Session, result_of, verified_error
 from workbench.errors import visible
@@ -70,8 +71,6 @@ def gather(
         tolerances[0].check(scene)
     heights = result.state.heights
     found = validate(scene, target, heights, rays, accuracy=ACCURACY)
-    difference = relative_l2(found.irradiance, result.state.irradiance)
-    light = found.irradiance
     sections = [
         Section(
             "Lens and light",
@@ -79,40 +78,22 @@ def gather(
             pictures=(
                 Picture(
                     f"Lens, rays and {scene.receiver.called}",
-                    partial(pictures.draw_lens, session=session, irradiance=light),
+                    partial(
+                        pictures.draw_lens,
+                        session=session.of_image(0),
+                        irradiance=found.irradiance,
+                    ),
                     4.3,
                 ),
             ),
             note="As the independent check sees it; long distances are drawn short.",
         ),
-        Section(
-            "Independent check",
-            (*check_rows(found, difference), *bound_rows(Bound(scene, target))),
-            note="Traced anew by other means than the optimiser's, against the untouched target: "
-            "by cells without random rays, and with fresh random rays. Relative L2 error = "
-            "‖I − T‖ / ‖T‖, both divided by their sum.",
-        ),
-        Section(
-            "Light account",
-            account_rows(found.account, scene.receiver),
-            note="Parts of the emitted light.",
-        ),
-        Section(
-            f"Light {scene.receiver.place}",
-            pictures=(
-                Picture(
-                    "Images and exit face",
-                    partial(pictures.draw_images, session=session, irradiance=light),
-                    6.2,
-                ),
-                Picture(
-                    f"Cross-sections through the middle of the {scene.receiver.called}",
-                    partial(pictures.draw_sections, session=session, irradiance=light),
-                    2.6,
-                ),
-            ),
-            note=f"{scene.receiver.density.capitalize()} and target are compared at the same flux: "
-            "red is too much light, blue too little.",
+        *(
+            section
+            for number, image in enumerate(found.images)
+            for section in _of_image(
+                session.of_image(number), image, f", image {number + 1}" if found.further else ""
+            )
         ),
         _manufacture(scene, heights[scene.optic.face]),
     ]
@@ -134,6 +115,41 @@ def gather(
     dated = dated.astimezone()
     subtitle = f"Design of {dated:%Y-%m-%d %H:%M %Z} · Freeform Lens Workbench {__version__}"
     return Report(visible(name), subtitle, dated, tuple(sections))
+
+
+def _of_image(session: Session, found: Validation, which: str) -> Iterator[Section]:
+    """What the check says of one image, of which the session knows alone."""
+    scene, light = session.scene, found.irradiance
+    difference = relative_l2(light, result_of(session).state.irradiance)
+    yield Section(
+        f"Independent check{which}",
+        (*check_rows(found, difference), *bound_rows(Bound(scene, session.target))),
+        note="Traced anew by other means than the optimiser's, against the untouched target: "
+        "by cells without random rays, and with fresh random rays. Relative L2 error = "
+        "‖I − T‖ / ‖T‖, both divided by their sum.",
+    )
+    yield Section(
+        f"Light account{which}",
+        account_rows(found.account, scene.receiver),
+        note="Parts of the emitted light.",
+    )
+    yield Section(
+        f"Light {scene.receiver.place}{which}",
+        pictures=(
+            Picture(
+                "Images and exit face",
+                partial(pictures.draw_images, session=session, irradiance=light),
+                6.2,
+            ),
+            Picture(
+                f"Cross-sections through the middle of the {scene.receiver.called}",
+                partial(pictures.draw_sections, session=session, irradiance=light),
+                2.6,
+            ),
+        ),
+        note=f"{scene.receiver.density.capitalize()} and target are compared at the same flux: "
+        "red is too much light, blue too little.",
+    )
 
 
 def _manufacture(scene: Scene, heights: Array) -> Section:

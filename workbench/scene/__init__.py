@@ -13,6 +13,7 @@ from workbench.scene.entrance import FlatEntrance, FreeformEntrance
 from workbench.scene.far_field import FarField
 from workbench.scene.fields import LENGTH, FieldDescription, Measure
 from workbench.scene.filter import BoxFilter, Filter, GaussianFilter
+from workbench.scene.further_image import Drawn, FurtherImage, WantedImage
 from workbench.scene.grid_source import GridSource
 from workbench.scene.kinds import Kinds
 from workbench.scene.lens import Lens
@@ -48,6 +49,7 @@ __all__ = [
     "Base",
     "BoxFilter",
     "CollimatedSource",
+    "Drawn",
     "ExactMethod",
     "FarField",
     "FieldDescription",
@@ -57,6 +59,7 @@ __all__ = [
     "FlatBase",
     "FlatEntrance",
     "FreeformEntrance",
+    "FurtherImage",
     "GaussianFilter",
     "GaussianProfile",
     "GridSource",
@@ -90,4 +93,5 @@ __all__ = [
     "TopHatTarget",
     "UniformProfile",
     "Unit",
+    "WantedImage",
 ]

@@ -1,11 +1,13 @@
 """Parts of the scene of which there are several kinds."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, TypeVar, get_args
 
 from pydantic import GetCoreSchemaHandler
 from pydantic_core import CoreSchema, core_schema
 
+from workbench.errors import Refused
 from workbench.scene.part import Part
 
 if TYPE_CHECKING:
@@ -87,6 +89,23 @@ class Kinds:
         given = kept | kind.defaults_for(scene)
         needed = {name for name, field in kind.model_fields.items() if field.is_required()}
         return None if needed - given.keys() else kind.model_validate(given)
+
+
+def only(parts: Mapping[str, AnyPart | None]) -> AnyPart:
+    """The one of two parts that is given, where exactly one has to be.
+
+    Raises
+    ------
+    Refused
+        If none is, or both are.
+    """
+    one, other = parts
+    given = [part for part in parts.values() if part is not None]
+    if not given:
+        raise Refused(one, f"missing; it or {other} is required")
+    if len(given) > 1:
+        raise Refused(other, f"is given together with a {one}; one of them is needed")
+    return given[0]
 
 
 def summary_of(kind: type[Part]) -> str:

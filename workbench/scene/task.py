@@ -2,7 +2,7 @@
 
 import json
 from collections.abc import Mapping
-from typing import Annotated, Any, Literal, Self, TypeVar
+from typing import Annotated, Any, Literal, Self
 
 from pydantic import (
     AfterValidator,
@@ -19,6 +19,8 @@ from workbench.scene import limits
 from workbench.scene.far_field import FarField
 from workbench.scene.fields import SINCE_2, Version, about
 from workbench.scene.filter import Filter, GaussianFilter
+from workbench.scene.further_image import Array, FurtherImage, WantedImage
+from workbench.scene.kinds import only
 from workbench.scene.lens import Lens
 from workbench.scene.mirror import Mirror
 from workbench.scene.optic import Optic
@@ -29,12 +31,13 @@ from workbench.scene.screen import Screen
 from workbench.scene.source import Source
 from workbench.scene.target import Target
 
-AnyPart = TypeVar("AnyPart", bound=Part)
-
 Unit = Literal["mm", "cm", "m", "inch"]
 
 MOST_STAGES = 100
 """Most stages of a run: each is checked as a scene of its own."""
+
+MOST_IMAGES = 8
+"""Most further images: each is traced by itself."""
 
 
 class _Versioned(Part, extra="ignore"):
@@ -107,6 +110,15 @@ class Scene(Part):
         ),
     ] = GaussianFilter()
     target: Annotated[Target, about("Target", "The image that the light shall draw on the screen.")]
+    further_images: Annotated[
+        tuple[FurtherImage, ...],
+        SINCE_2,
+        about(
+            "Further images",
+            "Images that the same light shall make elsewhere, on its way to the screen or beyond. "
+            "Two freeform faces can place light and direct it; one face finds what lies between.",
+        ),
+    ] = ()
     run: Annotated[Run, about("Run", "How the design is found.")] = AutoRun()
 
     def check(self) -> None:
@@ -119,6 +131,7 @@ class Scene(Part):
         self.source.measured_in(self.unit)
         self.source.check_before(optic)
         self.receiver.check_lit_by(optic)
+        self._check_further()
         for field in ("smoothness", "min_radius"):
             value = getattr(self.run, field)
             if value is not None and min(optic.degree) < 2:
@@ -131,13 +144,29 @@ class Scene(Part):
 
     @model_serializer(mode="wrap")
     def _written(self, write: SerializerFunctionWrapHandler) -> dict[str, Any]:
-        version = self.needed_version
-        return self.known_to(version, write(self)) | {"version": version}
+        version, data = self.needed_version, write(self)
+        if not self.further_images:  # which earlier programs do not know
+            del data["further_images"]
+        return self.known_to(version, data) | {"version": version}
+
+    def _check_further(self) -> None:
+        """Refuse further images that the optic cannot light, or too many."""
+        if len(self.further_images) > MOST_IMAGES:
+            raise Refused(
+                "further_images", f"{len(self.further_images)} are given; at most {MOST_IMAGES}"
+            )
+        for number, image in enumerate(self.further_images):
+            try:
+                image.receiver.check_lengths(self.optic.half_width)
+                image.receiver.check_lit_by(self.optic)
+            except Refused as refused:
+                path = f"further_images[{number}].{refused.path}"
+                raise Refused(path, refused.reason) from None
 
     @property
     def optic(self) -> Optic:
         """What shapes the light: the lens or the mirror."""
-        return _only({"lens": self.lens, "mirror": self.mirror})
+        return only({"lens": self.lens, "mirror": self.mirror})
 
     def with_optic(self, optic: Optic) -> Self:
         """The scene with another optic of the same kind, which goes with all else."""
@@ -146,12 +175,71 @@ class Scene(Part):
     @property
     def receiver(self) -> AnyReceiver:
         """Where the light is wanted: the screen or the far field."""
-        return _only({"screen": self.screen, "far_field": self.far_field})
+        return only({"screen": self.screen, "far_field": self.far_field})
 
     def with_receiver(self, receiver: AnyReceiver) -> Self:
         """The scene with another receiver of the same kind."""
         name = "far_field" if self.screen is None else "screen"
         return self.model_copy(update={name: receiver})
+
+    @property
+    def receivers(self) -> tuple[AnyReceiver, ...]:
+        """The receiver, and those of further images."""
+        return (self.receiver, *(image.receiver for image in self.further_images))
+
+    @property
+    def single(self) -> tuple[Self, ...]:
+        """The scene for each of its images as if there were no other, the first one first."""
+        if not self.further_images:
+            return (self,)
+        alone = self.model_copy(update={"further_images": ()})
+        others = (
+            {name: getattr(image, name) for name in ("screen", "far_field", "target")}
+            for image in self.further_images
+        )
+        return (alone, *(alone.model_copy(update=changes) for changes in others))
+
+    def images(self, target: Array) -> tuple[WantedImage, ...]:
+        """All images that are wanted, the first one first.
+
+        Parameters
+        ----------
+        target : ndarray, shape (n_y, n_x)
+            Of the first one, which has a weight of 1.
+
+        Raises
+        ------
+        Refused
+            If the target of a further image has yet to be drawn.
+        """
+        first, *others = self.single
+        found = [WantedImage(first, target, 1.0)]
+        for number, (scene, image) in enumerate(zip(others, self.further_images, strict=True)):
+            try:
+                found.append(WantedImage(scene, image.wanted, image.weight))
+            except Refused as refused:
+                path = f"further_images[{number}].{refused.path}"
+                raise Refused(path, refused.reason) from None
+        return tuple(found)
+
+    def check_one_image(self, who: str) -> None:
+        """Refuse further images where only one is known.
+
+        Parameters
+        ----------
+        who : str
+            What knows one image only, within a sentence.
+
+        Raises
+        ------
+        Refused
+            With the field of the further images.
+        """
+        if self.further_images:
+            count = len(self.further_images)
+            raise Refused(
+                "further_images", f"{count} given, which {who} cannot take into account; none"
+            )
 
     @property
     def image(self) -> str | None:
@@ -175,6 +263,14 @@ class Scene(Part):
         )
         run = self.run.model_copy(update={"stages": stages}) if stages else self.run
         return self.model_copy(update={"source": self.source.carrying(files), "run": run})
+
+    def with_contents_of(self, other: "Scene") -> Self:
+        """The scene with what another one carries along: files of light, and targets as drawn."""
+        scene = self.carrying(other.light_files)
+        if not self.further_images:
+            return scene
+        images = tuple(image.like(other.further_images) for image in self.further_images)
+        return scene.model_copy(update={"further_images": images})
 
     def source_of(self, stage: int) -> Source:
         """The source of a stage, by its number; behind all stages that of the scene itself."""
@@ -284,14 +380,3 @@ class Scene(Part):
         """The scene as plain dictionaries and lists."""
         data: dict[str, Any] = self.model_dump(mode="json", exclude_none=True)
         return data
-
-
-def _only(parts: Mapping[str, AnyPart | None]) -> AnyPart:
-    """The one of two parts that is given, where exactly one has to be."""
-    one, other = parts
-    given = [part for part in parts.values() if part is not None]
-    if not given:
-        raise Refused(one, f"missing; it or {other} is required")
-    if len(given) > 1:
-        raise Refused(other, f"is given together with a {one}; one of them is needed")
-    return given[0]

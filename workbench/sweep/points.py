@@ -111,6 +111,8 @@ def points(paths: Sequence[Path], variations: Sequence[Variation]) -> list[Point
 
 def _scene(base: Scene, changes: dict[str, Value], path: Path) -> Scene | Refused:
     try:
-        return with_absolute_files(varied(base, changes), path)
+        scene = with_absolute_files(varied(base, changes), path)
+        scene.check_one_image("a sweep")
+        return scene
     except Refused as refused:
         return refused

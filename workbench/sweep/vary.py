@@ -75,7 +75,7 @@ def varied(scene: Scene, changes: dict[str, Value]) -> Scene:
     full = scene.settled().to_data()
     for path, value in changes.items():
         _put(data, full, path, value)
-    return Scene.from_data(data).carrying(scene.light_files)
+    return Scene.from_data(data).with_contents_of(scene)
 
 
 def _values(path: str, text: str) -> list[Value]:

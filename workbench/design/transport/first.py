@@ -1,21 +1,27 @@
 """The first lens of a task: by one face, or by two where these are better."""
 
+import math
+from collections.abc import Callable, Mapping
 from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
 from workbench.design.limits import HeightLimits, bounded
+from workbench.design.transport.lines import line_start
 from workbench.design.transport.start import first_error, transport_start
 from workbench.design.transport.two_faces import split_start
 from workbench.geometry.surface import freeform_nets
-from workbench.scene import FlatEntrance, Scene
+from workbench.scene import FlatEntrance, Scene, WantedImage
 
 Array = npt.NDArray[np.float64]
 
 _BOTH, _ALONE = "both faces", "the exit face alone"
+_LINES = "both faces along lines through all images"
 # Light that both faces bend meets them less steeply, and a descent improves both: worth so much.
-_HANDICAP = {_ALONE: 1.8}
+# What one face has made good of several images is soon at its best.
+_ONE_FACE = 1.8
+_HANDICAP = {_ALONE: _ONE_FACE}
 
 
 class First(NamedTuple):
@@ -64,6 +70,51 @@ def first_of(scene: Scene, target: Array) -> First | None:
     best = min(errors, key=lambda name: errors[name] * _HANDICAP.get(name, 1.0))
     said = " and ".join(f"{100 * error:.2g} % by {name}" for name, error in errors.items())
     return First(found[best][1], (f"first lens: {said}; it begins with {best}",))
+
+
+def first_of_several(
+    scene: Scene, target: Array, alone: Callable[[WantedImage], First | None]
+) -> First | None:
+    """The first lens for several images: the best of one for all of them and those for each.
+
+    Parameters
+    ----------
+    scene : Scene
+        The design task, with further images.
+    target : ndarray, shape (n_y, n_x)
+        The first wanted image in any scale, row 0 at +y.
+    alone : callable
+        For a lens of one face, the first one for an image as if there were no other.
+    """
+    images = scene.images(target)
+    found: dict[str, Mapping[str, Array]] = {}
+    two_faces = "entrance" in freeform_nets(scene.optic)
+    if two_faces and (both := line_start(scene, target)) is not None:
+        found[_LINES] = both
+    for number, image in enumerate(images, start=1):
+        if two_faces:
+            heights = _flat_start(image.scene, image.target)
+        else:
+            lens = alone(image)
+            heights = None if lens is None else lens.heights
+        if heights is not None:
+            found[f"the exit face for image {number} alone"] = heights
+    if not found:
+        return None
+    weights = [image.weight for image in images]
+    errors = {
+        name: math.sqrt(
+            np.average(
+                [first_error(each.scene, each.target, heights) ** 2 for each in images],
+                weights=weights,
+            )
+        )
+        for name, heights in found.items()
+    }
+    handicap = {_LINES: 1 / _ONE_FACE}
+    best = min(errors, key=lambda name: errors[name] * handicap.get(name, 1.0))
+    said = ", ".join(f"{100 * error:.2g} % by {name}" for name, error in errors.items())
+    return First(dict(found[best]), (f"first lens: {said}; it begins with {best}",))
 
 
 def _flat_start(scene: Scene, target: Array) -> dict[str, Array] | None:

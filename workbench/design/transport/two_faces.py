@@ -35,7 +35,7 @@ Array = npt.NDArray[np.float64]
 Vector = tuple[Array, Array, Array]
 
 # Cells along each axis, of lens and screen alike; finer nets get more. Each is a ray to follow.
-_CELLS = 128
+CELLS = 128
 # Rounds of transport, each with light that knows more of the lens; and of faces in each.
 _ROUNDS, _FITS = 3, 2
 # The part of the way by which light of near points is turned at the entrance face. Half of it would
@@ -72,8 +72,8 @@ def split_start(scene: Scene, target: Array) -> dict[str, Array] | None:
         where these are too narrow for the task. None if no light leaves a plate.
     """
     nets, limits = freeform_nets(scene.optic), HeightLimits.of_faces(bounded(scene))
-    cells = max(_CELLS, 2 * max(max(net.shape) for net in nets.values()))
-    light = _Light(scene, cells)
+    cells = max(CELLS, 2 * max(max(net.shape) for net in nets.values()))
+    light = Light(scene, cells)
     heights = {
         face: np.full(net.shape, float(limits[face].undesigned.mean()))
         for face, net in nets.items()
@@ -93,7 +93,7 @@ def split_start(scene: Scene, target: Array) -> dict[str, Array] | None:
     return heights
 
 
-class _Traced(NamedTuple):
+class Traced(NamedTuple):
     """Light of each cell in a lens; arrays of shape (cells, cells).
 
     Attributes
@@ -112,7 +112,7 @@ class _Traced(NamedTuple):
     flux: Array | None
 
 
-class _Light:
+class Light:
     """Light of a scene through cells of the plane before the lens."""
 
     def __init__(self, scene: Scene, cells: int) -> None:
@@ -128,7 +128,7 @@ class _Light:
         self._width = [2 * r / cells for r in lens.half_width]
         self._corner = [-r for r in lens.half_width]
 
-    def through(self, heights: dict[str, Array]) -> _Traced:
+    def through(self, heights: dict[str, Array]) -> Traced:
         """The light in a lens with these control heights."""
         tensors = {face: torch.as_tensor(z) for face, z in heights.items()}
         found, rays = [], self._rays
@@ -143,7 +143,7 @@ class _Light:
             for vector in found
         )
         total = float(flux.sum())
-        return _Traced(
+        return Traced(
             _lifted(entrance, self._path.datum),
             _lifted(exit_face, self._path.datum),
             glass,
@@ -185,7 +185,7 @@ class _Faces(NamedTuple):
     """Finds faces that send light where a transport says."""
 
     scene: Scene
-    light: _Light
+    light: Light
     fits: dict[str, SlopeFit]
     limits: dict[str, HeightLimits]
 
@@ -199,19 +199,19 @@ class _Faces(NamedTuple):
             entrance = self._entrance(traced, leaving)
             traced = self.light.through({**heights, "entrance": entrance})
             leaving = _three(receiver.towards(self.scene.optic, traced.exit, to_u, to_v))
-            slopes = _slopes(traced.glass, leaving, n, 1.0)
-            bent = self.fits["exit"].heights(*self.light.evenly(slopes, traced.exit))
+            bends = slopes(traced.glass, leaving, n, 1.0)
+            bent = self.fits["exit"].heights(*self.light.evenly(bends, traced.exit))
             heights = {"entrance": entrance, "exit": self.limits["exit"].placed(bent)}
         return heights
 
-    def _entrance(self, traced: _Traced, leaving: Vector) -> Array:
+    def _entrance(self, traced: Traced, leaving: Vector) -> Array:
         """The entrance face that bends light by half, or by less where that does not fit."""
         coming, limits, n = self.light.coming, self.limits["entrance"], self.scene.optic.index
         part = self.light.split
         for _ in range(_TRIALS):
             x, y, z = ((1 - part) * a + part * b for a, b in zip(coming, leaving, strict=True))
-            slopes = _slopes(coming, _unit((x, y, z)), 1.0, n)
-            bent = self.fits["entrance"].heights(*self.light.evenly(slopes, traced.entrance))
+            bends = slopes(coming, unit((x, y, z)), 1.0, n)
+            bent = self.fits["entrance"].heights(*self.light.evenly(bends, traced.entrance))
             lacks = limits.lacks(bent)
             if lacks <= 0:
                 return limits.placed(bent)
@@ -220,7 +220,7 @@ class _Faces(NamedTuple):
         return limits.nearest(bent)
 
 
-def _slopes(before: Vector, behind: Vector, index: float, other: float) -> tuple[Array, Array]:
+def slopes(before: Vector, behind: Vector, index: float, other: float) -> tuple[Array, Array]:
     """Slopes of a face between media of two indices that turns light, by Snell's law as vectors."""
     sign = 1.0 if other > index else -1.0
     x, y, z = (sign * (other * b - index * a) for a, b in zip(before, behind, strict=True))
@@ -234,7 +234,8 @@ def _between(values: Array, cell: Array) -> Array:
     return np.asarray(map_coordinates(values, cell, order=1, mode="nearest"))
 
 
-def _unit(vector: Vector) -> Vector:
+def unit(vector: Vector) -> Vector:
+    """Vectors of length 1 along others."""
     x, y, z = vector
     length = np.sqrt(x**2 + y**2 + z**2)
     return x / length, y / length, z / length

@@ -60,6 +60,7 @@ def height(design: Design) -> Map:
 
 def irradiance(design: Design) -> Map:
     """Density of light at the middle of each pixel, as the design run saw it at its end."""
+    design.scene.check_one_image("exports of light")
     receiver = design.scene.receiver
     places = zip(receiver.pixels, receiver.half_extent, receiver.middle, strict=True)
     u, v = (middle + ((np.arange(n) + 0.5) / n * 2 - 1) * r for n, r, middle in places)

@@ -1,0 +1,193 @@
+"""Runs for several images at once."""
+
+import numpy as np
+import pytest
+import torch
+
+from tests.scene.test_further_image import SECOND
+from workbench.analysis.derivatives import irradiance_derivative
+from workbench.analysis.metrics import paper_loss, relative_l2
+from workbench.analysis.tolerances import Tolerances
+from workbench.analysis.validation import validate
+from workbench.design.evaluation import Evaluator
+from workbench.design.levels import COARSE, images_of
+from workbench.design.limits import bounded
+from workbench.design.loss import relative_error
+from workbench.design.run import run
+from workbench.design.session import Session
+from workbench.design.snapshot import Result
+from workbench.design.task import begin
+from workbench.errors import Refused
+from workbench.extended.bound import Bound
+from workbench.files.session import read_session, write_session
+
+BOTH = {
+    "lens.entrance": {"shape": "freeform", "height_range": [-0.3, 0.3]},
+    "lens.height_range": None,
+    "lens.base": {"shape": "flat", "height": 1.5},
+    "screen.z": 4.5,
+    "lens.control_points": [24, 24],
+    "target": {"builtin": "tophat", "radius": 0.85, "blur": 2.0},
+    "run.iterations": 25,
+}
+
+
+@pytest.fixture
+def at_two_distances(make_scene, tmp_path):
+    """The same image on two screens, by two faces."""
+    scene = make_scene(BOTH)
+    second = {
+        "screen": scene.screen.moved_to(5.5).model_dump(mode="json"),
+        "target": BOTH["target"],
+    }
+    return begin(make_scene({**BOTH, "run.iterations": 12, "further_images": [second]}), tmp_path)
+
+
+def with_one_face(session, make_scene, tmp_path):
+    data = session.scene.to_data()
+    data["lens"]["entrance"] = {"shape": "flat"}
+    return begin(type(session.scene).from_data(data), tmp_path)
+
+
+def last_of(session):
+    *_, last = run(session.scene, session.target)
+    return last
+
+
+def test_two_faces_make_an_image_at_two_distances_that_one_face_cannot(
+    at_two_distances, make_scene, tmp_path
+):
+    one_face = with_one_face(at_two_distances, make_scene, tmp_path)
+    two, one = (last_of(session).state for session in (at_two_distances, one_face))
+    assert two.loss < 0.4 * one.loss
+    for state in (two, one):
+        assert len(state.further) == 1
+        assert state.further[0].irradiance.shape == (32, 32)
+
+
+def test_the_loss_is_that_of_the_mean_square_of_relative_errors_by_weight(make_scene, tmp_path):
+    session = begin(make_scene({"further_images": [SECOND]}), tmp_path)
+    state = next(run(session.scene, session.target)).state
+    images = session.scene.images(session.target)
+    assert [image.weight for image in images] == [1.0, 2.0]
+    squares = [
+        relative_l2(light.irradiance, image.target) ** 2
+        for light, image in zip(state.lights, images, strict=True)
+    ]
+    wanted = np.sqrt((squares[0] + 2 * squares[1]) / 3)
+    assert relative_error(state, session.target) == pytest.approx(wanted, rel=1e-5)
+    second = images[1].target
+    assert state.further[0].loss == pytest.approx(
+        paper_loss(state.further[0].irradiance, second), rel=1e-5
+    )
+
+
+def test_the_gradient_is_that_of_the_weighted_sum_of_images(make_scene, tmp_path, rng):
+    session = begin(make_scene({"further_images": [SECOND]}), tmp_path)
+    scene, target = session.scene, session.target
+    heights = 0.5 + 0.02 * rng.standard_normal(scene.optic.net_shape)
+
+    def gradient(scene, target):
+        z = torch.tensor(heights, requires_grad=True)
+        error, _ = images_of(scene, target, {"exit": torch.tensor(heights)})(COARSE).compare(
+            {"exit": z}
+        )
+        error.square().sum().backward()
+        return z.grad.numpy()
+
+    first, second = scene.images(target)
+    alone = [gradient(image.scene, image.target) for image in (first, second)]
+    np.testing.assert_allclose(
+        gradient(scene, target), (alone[0] + 2 * alone[1]) / 3, rtol=1e-4, atol=1e-6
+    )
+
+
+def test_the_lens_stays_before_the_nearest_screen(make_scene, tmp_path):
+    near = {**SECOND, "screen": {**SECOND["screen"], "z": 2.0}}
+    scene = make_scene({"further_images": [near], "lens.height_range": None})
+    assert bounded(scene).ceiling < 2.0 < bounded(scene.single[0]).ceiling
+
+
+def test_the_first_lens_goes_along_lines_through_all_images(at_two_distances):
+    shots = list(run(at_two_distances.scene, at_two_distances.target))
+    notes = [note for note in shots[1].notes if note.startswith("first lens: ")]
+    assert notes[0].endswith("it begins with both faces along lines through all images")
+    assert shots[-1].state.loss < 0.8 * shots[1].state.loss
+
+
+def test_sessions_keep_all_targets_and_all_light(make_scene, tmp_path):
+    np.save(tmp_path / "wanted.npy", np.eye(8) + 0.1)
+    image = {**SECOND, "target": {"image": str(tmp_path / "wanted.npy")}}
+    session = begin(make_scene({"further_images": [SECOND, image]}), tmp_path)
+    shot = next(run(session.scene, session.target))
+    result = Result(shot.state, np.array([1.0]), 1.0)
+    path = tmp_path / "several.freeform"
+    write_session(Session(session.scene, session.target, result), path)
+    (tmp_path / "wanted.npy").unlink()
+    again = read_session(path)
+    assert again.scene == session.scene
+    for before, after in zip(session.scene.further_images, again.scene.further_images, strict=True):
+        np.testing.assert_array_equal(before.wanted, after.wanted)
+        assert before.drawn.picture == after.drawn.picture
+    for before, after in zip(shot.state.further, again.result.state.further, strict=True):
+        np.testing.assert_array_equal(before.irradiance, after.irradiance)
+        assert (before.loss, before.account) == (after.loss, after.account)
+    in_mm = again.in_unit("mm")
+    assert in_mm.result.state.further[0].irradiance.sum() == pytest.approx(
+        shot.state.further[0].irradiance.sum() / 100
+    )
+    path.unlink()
+
+
+def test_the_check_looks_at_each_image_by_itself(make_scene, tmp_path):
+    session = begin(make_scene({"further_images": [SECOND]}), tmp_path)
+    heights = {"exit": np.full(session.scene.optic.net_shape, 0.5)}
+    found = validate(session.scene, session.target, heights, rays=20_000)
+    for image, each in zip(session.scene.images(session.target), found.images, strict=True):
+        alone = validate(image.scene, image.target, heights, rays=20_000)
+        assert each.relative_l2 == alone.relative_l2
+        np.testing.assert_array_equal(each.irradiance, alone.irradiance)
+    data = found.to_data()
+    assert data["further_images"] == [found.further[0].to_data()]
+    assert "further_images" not in found.further[0].to_data()
+
+
+def test_a_session_of_one_image_has_its_light_alone(make_scene, tmp_path):
+    session = begin(make_scene({"further_images": [SECOND]}), tmp_path)
+    shot = next(run(session.scene, session.target))
+    session = Session(session.scene, session.target, Result(shot.state, np.array([1.0]), 1.0))
+    first, second = session.of_image(0), session.of_image(1)
+    np.testing.assert_array_equal(second.target, session.scene.further_images[0].wanted)
+    np.testing.assert_array_equal(second.result.state.irradiance, shot.state.further[0].irradiance)
+    assert second.result.state.loss == pytest.approx(shot.state.further[0].loss, rel=1e-5)
+    weighted = (relative_error(first.result.state, first.target) ** 2) + 2 * (
+        relative_error(second.result.state, second.target) ** 2
+    )
+    assert relative_error(shot.state, session.target) ** 2 == pytest.approx(weighted / 3, rel=1e-4)
+
+
+def test_what_knows_one_image_refuses_several(make_scene, tmp_path):
+    session = begin(make_scene({"further_images": [SECOND]}), tmp_path)
+    scene, target = session.scene, session.target
+    heights = {"exit": np.full(scene.optic.net_shape, 0.5)}
+    paper = make_scene({"further_images": [SECOND], "run": {"method": "paper", "iterations": 1}})
+    paper = begin(paper, tmp_path)
+    tasks = [
+        lambda: next(run(paper.scene, paper.target)),
+        lambda: Evaluator(paper.scene, paper.target, heights),
+        lambda: validate(scene, target, heights, rays=1000, screen_z=5.0),
+        lambda: irradiance_derivative(scene, heights, (4, 4)),
+        lambda: Tolerances(decentre=0.1).check(scene),
+    ]
+    for task in tasks:
+        with pytest.raises(Refused, match=r"^further_images: 1 given, which .* cannot take"):
+            task()
+    assert not Bound(scene, target).known
+
+
+def test_a_lens_of_several_images_is_judged_by_hand_as_by_a_run(make_scene, tmp_path):
+    session = begin(make_scene({"further_images": [SECOND]}), tmp_path)
+    state = next(run(session.scene, session.target)).state
+    judged = Evaluator(session.scene, session.target, state.heights).snapshot(state.heights).state
+    assert judged.loss == pytest.approx(state.loss, rel=1e-6)
+    assert len(judged.further) == 1

@@ -1,0 +1,48 @@
+"""The targets of a scene's further images, drawn as the first one is."""
+
+from pathlib import Path
+
+from workbench.design.picture import picture_of
+from workbench.errors import Refused
+from workbench.scene import Drawn, Scene
+
+
+def with_targets(scene: Scene, folder: Path) -> Scene:
+    """The scene with the targets of its further images drawn, those that have yet to be.
+
+    Parameters
+    ----------
+    scene : Scene
+        What it carries along of an image file counts, rather than the file.
+    folder : Path
+        Where a relative image path starts.
+
+    Raises
+    ------
+    Refused
+        If a target cannot be drawn.
+    """
+    if not scene.further_images:
+        return scene
+    from workbench.targets import load_target  # late: scipy.ndimage takes long to import
+
+    images = []
+    for number, (alone, image) in enumerate(
+        zip(scene.single[1:], scene.further_images, strict=True)
+    ):
+        if image.drawn.light is None:
+            picture = image.drawn.picture or picture_of(alone, folder)
+            try:
+                light = load_target(alone, folder, picture)
+            except Refused as refused:
+                path = f"further_images[{number}].{refused.path}"
+                raise Refused(path, refused.reason) from None
+            image = image.drawn_as(Drawn(light, picture))
+        images.append(image)
+    return scene.model_copy(update={"further_images": tuple(images)})
+
+
+def without_targets(scene: Scene) -> Scene:
+    """The scene with the targets of its further images yet to be drawn, from their files."""
+    images = tuple(image.drawn_as(Drawn()) for image in scene.further_images)
+    return scene.model_copy(update={"further_images": images}) if images else scene

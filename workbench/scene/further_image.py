@@ -1,0 +1,136 @@
+"""Another image that the same light shall make elsewhere."""
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Annotated, NamedTuple, Self
+
+import numpy as np
+import numpy.typing as npt
+from pydantic import ConfigDict, PrivateAttr
+
+from workbench.errors import Refused
+from workbench.scene.far_field import FarField
+from workbench.scene.fields import about
+from workbench.scene.kinds import only
+from workbench.scene.part import Part, Positive
+from workbench.scene.receiver import AnyReceiver
+from workbench.scene.screen import Screen
+from workbench.scene.target import Target
+
+if TYPE_CHECKING:
+    from workbench.scene.task import Scene
+
+Array = npt.NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Drawn:
+    """A target as it was drawn; one that has yet to be drawn is like any.
+
+    Attributes
+    ----------
+    light : ndarray, shape (n_y, n_x), optional
+        The wanted image in any scale, row 0 at +y.
+    picture : bytes, optional
+        Content of its image file.
+    """
+
+    light: Array | None = None
+    picture: bytes | None = None
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Drawn):
+            return NotImplemented
+        if self.light is None or other.light is None or self.light is other.light:
+            return True
+        return np.array_equal(self.light, other.light)
+
+
+class WantedImage(NamedTuple):
+    """One of the images that a task asks for.
+
+    Attributes
+    ----------
+    scene : Scene
+        The task as if there were no other image.
+    target : ndarray, shape (n_y, n_x)
+        The wanted image in any scale, row 0 at +y.
+    weight : float
+        What the square of its error counts for.
+    """
+
+    scene: "Scene"
+    target: Array
+    weight: float
+
+
+class FurtherImage(Part):
+    """A receiver of its own with a target of its own. It takes no light from the other images."""
+
+    model_config = ConfigDict(
+        title="Further image",
+        json_schema_extra={"oneOf": [{"required": ["screen"]}, {"required": ["far_field"]}]},
+    )
+
+    screen: Annotated[
+        Screen | None, about("Screen", "Where light is wanted as well, at another place.")
+    ] = None
+    far_field: Annotated[
+        FarField | None,
+        about("Far field", "Directions in which light is wanted as well, in place of a screen."),
+    ] = None
+    target: Annotated[Target, about("Target", "The image that the light shall draw there.")]
+    weight: Annotated[
+        Positive,
+        about(
+            "Weight",
+            "What the square of this image's relative error counts for in a design, beside 1 for "
+            "the first image.",
+            le=1e6,
+        ),
+    ] = 1.0
+    _drawn: Drawn = PrivateAttr(default_factory=Drawn)
+
+    @property
+    def receiver(self) -> AnyReceiver:
+        """Where the light is wanted: the screen or the far field."""
+        return only({"screen": self.screen, "far_field": self.far_field})
+
+    @property
+    def wanted(self) -> Array:
+        """The target as it was drawn, shape (n_y, n_x).
+
+        Raises
+        ------
+        Refused
+            If that has yet to be done; see `workbench.design.task.begin`.
+        """
+        if self._drawn.light is None:
+            raise Refused("target", "has yet to be drawn; workbench.begin draws it")
+        return self._drawn.light
+
+    @property
+    def drawn(self) -> Drawn:
+        """Its target as it was drawn, if it was."""
+        return self._drawn
+
+    def drawn_as(self, drawn: Drawn) -> Self:
+        """The same with its target drawn."""
+        copy = self.model_copy()
+        copy._drawn = drawn
+        return copy
+
+    def like(self, others: tuple["FurtherImage", ...]) -> Self:
+        """The same with its target as others have it: drawn, or at least its file's content."""
+        if self._drawn.light is not None:
+            return self
+        for other in others:
+            if other.drawn.light is not None and self._drawing == other._drawing:
+                return self.drawn_as(other.drawn)
+        file = self.target.file
+        pictures = (each.drawn.picture for each in others if file and each.target.file == file)
+        return self.drawn_as(Drawn(picture=next(pictures, None)))
+
+    @property
+    def _drawing(self) -> tuple[object, ...]:
+        """All that the target's image depends on."""
+        return self.target, self.receiver.half_extent, self.receiver.pixels
