@@ -12,8 +12,7 @@ from workbench.design.lens_state import LensState
 from workbench.design.session import LONGEST_NAME, KeptRun, Session, VerifiedError
 from workbench.design.snapshot import Result
 from workbench.errors import Refused
-from workbench.files import header
-from workbench.files import designs
+from workbench.files import designs, header
 from workbench.files.figures import Figures
 from workbench.files.session import read_session, write_session
 from workbench.geometry.faces import NO_LOCKS, FaceArrays

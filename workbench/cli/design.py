@@ -117,7 +117,10 @@ def _tell_left_behind(keeper: Keeper, path: Path) -> None:
 def _print(result: Result, place: str, as_json: bool) -> None:
     figures = Figures.of(result)
     if as_json:
-        print(json.dumps(figures.model_dump(exclude={"stage_starts", "stages_left"})))
+        left_out = {"stage_starts", "stages_left"}
+        if figures.further_images is None:
+            left_out.add("further_images")
+        print(json.dumps(figures.model_dump(exclude=left_out)))
     else:
         print(
             f"loss {figures.loss:.4g} after {figures.iterations} iterations in "

@@ -146,7 +146,7 @@ class Scene(Part):
     def _written(self, write: SerializerFunctionWrapHandler) -> dict[str, Any]:
         version, data = self.needed_version, write(self)
         if not self.further_images:  # which earlier programs do not know
-            del data["further_images"]
+            data.pop("further_images", None)
         return self.known_to(version, data) | {"version": version}
 
     def _check_further(self) -> None:
