@@ -16,7 +16,7 @@ def lens_of(make_scene, height, changes=None):
     (x, y), (p, q) = net.positions, net.degree
     knots = [(2 * k - 1) * r for k, r in zip(net.knots, net.half_width, strict=True)]
     values = make_interp_spline(x, height(x[:, None], y), p, t=knots[0], axis=0).c
-    return lens, make_interp_spline(y, values.T, q, t=knots[1], axis=0).c.T
+    return lens, {"exit": make_interp_spline(y, values.T, q, t=knots[1], axis=0).c.T}
 
 
 def ball(radius, sign):
@@ -97,7 +97,7 @@ def test_thickness_counts_from_the_entrance_face(make_scene):
 def test_nothing_is_beyond_the_bounds(make_scene, rng, degree):
     changes = {"lens.control_points": [9, 8], "lens.degree": list(degree)}
     lens = make_scene(changes).lens
-    heights = 0.5 + 0.1 * rng.random((9, 8))
+    heights = {"exit": 0.5 + 0.1 * rng.random((9, 8))}
     found = manufacture(lens, heights)
     maps = surface_maps(lens, heights, (1237, 1171))
     slack = 1e-12
@@ -109,17 +109,17 @@ def test_nothing_is_beyond_the_bounds(make_scene, rng, degree):
     assert found.tightest_convex.value == pytest.approx(1 / maps.convex.max(), rel=1e-3)
     # Within its places, the extreme is where it is said to be.
     u = (np.array(found.thickest.place) / lens.half_width + 1) / 2
-    there = ControlNet.of(lens).points(u[:1], u[1:]).evaluate(heights)[0]
+    there = ControlNet.of(lens).points(u[:1], u[1:]).evaluate(heights["exit"])[0]
     assert there.item() == pytest.approx(found.thickest.value)
 
 
 def test_edges_of_degree_1_have_radius_0(make_scene):
     changes = {"lens.control_points": [3, 4], "lens.degree": [1, 3]}
     roof = np.array([0.5, 0.6, 0.5])[:, None] * np.ones(4)
-    found = manufacture(make_scene(changes).lens, roof)
+    found = manufacture(make_scene(changes).lens, {"exit": roof})
     assert found.tightest_convex.value == 0
     assert found.tightest_concave.value == math.inf
-    valley = manufacture(make_scene(changes).lens, 1.1 - roof)
+    valley = manufacture(make_scene(changes).lens, {"exit": 1.1 - roof})
     assert valley.tightest_concave.value == 0
     assert valley.tightest_convex.value == math.inf
 
@@ -130,8 +130,8 @@ def test_an_elliptic_lens_is_judged_inside_its_outline_alone(make_scene):
     heights = np.full((32, 32), 0.5)
     heights[:4, :4] = 3.0
     heights[-3:, -3:] = -2.0
-    assert manufacture(flat, heights).thickest.value > 2
-    found = manufacture(flat.model_copy(update={"outline": "ellipse"}), heights)
+    assert manufacture(flat, {"exit": heights}).thickest.value > 2
+    found = manufacture(flat.model_copy(update={"outline": "ellipse"}), {"exit": heights})
     for extreme in (found.thinnest, found.thickest):
         assert extreme.value == pytest.approx(0.5)
         assert extreme.bound == pytest.approx(0.5)
@@ -141,7 +141,7 @@ def test_an_elliptic_lens_is_judged_inside_its_outline_alone(make_scene):
 
 def test_maps_of_an_elliptic_lens_are_blank_beside_it(make_scene):
     lens = make_scene({"lens.outline": "ellipse", "lens.half_width": [1.0, 0.5]}).lens
-    maps = surface_maps(lens, np.full((12, 10), 0.5), (41, 21))
+    maps = surface_maps(lens, {"exit": np.full((12, 10), 0.5)}, (41, 21))
     inside = (maps.x / 1.0) ** 2 + (maps.y[:, None] / 0.5) ** 2 <= 1
     for values in (maps.thickness, maps.slope, maps.concave, maps.convex):
         np.testing.assert_array_equal(np.isfinite(values), inside)

@@ -5,9 +5,7 @@ import pytest
 import torch
 
 from workbench.analysis.cells.image import imaging
-from workbench.analysis.manufacture import manufacture
 from workbench.analysis.validation import validate
-from workbench.errors import Refused
 from workbench.geometry.faces import FaceArrays
 from workbench.geometry.surface import freeform_nets
 from workbench.optics.beam_plan import BeamPlan
@@ -76,8 +74,3 @@ def test_rays_and_the_design_see_the_same_light(scene):
     expected, found = light.account.to_data(), traced.account.to_data()
     for loss in ("fresnel_entrance", "fresnel_exit", "left_side", "missed_lens"):
         assert found[loss] == pytest.approx(expected[loss], abs=1e-3)
-
-
-def test_figures_of_manufacture_are_of_one_face(scene):
-    with pytest.raises(Refused, match=r"lens\.entrance\.shape"):
-        manufacture(scene.lens, lens_of(scene)["exit"])

@@ -32,7 +32,7 @@ def best(scene):
 
 
 def tightest(scene, heights):
-    found = manufacture(scene.lens, heights)
+    found = manufacture(scene.lens, {"exit": heights})
     return min(found.tightest_concave.value, found.tightest_convex.value)
 
 
@@ -90,7 +90,7 @@ def test_excess_begins_where_the_maps_say(make_scene, rng):
     scene = make_scene({"run.min_radius": 1.0})
     heights = 0.5 + 0.02 * rng.random(scene.lens.net_shape)
     u, v = (2 * (n - p) + 1 for n, p in zip((12, 10), (3, 3), strict=True))
-    maps = surface_maps(scene.lens, heights, (u, v))
+    maps = surface_maps(scene.lens, {"exit": heights}, (u, v))
     radius = 1 / max(maps.concave.max(), maps.convex.max())
     found, heights = smoothness_of(scene), torch.as_tensor(heights)
     assert found.faces["exit"].curvature_excess(heights, 0.99 * radius).item() == 0

@@ -15,7 +15,7 @@ def maps(make_scene):
     """A bowl that is deeper along x: thickest at the rim, bent most along x."""
     lens = make_scene({"lens.half_width": [1.0, 0.8]}).lens
     x, y = ControlNet.of(lens).positions
-    return surface_maps(lens, 0.5 + 0.2 * x[:, None] ** 2 + 0.1 * y**2, (41, 33))
+    return surface_maps(lens, {"exit": 0.5 + 0.2 * x[:, None] ** 2 + 0.1 * y**2}, (41, 33))
 
 
 def drawn(maps, limits):
@@ -68,9 +68,9 @@ def test_what_is_beyond_limits_is_hatched(maps):
 
 
 def test_a_plane_can_be_drawn(make_scene):
-    maps = surface_maps(make_scene().lens, np.full((12, 10), 0.5), (9, 9))
+    maps = surface_maps(make_scene().lens, {"exit": np.full((12, 10), 0.5)}, (9, 9))
     png = io.BytesIO()
-    write_manufacture(png, maps, Limits(max_slope=1.0), "mm")
+    write_manufacture(png, {"exit face": maps}, Limits(max_slope=1.0), "mm")
     noisy = maps._replace(slope=maps.slope + 1e-12)  # rounding is no slope
     for name, axes in drawn(noisy, Limits()).items():
         if name != "Thickness":
@@ -82,7 +82,7 @@ def test_a_plane_can_be_drawn(make_scene):
 @pytest.mark.parametrize("unit_height", [3.0, 0.1])
 def test_a_plate_has_one_thickness_in_spite_of_rounding(make_scene, rng, unit_height):
     lens = make_scene().lens
-    maps = surface_maps(lens, np.full((12, 10), 0.5), (9, 9))
+    maps = surface_maps(lens, {"exit": np.full((12, 10), 0.5)}, (9, 9))
     thickness = unit_height * (1 + 4e-16 * rng.standard_normal(maps.thickness.shape))
     axes = drawn(maps._replace(thickness=thickness), Limits())["Thickness"]
     image = axes.get_images()[0]
@@ -95,6 +95,7 @@ def test_a_plate_has_one_thickness_in_spite_of_rounding(make_scene, rng, unit_he
 def test_a_small_wedge_is_no_rounding(make_scene):
     lens = make_scene().lens
     x, _ = ControlNet.of(lens).positions
-    maps = surface_maps(lens, np.broadcast_to(0.5 + 1e-6 * x[:, None], (12, 10)), (9, 9))
+    heights = {"exit": np.broadcast_to(0.5 + 1e-6 * x[:, None], (12, 10))}
+    maps = surface_maps(lens, heights, (9, 9))
     low, high = drawn(maps, Limits())["Thickness"].get_images()[0].get_clim()
     assert high - low == pytest.approx(2e-6)

@@ -1,4 +1,4 @@
-"""A map of the exit face, with what is beyond a limit hatched."""
+"""A map of a freeform face, with what is beyond a limit hatched."""
 
 from typing import TYPE_CHECKING
 
@@ -7,13 +7,14 @@ import numpy.typing as npt
 from PySide6.QtWidgets import QHBoxLayout, QWidget
 
 from ui.panels.editors import Chooser
+from ui.views.face_choice import FaceChoice
 from ui.views.image_view import ImageView
 from workbench.analysis.manufacture_limits import Limits
 from workbench.pictures.manufacture import MAPS, draw_map, map_unit
 from workbench.pictures.maps import Extent
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Mapping, Sequence
 
     from matplotlib.artist import Artist
     from matplotlib.axes import Axes
@@ -24,14 +25,14 @@ if TYPE_CHECKING:
 
 _TIPS = (
     "Thickness along z",
-    "Angle between the face and the plane of the entrance face",
+    "Angle between the face and a plane across the axis",
     "One over the radius of hollows; zero where there is none",
     "One over the radius of humps; zero where there is none",
 )
 
 
 class FaceContent:
-    """A map of the exit face, once its lens is looked at."""
+    """A map of a freeform face, once its lens is looked at."""
 
     name = next(iter(MAPS))
 
@@ -71,6 +72,9 @@ class FaceMap(ImageView):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(FaceContent(), parent=parent)
+        self._maps: Mapping[str, SurfaceMaps] = {}
+        self.faces = FaceChoice()
+        self.faces.currentIndexChanged.connect(self._choose)
         self.chooser = Chooser()
         self.chooser.setAccessibleName("What the map shows")
         for name in MAPS:
@@ -78,15 +82,17 @@ class FaceMap(ImageView):
         self.chooser.currentIndexChanged.connect(self._turn)
         row = QHBoxLayout()
         row.setContentsMargins(6, 4, 6, 0)
+        row.addWidget(self.faces)
         row.addWidget(self.chooser)
         self._box.insertLayout(0, row)
         self._turn(0)
 
-    def show_maps(self, frame: "Frame", maps: "SurfaceMaps") -> None:
-        """Show the face of the lens of a frame."""
-        self._content.maps = maps
+    def show_maps(self, frame: "Frame", maps: "Mapping[str, SurfaceMaps]") -> None:
+        """Show the chosen face of the lens of a frame; maps by the names of faces."""
+        self._maps = maps
+        self.faces.offer(frame.session.scene.optic)
         self.show_frame(frame)
-        self._begin_anew()
+        self._choose()
 
     def show_limits(self, limits: Limits) -> None:
         """Hatch what is beyond other limits."""
@@ -96,8 +102,12 @@ class FaceMap(ImageView):
 
     def show_nothing(self, session: "Session") -> None:
         """Show a design of which there is no lens."""
-        self._content.maps = None
+        self._maps, self._content.maps = {}, None
         super().show_nothing(session)
+
+    def _choose(self) -> None:
+        self._content.maps = self._maps.get(self.faces.face)
+        self._begin_anew()
 
     def _turn(self, number: int) -> None:
         self._content.name = self.chooser.currentText()

@@ -7,7 +7,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
 
 from ui.manufacture.limits import LimitFields
-from workbench.analysis.manufacture import Extreme, Manufacture
+from workbench.analysis.manufacture import Extreme, FaceFigures, Manufacture
 from workbench.analysis.manufacture_limits import Limits, Verdict, verdicts
 
 _STATES = {
@@ -37,6 +37,15 @@ _LINES = {
     "tightest_concave": _Line("concave radius", True, "min_radius"),
     "tightest_convex": _Line("convex radius", True, ""),  # the same as that above
 }
+_OF_FACE = {
+    "steepest": ("Slope", "Largest angle between the face and a plane across the axis"),
+    "tightest_concave": ("Hollow radius", "Smallest radius of curvature of hollows"),
+    "tightest_convex": ("Hump radius", "Smallest radius of curvature of humps"),
+    "sag_range": ("Sag range", "Height of the highest point of the face over the lowest"),
+    "draft": ("Draft", "Least angle between the face and the axis, along which a mould opens"),
+}
+"""Figures that each freeform face has; the same limits hold for both."""
+_ENTRANCE = "entrance "  # before the keys of the entrance face, and before the names of its limits
 _ROUNDING = 1e-9  # what a flat face may have of slope, and of sag in its thicknesses
 _NAME, _FOUND, _SIGN, _LIMIT, _STATE = range(5)
 
@@ -64,6 +73,8 @@ class ManufactureFigures(QWidget):
             grid.addWidget(QLabel(f"<b>{text}</b>"), 0, column)
         self.found: dict[str, QLabel] = {}
         self.states: dict[str, QLabel] = {}
+        self._lines = dict(_LINES)
+        self._of_entrance: list[QWidget] = []  # made when a lens has one that is freeform
         for row, (key, line) in enumerate(_LINES.items(), 1):
             if line.field:  # one radius for hollows and humps
                 field = fields.rows[line.field]
@@ -71,34 +82,43 @@ class ManufactureFigures(QWidget):
                 grid.addWidget(field, row, _LIMIT, rows, 1)
                 self._add(row, key, field.label)
             else:
-                self._add(row, key, _named("Hump radius", "Smallest radius of curvature of humps"))
+                self._add(row, key, _named(*_OF_FACE[key]))
             grid.addWidget(QLabel("≥" if line.at_least else "≤"), row, _SIGN)
-            self.states[key] = state = QLabel()
-            state.setAccessibleName(f"Verdict: {self.found[key].accessibleName()}")
-            grid.addWidget(state, row, _STATE)
+            self._add_state(row, key)
         end = len(_LINES) + 1
-        sag = _named("Sag range", "Height of the highest point of the exit face over the lowest")
-        draft = _named("Draft", "Least angle between exit face and axis, along which a mould opens")
-        self._add(end, "sag_range", sag)
-        self._add(end + 1, "draft", draft)
+        for row, key in enumerate(("sag_range", "draft"), end):
+            self._add(row, key, _named(*_OF_FACE[key]))
         self.note = QLabel(wordWrap=True)
-        grid.addWidget(self.note, end + 2, 0, 1, 5)
-        grid.setRowStretch(end + 3, 1)
+        grid.addWidget(self.note, end + 2 + len(_OF_FACE) + 1, 0, 1, 5)
+        grid.setRowStretch(end + 3 + len(_OF_FACE) + 1, 1)
         fields.changed.connect(self._judge)
 
     def show_found(self, found: Manufacture, unit: str) -> None:
         """Show the figures of a lens."""
         self._found, self._unit = found, unit
-        for key in _LINES:
-            extreme: Extreme = getattr(found, key)
-            label = self.found[key]
-            label.setText(self._in_words(key, extreme.value))
-            label.setToolTip(f"<p>{self._where(key, extreme)}</p>")
-        flat = found.sag_range < _ROUNDING * found.thickest.value
-        self.found["sag_range"].setText(f"{0 if flat else found.sag_range:.4g} {unit}")
-        self.found["draft"].setText(f"{found.draft:.4g}°")
+        for key in ("thinnest", "thickest"):
+            self._show_extreme(key, getattr(found, key))
+        self._show_face(found, "", found.thickest.value)
+        if found.entrance is not None:
+            if not self._of_entrance:
+                self._add_entrance()
+            self._show_face(found.entrance, _ENTRANCE, found.thickest.value)
+        for part in self._of_entrance:
+            part.setVisible(found.entrance is not None)
         self.say("")
         self._judge(self._fields.limits)
+
+    def _show_face(self, found: FaceFigures, face: str, thickness: float) -> None:
+        for key in ("steepest", "tightest_concave", "tightest_convex"):
+            self._show_extreme(f"{face}{key}", getattr(found, key))
+        flat = found.sag_range < _ROUNDING * thickness
+        self.found[f"{face}sag_range"].setText(f"{0 if flat else found.sag_range:.4g} {self._unit}")
+        self.found[f"{face}draft"].setText(f"{found.draft:.4g}°")
+
+    def _show_extreme(self, key: str, extreme: Extreme) -> None:
+        label = self.found[key]
+        label.setText(self._in_words(key, extreme.value))
+        label.setToolTip(f"<p>{self._where(key, extreme)}</p>")
 
     def show_nothing(self) -> None:
         """Show no lens."""
@@ -121,11 +141,33 @@ class ManufactureFigures(QWidget):
         self.found[key].setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self._grid.addWidget(self.found[key], row, _FOUND)
 
+    def _add_state(self, row: int, key: str) -> None:
+        self.states[key] = state = QLabel()
+        state.setAccessibleName(f"Verdict: {self.found[key].accessibleName()}")
+        self._grid.addWidget(state, row, _STATE)
+
+    def _add_entrance(self) -> None:
+        """Rows for a freeform entrance face, which is judged by the limits above."""
+        first = len(_LINES) + 3
+        title = QLabel("<b>Entrance face</b>")
+        self._grid.addWidget(title, first, 0, 1, 5)
+        self._of_entrance.append(title)
+        for row, (key, (text, tip)) in enumerate(_OF_FACE.items(), first + 1):
+            name, key = _named(text, tip), f"{_ENTRANCE}{key}"
+            self._add(row, key, name)
+            self.found[key].setAccessibleName(f"Entrance face: {text}")
+            self._of_entrance += [name, self.found[key]]
+            line = _LINES.get(key.removeprefix(_ENTRANCE))
+            if line is not None:
+                self._lines[key] = line._replace(limited=f"{_ENTRANCE}{line.limited}", field="")
+                self._add_state(row, key)
+                self._of_entrance.append(self.states[key])
+
     def _judge(self, limits: Limits) -> None:
         if self._found is None:
             return
         judged = {(v.name, v.at_least): v for v in verdicts(self._found, limits)}
-        for key, line in _LINES.items():
+        for key, line in self._lines.items():
             self._show_state(key, judged.get((line.limited, line.at_least)))
 
     def _show_state(self, key: str, verdict: Verdict | None) -> None:
@@ -142,7 +184,7 @@ class ManufactureFigures(QWidget):
     def _in_words(self, key: str, value: float) -> str:
         if math.isinf(value):
             return "none"
-        if key == "steepest":
+        if key.endswith("steepest"):
             return f"{0 if value < _ROUNDING else value:.4g}°"
         return f"{value:.4g} {self._unit}"
 

@@ -14,7 +14,10 @@ from workbench.scene import LENGTH, Measure, Scene
 _ROWS = {
     "min_thickness": ("Thinnest", "The lens has to be as thick as this everywhere"),
     "max_thickness": ("Thickest", "The lens must not be thicker than this anywhere"),
-    "max_slope": ("Slope", "Largest angle between exit face and entrance face, in degrees"),
+    "max_slope": (
+        "Slope",
+        "Largest angle between a freeform face and a plane across the axis, in degrees",
+    ),
     "min_radius": ("Hollow radius", "Smallest radius that a tool can cut, in hollows and on humps"),
 }
 _ANGLE = "max_slope"

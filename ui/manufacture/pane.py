@@ -19,7 +19,7 @@ from ui.threads.background import Background, Task
 from ui.threads.failure import sentence_of
 from ui.widgets.side_by_side import SideBySide
 from workbench.analysis.manufacture import Manufacture, SurfaceMaps, manufacture, surface_maps
-from workbench.geometry.surface import even_counts, freeform_nets
+from workbench.geometry.surface import even_counts
 
 if TYPE_CHECKING:
     from ui.shown.frame import Frame
@@ -34,7 +34,7 @@ class _Found(NamedTuple):
 
     frame: "Frame"
     figures: Manufacture
-    maps: SurfaceMaps
+    maps: dict[str, SurfaceMaps]
 
 
 class ManufacturePane(SideBySide):
@@ -129,13 +129,10 @@ class ManufacturePane(SideBySide):
         if frame is None or self._background.busy or self.visibleRegion().isEmpty():
             return
         optic = frame.session.scene.optic
-        if len(freeform_nets(optic)) > 1:
-            self._figures.say("Found of lenses with a flat entrance face only.")
-            return
-        heights = frame.state.heights[optic.face]
+        heights, count = frame.state.heights, even_counts(optic.half_width, _PLACES)
 
         def work(task: Task) -> _Found:
-            maps = surface_maps(optic, heights, even_counts(optic.half_width, _PLACES))
+            maps = {face: surface_maps(optic, heights, count, face) for face in heights}
             return _Found(frame, manufacture(optic, heights), maps)
 
         self._background.begin(work)

@@ -1,22 +1,23 @@
 """What a shop asks of a lens: thickness, slopes, radii of curvature, draft.
 
 Each extreme comes twice: as attained at a place that has been looked at, and as a bound that the
-face does not pass anywhere, from the convex hulls of its polynomials. The truth is in between.
+lens does not pass anywhere, from the convex hulls of its polynomials. The truth is in between.
 """
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
-from workbench.analysis.manufacture_bounds import shape_bounds
+from workbench.analysis.manufacture_bounds import difference_range, shape_bounds
 from workbench.geometry.basis import basis_matrix
-from workbench.geometry.bounds import derivative_range
+from workbench.geometry.bounds import equal_parts
 from workbench.geometry.curvature import local_shape
 from workbench.geometry.outlines import outline_of
-from workbench.geometry.surface import ControlNet, check_one_face
+from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.scene import Optic
 
 Array = npt.NDArray[np.float64]
@@ -29,7 +30,7 @@ _FLAT = 1e-9
 
 
 class Extreme(NamedTuple):
-    """The most or the least of something over the exit face.
+    """The most or the least of something over the lens.
 
     Attributes
     ----------
@@ -52,7 +53,7 @@ class Extreme(NamedTuple):
 
 
 class SurfaceMaps(NamedTuple):
-    """The exit face point by point; all of shape (n_y, n_x) with row 0 at +y.
+    """A freeform face point by point; all of shape (n_y, n_x) with row 0 at +y.
 
     Places beside the lens, within its bounding rectangle, have no numbers (NaN).
 
@@ -63,12 +64,12 @@ class SurfaceMaps(NamedTuple):
     y : ndarray, shape (n_y,)
         Descending; scene units.
     thickness : ndarray
-        Height over the entrance face, scene units.
+        Distance between both faces along z, scene units.
     slope : ndarray
-        Angle between the face and the plane of the entrance face, degrees.
+        Angle between the face and a plane across the axis, degrees.
     concave, convex : ndarray
-        Largest curvature of a hollow and of a hump there, 1 / scene unit; negative where there is
-        none in any direction.
+        Largest curvature of a hollow and of a hump there, as the face is seen from outside,
+        1 / scene unit; negative where there is none in any direction.
     """
 
     x: Array
@@ -80,24 +81,20 @@ class SurfaceMaps(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Manufacture:
-    """Figures of a lens, in scene units and degrees.
+class FaceFigures:
+    """Figures of a freeform face, in scene units and degrees.
 
     Attributes
     ----------
-    thinnest, thickest : Extreme
-        Thickness along z.
     sag_range : float
-        Height of the highest point of the exit face over the lowest.
+        Height of the highest point of the face over the lowest.
     steepest : Extreme
-        Angle between the exit face and the plane of the entrance face, degrees.
+        Angle between the face and a plane across the axis, degrees.
     tightest_concave, tightest_convex : Extreme
-        Smallest radius of curvature of hollows and humps of the exit face; infinite where there
-        is none, 0 at the edges that a face of degree 1 has.
+        Smallest radius of curvature of hollows and humps of the face; infinite where there is
+        none, 0 at the edges that a face of degree 1 has.
     """
 
-    thinnest: Extreme
-    thickest: Extreme
     sag_range: float
     steepest: Extreme
     tightest_concave: Extreme
@@ -105,7 +102,7 @@ class Manufacture:
 
     @property
     def draft(self) -> float:
-        """Least angle between the exit face and the axis, along which a mould opens, degrees.
+        """Least angle between the face and the axis, along which a mould opens, degrees.
 
         The sides are parallel to the axis and have none.
         """
@@ -114,8 +111,6 @@ class Manufacture:
     def to_data(self) -> dict[str, Any]:
         """The figures by name, for JSON."""
         return {
-            "thinnest": self.thinnest.to_data(),
-            "thickest": self.thickest.to_data(),
             "sag_range": self.sag_range,
             "steepest": self.steepest.to_data(),
             "draft": self.draft,
@@ -124,52 +119,86 @@ class Manufacture:
         }
 
 
-def surface_maps(optic: Optic, control_points: Array, count: tuple[int, int]) -> SurfaceMaps:
+@dataclass(frozen=True)
+class Manufacture(FaceFigures):
+    """Figures of a lens: of its exit face, and of both faces together.
+
+    Attributes
+    ----------
+    thinnest, thickest : Extreme
+        Thickness along z.
+    entrance : FaceFigures, optional
+        Those of a freeform entrance face.
+    """
+
+    thinnest: Extreme
+    thickest: Extreme
+    entrance: FaceFigures | None = None
+
+    def to_data(self) -> dict[str, Any]:
+        """The figures by name, for JSON; those of a flat entrance face are left out."""
+        both = {"thinnest": self.thinnest.to_data(), "thickest": self.thickest.to_data()}
+        data = both | super().to_data()
+        return data if self.entrance is None else data | {"entrance": self.entrance.to_data()}
+
+
+def surface_maps(
+    optic: Optic, heights: Mapping[str, Array], count: tuple[int, int], face: str = ""
+) -> SurfaceMaps:
     """Thickness, slope and curvatures on a regular grid that includes the rim.
 
     Parameters
     ----------
     optic : Optic
         The lens.
-    control_points : ndarray, shape (n_u, n_v)
-        Control heights, scene units.
+    heights : mapping of str to ndarray, shape (n_u, n_v)
+        Control heights of each freeform face by its name, scene units.
     count : tuple[int, int]
         Numbers of points along x and y.
-
-    Raises
-    ------
-    Refused
-        If the lens has two freeform faces.
+    face : str
+        The name of the face; by default the one that the task shapes.
     """
-    check_one_face(optic, "figures of manufacture")
+    face = face or optic.face
     u, v = np.linspace(0, 1, count[0]), np.linspace(1, 0, count[1])
-    shape = local_shape(ControlNet.of(optic), control_points, u, v)
+    nets, outward = freeform_nets(optic), optic.outwards(face)
+    shape = local_shape(nets[face], outward * heights[face], u, v)
+    other = _other_side(optic, heights, nets, face, u, v)
     x, y = (2 * u - 1) * optic.half_width[0], (2 * v - 1) * optic.half_width[1]
     beside = np.where(outline_of(optic).contains(x, y[:, None]), 0.0, np.nan)
     return SurfaceMaps(
         x=x,
         y=y,
-        thickness=optic.onwards * (shape.height.T - optic.flat_z(control_points)) + beside,
+        thickness=(shape.height - outward * other).T + beside,
         slope=np.degrees(np.arctan(shape.slope.T)) + beside,
         concave=shape.largest.T + beside,
         convex=-shape.smallest.T + beside,
     )
 
 
-def manufacture(optic: Optic, control_points: Array) -> Manufacture:
+def _other_side(
+    optic: Optic,
+    heights: Mapping[str, Array],
+    nets: Mapping[str, ControlNet],
+    face: str,
+    u: Array,
+    v: Array,
+) -> Array:
+    """The z of what is opposite to a face: of the other freeform face, or of the flat side."""
+    others = [name for name in nets if name != face]
+    if not others:
+        return np.full((1, 1), optic.flat_z(heights[face]))
+    return nets[others[0]].grid(u, v).evaluate(heights[others[0]])[0]
+
+
+def manufacture(optic: Optic, heights: Mapping[str, Array]) -> Manufacture:
     """Figures of a lens.
 
     Parameters
     ----------
     optic : Optic
         The lens.
-    control_points : ndarray, shape (n_u, n_v)
-        Control heights, scene units.
-
-    Raises
-    ------
-    Refused
-        If the lens has two freeform faces.
+    heights : mapping of str to ndarray, shape (n_u, n_v)
+        Control heights of each freeform face by its name, scene units.
 
     Examples
     --------
@@ -177,46 +206,62 @@ def manufacture(optic: Optic, control_points: Array) -> Manufacture:
     >>> from workbench.scene import Lens
     >>> lens = Lens(half_width=(1, 1), refractive_index=1.5, control_points=(8, 8))
     >>> wedge = np.linspace(0.5, 0.7, 8)[:, None] * np.ones(8)
-    >>> found = manufacture(lens, wedge)
+    >>> found = manufacture(lens, {"exit": wedge})
     >>> round(found.thinnest.value, 12), round(found.thickest.value, 12)
     (0.5, 0.7)
     """
-    check_one_face(optic, "figures of manufacture")
-    net = ControlNet.of(optic)
-    parts_x, parts_y = (
-        math.ceil(_PARTS / (n - p)) for n, p in zip(net.shape, net.degree, strict=True)
-    )
-    count = tuple(
-        2 * parts * (n - p) + 1
-        for parts, n, p in zip((parts_x, parts_y), net.shape, net.degree, strict=True)
-    )
-    maps = surface_maps(optic, control_points, (count[0], count[1]))
-
-    low, high = derivative_range(net, control_points, (0, 0), (parts_x, parts_y))
-    glass = _with_glass(optic, low.shape)
-    bounds = shape_bounds(net, control_points, (parts_x, parts_y), glass)
-    lowest, highest = sorted(
-        optic.onwards * (float(end) - optic.flat_z(control_points))
-        for end in (low[glass].min(), high[glass].max())
-    )
+    maps, own = _figures(optic, heights, optic.face)
+    lowest, highest = _thicknesses(optic, heights)
     thinnest = _most(maps, -maps.thickness, -lowest)
-    thinnest = Extreme(-thinnest.value, -thinnest.bound, thinnest.place)
-    thickest = _most(maps, maps.thickness, highest)
-    rises, falls = _edges(net, control_points)
-    flat = _FLAT / max(optic.half_width)
     return Manufacture(
-        thinnest=thinnest,
-        thickest=thickest,
-        sag_range=thickest.value - thinnest.value,
+        **vars(own),
+        thinnest=Extreme(-thinnest.value, -thinnest.bound, thinnest.place),
+        thickest=_most(maps, maps.thickness, highest),
+        entrance=_figures(optic, heights, "entrance")[1] if "entrance" in heights else None,
+    )
+
+
+def _figures(
+    optic: Optic, heights: Mapping[str, Array], face: str
+) -> tuple[SurfaceMaps, FaceFigures]:
+    """A face at many places, and its figures."""
+    net, outward = freeform_nets(optic)[face], optic.outwards(face) * heights[face]
+    spans = [n - p for n, p in zip(net.shape, net.degree, strict=True)]
+    parts_x, parts_y = (math.ceil(_PARTS / n) for n in spans)
+    count = 2 * parts_x * spans[0] + 1, 2 * parts_y * spans[1] + 1
+    maps = surface_maps(optic, heights, count, face)
+    ends = equal_parts(net, 0, parts_x), equal_parts(net, 1, parts_y)
+    bounds = shape_bounds(net, outward, (parts_x, parts_y), _with_glass(optic, ends))
+    places = net.grid(np.linspace(0, 1, count[0]), np.linspace(1, 0, count[1]))
+    height = places.evaluate(heights[face])[0].T[np.isfinite(maps.slope)]
+    rises, falls = _edges(net, outward)
+    flat = _FLAT / max(optic.half_width)
+    return maps, FaceFigures(
+        sag_range=float(np.ptp(height)),
         steepest=_most(maps, maps.slope, math.degrees(math.atan(bounds.slope))),
         tightest_concave=_radius(_most(maps, maps.concave, bounds.hollow), flat, rises),
         tightest_convex=_radius(_most(maps, maps.convex, bounds.hump), flat, falls),
     )
 
 
-def _with_glass(optic: Optic, parts: tuple[int, ...]) -> Mask:
-    """Which of so many equal parts of the aperture along x and y the lens has a share of."""
-    x, y = (np.linspace(-r, r, n + 1) for r, n in zip(optic.half_width, parts, strict=True))
+def _thicknesses(optic: Optic, heights: Mapping[str, Array]) -> tuple[float, float]:
+    """The least and the most that a lens can be thick anywhere."""
+    nets = freeform_nets(optic)
+    faces = [(nets[face], heights[face]) for face in (optic.face, *(nets.keys() - {optic.face}))]
+    if len(faces) == 1:
+        flat = np.full((2, 2), optic.flat_z(heights[optic.face]))
+        faces.append((ControlNet((2, 2), (1, 1), optic.half_width), flat))
+    low, high, ends = difference_range(faces[0], faces[1], _PARTS)
+    glass = _with_glass(optic, ends)
+    lowest, highest = sorted(
+        optic.onwards * float(z) for z in (low[glass].min(), high[glass].max())
+    )
+    return lowest, highest
+
+
+def _with_glass(optic: Optic, ends: tuple[Array, Array]) -> Mask:
+    """Which parts of the aperture, between such ends in [0, 1], the lens has a share of."""
+    x, y = ((2 * end - 1) * r for end, r in zip(ends, optic.half_width, strict=True))
     return outline_of(optic).area_inside((x[:-1, None], x[1:, None]), (y[:-1], y[1:])) > 0
 
 

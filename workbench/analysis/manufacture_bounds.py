@@ -1,4 +1,4 @@
-"""How steep and how bent the exit face can be at most, anywhere.
+"""How steep and how bent a face, and how thin and how thick a lens, can be at most, anywhere.
 
 On a part of a knot span, second derivatives are averages of the matrices that their Bernstein
 coefficients make, with weights that are not negative. The largest eigenvalue of an average is not
@@ -6,14 +6,14 @@ above the largest of those that are averaged, so a few small matrices bound all 
 """
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 from scipy.sparse import csr_array
 
-from workbench.geometry.bounds import to_bernstein
+from workbench.geometry.bounds import equal_parts, to_bernstein
 from workbench.geometry.surface import ControlNet
 
 Array = npt.NDArray[np.float64]
@@ -25,7 +25,7 @@ _ORDERS = ((1, 0), (0, 1), (2, 0), (1, 1), (0, 2))
 
 
 class Bounds(NamedTuple):
-    """What the exit face is not beyond anywhere.
+    """What a face is not beyond anywhere.
 
     Attributes
     ----------
@@ -86,6 +86,52 @@ def shape_bounds(
     return Bounds(*most)
 
 
+def difference_range(
+    upper: tuple[ControlNet, Array], lower: tuple[ControlNet, Array], least: int
+) -> tuple[Array, Array, tuple[Array, Array]]:
+    """How far one face is above another, on parts between the knots of both.
+
+    Parameters
+    ----------
+    upper, lower : tuple of ControlNet and ndarray, shape (n_u, n_v)
+        Net and control heights of each face, both over the same rectangle.
+    least : int
+        Parts along each axis, at least.
+
+    Returns
+    -------
+    low, high : ndarray, shape (m_x, m_y)
+        Distances along z that no place of the part is beyond.
+    ends : tuple of ndarray, shapes (m_x + 1,) and (m_y + 1,)
+        Where the parts end, in [0, 1].
+
+    Notes
+    -----
+    On each part the distance is a polynomial of the higher of both degrees, and a polynomial
+    stays within its Bernstein coefficients.
+    """
+    faces = (upper, lower)
+    ends = [_parts([net.knots[axis] for net, _ in faces], least) for axis in (0, 1)]
+    apart = np.zeros(())
+    for sign, (net, heights) in zip((1, -1), faces, strict=True):
+        coefficients = heights
+        for axis in (0, 1):  # each time the axis that comes first
+            degree = max(each.degree[axis] for each, _ in faces)
+            into = to_bernstein(net, axis, 0, ends[axis])
+            raised = _raised(into, degree).reshape(len(into), degree + 1, -1)
+            coefficients = np.tensordot(coefficients, raised, axes=(0, 2))
+        apart = apart + sign * coefficients
+    return apart.min(axis=(1, 3)), apart.max(axis=(1, 3)), (ends[0], ends[1])
+
+
+def _parts(knots: Sequence[Array], least: int) -> Array:
+    """Ends of parts that have no knots within: of the strips between knots, cut further."""
+    strips = np.unique(np.concatenate(knots))
+    count = math.ceil(least / (len(strips) - 1))
+    inner = strips[:-1, None] + np.diff(strips)[:, None] * (np.arange(count) / count)
+    return np.append(inner, 1.0)
+
+
 def _coefficients(
     net: ControlNet, heights: Array, parts: tuple[int, int]
 ) -> Iterator[tuple[Array, ...]]:
@@ -100,10 +146,10 @@ def _coefficients(
     # Few control points matter on any part.
     into_x, into_y = (
         [
-            csr_array(_raised(to_bernstein(net, axis, order, parts[axis]), net.degree[axis]))
+            csr_array(_raised(to_bernstein(net, axis, order, ends), net.degree[axis]))
             for order in (0, 1, 2)
         ]
-        for axis in (0, 1)
+        for axis, ends in enumerate(equal_parts(net, axis, parts[axis]) for axis in (0, 1))
     )
     by_column = [np.ascontiguousarray((into @ heights.T).T) for into in into_y]
     step = sizes[0] * max(_AT_ONCE // (by_column[0].shape[1] * sizes[0]), 1)

@@ -4,9 +4,10 @@ import math
 from dataclasses import dataclass
 from typing import Literal, NamedTuple
 
-from workbench.analysis.manufacture import Extreme, Manufacture
+from workbench.analysis.manufacture import Extreme, FaceFigures, Manufacture
 
 State = Literal["met", "open", "broken"]
+_Asked = tuple[str, float | None, bool, Extreme]  # name, limit, whether a lower one, figure
 
 # What rounding may add to a figure that lies on its limit.
 _ROUNDING = 1e-9
@@ -21,7 +22,7 @@ class Limits:
     min_thickness, max_thickness : float, optional
         Along z, scene units.
     max_slope : float, optional
-        Angle between the exit face and the plane of the entrance face, degrees.
+        Angle between each freeform face and a plane across the axis, degrees.
     min_radius : float, optional
         Radius of curvature of hollows and of humps, scene units.
     """
@@ -62,22 +63,31 @@ class Verdict(NamedTuple):
 
     def behind(self, unit: str) -> str:
         """What stands behind its numbers, for a scene's unit of length."""
-        return "°" if self.name == "slope" else f" {unit}"
+        return "°" if "slope" in self.name else f" {unit}"
 
 
 def verdicts(found: Manufacture, limits: Limits) -> list[Verdict]:
     """Judge a lens by all limits that there are."""
-    asked = [
+    asked: list[_Asked] = [
         ("thickness", limits.min_thickness, True, found.thinnest),
         ("thickness", limits.max_thickness, False, found.thickest),
-        ("slope", limits.max_slope, False, found.steepest),
-        ("concave radius", limits.min_radius, True, found.tightest_concave),
-        ("convex radius", limits.min_radius, True, found.tightest_convex),
+        *_of_face(found, limits, ""),
     ]
+    if found.entrance is not None:
+        asked += _of_face(found.entrance, limits, "entrance ")
     return [
         Verdict(name, limit, at_least, extreme, _state(limit, at_least, extreme))
         for name, limit, at_least, extreme in asked
         if limit is not None
+    ]
+
+
+def _of_face(found: FaceFigures, limits: Limits, face: str) -> list[_Asked]:
+    """What is asked of a face; its name stands before that of the figure."""
+    return [
+        (f"{face}slope", limits.max_slope, False, found.steepest),
+        (f"{face}concave radius", limits.min_radius, True, found.tightest_concave),
+        (f"{face}convex radius", limits.min_radius, True, found.tightest_convex),
     ]
 
 

@@ -6,14 +6,14 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from workbench.analysis.manufacture import Extreme, Manufacture, surface_maps
+from workbench.analysis.manufacture import Extreme, FaceFigures, Manufacture, surface_maps
 from workbench.analysis.manufacture import manufacture as look_at
 from workbench.analysis.manufacture_limits import Limits, Verdict, verdicts
 from workbench.cli.designed import read_designed
 from workbench.errors import Refused, RunFailed
 from workbench.files.atomic import check_writable, replacing
 from workbench.geometry.body import check_body
-from workbench.geometry.surface import even_counts
+from workbench.geometry.surface import even_counts, freeform_nets
 
 # Places of a map along the longer side of the lens.
 _PLACES = 513
@@ -44,7 +44,7 @@ def manufacture(path: Path, limits: Limits, plot: Path | None, as_json: bool) ->
     scene = session.scene
     if plot is not None:
         check_writable(plot)
-    found = look_at(scene.optic, result.state.heights[scene.optic.face])
+    found = look_at(scene.optic, result.state.heights)
     if limits.min_thickness is None:
         limits = replace(limits, min_thickness=scene.optic.least_thickness)
     judged = verdicts(found, limits)
@@ -57,7 +57,12 @@ def manufacture(path: Path, limits: Limits, plot: Path | None, as_json: bool) ->
         from workbench.pictures.manufacture import write_manufacture  # late: draws
 
         count = even_counts(scene.optic.half_width, _PLACES)
-        maps = surface_maps(scene.optic, result.state.heights[scene.optic.face], count)
+        maps = {
+            scene.optic.face_in_words(face): surface_maps(
+                scene.optic, result.state.heights, count, face
+            )
+            for face in reversed(freeform_nets(scene.optic))
+        }
         with replacing(plot) as file:
             write_manufacture(file, maps, limits, scene.unit)
     broken = [_sentence(v, scene.unit) for v in judged if v.state == "broken"]
@@ -71,19 +76,23 @@ def manufacture(path: Path, limits: Limits, plot: Path | None, as_json: bool) ->
 
 def _print(found: Manufacture, judged: Sequence[Verdict], unit: str) -> None:
     print(f"{'':18}{'found':14}{'bound':14}at x, y ({unit})")
-    for name, extreme, of in (
-        ("thinnest", found.thinnest, unit),
-        ("thickest", found.thickest, unit),
-        ("steepest slope", found.steepest, "°"),
-        ("concave radius", found.tightest_concave, unit),
-        ("convex radius", found.tightest_convex, unit),
-    ):
-        print(_line(name, extreme, of))
-    print(f"{'sag range':<18}{found.sag_range:.5g} {unit}")
-    print(f"{'draft':<18}{found.draft:.5g} °")
+    print(_line("thinnest", found.thinnest, unit))
+    print(_line("thickest", found.thickest, unit))
+    _print_face(found, unit)
+    if found.entrance is not None:
+        print("entrance face")
+        _print_face(found.entrance, unit)
     state = {"met": "met", "broken": "NOT MET", "open": "met where it was looked at"}
     for verdict in judged:
         print(f"{verdict.name} {verdict.wanted(unit)}: {state[verdict.state]}")
+
+
+def _print_face(found: FaceFigures, unit: str) -> None:
+    print(_line("steepest slope", found.steepest, "°"))
+    print(_line("concave radius", found.tightest_concave, unit))
+    print(_line("convex radius", found.tightest_convex, unit))
+    print(f"{'sag range':<18}{found.sag_range:.5g} {unit}")
+    print(f"{'draft':<18}{found.draft:.5g} °")
 
 
 def _line(name: str, extreme: Extreme, unit: str) -> str:

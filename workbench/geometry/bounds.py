@@ -38,13 +38,19 @@ def derivative_range(
     """
     coefficients = heights
     for axis in (0, 1):  # each time the axis that comes first
-        into = to_bernstein(net, axis, order[axis], parts[axis])
+        into = to_bernstein(net, axis, order[axis], equal_parts(net, axis, parts[axis]))
         coefficients = np.tensordot(coefficients, into, axes=(0, 2))
     # [part along x, coefficient, part along y, coefficient]
     return coefficients.min(axis=(1, 3)), coefficients.max(axis=(1, 3))
 
 
-def to_bernstein(net: ControlNet, axis: int, order: int, parts: int) -> Array:
+def equal_parts(net: ControlNet, axis: int, parts: int) -> Array:
+    """Where parts of the knot spans along an axis end, so many in each; from 0 to 1."""
+    count = parts * (net.shape[axis] - net.degree[axis])
+    return np.arange(count + 1) / count
+
+
+def to_bernstein(net: ControlNet, axis: int, order: int, ends: Array) -> Array:
     """Matrices from control values to Bernstein coefficients of a derivative, along one axis.
 
     Parameters
@@ -55,26 +61,26 @@ def to_bernstein(net: ControlNet, axis: int, order: int, parts: int) -> Array:
         Its axis.
     order : int
         Order of the derivative.
-    parts : int
-        Equal parts of a knot span, each with its own coefficients.
+    ends : ndarray, shape (m + 1,)
+        Where parts end that have coefficients of their own, from 0 to 1; all knots are among them.
 
     Returns
     -------
-    ndarray, shape (parts * spans, max(degree - order, 0) + 1, count)
+    ndarray, shape (m, max(degree - order, 0) + 1, count)
     """
     knots, degree, count = net.knots[axis], net.degree[axis], net.shape[axis]
-    spans = count - degree
+    parts = len(ends) - 1
     if order > degree:
-        return np.zeros((parts * spans, 1, count))
+        return np.zeros((parts, 1, count))
     matrix = np.eye(count)
     for _ in range(order):
         # The NURBS Book, eq. 3.8: a B-spline of one degree less.
         width = (knots[degree + 1 : -1] - knots[1 : -degree - 1]) * (2 * net.half_width[axis])
         matrix = np.diff(matrix, axis=0) * (degree / width)[:, None]
         knots, degree = knots[1:-1], degree - 1
-    inner = np.arange(1, parts * spans) / (parts * spans)
     each = max(degree, 1)
-    fine = np.concatenate([np.zeros(degree + 1), np.repeat(inner, each), np.ones(degree + 1)])
+    inner = np.repeat(ends[1:-1], each)
+    fine = np.concatenate([np.zeros(degree + 1), inner, np.ones(degree + 1)])
     matrix = insertion_matrix(knots, fine, degree) @ matrix
-    first = np.arange(parts * spans) * each
+    first = np.arange(parts) * each
     return np.asarray(matrix[first[:, None] + np.arange(degree + 1)])

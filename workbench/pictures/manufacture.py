@@ -1,5 +1,6 @@
 """Maps of what a shop asks of a lens, with what is beyond its limits hatched."""
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, BinaryIO, NamedTuple, Protocol
 
 import numpy as np
@@ -28,7 +29,7 @@ _BEYOND = "#ff4d3d"  # viridis has no red
 
 
 class FaceMaps(Protocol):
-    """The exit face point by point: `workbench.analysis.manufacture.SurfaceMaps`."""
+    """A face point by point: `workbench.analysis.manufacture.SurfaceMaps`."""
 
     @property
     def x(self) -> Array:
@@ -104,7 +105,7 @@ def draw_map(axes: "Axes", name: str, maps: FaceMaps, limits: ShopLimits, unit: 
     name : str
         One of `MAPS`.
     maps : FaceMaps
-        The exit face point by point.
+        The face point by point.
     limits : ShopLimits
         Places beyond them are hatched.
     unit : str
@@ -138,7 +139,7 @@ def draw_map(axes: "Axes", name: str, maps: FaceMaps, limits: ShopLimits, unit: 
 
 
 def draw_manufacture(figure: "FigureBase", maps: FaceMaps, limits: ShopLimits, unit: str) -> None:
-    """Draw thickness, slope and both curvatures of a lens.
+    """Draw thickness, slope and both curvatures at a face of a lens.
 
     Parameters
     ----------
@@ -152,8 +153,10 @@ def draw_manufacture(figure: "FigureBase", maps: FaceMaps, limits: ShopLimits, u
         axes.set_title(f"{name}{_map(name, maps, limits, unit).in_words}", fontsize=_FONT)
 
 
-def write_manufacture(file: BinaryIO, maps: FaceMaps, limits: ShopLimits, unit: str) -> None:
-    """Draw `draw_manufacture` as a PNG file.
+def write_manufacture(
+    file: BinaryIO, faces: Mapping[str, FaceMaps], limits: ShopLimits, unit: str
+) -> None:
+    """Draw `draw_manufacture` of each freeform face, by what it is called, as a PNG file.
 
     Raises
     ------
@@ -164,8 +167,12 @@ def write_manufacture(file: BinaryIO, maps: FaceMaps, limits: ShopLimits, unit: 
     from matplotlib.layout_engine import ConstrainedLayoutEngine
 
     layout = ConstrainedLayoutEngine(w_pad=0.15)
-    figure = Figure(figsize=(11, 9), layout=layout)
-    draw_manufacture(figure, maps, limits, unit)
+    figure = Figure(figsize=(11, 9 * len(faces)), layout=layout)
+    parts = figure.subfigures(len(faces), squeeze=False).ravel()
+    for part, (name, maps) in zip(parts, faces.items(), strict=True):
+        draw_manufacture(part, maps, limits, unit)
+        if len(faces) > 1:
+            part.suptitle(f"{name[0].upper()}{name[1:]}")
     figure.savefig(file, dpi=_DPI, format="png")
 
 

@@ -43,7 +43,7 @@ def draw_lens(figure: "FigureBase", session: Session, irradiance: Array) -> None
 
 
 def draw_images(figure: "FigureBase", session: Session, irradiance: Array) -> None:
-    """Draw irradiance, target, signed error and the height of the exit face over its base."""
+    """Draw irradiance, target, signed error and the height of each face over its base."""
     scene, target, result = session.scene, session.target, result_of(session)
     (lit, wanted), (off, face) = figure.subplots(2, 2, gridspec_kw=_APART)
     IrradianceImage(lit, scene, target).update(irradiance)

@@ -3,7 +3,7 @@
 import math
 
 from workbench.analysis.by_cells import ByCells
-from workbench.analysis.manufacture import Extreme, Manufacture
+from workbench.analysis.manufacture import Extreme, FaceFigures, Manufacture
 from workbench.analysis.manufacture_limits import Limits, verdicts
 from workbench.analysis.tolerances import Distribution, Tolerances
 from workbench.analysis.validation import Validation
@@ -75,15 +75,23 @@ def manufacture_rows(found: Manufacture, limits: Limits, unit: str) -> tuple[Row
     return (
         Row("thinnest", _extreme(found.thinnest, unit, "at least")),
         Row("thickest", _extreme(found.thickest, unit, "at most")),
-        Row("steepest slope", _extreme(found.steepest, "°", "at most")),
-        Row("draft", f"{found.draft:.3f}°"),
-        Row("smallest concave radius", _extreme(found.tightest_concave, unit, "at least")),
-        Row("smallest convex radius", _extreme(found.tightest_convex, unit, "at least")),
-        Row("sag range", f"{found.sag_range:.6g} {unit}"),
+        *_face_rows(found, unit),
+        *(() if found.entrance is None else _face_rows(found.entrance, unit, "entrance face: ")),
         *(
             Row(f"limit of the {v.name}", f"{v.wanted(unit)}: {_STATES[v.state]}")
             for v in verdicts(found, limits)
         ),
+    )
+
+
+def _face_rows(found: FaceFigures, unit: str, face: str = "") -> tuple[Row, ...]:
+    """Figures of one face, which their names begin with."""
+    return (
+        Row(f"{face}steepest slope", _extreme(found.steepest, "°", "at most")),
+        Row(f"{face}draft", f"{found.draft:.3f}°"),
+        Row(f"{face}smallest concave radius", _extreme(found.tightest_concave, unit, "at least")),
+        Row(f"{face}smallest convex radius", _extreme(found.tightest_convex, unit, "at least")),
+        Row(f"{face}sag range", f"{found.sag_range:.6g} {unit}"),
     )
 
 

@@ -1,6 +1,6 @@
 """Makes the report of a session: traces its lens anew and collects what is known of it."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from datetime import datetime
 from functools import partial
 
@@ -95,7 +95,7 @@ def gather(
                 session.of_image(number), image, f", image {number + 1}" if found.further else ""
             )
         ),
-        _manufacture(scene, heights[scene.optic.face]),
+        _manufacture(scene, heights),
     ]
     if tolerances is not None:
         sections.append(_tolerances(session, *tolerances, max(rays // 4, 1)))
@@ -152,20 +152,20 @@ def _of_image(session: Session, found: Validation, which: str) -> Iterator[Secti
     )
 
 
-def _manufacture(scene: Scene, heights: Array) -> Section:
+def _manufacture(scene: Scene, heights: Mapping[str, Array]) -> Section:
     optic = scene.optic
-    if len(freeform_nets(optic)) > 1:
-        return Section(
-            "Manufacture",
-            note="Thickness and curvature are found of lenses with a flat entrance face only.",
-        )
     limits = Limits(min_thickness=optic.least_thickness, min_radius=scene.run.min_radius)
-    maps = surface_maps(optic, heights, even_counts(optic.half_width, _PLACES))
-    draw = partial(pictures.draw_manufacture, maps=maps, limits=limits, unit=scene.unit)
+    count = even_counts(optic.half_width, _PLACES)
+    drawn = []
+    for face in reversed(freeform_nets(optic)):
+        maps = surface_maps(optic, heights, count, face)
+        draw = partial(pictures.draw_manufacture, maps=maps, limits=limits, unit=scene.unit)
+        name = f"Thickness, slope and curvature of the {optic.face_in_words(face)}"
+        drawn.append(Picture(name, draw, 6.2))
     return Section(
         "Manufacture",
         manufacture_rows(manufacture(optic, heights), limits, scene.unit),
-        (Picture("Thickness, slope and curvature of the exit face", draw, 6.2),),
+        tuple(drawn),
         note=f"Found at a place (x, y) in {scene.unit}, and a bound that holds everywhere. Limits "
         "are those of the scene; what is beyond them is hatched.",
     )

@@ -52,7 +52,7 @@ def hatched(pane):
 
 def test_the_figures_are_those_of_the_engine(pane, bowl, session):
     frame = bowl(0.2)
-    found = manufacture(session.scene.lens, frame.state.heights["exit"])
+    found = manufacture(session.scene.lens, frame.state.heights)
     texts = {key: label.text() for key, label in pane._figures.found.items()}
     assert texts == {
         "thinnest": f"{found.thinnest.value:.4g} cm",
@@ -170,3 +170,35 @@ def test_the_map_can_be_saved_in_numbers(pane):
     assert names == ["x [cm]", "y [cm]", "Thickness [cm]"]
     lowest = min(pane.map.data()[2].values)
     assert np.isclose(lowest, pane._found.figures.thinnest.value, rtol=1e-3)
+
+
+def test_a_lens_of_two_faces_has_figures_and_maps_of_each(pane, make_session, frames, qtbot):
+    session = make_session({"version": 2, "lens.entrance": {"shape": "freeform"}})
+    x, y = ControlNet.of(session.scene.lens).positions
+    bowl = 0.1 * (x[:, None] ** 2 + y**2)
+    heights = FaceArrays({"entrance": bowl, "exit": 0.6 - 2 * bowl})
+    pane.show_design(session)
+    pane.show_frame(frames(1, session, heights=heights))
+    found = pane._figures.found
+    qtbot.waitUntil(lambda: found.get("entrance steepest") is not None, timeout=10_000)
+    figures = manufacture(session.scene.lens, heights)
+    assert found["steepest"].text() == f"{figures.steepest.value:.4g}°"
+    assert found["entrance steepest"].text() == f"{figures.entrance.steepest.value:.4g}°"
+    assert found["entrance tightest_concave"].text() == "none"
+    assert found["entrance tightest_convex"].text() != found["tightest_convex"].text()
+    enter(pane, qtbot, "max_slope", f"{figures.entrance.steepest.value * 1.1:.6g}")
+    assert states(pane)["steepest"] == "✗ broken"
+    assert states(pane)["entrance steepest"] == "✓ met"
+
+    pane.map.chooser.setCurrentText("Slope")
+    qtbot.waitUntil(lambda: pane.map.data()[2].name.startswith("Slope"))
+    assert pane.map.faces.isVisibleTo(pane) and pane.map.faces.face == "exit"
+    steep = max(pane.map.data()[2].values)
+    pane.map.faces.choose("entrance")
+    qtbot.waitUntil(lambda: max(pane.map.data()[2].values) < 0.6 * steep)
+
+    flat = make_session()
+    pane.show_design(flat)
+    pane.show_frame(frames(1, flat))
+    qtbot.waitUntil(lambda: not found["entrance steepest"].isVisibleTo(pane), timeout=10_000)
+    assert not pane.map.faces.isVisibleTo(pane)

@@ -82,7 +82,7 @@ class Design:
     @property
     def outward(self) -> int:
         """1 if normals of the face that point out of the body point to +z, -1 if to -z."""
-        return -1 if self.face == "entrance" else self.scene.optic.onwards
+        return self.scene.optic.outwards(self.face or self.scene.optic.face)
 
     @property
     def flat_z(self) -> float:
