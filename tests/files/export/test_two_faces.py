@@ -96,6 +96,16 @@ class TestSolid:
         path, _ = write(write_step, design, "lens.step")
         assert read_solid(path).volume == pytest.approx(1e3 * 2.0 * 1.4 * 0.4, rel=1e-12)
 
+    def test_a_lens_whose_exit_face_is_before_its_place_of_entrance(
+        self, two_faced, write, read_solid
+    ):
+        changes = {"lens.entrance": NETS["another net"] | {"height_range": [-2.0, -1.0]}}
+        design = two_faced(changes, heights=np.full((12, 10), -0.5), entrance=np.full((7, 9), -1.5))
+        path, _ = write(write_step, design, "lens.step")
+        found = read_solid(path)
+        assert (found.is_solid, found.is_valid, found.is_closed) == (True, True, True)
+        assert found.volume == pytest.approx(1e3 * 2.0 * 1.4, rel=1e-12)
+
     @OUTLINES
     def test_iges_is_the_same_solid(self, two_faced, write, read_solid, volume_within, outline):
         design = two_faced({"lens.outline": outline})

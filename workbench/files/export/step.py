@@ -41,7 +41,7 @@ _RISING = (True, True, False, False)  # whether that is the way around
 
 def write_step(design: Design, file: BinaryIO) -> Deviation:
     """Write the lens as a solid."""
-    model = _Model(design.flat_z > design.heights.min())
+    model = _Model(design.scene.optic.onwards < 0)
     return _write(_BREP, _solid, model, design.faces, file)
 
 
