@@ -16,7 +16,8 @@ from workbench.design.limits import HeightLimits, bounded
 from workbench.design.transport.back_and_forth import MOST_ROUNDS, Transport
 from workbench.design.transport.face import SlopeFit
 from workbench.design.transport.start import FEW_ROUNDS, destinations, wanted_cells
-from workbench.design.transport.two_faces import CELLS, Light, Traced, slopes, unit
+from workbench.design.transport.two_face_light import LightInLens, TwoFaceLight
+from workbench.design.transport.two_faces import CELLS, slopes, unit
 from workbench.geometry.surface import freeform_nets
 from workbench.scene import Scene
 
@@ -51,7 +52,7 @@ def line_start(scene: Scene, target: Array) -> dict[str, Array] | None:
         return None
     nets, limits = freeform_nets(scene.optic), HeightLimits.of_faces(bounded(scene))
     cells = max(CELLS, 2 * max(max(net.shape) for net in nets.values()))
-    light = Light(scene, cells)
+    light = TwoFaceLight(scene, cells)
     heights = {
         face: np.full(net.shape, float(limits[face].undesigned.mean()))
         for face, net in nets.items()
@@ -121,7 +122,7 @@ class _Faces(NamedTuple):
     """Finds faces that send light along lines."""
 
     scene: Scene
-    light: Light
+    light: TwoFaceLight
     fits: dict[str, SlopeFit]
     limits: dict[str, HeightLimits]
 
@@ -134,11 +135,11 @@ class _Faces(NamedTuple):
             # From where it really is, light goes to the middle of its line.
             x, y, z = (to - at for to, at in zip(middle, traced.exit, strict=True))
             bends = slopes(traced.glass, unit((x, y, z)), n, 1.0)
-            bent = self.fits["exit"].heights(*self.light.evenly(bends, traced.exit))
+            bent = self.fits["exit"].heights(*self.light.evenly(bends, "exit", traced.exit))
             heights = {"entrance": entrance, "exit": self.limits["exit"].placed(bent)}
         return heights
 
-    def _entrance(self, lines: _Lines, traced: Traced) -> Array:
+    def _entrance(self, lines: _Lines, traced: LightInLens) -> Array:
         """The entrance face that sends light to its line, or less far where that does not fit."""
         coming, limits, n = self.light.coming, self.limits["entrance"], self.scene.optic.index
         at_x, at_y, at_z = traced.entrance
@@ -151,7 +152,8 @@ class _Faces(NamedTuple):
             way_x = (1 - part) * on_x + part * (to_x - at_x)
             way_y = (1 - part) * on_y + part * (to_y - at_y)
             bends = slopes(coming, unit((way_x, way_y, depth)), 1.0, n)
-            bent = self.fits["entrance"].heights(*self.light.evenly(bends, traced.entrance))
+            bends = self.light.evenly(bends, "entrance", traced.entrance)
+            bent = self.fits["entrance"].heights(*bends)
             lacks = limits.lacks(bent)
             if lacks <= 0:
                 return limits.placed(bent)

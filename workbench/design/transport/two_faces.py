@@ -14,7 +14,6 @@ from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
-import torch
 
 from workbench.design.limits import HeightLimits, bounded
 from workbench.design.transport.back_and_forth import MOST_ROUNDS, Transport
@@ -25,10 +24,8 @@ from workbench.design.transport.start import (
     destinations,
     wanted_cells,
 )
+from workbench.design.transport.two_face_light import LightInLens, TwoFaceLight
 from workbench.geometry.surface import freeform_nets
-from workbench.optics.path import Path
-from workbench.optics.sources import emitter_of
-from workbench.optics.sources.origins import through_cells
 from workbench.scene import Scene
 
 Array = npt.NDArray[np.float64]
@@ -51,8 +48,6 @@ _NEAR_PART = 0.85
 # What is left of the bending at the entrance face in each trial after one whose face did not fit
 # between its limits.
 _LESS, _TRIALS = 0.9, 4
-# Steps that find which cell's light comes to a place, and how near, in cells.
-_STEPS, _NEAR = 30, 1e-3
 
 
 def split_start(scene: Scene, target: Array) -> dict[str, Array] | None:
@@ -73,7 +68,7 @@ def split_start(scene: Scene, target: Array) -> dict[str, Array] | None:
     """
     nets, limits = freeform_nets(scene.optic), HeightLimits.of_faces(bounded(scene))
     cells = max(CELLS, 2 * max(max(net.shape) for net in nets.values()))
-    light = Light(scene, cells)
+    light = TwoFaceLight(scene, cells)
     heights = {
         face: np.full(net.shape, float(limits[face].undesigned.mean()))
         for face, net in nets.items()
@@ -85,133 +80,51 @@ def split_start(scene: Scene, target: Array) -> dict[str, Array] | None:
     fits = {face: SlopeFit(net, cells) for face, net in nets.items()}
     faces = _Faces(scene, light, fits, limits)
     for number in range(_ROUNDS):
-        heights = faces.bent(transport, heights)
-        flux = light.through(heights).flux
-        # A lens that no light leaves is improved blindly.
-        if number + 1 < _ROUNDS and flux is not None:
-            transport.improve(flux, FEW_ROUNDS if number + 2 < _ROUNDS else MOST_ROUNDS)
+        heights = faces.bent(transport, traced, heights)
+        if number + 1 < _ROUNDS:
+            traced = light.through(heights)
+            # A lens that no light leaves is improved blindly.
+            if traced.flux is not None:
+                rounds = FEW_ROUNDS if number + 2 < _ROUNDS else MOST_ROUNDS
+                transport.improve(traced.flux, rounds)
     return heights
-
-
-class Traced(NamedTuple):
-    """Light of each cell in a lens; arrays of shape (cells, cells).
-
-    Attributes
-    ----------
-    entrance, exit : tuple of three ndarray
-        Places where it meets the faces; of light that does not, where it ends.
-    glass : tuple of three ndarray
-        Unit vectors along which it goes between the faces.
-    flux : ndarray, optional
-        Of what leaves the lens, all together 1; None where that is none.
-    """
-
-    entrance: Vector
-    exit: Vector
-    glass: Vector
-    flux: Array | None
-
-
-class Light:
-    """Light of a scene through cells of the plane before the lens."""
-
-    def __init__(self, scene: Scene, cells: int) -> None:
-        lens = scene.optic
-        scene = scene.model_copy(update={"source": scene.source.sharp})
-        self._path = Path.of(scene, freeform_nets(lens)["exit"], torch.float64)
-        origins = emitter_of(scene.source, lens).origins
-        rays = through_cells(origins, lens, (cells, cells))
-        x, y, z = rays.position
-        self._rays = rays._replace(position=(x, y, z - self._path.datum))
-        self.split = 0.5 / lens.index if origins.infinite else _NEAR_PART
-        self.coming = _three([part.numpy() for part in rays.direction])
-        self._width = [2 * r / cells for r in lens.half_width]
-        self._corner = [-r for r in lens.half_width]
-
-    def through(self, heights: dict[str, Array]) -> Traced:
-        """The light in a lens with these control heights."""
-        tensors = {face: torch.as_tensor(z) for face, z in heights.items()}
-        found, rays = [], self._rays
-        with torch.no_grad():
-            for surface, interface, _ in self._path.steps:
-                meeting = surface.meet(rays, tensors)
-                rays = interface.turn(rays, meeting).rays
-                found += [meeting.position, rays.direction]
-        flux = rays.flux.numpy()
-        entrance, glass, exit_face, _ = (
-            _three([np.broadcast_to(part.numpy(), flux.shape) for part in vector])
-            for vector in found
-        )
-        total = float(flux.sum())
-        return Traced(
-            _lifted(entrance, self._path.datum),
-            _lifted(exit_face, self._path.datum),
-            glass,
-            flux / total if total > 0 else None,
-        )
-
-    def evenly(self, values: tuple[Array, Array], place: Vector) -> list[Array]:
-        """Values of the light that comes to the middles of even cells of a face.
-
-        Parameters
-        ----------
-        values : tuple of ndarray, shape (cells, cells)
-            Of the light of each cell of the plane before the lens.
-        place : tuple of three ndarray
-            Where that meets the face.
-        """
-        # In cells of the face; beyond the last light the nearest counts.
-        at = [
-            (part - corner) / width - 0.5
-            for part, corner, width in zip(place[:2], self._corner, self._width, strict=True)
-        ]
-        own = np.indices(at[0].shape).astype(np.float64)
-        off = [part - mine for part, mine in zip(at, own, strict=True)]
-        cell = own.copy()
-        for _ in range(_STEPS):
-            # What comes from a cell is off by about as much as what comes from beside it.
-            new = np.stack(
-                [mine - _between(part, cell) for mine, part in zip(own, off, strict=True)]
-            )
-            new = (cell + new) / 2
-            moved = np.abs(new - cell).max()
-            cell = new.clip(0, len(own[0]) - 1)
-            if moved < _NEAR:
-                break
-        return [_between(each, cell) for each in values]
 
 
 class _Faces(NamedTuple):
     """Finds faces that send light where a transport says."""
 
     scene: Scene
-    light: Light
+    light: TwoFaceLight
     fits: dict[str, SlopeFit]
     limits: dict[str, HeightLimits]
 
-    def bent(self, transport: Transport, heights: dict[str, Array]) -> dict[str, Array]:
-        """Control heights of both faces, from those of a lens like it."""
+    def bent(
+        self, transport: Transport, traced: LightInLens, heights: dict[str, Array]
+    ) -> dict[str, Array]:
+        """Control heights of both faces, from those of a lens like it and the light in that."""
         receiver, n = self.scene.receiver, self.scene.optic.index
         to_u, to_v = destinations(transport, receiver)
-        for _ in range(_FITS):
-            traced = self.light.through(heights)
+        for fit in range(_FITS):
+            if fit:
+                traced = self.light.through(heights)
             leaving = _three(receiver.towards(self.scene.optic, traced.exit, to_u, to_v))
             entrance = self._entrance(traced, leaving)
             traced = self.light.through({**heights, "entrance": entrance})
             leaving = _three(receiver.towards(self.scene.optic, traced.exit, to_u, to_v))
             bends = slopes(traced.glass, leaving, n, 1.0)
-            bent = self.fits["exit"].heights(*self.light.evenly(bends, traced.exit))
+            bent = self.fits["exit"].heights(*self.light.evenly(bends, "exit", traced.exit))
             heights = {"entrance": entrance, "exit": self.limits["exit"].placed(bent)}
         return heights
 
-    def _entrance(self, traced: Traced, leaving: Vector) -> Array:
-        """The entrance face that bends light by half, or by less where that does not fit."""
+    def _entrance(self, traced: LightInLens, leaving: Vector) -> Array:
+        """The entrance face that bends light by its part, or by less where that does not fit."""
         coming, limits, n = self.light.coming, self.limits["entrance"], self.scene.optic.index
-        part = self.light.split
+        part = 0.5 / n if self.light.collimated else _NEAR_PART
         for _ in range(_TRIALS):
             x, y, z = ((1 - part) * a + part * b for a, b in zip(coming, leaving, strict=True))
             bends = slopes(coming, unit((x, y, z)), 1.0, n)
-            bent = self.fits["entrance"].heights(*self.light.evenly(bends, traced.entrance))
+            bends = self.light.evenly(bends, "entrance", traced.entrance)
+            bent = self.fits["entrance"].heights(*bends)
             lacks = limits.lacks(bent)
             if lacks <= 0:
                 return limits.placed(bent)
@@ -228,12 +141,6 @@ def slopes(before: Vector, behind: Vector, index: float, other: float) -> tuple[
     return -x / z, -y / z
 
 
-def _between(values: Array, cell: Array) -> Array:
-    from scipy.ndimage import map_coordinates  # late: it takes long to import
-
-    return np.asarray(map_coordinates(values, cell, order=1, mode="nearest"))
-
-
 def unit(vector: Vector) -> Vector:
     """Vectors of length 1 along others."""
     x, y, z = vector
@@ -244,8 +151,3 @@ def unit(vector: Vector) -> Vector:
 def _three(parts: Sequence[Array]) -> Vector:
     x, y, z = parts
     return x, y, z
-
-
-def _lifted(place: Vector, by: float) -> Vector:
-    x, y, z = place
-    return x, y, z + by
