@@ -149,3 +149,44 @@ def test_a_shortfall_is_one_plain_sentence(shortfall, sentence):
 def test_a_shortfall_is_converted_with_its_lens():
     short = Shortfall("height_range", (-2.0, 3.0), (-0.5, 0.5), 0.4).scaled(10.0)
     assert (short.needed, short.allowed) == ((-20.0, 30.0), (-5.0, 5.0))
+
+
+ENTRANCE = {"lens.entrance": {"shape": "freeform", "height_range": [-0.1, 0.1]}}
+
+
+def test_an_entrance_face_that_fills_its_range_is_reported(make_scene, corner):
+    half = np.where(np.arange(24)[:, None] < 12, -0.09, 0.09) * np.ones((24, 24))
+    room = Room(make_scene(FREE | ENTRANCE), corner)
+    short = room.shortfall({"exit": np.full((24, 24), 0.5), "entrance": half})
+    assert (short.cause, short.allowed) == ("entrance_range", (-0.1, 0.1))
+    assert short.share == pytest.approx(0.9)
+    assert short.sentence("cm") == (
+        "The entrance face fills 90 % of its range of ±0.1 cm, and would bend more of the light "
+        "in a wider one"
+    )
+    assert short.cure == "widen the entrance range"
+
+
+def test_an_entrance_face_with_room_or_locked_or_of_automatic_range_is_no_shortfall(
+    make_scene, corner
+):
+    exit_face = np.full((24, 24), 0.5)
+    half = np.where(np.arange(24)[:, None] < 12, -0.1, 0.1) * np.ones((24, 24))
+    for entrance in (0.8 * half, np.full((24, 24), -0.1)):
+        room = Room(make_scene(FREE | ENTRANCE), corner)
+        assert room.shortfall({"exit": exit_face, "entrance": entrance}) is None
+    heights = {"exit": exit_face, "entrance": half}
+    locked = {"entrance": np.ones((24, 24), dtype=bool)}
+    assert Room(make_scene(FREE | ENTRANCE), corner, heights, locked).shortfall(heights) is None
+    automatic = make_scene(FREE | {"lens.entrance": {"shape": "freeform"}})
+    assert Room(automatic, corner).shortfall(heights) is None
+
+
+def test_a_run_whose_entrance_range_is_too_narrow_says_so(make_scene, corner):
+    narrow = {"lens.entrance": {"shape": "freeform", "height_range": [-0.01, 0.01]}}
+    *_, last = run(make_scene(FREE | narrow | {"run.iterations": 8}), corner)
+    assert last.state.shortfall.cause == "entrance_range"
+    assert last.state.shortfall.allowed == (-0.01, 0.01)
+    wide = {"lens.entrance": {"shape": "freeform", "height_range": [-0.1, 0.3]}}
+    *_, last = run(make_scene(FREE | wide | {"run.iterations": 8}), np.ones((32, 32)))
+    assert last.state.shortfall is None

@@ -37,11 +37,15 @@ from workbench.pictures.images import LIGHT
 if TYPE_CHECKING:
     from ui.shown.frame import Frame
     from workbench.files.session import Session
+    from workbench.geometry.faces import ControlHeights
+    from workbench.pictures.dots import Dots
     from workbench.pictures.lens import LensPicture
     from workbench.pictures.sight import Sight
     from workbench.pictures.source_handles import SourceHandles
     from workbench.scene import Optic, Scene, Source
 
+_SPOT = 5.0  # pixels
+_SPOTS = {True: "#ff5a5a", False: "#c81e1e"}  # by dark; as rays that are lost
 _NOTCH = 1.2  # times as large, by a notch of the wheel
 
 
@@ -72,6 +76,8 @@ class SceneView(View):
         self.nets.changed.connect(self._ask)
         self._tool: Tool | None = None
         self._shown: Session | None = None
+        self._spots: tuple[ControlHeights, npt.NDArray[np.float64]] | None = None
+        self._dots: Dots | None = None
         self._held: npt.NDArray[np.float64] | None = None  # what the camera was turned to
         self._placement: dict[str, Any] | None = None  # of the camera, once the design is there
         self._closed = False
@@ -209,6 +215,11 @@ class SceneView(View):
         self._rays = rays
         self._ask()
 
+    def show_spots(self, heights: "ControlHeights", places: npt.NDArray[np.float64]) -> None:
+        """Mark places of a lens with these heights, shape (n, 3), as long as it is on show."""
+        self._spots = heights, places
+        self._ask()
+
     def explode(self, exploded: bool) -> None:
         """Draw long distances short and a large screen small, or all to scale."""
         self._exploded = exploded
@@ -224,7 +235,7 @@ class SceneView(View):
     def close_plotter(self) -> None:
         """Free what VTK holds; the view stays empty from then on. Safe to call twice."""
         self._closed = True
-        self._picture = self._handles = self._sight = None
+        self._picture = self._handles = self._sight = self._dots = None
         self.nets.close()
         if self._plotter is not None:
             self._plotter.close()
@@ -296,6 +307,10 @@ class SceneView(View):
         assert handles is not None  # made with the picture
         if tool is not None:
             self._hint.setText(tool.hint)
+        if self._dots is not None:
+            spots = self._spots
+            here = spots is not None and spots[0] == frame.state.heights
+            self._dots.place(spots[1] if spots is not None and here else np.zeros((0, 3)))
         self.nets.draw(frame.state.heights, tool is not None and tool.shows_net)
         handles.show(frame.source if tool is not None and tool.shows_handles else None)
 
@@ -319,6 +334,7 @@ class SceneView(View):
             self._plotter.setCursor(self._tool.cursor)
 
     def _begin(self, session: "Session") -> None:
+        from workbench.pictures.dots import Dots
         from workbench.pictures.lens import LensPicture
         from workbench.pictures.sight import Sight
         from workbench.pictures.source_handles import SourceHandles
@@ -339,6 +355,8 @@ class SceneView(View):
         )
         self.nets.begin(self._plotter, scene.optic, dark=dark)
         self._handles = SourceHandles(self._plotter, dark=dark)
+        self._dots = Dots(self._plotter, _SPOT)
+        self._dots.colour(_SPOTS[dark])
         self._sight = Sight(self._plotter)
         if moved:
             self._picture.fit()
@@ -353,6 +371,8 @@ class SceneView(View):
     def _recolour(self) -> None:
         if self._picture is not None:
             self._picture.recolour(self.is_dark())
+        if self._dots is not None:
+            self._dots.colour(_SPOTS[self.is_dark()])
         self.nets.recolour(self.is_dark())
         if self._handles is not None:
             self._handles.recolour(self.is_dark())

@@ -17,6 +17,7 @@ from ui.lens.tools import LensTools
 from ui.notices.lost_light import LostLightNotice
 from ui.notices.postponed_edits import PostponedEdits
 from ui.notices.shortfall import ShortfallNotice
+from ui.notices.total_reflection import TotalReflectionNotice
 from ui.run.bound import BoundOfDesign
 from ui.run.control import RunControl
 from ui.run.follow import Follow
@@ -76,6 +77,9 @@ class LoadedParts(QObject):
         lost_light = LostLightNotice(document, self.control, messages)
         self.follow.settled.connect(lambda: shortfall.follow(document.session))
         self.follow.settled.connect(lost_light.say)
+        self.reflection = TotalReflectionNotice(document, self.control, views.scene)
+        self.reflection.said.connect(self._tell_of_reflection)
+        self.follow.settled.connect(self.reflection.look)
         docked = {
             **views.docked,
             **production.panes,
@@ -115,7 +119,7 @@ class LoadedParts(QObject):
     def close(self) -> None:
         """End all threads and free what VTK holds; safe to call twice."""
         engines = (self.follow, self.control, self.check, self.plots, self.runs, self.production)
-        for part in (*engines, self.bound, self.views, self.tools):
+        for part in (*engines, self.reflection, self.bound, self.views, self.tools):
             part.close()
 
     def _connect_run(self) -> None:
@@ -185,6 +189,13 @@ class LoadedParts(QObject):
         )
         commands.connect_toggles(self.views.toggles())
         commands.connect_choices(self.views.choices())
+
+    def _tell_of_reflection(self, sentence: str) -> None:
+        """In the message bar, unless something else is to be read there; it is logged anyway."""
+        if self._early.messages.text:
+            self._early.log.add(sentence)
+        else:
+            self._early.messages.note(sentence)
 
     def _show_frame(self, frame: "Frame") -> None:
         self._early.status.show_frame(frame, self.control.busy)

@@ -23,6 +23,8 @@ Array = npt.NDArray[np.float64]
 _TIMES, _LEAST = 3.0, 0.1
 # Heights within this part of their interval from its end are at the end; so many are no accident.
 _END, _MANY = 0.003, 0.02
+# An entrance face that fills so much of its range was flattened to fit it.
+_FULL = 0.85
 # What the first lens may lack, as a part of its extent along z, without being any worse.
 _TOLERABLE = 0.02
 
@@ -111,10 +113,27 @@ class Room:
         lens : mapping of str to ndarray, shape (n_u, n_v)
             Control heights of the faces of a lens of the run, scene units.
         """
+        return self._at_shaped_face(lens[self._face]) or self._at_entrance(lens)
+
+    def _at_entrance(self, lens: Mapping[str, Array]) -> Shortfall | None:
+        """What a freeform entrance face lacks: a first lens flattens it to fit its own range.
+
+        An automatic range is what thickness and source leave.
+        """
+        limits, allowed = self.limits.get("entrance"), self._lens.entrance.height_range
+        if limits is None or allowed is None:
+            return None
+        free = limits.shaping & ~self.locked.get("entrance", np.zeros_like(limits.shaping))
+        heights = lens["entrance"][free]
+        share = float(np.ptp(heights)) / (allowed[1] - allowed[0]) if heights.size else 0.0
+        return Shortfall("entrance_range", None, allowed, share) if share >= _FULL else None
+
+    def _at_shaped_face(self, heights: Array) -> Shortfall | None:
+        """What the face that the task shapes lacks."""
         looked = self._found is not None
         if not looked and self._lens.height_range is None:
             return None  # nothing has been chosen yet that heights could be at an end of
-        low, high = HeightLimits.of(self._ranged, self._net).ends(lens[self._face], _END)
+        low, high = HeightLimits.of(self._ranged, self._net).ends(heights, _END)
         if (locked := self.locked.get(self._face)) is not None:
             low, high = low & ~locked, high & ~locked
         share = float((low | high).mean())

@@ -3,7 +3,7 @@
 from dataclasses import dataclass, replace
 from typing import Literal
 
-Cause = Literal["height_range", "max_thickness", "min_thickness", "screen"]
+Cause = Literal["height_range", "max_thickness", "min_thickness", "screen", "entrance_range"]
 Interval = tuple[float, float]
 
 _CURES: dict[Cause, str] = {
@@ -11,6 +11,7 @@ _CURES: dict[Cause, str] = {
     "max_thickness": "thicker stock, or a smaller minimal thickness, lets the lens bend more",
     "min_thickness": "a higher base or a smaller minimal thickness gives it room",
     "screen": "move the screen away from the lens",
+    "entrance_range": "widen the entrance range",
 }
 
 
@@ -21,15 +22,16 @@ class Shortfall:
     Attributes
     ----------
     cause : str
-        The limit: "height_range", "max_thickness", "min_thickness", or "screen" for one so near
-        that the exit face has no room before it.
+        The limit: "height_range", "max_thickness", "min_thickness", "screen" for one so near
+        that the exit face has no room before it, or "entrance_range".
     needed : tuple[float, float], optional
-        Of a height range, the offsets from the base that the task needs; else the thinnest and the
-        thickest place; scene units. None where that is not known.
+        Of a range, the offsets from the place of the face that the task needs; else the thinnest
+        and the thickest place; scene units. None where that is not known.
     allowed : tuple[float, float]
         The same as it is allowed.
     share : float
-        Part of the control heights that are at an end of their interval.
+        Part of the control heights that are at an end of their interval; of an entrance range,
+        the part that the face fills.
     """
 
     cause: Cause
@@ -51,6 +53,11 @@ class Shortfall:
             if self.needed is not None:
                 return f"The lens needs {_offsets(self.needed)} {unit}; {allowed}"
             return f"{self._ends} an end of their range; {allowed}"
+        if self.cause == "entrance_range":
+            return (
+                f"The entrance face fills {100 * self.share:.0f} % of its range of "
+                f"{_offsets(self.allowed)} {unit}, and would bend more of the light in a wider one"
+            )
         if self.cause == "min_thickness":
             return f"{self._ends} the minimal thickness of {thinnest:.3g} {unit}"
         limit = (

@@ -133,3 +133,15 @@ def test_without_a_tool_or_a_mark_nothing_is_picked(sculpting, qtbot):
     qtbot.waitUntil(lambda: nets._pictures["entrance"]._marked == (2, 2))
     assert nets.picture._marked is None
     assert nets.pick(x, y) == ControlPoint("exit", (6, 5))
+
+
+def test_marked_places_are_shown_with_their_lens_alone(sculpting, drag, qtbot):
+    bench, view = sculpting, sculpting.view
+    places = np.array([[0.2, 0.1, 0.5], [0.3, 0.1, 0.5]])
+    view.show_spots(view.frame.state.heights, places)
+    qtbot.waitUntil(lambda: bool(view._dots._actor.visibility))
+    np.testing.assert_allclose(view._dots._mesh.points, places)
+    held = drag(view, control_point(bench, (6, 5)))
+    held.move(upwards(view, 0.05))
+    held.release()
+    qtbot.waitUntil(lambda: not view._dots._actor.visibility, timeout=20_000)

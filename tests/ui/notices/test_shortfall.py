@@ -142,3 +142,13 @@ def test_what_was_said_of_a_run_goes_with_it_where_its_best_lens_lacks_nothing(d
     assert any("goes on within these limits" in text for text in said)
     assert desk.document.session.result.state.shortfall is None
     assert desk.messages.text == ""
+
+
+def test_a_narrow_entrance_range_is_said_with_its_cure(desk, qtbot):
+    desk.fall_short(Shortfall("entrance_range", None, (-0.01, 0.01), 0.9))
+    design(desk, qtbot)
+    assert desk.messages.text == (
+        "The entrance face fills 90 % of its range of ±0.01 cm, and would bend more of the light "
+        "in a wider one. Widen the entrance range."
+    )
+    assert offers(desk) == []

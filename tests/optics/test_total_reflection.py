@@ -1,0 +1,59 @@
+"""Where light is totally reflected."""
+
+import numpy as np
+import pytest
+import torch
+
+from workbench.geometry.surface import ControlNet, freeform_nets
+from workbench.optics.plan import Plan
+from workbench.optics.total_reflection import total_reflection
+
+ENTRANCE = {"shape": "freeform", "height_range": [-0.1, 0.1]}
+
+
+def steep(scene):
+    """An exit face that is flat but for a slope of 1.2 in the quarter where x and y are large."""
+    x, y = ControlNet.of(scene.lens).positions
+    rise = 1.2 * np.clip(x - 0.3, 0, None)[:, None] * (y > 0.1)
+    heights = {face: np.zeros(net.shape) for face, net in freeform_nets(scene.lens).items()}
+    return heights | {"exit": 0.5 + rise}
+
+
+@pytest.mark.parametrize("changes", [{}, {"lens.entrance": ENTRANCE}], ids=["one", "two faces"])
+def test_its_places_are_on_the_steep_part_and_carry_what_the_account_says(make_scene, changes):
+    scene = make_scene({"lens.control_points": [24, 24]} | changes)
+    heights = steep(scene)
+    found = total_reflection(scene, heights)
+    tensors = {face: torch.tensor(each) for face, each in heights.items()}
+    account = Plan(scene, dtype=torch.float64).trace(tensors).account
+    assert found.share == pytest.approx(account.lost["total_reflection"], rel=0.05)
+    x, y, z = found.places.T
+    assert x.min() > 0.2 and y.min() > -0.1
+    exact, *_ = ControlNet.of(scene.lens).at(x, y, heights["exit"])
+    np.testing.assert_allclose(z, exact, atol=1e-9)
+    x, y = found.middle
+    assert x > 0.3 and y > 0.1
+    assert found.sentence(scene) == (
+        f"{100 * found.share:.2g} % of the light is totally reflected at the exit face, "
+        f"most of it around x = {x:.3g}, y = {y:.3g} cm"
+    )
+
+
+def test_the_middle_is_a_bright_place_where_light_is_reflected_at_two(make_scene):
+    scene = make_scene({"lens.control_points": [24, 24]})
+    x, y = ControlNet.of(scene.lens).positions
+    rise = 1.2 * np.clip(np.abs(x) - 0.6, 0, None)[:, None] + 0 * y
+    found = total_reflection(scene, {"exit": 0.5 + rise})
+    assert found.places[:, 0].min() < -0.5 and found.places[:, 0].max() > 0.5
+    assert abs(found.middle[0]) > 0.5
+
+
+def test_a_plate_reflects_nothing_totally(make_scene):
+    scene = make_scene()
+    assert total_reflection(scene, {"exit": np.full((12, 10), 0.5)}) is None
+
+
+def test_a_mirror_reflects_nothing_totally(make_scene):
+    mirror = {"half_width": [1, 1], "control_points": [8, 8]}
+    scene = make_scene({"lens": None, "mirror": mirror, "screen.z": -5.0})
+    assert total_reflection(scene, {"mirror": np.zeros((8, 8))}) is None

@@ -1,0 +1,71 @@
+"""What the window says of total reflection in a finished lens."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QObject
+
+from ui.document.document import Document
+from ui.notices.total_reflection import TotalReflectionNotice
+from ui.run.control import RunControl
+from workbench.geometry.faces import FaceArrays
+from workbench.geometry.surface import ControlNet
+from workbench.optics.account import Account
+
+
+class View:
+    """Takes what is to be marked."""
+
+    def __init__(self):
+        self.spots = []
+
+    def show_spots(self, heights, places):
+        self.spots.append((heights, places))
+
+
+@pytest.fixture
+def desk(qtbot, session, as_run):
+    owner = QObject()
+    owner.document = Document(session, "small")
+    owner.document.setParent(owner)
+    owner.control, owner.view, owner.said = RunControl(owner.document, owner), View(), []
+    x, _ = ControlNet.of(session.scene.lens).positions
+    rise = 1.2 * np.clip(x - 0.3, 0, None)[:, None] * np.ones((12, 10))
+
+    def end(share):
+        def run(scene, target, start=None, locked=None):
+            for shot in as_run(2)(scene, target):
+                account = Account(1 - share, {"total_reflection": share})
+                heights = FaceArrays({"exit": 0.5 + rise})
+                yield replace(shot, state=replace(shot.state, account=account, heights=heights))
+            return "all iterations are done"
+
+        owner.control.runner._generate = run
+        with qtbot.waitSignal(owner.control.ended):
+            owner.control.start()
+
+    owner.end = end
+    owner.notice = TotalReflectionNotice(owner.document, owner.control, owner.view)
+    owner.notice.said.connect(owner.said.append)
+    yield owner
+    owner.notice.close()
+    owner.control.close()
+    owner.deleteLater()
+
+
+def test_it_is_said_and_marked_where_it_is(desk, qtbot):
+    desk.end(0.2)
+    qtbot.waitUntil(lambda: bool(desk.said), timeout=60_000)
+    (sentence,) = desk.said
+    assert (
+        "% of the light is totally reflected at the exit face, most of it around x = " in sentence
+    )
+    assert "as marked in the 3D scene. Thicker stock" in sentence
+    ((heights, places),) = desk.view.spots
+    assert heights == desk.document.session.heights and places[:, 0].min() > 0.1
+
+
+def test_nothing_is_looked_for_where_nothing_is_reflected(desk, qtbot):
+    desk.end(0.0)
+    assert not desk.notice._background.running and not desk.said

@@ -1,0 +1,91 @@
+"""Where light of a finished optic is totally reflected."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+import torch
+
+from workbench.geometry.surface import ControlNet
+from workbench.optics.path import Path
+from workbench.scene import Scene
+
+Array = npt.NDArray[np.float64]
+
+_NAME = "total_reflection"  # in the light account
+_CELLS = 16  # along each axis, of which the brightest is named
+
+
+@dataclass(frozen=True, eq=False)
+class TotalReflection:
+    """Light that cannot leave through a face.
+
+    Attributes
+    ----------
+    places : ndarray, shape (n, 3)
+        Where each of its rays meets the face, scene units.
+    flux : ndarray, shape (n,)
+        What each of them carries, as a part of the light of the source.
+    """
+
+    places: Array
+    flux: Array
+
+    @property
+    def share(self) -> float:
+        """How much of the light of the source it is."""
+        return float(self.flux.sum())
+
+    @property
+    def middle(self) -> tuple[float, float]:
+        """The x and y about which there is most of it.
+
+        That of all of it would be in the middle of the lens where the whole rim reflects.
+        """
+        x, y = self.places[:, 0], self.places[:, 1]
+        low, width = self.places.min(axis=0), np.ptp(self.places, axis=0)
+        cell = ((self.places - low) / np.where(width > 0, width, 1.0) * _CELLS).astype(int)
+        number = cell[:, 0].clip(0, _CELLS - 1) * _CELLS + cell[:, 1].clip(0, _CELLS - 1)
+        here = number == np.bincount(number, self.flux).argmax()
+        return (
+            float(np.average(x[here], weights=self.flux[here])),
+            float(np.average(y[here], weights=self.flux[here])),
+        )
+
+    def sentence(self, scene: Scene) -> str:
+        """How much it is, and where there is most of it."""
+        x, y = self.middle
+        return (
+            f"{100 * self.share:.2g} % of the light is totally reflected at the "
+            f"{scene.optic.face_called}, most of it around x = {x:.3g}, y = {y:.3g} {scene.unit}"
+        )
+
+
+def total_reflection(scene: Scene, heights: Mapping[str, Array]) -> TotalReflection | None:
+    """Where light of an optic is totally reflected; None if none is.
+
+    Parameters
+    ----------
+    scene : Scene
+        The scene, whose source gives the rays.
+    heights : mapping of str to ndarray, shape (n_u, n_v)
+        Control heights of each freeform face by its name, scene units.
+    """
+    path = Path.of(scene, ControlNet.of(scene.optic), torch.float64)
+    tensors = {face: torch.tensor(each) for face, each in heights.items()}
+    places, flux = [np.zeros((0, 3))], [np.zeros(0)]
+    rays = path.rays
+    with torch.no_grad():
+        for surface, interface, _ in path.shaped:
+            meeting = surface.meet(rays, tensors)
+            passed = interface.turn(rays, meeting)
+            lost = passed.lost.get(_NAME)
+            if lost is not None:
+                here = lost > 0
+                xyz = torch.stack([part.expand(here.shape)[here] for part in meeting.position], -1)
+                places.append(xyz.numpy() + np.array([0.0, 0.0, path.datum]))
+                flux.append(lost[here].numpy())
+            rays = passed.rays
+    found = TotalReflection(np.concatenate(places), np.concatenate(flux))
+    return found if len(found.flux) else None
