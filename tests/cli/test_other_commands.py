@@ -48,6 +48,7 @@ class TestValidate:
             "relative_l2_corrected",
             "relative_l2_corrected_interval",
             "relative_l2_interval",
+            "shading",
             "ssim",
             "uniformity",
         ]

@@ -52,6 +52,10 @@ _TIPS = {
     "contrast": "(lit − black) / (lit + black) of the mean irradiances there; black is up to a "
     "hundredth of the target's peak. 1 is a perfect black.",
     "efficiency": "Part of the emitted light that makes the image.",
+    "meets the face again": "Light that comes back to the face which it leaves, as in a deep bowl. "
+    "Image and efficiency count it as if nothing were in its way.",
+    "comes through the screen": "Light that the screen keeps from the mirror. Image and efficiency "
+    "count it as if the screen were not in its way; a screen beside the axis is not.",
     "off the optimiser's image": "Relative L2 difference to the image that the optimiser sees. Its "
     "filter and the scatter of these rays are in it.",
     "rays": "Rays of the image; a quarter as many more are traced for the error without scatter.",

@@ -21,6 +21,7 @@ from workbench.analysis.by_cells import ByCells
 from workbench.analysis.cells.image import imaging
 from workbench.analysis.metrics import Quality, paper_loss, product, relative_l2
 from workbench.analysis.scatter import FEWER, STUDENT_T, Unscattered
+from workbench.analysis.shading import Shading, shading_of
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import BATCHES
 from workbench.analysis.tracing.trace import Trace, added
@@ -75,6 +76,8 @@ class Validation:
         Flux per area on the screen, row 0 at +y.
     by_cells : ByCells, optional
         What cells say, where that was asked for and the source has not too many points.
+    shading : Shading, optional
+        Light that is counted although something is in its way, where cells were asked for.
     further : tuple of Validation
         The same of each further image, in their order.
     """
@@ -91,6 +94,7 @@ class Validation:
     noise: float
     irradiance: Array
     by_cells: ByCells | None = None
+    shading: Shading | None = None
     further: tuple["Validation", ...] = ()
 
     @property
@@ -125,6 +129,7 @@ class Validation:
             "rays": self.rays,
             "noise": self.noise,
             "deterministic": self.by_cells and self.by_cells.to_data(),
+            "shading": self.shading and self.shading.to_data(),
             **(further if self.further else {}),
         }
 
@@ -262,7 +267,7 @@ def _of_one(
     total, distances = yield from within(
         _traced(trace, target, threads), lambda part: traced_from + (middle - traced_from) * part
     )
-    account = _account(total)
+    account = total.account
     if account.on_screen == 0:
         raise RunFailed("no light of this lens reaches the screen, so there is no image to judge")
     irradiance = total.flux.reshape(target.shape)
@@ -292,6 +297,7 @@ def _of_one(
         noise=noise,
         irradiance=irradiance,
         by_cells=by_cells,
+        shading=None if accuracy is None else shading_of(scene, heights, seed, pose),
     )
 
 
@@ -381,15 +387,6 @@ def with_screen_at(scene: Scene, z: float) -> Scene:
     data = scene.to_data()
     data["screen"] = scene.receiver.moved_to(z).model_dump(mode="json")
     return Scene.from_data(data).with_contents_of(scene)
-
-
-def _account(tally: Tally) -> Account:
-    """The account of all light, as parts of what was emitted."""
-    lost = {"off_screen": float(tally.beside.sum()), **tally.lost}
-    return Account(
-        float(tally.flux.sum()) / tally.emitted,
-        {name: flux / tally.emitted for name, flux in lost.items()},
-    )
 
 
 def _another(seed: int) -> int:

@@ -161,11 +161,12 @@ def _print(found: Validation, difference: float | None) -> None:
         "uniformity": f"{quality.uniformity:.5f}  (least over mean where the target is lit)",
         "contrast": _or_dash(quality.contrast, ".5f"),
         "optimiser's image": _or_dash(difference, ".5f", "  (relative L2 difference to it)"),
+        **(found.shading.figures if found.shading else {}),
         "rays": str(found.rays),
         **{name.replace("_", " "): f"{flux:.5f}" for name, flux in found.account.to_data().items()},
     }
     for name, value in lines.items():
-        print(f"{name:<18}{value}")
+        print(f"{name:<18}{value}" if len(name) < 18 else f"{name}: {value}")
 
 
 def _print_compared(found: CrossCheck) -> None:

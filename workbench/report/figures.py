@@ -5,6 +5,7 @@ import math
 from workbench.analysis.by_cells import ByCells
 from workbench.analysis.manufacture import Extreme, FaceFigures, Manufacture
 from workbench.analysis.manufacture_limits import Limits, verdicts
+from workbench.analysis.shading import Shading
 from workbench.analysis.tolerances import Distribution, Tolerances
 from workbench.analysis.validation import Validation
 from workbench.extended.bound import Bound
@@ -31,9 +32,15 @@ def check_rows(found: Validation, difference: float) -> tuple[Row, ...]:
         Row("uniformity", f"{quality.uniformity:.5f}"),
         Row("contrast", _or_dash(quality.contrast, ".5f")),
         Row("efficiency", percent(found.efficiency)),
+        *_shading_rows(found.shading),
         Row("off the optimiser's image", percent(difference)),
         Row("rays", f"{found.rays:,}"),
     )
+
+
+def _shading_rows(found: Shading | None) -> tuple[Row, ...]:
+    """Light that has something in its way."""
+    return tuple(Row(name, text) for name, text in found.figures.items()) if found else ()
 
 
 def _cell_rows(found: ByCells | None) -> tuple[Row, ...]:

@@ -11,6 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 Array = npt.NDArray[np.float64]
+Mask = npt.NDArray[np.bool_]
 
 
 class TracedRays(NamedTuple):
@@ -140,6 +141,23 @@ class Face(Protocol):
         """Where rays meet it."""
         ...
 
+    def met_again(self, rays: TracedRays, onwards: int) -> Array:
+        """Where rays that leave the face come back to it.
+
+        Parameters
+        ----------
+        rays : TracedRays
+            The rays, at the face.
+        onwards : int
+            1 if they are on the side of it to which +z is, -1 if on the other.
+
+        Returns
+        -------
+        ndarray, shape (m, 2)
+            x and y; NaN for those that do not come back.
+        """
+        ...
+
     def lit(self, source: FaceLight, origin: int, x: Array, y: Array) -> TracedRays:
         """Rays of one origin to places of the face, if nothing is before it.
 
@@ -181,6 +199,22 @@ class Detector(Protocol):
             The rays.
         places : ndarray, shape (m, 2)
             Gets column and row in pixels; not a finite number for rays that do not meet its plane.
+        """
+        ...
+
+    def in_the_way(self, rays: TracedRays, begin: float) -> Mask:
+        """Which rays pass through the first of the screens before they are where they are.
+
+        Parameters
+        ----------
+        rays : TracedRays
+            The rays.
+        begin : float
+            The z of the scene where they begin; minus infinity for those from far away.
+
+        Returns
+        -------
+        ndarray of bool, shape (m,)
         """
         ...
 

@@ -20,6 +20,7 @@ from workbench.analysis.tracing.sources import light_source
 from workbench.analysis.tracing.surfaces import FlatFace, FrontFace, SplineFace
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import freeform_nets
+from workbench.optics.account import Account
 from workbench.scene import AnyReceiver, Lens, Mirror, Scene
 
 # Rays followed together: what is made of them on the way stays within the cache.
@@ -50,6 +51,13 @@ class Tally:
         self.flux, self.beside = np.zeros((images, pixels)), np.zeros(images)
         self.emitted = 0.0
         self.lost: dict[str, float] = {}
+
+    @property
+    def account(self) -> Account:
+        """All light, as parts of what was emitted."""
+        lost = {"off_screen": float(self.beside.sum()), **self.lost}
+        parts = {name: flux / self.emitted for name, flux in lost.items()}
+        return Account(float(self.flux.sum()) / self.emitted, parts)
 
     def add(self, other: "Tally") -> None:
         """Take in the light of other rays."""
@@ -139,16 +147,16 @@ class OpticalTrain:
         """
         first = 0
         for some in rays.split(_AT_ONCE):
-            arrived = self._through_faces(some)
+            arrived = self.leaving(some)
             last = first + len(some.flux)
             self.detector.hits(arrived, places[first:last])
             flux[first:last] = arrived.flux
             first = last
 
     def _follow(self, rays: TracedRays, tally: Tally) -> None:
-        self.detector.count(self._through_faces(rays, tally), tally.flux, tally.beside)
+        self.detector.count(self.leaving(rays, tally), tally.flux, tally.beside)
 
-    def _through_faces(self, rays: TracedRays, tally: Tally | None = None) -> TracedRays:
+    def leaving(self, rays: TracedRays, tally: Tally | None = None) -> TracedRays:
         """The rays behind all faces; a tally gets what is lost."""
         for face, boundary in self.faces:
             crossings = face.meet(rays)

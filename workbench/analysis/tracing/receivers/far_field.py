@@ -5,7 +5,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from workbench.analysis.tracing.elements import Array, TracedRays
+from workbench.analysis.tracing.elements import Array, Mask, TracedRays
 from workbench.analysis.tracing.pose import Pose
 from workbench.compiled import jit
 from workbench.scene import FarField, Optic
@@ -39,6 +39,10 @@ class FarFieldDetector:
     def hits(self, rays: TracedRays, places: Array) -> None:
         """Find where rays go in the first of the images; see `Detector.hits`."""
         _hits(rays.direction, rays.flux, self._turn, self._scales[0], places)
+
+    def in_the_way(self, rays: TracedRays, begin: float) -> Mask:
+        """It is nowhere; see `Detector.in_the_way`."""
+        return np.zeros(len(rays.flux), dtype=bool)
 
 
 def _scale(far_field: FarField) -> Array:

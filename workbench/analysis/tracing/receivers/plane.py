@@ -6,7 +6,7 @@ from collections.abc import Sequence
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from workbench.analysis.tracing.elements import Array, TracedRays
+from workbench.analysis.tracing.elements import Array, Mask, TracedRays
 from workbench.analysis.tracing.pose import Pose
 from workbench.compiled import jit
 from workbench.scene import Optic, Screen
@@ -39,6 +39,19 @@ class PlaneDetector:
     def hits(self, rays: TracedRays, places: Array) -> None:
         """Find where rays meet the first of the screens; see `Detector.hits`."""
         _hits(*rays, *self._to_scene, self._planes[0], self._size, places)
+
+    def in_the_way(self, rays: TracedRays, begin: float) -> Mask:
+        """See `Detector.in_the_way`."""
+        turn, shift = self._to_scene
+        middle, away, columns, rows = self._planes[0]
+        place, way = rays.position @ turn.T + shift, rays.direction @ turn.T
+        with np.errstate(divide="ignore", invalid="ignore"):
+            ahead = (middle - place) @ away / (way @ away)
+            hit = place + way * ahead[:, None]
+        n_x, n_y = self._size
+        across, up = np.abs((hit - middle) @ columns), np.abs((hit - middle) @ rows)
+        found: Mask = (ahead < 0) & (across <= n_x / 2) & (up <= n_y / 2) & (hit[:, 2] > begin)
+        return found
 
 
 def _plane(screen: Screen, onwards: int) -> Array:

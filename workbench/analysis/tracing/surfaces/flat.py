@@ -36,6 +36,10 @@ class FlatFace:
         missed = _meet(*rays, self._z, self._half_width, self._curved, position, flux)
         return Crossings(position, self._normal, flux, missed)
 
+    def met_again(self, rays: TracedRays, onwards: int) -> Array:
+        """Nowhere: it is flat; see `Face.met_again`."""
+        return np.full((len(rays.flux), 2), np.nan)
+
     def lit(self, source: FaceLight, origin: int, x: Array, y: Array) -> TracedRays:
         """See `Face.lit`."""
         return source.through(origin, x, y, self._z)

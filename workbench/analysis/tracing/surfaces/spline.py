@@ -13,6 +13,9 @@ from workbench.scene import Optic
 
 # Places on the rim, over the half-width, by rounding.
 _RIM = 1 + 1e-9
+# How many places along a ray are looked at, at least and at most, whether it is back at the face,
+# and how far behind the face it is then at least, over the half-width.
+_LOOKS, _CLOSE = (32, 512), 1e-9
 
 
 class SplineFace:
@@ -69,6 +72,47 @@ class SplineFace:
         flux = np.empty_like(rays.flux)
         missed = meet(self._spline, *rays, position, normal, flux)
         return Crossings(position, normal, flux, missed)
+
+    def met_again(self, rays: TracedRays, onwards: int) -> Array:
+        """See `Face.met_again`: some places along each ray, two for each knot span up to a limit.
+
+        Rays that go away from the face faster than it anywhere follows are not looked at.
+        """
+        spline = self._spline
+        found = np.full((len(rays.flux), 2), np.nan)
+        direction = np.broadcast_to(rays.direction, rays.position.shape)
+        aside = np.abs(direction[:, :2])
+        follows = aside @ [spline.steepest_x, spline.steepest_y]
+        left = np.flatnonzero((rays.flux > 0) & (onwards * direction[:, 2] < follows))
+        if not left.size:
+            return found
+        length = self._length_beside(rays.position[left], direction[left], onwards)
+        spans = length * (aside[left] @ [spline.density_x, spline.density_y])
+        looks = int(np.clip(2 * spans.max(), *_LOOKS))
+        for part in np.arange(1, looks + 1) / looks:
+            place = rays.position[left] + direction[left] * (length * part)[:, None]
+            x, y, z = np.ascontiguousarray(place.T)
+            height, *slopes = np.empty((3, len(left)))
+            surface(spline, x, y, height, *slopes)
+            back = onwards * (z - height) < -_CLOSE * max(spline.r_x, spline.r_y)
+            found[left[back]] = place[back, :2]
+            left, length = left[~back], length[~back]
+        return found
+
+    def _length_beside(self, place: Array, way: Array, onwards: int) -> Array:
+        """How far rays go from the face until they are beside it or beyond all of it."""
+        far = self._spline.highest if onwards > 0 else self._spline.lowest
+        with np.errstate(divide="ignore", invalid="ignore"):
+            to_end = np.where(onwards * way[:, 2] > 0, (far - place[:, 2]) / way[:, 2], np.inf)
+            half = np.array([self._spline.r_x, self._spline.r_y])
+            scaled, slope = place[:, :2] / half, way[:, :2] / half
+            if self._spline.curved:
+                a, b = (slope**2).sum(axis=1), (scaled * slope).sum(axis=1)
+                c = (1 - (scaled**2).sum(axis=1)).clip(min=0)
+                to_rim = (np.sqrt(b * b + a * c) - b) / a
+            else:
+                to_rim = np.fmin(*((1 - np.sign(slope) * scaled).clip(min=0) / np.abs(slope)).T)
+        return np.asarray(np.fmin(to_end, to_rim).clip(min=0))
 
     def lit(self, source: FaceLight, origin: int, x: Array, y: Array) -> TracedRays:
         """See `Face.lit`."""
