@@ -3,9 +3,8 @@
 Nothing of the optimiser's path is used, see `workbench.analysis.tracing`: the face's polynomials
 come from `scipy.interpolate`, refraction from the part of a ray along the face, intersections from
 false position, the image from counting rays in pixels, all in float64. A lens that is fitted to the
-optimiser's fixed ray grid or to its smoothing filter is found out here. Where that is
-asked for, cells find its error without the scatter of random rays, see `workbench.analysis.cells`;
-random rays are the second opinion then.
+optimiser's fixed ray grid or to its smoothing filter is found out here. Where asked for, cells find
+its error without the scatter of rays, see `workbench.analysis.cells`; rays are a second opinion.
 """
 
 import math
@@ -267,7 +266,7 @@ def _of_one(
     total, distances = yield from within(
         _traced(trace, target, threads), lambda part: traced_from + (middle - traced_from) * part
     )
-    account = total.account
+    account = _account(total)
     if account.on_screen == 0:
         raise RunFailed("no light of this lens reaches the screen, so there is no image to judge")
     irradiance = total.flux.reshape(target.shape)
@@ -387,6 +386,13 @@ def with_screen_at(scene: Scene, z: float) -> Scene:
     data = scene.to_data()
     data["screen"] = scene.receiver.moved_to(z).model_dump(mode="json")
     return Scene.from_data(data).with_contents_of(scene)
+
+
+def _account(tally: Tally) -> Account:
+    """The account of all light, as parts of what was emitted."""
+    lost = {"off_screen": float(tally.beside.sum()), **tally.lost}
+    parts = {name: flux / tally.emitted for name, flux in lost.items()}
+    return Account(float(tally.flux.sum()) / tally.emitted, parts)
 
 
 def _another(seed: int) -> int:

@@ -20,7 +20,6 @@ from workbench.analysis.tracing.sources import light_source
 from workbench.analysis.tracing.surfaces import FlatFace, FrontFace, SplineFace
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import freeform_nets
-from workbench.optics.account import Account
 from workbench.scene import AnyReceiver, Lens, Mirror, Scene
 
 # Rays followed together: what is made of them on the way stays within the cache.
@@ -51,13 +50,6 @@ class Tally:
         self.flux, self.beside = np.zeros((images, pixels)), np.zeros(images)
         self.emitted = 0.0
         self.lost: dict[str, float] = {}
-
-    @property
-    def account(self) -> Account:
-        """All light, as parts of what was emitted."""
-        lost = {"off_screen": float(self.beside.sum()), **self.lost}
-        parts = {name: flux / self.emitted for name, flux in lost.items()}
-        return Account(float(self.flux.sum()) / self.emitted, parts)
 
     def add(self, other: "Tally") -> None:
         """Take in the light of other rays."""
