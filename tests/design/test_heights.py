@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from workbench.design.heights import HeightRange
-from workbench.geometry.surface import ControlNet, sample_surface
+from workbench.geometry.surface import ControlNet, sample_faces
 from workbench.scene import FlatBase, Lens, SphereBase
 
 BASES = [
@@ -54,7 +54,7 @@ def test_no_parameters_leave_the_range_or_make_the_lens_too_thin(seed, size, bas
     assert offset.max() <= 0.3 + 1e-12
     assert (offset.min() >= -0.2 - 1e-12) or heights.min() >= thickness
     assert heights.min() >= lens.entrance_z + thickness - 1e-12
-    surface = sample_surface(lens, heights, (40, 40))[..., 2]
+    surface = sample_faces(lens, {"exit": heights}, (40, 40))["exit"][..., 2]
     assert surface.min() >= lens.entrance_z + thickness - 1e-12
 
 

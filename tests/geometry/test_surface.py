@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.interpolate import NdBSpline
 
-from workbench.geometry.surface import ControlNet, sample_surface
+from workbench.geometry.surface import ControlNet, sample_faces
 
 NETS = [
     ControlNet((4, 4), (3, 3), (1.0, 1.0)),
@@ -74,7 +74,8 @@ def test_embedding_of_a_nested_net_is_knot_insertion(net, rng):
 def test_samples_run_along_x_then_y_and_include_the_rim(make_scene):
     lens = make_scene({"lens.half_width": [2.0, 0.5]}).lens
     x, y = ControlNet.of(lens).positions
-    points = sample_surface(lens, 0.5 + 0.1 * x[:, None] + 0.2 * y[None, :], (5, 3))
+    heights = {"exit": 0.5 + 0.1 * x[:, None] + 0.2 * y[None, :]}
+    points = sample_faces(lens, heights, (5, 3))["exit"]
     assert points.shape == (5, 3, 3)
     assert points[0, 0] == pytest.approx([-2, -0.5, 0.5 - 0.2 - 0.1])
     assert points[-1, 0] == pytest.approx([2, -0.5, 0.5 + 0.2 - 0.1])

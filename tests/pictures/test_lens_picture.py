@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from workbench.geometry.surface import sample_surface
+from workbench.geometry.surface import sample_faces
 from workbench.optics.paths import ray_paths
 from workbench.pictures.images import target_irradiance
 from workbench.pictures.lens import LensPicture
@@ -14,7 +14,7 @@ def state():
     def make(scene, offset=0.0, rays=(5, 5)):
         heights = np.full(scene.lens.net_shape, 0.5 + offset)
         return (
-            sample_surface(scene.lens, heights, (17, 17)),
+            sample_faces(scene.lens, {"exit": heights}, (17, 17)),
             ray_paths(scene, {"exit": heights}, rays),
             np.zeros(scene.screen.pixels[::-1]),
         )
@@ -314,3 +314,22 @@ def test_rays_are_coloured_by_outcome_or_weight(make_scene, plotter, state):
     picture.colour_rays(by_weight=False)
     none, full = picture._rays.cell_data["colour"][:, :3]
     np.testing.assert_array_equal(none, full)
+
+
+def test_both_faces_are_drawn_where_they_are(make_scene, plotter):
+    scene = make_scene({"version": 2, "lens.entrance": {"shape": "freeform"}})
+    entrance, exit_face = np.full((12, 10), 0.1), np.full((12, 10), 0.5)
+    entrance[5:7, 4:6] = -0.4
+    heights = {"entrance": entrance, "exit": exit_face}
+    picture = LensPicture(plotter, scene, np.ones((32, 32)))
+    faces = sample_faces(scene.lens, heights, (33, 33))
+    picture.update(faces, ray_paths(scene, heights, (3, 3)), np.zeros((32, 32)))
+    meshes = [
+        actor.mapper.dataset
+        for actor in plotter.actors.values()
+        if actor.GetPickable() and hasattr(actor, "mapper")
+    ]
+    (dented,) = (mesh for mesh in meshes if mesh.points[:, 2].min() < 0)
+    assert dented.points[:, 2].min() == pytest.approx(faces["entrance"][..., 2].min())
+    (walls,) = (mesh for mesh in meshes if mesh.faces.size == 4 * 32 * 5)
+    assert np.unique(walls.points[:, 2].round(6)).tolist() == pytest.approx([0.1, 0.5])

@@ -1,4 +1,5 @@
 import numpy as np
+import pytest
 
 from workbench.geometry.outlines import Ellipse
 from workbench.pictures import shapes
@@ -93,3 +94,32 @@ def test_a_curved_wall_closes_the_lens_and_has_no_upright_edges():
     assert ends == [9] * 8
     unit = shapes.normals(surface)
     np.testing.assert_allclose(unit, np.broadcast_to(unit[40], unit.shape), atol=1e-12)
+
+
+@pytest.mark.parametrize("straight", [True, False])
+def test_walls_between_two_faces_close_the_lens(straight):
+    """The flux of a constant field through a closed surface is nothing, that of x is its volume."""
+    surface = plane(5, 4, slope=0.1)
+    other = surface - [0, 0, 1.5]
+    other[..., 2] -= 0.3 * surface[..., 0] ** 2
+    volume, through = 0.0, np.zeros(3)
+    walls = shapes.wall_points(surface, other[..., 2])
+    for points, cells, sign in (
+        (surface.reshape(-1, 3), shapes.quads(5, 4), 1),
+        (other.reshape(-1, 3), shapes.quads(5, 4), -1),
+        (walls, shapes.wall_faces(5, 4, straight, flat=False), 1),
+    ):
+        for _, *corners in cells.reshape(-1, 5):
+            a, b, c, d = points[corners]
+            area = sign * np.cross(c - a, d - b) / 2
+            through += area
+            volume += area[2] * points[corners][:, 2].mean()
+    np.testing.assert_allclose(through, 0, atol=1e-12)
+    sizes = np.ptp(surface[..., 0]) * np.ptp(surface[..., 1])
+    x = np.unique(surface[..., 0])
+    expected = sizes * (1.5 + 0.3 * np.trapezoid(x**2, x) / np.ptp(x))
+    np.testing.assert_allclose(volume, expected)
+    lines = polygons(shapes.wall_lines(5, 4, straight, flat=False))
+    feet = walls[np.concatenate([line for line in lines if len(line) > 2][1::2])]
+    assert {tuple(place) for place in feet} < {tuple(p) for p in other.reshape(-1, 3)}
+    assert sum(len(line) == 2 for line in lines) == 4 * straight

@@ -31,8 +31,8 @@ class Frame:
         What is designed: scene and target of the snapshot.
     snapshot : Snapshot
         The lens and its image.
-    surface : ndarray, shape (m_u, m_v, 3)
-        Points of the exit face on a regular grid including its rim.
+    surfaces : dict of str to ndarray, shape (m_u, m_v, 3)
+        Points of each freeform face on a regular grid including its rim.
     source : Source
         What lights the lens in the snapshot's stage.
     paths : RayPaths
@@ -43,7 +43,7 @@ class Frame:
 
     session: "Session"
     snapshot: "Snapshot"
-    surface: Array
+    surfaces: dict[str, Array]
     source: "Source"
     paths: "RayPaths"
     result: "Result"
@@ -55,9 +55,9 @@ class Frame:
 
 
 def make_frame(session: "Session", snapshot: "Snapshot", history: "History") -> Frame:
-    """Sample the surface and follow the rays of a snapshot; meant for the worker's thread."""
+    """Sample the faces and follow the rays of a snapshot; meant for the worker's thread."""
     # Late: torch comes with it, and the window shows before that.
-    from workbench.geometry.surface import sample_surface
+    from workbench.geometry.surface import sample_faces
     from workbench.optics.paths import ray_paths
 
     scene, heights = session.scene, snapshot.state.heights
@@ -66,7 +66,7 @@ def make_frame(session: "Session", snapshot: "Snapshot", history: "History") -> 
     return Frame(
         session=session,
         snapshot=snapshot,
-        surface=sample_surface(scene.optic, heights[scene.optic.face], _SURFACE_SAMPLES),
+        surfaces=sample_faces(scene.optic, heights, _SURFACE_SAMPLES),
         source=source,
         paths=ray_paths(lit, heights, (RAYS, RAYS)),
         result=history.ended_with(snapshot),

@@ -142,5 +142,6 @@ def _until(at: int, checks: "tuple[Verified, ...]") -> "tuple[Verified, ...]":
 
 def _size(frame: "Frame") -> int:
     state, paths = frame.state, frame.paths
-    arrays = (*state.heights.values(), state.irradiance, frame.surface, frame.result.losses)
+    faces = *state.heights.values(), *frame.surfaces.values()
+    arrays = (*faces, state.irradiance, frame.result.losses)
     return sum(array.nbytes for array in (*arrays, paths.points, paths.weight))

@@ -290,7 +290,7 @@ class SceneView(View):
         if self._picture is not None and frame is not None:
             lit, paths = frame.state.irradiance, some_rays(frame.paths, self._rays)
             self._picture.set_colours(self._colours)
-            self._picture.update(frame.surface, paths, lit, frame.source)
+            self._picture.update(frame.surfaces, paths, lit, frame.source)
         if frame is not None:
             self._draw_tools(frame)
         self._plotter.repaint()

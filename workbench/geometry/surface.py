@@ -1,5 +1,6 @@
 """Freeform faces: tensor-product B-splines whose x and y are linear in u and v."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
@@ -289,23 +290,28 @@ def even_counts(half_width: tuple[float, float], longer: int) -> tuple[int, int]
     return n_x, n_y
 
 
-def sample_surface(optic: Optic, control_points: Array, count: tuple[int, int]) -> Array:
-    """Points of the exit face on a grid that includes the rim: regular where that is straight.
+def sample_faces(
+    optic: Optic, heights: Mapping[str, Array], count: tuple[int, int]
+) -> dict[str, Array]:
+    """Points of each freeform face on a grid that includes the rim: regular where that is straight.
 
     Parameters
     ----------
     optic : Optic
         The lens.
-    control_points : ndarray, shape (n_u, n_v)
-        Control heights, scene units.
+    heights : mapping of str to ndarray, shape (n_u, n_v)
+        Control heights of each freeform face by its name, scene units.
     count : tuple[int, int]
         Numbers of points along x and y.
 
     Returns
     -------
-    ndarray, shape (count_x, count_y, 3)
-        Scene units.
+    dict of str to ndarray, shape (count_x, count_y, 3)
+        Scene units; points of the faces are above each other.
     """
     u, v = (2 * np.linspace(0, 1, n) - 1 for n in count)
-    x, y, z, _, _ = ControlNet.of(optic).over(outline_of(optic), u, v, control_points)
-    return np.stack([x, y, z], axis=-1)
+    outline = outline_of(optic)
+    return {
+        face: np.stack(net.over(outline, u, v, heights[face])[:3], axis=-1)
+        for face, net in freeform_nets(optic).items()
+    }

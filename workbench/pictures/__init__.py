@@ -88,7 +88,7 @@ def lens_image(
     import pyvista as pv
     from vtkmodules.vtkCommonCore import vtkLogger
 
-    from workbench.geometry.surface import sample_surface
+    from workbench.geometry.surface import sample_faces
     from workbench.optics.paths import ray_paths
     from workbench.pictures.lens import LensPicture
 
@@ -99,7 +99,7 @@ def lens_image(
     try:
         picture = LensPicture(plotter, scene, session.target, explode=explode)
         picture.update(
-            sample_surface(scene.optic, heights[scene.optic.face], _SURFACE_SAMPLES),
+            sample_faces(scene.optic, heights, _SURFACE_SAMPLES),
             ray_paths(scene, heights, _RAYS),
             irradiance,
         )

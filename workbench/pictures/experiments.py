@@ -17,7 +17,7 @@ from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 from workbench.design.snapshot import Result
 from workbench.geometry.faces import ControlHeights
-from workbench.geometry.surface import sample_surface
+from workbench.geometry.surface import sample_faces
 from workbench.optics.paths import ray_paths
 from workbench.pictures.derivative import DerivativeImage
 from workbench.pictures.images import LIGHT, full_scale, signed_error, target_irradiance
@@ -189,7 +189,7 @@ def _block(block: SubFigure, design: Design) -> None:
     _image(off, scene, error, SIGNED, (-most, most))
     off.set_title(f"error, ± {most:g}", fontsize=_FONT)
     lit.set_title("irradiance", fontsize=_FONT)
-    _height_field(sag, scene, design.result.state.heights[scene.optic.face])
+    _height_field(sag, scene, design.result.state.heights)
     _traced(rays, scene, design.result.state.heights)
 
 
@@ -200,10 +200,10 @@ def _image(axes: Axes, scene: Scene, image: Array, colours: str, ends: tuple[flo
     axes.set_yticks([])
 
 
-def _height_field(axes: Axes, scene: Scene, heights: Array) -> None:
+def _height_field(axes: Axes, scene: Scene, heights: ControlHeights) -> None:
     """How far the exit face is from its base, with contours: the deviations are subtle."""
     optic = scene.optic
-    x, y, z = np.moveaxis(sample_surface(optic, heights, (_SAMPLES, _SAMPLES)), -1, 0)
+    x, y, z = np.moveaxis(sample_faces(optic, heights, (_SAMPLES, _SAMPLES))[optic.face], -1, 0)
     rise = z - optic.base.height_at(x, y)
     axes.contourf(x, y, rise, levels=24, cmap="viridis")
     axes.contour(x, y, rise, levels=24, colors="k", linewidths=0.25)
@@ -223,15 +223,10 @@ def _traced(axes: Axes, scene: Scene, heights: ControlHeights) -> None:
     optic, screen_z, half_width = scene.optic, scene.receiver.plane_z, scene.receiver.half_extent[0]
     reach = 1.15 * max(optic.half_width[0], half_width)
     axes.plot([screen_z, screen_z], [-half_width, half_width], "k", lw=1.5)
-    x, _, z = np.moveaxis(
-        sample_surface(optic, heights[scene.optic.face], (_SAMPLES, 3))[:, 1], -1, 0
-    )
-    axes.plot(
-        [optic.front_z, *z, optic.front_z, optic.front_z],
-        [x[0], *x, x[-1], x[0]],
-        color="#2f6f9f",
-        lw=1.0,
-    )
+    faces = sample_faces(optic, heights, (_SAMPLES, 3))
+    x, _, z = np.moveaxis(faces.pop(optic.face)[:, 1], -1, 0)
+    front = next((each[::-1, 1, 2] for each in faces.values()), np.full(len(z), optic.front_z))
+    axes.plot([*z, *front, z[0]], [*x, *x[::-1], x[0]], color="#2f6f9f", lw=1.0)
     axes.set_ylim(-reach, reach)
     axes.set_xlim(paths.points[:, 0, 2].min(), screen_z + 0.02 * (screen_z - optic.front_z))
     axes.set_title(f"{_RAYS} × {_RAYS} rays, seen from the side", fontsize=_FONT)

@@ -15,6 +15,7 @@ the right, row 0 at the top.
 """
 
 import math
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -24,6 +25,7 @@ from matplotlib import colormaps
 from vtkmodules.vtkRenderingCore import vtkBillboardTextActor3D
 
 from workbench.geometry.outlines import outline_of
+from workbench.geometry.surface import freeform_nets
 from workbench.pictures import shapes
 from workbench.pictures.camera import FittedCamera, in_view, start_z
 from workbench.pictures.exploded import explode_paths, exploded
@@ -56,7 +58,7 @@ class LensPicture:
     plotter : pyvista.BasePlotter
         Any empty plotter, off screen or in a window. Its background is set; its camera by `fit`.
     scene : Scene
-        What is drawn; until the first `update` the exit face is the base.
+        What is drawn; until the first `update` freeform faces are where they begin.
     target : ndarray, shape (n_y, n_x)
         Target image; the brightness of the screen is relative to it.
     dark : bool
@@ -104,7 +106,7 @@ class LensPicture:
 
     def update(
         self,
-        surface: Array,
+        surfaces: Mapping[str, Array],
         paths: "RayPaths",
         irradiance: Array,
         source: Source | None = None,
@@ -113,8 +115,8 @@ class LensPicture:
 
         Parameters
         ----------
-        surface : ndarray, shape (m_u, m_v, 3)
-            Points of the exit face on a regular grid including its rim.
+        surfaces : mapping of str to ndarray, shape (m_u, m_v, 3)
+            Points of each freeform face on a grid including its rim; see `sample_faces`.
         paths : RayPaths
             Rays from below the entrance face to the screen plane.
         irradiance : ndarray, shape (n_y, n_x)
@@ -126,7 +128,7 @@ class LensPicture:
         points = paths.points
         if self._explode:
             points, lit = explode_paths(points, lit), exploded(lit)
-        self._place_lens(surface)
+        self._place_lens(surfaces)
         self._place_source(lit)
         self._place_rays(paths._replace(points=points), lit)
         self._paint_screen(irradiance)
@@ -190,43 +192,50 @@ class LensPicture:
         optic = self._scene.optic
         side = np.linspace(-1, 1, _BASE_SAMPLES)
         x, y = outline_of(optic).from_square(side[:, None], side)
-        points = np.zeros((1, 3))
-        self._face, self._net, self._walls, self._edges = (pv.PolyData(points) for _ in range(4))
+        nets, points = freeform_nets(optic), np.zeros((1, 3))
+        self._walls, self._edges = pv.PolyData(points), pv.PolyData(points)
+        self._faces = {face: (pv.PolyData(points), pv.PolyData(points)) for face in nets}
         self._samples = (0, 0)
-        self._place_lens(np.stack([x, y, optic.base.height_at(x, y)], axis=-1))
-        self._add(self._walls, body=True, color=_GLASS, opacity=0.25, ambient=0.3)
-        self._add(
-            self._face,
-            body=True,
-            color=_GLASS,
-            opacity=0.88,
-            ambient=0.05,
-            diffuse=0.9,
-            specular=0.5,
-            specular_power=30,
+        self._place_lens(
+            {face: np.stack([x, y, optic.place_of(face, x, y)], axis=-1) for face in nets}
         )
-        self._lines.append(self._add(self._net, line_width=1.0, opacity=0.4, lighting=False))
+        self._add(self._walls, body=True, color=_GLASS, opacity=0.25, ambient=0.3)
+        for face, net in self._faces.values():
+            self._add(
+                face,
+                body=True,
+                color=_GLASS,
+                opacity=0.88,
+                ambient=0.05,
+                diffuse=0.9,
+                specular=0.5,
+                specular_power=30,
+            )
+            self._lines.append(self._add(net, line_width=1.0, opacity=0.4, lighting=False))
         self._lines.append(self._add(self._edges, line_width=1.5, lighting=False))
 
-    def _place_lens(self, surface: Array) -> None:
-        points = surface.reshape(-1, 3)
-        self._camera.top = float(points[:, 2].max())
-        walls = shapes.wall_points(surface, self._scene.optic.flat_z(points[:, 2]))
-        for mesh in (self._face, self._net):
-            mesh.points = points
+    def _place_lens(self, surfaces: Mapping[str, Array]) -> None:
+        optic = self._scene.optic
+        surface = surfaces[optic.face]
+        self._camera.top = float(surface[..., 2].max())
+        others = [surfaces[face][..., 2] for face in self._faces if face != optic.face]
+        walls = shapes.wall_points(surface, others[0] if others else optic.flat_z(surface[..., 2]))
         for mesh in (self._walls, self._edges):
             mesh.points = walls
         m_u, m_v = surface.shape[:2]
+        for face, (mesh, net) in self._faces.items():
+            mesh.points = net.points = surfaces[face].reshape(-1, 3)
+            if (m_u, m_v) != self._samples:
+                mesh.faces = shapes.quads(m_u, m_v)
+                net.lines = shapes.net_lines(m_u, m_v, _NET_FIELDS)
+                net.verts = np.zeros(0, dtype=np.int64)
+            mesh.point_data.active_normals = shapes.normals(surfaces[face])
         if (m_u, m_v) != self._samples:
             self._samples = (m_u, m_v)
-            self._face.faces = shapes.quads(m_u, m_v)
-            self._net.lines = shapes.net_lines(m_u, m_v, _NET_FIELDS)
-            straight = outline_of(self._scene.optic).whole
-            self._walls.faces = shapes.wall_faces(m_u, m_v, straight)
-            self._edges.lines = shapes.wall_lines(m_u, m_v, straight)
-            for mesh in (self._net, self._edges):
-                mesh.verts = np.zeros(0, dtype=np.int64)
-        self._face.point_data.active_normals = shapes.normals(surface)
+            straight = outline_of(optic).whole
+            self._walls.faces = shapes.wall_faces(m_u, m_v, straight, flat=not others)
+            self._edges.lines = shapes.wall_lines(m_u, m_v, straight, flat=not others)
+            self._edges.verts = np.zeros(0, dtype=np.int64)
 
     def _add_screen(self) -> None:
         optic, receiver = self._scene.optic, self._scene.receiver

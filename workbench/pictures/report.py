@@ -7,6 +7,7 @@ import numpy as np
 import numpy.typing as npt
 
 from workbench.design.session import Session, result_of
+from workbench.geometry.surface import freeform_nets
 from workbench.pictures import lens_image
 from workbench.pictures.images import ErrorImage, IrradianceImage, target_irradiance
 from workbench.pictures.loss import LossPicture
@@ -43,17 +44,22 @@ def draw_lens(figure: "FigureBase", session: Session, irradiance: Array) -> None
 
 
 def draw_images(figure: "FigureBase", session: Session, irradiance: Array) -> None:
-    """Draw irradiance, target, signed error and the height of each face over its base."""
+    """Draw irradiance, target, signed error and the height of each face over its place."""
     scene, target, result = session.scene, session.target, result_of(session)
-    (lit, wanted), (off, face) = figure.subplots(2, 2, gridspec_kw=_APART)
+    faces = list(reversed(freeform_nets(scene.optic)))
+    lit, wanted, off, *others = figure.subplots(1 + len(faces), 2, gridspec_kw=_APART).ravel()
     IrradianceImage(lit, scene, target).update(irradiance)
     IrradianceImage(wanted, scene, target).update(target_irradiance(scene, target))
     ErrorImage(off, scene, target).update(irradiance)
-    SurfaceImage(face, scene, ASPECTS[0]).update(result.state.heights[scene.optic.face])
     density = scene.receiver.density.capitalize()
-    titles = (density, "Target", f"{density} − target", "Exit face over its base")
-    for axes, title in zip((lit, wanted, off, face), titles, strict=True):
+    titles = [density, "Target", f"{density} − target"]
+    for axes, face in zip(others, faces, strict=False):
+        SurfaceImage(axes, scene, ASPECTS[0], face).update(result.state.heights[face])
+        titles.append(f"{scene.optic.face_in_words(face)} over its base".capitalize())
+    for axes, title in zip((lit, wanted, off, *others), titles, strict=False):
         axes.set_title(title, fontsize=_FONT)
+    for axes in others[len(faces) :]:
+        axes.set_axis_off()
 
 
 def draw_sections(figure: "FigureBase", session: Session, irradiance: Array) -> None:

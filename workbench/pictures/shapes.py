@@ -68,30 +68,28 @@ def normals(surface: Array) -> Array:
     return np.asarray(across.reshape(-1, 3))
 
 
-def wall_points(surface: Array, entrance_z: float) -> Array:
-    """Points of the four side walls: of each the rim, then the same down on the entrance plane.
+def wall_points(surface: Array, other_z: npt.ArrayLike) -> Array:
+    """Points of the four side walls: of each the rim, then the same on the other side.
 
     Parameters
     ----------
     surface : ndarray, shape (m_u, m_v, 3)
         Points of the exit face.
-    entrance_z : float
-        Where the entrance face is.
+    other_z : array_like
+        z of the other side below or above them, shape (m_u, m_v); a number if that is flat.
 
     Returns
     -------
     ndarray, shape (4 * (m_u + m_v), 3)
     """
-    parts = []
-    for rim in (surface[:, 0], surface[-1], surface[::-1, -1], surface[0, ::-1]):
-        foot = rim.copy()
-        foot[:, 2] = entrance_z
-        parts += [rim, foot]
-    return np.concatenate(parts)
+    other = surface.copy()
+    other[..., 2] = other_z
+    sides = [(side[:, 0], side[-1], side[::-1, -1], side[0, ::-1]) for side in (surface, other)]
+    return np.concatenate([rim for both in zip(*sides, strict=True) for rim in both])
 
 
-def wall_faces(m_u: int, m_v: int, straight: bool = True) -> Cells:
-    """Faces between the `wall_points` of each wall, and the entrance face between their feet.
+def wall_faces(m_u: int, m_v: int, straight: bool = True, flat: bool = True) -> Cells:
+    """Faces between the `wall_points` of each wall, and the other side, if that is flat.
 
     Straight walls stand on four corners.
     """
@@ -103,18 +101,18 @@ def wall_faces(m_u: int, m_v: int, straight: bool = True) -> Cells:
         feet.append(first + np.arange(count, count + 1 if straight else 2 * count - 1))
         first += 2 * count
     entrance = np.concatenate(feet)[::-1]  # seen from below, against the light
-    return np.concatenate([*(face.ravel() for face in faces), [len(entrance)], entrance])
+    closing = [[len(entrance)], entrance] if flat else []
+    return np.concatenate([*(face.ravel() for face in faces), *closing])
 
 
-def wall_lines(m_u: int, m_v: int, straight: bool = True) -> Cells:
+def wall_lines(m_u: int, m_v: int, straight: bool = True, flat: bool = True) -> Cells:
     """Outline of the lens through its `wall_points`: rim, foot; upright edges of straight walls."""
     lines, first = [], 0
     for count in (m_u, m_v, m_u, m_v):
         rim = np.arange(first, first + count)
+        lines += [rim, (rim[[0, -1]] if straight and flat else rim) + count]
         if straight:
-            lines += [rim, rim[[0, -1]] + count, np.array([first, first + count])]
-        else:
-            lines += [rim, rim + count]
+            lines.append(np.array([first, first + count]))
         first += 2 * count
     return polylines(lines)
 

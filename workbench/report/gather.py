@@ -121,6 +121,7 @@ def _of_image(session: Session, found: Validation, which: str) -> Iterator[Secti
     """What the check says of one image, of which the session knows alone."""
     scene, light = session.scene, found.irradiance
     difference = relative_l2(light, result_of(session).state.irradiance)
+    faces = [scene.optic.face_in_words(face) for face in reversed(freeform_nets(scene.optic))]
     yield Section(
         f"Independent check{which}",
         (*check_rows(found, difference), *bound_rows(Bound(scene, session.target))),
@@ -137,9 +138,9 @@ def _of_image(session: Session, found: Validation, which: str) -> Iterator[Secti
         f"Light {scene.receiver.place}{which}",
         pictures=(
             Picture(
-                "Images and exit face",
+                f"Images and {' and '.join(faces)}",
                 partial(pictures.draw_images, session=session, irradiance=light),
-                6.2,
+                3.1 * (1 + len(faces)),
             ),
             Picture(
                 f"Cross-sections through the middle of the {scene.receiver.called}",

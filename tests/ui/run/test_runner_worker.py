@@ -46,8 +46,9 @@ def test_frame_holds_what_is_drawn(session, as_run, work):
     work(job, as_run(3))
     frame = job.mailbox.take()
     assert frame.session is session
-    assert frame.surface.ndim == 3 and frame.surface.shape[2] == 3
-    np.testing.assert_allclose(frame.surface[..., 2], 0.5 - 0.003)
+    surface = frame.surfaces["exit"]
+    assert surface.ndim == 3 and surface.shape[2] == 3
+    np.testing.assert_allclose(surface[..., 2], 0.5 - 0.003)
     assert frame.paths.points.shape[1:] == (4, 3)
     np.testing.assert_allclose(frame.result.losses, [1 / 2, 1 / 3, 1 / 4])
 

@@ -44,7 +44,7 @@ def frame(session, at, size):
     return Fake(
         session=session,
         result=SimpleNamespace(losses=np.zeros(at), iterations=at),
-        surface=np.zeros(size // 8),
+        surfaces={"exit": np.zeros(size // 8)},
         state=SimpleNamespace(heights={"exit": np.zeros(0)}, irradiance=np.zeros(0)),
         paths=SimpleNamespace(points=np.zeros(0), weight=np.zeros(0)),
     )

@@ -17,9 +17,9 @@ def frame(at, size=1000):
     state = SimpleNamespace(heights={"exit": np.zeros(0)}, irradiance=np.zeros(0))
     paths = SimpleNamespace(points=np.zeros(0), weight=np.zeros(0))
     losses = np.broadcast_to(0.0, at)  # of any length, without memory of its own
-    surface = np.zeros(size // 8)
+    surfaces = {"exit": np.zeros(size // 8)}
     result = SimpleNamespace(losses=losses, iterations=at)
-    return SimpleNamespace(result=result, surface=surface, state=state, paths=paths)
+    return SimpleNamespace(result=result, surfaces=surfaces, state=state, paths=paths)
 
 
 def kept(history):
@@ -40,7 +40,10 @@ def test_many_frames_stay_within_the_budget_and_spread_evenly():
         found = kept(history)
         assert found[0] == 0 and found[-1] == at
         assert (
-            sum(each.surface.nbytes + 8 * iterations_before(each) for each in history.frames)
+            sum(
+                each.surfaces["exit"].nbytes + 8 * iterations_before(each)
+                for each in history.frames
+            )
             <= 1_000_000
         )
     gaps = np.diff(found[:-1])
