@@ -17,6 +17,7 @@ from ui.panels.rows import KindRow, Make
 from workbench.design.picture import LARGEST_PICTURE
 from workbench.files.session import Session
 from workbench.scene import FieldDescription, Finish
+from workbench.targets.tone import SRGB
 
 IMAGE_FILES = (
     "Images (*.png *.jpg *.jpeg *.svg *.bmp *.gif *.tif *.tiff *.webp *.pgm *.ppm *.jp2 *.tga "
@@ -91,7 +92,8 @@ class Thumbnail(QWidget):
 
     def show_target(self, target: npt.NDArray[np.float64], aspect: float) -> None:
         """Show an image (n_y, n_x), its brightest pixel white, on a screen of this aspect."""
-        greys = (255 * (target / target.max())).astype(np.uint8, order="C")
+        # As much light of the monitor for each pixel as there is on the screen.
+        greys = (255 * SRGB.stored(target / target.max())).round().astype(np.uint8, order="C")
         self._aspect = aspect
         rows, columns = greys.shape
         view = QImage(greys.data, columns, rows, columns, QImage.Format.Format_Grayscale8)

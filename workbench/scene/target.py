@@ -5,7 +5,7 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import ConfigDict, Field
 
 from workbench.errors import Refused
-from workbench.scene.fields import FILE, SINCE_2, Choices, Measure, Version, about
+from workbench.scene.fields import FILE, PLACE, SINCE_2, Choices, Measure, Version, about
 from workbench.scene.kinds import Kinds
 from workbench.scene.part import Part
 
@@ -101,6 +101,7 @@ class ImageTarget(Finish):
     crop: Annotated[
         tuple[_Cut, _Cut, _Cut, _Cut],
         SINCE_2,
+        PLACE,
         Measure("of the picture"),
         about(
             "Cut away",

@@ -499,7 +499,7 @@ def test_the_thumbnail_of_huge_and_tiny_values_is_that_of_their_ratios(forms):
     for scale in (1.0, 1.7e308, 1e-310):
         thumbnail.show_target(scale * light, 1)
         greys = [thumbnail._picture.pixelColor(column, 0).red() for column in range(3)]
-        assert greys == [0, 127, 255]
+        assert greys == [0, 188, 255]  # a monitor shows 188 with half the light of 255
 
 
 def test_an_image_is_not_read_again_during_a_run(forms, document, tmp_path):
