@@ -20,6 +20,7 @@ _TINY = {
 _SOURCES = (
     {"kind": "collimated", "rays": [1, 1]},
     {"kind": "point", "position": [0, 0, -5], "rays": 1},
+    {"kind": "collimated", "angular_diameter": 60},
 )
 
 

@@ -7,7 +7,9 @@ from functools import partial
 
 import numpy as np
 
+from workbench.analysis.cells.drawing import Drawing
 from workbench.analysis.cells.lattice import Lattice
+from workbench.analysis.cells.spots import Spots
 from workbench.analysis.cells.triangles import Array
 from workbench.analysis.metrics import relative_l2
 from workbench.analysis.tracing.elements import LightSource
@@ -69,10 +71,11 @@ def imaging(
     """Find the image of a lens by cells, step by step.
 
     Each level has cells of half the width of those before, and a source of some size has twice as
-    many origins; see `LightSource.finer`. If its error is a factor r smaller, the
-    difference of the two images over r − 1 is the error of the finer one. The factor is measured
-    from three levels, and is taken to be at most 4, that of second order: where the error falls
-    sooner, as it mostly does, the bound is above it.
+    many origins; see `LightSource.finer`. Where each place of a lens makes a wide spot of a disc of
+    directions, `Spots` are drawn, whose outlines have twice as many corners. If its error is a
+    factor r smaller, the difference of the two images over r − 1 is the error of the finer one. The
+    factor is measured from three levels, and is taken to be at most 4, that of second order: where
+    the error falls sooner, as it mostly does, the bound is above it.
 
     Parameters
     ----------
@@ -107,20 +110,20 @@ def imaging(
     check_body(scene, heights)
     pose = Pose() if pose is None else pose
     train = OpticalTrain.of(scene, heights, 1, 0, pose, [scene.receiver])
-    cells = _first(scene, train.source)
+    wide = Spots.suit(scene, train)
+    cells = _first(scene, Spots.work if wide else train.source.finer(2).origins)
     if min(cells) < _FEWEST:
         return None
     images: list[Array] = []
     bound, level = math.inf, 0
     while True:
-        lattice = Lattice(scene, train.lit_by(train.source.finer(level)), cells)
+        drawing = _drawing(scene, train, cells, level, wide)
         # Each level takes most of what is left of the whole.
-        image = yield from within(lattice.tracing(threads), partial(_done, level))
+        image = yield from within(drawing.tracing(threads), partial(_done, level))
         images = [*images[-2:], image]
         if level >= 2:
             bound = _bound(*images)
-            more = 4 * train.source.finer(level + 1).origins / train.source.finer(level).origins
-            if bound <= accuracy or more * lattice.rays > _MOST:
+            if bound <= accuracy or 4 * _more(train.source, level, wide) * drawing.rays > _MOST:
                 break
         cells, level = (2 * cells[0], 2 * cells[1]), level + 1
     if not image.any():
@@ -133,12 +136,26 @@ def _done(level: int, part: float) -> float:
     return 1 - math.pow(0.25, level + part)
 
 
-def _first(scene: Scene, light: LightSource) -> tuple[int, int]:
-    """Cells along x and y of the first level."""
+def _drawing(
+    scene: Scene, train: OpticalTrain, cells: tuple[int, int], level: int, wide: bool
+) -> Drawing:
+    """What draws the image of a level: spots of wide light, or cells from some origins."""
+    if wide:
+        return Spots(scene, train, cells, level)
+    return Lattice(scene, train.lit_by(train.source.finer(level)), cells)
+
+
+def _more(light: LightSource, level: int, wide: bool) -> float:
+    """How many times as many rays each cell has at the next level."""
+    return 1.0 if wide else light.finer(level + 1).origins / light.finer(level).origins
+
+
+def _first(scene: Scene, each: float) -> tuple[int, int]:
+    """Cells along x and y of the first level, if one of the third takes so much work."""
     # Where light is parallel, cells end where the polynomials of the face do.
     spans = [n - p for n, p in zip(scene.optic.net_shape, scene.optic.degree, strict=True)]
     n_x, n_y = (count * -(-_ENOUGH // count) for count in spans)
-    if (wanted := 16 * n_x * n_y * light.finer(2).origins) > _BEGIN:
+    if (wanted := 16 * n_x * n_y * each) > _BEGIN:
         shrink = math.sqrt(_BEGIN / wanted)
         n_x, n_y = (int(n * shrink) for n in (n_x, n_y))
     return n_x, n_y

@@ -114,6 +114,66 @@ def fill_cells(nodes, flux, odd, canvas, mixed):  # type: ignore[no-untyped-def]
 
 
 @jit(error_model="numpy")
+def fill_spots(places, flux, whole, rim, canvas):  # type: ignore[no-untyped-def]
+    """Add the light of spots, each split into triangles about its middle.
+
+    Parameters
+    ----------
+    places : array, shape (m, k, 2)
+        Column and row where the rays of each spot meet the screen, in pixels; the first of them is
+        its middle.
+    flux : array, shape (m, k)
+        Flux of a spot whose light were all as that of the ray.
+    whole : array of bool, shape (m,)
+        Which of them are drawn.
+    rim : array, shape (n, k)
+        Weights of the rays for each corner of the outline.
+    canvas : tuple of arrays
+        Those of a `Canvas`; get the light added.
+    """
+    here, behind = canvas
+    n, k = rim.shape
+    corners, light, light_of = np.empty((n, 2)), np.empty(n), np.empty(n)
+    for spot in range(len(flux)):
+        if not whole[spot]:
+            continue
+        for corner in range(n):
+            x = y = f = 0.0
+            for ray in range(k):
+                x += rim[corner, ray] * places[spot, ray, 0]
+                y += rim[corner, ray] * places[spot, ray, 1]
+                f += rim[corner, ray] * flux[spot, ray]
+            corners[corner, 0], corners[corner, 1], light[corner] = x, y, f
+        for corner in range(n):
+            part = flux[spot, 0] + light[corner] + light[(corner + 1) % n]
+            light_of[corner] = part / (3 * n)
+        _fan(places[spot, 0], corners, light_of, here, behind)
+
+
+@jit(error_model="numpy")
+def _fan(middle, corners, flux, here, behind):  # type: ignore[no-untyped-def]
+    """Add the flux of triangles from a middle to each corner (n, 2) and the one behind it.
+
+    The edge between two of them is drawn once, with the difference of both densities.
+    """
+    n = len(flux)
+    before = 0.0
+    for corner in range(-1, n):
+        a, b = corners[corner], corners[(corner + 1) % n]
+        area = (a[0] - middle[0]) * (b[1] - middle[1]) - (b[0] - middle[0]) * (a[1] - middle[1])
+        if abs(area / 2) < _SMALLEST:
+            density = 0.0
+            if corner >= 0:
+                _triangle(middle, a, b, flux[corner], here, behind)
+        else:
+            density = flux[corner] / (area / 2)
+        if corner >= 0:
+            _edge(middle[0], middle[1], a[0], a[1], density - before, here, behind)
+            _edge(a[0], a[1], b[0], b[1], density, here, behind)
+        before = density
+
+
+@jit(error_model="numpy")
 def _triangle(a, b, c, flux, here, behind):  # type: ignore[no-untyped-def]
     """Add flux that is spread evenly over a triangle, whichever way around it goes."""
     area = ((b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])) / 2

@@ -4,7 +4,7 @@ All of them count x, y and z as the lens does, from the middle of its entrance f
 normals may have one row that stands for all rays.
 """
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple, Protocol
 
 import numpy as np
@@ -38,6 +38,15 @@ class TracedRays(NamedTuple):
             some = slice(first, first + size)
             direction = self.direction if alike else self.direction[some]
             yield TracedRays(self.position[some], direction, self.flux[some])
+
+
+def joined(parts: Sequence[TracedRays]) -> TracedRays:
+    """All rays of some parts."""
+    return TracedRays(
+        np.concatenate([rays.position for rays in parts]),
+        np.concatenate([np.broadcast_to(rays.direction, rays.position.shape) for rays in parts]),
+        np.concatenate([rays.flux for rays in parts]),
+    )
 
 
 class Crossings(NamedTuple):
@@ -122,6 +131,21 @@ class LightSource(RandomSource, FaceLight, Protocol):
 
         Where few origins stand for a source of some size, they are twice as many at each level, so
         that the difference of two levels has the error of too few origins in it.
+        """
+        ...
+
+    def on_disc(self, part: Array, turn: Array) -> "LightSource | None":
+        """The same light from directions at some places of the disc that it comes from.
+
+        Parameters
+        ----------
+        part, turn : ndarray, shape (k,)
+            Places, as parts of the disc's area within their radius and of the turn.
+
+        Returns
+        -------
+        LightSource or None
+            Each of its k origins has as much of the light; None if there is no such disc.
         """
         ...
 

@@ -9,6 +9,7 @@ from workbench.analysis.tracing.elements import Array, TracedRays
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import Cells
 from workbench.analysis.tracing.sources.even import in_disc, in_square, pairs
+from workbench.analysis.tracing.sources.unspread import Unspread
 from workbench.scene import AreaSource, Optic
 
 # Points that stand for the emitter at the first level of cells: their error is then like that of
@@ -16,7 +17,7 @@ from workbench.scene import AreaSource, Optic
 _ORIGINS, _NODES = 64, 24
 
 
-class AreaLight:
+class AreaLight(Unspread):
     """Light of an emitter's face into the half-space before it; a `LightSource`.
 
     Each ray goes from a random place of the emitter to a random one of the rectangle of the

@@ -29,7 +29,7 @@ class BeamLight:
 
     Even light has no edge: it fills the entrance face however that stands. A Gaussian beam goes
     through the middle of where the face belongs. The parameters are those of `light_source`, and
-    how often the directions of `through` are doubled.
+    the places of the directions of `through` on the disc; see `LightSource.on_disc`.
     """
 
     def __init__(
@@ -39,7 +39,7 @@ class BeamLight:
         pose: Pose,
         rays: int,
         seed: int,
-        doubled: int = 0,
+        disc: tuple[Array, Array] | None = None,
     ) -> None:
         self._given = source, optic, pose, rays, seed
         self._seed, self._half_width = seed, optic.half_width
@@ -50,18 +50,27 @@ class BeamLight:
         self._middle = pose.to_lens(np.array([[0.0, 0.0, optic.front_z]]), optic.front_z)[0]
         self._cells = Cells(rays, optic.half_width[0] / optic.half_width[1], seed)
         self.rays = self._cells.count
-        self.origins = _ORIGINS << doubled if self._angle else 1
-        self._ways = self._towards(*in_disc(self.origins))
+        part, turn = disc or in_disc(_ORIGINS if self._angle else 1)
+        self.origins, self._ways = len(part), self._towards(part, turn)
         if math.isinf(self._waist):
             self.beside = 0.0
-            self.emitted = 4 * math.prod(self._half_width) * float(self._ways[:, 2].mean())
+            # The mean of all directions of the disc, which points to its middle, is a little short.
+            facing = math.cos(self._angle / 2) ** 2 * float(self._frame[2, 2])
+            self.emitted = 4 * math.prod(self._half_width) * facing
         else:
             met = self._met()
             self.beside, self.emitted = max(1 - met, 0.0) / max(met, _DARK), 1.0
 
     def finer(self, level: int) -> "BeamLight":
         """See `LightSource`."""
-        return BeamLight(*self._given, doubled=level)
+        return self._with(*in_disc(_ORIGINS << level)) if self._angle else self
+
+    def on_disc(self, part: Array, turn: Array) -> "BeamLight | None":
+        """See `LightSource.on_disc`."""
+        return self._with(part, turn) if self._angle else None
+
+    def _with(self, part: Array, turn: Array) -> "BeamLight":
+        return BeamLight(*self._given, disc=(part, turn))
 
     def batch(self, number: int) -> Iterator[TracedRays]:
         """Rays that begin on the entrance face; see `RandomSource.batch`."""

@@ -7,11 +7,12 @@ import numpy as np
 from workbench.analysis.tracing.elements import Array, TracedRays
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import Cells
+from workbench.analysis.tracing.sources.unspread import Unspread
 from workbench.geometry.outlines import outline_of
 from workbench.scene import CollimatedSource, Optic
 
 
-class CollimatedLight:
+class CollimatedLight(Unspread):
     """Parallel light; a `LightSource`.
 
     It has no edge: it fills the entrance face however that stands. The parameters are those of
@@ -29,10 +30,6 @@ class CollimatedLight:
         # Of the rectangle around the lens, all is lit, and rays are drawn on the glass alone.
         self.origins, self.emitted = 1, 4 * r_x * r_y
         self.beside = self.emitted / self._outline.area - 1
-
-    def finer(self, level: int) -> "CollimatedLight":
-        """The same: see `LightSource`."""
-        return self
 
     def batch(self, number: int) -> Iterator[TracedRays]:
         """Rays that begin on the entrance face; see `RandomSource.batch`."""

@@ -9,12 +9,13 @@ from workbench.analysis.tracing.elements import Array, TracedRays
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import BATCHES, Cells
 from workbench.analysis.tracing.sources.turning import file_axes
+from workbench.analysis.tracing.sources.unspread import Unspread
 from workbench.geometry.outlines import outline_of
 from workbench.measured.lamps import intensity_of
 from workbench.scene import Optic, PhotometricSource
 
 
-class PhotometricLight:
+class PhotometricLight(Unspread):
     """Light of one point, of which rays through the entrance face are drawn; a `LightSource`.
 
     What goes elsewhere is one ray of each batch that misses the face. The parameters are those of
@@ -42,10 +43,6 @@ class PhotometricLight:
         self.origins, self.emitted = 1, table.lumens
         # Each ray stands for so much of the face, in all batches together.
         self._area = self._outline.area / self._cells.count
-
-    def finer(self, level: int) -> "PhotometricLight":
-        """The same: see `LightSource`."""
-        return self
 
     def batch(self, number: int) -> Iterator[TracedRays]:
         """Rays that begin on the entrance face; see `RandomSource.batch`."""

@@ -10,10 +10,11 @@ from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import Cells
 from workbench.analysis.tracing.sources.cone_kernels import emit
 from workbench.analysis.tracing.sources.cones import Cones, covering_cones, powers
+from workbench.analysis.tracing.sources.unspread import Unspread
 from workbench.scene import LightOfPoints, Optic
 
 
-class PointLight:
+class PointLight(Unspread):
     """Light into the cones that just cover the entrance face; a `LightSource`.
 
     All points have the same intensity, so those that see the face larger emit more. The parameters
@@ -37,10 +38,6 @@ class PointLight:
         self.rays = self._cells.count
         self.origins = len(self._points)
         self.emitted = float(powers(cones, self._upwards).sum())
-
-    def finer(self, level: int) -> "PointLight":
-        """The same: see `LightSource`."""
-        return self
 
     def batch(self, number: int) -> Iterator[TracedRays]:
         """Rays that begin in the plane of the entrance face; see `RandomSource.batch`.

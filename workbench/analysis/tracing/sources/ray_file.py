@@ -9,6 +9,7 @@ from workbench.analysis.tracing.elements import Array, TracedRays
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import BATCHES
 from workbench.analysis.tracing.sources.turning import file_axes
+from workbench.analysis.tracing.sources.unspread import Unspread
 from workbench.measured.lamps import ray_model, rays_of
 from workbench.scene import Optic, RayFileSource
 
@@ -16,7 +17,7 @@ _AT_ONCE = 1 << 15
 _FEET = 12 * units.METRES["inch"]
 
 
-class RayFileLight:
+class RayFileLight(Unspread):
     """Rays of a file, as many as are asked for or all; a `LightSource`.
 
     Cells, which need light at any place, have that of the points that stand for the rays: how far
@@ -44,10 +45,6 @@ class RayFileLight:
         self._to_scene, _ = pose.to_scene(optic.front_z)
         self._points = pose.to_lens(self._model.places, optic.front_z)
         self.origins, self.emitted = len(self._points), 1.0
-
-    def finer(self, level: int) -> "RayFileLight":
-        """The same: see `LightSource`."""
-        return self
 
     def batch(self, number: int) -> Iterator[TracedRays]:
         """Rays where they come to the plane of the entrance face; see `RandomSource.batch`."""

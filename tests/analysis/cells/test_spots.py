@@ -1,0 +1,126 @@
+"""The light of wide sources, drawn as spots."""
+
+import numpy as np
+import pytest
+
+from tests.analysis.cells.test_image import found, waves
+from tests.analysis.cells.test_lattice import SOURCES, distance
+from tests.analysis.lenses import net_of
+from workbench.analysis.cells.spots import Spots
+from workbench.analysis.tracing.pose import Pose
+from workbench.analysis.tracing.train import OpticalTrain
+from workbench.analysis.validation import validate
+from workbench.geometry.outlines import Ellipse
+
+SUN = {"kind": "collimated", "angular_diameter": 3.0}
+TILTED = SUN | {"direction": [8.0, -5.0]}
+BEAM = SUN | {"profile": {"kind": "gaussian", "radius": 0.7}}
+WIDER = {"screen.half_width": [1.5, 1.3]}
+
+
+def train_of(scene, heights):
+    return OpticalTrain.of(scene, {"exit": heights}, 1, 0, Pose(), [scene.receiver])
+
+
+def spots_of(scene, heights, cells):
+    """Part of the emitted flux in each pixel."""
+    steps = Spots(scene, train_of(scene, heights), cells).tracing()
+    while True:
+        try:
+            assert 0 <= next(steps) <= 1
+        except StopIteration as end:
+            return end.value
+
+
+def test_light_far_inside_of_a_plate_is_even(make_scene):
+    scene = make_scene({"source": SUN, "screen.half_width": [0.5, 0.5]})
+    irradiance = spots_of(scene, np.full((12, 10), 0.5), (200, 200)) / scene.screen.pixel_measure
+    exact = (1 - 0.04) ** 2 / 4
+    assert irradiance == pytest.approx(exact, rel=2e-3)
+    assert irradiance.mean() == pytest.approx(exact, rel=1e-4)
+
+
+def test_the_rim_of_the_light_behind_a_plate_is_the_blur_of_the_sun(make_scene):
+    scene = make_scene({"source": SUN, "screen.half_width": [1.37, 1.21], "screen.pixels": [40, 4]})
+    thin = 1e-3  # light hardly leaves through its side
+    image = spots_of(scene, np.full((12, 10), thin), (800, 50)).sum(axis=0)
+    # A cone from a place of the lens is a disc on the screen, but for angles to the third power.
+    angle = np.radians(1.5)
+    radius = (5 - thin) * np.tan(angle) + thin * np.tan(np.arcsin(np.sin(angle) / 1.5))
+    disc = Ellipse((radius, radius))
+    ends = np.linspace(-1.37, 1.37, 41)
+    place = (np.arange(4000) + 0.5) / 2000 - 1
+    inside = disc.area_inside((-2.0, ends[:, None] - place), (-2.0, 2.0)) / disc.area
+    exact = (1 - 0.04) ** 2 * np.diff(inside.mean(axis=1))
+    assert distance(image, exact) < 1e-3
+
+
+@pytest.mark.parametrize(
+    ("source", "outline"), [(SUN, "rectangle"), (TILTED, "ellipse"), (BEAM, "rectangle")]
+)
+def test_many_origins_make_the_same_light(make_scene, monkeypatch, source, outline):
+    scene = make_scene({"source": source, "lens.outline": outline} | WIDER)
+    by_spots = found(scene, waves(scene), accuracy=3e-3)
+    monkeypatch.setattr(Spots, "suit", lambda *_: False)
+    by_origins = found(scene, waves(scene), accuracy=2e-2)
+    apart = distance(by_spots.irradiance, by_origins.irradiance)
+    assert by_spots.bound <= 3e-3
+    assert apart < by_spots.bound + by_origins.bound
+    total = by_spots.irradiance.sum()
+    assert total == pytest.approx(by_origins.irradiance.sum(), rel=1e-3)
+
+
+def test_the_error_of_spots_is_within_its_bound(make_scene):
+    scene = make_scene({"source": SUN} | WIDER)
+    exact = found(scene, waves(scene), accuracy=3e-4).irradiance
+    for accuracy in (0.1, 3e-3):
+        coarse = found(scene, waves(scene), accuracy=accuracy)
+        assert distance(coarse.irradiance, exact) < coarse.bound <= accuracy
+
+
+def test_random_rays_see_no_difference(make_scene, rng):
+    scene = make_scene({"source": TILTED} | WIDER)
+    target = 1 + rng.random((32, 32))
+    both = validate(scene, target, {"exit": waves(scene)}, 1_000_000, seed=3, accuracy=2e-3)
+    assert both.by_cells.less_exact is None
+    assert both.by_cells.unscattered.interval[0] == 0
+    low, high = both.by_cells.relative_l2_corrected_interval
+    least, most = both.relative_l2_corrected_interval
+    assert least < high and low < most
+    assert high - low < most - least
+
+
+def test_light_is_lost_where_it_is_in_truth(make_scene):
+    scene = make_scene({"source": SUN, "screen.half_width": [3.0, 3.0]})
+    # Waves so steep that they reflect much of the light totally, in many places.
+    steep = net_of(scene, lambda x, y: 0.6 + 0.15 * np.sin(9 * x) * np.cos(8 * y))
+    by_rays = validate(scene, np.ones((32, 32)), {"exit": steep}, 1_000_000)
+    assert by_rays.account.lost["total_reflection"] > 0.01
+    assert spots_of(scene, steep, (200, 200)).sum() == pytest.approx(by_rays.efficiency, abs=1e-3)
+
+
+def test_light_that_leaves_through_the_side_is_lost_whatever_the_width_of_cells(make_scene):
+    """In a strip at the rim that is narrower than the cells."""
+    scene = make_scene({"source": SUN} | WIDER)
+    plate = np.full((12, 10), 0.5)
+    coarse, fine = (spots_of(scene, plate, (n, n)).sum() for n in (30, 480))
+    by_rays = validate(scene, np.ones((32, 32)), {"exit": plate}, 1_000_000)
+    assert by_rays.account.lost["left_side"] > 3e-3
+    assert coarse == pytest.approx(fine, abs=2e-4)
+    assert fine == pytest.approx(by_rays.efficiency, abs=2e-4)
+
+
+@pytest.mark.parametrize(
+    ("source", "wide"),
+    [(SUN, True), (BEAM, True), (SUN | {"angular_diameter": 0.3}, False)]
+    + [(source, False) for source in SOURCES.values()],
+)
+def test_spots_are_drawn_where_they_are_wide(make_scene, source, wide):
+    scene = make_scene({"source": source})
+    assert Spots.suit(scene, train_of(scene, np.full((12, 10), 0.5))) is wide
+
+
+def test_spots_of_a_lens_without_light_are_not_drawn(make_scene):
+    scene = make_scene({"source": SUN})
+    steep = net_of(scene, lambda x, y: 2.0 + 1.9 * x + 0 * y)
+    assert not Spots.suit(scene, train_of(scene, steep))

@@ -1,0 +1,147 @@
+"""The light of a wide source through each place of a lens, drawn as the spot that it makes.
+
+Cells from one origin of a source to the next would need as many origins as a spot has places where
+a narrow line of light may end. A spot has the light of all origins, and six rays tell where it is:
+the map from the disc of the source to the screen is almost linear, and quadratic within what
+matters here.
+"""
+
+import math
+
+import numpy as np
+import numpy.typing as npt
+from scipy.ndimage import binary_dilation, binary_erosion
+
+from workbench.analysis.cells.drawing import Drawing
+from workbench.analysis.cells.triangles import Array, Canvas, fill_spots
+from workbench.analysis.tracing.elements import joined
+from workbench.analysis.tracing.sources.even import in_disc, pairs
+from workbench.analysis.tracing.train import OpticalTrain
+from workbench.scene import Scene
+
+Index = npt.NDArray[np.intp]
+Lit = npt.NDArray[np.bool_]
+
+# Rays of a spot, to its middle and to the corners of a pentagon: six values make a quadratic map.
+_RAYS = 6
+# Corners of the outline with which a spot is drawn at the first level.
+_CORNERS = 8
+# Places traced together, and cells of which a part is lost.
+_AT_ONCE, _FEWER = 1 << 15, 1 << 10
+# Rays for a cell of which a part is lost, and by what parts they move in it from one to the next.
+_SAMPLES, _STEP = 256, (0.7549, 0.5698)
+# Spots that are narrower than so many pixels do not hide the gaps between places.
+_WIDE = 2.0
+# Places along each axis at which widths are looked at.
+_LOOKS = 16
+
+
+class Spots(Drawing):
+    """Spots of light, one through the middle of each cell.
+
+    Parameters
+    ----------
+    scene, train, cells
+        As for `Drawing`.
+    level : int
+        How often the corners of their outlines are doubled.
+    """
+
+    work = 2.5
+    """A spot takes as long as so many rays of a `Lattice`."""
+
+    def __init__(
+        self, scene: Scene, train: OpticalTrain, cells: tuple[int, int], level: int = 2
+    ) -> None:
+        source = train.source.on_disc(*_places())
+        assert source is not None
+        super().__init__(scene, train.lit_by(source), cells)
+        self._origins = source.origins
+        self._u, self._v = ((np.arange(n) + 0.5) * 2 / n - 1 for n in cells)
+        self._rows = max(_AT_ONCE // cells[1] - 2, 4)  # of places traced together
+        self._strips = [(0, first) for first in range(0, cells[0], self._rows)]
+        self._rim = _rim(_CORNERS << level)
+
+    @classmethod
+    def suit(cls, scene: Scene, train: OpticalTrain) -> bool:
+        """Whether the light of a scene makes spots so wide that they tell it from few places."""
+        if train.source.on_disc(*_places()) is None:
+            return False
+        some = cls(scene, train, (_LOOKS, _LOOKS))
+        places, flux = some._spots(some._u)
+        lit = (flux > 0).all(axis=1)
+        across = places[lit].max(axis=1) - places[lit].min(axis=1)
+        return bool(lit.any()) and float(np.median(across.min(axis=1))) > _WIDE
+
+    def _fill(self, canvas: Canvas, origin: int, first: int) -> None:
+        """Add the light of some rows of places."""
+        last = min(first + self._rows, len(self._u))
+        # With a row of places on both sides: what is next to one tells what to expect of a cell.
+        before, behind = max(first - 1, 0), min(last + 1, len(self._u))
+        u = self._u[before:behind]
+        places, flux = self._spots(u)
+        canvas.rays += flux.size
+        inside = slice(first - before, last - before)
+        lit = (flux > 0).reshape(len(u), len(self._v), -1)
+        whole, part = (found[inside] for found in _parted(lit))
+        rows = slice(inside.start * len(self._v), inside.stop * len(self._v))
+        canvas_of = canvas.here, canvas.behind
+        fill_spots(places[rows], flux[rows], whole.ravel(), self._rim, canvas_of)
+        i, j = np.nonzero(part)
+        for some in range(0, len(i), _FEWER):
+            self._sample(canvas, first + i[some:][:_FEWER], j[some:][:_FEWER])
+
+    def _spots(self, u: Array) -> tuple[Array, Array]:
+        """Places (m, 6, 2) and flux (m, 6) of the rays of spots; each has the flux of its spot."""
+        rays = [self._arrive(origin, u[:, None], self._v) for origin in range(_RAYS)]
+        places, flux = (np.stack(parts, axis=1) for parts in zip(*rays, strict=True))
+        return places, flux * self._origins
+
+    def _sample(self, canvas: Canvas, i: Index, j: Index) -> None:
+        """Add the light of cells of which a part is lost, ray by ray."""
+        # Elsewhere in each cell, or all would err alike.
+        along_u, along_v = _STEP[0] * i + _STEP[1] * j, _STEP[1] * i + _STEP[0] * j
+        within = zip(*pairs(np.random.default_rng(0), _SAMPLES), strict=True)
+        found = []
+        for origin, (a, b) in enumerate(within, _RAYS):
+            u, v = i + (a + along_u) % 1, j + (b + along_v) % 1
+            rays, area = self._through(origin, u * self._width[0] - 1, v * self._width[1] - 1)
+            found.append(rays._replace(flux=rays.flux * area * self._origins / _SAMPLES))
+        self._count(canvas, joined(found))
+
+
+def _parted(lit: Lit) -> tuple[Lit, Lit]:
+    """Cells of which no light is lost, and those of which only a part is, as far as rays tell.
+
+    What is so next to a place may be so in its cell. Beyond the rim, all is lost.
+    """
+    near = np.ones((3, 3), dtype=bool)
+    whole = binary_erosion(np.all(lit, axis=2), near)
+    return whole, binary_dilation(np.any(lit, axis=2), near) & ~whole
+
+
+def _places() -> tuple[Array, Array]:
+    """Origins on the disc: those of a spot's rays, then those for cells that are lost in part."""
+    part, turn = in_disc(_SAMPLES)
+    corners = np.arange(_RAYS - 1) / (_RAYS - 1)
+    rim = np.ones_like(corners)
+    return np.concatenate([[0.0], rim, part]), np.concatenate([[0.0], corners, turn])
+
+
+def _rim(count: int) -> Array:
+    """What rays of a spot make of the corners of its outline: weights, shape (corners, rays).
+
+    The outline is a polygon of the same area as the disc.
+    """
+    angle = 2 * math.pi / count
+    radius = math.sqrt(angle / math.sin(angle))
+    corners = angle * np.arange(count)
+    rays = 2 * math.pi * np.arange(_RAYS - 1) / (_RAYS - 1)
+    known = _powers(np.append(0.0, np.cos(rays)), np.append(0.0, np.sin(rays)))
+    wanted = _powers(radius * np.cos(corners), radius * np.sin(corners))
+    return np.asarray(wanted @ np.linalg.inv(known))
+
+
+def _powers(x: Array, y: Array) -> Array:
+    """Powers of places up to the second, shape (k, 6)."""
+    return np.column_stack([np.ones_like(x), x, y, x * x, x * y, y * y])

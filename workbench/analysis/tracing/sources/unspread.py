@@ -1,0 +1,17 @@
+"""Light of given points or directions: as exact at each level of cells."""
+
+from typing import Self
+
+from workbench.analysis.tracing.elements import Array, LightSource
+
+
+class Unspread:
+    """What sources have in common that no disc of directions is; see `LightSource`."""
+
+    def finer(self, level: int) -> Self:
+        """The same: see `LightSource`."""
+        return self
+
+    def on_disc(self, part: Array, turn: Array) -> LightSource | None:
+        """None: see `LightSource`."""
+        return None
