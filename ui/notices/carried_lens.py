@@ -18,6 +18,17 @@ from workbench.scene.net import LARGEST_NET
 _NET = "lens.control_points"
 
 
+_NO_LENS = "The lens does not fit the new outline: Start designs another one, Undo brings it back."
+_ANOTHER_FACE = (
+    "The entrance face is freeform now, and flat so far. Continue shapes both faces, and Undo "
+    "takes the change back."
+)
+_ONE_FACE_LESS = (
+    "The entrance face is flat now; the exit face stays as it was, but it was made for the light "
+    "of both. Continue shapes it alone, and Undo takes the change back."
+)
+
+
 class CarriedLens(QObject):
     """Listens to the edits of a document.
 
@@ -65,23 +76,11 @@ class CarriedLens(QObject):
         if after.result is not None and net == other:  # within its new limits
             return
         if new is None:
-            self._say_of(
-                after,
-                "The lens does not fit the new outline: Start designs another one, Undo brings it "
-                "back.",
-            )
+            self._say_of(after, _NO_LENS)
         elif set(new) - set(old):
-            self._say_of(
-                after,
-                "The entrance face is freeform now, and flat so far. Continue shapes both faces, "
-                "and Undo takes the change back.",
-            )
+            self._say_of(after, _ANOTHER_FACE)
         elif set(old) - set(new):
-            self._say_of(
-                after,
-                "The entrance face is flat now; the exit face stays as it was, but it was made for "
-                "the light of both. Continue shapes it alone, and Undo takes the change back.",
-            )
+            self._say_of(after, _ONE_FACE_LESS)
         elif net == other and new is not old:
             unit = after.scene.unit
             moved = max(float(np.abs(new[face] - old[face]).max()) for face in new)

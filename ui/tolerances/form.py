@@ -34,46 +34,8 @@ class ToleranceForm(QWidget):
         super().__init__()
         self._scene: Scene | None = None
         self._data: dict[str, Any] = {}
-        tilt, decentre, index, distance, turn, shift, surface, lenses, seed = self._rows = (
-            NumberRow(
-                "tilt",
-                "Tilt",
-                "Largest angle between lens and optical axis; lenses are tilted evenly within it",
-                Measure("°"),
-            ),
-            NumberRow(
-                "decentre",
-                "Decentre",
-                "Largest distance of the lens from the optical axis",
-                LENGTH,
-            ),
-            NumberRow("index", "Index ±", "Largest error of the refractive index"),
-            NumberRow("distance", "Screen ±", "Largest error of the screen's distance", LENGTH),
-            NumberRow(
-                "source_tilt",
-                "Source tilt",
-                "Largest angle by which the source is turned about its middle",
-                Measure("°"),
-            ),
-            NumberRow(
-                "source_shift",
-                "Source shift",
-                "Largest distance of the source from its place, in any direction",
-                LENGTH,
-            ),
-            NumberRow(
-                "surface",
-                "Surface",
-                "Root mean square of the exit face's error, and the length over which it is "
-                "alike: some micrometres over some millimetres for a milled face",
-                LENGTH,
-                between="over",
-            ),
-            NumberRow(
-                "lenses", "Lenses", "How many are traced; more make the tail surer", whole=True
-            ),
-            NumberRow("seed", "Seed", "The same seed gives the same lenses", whole=True),
-        )
+        self._rows = _make_rows()
+        tilt, decentre, index, distance, turn, shift, surface, lenses, seed = self._rows
         self._distance, self._turn, self._shift = distance, turn, shift
         grid = QGridLayout(self)
         grid.setContentsMargins(6, 4, 6, 6)
@@ -244,3 +206,44 @@ def _allowed(path: str) -> str:
     if path == "lenses":
         return f"a whole number from 1 to {_MOST} is needed"
     return f"a {'whole' if path == 'seed' else 'finite'} number from 0 is needed"
+
+
+def _make_rows() -> tuple[NumberRow, ...]:
+    return (
+        NumberRow(
+            "tilt",
+            "Tilt",
+            "Largest angle between lens and optical axis; lenses are tilted evenly within it",
+            Measure("°"),
+        ),
+        NumberRow(
+            "decentre",
+            "Decentre",
+            "Largest distance of the lens from the optical axis",
+            LENGTH,
+        ),
+        NumberRow("index", "Index ±", "Largest error of the refractive index"),
+        NumberRow("distance", "Screen ±", "Largest error of the screen's distance", LENGTH),
+        NumberRow(
+            "source_tilt",
+            "Source tilt",
+            "Largest angle by which the source is turned about its middle",
+            Measure("°"),
+        ),
+        NumberRow(
+            "source_shift",
+            "Source shift",
+            "Largest distance of the source from its place, in any direction",
+            LENGTH,
+        ),
+        NumberRow(
+            "surface",
+            "Surface",
+            "Root mean square of the exit face's error, and the length over which it is "
+            "alike: some micrometres over some millimetres for a milled face",
+            LENGTH,
+            between="over",
+        ),
+        NumberRow("lenses", "Lenses", "How many are traced; more make the tail surer", whole=True),
+        NumberRow("seed", "Seed", "The same seed gives the same lenses", whole=True),
+    )

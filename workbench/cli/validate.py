@@ -4,6 +4,7 @@ import json
 from collections.abc import Sequence
 from contextlib import closing
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -19,6 +20,7 @@ from workbench.cli.designed import read_designed
 from workbench.cli.progress import PartProgress
 from workbench.extended.bound import Bound
 from workbench.files.atomic import check_writable, replacing
+from workbench.scene import Scene
 
 Array = npt.NDArray[np.float64]
 
@@ -78,32 +80,19 @@ def validate(
     # The optimiser's image is one on the scene's screen.
     elsewhere = scene.receiver != session.scene.receiver
     own = None if elsewhere else result.state.irradiance
-    difference = None if own is None else relative_l2(found.irradiance, own)
     bound = Bound(scene, session.target)
+    others = [light.irradiance for light in result.state.further]
     if as_json:
-        figures = found.to_data() | {"optimiser_difference": difference}
+        figures = _figures(found, own, others)
         if bound.known:
             figures["relative_l2_bound"] = bound.relative_l2
-        if found.by_cells and own is not None:
-            apart = relative_l2(found.by_cells.irradiance, own)
-            figures["deterministic"]["optimiser_difference"] = apart
-        for each, image, its_own in zip(
-            figures.get("further_images", ()), found.further, result.state.further, strict=True
-        ):
-            each["optimiser_difference"] = relative_l2(image.irradiance, its_own.irradiance)
         if compared:
             figures["cross_check"] = compared.to_data()
         if series:
             figures["through_focus"] = [each.to_data() for each in series]
         print(json.dumps(figures))
     else:
-        lights = [own, *(light.irradiance for light in result.state.further)]
-        for number, (image, light, receiver) in enumerate(
-            zip(found.images, lights, scene.receivers, strict=True), start=1
-        ):
-            if found.further:
-                print(f"{chr(10) * (number > 1)}Image {number}")
-            _print_image(image, light, receiver.place)
+        _print_images(found, [own, *others], scene)
         if bound.known:
             print(f"{'bound':<18}{bound.relative_l2:.5f}  (no lens of this size can be below)")
         if compared:
@@ -115,6 +104,27 @@ def validate(
 
         with replacing(plot) as file:
             write_focus(file, scene, session.target, series)
+
+
+def _figures(found: Validation, own: Array | None, others: Sequence[Array]) -> dict[str, Any]:
+    """What was found, and how far the optimiser's own images are from that."""
+    figures = found.to_data()
+    figures["optimiser_difference"] = None if own is None else relative_l2(found.irradiance, own)
+    if found.by_cells and own is not None:
+        apart = relative_l2(found.by_cells.irradiance, own)
+        figures["deterministic"]["optimiser_difference"] = apart
+    further = figures.get("further_images", ())
+    for each, image, its_own in zip(further, found.further, others, strict=True):
+        each["optimiser_difference"] = relative_l2(image.irradiance, its_own)
+    return figures
+
+
+def _print_images(found: Validation, lights: Sequence[Array | None], scene: Scene) -> None:
+    images = zip(found.images, lights, scene.receivers, strict=True)
+    for number, (image, light, receiver) in enumerate(images, start=1):
+        if found.further:
+            print(f"{chr(10) * (number > 1)}Image {number}")
+        _print_image(image, light, receiver.place)
 
 
 def _print_image(found: Validation, own: Array | None, place: str) -> None:
