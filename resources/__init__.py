@@ -52,6 +52,7 @@ _NETWORKS = "Top hat: networks and starts"
 _SIZES = "Flame and ball: magnifications"
 _SOURCES = "Flame: point and extended source"
 _RECEIVERS = "Walls and streets"
+_TWO_FACES = "Two freeform faces"
 _DERIVATIVES = "Derivative maps of a flat lens"
 _LIGHTS = "Real lights"
 
@@ -198,6 +199,18 @@ EXAMPLES = (
         _RECEIVERS,
         "Mirror: photograph beside the lamp",
         "Light from one point, drawn on a screen beside that point; see what misses the mirror.",
+    ),
+    Example(
+        "thin-plate",
+        _TWO_FACES,
+        "Photograph from a thin plate",
+        "Both faces bend the light; compare their slopes with those of one face alone.",
+    ),
+    Example(
+        "wide-angle",
+        _TWO_FACES,
+        "Wide angle: disc from a near point",
+        "Light comes in at up to 60°; see how little of what is in the glass leaves by the side.",
     ),
     *(
         Example(

@@ -15,7 +15,7 @@ import numpy.typing as npt
 from PIL import Image
 
 import resources
-from resources import drawings, lights, receivers
+from resources import drawings, lights, receivers, two_faces
 from workbench.scene import BallTarget, FlameTarget, Scene, Screen, TopHatTarget
 from workbench.targets.shapes import draw
 
@@ -78,7 +78,7 @@ def _grey_image(light: npt.NDArray[np.float64]) -> Image.Image:
 
 def example(name: str) -> Scene:
     """Build the example scene of a name in `resources.EXAMPLES`."""
-    if job := (lights.SCENES | receivers.SCENES).get(name):
+    if job := (lights.SCENES | receivers.SCENES | two_faces.SCENES).get(name):
         return Scene.from_data(job)
     shape, _, variant = name.partition("-")
     if variant in ("", "512"):

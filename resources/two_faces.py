@@ -1,0 +1,53 @@
+"""Example scenes whose lens has two freeform faces."""
+
+from typing import Any
+
+_ACRYLIC = 1.49
+
+
+def _scene(
+    lens: dict[str, Any], source: dict[str, Any], screen: dict[str, Any], image: str
+) -> dict[str, Any]:
+    """Scene in millimetres with a lens of acrylic."""
+    usual = {"refractive_index": _ACRYLIC, "control_points": "auto"}
+    return {
+        "version": 2,
+        "unit": "mm",
+        "lens": usual | lens,
+        "source": source,
+        "screen": screen | {"pixels": [256, 256]},
+        "target": {"image": f"../targets/{image}.png"},
+    }
+
+
+SCENES = {
+    "thin-plate": _scene(
+        {
+            "half_width": [50, 50],
+            "base": {"shape": "flat", "height": 6},
+            "min_thickness": 2,
+            "entrance": {"shape": "freeform", "control_points": "auto"},
+        },
+        {"kind": "collimated"},
+        {"z": 300, "half_width": [80, 80]},
+        "photo-256",
+    ),
+    "wide-angle": _scene(
+        {
+            "half_width": [25, 25],
+            "outline": "ellipse",
+            "base": {"shape": "flat", "height": 3},
+            "max_thickness": 45,
+            "min_thickness": 0.5,
+            "entrance": {
+                "shape": "freeform",
+                "control_points": "auto",
+                "height_range": [0, 12],
+            },
+        },
+        {"kind": "point", "position": [0, 0, -14]},
+        {"z": 250, "half_width": [100, 100]},
+        "tophat-256",
+    ),
+}
+"""Scenes by the names of their examples."""
