@@ -92,3 +92,19 @@ def test_the_blur_of_the_sun_is_even_and_that_of_a_near_light_is_not(make_scene,
     assert found.widths == pytest.approx(Blur.of(sun, sun.lens.base.height).widths, rel=0.01)
     assert even_blur_of(make_scene({**SUN, "source": NEAR}), heights) is None
     assert even_blur_of(make_scene({**SUN, "source": {"kind": "collimated"}}), heights) is None
+
+
+def test_steep_faces_blur_by_more_than_a_plate(make_scene, rng):
+    scene = make_scene(SUN | {"screen.half_width": [2.4, 2.4], "screen.pixels": [80, 80]})
+    x, _ = ControlNet.of(scene.lens).positions
+    wedge = scene.lens.base.height + 0.4 + 0.35 * x[:, None] + 0.01 * rng.random((12, 12))
+    heights = {"exit": torch.as_tensor(wedge)}
+    plate, found = Blur.of(scene, wedge.mean()), even_blur_of(scene, heights)
+    assert found is not None
+    assert found.widths[0] > 1.05 * plate.widths[0]
+    all_of_it = BeamPlan(scene, Corners(128, 128, 256)).trace(heights).flux
+    of_plate, of_found = (
+        (BlurredPlan(scene, (256, 256), blur).trace(heights).flux - all_of_it).norm()
+        for blur in (plate, found)
+    )
+    assert of_found < 0.8 * of_plate

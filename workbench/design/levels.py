@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 
 import numpy as np
@@ -65,9 +65,13 @@ _PER_PIXEL, _FEWEST_ORIGINS, _MOST_ORIGINS = 1.5, 16, 128
 _MOST_BEAMS = 1 << 22
 # Cells that tell how far the light of a lens reaches.
 _FEW_CELLS = (128, 128)
-# Cells of each origin, and of the middle of the source, that tell whether its blur is the same all
-# over a lens; and the greatest part of the image by which it may differ.
-_MANY_CELLS, _FINE_CELLS, _EVEN = (192, 192), (512, 512), 0.03
+# Cells of each of many origins, and of the middle of the source, that tell how it is blurred and
+# whether that is the same all over a lens: as many, for light is spread over them too. And the
+# greatest part of the image by which it may differ.
+_MANY_CELLS, _MANY_ORIGINS, _EVEN = (192, 192), 96, 0.03
+# Its widths over those behind a plate: steep faces and long ways to the rim of the receiver make it
+# wider. Images change as their difference over a step does, not farther than some steps.
+_MIDDLE, _STEP, _FARTHEST = 1.01, 0.03, 3.0
 
 
 def image_of(
@@ -177,7 +181,9 @@ def light_extent_of(scene: Scene, heights: Mapping[str, Tensor]) -> tuple[float,
 def even_blur_of(scene: Scene, heights: Mapping[str, Tensor]) -> Blur | None:
     """What each part of a lens makes of a source of some size; None where that is not the same.
 
-    All origins are traced once, and compared with the blurred light of the middle of the source.
+    All origins are traced once, and compared with the light of the middle of the source, blurred by
+    different widths. The width behind a plate is short of that behind steep faces: by 2 % for a
+    photograph in the sun, of which a run then saw 1.9 % in place of 2.2 % as its error.
 
     Parameters
     ----------
@@ -186,20 +192,40 @@ def even_blur_of(scene: Scene, heights: Mapping[str, Tensor]) -> Blur | None:
     heights : mapping of str to Tensor, shape (n_u, n_v)
         Control heights of a lens like those to come.
     """
-    origins = _origins(scene)
-    if origins == 1:
+    if _origins(scene) == 1:
         return None
     blur = Blur.of(scene, heights[scene.optic.face].mean().item())
-    plans = (
-        BeamPlan(scene, Corners(*_MANY_CELLS, origins)),
-        BlurredPlan(scene, _FINE_CELLS, blur),
-    )
+    margin = blur.scaled(_MIDDLE + _STEP).margin
+
+    def blurred(x: float, y: float) -> Array:
+        """The light of the middle with a blur so many times as wide along x and y."""
+        widths = x * blur.widths[0], y * blur.widths[1]
+        return _image(
+            BlurredPlan(scene, _MANY_CELLS, replace(blur, widths=widths)), heights, margin
+        )
+
     with torch.no_grad():
-        lights = (plan.trace(heights, blur.margin).flux for plan in plans)
-        traced, blurred = (light.double().cpu().numpy() for light in lights)
+        traced = _image(BeamPlan(scene, Corners(*_MANY_CELLS, _MANY_ORIGINS)), heights, margin)
+        middle = blurred(_MIDDLE, _MIDDLE)
+        steps = [
+            (blurred(_MIDDLE + x, _MIDDLE + y) - blurred(_MIDDLE - x, _MIDDLE - y)) / 2
+            for x, y in ((_STEP, 0), (0, _STEP))
+        ]
+    best = np.linalg.lstsq(np.column_stack([*map(np.ravel, steps)]), (traced - middle).ravel())[0]
+    x, y = (
+        width * (_MIDDLE + _STEP * float(part))
+        for width, part in zip(blur.widths, best.clip(-_FARTHEST, _FARTHEST), strict=True)
+    )
     from scipy.signal import fftconvolve  # late: it takes long to import
 
     # Origins make dots of narrow light, which are no difference of the lens.
-    even = [fftconvolve(image, blur.spread()[0], mode="same") for image in (traced, blurred)]
+    even = [fftconvolve(image, blur.spread()[0], mode="same") for image in (traced, middle)]
     unlike = np.linalg.norm(even[1] - even[0])
-    return blur if unlike < _EVEN * np.linalg.norm(even[0]) else None
+    return replace(blur, widths=(x, y)) if unlike < _EVEN * np.linalg.norm(even[0]) else None
+
+
+def _image(
+    plan: BeamPlan | BlurredPlan, heights: Mapping[str, Tensor], margin: tuple[int, int]
+) -> Array:
+    """The image that a plan makes of a lens."""
+    return np.asarray(plan.trace(heights, margin).flux.double().cpu().numpy())
