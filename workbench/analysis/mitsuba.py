@@ -2,9 +2,9 @@
 
 Nothing of this program traces here: Mitsuba emits, meets triangles, refracts by the exact equations
 of Fresnel and connects the lit screen to a camera. The scene holds the lens as a mesh with the
-normals of the B-spline, black walls at its sides, a black baffle around its entrance face, and a
-screen that scatters all light to the other side, where the camera looks at it. Reflected light
-goes astray, as in this program: paths that meet more than both faces and the screen are left out.
+normals of its B-splines, black walls at its sides, black baffles around these, and a screen that
+scatters all light to the other side, where the camera looks at it. Reflected light goes astray, as
+in this program: paths that meet more than both faces and the screen are left out.
 """
 
 import math
@@ -20,7 +20,7 @@ from workbench.analysis.mitsuba_receivers import picture_of
 from workbench.analysis.watch import Watch, unwatched
 from workbench.errors import Refused
 from workbench.geometry.outlines import Rectangle, outline_of
-from workbench.geometry.surface import ControlNet, check_one_face
+from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.scene import Lens, Mirror, Scene
 
 Array = npt.NDArray[np.float64]
@@ -56,7 +56,6 @@ class MitsubaScene:
     """
 
     def __init__(self, scene: Scene, heights: Mapping[str, Array]) -> None:
-        check_one_face(scene.optic, "the comparison with Mitsuba")
         self._mi = _mitsuba()
         self._picture = picture_of(scene.receiver, scene.optic)
         # Mitsuba counts in single precision and has thresholds made for lengths of about 1.
@@ -64,7 +63,7 @@ class MitsubaScene:
         check_known(scene.source)
         self._pixel_area = self._picture.screen.pixel_measure / self._unit**2
         make, segments = _BODIES[type(scene.optic)]
-        body = make(self, heights[scene.optic.face])
+        body = make(self, heights)
         self._unlit: dict[str, Any] = {
             "type": "scene",
             "integrator": {"type": "ptracer", "max_depth": segments, "rr_depth": 100},
@@ -111,40 +110,47 @@ class MitsubaScene:
         flux = np.asarray(irradiance * self._pixel_area / emitted)
         return self._picture.light(flux, self._scene.receiver)
 
-    def _body(self, heights: Array) -> dict[str, Any]:
+    def _body(self, heights: Mapping[str, Array]) -> dict[str, Any]:
         """Both faces of the lens, and what swallows light beside it or out of its sides."""
-        optic, net = self._scene.optic, ControlNet.of(self._scene.optic)
-        cells = [n - p for n, p in zip(net.shape, net.degree, strict=True)]
-        u, v = (np.linspace(0, 1, spans * -(-_CELLS // spans) + 1) for spans in cells)
-        u, v, outline = 2 * u - 1, 2 * v - 1, outline_of(optic)
-        x, y, z, slope_x, slope_y = net.over(outline, u, v, heights)
+        optic, nets = self._scene.optic, freeform_nets(self._scene.optic)
+        (u, v), outline = _grid(nets[optic.face]), outline_of(optic)
+        x, y, z, slope_x, slope_y = nets[optic.face].over(outline, u, v, heights[optic.face])
         exit_face = _stacked(x, y, z) / self._unit
-        entrance = _stacked(x, y, optic.front_z) / self._unit
+        if "entrance" in nets:
+            _, _, z, *slopes = nets["entrance"].over(outline, u, v, heights["entrance"])
+        else:
+            z, slopes = np.full(z.shape, optic.front_z), [np.zeros_like(x), np.zeros_like(x)]
+        entrance = _stacked(x, y, z) / self._unit
+        normals = _stacked(slopes[0], slopes[1], -1.0)
         index = np.arange(z.size).reshape(z.shape)
-        rim = np.concatenate([index[:-1, 0], index[-1, :-1], index[:0:-1, -1], index[0, :0:-1]])
-        top = exit_face.reshape(-1, 3)[np.append(rim, rim[0])]
-        foot = top * [1, 1, 0] + [0, 0, optic.front_z / self._unit]
+        rim = np.concatenate([index[:-1, 0], index[-1, :-1], index[:0:-1, -1], index[0, ::-1]])
+        foot, top = (places.reshape(-1, 3)[rim] for places in (entrance, exit_face))
         glass = self._mi.load_dict({"type": "dielectric", "int_ior": optic.index, "ext_ior": 1.0})
         black = self._mi.load_dict(_BLACK)
-        normals = _stacked(-slope_x, -slope_y, 1.0)
         body = {
-            "exit": self._mesh(exit_face, glass, normals),
-            "entrance": self._mesh(entrance[:, ::-1], glass),
+            "exit": self._mesh(exit_face, glass, _stacked(-slope_x, -slope_y, 1.0)),
+            "entrance": self._mesh(entrance[:, ::-1], glass, normals[:, ::-1]),
             "walls": self._mesh(np.stack([foot, top], axis=1), black),
         }
-        if not outline.whole:  # black out to the bounding rectangle, where the baffle begins
-            around = Rectangle(optic.half_width).from_square(u[:, None], v)
-            box = (_stacked(*around, optic.front_z) / self._unit).reshape(-1, 3)
-            frame = np.stack([box[np.append(rim, rim[0])], foot], axis=1)
-            body["frame"] = self._mesh(frame, black)
-        return body | self._baffle()
+        # At the plane that light has to pass within the outline, and about the rim of the entrance
+        # face, past which it would go by the lens.
+        levels = {optic.front_z / self._unit, float(min(foot[:, 2].max(), top[:, 2].min()))}
+        for number, level in enumerate(levels):
+            body |= self._baffle(level, number)
+            if outline.whole:
+                continue
+            # Black out to the bounding rectangle, where the baffle begins.
+            box = _stacked(*Rectangle(optic.half_width).from_square(u[:, None], v), 0.0)
+            around = box.reshape(-1, 3)[rim] / self._unit + [0, 0, level]
+            frame = np.stack([around, foot * [1, 1, 0] + [0, 0, level]], axis=1)
+            body[f"frame{number}"] = self._mesh(frame, black)
+        return body
 
-    def _mirror(self, heights: Array) -> dict[str, Any]:
+    def _mirror(self, heights: Mapping[str, Array]) -> dict[str, Any]:
         """The face, which reflects; its back is met by no light."""
         optic, net = self._scene.optic, ControlNet.of(self._scene.optic)
-        cells = [n - p for n, p in zip(net.shape, net.degree, strict=True)]
-        u, v = (np.linspace(-1, 1, spans * -(-_CELLS // spans) + 1) for spans in cells)
-        x, y, z, slope_x, slope_y = net.over(outline_of(optic), u, v, heights)
+        u, v = _grid(net)
+        x, y, z, slope_x, slope_y = net.over(outline_of(optic), u, v, heights[optic.face])
         part = self._scene.mirror
         reflectance = 1.0 if part is None else part.reflectance
         metal = self._mi.load_dict(
@@ -181,13 +187,13 @@ class MitsubaScene:
         content.update()
         return mesh
 
-    def _baffle(self) -> dict[str, Any]:
-        """Black rectangles around that of the entrance face."""
+    def _baffle(self, z: float, which: int) -> dict[str, Any]:
+        """Black rectangles around that of the lens, at a height in Mitsuba's unit."""
         r_x, r_y = (r / self._unit for r in self._scene.optic.half_width)
-        z, to = self._scene.optic.front_z / self._unit, self._mi.ScalarTransform4f
+        to = self._mi.ScalarTransform4f
         wide, beside_x, beside_y = _BAFFLE, (r_x + _BAFFLE) / 2, (r_y + _BAFFLE) / 2
         return {
-            f"baffle{number}": {
+            f"baffle{which}{number}": {
                 "type": "rectangle",
                 "to_world": to().translate([x, y, z]).scale([half_x, half_y, 1]),
                 "bsdf": _BLACK,
@@ -246,7 +252,8 @@ class MitsubaScene:
         }
 
 
-_BODIES: Mapping[type, tuple[Callable[[MitsubaScene, Array], dict[str, Any]], int]] = {
+_Make = Callable[[MitsubaScene, Mapping[str, Array]], dict[str, Any]]
+_BODIES: Mapping[type, tuple[_Make, int]] = {
     Lens: (MitsubaScene._body, 4),
     Mirror: (MitsubaScene._mirror, 4),
 }
@@ -270,6 +277,12 @@ def _mitsuba() -> Any:
     mi.set_variant(_VARIANT)
     mi.logger().clear_appenders()  # its progress is not for our output
     return mi
+
+
+def _grid(net: ControlNet) -> list[Array]:
+    """Places in [-1, 1] along each axis; knots of the net are among them."""
+    spans = [n - p for n, p in zip(net.shape, net.degree, strict=True)]
+    return [np.linspace(-1, 1, count * -(-_CELLS // count) + 1) for count in spans]
 
 
 def _stacked(x: Any, y: Any, z: Any) -> Array:

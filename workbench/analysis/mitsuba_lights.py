@@ -84,7 +84,8 @@ def _sheets(
         place = to().translate([0, 0, z - before]).scale([r_x, r_y, 1])
         return {"light": _sheet(place)}, 4 * r_x * r_y
     (way,) = source.directions(np.zeros(1), np.zeros(1))
-    size = math.hypot(r_x, r_y)
+    deep = (optic.entrance_range[1] - optic.front_z) / unit
+    size = math.hypot(r_x, r_y) + deep * math.hypot(way[0], way[1]) / way[2]
     # So far back that all of it is before the lens.
     back = (before + 1.5 * size * math.hypot(way[0], way[1])) / way[2]
     centre = [0, 0, z] - back * way

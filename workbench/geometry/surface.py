@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar
 import numpy as np
 import numpy.typing as npt
 
-from workbench.errors import Refused
 from workbench.geometry.basis import basis_matrix, local_basis
 from workbench.geometry.knots import clamped_knots, greville, insertion_matrix
 from workbench.geometry.outlines import Outline, outline_of
@@ -263,25 +262,6 @@ def freeform_nets(optic: Optic) -> dict[str, ControlNet]:
     if entrance is None:
         return nets
     return {"entrance": ControlNet(*entrance, optic.half_width), **nets}
-
-
-def check_one_face(optic: Optic, who: str) -> None:
-    """Refuse a lens with a freeform entrance face where only the other face is known.
-
-    Parameters
-    ----------
-    optic : Optic
-        The lens or mirror.
-    who : str
-        What knows one face only, within a sentence.
-
-    Raises
-    ------
-    Refused
-        With the field of the entrance face.
-    """
-    if len(freeform_nets(optic)) > 1:
-        raise Refused("lens.entrance.shape", f"'freeform' is not known to {who}; 'flat'")
 
 
 def even_counts(half_width: tuple[float, float], longer: int) -> tuple[int, int]:
