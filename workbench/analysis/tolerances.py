@@ -150,6 +150,10 @@ class Perturbation:
         amplitude, scale = self.surface
         if amplitude > 0:
             rng = np.random.default_rng(self.seed)
+            if "entrance" in heights:  # its net stays as it is while that of the exit face changes
+                counts = {"control_points": heights["entrance"].shape}
+                entrance = optic.entrance.model_copy(update=counts)
+                optic = optic.model_copy(update={"entrance": entrance})
             optic, rough = with_noise(optic, heights[face], amplitude, scale, rng)
             heights = {**heights, face: rough}
         scene = scene.with_optic(optic)
