@@ -102,7 +102,12 @@ def test_without_an_accuracy_and_for_too_many_points_there_are_random_rays_alone
     assert alone.verified is alone
     assert alone.to_data()["deterministic"] is None
     monkeypatch.setattr("workbench.analysis.cells.image._BEGIN", 100)
-    assert validate(scene, target, heights, 1000, accuracy=0.1).to_data() == alone.to_data()
+    found = validate(scene, target, heights, 1000, accuracy=0.1)
+    assert found.by_cells is None
+    # What is in the way of light is looked for wherever cells are asked for.
+    assert found.shading is not None
+    shading = found.shading.to_data()
+    assert found.to_data() == alone.to_data() | {"shading": shading}
 
 
 def test_it_says_where_cells_are_not_as_exact_as_was_asked_for(lens, target, monkeypatch):
