@@ -214,7 +214,10 @@ class MainWindow(QMainWindow):
         self.forms.commit()
         if not self._busy:
             return self.files.may_leave()
-        question = f"{self.document.name} is still being designed. Stop, and save its best lens?"
+        called = self.document.session.scene.optic.called
+        question = (
+            f"{self.document.name} is still being designed. Stop, and save its best {called}?"
+        )
         if self.forms.postponed_edits:
             question += " Changes of the task that wait for the end of the run are given up."
         answer = self.files.ask(question)
@@ -360,6 +363,7 @@ class MainWindow(QMainWindow):
             can_revert=self.document.path is not None and self.document.dirty,
         )
         self._has_lens = now.has_lens
+        commands.name_optic(session.scene.optic.called)
         commands.allow(now.allows())
         commands.explain(now.reasons())
         commands.reword(now.texts())

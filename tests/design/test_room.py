@@ -142,8 +142,8 @@ def test_locked_heights_at_an_end_are_no_shortfall(make_scene):
         ),
     ],
 )
-def test_a_shortfall_is_one_plain_sentence(shortfall, sentence):
-    assert shortfall.sentence("mm") == sentence
+def test_a_shortfall_is_one_plain_sentence(make_scene, shortfall, sentence):
+    assert shortfall.sentence(make_scene({"unit": "mm"})) == sentence
 
 
 def test_a_shortfall_is_converted_with_its_lens():
@@ -160,7 +160,7 @@ def test_an_entrance_face_that_fills_its_range_is_reported(make_scene, corner):
     short = room.shortfall({"exit": np.full((24, 24), 0.5), "entrance": half})
     assert (short.cause, short.allowed) == ("entrance_range", (-0.1, 0.1))
     assert short.share == pytest.approx(0.9)
-    assert short.sentence("cm") == (
+    assert short.sentence(make_scene()) == (
         "The entrance face fills 90 % of its range of ±0.1 cm, and would bend more of the light "
         "in a wider one"
     )

@@ -27,10 +27,10 @@ if TYPE_CHECKING:
 
 _CHOICES = (1_000_000, 4_000_000, 16_000_000, 64_000_000)
 _KEY = "check/rays"
-_NOTHING = "Design > Check lens (F8) traces the lens anew, with rays that its design never saw."
+_NOTHING = "F8 traces what is on show anew, with rays that its design never saw."
 _TIPS = {
     "verified error": "Relative L2 error of image and target, by cells and without random rays: "
-    "what the lens itself is off.",
+    "what the optic itself is off.",
     "it is surely": "Where that error lies, by a bound from two sizes of cells.",
     "cells": "Cells of the entrance face whose light is spread over what they cover there.",
     "random rays are off by": "Relative L2 difference of the two images: the second opinion. About "
@@ -38,9 +38,9 @@ _TIPS = {
     "relative L2 error": "‖I − T‖ / ‖T‖ of image and target, each divided by its sum. The scatter "
     "of the rays from pixel to pixel is in it; more rays make it smaller.",
     "95 % of other rays": "Where the error with scatter lies for as many other rays.",
-    "without ray noise": "The same error without the scatter of the rays: what the lens itself "
+    "without ray noise": "The same error without the scatter of the rays: what the optic itself "
     "is off. 0 if so few rays cannot tell.",
-    "95 % confidence": "Where the error of the lens itself lies.",
+    "95 % confidence": "Where the error of the optic itself lies.",
     "loss of the paper": "The norm of the difference between image and target, each divided by "
     "its sum, over the root of the number of pixels.",
     "PSNR": "Peak signal-to-noise ratio, against the target's peak: more is better.",
@@ -163,7 +163,7 @@ class CheckFigures(QWidget):
         """Take note of what is known of the lens on show, as `Check.figures_changed` tells it."""
         if figures.startswith("checked"):
             return
-        before = " These figures are of the lens before." if self._count else ""
+        before = " These figures are of the design before." if self._count else ""
         self._hint.setText(f"{figures.capitalize() or _NOTHING}{before}")
         self._hint.show()
         self._table.setEnabled(False)

@@ -23,7 +23,8 @@ class Commands:
 
     def __init__(self, window: QMainWindow) -> None:
         self._window = window
-        self._actions = {name: self._action(command) for name, command in COMMANDS.items()}
+        self._called = "lens"
+        self._actions = {name: self._action(self.command(name)) for name in COMMANDS}
         self._connected: set[str] = set()
         for names in CHOICES:
             one_of = QActionGroup(window)
@@ -49,6 +50,22 @@ class Commands:
 
     def __getitem__(self, name: str) -> QAction:
         return self._actions[name]
+
+    def command(self, name: str) -> Command:
+        """What the table says of a command, in words for the optic of the design."""
+        return COMMANDS[name].named(self._called)
+
+    def name_optic(self, called: str) -> None:
+        """Take note of what the optic of the design is called."""
+        if called == self._called:
+            return
+        self._called = called
+        for name, command in COMMANDS.items():
+            if command != command.named(called):
+                action, words = self[name], self.command(name)
+                action.setText(words.text)
+                action.setToolTip(_tip(action, words))
+                action.setStatusTip(words.tip)
 
     def connect(self, slots: Mapping[str, Callable[[], object]]) -> None:
         """Tell what commands do when a person chooses them, and make them available."""
@@ -76,7 +93,7 @@ class Commands:
     def explain(self, sentences: Mapping[str, str]) -> None:
         """Add a sentence of now to tips, such as why a command is not available."""
         for name, sentence in sentences.items():
-            tip = _tip(self[name], COMMANDS[name])
+            tip = _tip(self[name], self.command(name))
             self[name].setToolTip(f"{tip}\n{sentence}" if sentence else tip)
 
     def reword(self, texts: Mapping[str, str]) -> None:

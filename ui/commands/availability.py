@@ -96,8 +96,9 @@ class Situation:
 
     def reasons(self) -> dict[str, str]:
         """Why commands are not available that a person may look for, and what others take."""
-        no_lens = "" if self.has_lens else "There is no lens yet: Start designs one"
-        taken = "the best lens so far" if self.under_way else self.lens
+        called = self.optic.called
+        no_lens = "" if self.has_lens else f"There is no {called} yet: Start designs one"
+        taken = f"the best {called} so far" if self.under_way else self.lens
         return {
             **dict.fromkeys(_CHANGING, "" if self.editable else _RUN_FIRST),
             **dict.fromkeys(_TAKES_LENS, f"Takes {taken}" if taken else no_lens),

@@ -1,6 +1,6 @@
 """Every command of the window, defined once; menus, toolbar and palette are made of these."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from PySide6.QtGui import QKeySequence
@@ -32,6 +32,11 @@ class Command:
     shortcut: str | QKeySequence.StandardKey = ""
     icon: str = ""
     checked: bool | None = None
+
+    def named(self, called: str) -> "Command":
+        """The command with what the optic is called in place of each "{optic}"."""
+        text, tip = (words.replace("{optic}", called) for words in (self.text, self.tip))
+        return replace(self, text=text, tip=tip)
 
 
 _Key = QKeySequence.StandardKey
@@ -72,9 +77,9 @@ COMMANDS = {
         "New &window", "Open another window, with a design and a run of its own", "Ctrl+Shift+W"
     ),
     "open": Command("&Open…", "Open a design, or a scene file", _Key.Open, "open"),
-    "save": Command("&Save", "Save scene, target and lens", _Key.Save, "save"),
+    "save": Command("&Save", "Save scene, target and {optic}", _Key.Save, "save"),
     "save_as": Command("Save &as…", "Save under another name", "Ctrl+Shift+S"),
-    "export": Command("&Export…", "Write the lens or its light for other programs", "Ctrl+E"),
+    "export": Command("&Export…", "Write the {optic} or its light for other programs", "Ctrl+E"),
     "report": Command(
         "&Report…", "Write scene, pictures, check and figures on some pages (HTML, PDF)", "Ctrl+R"
     ),
@@ -97,43 +102,43 @@ COMMANDS = {
     ),
     "start": Command(
         "&Start",
-        "Design the lens from nothing; one that is there gives way, and Undo brings it back",
+        "Design the {optic} from nothing; one that is there gives way, and Undo brings it back",
         "F5",
         "start",
     ),
     "continue": Command(
         "&Continue",
-        "Go on designing from the lens as it is, with as many more iterations",
+        "Go on designing from the {optic} as it is, with as many more iterations",
         "Shift+F5",
         "continue",
     ),
     "pause": Command("&Pause", "Hold the design; again to go on", "F6", "pause", checked=False),
-    "stop": Command("S&top", "End the design and keep its best lens", "F7", "stop"),
+    "stop": Command("S&top", "End the design and keep its best {optic}", "F7", "stop"),
     "follow": Command(
         "&Follow edits",
-        "Design the lens anew after every edit, while no run goes on",
+        "Design the {optic} anew after every edit, while no run goes on",
         "F9",
         "follow",
         checked=True,
     ),
     "restore_run": Command(
-        "&Restore run", "Give the design task and lens of the run chosen in the dock Runs"
+        "&Restore run", "Give the design task and {optic} of the run chosen in the dock Runs"
     ),
     "delete_run": Command("&Delete runs", "Forget the runs chosen in the dock Runs"),
     "check": Command(
-        "&Check lens",
-        "Trace the lens on show anew, with rays that its design never saw; again to cancel",
+        "&Check {optic}",
+        "Trace the {optic} on show anew, with rays that its design never saw; again to cancel",
         "F8",
     ),
-    "fit_view": Command("&Fit 3D view", "Show lens and screen whole", "Ctrl+0", "fit-view"),
-    "lens_view": Command("Look at &lens", "See the lens as large as it can be", "Ctrl+1"),
+    "fit_view": Command("&Fit 3D view", "Show {optic} and screen whole", "Ctrl+0", "fit-view"),
+    "lens_view": Command("Look at &{optic}", "See the {optic} as large as it can be", "Ctrl+1"),
     "screen_view": Command("Look at s&creen", "See the screen as large as it can be", "Ctrl+2"),
     "side_view": Command("From the &side", "Look at the 3D scene along x: light goes right"),
     "top_view": Command("From a&bove", "Look at the 3D scene along y: light goes right"),
     "axis_view": Command("Along the a&xis", "Look back along z from behind the screen"),
     "exploded": Command(
         "&Exploded distances",
-        "Draw a far source and screen nearer, and a large screen smaller, to see the lens",
+        "Draw a far source and screen nearer, and a large screen smaller, to see the {optic}",
         "Ctrl+D",
         checked=False,
     ),
@@ -180,7 +185,7 @@ COMMANDS = {
         checked=True,
     ),
     "sculpt": Command(
-        "&Sculpt", "Drag control points of the lens along z", "Alt+S", "sculpt", checked=False
+        "&Sculpt", "Drag control points of the {optic} along z", "Alt+S", "sculpt", checked=False
     ),
     "lock": Command(
         "&Lock points", "Paint control points that a run must leave", "Alt+L", "lock", checked=False
@@ -193,14 +198,14 @@ COMMANDS = {
         "Let light meet a second freeform face first, or a flat one again; the exit face stays",
     ),
     "other_face": Command(
-        "&Other face", "Turn the lens over, to sculpt or lock its other freeform face", "Alt+O"
+        "&Other face", "Turn the {optic} over, to sculpt or lock its other freeform face", "Alt+O"
     ),
     "brush_larger": Command("Lar&ger brush", "More control points at once; also Ctrl+wheel", "]"),
     "brush_smaller": Command(
         "Smaller brus&h", "Fewer control points at once; also Ctrl+wheel", "["
     ),
-    "lock_all": Command("Lock &all points", "Leave the whole lens as it is in runs"),
-    "unlock_all": Command("&Unlock all points", "Let runs change the whole lens"),
+    "lock_all": Command("Lock &all points", "Leave the whole {optic} as it is in runs"),
+    "unlock_all": Command("&Unlock all points", "Let runs change the whole {optic}"),
     "invert_locks": Command("&Invert locks", "Lock what is unlocked, and the reverse"),
     "scene_view": Command("&3D scene", "Show or hide the 3D scene", "Ctrl+3", checked=True),
     "reset_layout": Command("R&eset layout", "Put all docks where they stood at first"),

@@ -93,4 +93,5 @@ class LiveLens(QObject):
 
     def _give_up(self, draft: Draft, error: Exception) -> None:
         if not self._background.busy:  # else a later draft is traced
-            self.failed.emit(sentence_of(error, "trace of the lens"))
+            called = draft.session.scene.optic.called
+            self.failed.emit(sentence_of(error, f"trace of the {called}"))

@@ -39,8 +39,8 @@ if TYPE_CHECKING:
 
 Mask = npt.NDArray[np.bool_]
 
-_BUSY = "Stop the run first; then change the lens by hand."
-_NO_LENS = "There is no lens to shape yet."
+_BUSY = "Stop the run first; then change the {optic} by hand."
+_NO_LENS = "There is no {optic} to shape yet."
 _ONE_FACE = "There is one freeform face. Design > Freeform entrance face gives a lens a second one."
 _NOT_TO_SCALE = "Show distances to scale first (View > Exploded distances); then move the source."
 
@@ -132,9 +132,12 @@ class LensTools(QObject):
         if self._tool is not None:
             self._tool.turn_wheel(steps)
 
+    def _say(self, text: str) -> None:
+        self.message.emit(self._document.session.scene.optic.name_in(text))
+
     def _is_idle(self) -> bool:
         if self._control.busy:
-            self.message.emit(_BUSY)
+            self._say(_BUSY)
         return not self._control.busy
 
     def _may_change(self) -> bool:
@@ -148,7 +151,7 @@ class LensTools(QObject):
             and bounded(scene) == self._view.optic
         )
         if not there:
-            self.message.emit(_NO_LENS)
+            self._say(_NO_LENS)
         return there
 
     def _heights(self) -> "ControlHeights | None":

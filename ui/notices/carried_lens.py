@@ -15,10 +15,9 @@ from workbench.geometry.surface import ControlNet
 from workbench.scene import AutoNet
 from workbench.scene.net import LARGEST_NET
 
-_NET = "lens.control_points"
-
-
-_NO_LENS = "The lens does not fit the new outline: Start designs another one, Undo brings it back."
+_NO_LENS = (
+    "The {optic} does not fit the new outline: Start designs another one, Undo brings it back."
+)
 _ANOTHER_FACE = (
     "The entrance face is freeform now, and flat so far. Continue shapes both faces, and Undo "
     "takes the change back."
@@ -86,19 +85,19 @@ class CarriedLens(QObject):
             moved = max(float(np.abs(new[face] - old[face]).max()) for face in new)
             self._say_of(
                 after,
-                f"The lens is changed by up to {moved:.2g} {unit} to be within its new "
+                f"The {{optic}} is changed by up to {moved:.2g} {unit} to be within its new "
                 "limits. Continue goes on from there, and Undo takes the change back.",
             )
         elif net != other and isinstance(after.scene.optic.control_points, AutoNet):
             self._say_of(
                 after,
                 f"The program takes {_size(other.shape)} control points now. Continue goes on from "
-                "the lens that was there, carried over, and Undo takes the change back.",
+                "the {optic} that was there, carried over, and Undo takes the change back.",
             )
         elif net != other:
             self._before, self._after = before, after
             if other.contains(net):
-                self._say(f"On {_size(other.shape)} control points the lens is the same.")
+                self._say(f"On {_size(other.shape)} control points the {{optic}} is the same.")
             else:
                 self._ask(
                     before,
@@ -110,7 +109,7 @@ class CarriedLens(QObject):
         elif before.result is not None:
             self._tell_once(
                 before,
-                "The lens was designed for another task and is a start for this one: Continue "
+                "The {optic} was designed for another task and is a start for this one: Continue "
                 "goes on from it, Start over does not",
             )
 
@@ -123,20 +122,21 @@ class CarriedLens(QObject):
             take = partial(self._take, before, after, exact)
             offers = [(f"Take {_size(exact)}, exact", take)]
         self._say(
-            f"On {_size(wanted)} control points the lens is off by up to {off:.2g} {unit}. "
+            f"On {_size(wanted)} control points the {{optic}} is off by up to {off:.2g} {unit}. "
             "Continue goes on from there, Start over from nothing, and Undo takes the change back.",
             *offers,
         )
 
     def _take(self, before: Session, after: Session, size: tuple[int, int]) -> None:
-        text = "change of lens control points"
-        scene = edited_scene(after.scene, [Edit(_NET, text, {_NET: list(size)})])
+        called = after.scene.optic.called
+        text, path = f"change of {called} control points", f"{called}.control_points"
+        scene = edited_scene(after.scene, [Edit(path, text, {path: list(size)})])
         self._document.change(before.with_scene(scene, after.target), text)
 
     def _tell_once(self, before: Session, text: str) -> None:
         if self._noted is None or self._noted[0] is not before or self._noted[1] != text:
             self._noted = before, text
-            self.noted.emit(text)
+            self.noted.emit(self._named(text))
 
     def _say_of(self, after: Session, text: str) -> None:
         """Say something of the session after an edit."""
@@ -144,8 +144,11 @@ class CarriedLens(QObject):
         self._say(text)
 
     def _say(self, text: str, *offers: Offer) -> None:
-        self._text = text
-        self._messages.note(text, *offers)
+        self._text = self._named(text)
+        self._messages.note(self._text, *offers)
+
+    def _named(self, text: str) -> str:
+        return self._document.session.scene.optic.name_in(text)
 
     def _withdraw(self, session: Session) -> None:
         """What was said is about the session that it was said of."""

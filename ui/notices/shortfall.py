@@ -1,4 +1,4 @@
-"""Says when the limits of the lens are too narrow for its task, and offers the cure."""
+"""Says when the limits of the optic are too narrow for its task, and offers the cure."""
 
 from collections.abc import Callable
 from typing import TYPE_CHECKING
@@ -14,8 +14,6 @@ from workbench.files.session import Session
 if TYPE_CHECKING:
     from ui.run.control import RunControl
     from ui.shown.frame import Frame
-
-_RANGE = "lens.height_range"
 
 
 class ShortfallNotice(QObject):
@@ -94,7 +92,7 @@ class ShortfallNotice(QObject):
         return explicit and shortfall.cause == "height_range"
 
     def _sentence(self, shortfall: Shortfall) -> str:
-        sentence = shortfall.sentence(self._document.session.scene.unit)
+        sentence = shortfall.sentence(self._document.session.scene)
         if shortfall.cause == "height_range":
             return f"{sentence}."
         cure = shortfall.cure
@@ -108,10 +106,12 @@ class ShortfallNotice(QObject):
         """Leave the range to the task, and keep the lens."""
         text = "automatic height range"
         scene = self._document.session.scene
-        self._document.edit(edited_scene(scene, [Edit(_RANGE, text, {_RANGE: None})]), text, "")
+        path = f"{scene.optic.called}.height_range"
+        self._document.edit(edited_scene(scene, [Edit(path, text, {path: None})]), text, "")
         # From a lens that was cut off at its ends the way is long, and often does not lead as far.
         self._text = (
-            "The height range follows from the task now, and the lens is as it was. Start over "
+            f"The height range follows from the task now, and the {scene.optic.called} is as it "
+            "was. Start over "
             "mostly finds a better one than Continue does."
         )
         self._messages.note(self._text, ("Start over", self._start_over), ("Continue", self._go_on))

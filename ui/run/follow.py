@@ -35,9 +35,9 @@ if TYPE_CHECKING:
 
 _FIRST_MS, _FRAME_MS = 15, 66  # between two looks for a lens: the first one, better ones
 _PATIENCE_MS = 3000
-_UNDER_WAY = "Following: the first lens is under way"
+_UNDER_WAY = "Following: the first design is under way"
 _SLOW = (
-    "Edits are followed no longer: the first lens of this design takes more than {:g} s here, time "
+    "Edits are followed no longer: a first result of this design takes more than {:g} s here, time "
     "after time. Start designs it."
 )
 _TIMES = 2  # in succession that the first lens may be late, since the machine may be busy just once
@@ -251,7 +251,9 @@ class Follow(QObject):
         session = with_followed(self._document.session, best)
         if design.own_step:
             design.own_step = False
-            self._document.change(session, "design of the lens that was missing")
+            self._document.change(
+                session, f"design of the {session.scene.optic.called} that was missing"
+            )
             self._changes = 0
         else:
             self._document.improve(session)
@@ -274,7 +276,8 @@ class Follow(QObject):
         self._take_next()
         if wanted:
             self.rest()
-            self.failed.emit(sentence_of(error, "design of the lens"))
+            called = design.session.scene.optic.called
+            self.failed.emit(sentence_of(error, f"design of the {called}"))
 
     def _is_wanted(self, design: _Design) -> bool:
         return design.session is self._wanted and not self._changes

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from workbench.design.snapshot import Result
     from workbench.files.session import Session
 
-NO_LENS = "There is no lens yet, or its light is still being traced; try again in a moment."
+NO_LENS = "There is no result yet, or its light is still being traced; try again in a moment."
 
 
 class LensOnShow(QObject):
@@ -62,11 +62,11 @@ class LensOnShow(QObject):
     @property
     def text(self) -> str:
         """What it is, and the task that it was designed for; empty where there is no lens yet."""
-        making = self.in_the_making
+        making, session = self.in_the_making, self._document.session
+        called = session.scene.optic.called
         if making is not None:
-            return f"the best lens so far, after {making.iterations} iterations"
-        session = self._document.session
-        return "" if session.heights is None else f"the lens on show, {origin(session)}"
+            return f"the best {called} so far, after {making.iterations} iterations"
+        return "" if session.heights is None else f"the {called} on show, {origin(session)}"
 
     def _take(self, frame: "Frame") -> None:
         self._preview = frame

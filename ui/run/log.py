@@ -74,7 +74,8 @@ class RunLog(QObject):
 
     def _end(self) -> None:
         if self._last is None:
-            self._tell("Run ended before its first lens")
+            called = self._document.session.scene.optic.called
+            self._tell(f"Run ended before its first {called}")
             return
         shot, session = self._last, self._document.session
         result, place = session.result, session.scene.receiver.place

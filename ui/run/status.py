@@ -50,12 +50,12 @@ class RunStatus:
         )
         self._check = _passing(
             bar,
-            "Relative L2 error of the lens on show, by an independent trace with rays that the "
+            "Relative L2 error of the design on show, by an independent trace with rays that the "
             "design never saw; the scatter of these rays is left out. The log tells more",
         )
         self._bound = _passing(
             bar,
-            "The least relative L2 error that any lens can reach with a source of this size, "
+            "The least relative L2 error that any design can reach with a source of this size, "
             "certified. freeform bound tells more",
         )
         self._light = _figure(

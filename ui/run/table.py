@@ -28,13 +28,13 @@ from workbench.files.session import KeptRun
 _NOTHING = "Each run that ends is kept here, to be compared with others and gone back to."
 _COLUMNS = {
     "Name": "What the run is called; a check mark draws its loss beside that of this run",
-    "Verified": "Relative L2 error of its lens, by an independent trace with other rays",
-    "Loss": "Loss of its best lens, as the run saw it",
+    "Verified": "Relative L2 error of its result, by an independent trace with other rays",
+    "Loss": "Loss of its best result, as the run saw it",
     "On screen": "Part of the light that lands on the screen, or in the far field",
     "Time": "Run time",
     "Iterations": "Iterations taken, those of runs that it continued included",
     "Net": "Numbers of control points along x and y",
-    "Method": "How the lens was searched for",
+    "Method": "How the result was searched for",
     "Ended": "Why the run ended",
 }
 _WIDEST = 32  # characters of a column; longer texts are cut, and whole in a tip
@@ -97,7 +97,9 @@ class RunTable(QWidget):
         delete.setShortcutContext(Qt.ShortcutContext.WidgetShortcut)
         delete.triggered.connect(self.delete)
         self.table.addAction(delete)
-        self._restore = _button("Restore", "Give the design this run's task and lens", self.restore)
+        self._restore = _button(
+            "Restore", "Give the design this run's task and result", self.restore
+        )
         self._delete = _button("Delete", "Forget the chosen runs", self.delete)
         self._editable = True
         buttons = QHBoxLayout()
@@ -190,7 +192,7 @@ class RunTable(QWidget):
                 font = item.font()
                 font.setBold(is_current)
                 item.setFont(font)
-                item.setToolTip(f"{text}\nThe lens of the design" if is_current else text)
+                item.setToolTip(f"{text}\nThe one of the design" if is_current else text)
             else:
                 item.setFlags(item.flags() & ~Qt.ItemFlag.ItemIsEditable)
                 sides = Qt.AlignmentFlag

@@ -115,7 +115,7 @@ class DerivativeView(PlotView, ComputingView):
         row = QHBoxLayout()
         row.setContentsMargins(6, 4, 6, 0)
         name = QLabel("Control point")
-        name.setToolTip("Choose it here, or click the lens in the 3D scene.")
+        name.setToolTip("Choose it here, or click it in the 3D scene.")
         row.addWidget(name)
         row.addWidget(self._faces)
         for box in self._boxes:
@@ -142,7 +142,7 @@ class DerivativeView(PlotView, ComputingView):
         """The map on show is not of this lens or point any more."""
         self._background.cancel()
         if self._seen():
-            self._sum.setText("Computed when the lens rests…")
+            self._sum.setText("Computed when the design rests…")
             self._rest.start()
             self.chosen.emit(self.point)
 

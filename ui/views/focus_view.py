@@ -70,7 +70,7 @@ class FocusView(LightImageView, ComputingView):
         self._slider.setAccessibleName("Distance of the screen")
         self._slider.setToolTip(
             "Look at the light before or behind the screen: half to one and a half times its "
-            "distance from the lens. The scene stays as it is"
+            "distance. The scene stays as it is"
         )
         self._slider.valueChanged.connect(self._slide)
         self._place = QLabel()
@@ -78,7 +78,7 @@ class FocusView(LightImageView, ComputingView):
         self._back.setToolTip("Go back to the distance of the scene's screen")
         self._back.clicked.connect(lambda: self._slider.setValue(_SCREEN))
         self._more = QPushButton("Curve")
-        self._more.setToolTip("Trace the lens to many distances and draw the error against them")
+        self._more.setToolTip("Trace the light to many distances and draw the error against them")
         self._more.setCheckable(True)
         self._more.toggled.connect(self._show_curve)
         row = QHBoxLayout()
@@ -137,7 +137,7 @@ class FocusView(LightImageView, ComputingView):
         if not at_a_distance:
             self._place.setText(_NO_DISTANCE)
         elif self._seen():
-            self._tell("traced when the lens rests…")
+            self._tell("traced when the design rests…")
             self._rest.start()
 
     def _want_nothing(self) -> None:
@@ -226,5 +226,5 @@ class FocusView(LightImageView, ComputingView):
         if not self._at_a_distance(frame):
             return _NO_DISTANCE
         if frame is not None and self._traced.light is None:
-            return "The light there is traced when the lens rests."
+            return "The light there is traced when the design rests."
         return super()._why_empty(frame)

@@ -32,14 +32,14 @@ class HistorySlider(QWidget):
         self._frames: Sequence[Frame] = ()
         self._slider = QSlider(Qt.Orientation.Horizontal)
         self._slider.setAccessibleName("Moment of the run")
-        self._slider.setToolTip("Look back at the lens and its light at any moment of the run")
+        self._slider.setToolTip("Look back at the design and its light at any moment of the run")
         self._slider.valueChanged.connect(self._look)
         self._slider.setMinimumWidth(4 * self._slider.sizeHint().height())  # with room to move
         self._text = QLabel()
         self._text.setMinimumWidth(self._text.fontMetrics().horizontalAdvance("iteration 00000"))
         self._button = QPushButton("Go on from here")
         self._button.setToolTip(
-            "Make the lens of this moment the design's, and continue from it; "
+            "Take the design as it was at this moment, and continue from it; "
             "Undo brings the later one back"
         )
         self._button.clicked.connect(lambda: self.continued.emit(self._frame))

@@ -167,7 +167,7 @@ class ImageView(PlotView):
         if pixel is not None:
             value = f"{self._values[pixel]:.4g} {self._content.unit(self._shown)}"
             if np.isnan(self._values[pixel]):
-                value = "beside the lens"
+                value = f"beside the {self._shown.scene.optic.called}"
             self._readout.setText(f"{value} at {extent.in_words(0, x)}, {extent.in_words(1, y)}")
 
     def _turn_wheel(self, event: Any) -> None:

@@ -10,7 +10,6 @@ from PySide6.QtCore import QObject, QSettings, Signal
 from ui.check.check import Check
 from ui.check.figures import CheckFigures
 from ui.commands.colour_choice import keep_colours
-from ui.commands.table import COMMANDS
 from ui.files.plots import Plots
 from ui.files.scene_pictures import ScenePictures
 from ui.lens.tools import LensTools
@@ -201,5 +200,5 @@ class LoadedParts(QObject):
         self._early.status.show_frame(frame, self.control.busy)
 
     def _reword_check(self, under_way: bool) -> None:
-        text = "Cancel &check" if under_way else COMMANDS["check"].text
-        self._early.commands["check"].setText(text)
+        commands = self._early.commands
+        commands["check"].setText("Cancel &check" if under_way else commands.command("check").text)

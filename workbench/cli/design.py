@@ -75,7 +75,7 @@ def design(path: Path, output: Path, iterations: int | None, seconds: float, as_
         _print(result, session.scene.receiver.place, as_json)
         if result.state.shortfall is not None:
             shortfall = result.state.shortfall
-            print(f"{shortfall.sentence(session.scene.unit)}: {shortfall.cure}", file=sys.stderr)
+            print(f"{shortfall.sentence(session.scene)}: {shortfall.cure}", file=sys.stderr)
         elif advice := result.state.account.advice(session.scene):
             print(advice, file=sys.stderr)
         if not as_json and not interruption.asked:

@@ -102,7 +102,7 @@ def run(
                 break
             except RunFailed as error:
                 short = room.shortfall(room.begin)
-                cause = "" if short is None else f". {short.sentence(scene.unit)}: {short.cure}"
+                cause = "" if short is None else f". {short.sentence(scene)}: {short.cure}"
                 raise RunFailed(f"stopped at iteration {iteration}: {error}{cause}") from None
             state = step.state
             merit = state.loss if step.merit is None else step.merit

@@ -3,6 +3,8 @@
 from dataclasses import dataclass, replace
 from typing import Literal
 
+from workbench.scene import Scene
+
 Cause = Literal["height_range", "max_thickness", "min_thickness", "screen", "entrance_range"]
 Interval = tuple[float, float]
 
@@ -39,19 +41,14 @@ class Shortfall:
     allowed: Interval
     share: float
 
-    def sentence(self, unit: str) -> str:
-        """What is needed and what is allowed.
-
-        Parameters
-        ----------
-        unit : str
-            The scene's unit of length.
-        """
+    def sentence(self, scene: Scene) -> str:
+        """What is needed and what is allowed by a scene."""
+        called, unit = scene.optic.called, scene.unit
         thinnest, thickest = self.allowed
         if self.cause == "height_range":
             allowed = f"{_offsets(self.allowed)} {unit} is allowed"
             if self.needed is not None:
-                return f"The lens needs {_offsets(self.needed)} {unit}; {allowed}"
+                return f"The {called} needs {_offsets(self.needed)} {unit}; {allowed}"
             return f"{self._ends} an end of their range; {allowed}"
         if self.cause == "entrance_range":
             return (
@@ -64,7 +61,7 @@ class Shortfall:
             "the stock allows" if self.cause == "max_thickness" else "the screen leaves room for"
         )
         if self.needed is not None:
-            needed = f"The lens needs to be {self.needed[1]:.3g} {unit} thick"
+            needed = f"The {called} needs to be {self.needed[1]:.3g} {unit} thick"
             return f"{needed}; {limit} {thickest:.3g} {unit}"
         return f"{self._ends} the largest thickness; {limit} {thickest:.3g} {unit}"
 

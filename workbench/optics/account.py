@@ -45,7 +45,7 @@ class Loss(NamedTuple):
 LOSSES: Mapping[str, Loss] = {
     "off_screen": Loss(
         "Beside the {receiver}",
-        "Light that passes the lens and the {receiver} by. A lens that sends much light here "
+        "Light that passes the optic and the {receiver} by. One that sends much light here "
         "wastes it, or has more than its surface can bend.",
         "passes beside it",
         "a larger {receiver} catches it",

@@ -79,7 +79,7 @@ def test_figures_of_an_earlier_lens_are_marked(figures, designed, found):
     figures.follow("checked: error 5 %")
     assert figures._hint.isHidden() and figures._table.isEnabled()
     figures.follow("")
-    assert "of the lens before" in figures._hint.text() and not figures._hint.isHidden()
+    assert "of the design before" in figures._hint.text() and not figures._hint.isHidden()
     assert not figures._table.isEnabled()
     assert rows(figures)["Rays"] == f"{found.rays:,}"
 

@@ -84,3 +84,8 @@ def test_the_entrance_face_is_switched_and_the_other_face_is_only_where_there_is
     assert situation(optic=TWO_FACES).texts()["second_face"] == "Flat &entrance face"
     assert not {"second_face", "other_face"} & allowed(optic=MIRROR)
     assert situation(optic=MIRROR).reasons()["second_face"] == "A mirror has one freeform face"
+
+
+def test_reasons_say_what_the_optic_is_called():
+    reasons = situation(optic=MIRROR, has_lens=False).reasons()
+    assert reasons["continue"] == "There is no mirror yet: Start designs one"

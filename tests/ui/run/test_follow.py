@@ -328,7 +328,7 @@ def test_a_machine_that_does_not_keep_up_twice_is_left_alone(make_desk, qtbot):
     desk.edit(8)
     desk.step()  # the design for the edit before ends
     qtbot.waitUntil(lambda: bool(desk.gave_up))
-    assert desk.gave_up[0].startswith("Edits are followed no longer: the first lens")
+    assert desk.gave_up[0].startswith("Edits are followed no longer: a first result")
     assert not desk.follow.follows(desk.document.session)
     assert desk.document.session.result is None
 

@@ -130,7 +130,7 @@ def test_the_image_follows_the_lens_when_it_stops_changing(view, frame, wavy, tr
     for iteration in (2, 3, 4):
         view.show_frame(wavy(iteration))
     assert traces == []
-    assert "when the lens rests" in view._place.text()
+    assert "when the design rests" in view._place.text()
     traced(view, wavy(4), qtbot)
     assert [rays for _, rays in traces] == [FEW, MANY]
 
