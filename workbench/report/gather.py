@@ -71,13 +71,14 @@ def gather(
         tolerances[0].check(scene)
     heights = result.state.heights
     found = validate(scene, target, heights, rays, accuracy=ACCURACY)
+    called = scene.optic.called
     sections = [
         Section(
-            "Lens and light",
-            (Row("lens", origin(session)),),
+            f"{called.capitalize()} and light",
+            (Row(called, origin(session)),),
             pictures=(
                 Picture(
-                    f"Lens, rays and {scene.receiver.called}",
+                    f"{called.capitalize()}, rays and {scene.receiver.called}",
                     partial(
                         pictures.draw_lens,
                         session=session.of_image(0),
