@@ -146,6 +146,13 @@ def test_a_shortfall_is_one_plain_sentence(make_scene, shortfall, sentence):
     assert shortfall.sentence(make_scene({"unit": "mm"})) == sentence
 
 
+def test_a_shortfall_says_what_the_optic_is_called(make_scene):
+    mirror = {"half_width": [1, 1], "control_points": [8, 8]}
+    scene = make_scene({"lens": None, "mirror": mirror, "screen.z": -5.0})
+    short = Shortfall("height_range", (-2.2, 2.2), (-0.3, 0.3), 0.4)
+    assert short.sentence(scene) == "The mirror needs ±2.2 cm; ±0.3 cm is allowed"
+
+
 def test_a_shortfall_is_converted_with_its_lens():
     short = Shortfall("height_range", (-2.0, 3.0), (-0.5, 0.5), 0.4).scaled(10.0)
     assert (short.needed, short.allowed) == ((-20.0, 30.0), (-5.0, 5.0))
