@@ -5,8 +5,10 @@ import pytest
 
 from workbench.geometry.surface import sample_faces
 from workbench.optics.paths import ray_paths
+from workbench.pictures.exploded import exploded
 from workbench.pictures.images import target_irradiance
 from workbench.pictures.lens import LensPicture
+from workbench.scene import Drawn
 
 
 @pytest.fixture
@@ -135,13 +137,31 @@ def test_recolour_changes_the_ground(make_scene, plotter):
     assert drawn(plotter)[0, 0].mean() < light / 2
 
 
+@pytest.mark.parametrize("explode", [False, True])
+def test_each_receiver_shows_its_own_light(make_scene, plotter, state, explode):
+    far = {"screen": {"z": 40.0, "half_width": [1, 1], "pixels": [8, 8]}, "target": {"image": "a"}}
+    scene = make_scene({"screen.pixels": [8, 8], "further_images": [far]})
+    even = np.ones((8, 8))
+    image = scene.further_images[0].drawn_as(Drawn(even))
+    scene = scene.model_copy(update={"further_images": (image,)})
+    picture = LensPicture(plotter, scene, even, explode=explode)
+    picture.fit("axis")
+    surface, paths, _ = state(scene, rays=(1, 1))
+    picture.update(surface, paths, 0 * even, further=[target_irradiance(scene, even)])
+    shown = exploded(scene) if explode else scene
+    place = (0.5, 0.5, shown.further_images[0].screen.z)
+    assert shown.screen.z < place[2] <= 40.0  # seen from beyond, the far one is in front
+    row, column = screen_pixel(plotter, place)
+    assert drawn(plotter).astype(int).sum(axis=-1)[row, column] > 300
+
+
 def test_large_irradiance_is_thinned_to_what_a_view_shows(make_scene, plotter, state):
     scene = make_scene({"screen.pixels": [1200, 700]})
     target = np.ones((700, 1200))
     picture = LensPicture(plotter, scene, target)
     surface, paths, _ = state(scene)
     picture.update(surface, paths, target)
-    assert picture._texels.dimensions == (400, 350, 1)
+    assert picture._receivers[0]._texels.dimensions == (400, 350, 1)
 
 
 POINT = {"kind": "point", "position": [0.5, 1.0, -5.0], "rays": 100}

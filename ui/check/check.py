@@ -73,7 +73,12 @@ class Check(QObject):
             self.figures_changed.emit("checking…")
             self.under_way_changed.emit(True)
             session, shot = self._shown.session, self._shown.snapshot
-            lens = CheckedLens(session, shot.state.heights, irradiance=shot.state.irradiance)
+            lens = CheckedLens(
+                session,
+                shot.state.heights,
+                irradiance=shot.state.irradiance,
+                further=tuple(light.irradiance for light in shot.state.further),
+            )
             self._background.begin(partial(check, lens, self._rays, None, ACCURACY), lens)
 
     def cancel(self) -> None:

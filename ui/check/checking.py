@@ -39,6 +39,8 @@ class CheckedLens:
         Run time before it.
     irradiance : ndarray, shape (n_y, n_x), optional
         The optimiser's own image, to compare with.
+    further : tuple of ndarray, shape (n_y, n_x)
+        Its own images at the receivers of further images.
     """
 
     session: "Session"
@@ -46,6 +48,7 @@ class CheckedLens:
     iterations: int = 0
     seconds: float = 0.0
     irradiance: Array | None = None
+    further: tuple[Array, ...] = ()
 
 
 def check(

@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 
     from workbench.analysis.validation import Validation
     from workbench.report.content import Row
+    from workbench.scene import AnyReceiver
 
 _CHOICES = (1_000_000, 4_000_000, 16_000_000, 64_000_000)
 _KEY = "check/rays"
@@ -145,15 +146,27 @@ class CheckFigures(QWidget):
 
     def show_check(self, lens: CheckedLens, found: "Validation", difference: float) -> None:
         """Show what a check says."""
-        # Late: what it stands on is slow to import, and is there after a check.
-        from workbench.optics.account import words_for
-        from workbench.report.figures import account_rows, check_rows
+        # Late: it is slow to import, and is there after a check.
+        from workbench.analysis.metrics import relative_l2
 
-        receiver = lens.session.scene.receiver
-        checked, words = check_rows(found, difference), words_for(receiver)
-        tips = [_TIPS[row.name] for row in checked]
-        tips += [words[name][1] for name in ("on_screen", *found.account.lost)]
-        self._fill((*checked, *account_rows(found.account, receiver)), tips)
+        differences = [
+            difference,
+            *(
+                relative_l2(image.irradiance, own)
+                for image, own in zip(found.further, lens.further, strict=True)
+            ),
+        ]
+        rows: list[Row] = []
+        tips: list[str] = []
+        receivers = lens.session.scene.receivers
+        for number, (image, off, receiver) in enumerate(
+            zip(found.images, differences, receivers, strict=True), start=1
+        ):
+            for row, tip in _rows_of(image, off, receiver):
+                name = f"image {number}: {row.name}" if found.further else row.name
+                rows.append(row._replace(name=name))
+                tips.append(tip)
+        self._fill(rows, tips)
         self._table.setEnabled(True)
         self._table.show()
         self._copy.setEnabled(True)
@@ -193,3 +206,17 @@ class CheckFigures(QWidget):
     def _choose(self) -> None:
         self._settings.setValue(_KEY, self.rays)
         self.rays_chosen.emit(self.rays)
+
+
+def _rows_of(
+    found: "Validation", difference: float, receiver: "AnyReceiver"
+) -> "list[tuple[Row, str]]":
+    """What a check says of an image, and what explains it."""
+    # Late: what it stands on is slow to import, and is there after a check.
+    from workbench.optics.account import words_for
+    from workbench.report.figures import account_rows, check_rows
+
+    checked, words = check_rows(found, difference), words_for(receiver)
+    tips = [_TIPS[row.name] for row in checked]
+    tips += [words[name][1] for name in ("on_screen", *found.account.lost)]
+    return list(zip((*checked, *account_rows(found.account, receiver)), tips, strict=True))

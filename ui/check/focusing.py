@@ -50,7 +50,7 @@ def _trace(request: FocusRequest, z: float, rays: int, task: Task) -> "Validatio
     # Late: what it stands on is slow to import.
     from workbench.analysis.validation import validating
 
-    session = request.session
+    session = request.session.of_image(0)  # about whose screen the light is followed
     steps = validating(
         session.scene,
         session.target,

@@ -1,6 +1,7 @@
 """All forms: they turn edits into scenes, and show each refusal where it was caused."""
 
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import Qt, Signal
@@ -10,6 +11,7 @@ from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QVBoxLayout, QWidget
 from ui.document.document import Document
 from ui.panels.edits import Edit, edited_scene, has_place
 from ui.panels.fields import Changes, ChoiceRow, Row
+from ui.panels.images import ImagesPanel
 from ui.panels.lens import LensPanel
 from ui.panels.panel import Panel, PartPanel
 from ui.panels.receiver import ReceiverPanel
@@ -71,7 +73,8 @@ class Forms(QScrollArea):
         self._hint.setObjectName("hint")
         self._hint.setWordWrap(True)
         self._hint.hide()
-        parts = {field.name: field for field in Scene.fields() if field.parts and not field.listed}
+        parts = {field.name: field for field in Scene.fields() if field.parts}
+        self._images = ImagesPanel(parts.pop("further_images"))
         self._target = TargetPanel(parts.pop("target"))
         self._source = SourcePanel(parts["source"])
         made: list[Panel] = []
@@ -83,7 +86,13 @@ class Forms(QScrollArea):
                 made.append(self._source)
             else:
                 made.append(_PANELS.get(name, PartPanel)(field))
-        self.panels: list[Panel] = [ScenePanel(), self._target, *made, StagesPanel()]
+        self.panels: list[Panel] = [
+            ScenePanel(),
+            self._target,
+            *made,
+            self._images,
+            StagesPanel(),
+        ]
         self._page = QWidget()
         column = QVBoxLayout(self._page)
         column.setContentsMargins(0, 0, 0, 0)
@@ -105,7 +114,9 @@ class Forms(QScrollArea):
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self._target.image_asked.connect(self.image_asked)
+        self._chooser: TargetPanel | ImagesPanel = self._target
+        for panel in (self._target, self._images):
+            panel.image_asked.connect(partial(self._ask_image, panel))
         self._source.file_asked.connect(self.light_asked)
         self._target.image_again.connect(self._read_image_again)
         document.session_changed.connect(self._show_change)
@@ -139,8 +150,8 @@ class Forms(QScrollArea):
 
     def choose_image(self, path: Path) -> None:
         """Make an image file the target."""
-        self._target.choose_image(path)
-        self.ensureWidgetVisible(self._target)
+        self._chooser.choose_image(path)
+        self.ensureWidgetVisible(self._chooser)
 
     def choose_light(self, path: Path) -> None:
         """Take the light of a file."""
@@ -153,6 +164,12 @@ class Forms(QScrollArea):
         shape = "flat" if two_faces else "freeform"
         changes: dict[str, object] = {"lens.entrance": {"shape": shape}}
         self.edit(Edit("lens.entrance.shape", f"{shape} entrance face", changes, alone=True))
+
+    def _ask_image(self, panel: TargetPanel | ImagesPanel) -> None:
+        """Have an image file chosen for a panel; any other one is for the first target."""
+        self._chooser = panel
+        self.image_asked.emit()  # comes back when it is chosen, or is not
+        self._chooser = self._target
 
     def set_running(self, running: bool, paused: bool = False) -> None:
         """Whether a run goes on, whose end edits wait for."""

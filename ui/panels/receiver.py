@@ -1,13 +1,14 @@
 """Where the light is wanted: a screen, or directions in the far field."""
 
-from collections.abc import Set
+from collections.abc import Callable, Iterable, Sequence, Set
 from typing import Any
 
+from ui.panels.edits import value_at
 from ui.panels.fields import Changes, ChoiceRow, Row
 from ui.panels.panel import Panel
 from ui.panels.rows import Rows
 from workbench.files.session import Session
-from workbench.scene import AnyReceiver, FieldDescription, Scene
+from workbench.scene import AnyReceiver, FieldDescription
 from workbench.scene.kinds import summary_of
 
 
@@ -22,16 +23,10 @@ class ReceiverPanel(Panel):
 
     def __init__(self, *fields: FieldDescription) -> None:
         self._titles = {field.name: field.title for field in fields}
-        self._kinds: dict[str, type[AnyReceiver]] = {
-            field.name: part
-            for field in fields
-            for part in field.parts
-            if issubclass(part, AnyReceiver)
-        }
-        tip = " ".join(f"{field.title}: {summary_of(field.parts[0])}" for field in fields)
+        self._kinds = receiver_kinds(fields)
         rows = Rows(lambda: self.session.scene)
         first, *others = fields
-        choice = _ChoiceOfReceiver(first.name, tip, self._titles, self._change)
+        choice = ChoiceOfReceiver(fields, self._change)
         super().__init__(first.title, [choice, *rows.of_part(first.parts[0], first.name)])
         for field in others:
             self._add_rows(rows.of_part(field.parts[0], field.name), field.title)
@@ -51,16 +46,33 @@ class ReceiverPanel(Panel):
         return changes | {name: made.model_dump(mode="json", exclude_none=True)}
 
 
-class _ChoiceOfReceiver(ChoiceRow):
-    """Which of the parts it is."""
+class ChoiceOfReceiver(ChoiceRow):
+    """Which of some parts the receiver is.
 
-    def __init__(self, path: str, tip: str, titles: dict[str, str], change: Any) -> None:
+    Parameters
+    ----------
+    fields : sequence of FieldDescription
+        The fields of which one holds it.
+    change : callable
+        What another one of them changes.
+    holder : str
+        Path of what has these fields; empty for the scene.
+    """
+
+    def __init__(
+        self,
+        fields: Sequence[FieldDescription],
+        change: Callable[[str], Changes | None],
+        holder: str = "",
+    ) -> None:
+        titles = {field.name: field.title for field in fields}
+        before = f"{holder}." if holder else ""
         super().__init__(
-            path,
+            before + fields[0].name,
             "Kind",
-            tip,
+            " ".join(f"{field.title}: {summary_of(field.parts[0])}" for field in fields),
             list(titles.items()),
-            read=lambda scene: _given(scene, titles),
+            read=lambda scene: _given(value_at(scene, holder) if holder else scene, titles),
             changes=change,
         )
 
@@ -72,5 +84,15 @@ class _ChoiceOfReceiver(ChoiceRow):
         return True
 
 
-def _given(scene: Scene, names: dict[str, str]) -> str:
-    return next(name for name in names if getattr(scene, name) is not None)
+def receiver_kinds(fields: Sequence[FieldDescription]) -> dict[str, type[AnyReceiver]]:
+    """What stands in each of some fields."""
+    return {
+        field.name: part
+        for field in fields
+        for part in field.parts
+        if issubclass(part, AnyReceiver)
+    }
+
+
+def _given(holder: Any, names: Iterable[str]) -> str:
+    return next((name for name in names if getattr(holder, name, None) is not None), "")

@@ -50,7 +50,7 @@ class TargetPanel(PartPanel):
 
     def own_rows(self) -> dict[str, Make]:
         """A file can be looked for."""
-        return {"image": _image_rows}
+        return {"image": image_rows}
 
     def show_session(self, session: Session, present: Set[Row], pending: Set[str]) -> None:
         """Show the target's settings and the image itself."""
@@ -73,7 +73,8 @@ class TargetPanel(PartPanel):
         self.edited.emit(edit)
 
 
-def _image_rows(field: FieldDescription, path: str) -> list[Row]:
+def image_rows(field: FieldDescription, path: str) -> list[Row]:
+    """A row in which a file can be looked for."""
     kept = f"The design keeps images of up to {LARGEST_PICTURE >> 20} MB."
     return [TextRow(path, field.title, f"{field.tip} {kept}", "Choose an image file")]
 

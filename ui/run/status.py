@@ -60,7 +60,8 @@ class RunStatus:
         )
         self._light = _figure(
             bar,
-            "Part of the light that lands where it is wanted: on the screen, or in the far field",
+            "Part of the light that lands where it is wanted: on the screen, or in the far field; "
+            "of several images, of each",
             "in the far field 000.0 %",
         )
         self._elapsed = _figure(bar, "Run time", "00:00 elapsed")
@@ -109,8 +110,9 @@ class RunStatus:
         each_second = "" if rate is None else f", {rate:.3g}/s"
         self._iteration.setText(f"iteration {done} of {all_of_it}{each_second}" if counting else "")
         self._loss.setText(f"loss {snapshot.state.loss:.3e}")
-        scene, landed = frame.session.scene, snapshot.state.account.efficiency
-        self._light.setText(f"{scene.receiver.place} {100 * landed:.1f} %")
+        scene = frame.session.scene
+        landed = (f"{100 * light.account.efficiency:.1f} %" for light in snapshot.state.lights)
+        self._light.setText(f"{scene.receiver.place} {', '.join(landed)}")
         self._elapsed.setText(f"{clock(snapshot.seconds)} elapsed" if counting else "")
         may_stop = scene.run.method == "auto"
         at_most = "at most " if may_stop else ""

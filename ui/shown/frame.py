@@ -1,6 +1,6 @@
 """What the window is shown of a run: one snapshot, ready to draw."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -52,6 +52,14 @@ class Frame:
     def state(self) -> "LensState":
         """The lens of this moment and its light."""
         return self.snapshot.state
+
+    def of_image(self, number: int) -> "Frame":
+        """The frame as if one of the scene's images were the only one; 0 is the first."""
+        if not self.session.scene.further_images:
+            return self
+        session = self.session.of_image(number)
+        state = self.state.of_image(number, session.target)
+        return replace(self, session=session, snapshot=replace(self.snapshot, state=state))
 
 
 def make_frame(session: "Session", snapshot: "Snapshot", history: "History") -> Frame:

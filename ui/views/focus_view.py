@@ -94,6 +94,10 @@ class FocusView(LightImageView, ComputingView):
         self._box.addWidget(self._place)
         self.add_below(self._curve)
 
+    def _number(self, session: "Session") -> int:
+        """Light is followed about the first screen."""
+        return 0
+
     @property
     def z(self) -> float:
         """Where the screen is that is shown; there has to be a frame."""

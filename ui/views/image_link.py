@@ -1,8 +1,13 @@
 """What several images of the screen have in common: the part that is seen, and places on it."""
 
+from typing import TYPE_CHECKING
+
 from PySide6.QtCore import QObject, Signal
 
 from workbench.pictures.images import LIGHT
+
+if TYPE_CHECKING:
+    from workbench.scene import Scene
 
 Part = tuple[float, float, float, float]
 Place = tuple[float, float]
@@ -37,6 +42,7 @@ class ImageLink(QObject):
         self.drawing = False  # whether dragging draws a line
         self.logarithmic = False
         self.colours = LIGHT
+        self.number = 0  # of the scene's image that is seen
 
     def show_part(self, part: Part | None) -> None:
         """See another part."""
@@ -61,6 +67,14 @@ class ImageLink(QObject):
     def set_colours(self, colours: str) -> None:
         """Show light in one of `workbench.pictures.maps.UNSIGNED`."""
         self._set("colours", colours)
+
+    def show_image(self, number: int) -> None:
+        """See another one of the scene's images; 0 is the first."""
+        self._set("number", number)
+
+    def number_in(self, scene: "Scene") -> int:
+        """Which image of a scene is seen: the last one of a scene that has fewer."""
+        return min(self.number, len(scene.further_images))
 
     def _set(self, name: str, value: object) -> None:
         if value != getattr(self, name):

@@ -6,6 +6,8 @@ from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QPainter, QPaintEvent, QPalette
 from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QWidget
 
+from ui.views.image_choice import ImageChoice
+from ui.views.image_link import ImageLink
 from ui.views.view import View
 from workbench.optics.account import LOSSES, words_for
 from workbench.scene import Screen
@@ -19,10 +21,20 @@ _SUM = ("All parts", "The parts together; the account is complete when this is 1
 
 
 class LightView(View):
-    """A table of the parts of the emitted light, in percent."""
+    """A table of the parts of the emitted light, in percent.
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    Parameters
+    ----------
+    link : ImageLink, optional
+        Tells of which of the scene's images; by default it stands alone.
+    """
+
+    def __init__(self, link: ImageLink | None = None, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        self._link = link or ImageLink(self)
+        self._link.changed.connect(self._ask)
+        self._choice = ImageChoice(self._link)
+        self._box.addWidget(self._choice)
         table = QWidget()
         self._grid = QGridLayout(table)
         self._grid.setContentsMargins(8, 6, 8, 6)
@@ -43,6 +55,9 @@ class LightView(View):
         return {line.name.text(): line.value.text() for line in lines if not line.value.isHidden()}
 
     def _draw(self, session: "Session", frame: "Frame | None") -> None:
+        self._choice.show_scene(session.scene)
+        number = self._link.number_in(session.scene)
+        session, frame = session.of_image(number), frame and frame.of_image(number)
         for name, text in words_for(session.scene.receiver).items():
             self._rows[name].call(*text)
             loss = LOSSES.get(name)

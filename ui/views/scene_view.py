@@ -289,8 +289,9 @@ class SceneView(View):
         self._place_camera(session)
         if self._picture is not None and frame is not None:
             lit, paths = frame.state.irradiance, some_rays(frame.paths, self._rays)
+            further = [light.irradiance for light in frame.state.further]
             self._picture.set_colours(self._colours)
-            self._picture.update(frame.surfaces, paths, lit, frame.source)
+            self._picture.update(frame.surfaces, paths, lit, frame.source, further)
         if frame is not None:
             self._draw_tools(frame)
         self._plotter.repaint()

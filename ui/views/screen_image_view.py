@@ -10,6 +10,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QToolButton, QWidget
 
+from ui.views.image_choice import ImageChoice
 from ui.views.image_link import ImageLink, Place
 from ui.views.image_view import ImageContent, ImageView
 from ui.widgets import theme
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
     from matplotlib.artist import Artist
     from matplotlib.axes import Axes
 
+    from ui.shown.frame import Frame
     from workbench.files.session import Session
 
 _MARK = "#8a8f98"  # seen on light and dark
@@ -63,6 +65,18 @@ class ScreenImageView(ImageView):
             "Drag across an image to draw the line of a cross-section; Shift and drag does so too",
         )
         self._line_tool.toggled.connect(self._link.set_drawing)
+        self._choice = ImageChoice(self._link)
+        self._bottom.insertWidget(0, self._choice)
+
+    def _draw(self, session: "Session", frame: "Frame | None") -> None:
+        """Draw the chosen image of several."""
+        number = self._number(session)
+        super()._draw(session.of_image(number), frame and frame.of_image(number))
+
+    def _number(self, session: "Session") -> int:
+        """Which of the images of a design is shown; 0 is the first."""
+        self._choice.show_scene(session.scene)
+        return self._link.number_in(session.scene)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Pin a place without a mouse."""

@@ -57,6 +57,7 @@ class SectionView(PlotView):
         super().__init__(parent)
         self._link = link or ImageLink(self)
         self._place: Place = (0.0, 0.0)
+        self._number = self._link.number
         self._line: Line | None = None  # from corner to corner until one is drawn
         self._button = MenuButton("Along", _TIP)
         self._direction = self._button.add_choice(["Along x", "Along y", "Along a line"])
@@ -119,7 +120,10 @@ class SectionView(PlotView):
             self._ask()
 
     def _follow(self) -> None:
-        """Take over a line while it is being drawn."""
+        """Take over a line while it is being drawn, and the image that is chosen."""
+        if self._link.number != self._number:
+            self._number = self._link.number
+            self._ask()
         if self.isVisible() and self._link.line not in (None, self._line):
             assert self._link.line is not None
             self._take(self._link.line)
@@ -128,6 +132,10 @@ class SectionView(PlotView):
         self._line = line
         choose(self._direction, _DIRECTIONS.index("line"))
         self._turn()
+
+    def _draw(self, session: "Session", frame: "Frame | None") -> None:
+        number = self._link.number_in(session.scene)
+        super()._draw(session.of_image(number), frame and frame.of_image(number))
 
     def _begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
         receiver = session.scene.receiver

@@ -61,7 +61,7 @@ class Views(QObject):
             "focus": self.focus,
             "loss": self.loss,
             "section": SectionView(link),
-            "light": LightView(),
+            "light": LightView(link),
         }
         self.derivative.chosen.connect(self.scene.nets.mark)
         self.scene.picked.connect(self.derivative.choose)

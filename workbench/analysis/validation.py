@@ -11,7 +11,7 @@ import math
 from collections.abc import Generator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -79,6 +79,8 @@ class Validation:
         Light that is counted although something is in its way, where cells were asked for.
     further : tuple of Validation
         The same of each further image, in their order.
+    weight : float
+        What the square of this image's error counts for beside those of the others.
     """
 
     loss: float
@@ -95,6 +97,7 @@ class Validation:
     by_cells: ByCells | None = None
     shading: Shading | None = None
     further: tuple["Validation", ...] = ()
+    weight: float = 1.0
 
     @property
     def images(self) -> tuple["Validation", ...]:
@@ -102,9 +105,12 @@ class Validation:
         return (self, *self.further)
 
     @property
-    def verified(self) -> "Validation | ByCells":
-        """What has the error of the lens itself: cells, or else random rays."""
-        return self.by_cells or self
+    def verified(self) -> "Validation | ByCells | Together":
+        """What has the error of the lens itself: cells, or else random rays.
+
+        That of several images is the root of the weighted mean of their squares, as for a design.
+        """
+        return Together.of(self.images) if self.further else self.by_cells or self
 
     @property
     def loss_corrected(self) -> float:
@@ -131,6 +137,30 @@ class Validation:
             "shading": self.shading and self.shading.to_data(),
             **(further if self.further else {}),
         }
+
+
+class Together(NamedTuple):
+    """The error of several images.
+
+    Attributes
+    ----------
+    relative_l2_corrected, relative_l2_corrected_interval
+        As of `Validation`.
+    """
+
+    relative_l2_corrected: float
+    relative_l2_corrected_interval: Interval
+
+    @classmethod
+    def of(cls, images: Sequence[Validation]) -> "Together":
+        """The root of the weighted mean of the squares of their errors."""
+        each = [image.by_cells or image for image in images]
+        weights = [image.weight for image in images]
+        errors = [
+            (found.relative_l2_corrected, *found.relative_l2_corrected_interval) for found in each
+        ]
+        error, low, high = np.sqrt(np.average(np.square(errors), axis=0, weights=weights)).tolist()
+        return cls(error, (low, high))
 
 
 def validate(
@@ -231,7 +261,8 @@ def validating(
     images = scene.images(target)
     for done, image in enumerate(images):
         steps = _of_one(image.scene, image.target, heights, rays, seed, pose, threads, accuracy)
-        found.append((yield from within(steps, partial(_part_of_all, done, len(images)))))
+        one = yield from within(steps, partial(_part_of_all, done, len(images)))
+        found.append(replace(one, weight=image.weight))
     first, *others = found
     return replace(first, further=tuple(others)) if others else first
 

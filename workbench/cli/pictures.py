@@ -30,9 +30,11 @@ def pictures(path: Path, folder: Path) -> None:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise Refused(str(folder), f"cannot be made: {error.strerror or error}") from error
-    drawn = [(name, write, session.of_image(0)) for name, write in PICTURES.items()]
-    for number in range(1, len(session.scene.receivers)):
-        drawn.append((f"irradiance-{number + 1}.png", write_images, session.of_image(number)))
+    drawn = [(name, write, session) for name, write in PICTURES.items()]
+    drawn += [
+        (f"irradiance-{number + 1}.png", write_images, session.of_image(number))
+        for number in range(1, len(session.scene.receivers))
+    ]
     for name, _, _ in drawn:
         check_writable(folder / name)
     for name, write, shown in drawn:

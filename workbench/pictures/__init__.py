@@ -4,7 +4,7 @@ pyvista and matplotlib are imported by the modules in here alone, so whoever nee
 not wait for them.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import BinaryIO
 
 import numpy as np
@@ -41,8 +41,8 @@ def write_lens(session: Session, file: BinaryIO) -> None:
     """Draw a designed lens with its rays and the lit screen as PNG."""
     from PIL import Image
 
-    irradiance = result_of(session).state.irradiance
-    Image.fromarray(lens_image(session, irradiance)).save(file, "PNG")
+    lights = [light.irradiance for light in result_of(session).state.lights]
+    Image.fromarray(lens_image(session, lights)).save(file, "PNG")
 
 
 def write_loss(session: Session, file: BinaryIO) -> None:
@@ -67,7 +67,7 @@ PICTURES: dict[str, Callable[[Session, BinaryIO], None]] = {
 
 
 def lens_image(
-    session: Session, irradiance: npt.NDArray[np.float64], explode: bool = False
+    session: Session, lights: Sequence[npt.NDArray[np.float64]], explode: bool = False
 ) -> npt.NDArray[np.uint8]:
     """Draw a designed lens with its rays.
 
@@ -75,8 +75,8 @@ def lens_image(
     ----------
     session : Session
         A session with a result.
-    irradiance : ndarray, shape (n_y, n_x)
-        Flux per area on the screen.
+    lights : sequence of ndarray, shape (n_y, n_x)
+        Flux per area on the screen, and at the receivers of further images.
     explode : bool
         Whether long distances are drawn short.
 
@@ -101,7 +101,8 @@ def lens_image(
         picture.update(
             sample_faces(scene.optic, heights, _SURFACE_SAMPLES),
             ray_paths(scene, heights, _RAYS),
-            irradiance,
+            lights[0],
+            further=lights[1:],
         )
         picture.fit()
         return np.asarray(plotter.screenshot(return_img=True))

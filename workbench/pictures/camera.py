@@ -292,8 +292,9 @@ def space(scene: Scene) -> Array:
 
 
 def _on_receiver(scene: Scene) -> Array:
-    """Where the receiver is drawn, (n, 3)."""
-    return scene.receiver.outline(scene.optic).reshape(-1, 3)
+    """Where all receivers are drawn, (n, 3)."""
+    outlines = [receiver.outline(scene.optic) for receiver in scene.receivers]
+    return np.concatenate([outline.reshape(-1, 3) for outline in outlines])
 
 
 def _direction(azimuth: float, elevation: float) -> Array:

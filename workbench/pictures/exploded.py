@@ -9,7 +9,7 @@ import math
 import numpy as np
 import numpy.typing as npt
 
-from workbench.scene import Scene, Screen, Source
+from workbench.scene import FurtherImage, Scene, Screen, Source
 
 Array = npt.NDArray[np.float64]
 
@@ -21,7 +21,8 @@ _ROUNDING = 1e-9
 
 def exploded(scene: Scene) -> Scene:
     """The scene as it is drawn; nothing is moved farther away, and nothing enlarged."""
-    return scene.model_copy(update={"screen": _drawn_screen(scene), "source": _drawn_source(scene)})
+    shown = {"screen": _drawn_screen(scene), "source": _drawn_source(scene)}
+    return scene.model_copy(update=shown | {"further_images": _drawn_further(scene)})
 
 
 def explode_paths(points: Array, scene: Scene) -> Array:
@@ -59,6 +60,32 @@ def _drawn_screen(scene: Scene) -> Screen | None:
     z = min(screen.z, scene.optic.highest + _TO_SCREEN * _lens_width(scene))
     return screen.model_copy(
         update={"half_width": (scale * r_x, scale * r_y), "center": (scale * x, scale * y), "z": z}
+    )
+
+
+def _drawn_further(scene: Scene) -> tuple[FurtherImage, ...]:
+    """Further screens in proportion to the first, so that none hides in another."""
+    screen, shown, top = scene.screen, _drawn_screen(scene), scene.optic.leaving_z
+    if screen is None or shown is None:
+        return scene.further_images
+    nearer, smaller = (
+        (shown.z - top) / (screen.z - top),
+        shown.half_width[0] / screen.half_width[0],
+    )
+    return tuple(
+        image.model_copy(
+            update={
+                "screen": image.screen
+                and image.screen.model_copy(
+                    update={
+                        "z": top + nearer * (image.screen.z - top),
+                        "half_width": tuple(smaller * r for r in image.screen.half_width),
+                        "center": tuple(smaller * c for c in image.screen.center),
+                    }
+                )
+            }
+        )
+        for image in scene.further_images
     )
 
 

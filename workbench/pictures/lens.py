@@ -15,7 +15,7 @@ the right, row 0 at the top.
 """
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -29,7 +29,8 @@ from workbench.geometry.surface import freeform_nets
 from workbench.pictures import shapes
 from workbench.pictures.camera import FittedCamera, in_view, start_z
 from workbench.pictures.exploded import explode_paths, exploded
-from workbench.pictures.images import LIGHT, full_scale, to_colours
+from workbench.pictures.images import LIGHT
+from workbench.pictures.lit_receiver import LitReceiver
 from workbench.scene import Scene, Source
 
 if TYPE_CHECKING:
@@ -40,7 +41,6 @@ Array = npt.NDArray[np.float64]
 _NET_FIELDS = 8
 _SOURCE_POINTS = (25, 25)  # of a grid, at most
 _BASE_SAMPLES = 33  # per axis, of the base that stands in until the first update
-_TEXTURE_PIXELS = 512  # per axis; more than a view shows
 _GLASS = "#8fc1e8"
 _INK = {True: "#b4bcc8", False: "#475060"}  # by dark
 _GROUND = {True: ("#12151a", "#2a303a"), False: ("#dfe4eb", "#fcfdfe")}  # bottom and top
@@ -60,7 +60,8 @@ class LensPicture:
     scene : Scene
         What is drawn; until the first `update` freeform faces are where they begin.
     target : ndarray, shape (n_y, n_x)
-        Target image; the brightness of the screen is relative to it.
+        Target image; the brightness of the screen is relative to it. Those of further images are
+        in the scene.
     dark : bool
         Light lines on a dark ground instead of the reverse.
     explode : bool
@@ -85,14 +86,13 @@ class LensPicture:
         self._plotter = plotter
         self._traced, self._explode = scene, explode
         self._scene = exploded(scene) if explode else scene  # as it is drawn
-        self._full_scale = full_scale(scene, target)
         self._colours = LIGHT
         self._dark = dark
         self._by_weight = by_weight
         self._lines: list[Any] = []
         self._camera = FittedCamera(plotter, self._scene, perspective=perspective)
         self._add_lens()
-        self._add_screen()
+        self._add_receivers(target)
         self._add_source()
         self._add_axes()
         self._rays = pv.PolyData(np.zeros((2, 3)), lines=[2, 0, 1])
@@ -110,6 +110,7 @@ class LensPicture:
         paths: "RayPaths",
         irradiance: Array,
         source: Source | None = None,
+        further: Sequence[Array] = (),
     ) -> None:
         """Show another state of the same scene; the camera stays.
 
@@ -123,6 +124,8 @@ class LensPicture:
             Flux per area on the screen, row 0 at +y.
         source : Source, optional
             Where these rays come from in a stage of the run that has a source of its own.
+        further : sequence of ndarray, shape (n_y, n_x)
+            Flux per area at the receiver of each further image.
         """
         lit = self._traced.model_copy(update={"source": source or self._traced.source})
         points = paths.points
@@ -131,7 +134,8 @@ class LensPicture:
         self._place_lens(surfaces)
         self._place_source(lit)
         self._place_rays(paths._replace(points=points), lit)
-        self._paint_screen(irradiance)
+        for receiver, light in zip(self._receivers, (irradiance, *further), strict=True):
+            receiver.paint(light, self._colours)
         self._plotter.renderer.ResetCameraClippingRange()
 
     @property
@@ -237,35 +241,13 @@ class LensPicture:
             self._edges.lines = shapes.wall_lines(m_u, m_v, straight, flat=not others)
             self._edges.verts = np.zeros(0, dtype=np.int64)
 
-    def _add_screen(self) -> None:
-        optic, receiver = self._scene.optic, self._scene.receiver
-        corners = receiver.outline(optic)
-        count = len(corners)
-        plane = pv.PolyData(corners.reshape(-1, 3), faces=shapes.quads(count, count))
-        # Texture rows count upwards in VTK: the last row of an image lies at its origin.
-        steps = np.linspace(0, 1, count)
-        plane.active_texture_coordinates = np.stack(
-            np.meshgrid(steps, steps, indexing="ij"), axis=-1
-        ).reshape(-1, 2)
-        self._texels = pv.ImageData()
-        self._texture = pv.Texture()
-        self._texture.SetInputDataObject(self._texels)
-        n_x, n_y = receiver.pixels
-        self._paint_screen(np.zeros((n_y, n_x)))
-        self._add(plane, body=True, texture=self._texture, lighting=False)
-        # A touch larger than the plane, which would swallow parts of it.
-        around = shapes.rim(receiver.outline(optic, 1.004))
-        frame = pv.PolyData(around, lines=[len(around), *range(len(around))])
-        self._lines.append(self._add(frame, line_width=1.5, lighting=False))
-
-    def _paint_screen(self, irradiance: Array) -> None:
-        n_y, n_x = irradiance.shape
-        thin = (slice(None, None, -(-n // _TEXTURE_PIXELS)) for n in (n_y, n_x))
-        colours = to_colours(irradiance[tuple(thin)], self._full_scale, self._colours)[::-1]
-        self._texels.dimensions = (colours.shape[1], colours.shape[0], 1)
-        self._texels.point_data["colour"] = colours.reshape(-1, 3)
-        self._texels.point_data.active_scalars_name = "colour"
-        self._texels.Modified()
+    def _add_receivers(self, target: npt.NDArray[Any]) -> None:
+        images = self._traced.images(target)
+        self._receivers = [
+            LitReceiver(self._add, receiver, self._scene.optic, image)
+            for receiver, image in zip(self._scene.receivers, images, strict=True)
+        ]
+        self._lines += [receiver.frame for receiver in self._receivers]
 
     def _add_source(self) -> None:
         self._places = pv.PolyData(np.zeros((1, 3)))

@@ -36,10 +36,10 @@ _FONT = 9
 _APART = {"wspace": 0.12, "hspace": 0.03}
 
 
-def draw_lens(figure: "FigureBase", session: Session, irradiance: Array) -> None:
-    """Draw the lens with its rays, long distances short, and the screen lit by an image."""
+def draw_lens(figure: "FigureBase", session: Session, lights: Sequence[Array]) -> None:
+    """Draw the lens with its rays, long distances short, and each receiver lit by an image."""
     axes = figure.subplots()
-    axes.imshow(lens_image(session, irradiance, explode=True), interpolation="antialiased")
+    axes.imshow(lens_image(session, lights, explode=True), interpolation="antialiased")
     axes.set_axis_off()
 
 

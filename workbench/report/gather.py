@@ -81,8 +81,8 @@ def gather(
                     f"{called.capitalize()}, rays and {scene.receiver.called}",
                     partial(
                         pictures.draw_lens,
-                        session=session.of_image(0),
-                        irradiance=found.irradiance,
+                        session=session,
+                        lights=[image.irradiance for image in found.images],
                     ),
                     4.3,
                 ),

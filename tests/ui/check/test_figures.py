@@ -1,14 +1,17 @@
 """All figures of a check in a dock: told, explained, copied; and the choice of rays."""
 
+import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction, QGuiApplication
 
+from tests.scene.test_further_image import SECOND
 from tests.ui.hands import move_screen
 from ui.check.checking import CheckedLens
 from ui.check.figures import CheckFigures
 from workbench.analysis.metrics import relative_l2
 from workbench.analysis.validation import validate, validating
+from workbench.design.task import begin
 from workbench.report.figures import account_rows, check_rows, percent
 
 pytestmark = pytest.mark.usefixtures("kernels")
@@ -54,6 +57,22 @@ def test_all_figures_are_listed_and_explained(figures, designed, found):
     tips = [table.item(row, 0).toolTip() for row in range(table.rowCount())]
     assert len(set(tips)) == table.rowCount() == 20
     assert all(table.item(row, 1).toolTip() == tip for row, tip in enumerate(tips))
+
+
+def test_figures_of_each_image_are_listed(figures, make_scene, designed, tmp_path):
+    session = begin(make_scene({"further_images": [SECOND]}), tmp_path)
+    heights = designed.result.state.heights
+    found = validate(session.scene, session.target, heights, RAYS)
+    own = found.further[0].irradiance
+    figures.show_check(CheckedLens(session, heights, further=(own,)), found, 0.0321)
+    told = rows(figures)
+    for number, image in enumerate(found.images, start=1):
+        assert told[f"Image {number}: relative L2 error"] == percent(image.relative_l2)
+    assert told["Image 1: off the optimiser's image"] == "3.210 %"
+    assert told["Image 2: off the optimiser's image"] == percent(0.0)
+    errors = [image.relative_l2_corrected for image in found.images]
+    together = np.sqrt((errors[0] ** 2 + 2 * errors[1] ** 2) / 3)
+    assert found.verified.relative_l2_corrected == pytest.approx(together)
 
 
 def test_figures_are_copied_separated_by_tabs(figures, designed, found, qtbot):

@@ -6,6 +6,7 @@ from PySide6.QtWidgets import QListWidget, QToolButton
 
 from tests.ui.hands import choose, enter, row, rows
 from ui.document.document import Document
+from ui.panels.stages import StagesPanel
 from workbench.scene import Stage
 
 
@@ -28,12 +29,18 @@ def stages(document):
 
 
 def click(qtbot, forms, text):
-    button = next(b for b in forms.findChildren(QToolButton) if b.text() == text)
+    button = next(
+        b for b in forms.findChild(StagesPanel).findChildren(QToolButton) if b.text() == text
+    )
     qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
 
 
+def the_list(forms):
+    return forms.findChild(StagesPanel).findChild(QListWidget)
+
+
 def listed(forms):
-    found = forms.findChild(QListWidget)
+    found = the_list(forms)
     return [found.item(at).text() for at in range(found.count())]
 
 
@@ -55,7 +62,7 @@ def test_stages_are_added_and_each_is_a_step_of_its_own(begin, qtbot):
     click(qtbot, forms, "Add")
     assert [stage.iterations for stage in stages(document)] == [50, 25]
     assert listed(forms) == ["1.  50 iterations", "2.  25 iterations"]
-    assert forms.findChild(QListWidget).currentRow() == 1
+    assert the_list(forms).currentRow() == 1
     document.undo_stack.undo()
     assert listed(forms) == ["1.  50 iterations"]
     document.undo_stack.undo()
@@ -69,7 +76,7 @@ def test_stages_are_moved_and_stay_chosen(begin, qtbot):
     document, forms = begin(TWO)
     click(qtbot, forms, "Down")
     assert [stage.iterations for stage in stages(document)] == [20, 10]
-    assert forms.findChild(QListWidget).currentRow() == 1
+    assert the_list(forms).currentRow() == 1
     assert row(forms, "run.stages[1].iterations").isVisible()
     click(qtbot, forms, "Down")  # disabled
     click(qtbot, forms, "Up")
@@ -185,10 +192,10 @@ def test_text_that_is_not_entered_stays_with_its_stage(begin, qtbot):
 def test_choosing_another_stage_shows_its_settings(begin, qtbot):
     _, forms = begin(TWO)
     enter(qtbot, forms, "run.stages[0].iterations", "none")
-    forms.findChild(QListWidget).setCurrentRow(1)
+    the_list(forms).setCurrentRow(1)
     (editor,) = row(forms, "run.stages[1].iterations").editors.values()
     assert editor.text() == "20"
-    forms.findChild(QListWidget).setCurrentRow(0)
+    the_list(forms).setCurrentRow(0)
     (editor,) = row(forms, "run.stages[0].iterations").editors.values()
     assert (editor.text(), row(forms, "run.stages[0].iterations").refusal) == ("10", "")
 

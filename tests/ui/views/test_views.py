@@ -414,10 +414,10 @@ def test_the_3d_scene_of_nothing_has_a_dark_screen(display, session, frame, qtbo
         window.show()
     qtbot.waitUntil(lambda: view._picture is not None)
     lit = view._picture
-    assert lit._texels.point_data["colour"].max() > 100
+    assert lit._receivers[0]._texels.point_data["colour"].max() > 100
     view.show_nothing(session)
     qtbot.waitUntil(lambda: view._picture is not lit)
-    assert view._picture._texels.point_data["colour"].max() < 10
+    assert view._picture._receivers[0]._texels.point_data["colour"].max() < 10
     view.close_plotter()
 
 

@@ -1,0 +1,76 @@
+"""Views of a scene of several images show the one that is chosen."""
+
+import numpy as np
+import pytest
+from PySide6.QtWidgets import QVBoxLayout, QWidget
+
+from tests.accounts import account_of
+from tests.scene.test_further_image import SECOND
+from ui.views.error_view import ErrorView
+from ui.views.image_choice import ImageChoice
+from ui.views.image_link import ImageLink
+from ui.views.irradiance_view import IrradianceView
+from ui.views.light_view import LightView
+from ui.views.section_view import SectionView
+from ui.views.target_view import TargetView
+from workbench.design.lens_state import FurtherLight
+from workbench.design.task import begin
+from workbench.pictures.images import signed_error, target_irradiance
+
+
+@pytest.fixture
+def frame(make_scene, frames, tmp_path):
+    """Light of a scene of two images."""
+    session = begin(make_scene({"further_images": [SECOND]}), tmp_path)
+    elsewhere = np.arange(32.0 * 24).reshape(32, 24) / 1000
+    further = (FurtherLight(elsewhere, 0.1, account_of(1.0, 0.3, 0.62, 0.0, 0.0, 0.0, 0.04, 0.04)),)
+    return frames(1, session, further=further)
+
+
+@pytest.fixture
+def views(show):
+    link, window = ImageLink(), QWidget()
+    views = [view(link) for view in (IrradianceView, TargetView, ErrorView, SectionView, LightView)]
+    column = QVBoxLayout(window)
+    for view in views:
+        column.addWidget(view)
+    show(window, 700, 1400)
+    yield views  # the window lives as long
+
+
+def choice(view):
+    return view.findChild(ImageChoice)
+
+
+def test_all_views_show_the_image_that_is_chosen_in_one(views, frame, qtbot):
+    for view in views:
+        view.show_frame(frame)
+    lit, wanted, off, section, light = views
+    qtbot.waitUntil(lambda: all(view._values is not None for view in views[:3]))
+    np.testing.assert_array_equal(lit._values, frame.state.irradiance)
+    chooser = choice(lit)
+    assert [chooser.itemText(k) for k in (0, 1)] == ["Image 1, z = 5 cm", "Image 2, z = 6 cm"]
+    chooser.setCurrentIndex(1)
+    chooser.activated.emit(1)
+    qtbot.waitUntil(lambda: all(view._values.shape == (32, 24) for view in views[:3]))
+    scene, target, _ = frame.session.scene.images(frame.session.target)[1]
+    elsewhere = frame.state.further[0].irradiance
+    np.testing.assert_array_equal(lit._values, elsewhere)
+    np.testing.assert_array_equal(wanted._values, target_irradiance(scene, target))
+    np.testing.assert_array_equal(off._values, signed_error(scene, target, elsewhere))
+    qtbot.waitUntil(lambda: section._shown.scene.receiver == scene.receiver)
+    qtbot.waitUntil(lambda: light.texts()["On the screen"] == "30.00 %")
+    assert all(choice(view).currentIndex() == 1 for view in (lit, wanted, off, light))
+
+
+def test_there_is_no_choice_where_there_is_one_image(views, frame, frames, qtbot):
+    for view in views:
+        view.show_frame(frame)
+    qtbot.waitUntil(lambda: choice(views[0]).isVisible())
+    views[0]._link.show_image(1)
+    alone = frames(1)
+    for view in views:
+        view.show_frame(alone)
+    shown = [views[k] for k in (0, 1, 2, 4)]
+    qtbot.waitUntil(lambda: not any(choice(view).isVisible() for view in shown))
+    np.testing.assert_array_equal(views[0]._values, alone.state.irradiance)

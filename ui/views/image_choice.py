@@ -1,0 +1,46 @@
+"""Which one of a scene's images is shown, where there are several."""
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QSignalBlocker
+from PySide6.QtWidgets import QComboBox
+
+from ui.views.image_link import ImageLink
+
+if TYPE_CHECKING:
+    from workbench.scene import AnyReceiver, Scene
+
+
+class ImageChoice(QComboBox):
+    """All views with the same link show the image that is chosen in any of them.
+
+    Parameters
+    ----------
+    link : ImageLink
+        Keeps the choice.
+    """
+
+    def __init__(self, link: ImageLink) -> None:
+        super().__init__()
+        self._link = link
+        self.setAccessibleName("Image that is shown")
+        self.setToolTip("Which of the scene's images is shown")
+        self.activated.connect(link.show_image)
+        self.hide()
+
+    def show_scene(self, scene: "Scene") -> None:
+        """Offer the images of a scene; nothing where there is only one."""
+        titles = [
+            f"Image {number}, {_place(receiver, scene.unit)}"
+            for number, receiver in enumerate(scene.receivers, start=1)
+        ]
+        with QSignalBlocker(self):
+            if titles != [self.itemText(number) for number in range(self.count())]:
+                self.clear()
+                self.addItems(titles)
+            self.setCurrentIndex(self._link.number_in(scene))
+        self.setVisible(len(titles) > 1)
+
+
+def _place(receiver: "AnyReceiver", unit: str) -> str:
+    return f"z = {receiver.plane_z:.4g} {unit}" if receiver.at_distance else receiver.called
