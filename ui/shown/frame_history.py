@@ -142,7 +142,7 @@ def _until(at: int, checks: "tuple[Verified, ...]") -> "tuple[Verified, ...]":
 
 def _size(frame: "Frame") -> int:
     state, paths = frame.state, frame.paths
-    lights = (light.irradiance for light in state.lights)
+    lights = state.irradiance, *(light.irradiance for light in state.further)
     faces = *state.heights.values(), *frame.surfaces.values()
     arrays = (*faces, *lights, frame.result.losses)
     return sum(array.nbytes for array in (*arrays, paths.points, paths.weight))

@@ -14,7 +14,7 @@ pytestmark = pytest.mark.usefixtures("kernels")
 
 
 def frame(at, size=1000):
-    state = SimpleNamespace(heights={"exit": np.zeros(0)}, irradiance=np.zeros(0))
+    state = SimpleNamespace(heights={"exit": np.zeros(0)}, irradiance=np.zeros(0), further=())
     paths = SimpleNamespace(points=np.zeros(0), weight=np.zeros(0))
     losses = np.broadcast_to(0.0, at)  # of any length, without memory of its own
     surfaces = {"exit": np.zeros(size // 8)}
