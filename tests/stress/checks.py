@@ -9,8 +9,8 @@ import numpy.typing as npt
 import pytest
 import torch
 
-from tests.stress.scenes import Case
-from workbench.geometry.surface import ControlNet
+from tests.stress.scenes import Case, Heights
+from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.kernels.collimated import FusedCollimatedRays
 from workbench.optics.kernels.face import FusedFaceSamples
@@ -47,7 +47,7 @@ class Seen(NamedTuple):
     """What a tracer makes of a case, in float64."""
 
     flux: Array
-    gradient: Array
+    gradient: dict[str, Array]
     lost: Array
     sum: float
 
@@ -55,7 +55,7 @@ class Seen(NamedTuple):
 def ways(case: Case, dtype: torch.dtype) -> dict[str, list[Make]]:
     """Ways to trace a case, the reference first and then others of the same rays."""
     scene = case.scene
-    net, source = ControlNet.of(scene.lens), scene.source
+    net, source = ControlNet.of(scene.optic), scene.source
 
     def path(scene: Scene, samples: tuple[int, int] | None = None) -> Path:
         return Path.of(scene, net, dtype, samples=samples)
@@ -118,25 +118,26 @@ def _sampled_otherwise(source: Source) -> bool:
     return source.kind == "grid" or (straight_beam and source.profile.kind == "gaussian")
 
 
-def see(tracer: Tracer, scene: Scene, heights: torch.Tensor, cotangent: torch.Tensor) -> Seen:
+def see(tracer: Tracer, scene: Scene, heights: Heights, cotangent: torch.Tensor) -> Seen:
     """Trace a lens, and its gradient for a cotangent of the image."""
-    leaf = heights.clone().requires_grad_()
-    light = tracer.image({"exit": leaf}, scene.filter)
+    leaves = {face: each.clone().requires_grad_() for face, each in heights.items()}
+    light = tracer.image(leaves, scene.filter)
     weighed = (light.flux * cotangent.to(light.flux.dtype)).sum()
-    gradient = torch.zeros_like(heights)
+    gradient = {face: np.zeros(each.shape) for face, each in heights.items()}
     if weighed.requires_grad:
-        (found,) = torch.autograd.grad(weighed, leaf, allow_unused=True)
-        gradient = gradient if found is None else found
+        found = torch.autograd.grad(weighed, list(leaves.values()), allow_unused=True)
+        parts = zip(leaves, found, strict=True)
+        gradient |= {face: each.numpy() for face, each in parts if each is not None}
     flux = light.flux.detach().double().numpy()
-    _, *parts = light.account.to_data().values()
-    return Seen(flux, gradient.numpy(), np.array(parts), sum(parts))
+    _, *lost = light.account.to_data().values()
+    return Seen(flux, gradient, np.array(lost), sum(lost))
 
 
 def sane(seen: Seen, dtype: torch.dtype) -> None:
     """Finite, not negative, and no light gained or lost."""
     assert np.isfinite(seen.flux).all()
     assert seen.flux.min() >= 0
-    assert np.isfinite(seen.gradient).all()
+    assert np.isfinite(_joined(seen)).all()
     assert np.isfinite(seen.lost).all()
     # Few samples close to a point make far too much light, and the side takes it back.
     largest = max(1, np.abs(seen.lost).max())
@@ -164,24 +165,34 @@ def noise(case: Case, dtype: torch.dtype) -> float:
 
     A height moves hits by the distance of the screen over that of control points.
     """
-    lens, receiver, info = case.scene.lens, case.scene.receiver, torch.finfo(dtype)
-    steepest = max(n / r for n, r in zip(lens.control_points, lens.half_width, strict=True))
+    optic, receiver, info = case.scene.optic, case.scene.receiver, torch.finfo(dtype)
+    steepest = max(
+        n / r
+        for net in freeform_nets(optic).values()
+        for n, r in zip(net.shape, net.half_width, strict=True)
+    )
     pixels = max(n / r for n, r in zip(receiver.pixels, receiver.half_extent, strict=True))
-    lever = (1 + max(receiver.per_radian(lens.entrance_z)) * steepest) * pixels
+    lever = (1 + max(receiver.per_radian(optic.front_z)) * steepest) * pixels
     largest = float(case.cotangent().abs().max())
     return lever * (100 * info.eps * largest + info.smallest_normal)
 
 
 def _distances(one: Seen, other: Seen, noise: float) -> Array:
     """L1 of the images, the most of the lost light, and the relative L2 of the gradients."""
-    size = max(np.linalg.norm(one.gradient), np.linalg.norm(other.gradient), 1e-300)
+    first, second = _joined(one), _joined(other)
+    size = max(np.linalg.norm(first), np.linalg.norm(second), 1e-300)
     return np.array(
         [
             np.abs(one.flux - other.flux).sum(),
             np.abs(one.lost - other.lost).max(),
-            max(np.linalg.norm(one.gradient - other.gradient) - noise, 0) / size,
+            max(np.linalg.norm(first - second) - noise, 0) / size,
         ]
     )
+
+
+def _joined(seen: Seen) -> Array:
+    """The gradients of all faces in one row."""
+    return np.concatenate([each.ravel() for each in seen.gradient.values()])
 
 
 def _nudged(
@@ -203,7 +214,7 @@ def _moved(scene: Scene, signs: list[int]) -> Source:
         tilted = about_x + 90 * hair * signs[0], about_y + 90 * hair * signs[1]
         return source.model_copy(update={"direction": tilted})
     x, y, z = source.place
-    r_x, r_y = scene.lens.half_width
+    r_x, r_y = scene.optic.half_width
     return source.placed((x + signs[0] * hair * r_x, y + signs[1] * hair * r_y, z))
 
 
@@ -212,8 +223,9 @@ def _neighbours(case: Case, make: Make, dtype: torch.dtype) -> list[Seen]:
     scene, heights = case.scene, case.heights()
     rng = np.random.default_rng(case.seed)
     hair = 32 * torch.finfo(dtype).eps
-    level = scene.lens.base.height
-    size = hair * ((heights - level).abs().max().item() + (level - scene.lens.entrance_z))
+    level, front = scene.optic.base.height, scene.optic.front_z
+    deep = max((each - level).abs().max().item() for each in heights.values())
+    size = hair * (deep + abs(level - front))
     size += 4 * torch.finfo(torch.float64).eps * abs(level)  # of the heights themselves
     found = []
     # Pixels move to each side, or apart and together.
@@ -221,14 +233,17 @@ def _neighbours(case: Case, make: Make, dtype: torch.dtype) -> list[Seen]:
         receiver = scene.receiver
         wide = tuple(r * (1 + hair * growth) for r in receiver.half_extent)
         nudge = tuple(hair * m * sign for m, sign in zip(receiver.pixels, signs, strict=True))
-        index = scene.lens.index * (1 + hair * rng.uniform(0, 1))
         other = scene.with_receiver(_nudged(receiver, wide, nudge)).model_copy(
-            update={
-                "lens": scene.lens.model_copy(update={"refractive_index": index}),
-                "source": _moved(scene, signs),
-            }
+            update={"source": _moved(scene, signs)}
         )
-        moved = heights + size * torch.as_tensor(rng.uniform(-1, 1, heights.shape))
+        if scene.lens is not None:
+            index = scene.lens.index * (1 + hair * rng.uniform(0, 1))
+            glass = scene.lens.model_copy(update={"refractive_index": index})
+            other = other.model_copy(update={"lens": glass})
+        moved = {
+            face: each + size * torch.as_tensor(rng.uniform(-1, 1, each.shape))
+            for face, each in heights.items()
+        }
         found.append(see(make(other), other, moved, case.cotangent()))
     return found
 

@@ -136,7 +136,7 @@ def lit_cases(draw: st.DrawFn, most_points: int = 40) -> Case:
     )
     try:
         scene = case.scene
-        emitter_of(scene.source, scene.lens)
+        emitter_of(scene.source, scene.optic)
     except Refused as refused:
         assert str(refused).strip()
         assert "\n" not in str(refused)

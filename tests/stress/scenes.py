@@ -3,37 +3,44 @@
 from typing import Any, NamedTuple
 
 import numpy as np
+import numpy.typing as npt
 import torch
 from hypothesis import strategies as st
 
 from tests.scenes import changed
 from tests.stress.lamps import LAMPS
 from workbench.design.heights import HeightRange
-from workbench.geometry.surface import ControlNet
+from workbench.design.limits import HeightLimits
+from workbench.geometry.surface import freeform_nets
 from workbench.scene import Scene
 
+Array = npt.NDArray[np.float64]
+Heights = dict[str, torch.Tensor]
 LENGTHS = {
     "lens": ("half_width", "entrance_z", "height_range", "min_thickness"),
+    "entrance": ("height_range",),
+    "mirror": ("half_width", "height_range", "thickness"),
     "base": ("height", "radius"),
     "screen": ("z", "half_width", "center"),
     "source": ("position", "center", "half_width"),
     "profile": ("radius",),
 }
 FACES = ("flat", "wavy", "rough", "wild", "critical", "floor")
+SIZES = {"flat": 0.0, "wavy": 0.01, "rough": 0.1, "wild": 2.0, "floor": 0.0}
 WEIGHTS = ("noise", "one pixel", "checkerboard", "nothing", "denormal")
 
 
 class Case(NamedTuple):
-    """A scene with a lens.
+    """A scene with a lens or a mirror.
 
     Attributes
     ----------
     data : dict
-        The scene as plain data, the larger half-width of the lens 1.
+        The scene as plain data, the larger half-width of the optic 1.
     unit : int
         All lengths are to be multiplied by 2 to this.
     face : str
-        One of FACES.
+        One of FACES, for each freeform face.
     weight : str
         Cotangent of the image, one of WEIGHTS.
     samples : tuple[int, int]
@@ -56,22 +63,31 @@ class Case(NamedTuple):
     def scene(self) -> Scene:
         return Scene.from_data(in_units(self.data, 2.0**self.unit)).carrying(LAMPS)
 
-    def heights(self) -> torch.Tensor:
-        """Control heights within their range."""
-        lens, rng = self.scene.lens, np.random.default_rng(self.seed)
-        net = ControlNet.of(lens)
-        free = HeightRange.of(lens, net)
-        noise = rng.normal(size=net.shape)
-        if self.face == "critical":
-            # A roof whose slope is that of total reflection, with a hair of noise.
-            steep = (lens.index**2 - 1) ** -0.5
-            roof = np.abs(net.positions[0])[:, None] * steep
-            wanted = free.heights(free.rest)["exit"].numpy() + roof - roof.mean()
-            wanted = wanted * (1 + 1e-7 * noise)
-            return torch.as_tensor(np.clip(wanted, free.lower.numpy(), free.upper.numpy()))
-        size = {"flat": 0.0, "wavy": 0.01, "rough": 0.1, "wild": 2.0, "floor": 0.0}[self.face]
-        shift = -3.0 if self.face == "floor" else 0.0
-        return free.heights(free.rest + size * torch.as_tensor(noise) + shift)["exit"]
+    def heights(self) -> Heights:
+        """Control heights of each freeform face within their range."""
+        optic, rng = self.scene.optic, np.random.default_rng(self.seed)
+        found = {}
+        for face, limits in HeightLimits.of_faces(optic).items():
+            free = HeightRange.within(limits, face=face)
+            noise = rng.normal(size=free.rest.shape)
+            if self.face == "critical":
+                found[face] = self._roof(face, free, noise)
+                continue
+            shift = -3.0 if self.face == "floor" else 0.0
+            found |= free.heights(free.rest + SIZES[self.face] * torch.as_tensor(noise) + shift)
+        return found
+
+    def _roof(self, face: str, free: HeightRange, noise: Array) -> torch.Tensor:
+        """A roof whose slope is that of total reflection, with a hair of noise.
+
+        That of a mirror sends light across the axis.
+        """
+        optic = self.scene.optic
+        steep = (optic.index**2 - 1) ** -0.5 if optic.index > 1 else 1.0
+        roof = np.abs(freeform_nets(optic)[face].positions[0])[:, None] * steep
+        wanted = free.heights(free.rest)[face].numpy() + roof - roof.mean()
+        wanted = wanted * (1 + 1e-7 * noise)
+        return torch.as_tensor(np.clip(wanted, free.lower.numpy(), free.upper.numpy()))
 
     def cotangent(self) -> torch.Tensor:
         """Cotangent of the image."""

@@ -30,11 +30,11 @@ def check_mirrored(case: Case, dtype: torch.dtype) -> None:
             pairs.append(tuple(_searching(scene, dtype, of) for of in (None, axis)))
         for make, make_image in pairs:
             one = see(make(scene), scene, case.heights(), case.cotangent())
-            heights, cotangent = case.heights().flip(axis), case.cotangent().flip(1 - axis)
+            heights = {face: each.flip(axis) for face, each in case.heights().items()}
+            cotangent = case.cotangent().flip(1 - axis)
             other = see(make_image(image), image, heights, cotangent)
-            back = Seen(
-                np.flip(other.flux, 1 - axis), np.flip(other.gradient, axis), other.lost, other.sum
-            )
+            gradient = {face: np.flip(each, axis) for face, each in other.gradient.items()}
+            back = Seen(np.flip(other.flux, 1 - axis), gradient, other.lost, other.sum)
             as_near_as_rounding(case, make, one, back, dtype)
 
 
@@ -94,6 +94,8 @@ def check_units(case: Case, dtype: torch.dtype) -> None:
             for make, make_other in zip(makes, there[way], strict=True):
                 heights, cotangent = case.heights(), case.cotangent()
                 one = see(make(case.scene), case.scene, heights, cotangent)
-                same = see(make_other(other.scene), other.scene, heights * 2.0**power, cotangent)
-                same = same._replace(gradient=same.gradient * 2.0**power)
+                moved = {face: each * 2.0**power for face, each in heights.items()}
+                same = see(make_other(other.scene), other.scene, moved, cotangent)
+                gradient = {face: each * 2.0**power for face, each in same.gradient.items()}
+                same = same._replace(gradient=gradient)
                 as_near_as_rounding(case, make, one, same, dtype)

@@ -63,6 +63,9 @@ _FADE, _D_A, _D_B, _D_START, _D_FLUX, SUM_Z, SUM_Z_X, SUM_Z_Y, END = (
 )
 # A refracted ray goes on to +z if it goes at least so far up.
 _ONWARD = 1e-6
+# Stands for the flux of a ray that does not enter. One without flux may: its place at the receiver
+# bounds the light of those beside it.
+_NO_RAY = -1.0
 # Sums: flux that meets the entrance face, that enters, that is absorbed, that meets the exit face,
 # that is not totally reflected there, that leaves; and the steepest slopes in the glass.
 MET_FRONT, ENTERED, ABSORBED, MET_EXIT, PASSED, LEFT_LENS, STEEP_X, STEEP_Y = range(8)
@@ -136,7 +139,7 @@ def enter(body, x, y, areas, lanes, t, w, sums):  # type: ignore[no-untyped-def]
         w[at(Y, lane)] = y - b * start
         w[at(SLOPE_X, lane)] = a
         w[at(SLOPE_Y, lane)] = b
-        w[at(FLUX, lane)] = flux
+        w[at(FLUX, lane)] = flux if enters else _NO_RAY
         met_flux += met
         entered += flux
         steep_x, steep_y = max(steep_x, abs(a)), max(steep_y, abs(b))
@@ -153,7 +156,7 @@ def _at_exit(net, body, ray, t, w):  # type: ignore[no-untyped-def]
     law = body.law_out
     a, b, depth = w[at(SLOPE_X, ray)], w[at(SLOPE_Y, ray)], w[at(DEPTH, ray)]
     x, y = w[at(X, ray)] + a * depth, w[at(Y, ray)] + b * depth
-    met = w[at(STATE, ray)] == kind(MET)
+    met = (w[at(STATE, ray)] == kind(MET)) & (w[at(FLUX, ray)] >= kind(0))
     if body.curved:
         start = t[FRONT + np.uintp(ray)] + body.lift
         x_0, y_0 = w[at(X, ray)] + a * start, w[at(Y, ray)] + b * start
@@ -162,7 +165,7 @@ def _at_exit(net, body, ray, t, w):  # type: ignore[no-untyped-def]
     z_x, z_y = w[at(Z_S, ray)] * net.per_x, w[at(Z_T, ray)] * net.per_y
     excess = law.ratio * law.ratio - kind(1)
     bent = bend(law.ratio, excess, body.critical, a, b, z_x, z_y)
-    return x, y, z_x, z_y, bent, met, met & bent[4] & (w[at(FLUX, ray)] > kind(0))
+    return x, y, z_x, z_y, bent, met, met & bent[4]
 
 
 @jit(fastmath=FAST, error_model="numpy", forceinline=True)

@@ -1,0 +1,106 @@
+"""Whole scenes with mirrors, and with lenses of two freeform faces, in any light."""
+
+from typing import Any
+
+import numpy as np
+from hypothesis import assume
+from hypothesis import strategies as st
+
+from tests.stress.lights import emitters, glasses, lamps, receivers, sky
+from tests.stress.scenes import FACES, WEIGHTS, Case, sources
+from workbench.errors import Refused
+from workbench.optics.sources import emitter_of
+
+
+@st.composite
+def mirrors(draw: st.DrawFn, most_points: int) -> dict[str, Any]:
+    lens = draw(glasses(most_points))
+    kept = ("half_width", "degree", "control_points", "base", "outline")
+    room = draw(st.sampled_from([1e-6, 0.1, 1.0])) * min(lens["half_width"])
+    return {name: lens[name] for name in kept} | {
+        "height_range": [-room, room],
+        "reflectance": draw(st.sampled_from([1.0, 0.9, 1e-3])),
+    }
+
+
+@st.composite
+def two_faced(draw: st.DrawFn, most_points: int) -> dict[str, Any]:
+    """Lenses whose entrance face has a net of its own; its range may leave no room to the exit."""
+    lens = draw(glasses(most_points))
+    degree = draw(st.tuples(st.integers(1, 7), st.integers(1, 7)))
+    more = st.one_of(st.integers(0, 8), st.just(30))
+    thickness = lens["base"]["height"] - lens["entrance_z"]
+    low, high = (draw(st.sampled_from([1e-6, 0.05, 0.3])) * thickness for _ in range(2))
+    entrance = {
+        "shape": "freeform",
+        "degree": list(degree),
+        "control_points": [min(p + 1 + draw(more), most_points) for p in degree],
+        "height_range": [-low, high],
+    }
+    return lens | {"entrance": entrance}
+
+
+@st.composite
+def lights(draw: st.DrawFn, before: float) -> dict[str, Any]:
+    """Any light from before a plane."""
+    kinds = [sky(), sky(), emitters(before), lamps(before), sources(before)]
+    return draw(st.one_of(*kinds))
+
+
+def highest(optic: dict[str, Any]) -> float:
+    """Of the base and the range above it."""
+    base, rim = optic["base"], np.hypot(*optic["half_width"])
+    sag = 0.0
+    if base["shape"] == "sphere" and base["form"] == "concave":
+        sag = rim**2 / (base["radius"] + np.sqrt(base["radius"] ** 2 - rim**2))
+    return float(base["height"] + sag + optic["height_range"][1])
+
+
+def lowest(optic: dict[str, Any]) -> float:
+    """Of the base and the range below it."""
+    base, rim = optic["base"], np.hypot(*optic["half_width"])
+    sag = 0.0
+    if base["shape"] == "sphere" and base["form"] == "convex":
+        sag = rim**2 / (base["radius"] + np.sqrt(base["radius"] ** 2 - rim**2))
+    return float(base["height"] - sag + optic["height_range"][0])
+
+
+@st.composite
+def optic_cases(draw: st.DrawFn, most_points: int = 24) -> Case:
+    """A mirror or a lens of two faces, any light, any receiver on the side where light goes."""
+    if draw(st.booleans()):
+        optic = draw(mirrors(most_points))
+        before = lowest(optic)
+        receiver = draw(receivers(-before))
+        for screen in receiver.values():
+            if "z" in screen:
+                screen["z"] = -screen["z"]
+        part = {"mirror": optic, "source": draw(lights(before))} | receiver
+    else:
+        optic = draw(two_faced(most_points))
+        before = optic["entrance_z"] + optic["entrance"]["height_range"][0]
+        part = {"lens": optic, "source": draw(lights(before))} | draw(receivers(highest(optic)))
+    data = part | {
+        "version": 2,
+        "filter": {"kind": "gaussian", "size": [3, 3], "alpha": 1.0},
+        "target": {"builtin": "tophat"},
+        "run": {"seed": draw(st.integers(0, 9))},
+    }
+    in_file = data["source"]["kind"] == "ray_file"  # its lengths are its own
+    case = Case(
+        data,
+        unit=0 if in_file else draw(st.sampled_from([0, 0, -19, 19])),
+        face=draw(st.sampled_from(FACES)),
+        weight=draw(st.sampled_from(WEIGHTS)),
+        samples=(draw(st.integers(1, 24)), draw(st.integers(1, 24))),
+        origins=draw(st.sampled_from([1, 2, 7, 16])),
+        seed=draw(st.integers(0, 999)),
+    )
+    try:
+        scene = case.scene
+        emitter_of(scene.source, scene.optic)
+    except Refused as refused:
+        assert str(refused).strip()
+        assert "\n" not in str(refused)
+        assume(False)
+    return case
