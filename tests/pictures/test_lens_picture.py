@@ -353,3 +353,18 @@ def test_both_faces_are_drawn_where_they_are(make_scene, plotter):
     assert dented.points[:, 2].min() == pytest.approx(faces["entrance"][..., 2].min())
     (walls,) = (mesh for mesh in meshes if mesh.faces.size == 4 * 32 * 5)
     assert np.unique(walls.points[:, 2].round(6)).tolist() == pytest.approx([0.1, 0.5])
+
+
+def test_a_mirror_is_grey_and_opaque_like_metal(make_scene, plotter):
+    mirror = {"half_width": [1, 1], "control_points": [8, 8]}
+    scene = make_scene({"lens": None, "mirror": mirror, "screen.z": -5.0})
+    picture = LensPicture(plotter, scene, np.ones((32, 32)))
+    (looks,) = (
+        actor.prop
+        for actor in plotter.actors.values()
+        if getattr(actor, "mapper", None) is not None
+        and actor.mapper.dataset is picture._faces["mirror"][0]
+    )
+    red, green, blue = looks.color.float_rgb
+    assert looks.opacity == 1.0 and looks.specular == 1.0
+    assert max(red, green, blue) - min(red, green, blue) < 0.06

@@ -41,7 +41,15 @@ Array = npt.NDArray[np.float64]
 _NET_FIELDS = 8
 _SOURCE_POINTS = (25, 25)  # of a grid, at most
 _BASE_SAMPLES = 33  # per axis, of the base that stands in until the first update
-_GLASS = "#8fc1e8"
+# By what the optic is called.
+_BODIES = {
+    "lens": {"color": "#8fc1e8", "opacity": 0.25, "ambient": 0.3},
+    "mirror": {"color": "#8b929c", "opacity": 0.6, "ambient": 0.3},
+}
+_FACES = {
+    "lens": {"color": "#8fc1e8", "opacity": 0.88, "specular": 0.5, "specular_power": 30},
+    "mirror": {"color": "#c3c8cf", "opacity": 1.0, "specular": 1.0, "specular_power": 60},
+}
 _INK = {True: "#b4bcc8", False: "#475060"}  # by dark
 _GROUND = {True: ("#12151a", "#2a303a"), False: ("#dfe4eb", "#fcfdfe")}  # bottom and top
 _LANDS = {True: (255, 206, 110), False: (196, 122, 0)}  # light that reaches the screen
@@ -203,18 +211,9 @@ class LensPicture:
         self._place_lens(
             {face: np.stack([x, y, optic.place_of(face, x, y)], axis=-1) for face in nets}
         )
-        self._add(self._walls, body=True, color=_GLASS, opacity=0.25, ambient=0.3)
+        self._add(self._walls, body=True, **_BODIES[optic.called])
         for face, net in self._faces.values():
-            self._add(
-                face,
-                body=True,
-                color=_GLASS,
-                opacity=0.88,
-                ambient=0.05,
-                diffuse=0.9,
-                specular=0.5,
-                specular_power=30,
-            )
+            self._add(face, body=True, ambient=0.05, diffuse=0.9, **_FACES[optic.called])
             self._lines.append(self._add(net, line_width=1.0, opacity=0.4, lighting=False))
         self._lines.append(self._add(self._edges, line_width=1.5, lighting=False))
 
