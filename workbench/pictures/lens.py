@@ -47,8 +47,8 @@ _BODIES = {
     "mirror": {"color": "#8b929c", "opacity": 0.6, "ambient": 0.3},
 }
 _FACES = {
-    "lens": {"color": "#8fc1e8", "opacity": 0.88, "specular": 0.5, "specular_power": 30},
-    "mirror": {"color": "#c3c8cf", "opacity": 1.0, "specular": 1.0, "specular_power": 60},
+    "lens": {"color": "#8fc1e8", "opacity": 0.88, "ambient": 0.05, "specular": 0.5},
+    "mirror": {"color": "#c3c8cf", "opacity": 1.0, "ambient": 0.4, "specular": 1.0},
 }
 _INK = {True: "#b4bcc8", False: "#475060"}  # by dark
 _GROUND = {True: ("#12151a", "#2a303a"), False: ("#dfe4eb", "#fcfdfe")}  # bottom and top
@@ -213,7 +213,7 @@ class LensPicture:
         )
         self._add(self._walls, body=True, **_BODIES[optic.called])
         for face, net in self._faces.values():
-            self._add(face, body=True, ambient=0.05, diffuse=0.9, **_FACES[optic.called])
+            self._add(face, body=True, diffuse=0.9, specular_power=30, **_FACES[optic.called])
             self._lines.append(self._add(net, line_width=1.0, opacity=0.4, lighting=False))
         self._lines.append(self._add(self._edges, line_width=1.5, lighting=False))
 
