@@ -3,7 +3,8 @@ import pytest
 
 from workbench.analysis import focus
 from workbench.analysis.focus import focus_series, screen_at
-from workbench.analysis.validation import validate, with_screen_at
+from workbench.analysis.through_focus import with_screen_at
+from workbench.analysis.validation import validate
 from workbench.errors import Refused
 
 

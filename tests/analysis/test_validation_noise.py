@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from workbench.analysis.validation import through_focus, validate
+from workbench.analysis.through_focus import through_focus
+from workbench.analysis.validation import validate
 from workbench.errors import Refused
 
 

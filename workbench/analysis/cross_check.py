@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from workbench.analysis.metrics import product, relative_l2, root
 from workbench.analysis.mitsuba import MitsubaScene
-from workbench.analysis.validation import through_focus
+from workbench.analysis.through_focus import through_focus
 from workbench.analysis.watch import Watch, part_of, unwatched
 from workbench.errors import RunFailed
 from workbench.geometry.body import check_body

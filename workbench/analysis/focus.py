@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from workbench.analysis.metrics import relative_l2
-from workbench.analysis.validation import through_focus
+from workbench.analysis.through_focus import through_focus
 from workbench.analysis.watch import Watch, part_of, unwatched
 from workbench.scene import Scene
 

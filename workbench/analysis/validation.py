@@ -21,6 +21,7 @@ from workbench.analysis.cells.image import imaging
 from workbench.analysis.metrics import Quality, paper_loss, product, relative_l2
 from workbench.analysis.scatter import FEWER, STUDENT_T, Unscattered
 from workbench.analysis.shading import Shading, shading_of
+from workbench.analysis.through_focus import with_screen_at
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import BATCHES
 from workbench.analysis.tracing.trace import Trace, added
@@ -360,63 +361,6 @@ def _products(
         del batch
         yield trace.part
     return found
-
-
-def through_focus(
-    scene: Scene,
-    heights: Mapping[str, Array],
-    distances: Sequence[float] | None,
-    rays: int = 1_000_000,
-    seed: int = 1,
-    watch: Watch = unwatched,
-) -> Array:
-    """Irradiance on screens at several distances, from one trace.
-
-    Parameters
-    ----------
-    scene, heights, rays, seed
-        As for `validate`; the screens are as large as the scene's.
-    distances : sequence of float, optional
-        z of each screen; None stands for the scene's receiver alone.
-    watch : callable
-        Called with the part that is done.
-
-    Returns
-    -------
-    ndarray, shape (k, n_y, n_x)
-        Flux per area on each of the k screens, row 0 at +y.
-
-    Raises
-    ------
-    Refused
-        If a screen may touch the lens, or the lens is no body.
-    """
-    for z in distances or ():
-        with_screen_at(scene, z)
-    trace = Trace(scene, heights, rays, seed, distances=distances)
-    total: Tally | None = None
-    for batch in trace.batches():
-        total = added(total, batch)
-        del batch
-        watch(trace.part)
-    assert total is not None
-    n_x, n_y = scene.receiver.pixels
-    images: Array = total.flux.reshape(-1, n_y, n_x)
-    images /= total.emitted * scene.receiver.pixel_measure
-    return images
-
-
-def with_screen_at(scene: Scene, z: float) -> Scene:
-    """The scene with its screen elsewhere.
-
-    Raises
-    ------
-    Refused
-        If the screen may touch the lens there, or the receiver is at no distance.
-    """
-    data = scene.to_data()
-    data["screen"] = scene.receiver.moved_to(z).model_dump(mode="json")
-    return Scene.from_data(data).with_contents_of(scene)
 
 
 def _account(tally: Tally) -> Account:

@@ -14,7 +14,8 @@ from workbench.analysis.cells.image import ACCURACY
 from workbench.analysis.cross_check import CrossCheck, cross_check
 from workbench.analysis.focus import Focus, focus_series
 from workbench.analysis.metrics import relative_l2
-from workbench.analysis.validation import Validation, with_screen_at
+from workbench.analysis.through_focus import with_screen_at
+from workbench.analysis.validation import Validation
 from workbench.analysis.validation import validate as trace_anew
 from workbench.cli.designed import read_designed
 from workbench.cli.progress import PartProgress

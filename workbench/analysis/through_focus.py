@@ -1,0 +1,70 @@
+"""Light of a lens on screens elsewhere, by the rays of the independent check."""
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+import numpy.typing as npt
+
+from workbench.analysis.tracing.trace import Trace, added
+from workbench.analysis.tracing.train import Tally
+from workbench.analysis.watch import Watch, unwatched
+from workbench.scene import Scene
+
+Array = npt.NDArray[np.float64]
+
+
+def through_focus(
+    scene: Scene,
+    heights: Mapping[str, Array],
+    distances: Sequence[float] | None,
+    rays: int = 1_000_000,
+    seed: int = 1,
+    watch: Watch = unwatched,
+) -> Array:
+    """Irradiance on screens at several distances, from one trace.
+
+    Parameters
+    ----------
+    scene, heights, rays, seed
+        As for `workbench.analysis.validation.validate`; the screens are as large as the scene's.
+    distances : sequence of float, optional
+        z of each screen; None stands for the scene's receiver alone.
+    watch : callable
+        Called with the part that is done.
+
+    Returns
+    -------
+    ndarray, shape (k, n_y, n_x)
+        Flux per area on each of the k screens, row 0 at +y.
+
+    Raises
+    ------
+    Refused
+        If a screen may touch the lens, or the lens is no body.
+    """
+    for z in distances or ():
+        with_screen_at(scene, z)
+    trace = Trace(scene, heights, rays, seed, distances=distances)
+    total: Tally | None = None
+    for batch in trace.batches():
+        total = added(total, batch)
+        del batch
+        watch(trace.part)
+    assert total is not None
+    n_x, n_y = scene.receiver.pixels
+    images: Array = total.flux.reshape(-1, n_y, n_x)
+    images /= total.emitted * scene.receiver.pixel_measure
+    return images
+
+
+def with_screen_at(scene: Scene, z: float) -> Scene:
+    """The scene with its screen elsewhere.
+
+    Raises
+    ------
+    Refused
+        If the screen may touch the lens there, or the receiver is at no distance.
+    """
+    data = scene.to_data()
+    data["screen"] = scene.receiver.moved_to(z).model_dump(mode="json")
+    return Scene.from_data(data).with_contents_of(scene)
