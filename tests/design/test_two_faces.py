@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from workbench.design.levels import FINE, image_of
 from workbench.design.limits import HeightLimits, bounded, undesigned
 from workbench.design.run import run
 from workbench.design.session import Session
@@ -52,6 +53,17 @@ def test_the_first_lens_bends_parallel_light_by_half_at_each_face(make_scene, un
         assert np.ptp(z) == pytest.approx(alone / 2, rel=0.1)
     assert "% by both faces and" in first.notes[0]
     assert first.notes[0].endswith("it begins with both faces")
+
+
+def test_fine_nets_of_two_faces_are_seen_through_more_cells_than_that_of_one(make_scene, uneven):
+    nets = {"lens.control_points": [64, 64], "lens.height_range": None}
+    entrance = {"shape": "freeform", "control_points": [64, 64]}
+    one, two = (
+        image_of(FINE, make_scene({**nets, **given}), uneven, (1.0, 1.0)).beams
+        for given in ({}, {"lens.entrance": entrance})
+    )
+    assert one >= (2 * 64) ** 2
+    assert two >= (4.5 * 64) ** 2  # waves of both may cancel at the corners of larger cells
 
 
 def test_the_log_compares_the_first_lens_with_that_of_one_face(make_scene, uneven):

@@ -43,6 +43,7 @@ class TestFlatFace:
         met = self.face.meet(TracedRays(places, directions, np.array([1.0, 2.0, 3.0, 4.0])))
         assert met.flux == pytest.approx([1, 0, 0, 0])
         assert met.missed == 9
+        assert not met.position[1:].any()  # nothing that memory happened to hold
 
 
 class TestSplineFace:
@@ -66,6 +67,7 @@ class TestSplineFace:
         met = face.meet(rays)
         assert met.flux == pytest.approx([1, 0])
         assert met.missed == 2
+        assert not met.position[1].any() and not met.normal[1].any()
 
 
 class TestDielectricBoundary:

@@ -32,7 +32,8 @@ class FlatFace:
 
     def meet(self, rays: TracedRays) -> Crossings:
         """Where rays meet it; see `Face.meet`."""
-        position, flux = np.empty_like(rays.position), np.empty_like(rays.flux)
+        # Rays that do not meet it get the origin: memory as it comes might hold any number.
+        position, flux = np.zeros_like(rays.position), np.empty_like(rays.flux)
         missed = _meet(*rays, self._z, self._half_width, self._curved, position, flux)
         return Crossings(position, self._normal, flux, missed)
 

@@ -68,7 +68,8 @@ class SplineFace:
 
     def meet(self, rays: TracedRays) -> Crossings:
         """Where rays that go upwards first meet it; see `Face.meet`."""
-        position, normal = np.empty_like(rays.position), np.empty_like(rays.position)
+        # Rays that do not meet it get the origin: memory as it comes might hold any number.
+        position, normal = np.zeros_like(rays.position), np.zeros_like(rays.position)
         flux = np.empty_like(rays.flux)
         missed = meet(self._spline, *rays, position, normal, flux)
         return Crossings(position, normal, flux, missed)
