@@ -1,0 +1,158 @@
+"""Fits both faces of a lens to the ways that light shall take in it and behind it.
+
+Snell's law says what slopes turn light so, at the places that it meets, and least squares find the
+faces. The exit face comes second, and mends with the light that the entrance face really sends what
+that could not do. A goal says the ways; see `workbench.design.transport.two_faces` and
+`workbench.design.transport.lines`.
+"""
+
+from collections.abc import Callable, Sequence
+from typing import Protocol
+
+import numpy as np
+import numpy.typing as npt
+
+from workbench.design.limits import HeightLimits, bounded
+from workbench.design.transport.back_and_forth import MOST_ROUNDS, Transport
+from workbench.design.transport.face import SlopeFit
+from workbench.design.transport.start import FEW_ROUNDS, UPRIGHT, wanted_cells
+from workbench.design.transport.two_face_light import LightInLens, TwoFaceLight
+from workbench.geometry.surface import freeform_nets
+from workbench.scene import Scene, WantedImage
+
+Array = npt.NDArray[np.float64]
+Vector = tuple[Array, Array, Array]
+
+# Cells along each axis, of lens and screen alike; finer nets get more. Each is a ray to follow.
+_CELLS = 128
+# Rounds of transport, each with light that knows more of the lens.
+_ROUNDS = 3
+# What is left of the bending at the entrance face in each trial after one whose face did not fit
+# between its limits.
+_LESS, _TRIALS = 0.9, 4
+
+
+class Goal(Protocol):
+    """Ways for the light of each cell; vectors of three arrays of shape (cells, cells)."""
+
+    def in_glass(self, coming: Vector, traced: LightInLens) -> Callable[[float], Vector]:
+        """Ways between the faces, by how much of the bending the entrance face does."""
+        ...
+
+    def behind(self, traced: LightInLens) -> Vector:
+        """Unit vectors of the ways behind the lens."""
+        ...
+
+
+class BothFaces:
+    """Finds both faces of a lens.
+
+    Parameters
+    ----------
+    scene : Scene
+        With a lens of two freeform faces; an extended source counts as a point at its centre.
+
+    Attributes
+    ----------
+    collimated : bool
+        Whether light comes from infinitely far.
+    """
+
+    def __init__(self, scene: Scene) -> None:
+        nets = freeform_nets(scene.optic)
+        self._index, self._limits = scene.optic.index, HeightLimits.of_faces(bounded(scene))
+        self._cells = max(_CELLS, 2 * max(max(net.shape) for net in nets.values()))
+        self._light = TwoFaceLight(scene, self._cells)
+        self._fits = {face: SlopeFit(net, self._cells) for face, net in nets.items()}
+        self._plate = {
+            face: np.full(net.shape, float(self._limits[face].undesigned.mean()))
+            for face, net in nets.items()
+        }
+        self.collimated = self._light.collimated
+
+    def heights(
+        self,
+        images: Sequence[WantedImage],
+        goal_of: Callable[[Sequence[Transport]], Goal],
+        part: float,
+        fits: int,
+    ) -> dict[str, Array] | None:
+        """Control heights of a lens whose light goes where transports to images say.
+
+        Parameters
+        ----------
+        images : sequence of WantedImage
+            Each gets a transport.
+        goal_of : callable
+            Makes of these the ways that light shall take.
+        part : float
+            How much of the bending the entrance face does at the most.
+        fits : int
+            Pairs of faces in each round of transport.
+
+        Returns
+        -------
+        dict of str to ndarray, shape (n_u, n_v), or None
+            By the names of the faces, scene units; those of the exit face beyond their limits where
+            these are too narrow. None if no light leaves a plate.
+        """
+        heights = self._plate
+        traced = self._light.through(heights)
+        if traced.flux is None:
+            return None
+        transports = [
+            Transport(traced.flux, *wanted_cells(each.scene, each.target, self._cells), FEW_ROUNDS)
+            for each in images
+        ]
+        for number in range(_ROUNDS):
+            if number:
+                traced = self._light.through(heights)
+                # A lens that no light leaves is improved blindly.
+                if traced.flux is not None:
+                    rounds = FEW_ROUNDS if number + 1 < _ROUNDS else MOST_ROUNDS
+                    for transport in transports:
+                        transport.improve(traced.flux, rounds)
+            goal = goal_of(transports)
+            for fit in range(fits):
+                if fit:
+                    traced = self._light.through(heights)
+                entrance = self._entrance(traced, goal, part)
+                traced = self._light.through({**heights, "entrance": entrance})
+                heights = {"entrance": entrance, "exit": self._exit(traced, goal)}
+        return heights
+
+    def _entrance(self, traced: LightInLens, goal: Goal, part: float) -> Array:
+        """The entrance face that bends light by a part, or by less where that does not fit."""
+        coming, limits = self._light.coming, self._limits["entrance"]
+        way = goal.in_glass(coming, traced)
+        for _ in range(_TRIALS):
+            bends = _slopes(coming, unit(way(part)), 1.0, self._index)
+            bends = self._light.evenly(bends, "entrance", traced.entrance)
+            bent = self._fits["entrance"].heights(*bends)
+            lacks = limits.lacks(bent)
+            if lacks <= 0:
+                return limits.placed(bent)
+            extent = float(np.ptp(bent))
+            part *= _LESS * (extent - lacks) / extent
+        return limits.nearest(bent)
+
+    def _exit(self, traced: LightInLens, goal: Goal) -> Array:
+        """The exit face that turns light into its way behind the lens."""
+        bends = _slopes(traced.glass, goal.behind(traced), self._index, 1.0)
+        bent = self._fits["exit"].heights(*self._light.evenly(bends, "exit", traced.exit))
+        return self._limits["exit"].placed(bent)
+
+
+def _slopes(before: Vector, behind: Vector, index: float, other: float) -> tuple[Array, Array]:
+    """Slopes of a face between media of two indices that turns light, by Snell's law as vectors."""
+    sign = 1.0 if other > index else -1.0
+    x, y, z = (sign * (other * b - index * a) for a, b in zip(before, behind, strict=True))
+    z = np.maximum(z, UPRIGHT * abs(other - index))
+    return -x / z, -y / z
+
+
+def unit(vector: Vector) -> Vector:
+    """Vectors of length 1 along others."""
+    x, y, z = vector
+    length = np.sqrt(x**2 + y**2 + z**2)
+    return x / length, y / length, z / length
