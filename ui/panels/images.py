@@ -8,15 +8,15 @@ from PySide6.QtCore import Signal
 from ui.panels.edits import Edit, value_at
 from ui.panels.fields import Changes, Row, TextRow
 from ui.panels.image_list import ImageListRow
-from ui.panels.panel import Panel
+from ui.panels.listed import ListedPanel
 from ui.panels.receiver import ChoiceOfReceiver, receiver_kinds
 from ui.panels.rows import KindRow, Rows
-from ui.panels.target import image_rows
+from ui.panels.target import image_rows, of_image
 from workbench.files.session import Session
-from workbench.scene import FieldDescription, Finish, FurtherImage
+from workbench.scene import FieldDescription, FurtherImage
 
 
-class ImagesPanel(Panel):
+class ImagesPanel(ListedPanel):
     """Bound to ``scene.further_images``.
 
     Parameters
@@ -34,42 +34,29 @@ class ImagesPanel(Panel):
 
     def __init__(self, field: FieldDescription) -> None:
         self._list = ImageListRow("Elsewhere", field.tip)
-        self._bound = -1  # the image whose rows are there
-        super().__init__(field.title, [self._list])
-        self._list.chosen.connect(self._choose)
+        super().__init__(field.title, self._list)
 
-    def prepare(self, session: Session) -> None:
-        """Have rows for the chosen image, if there is one."""
-        self._session = session
+    def show_list(self, session: Session) -> None:
+        """List the further images of the scene."""
         self._list.show_images(session.scene)
-        self._bind(self._list.current)
+
+    def name_of(self, number: int) -> str:
+        """Its number; the scene's own image is the first."""
+        return f"Image {number + 2}"
 
     def choose_image(self, path: Path) -> None:
         """Ask for an image file as the target of the chosen image."""
-        target = self.session.scene.further_images[self._bound].target
-        finish = {name: getattr(target, name) for name in Finish.model_fields}
+        before = self.session.scene.further_images[self._bound].target
         where = f"{self._path}.target"
-        changes: Changes = {where: {"image": str(path.absolute()), **finish}}
+        changes: Changes = {where: of_image(path, before)}
         self.edited.emit(Edit(f"{where}.image", "change of target image", {**changes}, waits=False))
 
     @property
     def _path(self) -> str:
         return f"further_images[{self._bound}]"
 
-    def _choose(self) -> None:
-        """Show another image; what was refused in the one before is taken back."""
-        self._bind(self._list.current)
-        self.reverted.emit(self._list.path)
-
-    def _bind(self, number: int) -> None:
-        if number == self._bound:
-            return
-        self._remove_rows(list(self.rows[1:]))
-        self._bound = number
-        if number >= 0:
-            self._add_rows(self._rows_of(number), f"Image {number + 2}")
-
-    def _rows_of(self, number: int) -> list[Row]:
+    def rows_of(self, number: int) -> list[Row]:
+        """Receiver, target and weight of an image."""
         path = self._path
         rows = Rows(
             lambda: self.session.scene.single[number + 1], {"image": image_rows}, stage=path

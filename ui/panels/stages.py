@@ -1,7 +1,7 @@
 """The stages of a run: a list of them, and the settings of the one that is chosen."""
 
 from ui.panels.fields import Changes, ChoiceRow, Row
-from ui.panels.panel import Panel
+from ui.panels.listed import ListedPanel
 from ui.panels.rows import Rows
 from ui.panels.stage_list import StageListRow
 from workbench.files.session import Session
@@ -10,36 +10,24 @@ from workbench.scene import FieldDescription, Stage
 _AS_THE_SCENE = "As the scene"
 
 
-class StagesPanel(Panel):
+class StagesPanel(ListedPanel):
     """Bound to ``scene.run.stages``."""
 
     def __init__(self) -> None:
         self._list = StageListRow()
-        self._bound = -1  # the stage whose rows are there
-        super().__init__("Stages", [self._list])
-        self._list.chosen.connect(self._choose)
+        super().__init__("Stages", self._list)
 
-    def prepare(self, session: Session) -> None:
-        """Have rows for the chosen stage, if there is one."""
-        self._session = session
-        stages = session.scene.run.stages
-        self._list.show_stages(stages, session.scene.run.iterations)
-        self._bind(self._list.current)
+    def show_list(self, session: Session) -> None:
+        """List the stages of the run."""
+        run = session.scene.run
+        self._list.show_stages(run.stages, run.iterations)
 
-    def _choose(self) -> None:
-        """Show another stage; what was refused in the one before is taken back."""
-        self._bind(self._list.current)
-        self.reverted.emit(self._list.path)
+    def name_of(self, number: int) -> str:
+        """Its number, from 1."""
+        return f"Stage {number + 1}"
 
-    def _bind(self, number: int) -> None:
-        if number == self._bound:
-            return
-        self._remove_rows(list(self.rows[1:]))
-        self._bound = number
-        if number >= 0:
-            self._add_rows(self._rows_of(number), f"Stage {number + 1}")
-
-    def _rows_of(self, number: int) -> list[Row]:
+    def rows_of(self, number: int) -> list[Row]:
+        """What a stage may have of its own."""
         path = f"run.stages[{number}]"
         rows = Rows(
             lambda: self.session.scene.parts()[number],

@@ -58,19 +58,21 @@ class TargetPanel(PartPanel):
         r_u, r_v = session.scene.receiver.half_extent
         self._thumbnail.show_target(session.target, r_u / r_v)
 
-    def _finish(self) -> dict[str, object]:
-        target = self.session.scene.target
-        return {name: getattr(target, name) for name in Finish.model_fields}
-
     def choose_image(self, path: Path) -> None:
         """Ask for an image file as the target; the one that it is already is read again."""
         if self.session.scene.image == str(path.absolute()):
             self.image_again.emit()
             return
-        tone = "linear" if path.suffix.lower() == ".npy" else "srgb"  # numbers are light itself
-        target = {"image": str(path.absolute()), "tone": tone, **self._finish()}
+        target = of_image(path, self.session.scene.target)
         edit = Edit("target.image", "change of target image", {"target": target}, waits=False)
         self.edited.emit(edit)
+
+
+def of_image(path: Path, before: Finish) -> dict[str, object]:
+    """A target of an image file, finished as the one before."""
+    finish = {name: getattr(before, name) for name in Finish.model_fields}
+    tone = "linear" if path.suffix.lower() == ".npy" else "srgb"  # numbers are light itself
+    return {"image": str(path.absolute()), "tone": tone, **finish}
 
 
 def image_rows(field: FieldDescription, path: str) -> list[Row]:

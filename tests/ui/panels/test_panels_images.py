@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from PIL import Image
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QListWidget, QToolButton
 
@@ -120,3 +121,12 @@ def test_a_chosen_file_is_for_the_panel_that_asked(begin, qtbot, tmp_path):
     assert document.session.scene.target.file is None
     forms.choose_image(tmp_path / "wanted.npy")  # dropped on the window
     assert document.session.scene.target.file == str(tmp_path / "wanted.npy")
+
+
+def test_a_picture_of_a_further_image_counts_as_a_monitor_shows_it(begin, qtbot, tmp_path):
+    document, forms = begin()
+    click(qtbot, forms, "Add")
+    Image.fromarray(np.full((8, 8), 90, np.uint8)).save(tmp_path / "wanted.png")
+    forms.image_asked.connect(lambda: forms.choose_image(tmp_path / "wanted.png"))
+    choose(forms, "further_images[0].target.builtin", "image")
+    assert images(document)[0].target.tone == "srgb"
