@@ -111,6 +111,11 @@ class CollimatedSource(AnySource):
         return not any(self.direction) and not self.angular_diameter
 
     @property
+    def heading(self) -> Array:
+        """That of its disc's middle; see `AnySource.heading`."""
+        return turned(self.direction)[:, 2]
+
+    @property
     def continuous(self) -> bool:
         """If it comes from a disc."""
         return self.angular_diameter > 0

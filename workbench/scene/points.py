@@ -54,6 +54,11 @@ class AnySource(Part):
         return None
 
     @property
+    def heading(self) -> Array:
+        """Where the light of its middle goes if it comes from infinitely far, shape (3,)."""
+        return np.array([0.0, 0.0, 1.0])
+
+    @property
     def ray_count(self) -> int:
         """Rays that it asks for in all, at least."""
         return 1

@@ -1,0 +1,136 @@
+"""Each job makes an ordinary scene; what is not possible is refused where it was asked."""
+
+import math
+from itertools import product
+
+import numpy as np
+import pytest
+
+from workbench.analysis.benchmark.experiments import DESIGNS
+from workbench.errors import Refused
+from workbench.files.scene import read_scene, write_scene
+from workbench.jobs import JOBS
+from workbench.jobs.beam_shaper import BeamShaper
+from workbench.jobs.experiment import Experiment
+from workbench.jobs.fields import MATERIALS
+from workbench.jobs.led import LedRectangle
+from workbench.jobs.mirror import MirrorJob
+from workbench.jobs.sun_plate import SunPlate
+from workbench.jobs.torch import Torch
+from workbench.jobs.wall_washer import WallWasher
+from workbench.materials import CATALOGUE
+from workbench.scene.kinds import summary_of, title_of
+
+every_job = pytest.mark.parametrize("kind", JOBS, ids=lambda kind: kind.__name__)
+
+
+@every_job
+def test_the_scene_of_a_job_is_read_back_from_a_scene_file(kind, tmp_path):
+    scene = kind().scene()
+    write_scene(scene, tmp_path / "job.json")
+    assert read_scene(tmp_path / "job.json") == scene
+
+
+@every_job
+def test_answers_given_as_they_are_make_the_same_job(kind):
+    assert kind().with_answers({}) == kind()
+
+
+@every_job
+def test_every_question_has_a_title_and_a_tip(kind):
+    assert summary_of(kind).endswith(".")
+    for field in kind.fields():
+        assert field.name == "unit" or (field.title and field.tip)
+
+
+def test_jobs_have_titles_of_their_own():
+    assert len({title_of(kind) for kind in JOBS}) == len(JOBS)
+
+
+def test_materials_to_choose_from_are_those_of_the_catalogue():
+    assert [name for name, _ in MATERIALS] == list(CATALOGUE)
+
+
+@pytest.mark.parametrize(
+    ("kind", "answers", "field"),
+    [
+        (SunPlate, {"distance": 3.0}, "distance"),
+        (SunPlate, {"distance": 1e13}, "distance"),
+        (SunPlate, {"size": [1e-9, 100.0]}, "size"),
+        (SunPlate, {"target": {"image": ""}}, "target.image"),
+        (Torch, {"lamp_distance": 1e15}, "lamp_distance"),
+        (BeamShaper, {"beam_diameter": 0.01}, "beam_diameter"),
+        (BeamShaper, {"wavelength": 10600.0}, "wavelength"),
+        (LedRectangle, {"thickness": -1.0}, "thickness"),
+        (WallWasher, {"wall_distance": 1e13}, "wall_distance"),
+    ],
+)
+def test_what_is_not_possible_is_refused_where_it_was_asked(kind, answers, field):
+    with pytest.raises(Refused) as refused:
+        kind().with_answers(answers)
+    assert refused.value.path.startswith(field)
+
+
+def test_full_widths_become_half_widths():
+    job = SunPlate().with_answers({"size": [100.0, 80.0], "image_size": [300.0, 200.0]})
+    scene = job.scene()
+    assert scene.lens.half_width == (50.0, 40.0)
+    assert scene.screen.half_width == (150.0, 100.0)
+    assert scene.screen.z == job.distance
+
+
+def test_pixels_are_square_and_fewer_where_the_light_blurs_them():
+    fine = SunPlate().with_answers({"image_size": [240.0, 160.0]}).scene()
+    coarse = LedRectangle().with_answers({"lamp_size": [4.0, 4.0]}).scene()
+    n_x, n_y = fine.screen.pixels
+    assert (n_x, n_y) == (256, round(256 * 160 / 240 / 8) * 8)
+    assert max(coarse.screen.pixels) == 96
+
+
+def test_a_proposed_lens_is_thicker_where_its_face_has_to_be_steeper():
+    near, far = (
+        SunPlate().with_answers({"distance": distance}).scene().lens for distance in (300.0, 900.0)
+    )
+    assert near.base.height > far.base.height > far.min_thickness
+
+
+@pytest.mark.parametrize("thickness", [1.0, 12.0])
+def test_stock_limits_the_lens(thickness):
+    lens = SunPlate().with_answers({"thickness": thickness}).scene().lens
+    assert lens.max_thickness == thickness
+    assert 0 < lens.min_thickness < lens.base.height < thickness
+
+
+@pytest.mark.parametrize("above", [900.0, -300.0, 0.0])
+def test_a_lamp_beside_a_wall_sees_the_wall_where_it_is(above):
+    job = WallWasher().with_answers({"above": above})
+    scene = job.scene()
+    height = job.wall_size[1]
+    edges = [
+        scene.screen.drawn(scene.lens, np.array(0.0), np.array(v))[1:]
+        for v in (-height / 2, height / 2)
+    ]
+    # Turned so that the wall stands upright, its edges are where the job says.
+    aim = math.radians(scene.screen.tilt[0])
+    for (y, z), wanted in zip(edges, (-height / 2, height / 2), strict=True):
+        away = z * math.cos(aim) - y * math.sin(aim)
+        up = z * math.sin(aim) + y * math.cos(aim)
+        assert away == pytest.approx(job.wall_distance)
+        assert up == pytest.approx(wanted - above)
+    (low_y, low_z), (high_y, high_z) = edges
+    assert math.atan2(low_y, low_z) == pytest.approx(-math.atan2(high_y, high_z))
+
+
+@pytest.mark.parametrize("aside", [20.0, 45.0, 70.0])
+def test_a_mirror_has_its_image_at_the_distance_and_angle_asked_for(aside):
+    screen = MirrorJob().with_answers({"aside": aside}).scene().screen
+    x, _, z = screen.position
+    assert math.hypot(x, z) == pytest.approx(100.0)
+    assert math.degrees(math.atan2(x, -z)) == pytest.approx(aside)
+    assert np.cross(screen.sides[2], screen.position) == pytest.approx(0.0, abs=1e-9)
+
+
+@pytest.mark.parametrize(("name", "method"), [*product(DESIGNS, ("auto", "paper"))])
+def test_each_experiment_of_the_paper_runs_by_either_method(name, method):
+    scene = Experiment().with_answers({"name": name, "method": method}).scene()
+    assert scene.run.method == method

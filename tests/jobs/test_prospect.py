@@ -1,0 +1,89 @@
+"""What jobs say before anything is designed."""
+
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from workbench.errors import Refused
+from workbench.jobs import JOBS, prospecting
+from workbench.jobs.led import LedRectangle
+from workbench.jobs.proposals import blur_widths, diffraction
+from workbench.jobs.sun_plate import SunPlate
+from workbench.jobs.torch import Torch
+
+COARSE = {"target": {"builtin": "tophat"}}
+
+
+def prospect(job):
+    steps = prospecting(job.scene(), Path("/"))
+    while True:
+        try:
+            next(steps)
+        except StopIteration as end:
+            return end.value
+
+
+def figures(job):
+    return {figure.name: figure for figure in prospect(job).figures}
+
+
+def test_the_blur_is_that_of_the_sun_through_a_pinhole():
+    scene = SunPlate().scene()
+    wide = (500.0 - scene.lens.leaving_z) * math.radians(0.533)
+    assert blur_widths(scene) == pytest.approx((wide, wide))
+
+
+def test_diffraction_grows_with_the_root_of_the_distance():
+    for distance in (200.0, 800.0):
+        scene = SunPlate().with_answers({"distance": distance}).scene()
+        way = distance - scene.lens.leaving_z
+        assert diffraction(scene) == pytest.approx(math.sqrt(0.55e-3 * way))
+
+
+@pytest.mark.parametrize("kind", JOBS, ids=lambda kind: kind.__name__)
+def test_each_job_can_be_begun_as_it_is(kind):
+    answers = COARSE if "target" in kind.model_fields else {}
+    found = prospect(kind().with_answers(answers))
+    assert found.session.scene.optic.known_shape is not None
+    assert found.picture.shape == found.session.target.shape
+    assert found.picture.min() >= 0 and found.picture.max() > 0
+    slope = next(figure for figure in found.figures if figure.name == "Largest slope")
+    assert not slope.warns
+
+
+def test_the_picture_at_best_is_blurred_by_the_lamp():
+    job = Torch().with_answers({"target": {"builtin": "tophat"}, "lamp_size": [4.0, 4.0]})
+    found = prospect(job)
+    image, wanted = (each / each.sum() for each in (found.picture, found.session.target))
+    assert np.abs(image - wanted).max() > 0.1 * wanted.max()
+
+
+def test_light_that_no_lens_can_bring_into_the_picture_is_said():
+    shape = {"builtin": "rectangle", "width": 0.05, "height": 0.05}
+    small = LedRectangle().with_answers({"target": shape, "lamp_size": [4.0, 4.0]})
+    said = figures(small)
+    assert said["Étendue"].warns and "%" in said["Étendue"].value
+    assert said["Error at best"].warns
+    large = figures(LedRectangle().with_answers({"lamp_size": [0.1, 0.1]}))
+    assert not large["Étendue"].warns
+
+
+def test_a_turn_that_no_face_can_make_is_said():
+    said = figures(
+        SunPlate().with_answers(COARSE | {"distance": 60.0, "image_size": [400.0, 400.0]})
+    )
+    assert said["Largest slope"].warns
+    assert "at most" in said["Largest slope"].meaning
+
+
+def test_a_picture_that_is_not_there_is_refused():
+    with pytest.raises(Refused, match="nowhere"):
+        prospect(SunPlate().with_answers({"target": {"image": "/nowhere.png"}}))
+
+
+def test_it_can_be_left_after_each_step():
+    steps = prospecting(Torch().scene(), Path("/"))
+    assert next(steps) is None and next(steps) is None
+    steps.close()

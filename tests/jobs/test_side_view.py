@@ -1,0 +1,56 @@
+"""The drawing of a job is its scene, to scale."""
+
+import numpy as np
+import pytest
+
+from workbench.jobs import JOBS, side_view
+from workbench.jobs.mirror import MirrorJob
+from workbench.jobs.sun_plate import SunPlate
+from workbench.jobs.torch import Torch
+from workbench.jobs.wall_washer import WallWasher
+
+
+def test_widths_and_distances_are_those_of_the_job():
+    job = Torch().with_answers({"size": [60.0, 40.0], "image_size": [300.0, 160.0]})
+    view = side_view(job.scene())
+    lengths = {
+        dimension.text: np.linalg.norm(np.subtract(*dimension.ends))
+        for dimension in view.dimensions
+    }
+    assert view.across == "y"
+    assert lengths == pytest.approx(
+        {"40 mm": 40.0, "160 mm": 160.0, "200 mm": 200.0, "80 mm": 80.0}, abs=1e-9
+    )
+
+
+def test_rays_go_from_the_lamp_by_the_lens_to_the_image():
+    scene = Torch().scene()
+    view = side_view(scene)
+    for ray, part in zip(view.rays, np.linspace(-1, 1, len(view.rays)), strict=True):
+        begin, through, end = ray
+        assert begin == pytest.approx([-80.0, 0.0])
+        assert through == pytest.approx([scene.lens.leaving_z, 30.0 * part])
+        assert end == pytest.approx([200.0, 80.0 * part])
+
+
+def test_light_of_the_sun_comes_straight():
+    for ray in side_view(SunPlate().scene()).rays:
+        assert ray[0, 1] == pytest.approx(ray[1, 1])
+        assert ray[0, 0] < ray[1, 0]
+
+
+@pytest.mark.parametrize(("kind", "across"), [(WallWasher, "y"), (MirrorJob, "x")])
+def test_what_is_askew_is_seen_from_where_that_shows(kind, across):
+    view = side_view(kind().scene())
+    assert view.across == across
+    assert np.ptp(view.receiver[:, 0]) > 0.1 * np.ptp(view.receiver[:, 1])
+
+
+@pytest.mark.parametrize("kind", JOBS, ids=lambda kind: kind.__name__)
+def test_all_that_is_drawn_is_within_its_bounds(kind):
+    view = side_view(kind().scene())
+    left, right, low, high = view.bounds
+    assert left < right and low < high
+    for points in (view.source, view.optic, view.receiver, *view.rays):
+        assert np.isfinite(points).all()
+        assert ((points >= [left, low]) & (points <= [right, high])).all()

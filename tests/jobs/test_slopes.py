@@ -1,0 +1,69 @@
+"""Slopes that a face needs, against prisms and mirrors that can be worked out by hand."""
+
+import math
+
+import numpy as np
+import pytest
+
+from workbench.jobs.mirror import MirrorJob
+from workbench.jobs.slopes import needed_slopes
+from workbench.jobs.sun_plate import SunPlate
+from workbench.jobs.torch import Torch
+
+
+def far_image(angle, distance=1e5):
+    """A plate whose light all goes to a small image aside, at an angle to the axis."""
+    scene = SunPlate().with_answers({"distance": distance, "image_size": [1.0, 1.0]}).scene()
+    aside = (scene.screen.z - scene.lens.leaving_z) * math.tan(math.radians(angle))
+    return scene.altered(screen=scene.screen.altered(center=(aside, 0.0)))
+
+
+@pytest.mark.parametrize("angle", [1.0, 10.0, 30.0, 45.0])
+def test_light_that_is_turned_needs_a_prism(angle):
+    scene = far_image(angle)
+    found = needed_slopes(scene)
+    middle = found.gradient[8, 8]
+    turn = math.radians(angle)
+    prism = math.sin(turn) / (scene.lens.index - math.cos(turn))  # by Snell's law
+    assert middle == pytest.approx([prism, 0.0], rel=1e-3, abs=1e-9)
+    assert found.turn == pytest.approx(angle, abs=0.1)
+    assert found.possible
+
+
+def test_light_cannot_be_turned_beyond_grazing_exit():
+    found = needed_slopes(far_image(55.0))
+    assert not found.possible
+    assert found.most == pytest.approx(math.degrees(math.acos(1 / far_image(55.0).lens.index)))
+    assert found.turn > found.most
+
+
+def test_light_of_a_lamp_that_goes_straight_on_needs_a_flat_face():
+    # Far away the lens is a point, and light goes on as it came: 20 mm aside after 40 mm.
+    scene = Torch().with_answers({"distance": 2e4, "image_size": [2e4, 2e4]}).scene()
+    found = needed_slopes(scene)
+    assert np.abs(found.gradient).max() < 0.01
+    assert found.rise < 0.1
+
+
+@pytest.mark.parametrize("aside", [10.0, 45.0, 80.0])
+def test_a_mirror_is_turned_by_half_of_what_it_turns_light_by(aside):
+    answers = {"aside": aside, "size": [1.0, 1.0], "image_size": [1.0, 1.0], "distance": 400.0}
+    found = needed_slopes(MirrorJob().with_answers(answers).scene())
+    slope = math.hypot(*found.gradient[8, 8])
+    assert math.degrees(math.atan(slope)) == pytest.approx(aside / 2, abs=1e-6)
+
+
+def test_a_part_of_the_picture_needs_less_than_all_of_it():
+    scene = SunPlate().scene()
+    whole, part = needed_slopes(scene), needed_slopes(scene, (-10.0, 10.0, -10.0, 10.0))
+    left = needed_slopes(scene, (-100.0, -90.0, -50.0, 50.0))
+    assert whole.steepest > 0 and part.turn != whole.turn
+    assert left.gradient[:, 8, 0].max() < 0  # all of it goes to -x
+
+
+def test_the_rise_of_a_face_is_that_of_its_slopes():
+    scene = SunPlate().scene()
+    found = needed_slopes(scene)
+    # Evenly spread light needs a slope that grows evenly from the middle to both edges.
+    edge = found.gradient[-1, 8, 0]
+    assert found.rise == pytest.approx(2 * edge * 50.0 / 2, rel=0.05)

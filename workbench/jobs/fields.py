@@ -1,0 +1,63 @@
+"""Questions that several jobs ask, and what many of them begin with."""
+
+from typing import Annotated, Literal
+
+import resources
+from workbench.scene import ImageTarget, Measure, Positive, Target
+from workbench.scene.fields import LENGTH, Choices, about
+
+Picture = Annotated[
+    Target,
+    about("Picture", "What the light shall draw: a picture file, a shape or a word."),
+]
+Pair = tuple[Positive, Positive]
+Size = Annotated[
+    Pair,
+    LENGTH,
+    about("Lens", "Full width and height of the lens; all of it is lit."),
+]
+ImageSize = Annotated[
+    Pair,
+    LENGTH,
+    about("Image", "Full width and height of the image; the picture is fitted into it."),
+]
+Distance = Annotated[
+    Positive,
+    LENGTH,
+    about("Distance to the image", "From the entrance face of the lens to the image."),
+]
+LampDistance = Annotated[
+    Positive,
+    LENGTH,
+    about("Lamp to lens", "From the lamp to the entrance face of the lens."),
+]
+MATERIALS = (
+    ("PMMA", "Acrylic (PMMA)"),
+    ("PC", "Polycarbonate"),
+    ("PS", "Polystyrene"),
+    ("N-BK7", "Glass (N-BK7)"),
+    ("fused silica", "Fused silica"),
+)
+"""Materials of the catalogue, and what a person reads for each."""
+Material = Annotated[
+    Literal["PMMA", "PC", "PS", "N-BK7", "fused silica"],
+    Choices(MATERIALS),
+    about("Material", "What the lens is made of. Any index can be given later."),
+]
+Thickness = Annotated[
+    Positive | None,
+    LENGTH,
+    about(
+        "Stock thickness",
+        "Thickness of the plate that the lens is cut from. Left empty, any will do, and one is "
+        "proposed.",
+    ),
+]
+WAVELENGTH_NM = Measure("nm")
+SUN = 0.533
+"""Angular diameter of the sun, degrees."""
+
+
+def shipped(name: str) -> ImageTarget:
+    """A picture that ships with the program, whose numbers are light."""
+    return ImageTarget(image=str(resources.path("targets", f"{name}-256.png")))

@@ -1,0 +1,66 @@
+"""A mirror that throws a picture to the side."""
+
+import math
+from typing import Annotated, ClassVar
+
+from pydantic import ConfigDict
+
+from workbench.jobs.fields import SUN, ImageSize, Pair, Picture, shipped
+from workbench.jobs.job import Job
+from workbench.jobs.parts import halves, written
+from workbench.jobs.proposals import proposed
+from workbench.scene import Positive, Scene
+from workbench.scene.fields import ANGLE, LENGTH, about
+
+
+class MirrorJob(Job):
+    """A mirror in straight light, or in the sun, throws a picture to the side."""
+
+    model_config = ConfigDict(title="Mirror")
+    asked_by: ClassVar[dict[str, str]] = {"screen.center": "aside", "source": "angular_diameter"}
+
+    target: Picture = shipped("letter")
+    size: Annotated[
+        Pair,
+        LENGTH,
+        about("Mirror", "Full width and height of the mirror; all of it is lit."),
+    ] = (30.0, 30.0)
+    angular_diameter: Annotated[
+        float,
+        ANGLE,
+        about("Light", f"Full angle of the light: {SUN} for the sun, 0 for a laser.", ge=0, lt=90),
+    ] = 0.0
+    distance: Annotated[
+        Positive,
+        LENGTH,
+        about("Distance to the image", "From the mirror to the middle of the image."),
+    ] = 100.0
+    aside: Annotated[
+        float,
+        ANGLE,
+        about(
+            "To the side",
+            "Angle between the light that comes and the light that goes, which has to pass the "
+            "image on its way.",
+            ge=0,
+            le=80,
+        ),
+    ] = 45.0
+    image_size: ImageSize = (40.0, 40.0)
+
+    def scene(self) -> Scene:
+        """An image that faces the mirror, at the side of +x."""
+        angle = math.radians(self.aside)
+        return proposed(
+            {
+                "mirror": {"half_width": halves(self.size), "control_points": "auto"},
+                "source": {"kind": "collimated", "angular_diameter": self.angular_diameter},
+                "screen": {
+                    "z": -self.distance * math.cos(angle),
+                    "center": [self.distance * math.sin(angle), 0.0],
+                    "tilt": [0.0, -self.aside],
+                    "half_width": halves(self.image_size),
+                },
+                "target": written(self.target),
+            }
+        )

@@ -1,0 +1,112 @@
+"""Proposals of jobs, so that nobody has to know: thickness of the lens, pixels of the image."""
+
+import math
+from typing import Any
+
+import numpy as np
+
+from workbench.extended.blur import Blur
+from workbench.jobs.slopes import needed_slopes
+from workbench.scene import Scene
+
+# A lens is at least this thick, in half-widths and in millimetres, so that it can be made.
+_THINNEST, _LEAST_MM = 0.05, 1.0
+# The middle of the exit face is above that by this part of what the face rises, and of the lens.
+_RISE, _BODY = 0.75, 0.04
+# Pixels along the longer side of an image; what is blurred is told by so many pixels.
+_MOST, _FEWEST, _MULTIPLE, _IN_BLUR = 256, 96, 8, 8
+_MICRO = 1e-3  # millimetres
+
+
+def proposed(task: dict[str, Any], thickness: float | None = None) -> Scene:
+    """The scene of a task in millimetres, with what it leaves open.
+
+    Parameters
+    ----------
+    task : dict
+        Plain data of a scene. Its lens or mirror may lack the base, and its receiver the pixels.
+    thickness : float, optional
+        Of the stock that a lens is cut from.
+
+    Raises
+    ------
+    Refused
+        If this is no possible scene.
+    """
+    receiver = "screen" if "screen" in task else "far_field"
+    extent = task[receiver].get("half_width") or task[receiver]["half_angle"]
+    task = {**task, "version": 2, "unit": "mm"}
+    if "lens" in task:
+        task |= {"lens": _lens(task["lens"], thickness)}
+    task[receiver] = {"pixels": _pixels(extent, _MOST)} | task[receiver]
+    scene = Scene.from_data(task)
+    finest = resolution(scene)
+    if finest > 0:
+        per_side = math.ceil(2 * max(extent) / finest * _IN_BLUR / _MULTIPLE) * _MULTIPLE
+        task[receiver] |= {"pixels": _pixels(extent, min(max(per_side, _FEWEST), _MOST))}
+    if "lens" in task and thickness is None:
+        low = task["lens"]["min_thickness"]
+        rise = needed_slopes(scene).rise
+        height = low + _RISE * rise + _BODY * max(scene.optic.half_width)
+        task["lens"] |= {"base": {"shape": "flat", "height": float(f"{height:.2g}")}}
+    return Scene.from_data(task)
+
+
+def resolution(scene: Scene) -> float:
+    """Width of the finest detail that light of the source can draw, in the receiver's measure.
+
+    The larger of the source's blur and of the scale of diffraction.
+    """
+    blur = min(blur_widths(scene))
+    return max(blur, diffraction(scene))
+
+
+def blur_widths(scene: Scene) -> tuple[float, float]:
+    """Full widths of the source's blur along x and y, in the receiver's measure."""
+    receiver = scene.receiver
+    x, y = (
+        2 * half * width / pixels
+        for half, width, pixels in zip(
+            receiver.half_extent, Blur.of(scene).widths, receiver.pixels, strict=True
+        )
+    )
+    return x, y
+
+
+def diffraction(scene: Scene) -> float:
+    """Scale below which diffraction washes details out, in the receiver's measure.
+
+    √(λ · distance) on a screen: a wider part of the lens could aim better, a narrower one spreads
+    more. In a far field, wavelength over width of the lens.
+    """
+    optic, receiver = scene.optic, scene.receiver
+    wavelength = _MICRO * wavelength_um(scene)
+    if not receiver.at_distance:
+        return float(np.degrees(wavelength / (2 * min(optic.half_width))))
+    return math.sqrt(wavelength * abs(receiver.plane_z - optic.leaving_z))
+
+
+def wavelength_um(scene: Scene) -> float:
+    """Of the light, as far as the scene says it; that of green light otherwise."""
+    return (scene.lens.wavelength_um if scene.lens is not None else None) or 0.55
+
+
+def _lens(given: dict[str, Any], thickness: float | None) -> dict[str, Any]:
+    half = max(given["half_width"])
+    thin = float(f"{max(_THINNEST * half, _LEAST_MM):.2g}")
+    usual: dict[str, Any] = {"control_points": "auto", "min_thickness": thin}
+    if thickness is not None:
+        thin = min(thin, thickness / 2)
+        height = float(f"{(thin + thickness) / 2:.3g}")
+        usual |= {
+            "min_thickness": thin,
+            "max_thickness": thickness,
+            "base": {"shape": "flat", "height": height},
+        }
+    return usual | given
+
+
+def _pixels(extent: tuple[float, float], longer: int) -> list[int]:
+    """As many along the longer side, and square ones along both."""
+    side = max(extent)
+    return [max(round(longer * each / side / _MULTIPLE), 1) * _MULTIPLE for each in extent]

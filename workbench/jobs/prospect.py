@@ -1,0 +1,193 @@
+"""What can be expected of a task before anything is designed, and its picture as at best."""
+
+from collections.abc import Generator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from workbench.design.session import Session
+from workbench.design.task import begin
+from workbench.extended.bound import Bound, percent
+from workbench.jobs.proposals import blur_widths, diffraction
+from workbench.jobs.slopes import Slopes, needed_slopes
+from workbench.scene import Scene
+
+Array = npt.NDArray[np.float64]
+
+_BLACK = 0.01  # parts of a target's peak up to where a pixel is dark
+_ALL = 0.995  # more light than this is all of it
+_STEEP = 0.85  # of the largest turn, from where much light is reflected
+
+
+class Figure(NamedTuple):
+    """One thing that is known beforehand.
+
+    Attributes
+    ----------
+    name : str
+        What it is.
+    value : str
+        With its unit.
+    meaning : str
+        What follows from it, in a sentence.
+    warns : bool
+        Whether the task will not end well for it.
+    """
+
+    name: str
+    value: str
+    meaning: str
+    warns: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class Prospect:
+    """What can be expected of a task.
+
+    Attributes
+    ----------
+    session : Session
+        The task, its target drawn and its net chosen.
+    picture : ndarray, shape (n_y, n_x)
+        The image as it would look at best: blurred by the source.
+    figures : tuple of Figure
+        What can be resolved, how steep the face becomes, how much light can arrive.
+    """
+
+    session: Session
+    picture: Array
+    figures: tuple[Figure, ...]
+
+
+def prospecting(scene: Scene, folder: Path) -> Generator[None, None, Prospect]:
+    """Find what can be expected, step by step, so that one can leave it.
+
+    Parameters
+    ----------
+    scene : Scene
+        The task.
+    folder : Path
+        Where names of files start.
+
+    Raises
+    ------
+    Refused
+        If a file that it names cannot be used.
+    """
+    session = begin(scene, folder)
+    yield
+    bound = Bound(session.scene, session.target)
+    picture = (yield from bound.finding()).image.clip(min=0) if bound.known else session.target
+    yield
+    slopes = needed_slopes(session.scene, _lit(session))
+    figures = (
+        *_resolved(session.scene),
+        _steepness(session.scene, slopes),
+        *_light(bound),
+        _proposal(session),
+    )
+    return Prospect(session, picture, figures)
+
+
+def _lit(session: Session) -> tuple[float, float, float, float]:
+    """Left, right, bottom and top of what the target lights, in coordinates of the receiver."""
+    bright = session.target > _BLACK * session.target.max()
+    left, right, bottom, top = session.scene.receiver.bounds
+    n_y, n_x = bright.shape
+    columns, rows = (np.flatnonzero(bright.any(axis=axis)) for axis in (0, 1))
+    per_column, per_row = (right - left) / n_x, (top - bottom) / n_y
+    return (
+        left + columns[0] * per_column,
+        left + (columns[-1] + 1) * per_column,
+        top - (rows[-1] + 1) * per_row,
+        top - rows[0] * per_row,
+    )
+
+
+def _resolved(scene: Scene) -> tuple[Figure, ...]:
+    """How fine the image can be."""
+    unit = scene.receiver.measure.sign_in(scene.unit)
+    wide = 2 * min(scene.receiver.half_extent)
+    x, y = blur_widths(scene)
+    spread = diffraction(scene)
+    if max(x, y) == 0:
+        blur = Figure("Blur of the light", "none", "The light comes from one point or direction.")
+    else:
+        same = abs(x - y) < 0.01 * max(x, y)
+        value = f"{x:.3g} {unit}" if same else f"{x:.3g} × {y:.3g} {unit}"
+        parts = f"{wide / max(x, y):.0f} details fit side by side into the image."
+        blur = Figure("Blur of the light", value, parts, 10 * max(x, y) > wide)
+    law = "√(λ · distance)" if scene.receiver.at_distance else "λ / width of the lens"
+    return (
+        blur,
+        Figure(
+            "Diffraction",
+            f"{spread:.2g} {unit}",
+            f"{law}: finer details cannot be sharp, and no ray tracer shows that.",
+            20 * spread > wide,
+        ),
+    )
+
+
+def _steepness(scene: Scene, slopes: Slopes) -> Figure:
+    """Whether the face can turn the light as far as it is wanted to."""
+    optic = scene.optic
+    value = f"{slopes.steepest:.0f}°, light turns by up to {slopes.turn:.0f}°"
+    if not slopes.possible:
+        return Figure(
+            "Largest slope",
+            f"light would have to turn by {slopes.turn:.0f}°",
+            f"The {optic.called} turns it by {slopes.most:.0f}° at most: a smaller image, more "
+            "distance or another place of the light helps.",
+            True,
+        )
+    if slopes.turn > _STEEP * slopes.most:
+        meaning = f"{slopes.most:.0f}° is the most; so near to it much light is reflected."
+        return Figure("Largest slope", value, meaning, True)
+    return Figure("Largest slope", value, f"Up to {slopes.most:.0f}° would be possible.")
+
+
+def _light(bound: Bound) -> tuple[Figure, ...]:
+    """What the size of the source allows."""
+    if bound.scene.further_images or max(bound.blur.widths) == 0:
+        return ()
+    if bound.blur.within_a_pixel:
+        return (Figure("Étendue", "allows it", "The light blurs less than a pixel."),)
+    least = bound.relative_l2
+    most = min(bound.on_receiver, bound.on_target)
+    light = (
+        Figure("Étendue", "allows it", "All light can land where the picture is bright.")
+        if most > _ALL
+        else Figure(
+            "Étendue",
+            f"{100 * most:.0f} % of the light",
+            "No more can land where the picture is bright: the light's own image is larger.",
+            True,
+        )
+    )
+    error = Figure(
+        "Error at best",
+        percent(least),
+        "No lens of this size can be below it; a smaller or farther lamp would help."
+        if least > _BLACK
+        else "The light is small enough for this picture.",
+        least > 10 * _BLACK,
+    )
+    return light, error
+
+
+def _proposal(session: Session) -> Figure:
+    """What the program has chosen."""
+    optic, receiver = session.scene.optic, session.scene.receiver
+    n_u, n_v = optic.net_shape
+    n_x, n_y = receiver.pixels
+    height = abs(optic.leaving_z - optic.front_z)
+    thick = f"{height:.3g} {session.scene.unit} thick, " if height else ""
+    return Figure(
+        "Proposed",
+        f"{thick}{n_u} × {n_v} control points, {n_x} × {n_y} pixels",
+        "All of it can be changed in the window.",
+    )

@@ -1,0 +1,125 @@
+"""A scene seen from the side, to scale: light, lens or mirror, image, widths and distances."""
+
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from workbench.scene import Scene
+
+Array = npt.NDArray[np.float64]
+
+_RAYS = 5
+_BEFORE = 0.25  # of all the way, that light from infinitely far is drawn before the optic
+
+
+@dataclass(frozen=True, eq=False)
+class Dimension:
+    """A length between two places.
+
+    Attributes
+    ----------
+    ends : ndarray, shape (2, 2)
+        Along the axis and across it.
+    text : str
+        What stands there.
+    """
+
+    ends: Array
+    text: str
+
+
+@dataclass(frozen=True, eq=False)
+class SideView:
+    """Lines in the plane of the axis, scene units: along the axis, then across it.
+
+    Attributes
+    ----------
+    across : str
+        The axis that is drawn upwards.
+    source : ndarray, shape (n, 2)
+        What shines: ends of a line, a point, or none for light from infinitely far.
+    optic : ndarray, shape (n, 2)
+        Outline of the lens or mirror.
+    receiver : ndarray, shape (n, 2)
+        The image, seen edge on.
+    rays : tuple of ndarray, shape (3, 2)
+        From the source by the optic to the image.
+    dimensions : tuple of Dimension
+        Widths and distances, in the unit of the scene.
+    """
+
+    across: str
+    source: Array
+    optic: Array
+    receiver: Array
+    rays: tuple[Array, ...]
+    dimensions: tuple[Dimension, ...]
+
+    @property
+    def bounds(self) -> tuple[float, float, float, float]:
+        """Lowest and highest along the axis, and across it."""
+        points = np.concatenate([self.source, self.optic, self.receiver, *self.rays])
+        low, high = points.min(axis=0), points.max(axis=0)
+        return float(low[0]), float(high[0]), float(low[1]), float(high[1])
+
+
+def side_view(scene: Scene) -> SideView:
+    """Draw a scene from the side, or from above where it is askew along x."""
+    optic, receiver = scene.optic, scene.receiver
+    axis = 0 if not receiver.mirrored[0] else 1
+    plane = [2, axis]
+    half = optic.half_width[axis]
+    front, back = optic.front_z, optic.leaving_z
+    if front == back:
+        back = front + optic.onwards * -1 * half / 10
+    outline = np.array([[front, -half], [back, -half], [back, half], [front, half], [front, -half]])
+    steps = np.linspace(-1, 1, 2 * receiver.facets + 1)
+    image = _seen(scene, axis, steps)[:, plane]
+    source = scene.source.seen((2, 2))[:, plane]
+    ends = _seen(scene, axis, np.linspace(-1, 1, _RAYS))[:, plane]
+    places = np.stack([np.full(_RAYS, optic.leaving_z), half * np.linspace(-1, 1, _RAYS)], axis=-1)
+    begin = _beginnings(scene, places, image, axis)
+    rays = tuple(np.stack(each) for each in zip(begin, places, ends, strict=True))
+    return SideView(
+        "xy"[axis], source, outline, image, rays, _dimensions(scene, axis, image, source)
+    )
+
+
+def _seen(scene: Scene, axis: int, steps: Array) -> Array:
+    """Places (n, 3) along the receiver's side that is drawn."""
+    receiver = scene.receiver
+    coordinates = [np.full_like(steps, middle) for middle in receiver.middle]
+    coordinates[axis] = receiver.middle[axis] + receiver.half_extent[axis] * steps
+    return receiver.drawn(scene.optic, *coordinates)
+
+
+def _beginnings(scene: Scene, places: Array, image: Array, axis: int) -> Array:
+    """Where rays begin that meet the optic at places."""
+    source = scene.source
+    if source.place is not None:
+        return np.broadcast_to(np.array(source.place)[[2, axis]], places.shape)
+    way = source.heading[[2, axis]]
+    length = _BEFORE * float(np.ptp(np.append(image[:, 0], scene.optic.front_z)))
+    return np.asarray(places - length * way / way[0])
+
+
+def _dimensions(scene: Scene, axis: int, image: Array, source: Array) -> tuple[Dimension, ...]:
+    optic, receiver, unit = scene.optic, scene.receiver, scene.unit
+    half, front = optic.half_width[axis], optic.front_z
+    found = [
+        Dimension(np.array([[front, -half], [front, half]]), f"{2 * half:.4g} {unit}"),
+        Dimension(
+            image[[0, -1]],
+            f"{2 * receiver.half_extent[axis]:.4g} {receiver.measure.sign_in(unit)}",
+        ),
+    ]
+    if receiver.at_distance:
+        away = abs(receiver.plane_z - front)
+        found.append(
+            Dimension(np.array([[front, 0.0], [receiver.plane_z, 0.0]]), f"{away:.4g} {unit}")
+        )
+    if len(source):
+        z = float(source[:, 0].mean())
+        found.append(Dimension(np.array([[z, 0.0], [front, 0.0]]), f"{front - z:.4g} {unit}"))
+    return tuple(found)
