@@ -70,7 +70,7 @@ class Monkey(QObject):
         self._warm_mb = 0.0  # memory after the warm-up
         self._acting = False
         self._doing: Generator[int, None, None] | None = None
-        self.watch = Watch(self.log, folder / "stacks.txt")
+        self.watch = Watch(self.log, folder / "stacks.txt", _scenes)
 
     def log(self, line: str) -> None:
         """Write a line with the time since the start."""
@@ -210,6 +210,11 @@ class Monkey(QObject):
 
     def _program(self) -> Windows:
         return next(each for each in gc.get_objects() if isinstance(each, Windows))
+
+
+def _scenes() -> str:
+    loaded = [window for window in windows() if window.loaded is not None]
+    return "\n".join(json.dumps(each.document.session.scene.to_data()) for each in loaded)
 
 
 def _threads() -> int:

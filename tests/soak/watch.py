@@ -12,6 +12,7 @@ from PySide6.QtCore import QMessageLogContext, QObject, QTimer, QtMsgType, qInst
 
 HANG = 10.0  # seconds without an answer of the event loop
 _SLOW = 1.0  # worth a line
+_MOST_MB = 8000.0  # what no task that is typed in here needs; the program ends before the machine
 _BEAT_MS = 50
 
 # Said on a screen without a window manager, and of the format that VTK's widget asks for each time.
@@ -26,14 +27,16 @@ class Watch(QObject):
     log : callable
         Takes a line.
     stacks : Path
-        Where all stacks are written when the event loop hangs.
+        Where all stacks are written when the event loop hangs, or memory runs out.
+    state : callable
+        What to write beside them of the program's state.
     """
 
-    def __init__(self, log: Callable[[str], None], stacks: Path) -> None:
+    def __init__(self, log: Callable[[str], None], stacks: Path, state: Callable[[], str]) -> None:
         super().__init__()
         self.problems: list[str] = []
         self.longest = 0.0  # seconds that the event loop took for one thing
-        self._log = log
+        self._log, self._state = log, state
         self._stacks = stacks.open("w")
         self._beat = time.monotonic()
         self._hangs = self._ending = False
@@ -87,8 +90,15 @@ class Watch(QObject):
             time.sleep(0.2)
             if not self._hangs and time.monotonic() - self._beat > HANG:
                 self._hangs = True
-                self.tell(f"the event loop has not answered for {HANG:.0f} s")
-                faulthandler.dump_traceback(self._stacks, all_threads=True)
+                self._dump(f"the event loop has not answered for {HANG:.0f} s")
+            if (memory := resident_mb()) > _MOST_MB:
+                self._dump(f"{memory:.0f} MB of memory")
+                os._exit(1)
+
+    def _dump(self, problem: str) -> None:
+        self.tell(problem)
+        faulthandler.dump_traceback(self._stacks, all_threads=True)
+        self._log(self._state())
 
 
 def resident_mb() -> float:

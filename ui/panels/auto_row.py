@@ -33,6 +33,7 @@ class AutoRow(NumberRow):
         self.box.setToolTip(f"<p>{tip}</p>")
         self._editors.addWidget(self.box)
         self._shape: tuple[int, ...] | None = None  # what counts now
+        self._auto = False
         self.box.clicked.connect(self._choose)
 
     def show_scene(self, scene: Any, pending: Set[str]) -> None:
@@ -40,14 +41,14 @@ class AutoRow(NumberRow):
         Row.show_scene(self, scene, pending)
         self._unit.hide()  # what was chosen stands in the fields
         value = value_at(scene, self.path)
-        auto = isinstance(value, AutoNet)
+        self._auto = auto = isinstance(value, AutoNet)
         self._shape = value.shape if isinstance(value, AutoNet) else value
         if self.path not in pending:
             self.box.setChecked(auto)
         numbers = self._shape or ("auto",) * len(self.editors)
         for (path, editor), number in zip(self.editors.items(), numbers, strict=True):
             editor.setPlaceholderText(str(number))
-            if path not in pending:
+            if not pending & {path, self.path}:
                 editor.show_value("" if auto else str(number))
 
     def _choose(self, auto: bool) -> None:
@@ -58,8 +59,8 @@ class AutoRow(NumberRow):
         texts = [editor.text().strip() for editor in self.editors.values()]
         if not text.strip():
             self._tell(self.path, {self.path: AUTO})
-        elif all(texts):
+        elif all(texts) and not self._auto:
             self._tell(path, {path: self.editors[path].typed(text)})
         else:  # a number alone counts for both
             values = [e.typed(t or text) for e, t in zip(self.editors.values(), texts, strict=True)]
-            self._tell(path, {self.path: values})
+            self._tell(self.path, {self.path: values})

@@ -139,13 +139,23 @@ def edited_scene(scene: Scene, edits: Iterable[Edit]) -> Scene:
 
 
 def _holder_in(data: dict[str, Any], scene: Scene, path: str) -> tuple[Any, int | str]:
-    """As `holder_of`, in data that leaves out what older files do not know while it is as usual."""
+    """As `holder_of`, in data that leaves out what older files do not know while it is as usual.
+
+    Raises
+    ------
+    Refused
+        If the scene has no such field: another edit has taken it away.
+    """
     holder, last = holder_of(data, path)
     if holder is None:
         numbers = path[: path.rindex("[")]
         around, name = holder_of(data, numbers)
-        around[name] = list(value_at(scene, numbers))
-        holder, last = holder_of(data, path)
+        usual = value_at(scene, numbers)
+        if isinstance(around, dict) and usual is not None:
+            around[name] = list(usual)
+            holder, last = holder_of(data, path)
+    if not isinstance(holder, list | dict):
+        raise Refused(path, "this task has no such field any more")
     return holder, last
 
 

@@ -58,3 +58,13 @@ def test_an_edit_of_the_screen_changes_what_auto_comes_to(forms, document, qtbot
     assert document.session.scene.lens.net_shape[0] == 60
     assert np.shape(document.session.target) == (16, 40)
     assert shown(forms)[1][0] == ("", "60")
+
+
+def test_a_number_beside_one_that_is_refused_takes_the_tick_away_with_it(forms, document, qtbot):
+    enter(qtbot, forms, f"{NET}[0]", "x")
+    assert row(forms, NET).refusal
+    enter(qtbot, forms, f"{NET}[1]", "7")
+    assert document.session.scene.lens.control_points == AutoNet((30, 24))
+    enter(qtbot, forms, f"{NET}[0]", "9")
+    assert document.session.scene.lens.control_points == (9, 7)
+    assert not forms.refused
