@@ -39,7 +39,8 @@ def test_light_cannot_be_turned_beyond_grazing_exit():
 
 def test_light_of_a_lamp_that_goes_straight_on_needs_a_flat_face():
     # Far away the lens is a point, and light goes on as it came: 20 mm aside after 40 mm.
-    scene = Torch().with_answers({"distance": 2e4, "image_size": [2e4, 2e4]}).scene()
+    lamp = {"lamp_distance": 40.0, "size": [40.0, 40.0]}
+    scene = Torch().with_answers(lamp | {"distance": 2e4, "image_size": [2e4, 2e4]}).scene()
     found = needed_slopes(scene)
     assert np.abs(found.gradient).max() < 0.01
     assert found.rise < 0.1
