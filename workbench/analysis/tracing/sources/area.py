@@ -9,6 +9,7 @@ from workbench.analysis.tracing.elements import Array, TracedRays
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import Cells
 from workbench.analysis.tracing.sources.even import in_disc, in_square, pairs
+from workbench.analysis.tracing.sources.near import near_places
 from workbench.analysis.tracing.sources.unspread import Unspread
 from workbench.scene import AreaSource, Optic
 
@@ -21,8 +22,8 @@ class AreaLight(Unspread):
     """Light of an emitter's face into the half-space before it; a `LightSource`.
 
     Each ray goes from a random place of the emitter to a random one of the rectangle of the
-    entrance face, so none is wasted. The parameters are those of `light_source`, and how often the
-    points of `through` are doubled.
+    entrance face, so none is wasted. They are as dense there as the light; see `near_places`. The
+    parameters are those of `light_source`, and how often the points of `through` are doubled.
     """
 
     def __init__(
@@ -31,6 +32,8 @@ class AreaLight(Unspread):
         self._given = source, optic, pose, rays, seed
         self._source, self._lens, self._pose, self._seed = source, optic, pose, seed
         self._upwards, self._half_width = pose.axis(), optic.half_width
+        middle = pose.to_lens(np.array([source.center]), optic.front_z)[0]
+        self._middle = middle[0], middle[1], middle[2]
         self._lambertian = source.emission == "lambertian"
         self._cells = Cells(rays, optic.half_width[0] / optic.half_width[1], seed)
         self.rays, self.emitted = self._cells.count, 1.0
@@ -46,11 +49,11 @@ class AreaLight(Unspread):
     def batch(self, number: int) -> Iterator[TracedRays]:
         """Rays that begin on the entrance face; see `RandomSource.batch`."""
         random = np.random.default_rng([self._seed, 300 + number])
-        r_x, r_y = self._half_width
         for a, b in self._cells.batch(number):
             points = self._on_emitter(*pairs(random, len(a)))
-            rays = self._between(points, (2 * a - 1) * r_x, (2 * b - 1) * r_y)
-            yield rays._replace(flux=rays.flux * 4 * r_x * r_y)
+            x, y, area = near_places(a, b, self._middle, self._half_width)
+            rays = self._between(points, x, y)
+            yield rays._replace(flux=rays.flux * area)
 
     def through(self, origin: int, x: Array, y: Array, z: Array | float = 0.0) -> TracedRays:
         """Rays through places of the entrance face; see `FaceLight.through`."""

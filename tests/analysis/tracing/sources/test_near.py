@@ -1,0 +1,37 @@
+"""Random places as dense as the light of a source close by."""
+
+import numpy as np
+import pytest
+
+from workbench.analysis.tracing.pose import Pose
+from workbench.analysis.tracing.sources import light_source
+from workbench.analysis.tracing.sources.near import near_places
+
+
+@pytest.mark.parametrize("point", [(0.0, 0.0, -0.1), (0.7, -0.4, -1.0), (3.0, 0.0, -0.5)])
+def test_areas_are_the_derivative_of_places(point):
+    a, b = np.meshgrid(np.linspace(0.01, 0.99, 9), np.linspace(0.02, 0.98, 7))
+    step = 1e-6
+    x_0, _, area = near_places(a, b, point, (2.0, 1.0))
+    x_1, _, _ = near_places(a + step, b, point, (2.0, 1.0))
+    _, y_0, _ = near_places(a, b - step / 2, point, (2.0, 1.0))
+    _, y_1, _ = near_places(a, b + step / 2, point, (2.0, 1.0))
+    assert area == pytest.approx((x_1 - x_0) * (y_1 - y_0) / step**2, rel=1e-4)
+
+
+def test_light_from_afar_gets_even_places():
+    part = np.linspace(0, 1, 5)
+    x, y, area = near_places(part, part, (0.0, 0.0, -1e5), (2.0, 1.0))
+    assert x == pytest.approx(4 * part - 2, abs=1e-6)
+    assert y == pytest.approx(2 * part - 1, abs=1e-6)
+    assert area == pytest.approx(8.0, rel=1e-6)
+
+
+@pytest.mark.parametrize("emission", ["lambertian", "uniform"])
+def test_rays_of_an_emitter_close_by_carry_almost_the_same_flux(make_scene, emission):
+    near = {"kind": "area", "center": [0.1, 0, -0.2], "half_width": [0.02, 0.02]}
+    scene = make_scene({"source": near | {"emission": emission}})
+    light = light_source(scene.source, scene.lens, Pose(), 50_000, 1)
+    flux = np.concatenate([rays.flux for number in range(16) for rays in light.batch(number)])
+    # Even places would give a spread of twice the mean and more.
+    assert flux.std() < 0.5 * flux.mean()

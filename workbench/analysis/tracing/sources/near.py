@@ -1,0 +1,57 @@
+"""Random places of a face that are as dense as the light of a source close to it."""
+
+import numpy as np
+
+from workbench.analysis.tracing.elements import Array
+
+# A source closer than this part of the half-width is taken to be as far: numbers would round off.
+_CLOSE = 1e-3
+
+
+def near_places(
+    a: Array, b: Array, point: tuple[float, float, float], half_width: tuple[float, float]
+) -> tuple[Array, Array, Array]:
+    """Places for pairs that fill a square evenly, and the area that each stands for.
+
+    A point at a distance d lights a plane as (d² + r²)^-2, with r from its foot, where it is
+    Lambertian. Along x places are as dense as the light of whole lines of the plane,
+    (d² + x²)^-3/2. Along each line, which is q² = d² + x² from the point, they are as dense as
+    (q² + y²)^-3/2, whose sum has a closed form. Rays that each stand for the area of their place
+    then carry almost the same flux: their image scatters least.
+
+    Parameters
+    ----------
+    a, b : ndarray, shape (m,)
+        In [0, 1].
+    point : tuple[float, float, float]
+        The middle of the source as the lens sees it, before the plane z = 0.
+    half_width : tuple[float, float]
+        Of the rectangle that the places fill.
+
+    Returns
+    -------
+    tuple of three ndarray, shape (m,)
+        x, y and areas, whose mean is that of the rectangle.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> a, b = np.meshgrid((np.arange(200) + 0.5) / 200, (np.arange(200) + 0.5) / 200)
+    >>> x, y, area = near_places(a.ravel(), b.ravel(), (0.5, 0.0, -1.0), (2.0, 1.0))
+    >>> bool(abs(x).max() < 2 and abs(y).max() < 1), area.mean().round(1).item()
+    (True, 8.0)
+    """
+    r_x, r_y = half_width
+    distance = max(-point[2], _CLOSE * max(half_width))
+    x, along_x = _along(a, np.array(distance), point[0], r_x)
+    y, along_y = _along(b, np.hypot(distance, x - point[0]), point[1], r_y)
+    return x, y, along_x * along_y
+
+
+def _along(part: Array, distance: Array, foot: float, half: float) -> tuple[Array, Array]:
+    """Places between both ends of a line, and the length that each stands for."""
+    low, high = ((end - foot) / np.hypot(distance, end - foot) for end in (-half, half))
+    sine = low + (high - low) * part
+    away = distance * sine / np.sqrt(1 - sine**2)
+    length = (high - low) * np.hypot(distance, away) ** 3 / distance**2
+    return (foot + away).clip(-half, half), length
