@@ -142,6 +142,8 @@ def _begin(
         opened = windows.open_given(options.file, window, recovered)
     if not window.messages.isVisible():
         window.help.offer_tour(settings)
+    if options.file is None and not (recovered or options.start):
+        window.start_page.show()
     if options.start and opened is not None and opened.loaded is None:
         opened.built.connect(opened.start)
     elif options.start and opened is not None:  # all was loaded while a question stood

@@ -20,6 +20,7 @@ from ui.files.gallery import Gallery
 from ui.files.recent import RecentFiles
 from ui.files.reporter import Reporter
 from ui.help.help import TITLE, Help
+from ui.jobs.start import Start
 from ui.notices.carried_lens import CarriedLens
 from ui.notices.target_image import TargetImage
 from ui.notices.unit_change import UnitChange
@@ -101,6 +102,7 @@ class MainWindow(QMainWindow):
         self.files = FileActions(document, lens, self._recent, messages, dialogs, self)
         self.exporter = Exporter(document, lens, messages, dialogs, self)
         self.reporter = Reporter(document, lens, messages, dialogs, self)
+        self.start_page = Start(self.files, self._show_gallery, dialogs, self)
         self._panes = PaneFocus(
             self.workspace.centre, self.workspace.docks, self.commands.toolbar, self
         )
@@ -127,6 +129,8 @@ class MainWindow(QMainWindow):
         loaded.state_changed.connect(self._show_state)
         loaded.state_changed.connect(self._show_recent)
         loaded.control.ended.connect(self._end_run)
+        self.start_page.open_changed.connect(loaded.follow.hold)
+        loaded.follow.hold(self.start_page.page is not None)
         self._lens.follow(loaded.control)
         self._carried.followed = loaded.follow.follows
         loaded.follow.message.connect(self._tell_of_following)
@@ -154,6 +158,7 @@ class MainWindow(QMainWindow):
         if not self._leaving and not self._may_close():
             event.ignore()
             return
+        self.start_page.close()
         self._layout.keep()
         self.hide()  # threads are waited for, which can take as long as a kernel is compiled
         for dock in self.workspace.docks.values():
@@ -259,6 +264,7 @@ class MainWindow(QMainWindow):
         self.commands.connect(
             {
                 **{name: partial(self._new, example) for name, example in NEW.items()},
+                "new": self.start_page.show,
                 "gallery": self._show_gallery,
                 "open": self.files.choose_and_open,
                 "save": lambda: self._save(self.files.save),

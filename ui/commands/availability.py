@@ -11,7 +11,18 @@ if TYPE_CHECKING:
 _TAKES_LENS = ("export", "report")
 
 # Not while a run works on the design as it was when it began.
-_CHANGING = (*NEW, *LOCKS, "gallery", "open", "restore_run", "delete_run", "undo", "redo", "revert")
+_CHANGING = (
+    *NEW,
+    *LOCKS,
+    "new",
+    "gallery",
+    "open",
+    "restore_run",
+    "delete_run",
+    "undo",
+    "redo",
+    "revert",
+)
 _ONE_FACE = "There is one freeform face: Freeform entrance face gives a lens a second one"
 _RUN_FIRST = (
     "Not while a run goes on: it works on the design as it was when it began. Stop it first"

@@ -43,7 +43,6 @@ _Key = QKeySequence.StandardKey
 
 NEW = {f"new_{example.name}": example for example in EXAMPLES}
 """Commands that begin with an example."""
-_FIRST = NEW["new_tophat"]
 
 VIEWS = ("lens", "screen", "side", "top", "axis")
 """Where the 3D scene can be looked at from, each with a command; see `FittedCamera.fit`."""
@@ -69,7 +68,9 @@ PICTURES = {f"save_scene_{times}": times for times in (1, 2, 4)}
 
 COMMANDS = {
     **{name: Command(example.title, example.look) for name, example in NEW.items()},
-    "new_tophat": Command(_FIRST.title, _FIRST.look, _Key.New, "new"),
+    "new": Command(
+        "&New…", "Begin a design: choose a job and answer its questions", _Key.New, "new"
+    ),
     "gallery": Command(
         "New from &gallery…", "Choose an example by the picture of its light", "Ctrl+Shift+N"
     ),
@@ -248,6 +249,7 @@ _RUN = ["start", "continue", "pause", "stop"]
 # by the window, because they come and go.
 MENUS: dict[str, list[Any]] = {
     "&File": [
+        "new",
         ("&New from example", _examples()),
         "gallery",
         "new_window",
@@ -297,7 +299,7 @@ MENUS: dict[str, list[Any]] = {
     ],
     "&Help": ["tour", "manual", "shortcuts", "palette", None, "about"],
 }
-_FILES, _STEPS = ["new_tophat", "open", "save"], ["undo", "redo"]
+_FILES, _STEPS = ["new", "open", "save"], ["undo", "redo"]
 TOOLBAR = [*_FILES, None, *_STEPS, None, *_RUN, "follow", None, *TOOLS, None, "fit_view"]
 """Names and separators, as in a menu."""
 LABELLED = _RUN

@@ -65,6 +65,8 @@ class Document(QObject):
         Another session is open, in whatever way it came.
     edited : Signal(Session, Session)
         An edit has led from the one to the other.
+    begun : Signal(Session)
+        A new task was begun in place of the open design.
     path_changed : Signal()
         The design has another file.
     dirty_changed : Signal(bool)
@@ -73,6 +75,7 @@ class Document(QObject):
 
     session_changed = Signal(object)
     edited = Signal(object, object)
+    begun = Signal(object)
     path_changed = Signal()
     dirty_changed = Signal(bool)
 
@@ -192,6 +195,22 @@ class Document(QObject):
         """
         self._session = session
         self.undo_stack.amend(session)
+
+    def begin(self, session: Session, name: str) -> None:
+        """Go on with a new task, which has no file yet, as one step that can be undone.
+
+        Parameters
+        ----------
+        session : Session
+            Takes the place of the open one.
+        name : str
+            What the title calls it until it has a file of its own.
+        """
+        self._path = self._fingerprint = None
+        self._suggestion = Path(name)
+        self.change(session, f"new task: {name}")
+        self.path_changed.emit()
+        self.begun.emit(session)
 
     def open(self, path: Path) -> None:
         """Open a session, or an untitled design from a scene file.

@@ -17,7 +17,7 @@ from ui.files.recent import RecentFiles
 from ui.run.lens_on_show import LensOnShow
 from ui.widgets.message_bar import MessageBar
 from workbench.errors import Refused
-from workbench.files.session import read_session
+from workbench.files.session import Session, read_session
 
 _OPENED = f"Designs and scenes (*{ENDING} *.json);;All files (*)"
 _SAVED = f"Designs (*{ENDING})"
@@ -94,6 +94,12 @@ class FileActions(QObject):
         self.opened.emit()
         self._messages.note(example.look)
         return True
+
+    def begin(self, session: Session, name: str) -> None:
+        """Begin a new task, which can be undone; nothing is asked, since nothing is lost."""
+        self._document.begin(session, name)
+        self._messages.clear()
+        self.opened.emit()
 
     def choose_and_open(self) -> None:
         """Ask for a file and open it."""

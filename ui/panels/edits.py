@@ -128,9 +128,7 @@ def edited_scene(scene: Scene, edits: Iterable[Edit]) -> Scene:
             data = {}
         if edit.changes and not data:
             data = scene.to_data()
-        for path, value in edit.changes.items():
-            holder, last = _holder_in(data, scene, path)
-            holder[last] = _read(value, path, data["unit"])
+        put(edit, data, scene)
     if not data:
         return scene
     found = Scene.from_data(data)
@@ -138,7 +136,29 @@ def edited_scene(scene: Scene, edits: Iterable[Edit]) -> Scene:
     return scene if found == scene.with_net(None) else found
 
 
-def _holder_in(data: dict[str, Any], scene: Scene, path: str) -> tuple[Any, int | str]:
+def put(edit: Edit, data: dict[str, Any], part: Part) -> None:
+    """Put the changes of an edit into plain data.
+
+    Parameters
+    ----------
+    edit : Edit
+        Its changes are put there.
+    data : dict
+        Of the part; it says the unit of its lengths.
+    part : Part
+        What the data are of.
+
+    Raises
+    ------
+    Refused
+        If there is no such field, or what was typed is no number.
+    """
+    for path, value in edit.changes.items():
+        holder, last = _holder_in(data, part, path)
+        holder[last] = _read(value, path, data["unit"])
+
+
+def _holder_in(data: dict[str, Any], scene: Part, path: str) -> tuple[Any, int | str]:
     """As `holder_of`, in data that leaves out what older files do not know while it is as usual.
 
     Raises

@@ -48,7 +48,7 @@ class SourcePanel(PartPanel):
 
     def own_rows(self) -> dict[str, Make]:
         """A file can be looked for."""
-        return {"file": _file_rows}
+        return {"file": file_rows}
 
     def choose_file(self, path: Path) -> None:
         """Take the light of a file; its name tells of which kind it is."""
@@ -64,6 +64,7 @@ class SourcePanel(PartPanel):
         self.edited.emit(edit)
 
 
-def _file_rows(field: FieldDescription, path: str) -> list[Row]:
+def file_rows(field: FieldDescription, path: str) -> list[Row]:
+    """A row in which a file can be looked for."""
     kept = f"The design keeps files of up to {LARGEST_PICTURE >> 20} MB."
     return [TextRow(path, field.title, f"{field.tip} {kept}", "Choose a file of light")]

@@ -103,6 +103,11 @@ class Thumbnail(QWidget):
         self._picture = view.copy()  # the array is gone after this
         self.update()
 
+    def clear(self) -> None:
+        """Show no image."""
+        self._picture = QImage()
+        self.update()
+
     @property
     def place(self) -> QRect:
         """Where the picture is: as large as fits, centred."""

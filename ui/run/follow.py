@@ -126,6 +126,7 @@ class Follow(QObject):
         self._limit.timeout.connect(self._note_late_lens)
         self._late = 0  # first lenses in succession
         document.edited.connect(self._follow)
+        document.begun.connect(self._begin_new)
         document.session_changed.connect(self._note_change)
         control.runner.state_changed.connect(self._give_way)
 
@@ -148,15 +149,21 @@ class Follow(QObject):
             self._begin(session, own_step=session.heights is not None, patient=True)
 
     def hold(self, held: bool) -> None:
-        """Let something else go first, such as a check; what is edited meanwhile follows it."""
+        """Let something else go first, such as a check.
+
+        What is edited meanwhile follows it, and so does a lens that was under way where there is
+        none yet.
+        """
         if held == self._held:
             return
         self._held = held
         waiting = self._wanted
         if held:
             self.rest()
+            if self._document.session.result is None:
+                self._wanted = waiting
         elif waiting is not None and not self._changes:
-            self._begin(waiting)
+            self._begin(waiting, patient=True)
 
     def close(self) -> None:
         """End the thread; safe to call twice."""
@@ -172,14 +179,17 @@ class Follow(QObject):
         if opened and session.heights is None and self.follows(session):
             self._begin(session, patient=True)
 
+    def _begin_new(self, session: "Session") -> None:
+        """Design the first lens of a new task."""
+        if self.follows(session):
+            self._begin(session, patient=True)
+
     def _follow(self, before: "Session", after: "Session") -> None:
         goes_on = self._chain and self._changes == 1
         self._changes = 0
         if not self.follows(after) or not asks_for_another_lens(before, after):
             self._chain = False
             self.rest()
-        elif self._held:
-            self._wanted, self._chain = after, False
         else:
             self._begin(after, goes_on)
 
@@ -191,8 +201,12 @@ class Follow(QObject):
         own_step: bool = False,
         patient: bool = False,
     ) -> None:
-        """Design a lens as soon as the design under way has one."""
-        self._changes, self._chain = 0, True
+        """Design a lens as soon as the design under way has one, and nothing else goes first."""
+        self._changes = 0
+        if self._held:
+            self._wanted, self._chain = session, False
+            return
+        self._chain = True
         self._wanted, self._control.followed = session, True
         job = Job(session, generate=lambda *_: self._snapshots(session, goes_on))
         self._next = _Design(session, job, own_step, patient)
@@ -221,7 +235,7 @@ class Follow(QObject):
 
     def _take_frame(self) -> None:
         design = self._design
-        if design is None or self._wanted is None:
+        if design is None or self._wanted is None or self._held:
             return
         if self._changes:  # by somebody else
             self.rest()
@@ -280,7 +294,7 @@ class Follow(QObject):
             self.failed.emit(sentence_of(error, f"design of the {called}"))
 
     def _is_wanted(self, design: _Design) -> bool:
-        return design.session is self._wanted and not self._changes
+        return design.session is self._wanted and not (self._changes or self._held)
 
     def _give_way(self, state: str) -> None:
         if state == "running":

@@ -11,7 +11,6 @@ from workbench.jobs.far_field import StreetLight
 from workbench.jobs.job import Job
 from workbench.jobs.led import LedRectangle
 from workbench.jobs.mirror import MirrorJob
-from workbench.jobs.prospect import Figure, Prospect, prospecting
 from workbench.jobs.side_view import Dimension, SideView, side_view
 from workbench.jobs.sun_plate import SunPlate
 from workbench.jobs.torch import Torch
@@ -33,10 +32,7 @@ JOBS: tuple[type[Job], ...] = (
 __all__ = [
     "JOBS",
     "Dimension",
-    "Figure",
     "Job",
-    "Prospect",
     "SideView",
-    "prospecting",
     "side_view",
 ]

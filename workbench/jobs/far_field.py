@@ -38,7 +38,7 @@ class StreetLight(Job):
     image_angles: Annotated[
         tuple[_Angle, _Angle],
         ANGLE,
-        about("Image", "Full angles of the image across and upwards."),
+        about("Image size", "Full angles of the image across and upwards."),
     ] = (70.0, 50.0)
 
     def scene(self) -> Scene:

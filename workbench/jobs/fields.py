@@ -14,12 +14,12 @@ Pair = tuple[Positive, Positive]
 Size = Annotated[
     Pair,
     LENGTH,
-    about("Lens", "Full width and height of the lens; all of it is lit."),
+    about("Lens size", "Full width and height of the lens; all of it is lit."),
 ]
 ImageSize = Annotated[
     Pair,
     LENGTH,
-    about("Image", "Full width and height of the image; the picture is fitted into it."),
+    about("Image size", "Full width and height of the image; the picture is fitted into it."),
 ]
 Distance = Annotated[
     Positive,

@@ -30,7 +30,7 @@ class LedRectangle(Job):
     lamp_size: Annotated[
         Pair,
         LENGTH,
-        about("LED", "Full width and height of the LED's bright face."),
+        about("LED size", "Full width and height of the LED's bright face."),
     ] = (1.0, 1.0)
     lamp_distance: LampDistance = 15.0
     size: Size = (40.0, 30.0)

@@ -23,7 +23,7 @@ class MirrorJob(Job):
     size: Annotated[
         Pair,
         LENGTH,
-        about("Mirror", "Full width and height of the mirror; all of it is lit."),
+        about("Mirror size", "Full width and height of the mirror; all of it is lit."),
     ] = (30.0, 30.0)
     angular_diameter: Annotated[
         float,

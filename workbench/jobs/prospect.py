@@ -2,14 +2,12 @@
 
 from collections.abc import Generator
 from dataclasses import dataclass
-from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
 from workbench.design.session import Session
-from workbench.design.task import begin
 from workbench.extended.bound import Bound, percent
 from workbench.jobs.proposals import blur_widths, diffraction
 from workbench.jobs.slopes import Slopes, needed_slopes
@@ -49,47 +47,36 @@ class Prospect:
 
     Attributes
     ----------
-    session : Session
-        The task, its target drawn and its net chosen.
-    picture : ndarray, shape (n_y, n_x)
-        The image as it would look at best: blurred by the source.
+    picture : ndarray, shape (n_y, n_x), optional
+        The image as it would look at best: blurred by the source; None while that is not known.
     figures : tuple of Figure
         What can be resolved, how steep the face becomes, how much light can arrive.
     """
 
-    session: Session
-    picture: Array
+    picture: Array | None
     figures: tuple[Figure, ...]
 
 
-def prospecting(scene: Scene, folder: Path) -> Generator[None, None, Prospect]:
-    """Find what can be expected, step by step, so that one can leave it.
+def prospecting(session: Session) -> Generator[Prospect | None, None, Prospect]:
+    """Find what can be expected of a task, step by step, so that one can leave it.
 
     Parameters
     ----------
-    scene : Scene
-        The task.
-    folder : Path
-        Where names of files start.
+    session : Session
+        The task, its target drawn.
 
-    Raises
+    Yields
     ------
-    Refused
-        If a file that it names cannot be used.
+    Prospect or None
+        At first what is known at once.
     """
-    session = begin(scene, folder)
-    yield
-    bound = Bound(session.scene, session.target)
+    scene = session.scene
+    slopes = needed_slopes(scene, _lit(session))
+    begin = *_resolved(scene), _steepness(scene, slopes)
+    yield Prospect(None, (*begin, _proposal(session)))
+    bound = Bound(scene, session.target)
     picture = (yield from bound.finding()).image.clip(min=0) if bound.known else session.target
-    yield
-    slopes = needed_slopes(session.scene, _lit(session))
-    figures = (
-        *_resolved(session.scene),
-        _steepness(session.scene, slopes),
-        *_light(bound),
-        _proposal(session),
-    )
-    return Prospect(session, picture, figures)
+    return Prospect(picture, (*begin, *_light(bound), _proposal(session)))
 
 
 def _lit(session: Session) -> tuple[float, float, float, float]:

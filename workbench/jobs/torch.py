@@ -31,7 +31,7 @@ class Torch(Job):
     lamp_size: Annotated[
         Pair,
         LENGTH,
-        about("Lamp", "Full width and height of what shines: 1 to 2 mm in a telephone."),
+        about("Lamp size", "Full width and height of what shines: 1 to 2 mm in a telephone."),
     ] = (1.0, 1.0)
     lamp_distance: LampDistance = 80.0
     size: Size = (60.0, 60.0)

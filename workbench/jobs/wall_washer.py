@@ -26,7 +26,7 @@ class WallWasher(Job):
     wall_size: Annotated[
         Pair,
         LENGTH,
-        about("Wall", "Full width and height of what shall be lit of the wall."),
+        about("Lit wall", "Full width and height of what shall be lit of the wall."),
     ] = (1500.0, 1500.0)
     wall_distance: Annotated[
         Positive,
@@ -46,7 +46,7 @@ class WallWasher(Job):
     lamp_size: Annotated[
         Pair,
         LENGTH,
-        about("LED", "Full width and height of the LED's bright face."),
+        about("LED size", "Full width and height of the LED's bright face."),
     ] = (1.0, 1.0)
     lamp_distance: LampDistance = 25.0
     size: Size = (40.0, 40.0)

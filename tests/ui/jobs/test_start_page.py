@@ -1,0 +1,156 @@
+"""The start page in the real window, by keyboard and mouse."""
+
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QPushButton
+
+from tests.ui.hands import fill
+from ui.jobs.page import StartPage
+from workbench.files.scene import read_scene, write_scene
+from workbench.jobs import JOBS
+from workbench.jobs.sun_plate import SunPlate
+from workbench.jobs.torch import Torch
+from workbench.scene.kinds import title_of
+
+
+@pytest.fixture
+def page(window, qtbot):
+    window.commands["new"].trigger()
+    found = window.findChild(StartPage)
+    with qtbot.waitExposed(found):
+        pass
+    yield found
+    window.start_page.close()
+
+
+def row_of(page, path):
+    return next(row for row in page.form.rows if row.path == path)
+
+
+def choose(page, kind):
+    page._jobs.setCurrentRow(JOBS.index(kind))
+
+
+def begin(page, qtbot):
+    with qtbot.waitSignal(page.begun):
+        page.begin()
+
+
+def test_every_job_is_listed_and_has_its_form(page):
+    listed = [page._jobs.item(row).text() for row in range(page._jobs.count())]
+    assert listed == [title_of(kind) for kind in JOBS]
+    for kind in JOBS:
+        choose(page, kind)
+        assert type(page.form.job) is kind
+        asked = {row.path.partition(".")[0] for row in page.form.rows}
+        assert asked == {field.name for field in kind.fields() if field.tip}
+
+
+def test_arrow_keys_and_enter_begin_a_job(window, page, qtbot):
+    before = window.document.session
+    qtbot.keyClick(page._jobs, Qt.Key.Key_Down)
+    with qtbot.waitSignal(page.begun):
+        qtbot.keyClick(page, Qt.Key.Key_Return)
+    scene = window.document.session.scene
+    assert scene.with_net(None) == Torch().scene().with_net(None)
+    assert window.document.name == "Torch or phone" and window.document.path is None
+    assert window.document.undo_stack.count() == 1
+    window.commands["undo"].trigger()
+    assert window.document.session is before
+
+
+def test_the_scene_that_a_job_leaves_is_read_back_from_a_scene_file(window, page, qtbot, tmp_path):
+    begin(page, qtbot)
+    scene = window.document.session.scene
+    write_scene(scene, tmp_path / "job.json")
+    assert read_scene(tmp_path / "job.json") == scene.with_net(None)
+
+
+def test_answers_take_units_and_go_into_the_scene(window, page, qtbot):
+    row = row_of(page, "size")
+    for place, text in (("size[0]", "6 cm"), ("size[1]", "30")):
+        fill(qtbot, row.editors[place], text)
+    assert page.form.job.size == (60.0, 30.0)
+    begin(page, qtbot)
+    assert window.document.session.scene.lens.half_width == (30.0, 15.0)
+
+
+def test_what_is_typed_last_counts_without_enter(window, page, qtbot):
+    fill(qtbot, row_of(page, "distance").editors["distance"], "700", key=None)
+    begin(page, qtbot)
+    assert window.document.session.scene.screen.z == 700.0
+
+
+def test_an_impossible_answer_is_refused_in_its_row_and_holds_the_job(page, qtbot):
+    row = row_of(page, "distance")
+    editor = row.editors["distance"]
+    fill(qtbot, editor, "2")
+    assert row.refusal and editor.text() == "2"
+    assert page.form.job == SunPlate()
+    button = next(b for b in page.findChildren(QPushButton) if b.text() == "&Begin")
+    assert not button.isEnabled()
+    page.begin()
+    assert page.isVisible()
+    qtbot.keyClick(editor, Qt.Key.Key_Escape)
+    assert not row.refusal and editor.text() == "500" and button.isEnabled()
+
+
+def test_two_answers_that_are_possible_only_together_are_taken(page, qtbot):
+    fill(qtbot, row_of(page, "distance").editors["distance"], "12")
+    assert page.form.refused
+    size = row_of(page, "size")
+    fill(qtbot, size.editors["size[0]"], "20")
+    fill(qtbot, size.editors["size[1]"], "20")
+    image = row_of(page, "image_size")
+    fill(qtbot, image.editors["image_size[0]"], "10")
+    fill(qtbot, image.editors["image_size[1]"], "10")
+    assert not page.form.refused
+    assert page.form.job.distance == 12.0
+
+
+def test_a_word_can_be_the_picture(window, page, qtbot):
+    chooser = row_of(page, "target.builtin").chooser
+    chooser.setCurrentIndex(chooser.findData("text"))
+    chooser.activated.emit(chooser.currentIndex())
+    fill(qtbot, row_of(page, "target.text").editor, "sun")
+    assert row_of(page, "target.text").isVisible()
+    assert not row_of(page, "target.image").isVisible()
+    begin(page, qtbot)
+    assert window.document.session.scene.target.text == "sun"
+
+
+def test_figures_come_without_blocking_the_page(page, qtbot):
+    qtbot.waitUntil(lambda: "Error at best" in page._outlook.text)
+    said = page._outlook.text
+    for name in ("Blur of the light", "Diffraction", "Largest slope", "Étendue", "Proposed"):
+        assert name in said
+    choose(page, Torch)
+    assert "Computing" in page._outlook.text
+    qtbot.waitUntil(lambda: "Computing" not in page._outlook.text)
+
+
+def test_a_picture_that_cannot_be_read_is_said_and_does_not_begin(window, page, qtbot):
+    before = window.document.session
+    page.form.choose_image(Path("/nowhere/none-256.png"))
+    qtbot.waitUntil(lambda: "none-256.png" in page._outlook.text)
+    page.begin()
+    assert page.isVisible() and window.document.session is before
+
+
+def test_escape_changes_nothing(window, page, qtbot):
+    session = window.document.session
+    qtbot.keyClick(page, Qt.Key.Key_Escape)
+    assert window.start_page.page is None
+    assert window.document.session is session
+
+
+def test_there_is_one_page_at_most(window, page):
+    window.commands["new"].trigger()
+    assert len(window.findChildren(StartPage)) == 1
+
+
+def test_a_window_closes_with_its_page(window, page):
+    window.discard_and_close()
+    assert window.start_page.page is None

@@ -1,0 +1,144 @@
+"""The questions of a job, as the rows of the window's forms ask them."""
+
+from functools import partial
+from pathlib import Path
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QFormLayout, QFrame, QLabel, QScrollArea, QVBoxLayout, QWidget
+
+from ui.panels.edits import Edit, put
+from ui.panels.fields import Row, TextRow
+from ui.panels.rows import KindRow, Make, Rows
+from ui.panels.source import file_rows
+from ui.panels.target import image_rows, of_image
+from workbench.errors import Refused
+from workbench.jobs import Job
+from workbench.scene import Finish
+from workbench.scene.kinds import summary_of, title_of
+
+# What is done to pictures can be chosen later, in the window.
+_LATER = {*Finish.model_fields, "tone", "turn", "crop"}
+
+
+class JobForm(QScrollArea):
+    """Asks the questions of one job, and holds the job that the answers make.
+
+    Parameters
+    ----------
+    job : Job
+        What it begins with.
+
+    Attributes
+    ----------
+    job : Job
+        With the answers so far; those that are not possible wait in their rows.
+    changed : Signal()
+        It has other answers, or one was refused or corrected.
+    image_asked, light_asked : Signal()
+        A person wants to choose a picture file, or one of a lamp's light.
+    """
+
+    changed = Signal()
+    image_asked = Signal()
+    light_asked = Signal()
+
+    def __init__(self, job: Job) -> None:
+        super().__init__()
+        self.job = job
+        self._refused: dict[str, tuple[Edit, Refused]] = {}
+        page = QWidget()
+        column = QVBoxLayout(page)
+        heading = QLabel(f"<b>{title_of(type(job))}</b>")
+        about = QLabel(summary_of(type(job)), wordWrap=True)
+        column.addWidget(heading)
+        column.addWidget(about)
+        form = QFormLayout()
+        form.setVerticalSpacing(5)
+        form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
+        form.setLabelAlignment(Qt.AlignmentFlag.AlignLeft)
+        column.addLayout(form)
+        column.addStretch()
+        self._form = form
+        own: dict[str, Make] = dict.fromkeys(_LATER, lambda field, path: [])
+        makers = Rows(lambda: self.job.scene(), own | {"image": image_rows, "file": file_rows})
+        self.rows = [
+            row for field in job.fields() if field.tip for row in makers.of_field(field, field.name)
+        ]
+        for row in self.rows:
+            form.addRow(row.label, row)
+            row.edited.connect(self._edit)
+            row.reverted.connect(self._revert)
+            if isinstance(row, KindRow | TextRow):
+                asked = self.light_asked if row.path == "file" else self.image_asked
+                row.asked.connect(lambda *_, asked=asked: asked.emit())
+        self.setWidget(page)
+        self.setWidgetResizable(True)
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.show_job()
+
+    @property
+    def refused(self) -> bool:
+        """Whether an answer waits to be corrected."""
+        return bool(self._refused)
+
+    def commit(self) -> None:
+        """Enter what is typed and not yet entered."""
+        for row in self.rows:
+            row.commit()
+
+    def choose_image(self, path: Path) -> None:
+        """Take a picture file."""
+        target = of_image(path, Finish())
+        self._edit(Edit("target.image", "picture", {"target": target}))
+
+    def choose_light(self, path: Path) -> None:
+        """Take a file of light."""
+        self._edit(Edit("file", "file of light", {"file": str(path.absolute())}))
+
+    def _edit(self, edit: Edit) -> None:
+        """Try an answer together with those that were refused, which may be possible now."""
+        self._refused.pop(edit.path, None)
+        waiting = [other for other, _ in self._refused.values()]
+        refused = self._try([*waiting, edit])
+        if refused is None:
+            self._refused.clear()
+        elif not waiting or (refused := self._try([edit])):
+            self._refused[edit.path] = edit, refused
+        self.show_job()
+        self.changed.emit()
+
+    def _try(self, edits: list[Edit]) -> Refused | None:
+        data = self.job.model_dump(mode="json", exclude_none=True)
+        try:
+            for edit in edits:
+                put(edit, data, self.job)
+            self.job = self.job.with_answers(data)
+        except Refused as refused:
+            return refused
+        return None
+
+    def _revert(self, path: str) -> None:
+        self._refused.pop(path, None)
+        self.show_job()
+        self.changed.emit()
+
+    def show_job(self) -> None:
+        """Show the answers of now, and what was refused as it was typed."""
+        present = [row for row in self.rows if row.present(self.job)]
+        for row in self.rows:
+            if row in present:
+                row.show_scene(self.job, self._refused.keys())
+            else:
+                row.forget()
+            self._form.setRowVisible(row, row in present)
+            row.refuse("")
+        for path, (_, refused) in self._refused.items():
+            concerned = partial(_first_concerned, present)
+            row = concerned(refused.path) or concerned(path)
+            if row is not None:
+                row.refuse(refused.reason)
+
+
+def _first_concerned(rows: list[Row], path: str) -> Row | None:
+    return next((row for row in reversed(rows) if row.concerns(path)), None)

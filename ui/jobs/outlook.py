@@ -1,0 +1,150 @@
+"""What can be expected of a job, found in a thread: figures, and the picture as at best."""
+
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QVBoxLayout, QWidget
+
+from ui.panels.editors import Wrapped
+from ui.panels.target import Thumbnail
+from ui.threads.background import Background, Task
+from ui.threads.failure import sentence_of
+
+if TYPE_CHECKING:
+    from workbench.files.session import Session
+    from workbench.jobs import Job
+    from workbench.jobs.prospect import Figure, Prospect
+
+
+class Finder(QObject):
+    """Draws the target of the latest job and finds what can be expected of it.
+
+    Attributes
+    ----------
+    ready : Signal(Session)
+        The job can be begun: this is its design.
+    found : Signal(Prospect)
+        What can be expected of it.
+    failed : Signal(str)
+        Why it cannot be begun.
+    """
+
+    ready = Signal(object)
+    found = Signal(object)
+    failed = Signal(str)
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
+        self._background = Background("outlook", self)
+        self._background.progressed.connect(self._pass_on)
+        self._background.done.connect(self._tell)
+        self._background.failed.connect(
+            lambda _, error: self.failed.emit(sentence_of(error, "outlook"))
+        )
+
+    def look(self, job: "Job") -> None:
+        """Leave what was looked at, and look at this one."""
+        self._background.begin(partial(_find, job))
+
+    def close(self) -> None:
+        """End the search and wait for its thread; safe to call twice."""
+        self._background.close()
+
+    def _pass_on(self, _: object, begun: "tuple[Session, Prospect]") -> None:
+        session, first = begun
+        self.ready.emit(session)
+        self.found.emit(first)
+
+    def _tell(self, _: object, found: "Prospect | None") -> None:
+        if found is not None:
+            self.found.emit(found)
+
+
+def _find(job: "Job", task: Task) -> "Prospect | None":
+    """Meant for the thread: what can be expected; None if nobody wants it any more."""
+    from workbench.design.task import begin  # late: take long to import
+    from workbench.jobs.prospect import prospecting
+
+    session = begin(job.scene(), Path.cwd())
+    steps = prospecting(session)
+    task.report((session, next(steps)))
+    while not task.stopped:
+        try:
+            next(steps)
+        except StopIteration as end:
+            found: Prospect = end.value
+            return found
+    return None
+
+
+class Outlook(QWidget):
+    """Shows what was found."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._aspect = 1.0
+        self._wanted, self._at_best = Thumbnail(), Thumbnail()
+        self._at_best.setAccessibleName("Picture at best")
+        self._at_best.setToolTip("Blurred by the size of the light, as any lens has to")
+        self._state = Wrapped()
+        self._figures = QGridLayout()
+        self._figures.setHorizontalSpacing(12)
+        self._figures.setColumnStretch(1, 1)
+        pictures = QHBoxLayout()
+        for title, picture in (("Wanted", self._wanted), ("At best", self._at_best)):
+            column = QVBoxLayout()
+            column.addWidget(QLabel(title, alignment=Qt.AlignmentFlag.AlignHCenter))
+            column.addWidget(picture)
+            pictures.addLayout(column)
+        whole = QVBoxLayout(self)
+        whole.setContentsMargins(0, 0, 0, 0)
+        whole.addLayout(pictures)
+        whole.addWidget(self._state)
+        whole.addLayout(self._figures)
+
+    @property
+    def text(self) -> str:
+        """All that is said."""
+        labels = [self._figures.itemAt(k).widget() for k in range(self._figures.count())]
+        said = [label.text() for label in labels if isinstance(label, QLabel)]
+        return "\n".join([self._state.text(), *said])
+
+    def wait(self) -> None:
+        """Say that figures are being found; what is shown is of the job before."""
+        self._state.say("Computing what can be expected…")
+        self._at_best.clear()
+
+    def refuse(self, why: str) -> None:
+        """Say why there is nothing to be expected."""
+        self._clear()
+        self._state.say(f"\N{WARNING SIGN} {why}")
+
+    def show_target(self, session: "Session") -> None:
+        """Show the picture that is wanted."""
+        half_u, half_v = session.scene.receiver.half_extent
+        self._aspect = half_u / half_v
+        self._wanted.show_target(session.target, self._aspect)
+
+    def show_prospect(self, found: "Prospect") -> None:
+        """Show figures, and the picture at best."""
+        self._clear()
+        if found.picture is not None:
+            self._state.say("")
+            self._at_best.show_target(found.picture, self._aspect)
+        for row, figure in enumerate(found.figures):
+            self._add(row, figure)
+
+    def _add(self, row: int, figure: "Figure") -> None:
+        name = QLabel(figure.name)
+        mark = "\N{WARNING SIGN} " if figure.warns else ""
+        said = QLabel(f"<b>{mark}{figure.value}</b><br>{figure.meaning}", wordWrap=True)
+        self._figures.addWidget(name, row, 0, Qt.AlignmentFlag.AlignTop)
+        self._figures.addWidget(said, row, 1)
+
+    def _clear(self) -> None:
+        while self._figures.count():
+            widget = self._figures.takeAt(0).widget()
+            widget.hide()
+            widget.deleteLater()

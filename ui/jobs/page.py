@@ -1,0 +1,174 @@
+"""The page that a new design begins with: choose a job, answer its questions, begin."""
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QSize, Signal
+from PySide6.QtWidgets import (
+    QDialog,
+    QDialogButtonBox,
+    QHBoxLayout,
+    QListWidget,
+    QPushButton,
+    QScrollArea,
+    QStackedWidget,
+    QVBoxLayout,
+    QWidget,
+)
+
+from ui.files.dialogs import FileDialogs
+from ui.jobs.drawing import SideDrawing
+from ui.jobs.form import JobForm
+from ui.jobs.outlook import Finder, Outlook
+from ui.panels.source import LIGHT_FILES
+from ui.panels.target import IMAGE_FILES
+from workbench.jobs import JOBS, side_view
+from workbench.scene.kinds import summary_of, title_of
+
+if TYPE_CHECKING:
+    from workbench.files.session import Session
+
+_SIZE = QSize(1120, 700)
+_JOBS_WIDE, _FORM_WIDE = 190, 330
+
+
+class StartPage(QDialog):
+    """Lists the jobs; shows the form, the drawing and the outlook of the chosen one.
+
+    Parameters
+    ----------
+    dialogs : FileDialogs
+        Ask for files of pictures and light.
+    window : QWidget
+        The page stands over it.
+
+    Attributes
+    ----------
+    begun : Signal(Session, str)
+        A job shall be designed: its design without a lens, and what it is called.
+    open_asked, examples_asked : Signal()
+        A person would rather open a file, or an example.
+    """
+
+    begun = Signal(object, str)
+    open_asked = Signal()
+    examples_asked = Signal()
+
+    def __init__(self, dialogs: FileDialogs, window: QWidget) -> None:
+        super().__init__(window)
+        self.setWindowTitle("New design")
+        self._dialogs = dialogs
+        self._session: Session | None = None  # of the job as it is now
+        self._begins = False  # as soon as there is one
+        self._finder = Finder(self)
+        self._drawing, self._outlook = SideDrawing(), Outlook()
+        self._jobs = QListWidget()
+        self._jobs.setAccessibleName("Jobs")
+        self._jobs.setSpacing(3)
+        self._jobs.setFixedWidth(_JOBS_WIDE)
+        self._stack = QStackedWidget()
+        self._stack.setMinimumWidth(_FORM_WIDE)
+        for kind in JOBS:
+            self._jobs.addItem(title_of(kind))
+            self._jobs.item(self._jobs.count() - 1).setToolTip(summary_of(kind))
+            form = JobForm(kind())
+            form.changed.connect(self._look)
+            form.image_asked.connect(self._choose_image)
+            form.light_asked.connect(self._choose_light)
+            self._stack.addWidget(form)
+        self._lay_out()
+        self._finder.ready.connect(self._take)
+        self._finder.found.connect(self._outlook.show_prospect)
+        self._finder.failed.connect(self._outlook.refuse)
+        self.finished.connect(self._close)
+        self._jobs.currentRowChanged.connect(self._choose)
+        self._jobs.setCurrentRow(0)
+        self.resize(_SIZE.boundedTo(window.size()))
+        self._jobs.setFocus()
+
+    @property
+    def form(self) -> JobForm:
+        """That of the chosen job."""
+        form = self._stack.currentWidget()
+        assert isinstance(form, JobForm)  # there is nothing else
+        return form
+
+    def begin(self) -> None:
+        """Begin the job as it is, now or as soon as its target is drawn."""
+        self.form.commit()
+        if self.form.refused:
+            return
+        self._begins = True
+        if self._session is not None:
+            self._end(self._session)
+
+    def _lay_out(self) -> None:
+        aside = QWidget()
+        column = QVBoxLayout(aside)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.addWidget(self._drawing, 1)
+        column.addWidget(self._outlook)
+        scrolled = QScrollArea()
+        scrolled.setWidget(aside)
+        scrolled.setWidgetResizable(True)
+        scrolled.setFrameShape(QScrollArea.Shape.NoFrame)
+        line = QHBoxLayout()
+        line.addWidget(self._jobs)
+        line.addWidget(self._stack, 2)
+        line.addWidget(scrolled, 3)
+        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
+        self._begin = buttons.addButton("&Begin", QDialogButtonBox.ButtonRole.AcceptRole)
+        for text, asked in (
+            ("&Open a file…", self.open_asked),
+            ("E&xamples…", self.examples_asked),
+        ):
+            button = buttons.addButton(text, QDialogButtonBox.ButtonRole.ResetRole)
+            button.clicked.connect(self.reject)
+            button.clicked.connect(asked.emit)
+        buttons.accepted.connect(self.begin)
+        buttons.rejected.connect(self.reject)
+        whole = QVBoxLayout(self)
+        whole.addLayout(line, 1)
+        whole.addWidget(buttons)
+        for button in self.findChildren(QPushButton):
+            button.setAutoDefault(button is self._begin)
+        self._begin.setDefault(True)  # here, since buttons forget it on their way into a dialog
+
+    def _choose(self, row: int) -> None:
+        self._stack.setCurrentIndex(row)
+        self._look()
+
+    def _look(self) -> None:
+        """Draw the job as it is now, and look for what can be expected of it."""
+        self._session, self._begins = None, False
+        self._begin.setEnabled(not self.form.refused)
+        if self.form.refused:
+            return  # what is shown is of the answers before
+        self._drawing.show_view(side_view(self.form.job.scene()))
+        self._outlook.wait()
+        self._finder.look(self.form.job)
+
+    def _take(self, session: "Session") -> None:
+        self._session = session
+        self._outlook.show_target(session)
+        if self._begins:
+            self._end(session)
+
+    def _end(self, session: "Session") -> None:
+        self.begun.emit(session, title_of(type(self.form.job)))
+        self.accept()
+
+    def _choose_image(self) -> None:
+        path = self._dialogs.to_open("image", "Picture", IMAGE_FILES)
+        if path is not None:
+            self.form.choose_image(path)
+        else:
+            self.form.show_job()
+
+    def _choose_light(self) -> None:
+        path = self._dialogs.to_open("light", "File of light", LIGHT_FILES)
+        if path is not None:
+            self.form.choose_light(path)
+
+    def _close(self) -> None:
+        self._finder.close()
+        self.deleteLater()
