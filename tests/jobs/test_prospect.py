@@ -14,7 +14,7 @@ from workbench.jobs.prospect import prospecting
 from workbench.jobs.sun_plate import SunPlate
 from workbench.jobs.torch import Torch
 
-COARSE = {"target": {"builtin": "tophat"}}
+EVEN = {"target": {"builtin": "rectangle"}}
 
 
 def session_of(job):
@@ -49,7 +49,7 @@ def test_diffraction_grows_with_the_root_of_the_distance():
 
 @pytest.mark.parametrize("kind", JOBS, ids=lambda kind: kind.__name__)
 def test_each_job_can_be_begun_as_it_is(kind):
-    answers = COARSE if "target" in kind.model_fields else {}
+    answers = EVEN if "target" in kind.model_fields else {}
     session = session_of(kind().with_answers(answers))
     found = prospect(session)
     assert session.scene.optic.known_shape is not None
@@ -77,9 +77,7 @@ def test_light_that_no_lens_can_bring_into_the_picture_is_said():
 
 
 def test_a_turn_that_no_face_can_make_is_said():
-    said = figures(
-        SunPlate().with_answers(COARSE | {"distance": 60.0, "image_size": [400.0, 400.0]})
-    )
+    said = figures(SunPlate().with_answers(EVEN | {"distance": 60.0, "image_size": [400.0, 400.0]}))
     assert said["Largest slope"].warns
     assert "at most" in said["Largest slope"].meaning
 

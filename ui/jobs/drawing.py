@@ -70,7 +70,7 @@ class SideDrawing(QWidget):
         painter.setPen(QPen(light, 4, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap))
         if len(view.source):
             painter.drawPolyline(self._line(view.source))
-            painter.drawPoint(self._line(view.source)[0])
+            painter.drawPoints(self._line(view.source))
         painter.setPen(QPen(ink, 1))
         self._lengths(painter, view.dimensions)
         self._remark(painter)
@@ -95,7 +95,7 @@ class SideDrawing(QWidget):
         metrics, line = self.fontMetrics(), self.fontMetrics().lineSpacing()
         row = self._room().bottom() + 0.5 * line
         for dimension in dimensions:
-            first, last = (self._line(dimension.ends)[end] for end in (0, 1))
+            first, last = (self._line(dimension.ends).at(end) for end in (0, 1))
             if not _along(dimension):
                 top = min(first.y(), last.y())
                 wide = metrics.horizontalAdvance(dimension.text)

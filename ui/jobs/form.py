@@ -135,9 +135,9 @@ class JobForm(QScrollArea):
             row.refuse("")
         for path, (_, refused) in self._refused.items():
             concerned = partial(_first_concerned, present)
-            row = concerned(refused.path) or concerned(path)
-            if row is not None:
-                row.refuse(refused.reason)
+            culprit = concerned(refused.path) or concerned(path)
+            if culprit is not None:
+                culprit.refuse(refused.reason)
 
 
 def _first_concerned(rows: list[Row], path: str) -> Row | None:

@@ -85,6 +85,7 @@ class Outlook(QWidget):
     def __init__(self) -> None:
         super().__init__()
         self._aspect = 1.0
+        self._labels: list[QLabel] = []
         self._wanted, self._at_best = Thumbnail(), Thumbnail()
         self._at_best.setAccessibleName("Picture at best")
         self._at_best.setToolTip("Blurred by the size of the light, as any lens has to")
@@ -107,9 +108,7 @@ class Outlook(QWidget):
     @property
     def text(self) -> str:
         """All that is said."""
-        labels = [self._figures.itemAt(k).widget() for k in range(self._figures.count())]
-        said = [label.text() for label in labels if isinstance(label, QLabel)]
-        return "\n".join([self._state.text(), *said])
+        return "\n".join([self._state.text(), *(label.text() for label in self._labels)])
 
     def wait(self) -> None:
         """Say that figures are being found; what is shown is of the job before."""
@@ -142,9 +141,11 @@ class Outlook(QWidget):
         said = QLabel(f"<b>{mark}{figure.value}</b><br>{figure.meaning}", wordWrap=True)
         self._figures.addWidget(name, row, 0, Qt.AlignmentFlag.AlignTop)
         self._figures.addWidget(said, row, 1)
+        self._labels += [name, said]
 
     def _clear(self) -> None:
-        while self._figures.count():
-            widget = self._figures.takeAt(0).widget()
-            widget.hide()
-            widget.deleteLater()
+        for label in self._labels:
+            self._figures.removeWidget(label)
+            label.hide()
+            label.deleteLater()
+        self._labels.clear()
