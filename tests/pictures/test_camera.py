@@ -140,3 +140,10 @@ def test_a_look_at_the_lens_follows_how_high_it_is(make_scene, plotter):
     camera.top = 2.5
     camera.fit("lens")
     assert outline(Sight(plotter), (1.0, 1.0), (0.0, 2.5))[2] < plotter.window_size[0]
+
+
+def test_the_first_fit_draws_nothing(plotter, make_scene, monkeypatch):
+    drawn = []
+    monkeypatch.setattr(type(plotter), "render", lambda *_args, **_kw: drawn.append(1))
+    FittedCamera(plotter, make_scene()).fit("")
+    assert not drawn

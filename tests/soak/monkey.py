@@ -55,12 +55,14 @@ class Monkey(QObject):
         Of all choices.
     seconds : float
         How long it plays.
+    steps : int
+        Number of the last step before its first.
     """
 
-    def __init__(self, folder: Path, seed: int, seconds: float) -> None:
+    def __init__(self, folder: Path, seed: int, seconds: float, steps: int = 0) -> None:
         super().__init__()
         self.memory: list[float] = []  # MB at each rest
-        self.steps = 0
+        self.steps = steps
         self._seed, self._seconds = seed, seconds
         self._files = folder / "files"
         self._log = (folder / "monkey.log").open("a", buffering=1)
@@ -227,6 +229,7 @@ def main() -> int:
     parser = argparse.ArgumentParser("tests.soak.monkey", description="Random actions on a window.")
     parser.add_argument("folder", type=Path)
     parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--after", type=int, default=0, help="leave out so many steps")
     parser.add_argument("--seconds", type=float, default=120.0)
     parser.add_argument("--keep-every-ms", type=int, help="recovery interval")
     options = parser.parse_args()
@@ -241,7 +244,7 @@ def main() -> int:
     run = QApplication.exec
 
     def play() -> int:
-        monkey = Monkey(folder, options.seed, options.seconds)
+        monkey = Monkey(folder, options.seed, options.seconds, options.after)
         played.append(monkey)
         QTimer.singleShot(0, monkey, monkey.begin)
         return run()

@@ -55,6 +55,7 @@ class FittedCamera:
 
     def __init__(self, plotter: Any, scene: Scene, *, perspective: bool = False) -> None:
         self._plotter = plotter
+        plotter.renderer.camera.is_set = True  # else its first use draws the scene twice
         self._scene = scene
         self._perspective = perspective
         self._left: tuple[object, ...] = ()
