@@ -55,7 +55,6 @@ class FittedCamera:
 
     def __init__(self, plotter: Any, scene: Scene, *, perspective: bool = False) -> None:
         self._plotter = plotter
-        plotter.renderer.camera.is_set = True  # else its first use draws the scene twice
         self._scene = scene
         self._perspective = perspective
         self._left: tuple[object, ...] = ()
@@ -83,6 +82,7 @@ class FittedCamera:
         half = (high - low) / 2
         centre = (low + high) / 2 @ frame
         width, height = self._plotter.window_size
+        self._plotter.renderer.camera.is_set = True  # else its first use draws the scene twice
         camera = self._plotter.camera
         camera.focal_point = centre
         camera.up = up
