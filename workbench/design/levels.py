@@ -14,7 +14,6 @@ from workbench.design.blurred_plan import BlurredPlan
 from workbench.design.several_images import AnyImage, SeveralImages
 from workbench.design.wide_image import WideImage
 from workbench.extended.blur import Blur
-from workbench.geometry.surface import freeform_nets
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.samples import Corners
 from workbench.scene import Scene
@@ -48,17 +47,6 @@ _MOST_CELLS = 8192
 # What symmetry saves goes in part into cells, by this factor along each axis for each mirror: the
 # smaller the error, the more of it is that of too few cells.
 _MIRRORED = 1.3
-# With two freeform faces more cells for each control point, by this factor along each axis: waves
-# of both faces that cancel at all corners of cells look like no waves. A photograph, 384 × 384
-# control points for each face:
-#
-# | factor | error as the run sees it | verified | seconds |
-# |---|---|---|---|
-# | 1 | 0.8 % | 2.0 % | 10 |
-# | 1.8 | 0.75 % | 1.26 % | 17 |
-# | 2.2 | 0.73 % | 1.09 % | 20 |
-# | 3 | 0.72 % | 0.95 % | 34 |
-_TWO_FACES = 2.2
 # Cells of each of many points, at least.
 _FEWEST_CELLS = 24
 # A blur of fewer pixels is not seen.
@@ -114,10 +102,8 @@ def image_of(
     origins = 1 if blur else _origins(scene)
     count = scene.source.point_count * origins
     finer = _MIRRORED ** sum(mirrored) / count**level.thinning
-    two_faces = len(freeform_nets(scene.optic)) > 1
-    per_control_point = level.per_control_point * (_TWO_FACES if two_faces else 1.0)
     cells = [
-        max(level.per_pixel * pixels, per_control_point * count) * finer
+        max(level.per_pixel * pixels, level.per_control_point * count) * finer
         for pixels, count in zip(scene.receiver.pixels, scene.optic.net_shape, strict=True)
     ]
     finest = max(1.0, math.sqrt(math.prod(cells) * count / _MOST_BEAMS)) if count > 1 else 1.0

@@ -18,9 +18,12 @@ class Arrival(NamedTuple):
         The rays behind the last face; their flux is differentiable.
     lost : dict of str to Tensor
         Flux lost on the way, by its name in the light account: scalars in float64, no gradient.
+    room : Tensor, optional
+        How far within the rim of the last face the rays meet it; see `workbench.optics.rim`.
     """
 
     column: Tensor
     row: Tensor
     rays: RayBundle
     lost: dict[str, Tensor]
+    room: Tensor | None = None

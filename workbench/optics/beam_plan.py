@@ -17,6 +17,7 @@ from workbench.optics.path import Path
 from workbench.optics.plan import device_of
 from workbench.optics.precision import precision_of
 from workbench.optics.reference import Reference
+from workbench.optics.rim import rim_light
 from workbench.optics.samples import Corners
 from workbench.optics.ways import beam_kernel_of
 from workbench.scene import Scene
@@ -65,6 +66,7 @@ class BeamPlan:
         self._called, self._back = scene.receiver.called, scene.optic.onwards < 0
         self._pixels, self._half_extent = scene.receiver.pixels, scene.receiver.half_extent
         self._missed, self._of_light = path.steps[0].missed, path.emitter.origins.note
+        self._beside = path.steps[-1].missed
         self._kernel, self._promised = beam_kernel_of(path), mirrored
         fine = dtype is None and needed == torch.float64
         self._choice = Choice(
@@ -113,19 +115,24 @@ class BeamPlan:
             With an image of shape (n_y + 2 m_y, n_x + 2 m_x).
         """
         tracer = self._tracer
-        hits, account = tracer.nodes(heights)
+        hits, account, room = tracer.nodes(heights)
         (n_x, n_y), (m_x, m_y) = self._pixels, margin
         shift = hits.new_tensor([m_x, m_y, 0.0])[:, None, None]
         wide = (n_x + 2 * m_x, n_y + 2 * m_y)
-        image, landed = beam_image(hits + shift, wide, tracer.splits, self._choice.fused)
+        nodes, lost = hits + shift, dict(account.lost)
+        image, landed = beam_image(nodes, wide, tracer.splits, self._choice.fused)
+        cut = 0.0
+        if room is not None:
+            rim = rim_light(nodes, room, wide, tracer.splits)
+            image, landed, cut = image + rim.flux, landed + rim.landed, rim.counted - rim.landed
         for axis in (0, 1):
             if tracer.mirrored[axis]:
-                image, landed = image + image.flip(1 - axis), 2 * landed
+                image, landed, cut = image + image.flip(1 - axis), 2 * landed, 2 * cut
         on_screen = image.detach()[m_y : m_y + n_y, m_x : m_x + n_x].sum(dtype=torch.float64).item()
-        lost = dict(account.lost)
         lost["off_screen"] += max(landed - on_screen, 0.0)
+        lost[self._beside] += cut
         # Of a cell of which some rays are refracted, the rest stands for all.
-        lost["total_reflection"] += account.on_screen - landed
+        lost["total_reflection"] += account.on_screen - landed - cut
         # Light that no ray stands for passes the lens by.
         lost[self._missed] += 1 - account.on_screen - sum(account.lost.values())
         return Light(image, Account(on_screen, lost))

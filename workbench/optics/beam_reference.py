@@ -38,12 +38,36 @@ def reference_beam_image(
         seen = (j >= 0) & (j < n_x) & (i >= 0) & (i < n_y)
         image = image.index_add(0, (i * n_x + j)[seen].long(), half[~wide][seen])
     x, y = torch.cat(edges, 1)
-    density = torch.cat(densities).repeat_interleave(3)
-    steps = _steps(x.flatten(), y.flatten(), x.roll(-1, 1).flatten(), y.roll(-1, 1).flatten(),
-                   density, pixels)  # fmt: skip
-    drawn = image.view(n_y, n_x) - steps.cumsum(1)[:, :n_x]
-    drawn = torch.where(drawn < ROUNDING * landed, 0.0, drawn)
-    return drawn.to(nodes.dtype), landed
+    image = image.view(n_y, n_x) + drawn(x, y, torch.cat(densities), pixels, landed)
+    return image.to(nodes.dtype), landed
+
+
+def drawn(x: Tensor, y: Tensor, density: Tensor, pixels: tuple[int, int], landed: float) -> Tensor:
+    """Flux in each pixel, shape (n_y, n_x), of polygons of even light.
+
+    Parameters
+    ----------
+    x, y : Tensor, shape (polygons, corners), float64
+        Their corners, in pixels.
+    density : Tensor, shape (polygons,)
+        Flux per area, negative for polygons that are turned over.
+    pixels : tuple[int, int]
+        (n_x, n_y).
+    landed : float
+        Flux of all; pixels with next to none of it are dark.
+    """
+    to_x, to_y = x.roll(-1, 1), y.roll(-1, 1)
+    some = (x != to_x) | (y != to_y)
+    each = density[:, None].expand_as(x)
+    steps = _steps(x[some], y[some], to_x[some], to_y[some], each[some], pixels)
+    image = -steps.cumsum(1)[:, : pixels[0]]
+    return torch.where(image < ROUNDING * landed, 0.0, image)
+
+
+def first_lines(along: Tensor) -> Tensor:
+    """For each line of nodes the number of the first one of its grid, of several side by side."""
+    lines = torch.arange(len(along), device=along.device)
+    return torch.where(along[:, 0] == 0, lines, 0).cummax(0).values
 
 
 def _shifted(hits: Tensor, parts: tuple[Tensor, Tensor]) -> Tensor:
@@ -66,8 +90,7 @@ def _triangles(shape: torch.Size, along_u: Tensor) -> list[tuple[Tensor, Tensor]
     i, j = torch.meshgrid(torch.arange(n), torch.arange(m), indexing="ij")
     a = i * (m + 1) + j
     b, c, d = a + m + 1, a + m + 2, a + 1  # the corners in turn
-    first = torch.where(along_u[:n, 0] == 0, torch.arange(n), 0).cummax(0).values.long()
-    even = (i - first[:, None] + j) % 2 == 0
+    even = (i - first_lines(along_u)[:n, None] + j) % 2 == 0
     return [
         (torch.stack([corner[cells] for corner in corners], 1), cells)
         for cells, corners in (

@@ -28,6 +28,9 @@ from workbench.optics.surfaces import BSplineSurface
 
 Array = npt.NDArray[np.float64]
 
+# No place is nearer to the axis, as a part of the way to the rim: the root has a slope.
+_TINY = 1e-15
+
 
 class FrontGrid(NamedTuple):
     """What is sampled: two B-spline faces, the first of which light meets from without.
@@ -136,20 +139,30 @@ class FrontSamples:
         """From the entrance face through the exit face to the receiver."""
         _, interface, missed = self._front.exit
         meeting = self._front.leaving.meet_rectangle(rays, heights)
+        room = self._room(rays.position, meeting.position)
         if not self._front.outline.whole:
-            # Samples beside a curved outline stand for parts that it cuts: for these its rim is
-            # where they are.
-            rim2 = self._radius2(rays.position).clamp_min(1.0)
-            within = self._radius2(meeting.position) <= rim2 * RIM**2
-            meeting = meeting._replace(met=meeting.met & within)
+            meeting = meeting._replace(met=meeting.met & (room >= 0))
+        # Rays that do not come to the exit face leave at its side, but for those without a way.
+        room = torch.where(meeting.met, room.clamp_min(0.0), torch.where(rays.alive, -1.0, 0.0))
         passed = interface.turn(rays, meeting)
         with torch.no_grad():
             more = {missed: torch.where(meeting.met, 0.0, rays.flux), **passed.lost}
             for name, part in more.items():
                 lost[name] = lost.get(name, 0.0) + part.sum(dtype=torch.float64)
-        return Arrival(*self._path.receiver.places(passed.rays), passed.rays, lost)
+        return Arrival(*self._path.receiver.places(passed.rays), passed.rays, lost, room)
 
-    def _radius2(self, place: Vector) -> Tensor:
-        """Square of the distance to the axis, in semi-axes of the outline."""
+    def _room(self, entered: Vector, leaving: Vector) -> Tensor:
+        """How far places on the exit face are within its rim; see `workbench.optics.rim`."""
+        radius = self._radius(leaving)
+        if self._front.outline.whole:
+            return RIM - radius
+        # Samples beside a curved outline stand for parts that it cuts: for these its rim is where
+        # they are.
+        return self._radius(entered).clamp_min(1.0) * RIM - radius
+
+    def _radius(self, place: Vector) -> Tensor:
+        """How far from the axis places are, as parts of the way to the rim."""
         (x, y, _), (r_x, r_y) = place, self._front.half_width
-        return (x / r_x).detach().square() + (y / r_y).detach().square()
+        if self._front.outline.whole:
+            return torch.maximum((x / r_x).abs(), (y / r_y).abs())
+        return ((x / r_x).square() + (y / r_y).square()).clamp_min(_TINY**2).sqrt()

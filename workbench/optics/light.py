@@ -39,10 +39,14 @@ class Nodes(NamedTuple):
     account : Account
         The account of all light; what lands is light on the screen there, even if it lands beside
         it.
+    room : Tensor, shape (n, m), optional
+        How far within the rim of the last face rays meet it, see `workbench.optics.rim`; where it
+        may cut cells.
     """
 
     hits: Tensor
     account: Account
+    room: Tensor | None = None
 
 
 class BeamTracer(Protocol):

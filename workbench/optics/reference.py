@@ -69,7 +69,7 @@ class Reference:
 
     def image(self, heights: Mapping[str, Tensor], filter: Filter) -> Light:
         """Trace a lens; see `workbench.optics.light.Tracer`."""
-        column, row, rays, lost = self.arrival(heights)
+        column, row, rays, lost, _ = self.arrival(heights)
         receiver = self._path.receiver.part
         image = reconstruct(column, row, rays.flux, receiver.pixels, filter)
         with torch.no_grad():
@@ -83,12 +83,12 @@ class Reference:
 
     def nodes(self, heights: Mapping[str, Tensor]) -> Nodes:
         """Trace the corners of cells of light; see `workbench.optics.light.BeamTracer`."""
-        column, row, rays, lost = self.arrival(heights)
+        column, row, rays, lost, room = self.arrival(heights)
         parts = column, row, rays.flux
         nodes = torch.stack([part.expand(rays.flux.shape).T for part in parts])
         left = rays.flux.detach().sum(dtype=torch.float64).item()
         account = Account(left, {name: flux.item() for name, flux in lost.items()})
-        return Nodes(nodes, account)
+        return Nodes(nodes, account, None if room is None else room.T)
 
     @property
     def splits(self) -> tuple[Array, Array]:
@@ -97,5 +97,5 @@ class Reference:
 
     def flux(self, heights: Mapping[str, Tensor], filter: Filter) -> Tensor:
         """The image alone, for `torch.func` transforms, which no sums survive as numbers."""
-        column, row, rays, _ = self.arrival(heights)
+        column, row, rays, *_ = self.arrival(heights)
         return reconstruct(column, row, rays.flux, self._path.receiver.part.pixels, filter)

@@ -100,7 +100,7 @@ def receivers(draw):
 def landed(tracer, heights, cotangent):
     """Nodes that land, their account, and the gradient of their product with a cotangent."""
     leaf = heights.clone().requires_grad_()
-    hits, light = tracer.nodes({"exit": leaf})
+    hits, light, _ = tracer.nodes({"exit": leaf})
     lands = hits.isfinite().all(dim=0)
     (gradient,) = torch.autograd.grad(torch.where(lands, hits * cotangent, 0.0).sum(), leaf)
     return torch.where(lands, hits.detach(), 0.0), light.to_data(), gradient
@@ -189,7 +189,7 @@ def test_light_of_one_straight_direction_is_collimated_light(make_scene):
     heights = {"exit": lens(scene, 1, 0.005)}
     collimated = BeamPlan(scene, (40, 30), dtype=torch.float64).trace(heights)
     path = Path.of(scene, ControlNet.of(scene.lens), torch.float64, samples=Corners(40, 30))
-    nodes, light = FusedOrigins(path).nodes(heights)
+    nodes, light, _ = FusedOrigins(path).nodes(heights)
     splits = FusedOrigins(path).splits
     image, _ = beam_image(nodes, scene.screen.pixels, splits)
     assert (image - collimated.flux).abs().max() < 1e-13
@@ -223,7 +223,7 @@ def test_a_mirrored_trace_is_the_whole_trace(make_scene, mirrored):
     found = []
     for promise in (mirrored, (False, False)):
         tracer, leaf = FusedOrigins(path_of(scene, light, (80, 60)), promise), heights.clone()
-        hits, account = tracer.nodes({"exit": leaf.requires_grad_()})
+        hits, account, _ = tracer.nodes({"exit": leaf.requires_grad_()})
         image, _ = beam_image(hits, scene.screen.pixels, tracer.splits)
         for axis in (0, 1):
             if tracer.mirrored[axis]:

@@ -51,10 +51,12 @@ def faces(scene, seed, amplitude):
 
 
 def landed(tracer, heights, cotangent):
-    """Nodes that land, their account, and gradients of their product with a cotangent."""
+    """Nodes that land, with room; their account; gradients of their product with a cotangent."""
     leaves = {name: each.clone().requires_grad_() for name, each in heights.items()}
-    hits, light = tracer.nodes(leaves)
+    hits, light, room = tracer.nodes(leaves)
     lands = hits.isfinite().all(dim=0) & (hits[2] > 0)
+    assert (room[lands] >= 0).all()
+    hits = torch.cat([hits, room[None]])
     weighed = torch.where(lands, hits, 0.0) * torch.where(lands, cotangent, 0.0)
     found = torch.autograd.grad(weighed.sum(), list(leaves.values()))
     return torch.where(lands, hits.detach(), 0.0), light.to_data(), found
@@ -74,7 +76,7 @@ def test_twins_agree_in_float64(changes, receiver, origins, cells, amplitude, se
     data.pop("screen")
     scene = Scene.from_data(data | receiver | {"version": 2})
     path, heights = two_faces(scene, origins, cells), faces(scene, seed, amplitude)
-    shape = 3, len(origins.flux) * (cells[1] + 1), cells[0] + 1
+    shape = 4, len(origins.flux) * (cells[1] + 1), cells[0] + 1
     cotangent = torch.tensor(np.random.default_rng(seed).normal(size=shape))
     (nodes, light, gradients), (fused, fused_light, fused_gradients) = (
         landed(tracer, heights, cotangent) for tracer in (Reference(path), FusedTwoFaces(path))
@@ -102,7 +104,7 @@ def test_gradients_are_those_of_central_differences(make_scene, light):
     scene = make_scene({"lens.reflection": "fresnel", "lens.absorption": 0.2})
     tracer, heights = FusedTwoFaces(two_faces(scene, light, (20, 16))), faces(scene, 1, 0.01)
     generator = np.random.default_rng(0)
-    cotangent = torch.tensor(generator.normal(size=(3, len(light.flux) * 17, 21)))
+    cotangent = torch.tensor(generator.normal(size=(4, len(light.flux) * 17, 21)))
     *_, gradients = landed(tracer, heights, cotangent)
     step = 1e-6
     for (name, face), gradient in zip(heights.items(), gradients, strict=True):
@@ -122,7 +124,7 @@ def test_gradients_are_those_of_central_differences(make_scene, light):
 def test_single_precision_is_enough(make_scene, light):
     scene = make_scene({"screen.half_width": [2, 2]})
     heights = faces(scene, 1, 0.01)
-    cotangent = torch.tensor(np.random.default_rng(0).normal(size=(3, len(light.flux) * 41, 51)))
+    cotangent = torch.tensor(np.random.default_rng(0).normal(size=(4, len(light.flux) * 41, 51)))
     found = [
         landed(FusedTwoFaces(two_faces(scene, light, (50, 40), dtype)), heights, cotangent)
         for dtype in (torch.float64, torch.float32)
@@ -151,7 +153,7 @@ def test_a_mirrored_trace_is_the_whole_trace(make_scene):
     for promise in ((True, True), (False, False)):
         tracer = FusedTwoFaces(two_faces(scene, light, (40, 30)), promise)
         leaves = {name: each.clone().requires_grad_() for name, each in heights.items()}
-        hits, account = tracer.nodes(leaves)
+        hits, account, _ = tracer.nodes(leaves)
         image, _ = beam_image(hits, scene.screen.pixels, tracer.splits)
         for axis in (0, 1):
             if tracer.mirrored[axis]:

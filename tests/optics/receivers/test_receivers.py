@@ -112,7 +112,7 @@ def test_gradients_are_those_of_central_differences(make_scene, receiver, rng):
     path = Path.of(scene, ControlNet.of(scene.lens), torch.float64)
 
     def landing(heights):
-        column, row, rays, _ = path.walk({"exit": heights})
+        column, row, rays, *_ = path.walk({"exit": heights})
         return ((0.3 * column).sin() + (0.2 * row).cos() * rays.flux).sum()
 
     directions = torch.as_tensor(rng.normal(size=(3, 12, 10)))

@@ -9,6 +9,7 @@ from torch import Tensor
 from torch.autograd.function import once_differentiable
 
 from workbench.optics.account import Account
+from workbench.optics.light import Nodes
 
 AnyArray = npt.NDArray[np.floating[Any]]
 
@@ -68,12 +69,14 @@ def trace(heights: Tensor, level: float, dtype: torch.dtype, passes: Passes) -> 
 class PassesOfTwo(Protocol):
     """A trace through two faces and its adjoint; shapes as for `Passes`."""
 
-    def forward(self, first: AnyArray, second: AnyArray) -> tuple[AnyArray, Account]:
-        """Nodes, and the account of their light."""
+    def forward(
+        self, first: AnyArray, second: AnyArray
+    ) -> tuple[tuple[AnyArray, AnyArray], Account]:
+        """Nodes and rooms, and the account of their light."""
         ...
 
     def backward(
-        self, first: AnyArray, second: AnyArray, cotangent: AnyArray
+        self, first: AnyArray, second: AnyArray, *cotangents: AnyArray
     ) -> tuple[AnyArray, AnyArray]:
         """Cotangents of the heights of both faces."""
         ...
@@ -84,30 +87,32 @@ def trace_two(
     levels: tuple[float, float],
     dtype: torch.dtype,
     passes: PassesOfTwo,
-) -> tuple[Tensor, Account]:
+) -> Nodes:
     """As `trace`, through two faces."""
     accounts: list[Account] = []
     above = [(each - z).to(dtype) for each, z in zip(heights, levels, strict=True)]
-    nodes = _Trace.apply(passes, accounts, *above)  # type: ignore[no-untyped-call]
-    return nodes, accounts[0]
+    nodes, room = _Trace.apply(passes, accounts, *above)  # type: ignore[no-untyped-call]
+    return Nodes(nodes, accounts[0], room)
 
 
 class _Trace(torch.autograd.Function):
     @staticmethod
     def forward(
         ctx: Any, passes: Passes | PassesOfTwo, sums: list[Any], *heights: Tensor
-    ) -> Tensor:
+    ) -> Tensor | tuple[Tensor, ...]:
         ctx.passes = passes
         ctx.save_for_backward(*heights)
-        image, found = passes.forward(*map(_array, heights))
+        made, found = passes.forward(*map(_array, heights))
         sums.append(found)
-        return torch.from_numpy(image)
+        if isinstance(made, tuple):
+            return tuple(torch.from_numpy(each) for each in made)
+        return torch.from_numpy(made)
 
     @staticmethod
     @once_differentiable
-    def backward(ctx: Any, cotangent: Tensor) -> tuple[Tensor | None, ...]:
+    def backward(ctx: Any, *cotangents: Tensor) -> tuple[Tensor | None, ...]:
         heights = ctx.saved_tensors
-        found = ctx.passes.backward(*map(_array, heights), _array(cotangent))
+        found = ctx.passes.backward(*map(_array, heights), *map(_array, cotangents))
         gradients = found if isinstance(found, tuple) else (found,)
         return None, None, *(torch.from_numpy(each).to(heights[0].dtype) for each in gradients)
 

@@ -38,7 +38,9 @@ from workbench.optics.kernels.point_trace import polish
 from workbench.optics.kernels.spread import BATCH
 from workbench.optics.kernels.taps import FAST
 from workbench.optics.kernels.two_face_trace import (
+    D_ROOM,
     END,
+    ROOM,
     SUM_Z,
     SUM_Z_X,
     SUM_Z_Y,
@@ -53,7 +55,7 @@ _NUMBERS = int(END)
 
 def _make(name: str, shine: Any) -> OriginLoops:
     def land(  # type: ignore[no-untyped-def]
-        heights, bases, exit_face, light, body, landing, depths, begin, end, nodes, sums
+        heights, bases, exit_face, light, body, landing, depths, begin, end, nodes, rooms, sums
     ):
         (across, up), (net, bounds, table) = bases, exit_face
         kind = heights.dtype.type
@@ -79,14 +81,17 @@ def _make(name: str, shine: Any) -> OriginLoops:
                     polish(net, w, lanes)
                     leave(net, body, landing, lanes, t, w, sums)
                     put(t, i, k * count + j, lanes, nodes)
+                    room = rooms[k * count + j, i:]
                     for lane in range(lanes):
+                        room[lane] = t[ROOM + np.uintp(lane)]
                         met = w[at(STATE, lane)] == kind(MET)
                         depth[lane] = w[at(DEPTH, lane)] if met else kind(np.inf)
 
     def back(  # type: ignore[no-untyped-def]
-        heights, bases, exit_face, light, body, landing, depths, begin, end, cotangent, gradients
+        heights, bases, exit_face, light, body, landing, depths, begin, end, cotangents, gradients
     ):
         (across, up), (net, _, table), (gradient, d_table) = bases, exit_face, gradients
+        cotangent, d_rooms = cotangents
         kind = heights.dtype.type
         rows, d_rows = make_rows(heights), make_rows(heights)
         t, sums = np.empty(_NUMBERS, heights.dtype), np.zeros(8)
@@ -116,6 +121,9 @@ def _make(name: str, shine: Any) -> OriginLoops:
                     fill(table, patch, lanes, columns)
                     evaluate_bends(columns, w, lanes)
                     take(cotangent, i, k * count + j, lanes, t)
+                    d_room = d_rooms[k * count + j, i:]
+                    for lane in range(np.uintp(lanes)):
+                        t[D_ROOM + lane] = d_room[lane]
                     leave_back(net, body, landing, lanes, t, w)
                     enter_back(body, areas, lanes, t)
                     collect(w, lanes, patch, columns, d_table)
@@ -138,10 +146,11 @@ def _kernel(function: Callable[..., None], name: str) -> Callable[..., None]:
 FROM_FAR = _make("two_faces_far", from_far)
 """As `workbench.optics.kernels.origin_loops.OriginLoops`, for light from infinitely far.
 
-They take (heights, bases, exit face, light, body, landing, depths, begin, end, nodes, sums) and
-(…, cotangent, gradients): the heights are those of the entrance face, the exit face is a control
-net with bounds and table of its patches, the depths of the last lens are where the search begins
-and those found take their place, and the gradients are that of the heights and that of the table.
+They take (heights, bases, exit face, light, body, landing, depths, begin, end, nodes, rooms, sums)
+and (…, cotangents, gradients): the heights are those of the entrance face, the exit face is a
+control net with bounds and table of its patches, the depths of the last lens are where the search
+begins and those found take their place, the rooms are as in `workbench.optics.light.Nodes`, and the
+gradients are that of the heights and that of the table.
 """
 FROM_NEAR = _make("two_faces_near", from_near)
 """The same for light of points."""

@@ -56,10 +56,11 @@ from workbench.optics.transmittance import TransmittanceLaw
 
 Number = np.floating[Any]
 
-# Numbers of a batch: what the glass lets through, cotangents of slopes, start and flux in the
-# glass, and sums over origins of the cotangents of the entrance face.
-_FADE, _D_A, _D_B, _D_START, _D_FLUX, SUM_Z, SUM_Z_X, SUM_Z_Y, END = (
-    NEXT + np.uintp(BATCH * k) for k in range(9)
+# Numbers of a batch: what the glass lets through, how far within the rim rays leave and its
+# cotangent, cotangents of slopes, start and flux in the glass, and sums over origins of the
+# cotangents of the entrance face.
+_FADE, ROOM, D_ROOM, _D_A, _D_B, _D_START, _D_FLUX, SUM_Z, SUM_Z_X, SUM_Z_Y, END = (
+    NEXT + np.uintp(BATCH * k) for k in range(11)
 )
 # A refracted ray goes on to +z if it goes at least so far up.
 _ONWARD = 1e-6
@@ -89,8 +90,8 @@ class Body(NamedTuple):
         Whether the outline is an ellipse.
     by_x2, by_y2 : floating
         One by the squares of its semi-axes.
-    rim2 : floating
-        Square of `workbench.optics.intersection.RIM`.
+    rim : floating
+        `workbench.optics.intersection.RIM`.
     law_in, law_out : TransmittanceLaw
         Of both faces.
     """
@@ -102,7 +103,7 @@ class Body(NamedTuple):
     curved: bool
     by_x2: Number
     by_y2: Number
-    rim2: Number
+    rim: Number
     law_in: TransmittanceLaw
     law_out: TransmittanceLaw
 
@@ -150,22 +151,35 @@ def enter(body, x, y, areas, lanes, t, w, sums):  # type: ignore[no-untyped-def]
 
 
 @jit(fastmath=FAST, error_model="numpy", forceinline=True)
+def _radius(body, x, y):  # type: ignore[no-untyped-def]
+    """How far from the axis a place is, as a part of the way to the rim."""
+    x2, y2 = x * x * body.by_x2, y * y * body.by_y2
+    return np.sqrt(x2 + y2 if body.curved else max(x2, y2))
+
+
+@jit(fastmath=FAST, error_model="numpy", forceinline=True)
 def _at_exit(net, body, ray, t, w):  # type: ignore[no-untyped-def]
-    """Where a ray meets the exit face, slopes there, `bend`, and whether it is refracted."""
+    """Where a ray meets the exit face, slopes there, `bend`, whether it is refracted, and its room.
+
+    See `workbench.optics.rim` for the room.
+    """
     kind = w.dtype.type
     law = body.law_out
     a, b, depth = w[at(SLOPE_X, ray)], w[at(SLOPE_Y, ray)], w[at(DEPTH, ray)]
     x, y = w[at(X, ray)] + a * depth, w[at(Y, ray)] + b * depth
-    met = (w[at(STATE, ray)] == kind(MET)) & (w[at(FLUX, ray)] >= kind(0))
+    enters = w[at(FLUX, ray)] >= kind(0)
+    met = (w[at(STATE, ray)] == kind(MET)) & enters
+    room = body.rim - _radius(body, x, y)
     if body.curved:
         start = t[FRONT + np.uintp(ray)] + body.lift
         x_0, y_0 = w[at(X, ray)] + a * start, w[at(Y, ray)] + b * start
-        rim2 = max(x_0 * x_0 * body.by_x2 + y_0 * y_0 * body.by_y2, kind(1)) * body.rim2
-        met = met & (x * x * body.by_x2 + y * y * body.by_y2 <= rim2)
+        room += (max(_radius(body, x_0, y_0), kind(1)) - kind(1)) * body.rim
+        met = met & (room >= kind(0))
+    room = max(room, kind(0)) if met else (kind(-1) if enters else kind(0))
     z_x, z_y = w[at(Z_S, ray)] * net.per_x, w[at(Z_T, ray)] * net.per_y
     excess = law.ratio * law.ratio - kind(1)
     bent = bend(law.ratio, excess, body.critical, a, b, z_x, z_y)
-    return x, y, z_x, z_y, bent, met, met & bent[4]
+    return x, y, z_x, z_y, bent, met, met & bent[4], room
 
 
 @jit(fastmath=FAST, error_model="numpy", forceinline=True)
@@ -190,7 +204,7 @@ def leave(net, body, landing, lanes, t, w, sums):  # type: ignore[no-untyped-def
     absorbed, met_flux, passed, left = zero, zero, zero, zero
     _fade(body, lanes, t, w)
     for lane in range(np.uintp(lanes)):
-        x, y, z_x, z_y, bent, met, passes = _at_exit(net, body, lane, t, w)
+        x, y, z_x, z_y, bent, met, passes, room = _at_exit(net, body, lane, t, w)
         lean, q, gamma, by_both, _ = bent
         n, a, b = body.law_out.ratio, w[at(SLOPE_X, lane)], w[at(SLOPE_Y, lane)]
         flux = w[at(FLUX, lane)] if met else zero
@@ -205,6 +219,7 @@ def leave(net, body, landing, lanes, t, w, sums):  # type: ignore[no-untyped-def
         t[COLUMN + lane] = column if passes else inf
         t[ROW + lane] = row if passes else inf
         t[WEIGHT + lane] = weight
+        t[ROOM + lane] = room
         absorbed += flux - arriving
         met_flux += arriving
         passed += arriving if passes else zero
@@ -222,7 +237,7 @@ def leave_back(net, body, landing, lanes, t, w):  # type: ignore[no-untyped-def]
     zero, one = kind(0), kind(1)
     _fade(body, lanes, t, w)
     for lane in range(np.uintp(lanes)):
-        x, y, z_x, z_y, bent, _, passes = _at_exit(net, body, lane, t, w)
+        x, y, z_x, z_y, bent, _, passes, room = _at_exit(net, body, lane, t, w)
         lean, q, gamma, by_both, _ = bent
         n, a, b = body.law_out.ratio, w[at(SLOPE_X, lane)], w[at(SLOPE_Y, lane)]
         depth = w[at(DEPTH, lane)]
@@ -247,6 +262,11 @@ def leave_back(net, body, landing, lanes, t, w):  # type: ignore[no-untyped-def]
             n, excess, a, b, z_x, z_y, bent, zero, d_o_x, d_o_y, d_o_z,
             d_part * by_in, d_part * by_out,
         )  # fmt: skip
+        radius = _radius(body, x, y)
+        d_room = -t[D_ROOM + lane] / radius if (room > zero) & (radius > zero) else zero
+        by_x = x * x * body.by_x2 >= y * y * body.by_y2
+        d_p_x += d_room * x * body.by_x2 if body.curved | by_x else zero
+        d_p_y += d_room * y * body.by_y2 if body.curved | (not by_x) else zero
         # Slopes of the face at a place that moves with the ray.
         d_s, d_t = d_z_x * net.per_x, d_z_y * net.per_y
         d_p_x += (d_s * w[at(Z_SS, lane)] + d_t * w[at(Z_ST, lane)]) * net.per_x

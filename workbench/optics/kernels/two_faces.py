@@ -91,8 +91,7 @@ class FusedTwoFaces:
         """Trace the corners of cells of light; see `workbench.optics.light.BeamTracer`."""
         given = self._given
         first, second = (heights[face.name] for face in given.faces)
-        nodes, light = trace_two((first, second), given.levels, self._dtype, _Passes(given))
-        return Nodes(nodes, light)
+        return trace_two((first, second), given.levels, self._dtype, _Passes(given))
 
 
 class _Given:
@@ -118,7 +117,7 @@ class _Given:
             not front.outline.whole,
             by_x2,
             by_y2,
-            kind(RIM**2),
+            kind(RIM),
             entrance.law.cast(kind),
             leaving.law.cast(kind),
         )
@@ -138,27 +137,30 @@ class _Passes:
     def __init__(self, given: _Given) -> None:
         self._given = given
 
-    def forward(self, first: AnyArray, second: AnyArray) -> tuple[AnyArray, Account]:
-        """Nodes (3, origins × samples along v, samples along u), and what became of the light."""
+    def forward(
+        self, first: AnyArray, second: AnyArray
+    ) -> tuple[tuple[AnyArray, AnyArray], Account]:
+        """Nodes (3, origins × samples along v, samples along u), rooms, and where light went."""
         given = self._given
         size = max(given.front.half_width) / 4
         face = given.face
         bounds = face.bounds(second, given.steepest, size)
         self._exit = face.net, bounds, make_table(second, face.powers)
         self._depths = given.depths.copy()
-        nodes, sums = np.empty((3, *given.shape), given.kind), np.zeros((given.parts, SUMS))
-        self._run("land", first, lambda part: (nodes, sums[part]))
+        nodes, room = np.empty((3, *given.shape), given.kind), np.empty(given.shape, given.kind)
+        sums = np.zeros((given.parts, SUMS))
+        self._run("land", first, lambda part: (nodes, room, sums[part]))
         given.depths, given.steepest = self._depths, sums[:, STEEP_X:].max(axis=0)
-        return nodes, self._account(2 ** len(given.mirrored) * sums.sum(axis=0))
+        return (nodes, room), self._account(2 ** len(given.mirrored) * sums.sum(axis=0))
 
     def backward(
-        self, first: AnyArray, second: AnyArray, cotangent: AnyArray
+        self, first: AnyArray, second: AnyArray, *cotangents: AnyArray
     ) -> tuple[AnyArray, AnyArray]:
-        """Cotangents of the heights from that of the nodes, to which mirror images were added."""
+        """Cotangents of the heights from those of nodes and rooms of one of the mirror images."""
         given, table = self._given, self._exit[2]
         gradients = np.zeros((given.parts, *first.shape))
         d_tables = np.zeros((given.parts, *table.shape))
-        self._run("back", first, lambda part: (cotangent, (gradients[part], d_tables[part])))
+        self._run("back", first, lambda part: (cotangents, (gradients[part], d_tables[part])))
         entrance = gradients.sum(axis=0)
         leaving = heights_cotangent(d_tables, second.shape, given.face.powers)
         for axis in given.mirrored:  # the other origins would have given the mirror image of this
@@ -233,5 +235,5 @@ def compile_for(dtype: torch.dtype) -> None:
     for loops, light in ((FROM_FAR, FarLight(pair, pair, pair, pair, one)), (FROM_NEAR, near)):
         nodes, gradients = np.zeros((3, 4, 2), kind), (np.zeros((2, 2)), np.zeros((1, 2, 2)))
         given = heights, bases, exit_face, light, body, landing, np.zeros((4, 2), kind), 0, 2
-        loops.land(*given, nodes, np.zeros(SUMS))
-        loops.back(*given, nodes, gradients)
+        loops.land(*given, nodes, nodes[0], np.zeros(SUMS))
+        loops.back(*given, (nodes, nodes[0]), gradients)

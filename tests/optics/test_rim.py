@@ -1,0 +1,144 @@
+"""Light of cells that the rim of the last face cuts."""
+
+import numpy as np
+import pytest
+import torch
+
+from workbench.optics.beam_plan import BeamPlan
+from workbench.optics.beams import beam_image
+from workbench.optics.rim import rim_light
+from workbench.optics.samples import Corners, places, splits_side_by_side
+
+PIXELS = (9, 8)
+CELLS = (6, 5)
+
+
+def lit(shear=0.0, grids=1):
+    """Nodes of even light over [1, 7] × [1, 6] pixels before shear, one cell for each pixel."""
+    along_u, along_v = places(Corners(*CELLS), 0), places(Corners(*CELLS), 1)
+    u, v = torch.meshgrid(
+        torch.arange(CELLS[0] + 1.0, dtype=torch.float64),
+        torch.arange(CELLS[1] + 1.0, dtype=torch.float64),
+        indexing="xy",
+    )
+    flux = torch.ones_like(u)
+    for side in (0, -1):
+        flux[side] /= 2
+        flux[:, side] /= 2
+    nodes = torch.stack([1 + u + shear * v, 1 + v, flux])
+    return torch.cat([nodes] * grids, 1), splits_side_by_side(along_u, along_v, grids)
+
+
+def cut(nodes, room):
+    """The same with rays beside the rim lost."""
+    beside = room < 0
+    nodes = torch.where(beside, torch.tensor([torch.inf, torch.inf, 0.0])[:, None, None], nodes)
+    return nodes, torch.where(beside, -1.0, room)
+
+
+def whole(nodes, room, splits):
+    """The image of all cells, cut or not, and all flux that lands."""
+    image, landed = beam_image(nodes, PIXELS, splits)
+    rim = rim_light(nodes, room, PIXELS, splits)
+    return image + rim.flux, landed + rim.landed
+
+
+@pytest.mark.parametrize("grids", [1, 2])
+@pytest.mark.parametrize("at", [3.0, 3.25, 3.999])
+def test_light_ends_at_a_straight_rim(at, grids):
+    nodes, splits = lit(grids=grids)
+    image, landed = whole(*cut(nodes, at - (nodes[0] - 1)), splits)
+    wanted = torch.zeros(PIXELS[::-1], dtype=torch.float64)
+    wanted[1:6, 1:7] = grids * (at - torch.arange(6, dtype=torch.float64)).clamp(0, 1)
+    assert landed == pytest.approx(5 * at * grids)
+    assert (image - wanted).abs().max() < 1e-12
+
+
+def test_an_oblique_rim_cuts_cells_and_their_corners():
+    nodes, splits = lit()
+    u, v = nodes[0] - 1, nodes[1] - 1
+    image, landed = whole(*cut(nodes, 4.7 - u - 0.3 * v), splits)
+    # A quadrilateral with corners (0, 0), (4.7, 0), (3.2, 5), (0, 5).
+    assert landed == pytest.approx(5 * (4.7 + 3.2) / 2, abs=1e-9)
+    assert image[1, 1].item() == pytest.approx(1)
+    assert image[3, 5].item() == pytest.approx(0.1**2 / 0.3 / 2)  # of a cell with one corner within
+
+
+def test_whole_cells_are_left_alone():
+    nodes, splits = lit(shear=0.2)
+    rim = rim_light(nodes, torch.ones_like(nodes[0]), PIXELS, splits)
+    assert (rim.landed, rim.counted, rim.flux.abs().max().item()) == (0, 0, 0)
+
+
+def test_cells_of_total_reflection_stay_left_out():
+    nodes, splits = lit()
+    room = 3.5 - (nodes[0] - 1)
+    nodes, room = cut(nodes, room)
+    dark = nodes.clone()
+    dark[:2, 2, 3], dark[2, 2, 3] = torch.inf, 0.0  # within the rim
+    _, landed = whole(nodes, room, splits)
+    _, less = whole(dark, room, splits)
+    # Two whole cells and two halves; but triangles beside the dark corner are drawn.
+    assert 2.0 <= landed - less <= 3.0
+
+
+def test_what_is_counted_is_what_rays_within_the_rim_give_to_cut_cells():
+    nodes, splits = lit()
+    nodes, room = cut(nodes, 3.5 - (nodes[0] - 1))
+    rim = rim_light(nodes, room, PIXELS, splits)
+    _, landed = beam_image(nodes, PIXELS, splits)
+    assert rim.counted + landed == pytest.approx(nodes[2].sum().item())
+    assert rim.landed + landed == pytest.approx(3.5 * CELLS[1])
+
+
+def test_gradients_are_those_of_central_differences(rng):
+    nodes, splits = lit(shear=0.3)
+    room = 4.4 - (nodes[0] - 1) - 0.4 * nodes[1]
+    beside = room < 0
+    weights = torch.tensor(rng.normal(size=PIXELS[::-1]))
+    bent = 0.05 * torch.tensor(rng.normal(size=(4, *room.shape)))
+    way = torch.tensor(rng.normal(size=(4, *room.shape))) * ~beside
+
+    def value(moved):
+        given, within = cut(nodes + moved[:3], torch.where(beside, -1.0, room + moved[3]))
+        return (rim_light(given, within, PIXELS, splits).flux * weights).sum()
+
+    start = torch.where(beside, 0.0, bent.abs())
+    leaf = start.clone().requires_grad_()
+    (gradient,) = torch.autograd.grad(value(leaf), [leaf])
+    step = 1e-6
+    slope = (value(start + step * way) - value(start - step * way)) / (2 * step)
+    assert gradient.isfinite().all()
+    assert (gradient * way).sum().item() == pytest.approx(slope.item(), rel=1e-7)
+
+
+def spreading(make_scene, outline):
+    """A plate of two faces, both of which spread light: some leaves through the side."""
+    nets = {"lens.control_points": [12, 12], "lens.height_range": None, "lens.outline": outline}
+    entrance = {"shape": "freeform", "height_range": [-0.3, 0.3]}
+    scene = make_scene({**nets, "lens.entrance": entrance, "screen.half_width": [3, 3]})
+    (n_u, n_v) = scene.lens.net_shape
+    u, v = np.linspace(-1, 1, n_u)[:, None], np.linspace(-1, 1, n_v)
+    dome = -0.1 * (u**2 + v**2)  # a hollow, which spreads light
+    return scene, {
+        "entrance": torch.tensor(dome),
+        "exit": torch.tensor(scene.lens.base.height + 0 * dome),
+    }
+
+
+@pytest.mark.parametrize("outline", ["rectangle", "ellipse"])
+def test_few_cells_give_the_light_of_many_at_the_rim(make_scene, outline):
+    scene, heights = spreading(make_scene, outline)
+    few, many = (BeamPlan(scene, (count, count)).trace(heights) for count in (64, 640))
+    total = many.account.on_screen
+    assert many.account.lost["left_side"] > 0.01
+    assert few.account.on_screen == pytest.approx(total, rel=1.5e-3)
+    assert few.account.lost == pytest.approx(many.account.lost, abs=1.5e-3)
+    assert (few.flux - many.flux).norm() < 0.01 * many.flux.norm()
+
+
+def test_all_light_is_accounted_for(make_scene):
+    scene, heights = spreading(make_scene, "rectangle")
+    account = BeamPlan(scene, (30, 30)).trace(heights).account
+    assert account.on_screen + sum(account.lost.values()) == pytest.approx(1, abs=1e-6)
+    assert account.lost["total_reflection"] == pytest.approx(0, abs=1e-6)

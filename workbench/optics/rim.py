@@ -1,0 +1,202 @@
+"""Light of cells that the rim of the last face cuts.
+
+Rays that leave through the side of a lens do not come to its last face. Of a cell between such rays
+and others, a part does. To leave these cells out, or to keep them whole, makes the image wrong by
+half a cell's light all along the rim, and a descent that sees so moves light there that is right.
+
+How far within the rim a ray meets the face is its room: 0 at the rim, smooth before it, and −1 for
+rays that leave beside it. What the rays within say is carried on to the corners beside the rim;
+both triangles of a cell are cut where the room is 0, and drawn as all others are.
+"""
+
+from typing import NamedTuple
+
+import torch
+from torch import Tensor
+
+from workbench.optics.beam_reference import drawn, first_lines
+from workbench.optics.kernels.beam_image import Splits
+from workbench.optics.kernels.beam_raster import FARTHEST, SLIVER
+
+# Corners of the triangles of even and of odd cells, as numbers of 2 × 2 nodes; see
+# `workbench.optics.beam_reference`.
+_EVEN, _ODD = [[0, 2, 3], [0, 3, 1]], [[0, 2, 1], [2, 3, 1]]
+# Corners of a triangle by which the part of it that is left is measured.
+_UNIT = [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
+
+
+class RimLight(NamedTuple):
+    """Light of cut cells.
+
+    Attributes
+    ----------
+    flux : Tensor, shape (n_y, n_x)
+        In each pixel, row 0 at the top, differentiable.
+    landed : float
+        All that comes to the plane of the image.
+    counted : float
+        What belongs to these cells of the flux of rays within the rim, and is not drawn yet.
+    """
+
+    flux: Tensor
+    landed: float
+    counted: float
+
+
+class _Cells(NamedTuple):
+    """Cells between rays that leave beside the rim and rays that are refracted.
+
+    Attributes
+    ----------
+    values : Tensor, shape (3, cells, 2, 2)
+        Columns, rows and room of the corners; first along the first axis of the nodes.
+    whole : Tensor, shape (cells,)
+        Flux of whole cells; 0 where too few corners are known to carry on from.
+    within : Tensor of bool, shape (cells, 2, 2)
+        Corners with rays within the rim.
+    flux : Tensor, shape (cells,)
+        What belongs to cells of the flux of these.
+    even : Tensor of bool, shape (cells,)
+        Which triangles they are made of.
+    """
+
+    values: Tensor
+    whole: Tensor
+    within: Tensor
+    flux: Tensor
+    even: Tensor
+
+
+def rim_light(nodes: Tensor, room: Tensor, pixels: tuple[int, int], splits: Splits) -> RimLight:
+    """Light of the cells that `workbench.optics.beams.beam_image` leaves out for their room.
+
+    Parameters
+    ----------
+    nodes, pixels, splits
+        As for `workbench.optics.beams.beam_image`.
+    room : Tensor, shape (n, m)
+        Of the nodes.
+    """
+    cells = _cells(nodes, room, splits)
+    turns = torch.where(
+        cells.even[:, None, None],
+        torch.tensor(_EVEN, device=nodes.device),
+        torch.tensor(_ODD, device=nodes.device),
+    )
+    cell = torch.arange(len(turns), device=nodes.device)[:, None, None]
+    # Triangles between three rays within the rim are drawn already, by the flux of these.
+    already = 0.5 * cells.flux[:, None] * cells.within.flatten(1)[cell, turns].all(2)
+    half = (0.5 * cells.whole[:, None] - already).flatten()
+    (column, row), part = _cut(cells.values.flatten(2)[:, cell, turns].flatten(1, 2))
+    lit = half * part
+    landed, counted = lit.sum().item(), (cells.flux.sum() - already.sum()).item()
+    area = _area(column, row)
+    wide = area.detach().abs() > SLIVER * part.detach()
+    x, y, density = (each[wide] for each in (column, row, lit / torch.where(wide, area, 1.0)))
+    image = drawn(x, y, density, pixels, landed)
+    n_x, n_y = pixels
+    j, i = (hits[~wide].mean(1).detach().floor() for hits in (column, row))
+    seen = (j >= 0) & (j < n_x) & (i >= 0) & (i < n_y)
+    image = image.flatten().index_add(0, (i * n_x + j)[seen].long(), lit[~wide][seen])
+    return RimLight(image.view(n_y, n_x).to(nodes.dtype), landed, counted)
+
+
+def _cells(nodes: Tensor, room: Tensor, splits: Splits) -> _Cells:
+    """Cells to be cut; of their corners beside the rim what follows from those within."""
+    along_u, along_v = (torch.as_tensor(split, device=nodes.device) for split in splits[::-1])
+    i, j = _beside_the_rim(room.detach() < 0)
+    # Nodes of a cell and those around it, 4 × 4.
+    (n, m), reach = room.shape, torch.arange(-1, 3, device=nodes.device)
+    rows, columns = (i[:, None] + reach)[:, :, None], (j[:, None] + reach)[:, None, :]
+    there = (rows >= 0) & (rows < n) & (columns >= 0) & (columns < m)
+    rows, columns = rows.clamp(0, n - 1), columns.clamp(0, m - 1)
+    first = first_lines(along_u)
+    there = there & (first[rows] == first[i][:, None, None])
+    at = rows * m + columns
+    found = nodes.flatten(1)[:, at].double(), room.flatten()[at].double()
+    known = torch.cat([found[0][:2], found[1][None]])
+    within = there & (known[:2].abs() < FARTHEST).all(0) & (known[2] >= 0)
+    values, complete = _carried_on(torch.where(within, known, 0.0), within)
+    inner = within[:, 1:3, 1:3]
+    beside = room.detach().flatten()[at[:, 1:3, 1:3]] < 0
+    parts_u = torch.stack([along_u[i, 1], along_u[i + 1, 0]], 1)[:, :, None]
+    parts_v = torch.stack([along_v[j, 1], along_v[j + 1, 0]], 1)[:, None, :]
+    flux = torch.where(inner, found[0][2][:, 1:3, 1:3] * parts_u * parts_v, 0.0).sum((1, 2))
+    cut = (inner | beside).all(2).all(1) & inner.any(2).any(1)  # no corner is totally reflected
+    inner, flux, complete = inner[cut], flux[cut], complete[cut]
+    whole = torch.where(complete, 4 * flux / inner.sum((1, 2)), 0.0)
+    even = (i - first[i] + j) % 2 == 0
+    return _Cells(values[:, cut], whole, inner, flux, even[cut])
+
+
+def _beside_the_rim(beside: Tensor) -> tuple[Tensor, Tensor]:
+    """Numbers of cells of which some corners, not all, are beside the rim."""
+    pairs = beside[:-1] | beside[1:], beside[:-1] & beside[1:]
+    some, all_of_them = pairs[0][:, :-1] | pairs[0][:, 1:], pairs[1][:, :-1] & pairs[1][:, 1:]
+    i, j = (some & ~all_of_them).nonzero().unbind(1)
+    return i, j
+
+
+def _carried_on(known: Tensor, within: Tensor) -> tuple[Tensor, Tensor]:
+    """Values at the four middle nodes of 4 × 4, straight on from those within; and where all are.
+
+    Parameters
+    ----------
+    known : Tensor, shape (3, cells, 4, 4)
+        Values where they are known.
+    within : Tensor of bool, shape (cells, 4, 4)
+        Where.
+    """
+    here, near, far = slice(1, 3), [2, 1], [3, 0]
+    inner = within[:, here, here]
+    lines = 2 * known[:, :, near, here] - known[:, :, far, here]
+    other = 2 * known[:, :, here, near] - known[:, :, here, far]
+    by_lines = within[:, near, here] & within[:, far, here]
+    by_other = within[:, here, near] & within[:, here, far]
+    count = (by_lines.double() + by_other.double()).clamp_min(1.0)
+    values = torch.where(
+        inner, known[:, :, here, here], (lines * by_lines + other * by_other) / count
+    )
+    there = inner | by_lines | by_other
+    # The corner opposite to the only one within makes a parallelogram.
+    opposite = values.flip(2) + values.flip(3) - values.flip((2, 3))
+    by_three = there.flip(1) & there.flip(2) & there.flip((1, 2))
+    return torch.where(there, values, opposite), (there | by_three).all(2).all(1)
+
+
+def _cut(corners: Tensor) -> tuple[tuple[Tensor, Tensor], Tensor]:
+    """What is left of triangles where the room is not negative.
+
+    Parameters
+    ----------
+    corners : Tensor, shape (3, triangles, 3)
+        Columns, rows and room.
+
+    Returns
+    -------
+    tuple of Tensor, and Tensor
+        Columns and rows of six corners of what is left, some of which are the same, each of shape
+        (triangles, 6); and which part of each triangle that is.
+    """
+    room = corners[2]
+    unit = corners.new_tensor(_UNIT)[:, None, :].expand(-1, room.shape[0], -1)
+    here = torch.cat([corners[:2], unit])
+    there, next_room = here.roll(-1, 2), room.roll(-1, 1)
+    inside, next_inside = room >= 0, next_room >= 0
+    crosses = inside != next_inside
+    way = torch.where(crosses, room / torch.where(crosses, room - next_room, 1.0), 0.0)
+    crossing = here + way * (there - here)
+    begin = torch.where(inside, here, crossing)
+    end = torch.where(next_inside, there, crossing)
+    # An edge with both ends outside is at the end of the one before.
+    gone = ~inside & ~next_inside
+    before = end.roll(1, 2)
+    begin, end = torch.where(gone, before, begin), torch.where(gone, before, end)
+    outline = torch.stack([begin, end], 3).flatten(2)
+    part = 2 * _area(outline[2], outline[3])
+    return (outline[0], outline[1]), torch.where(inside.any(1), part, 0.0)
+
+
+def _area(x: Tensor, y: Tensor) -> Tensor:
+    """Signed areas of polygons with corners along the last axis."""
+    return 0.5 * (x * y.roll(-1, 1) - x.roll(-1, 1) * y).sum(1)
