@@ -46,9 +46,9 @@ def jit(*, allocates: bool = True, **options: Any) -> Callable[[Callable[..., An
     Parameters
     ----------
     allocates : bool
-        Whether it, or what it calls, makes arrays or slices of arrays. One that does not needs no
-        count of who holds its arrays; otherwise numba may count at each call of a function that is
-        inlined, and all threads wait for the same counters.
+        Whether it, or what it calls, makes arrays. One that only takes arrays of its caller, or
+        slices of them, needs no count of who holds them; otherwise numba may count at each call of
+        a function that is inlined, and all threads wait for the same counters.
     **options
         Those of `numba.njit`; compiled code never holds Python's lock.
     """

@@ -58,7 +58,7 @@ class Optics(NamedTuple):
     law: TransmittanceLaw
 
 
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def _refract(light, spread, i, j, lanes, t):  # type: ignore[no-untyped-def]
     """Where rays hit, and their flux; says how many are refracted.
 
@@ -92,7 +92,7 @@ def _refract(light, spread, i, j, lanes, t):  # type: ignore[no-untyped-def]
     return np.float64(passed * high[j])
 
 
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def _absorb(light, i, j, lanes, t):  # type: ignore[no-untyped-def]
     """Take from the flux of rays what the glass absorbs.
 
@@ -115,7 +115,7 @@ def _absorb(light, i, j, lanes, t):  # type: ignore[no-untyped-def]
     return np.float64(passed * high), np.float64(absorbed * high)
 
 
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def _ahead(light, spread, i, j, lanes, t):  # type: ignore[no-untyped-def]
     """From the face to the screen; flux that is refracted, and that was absorbed before."""
     passed, absorbed = _refract(light, spread, i, j, lanes, t), 0.0
@@ -124,7 +124,7 @@ def _ahead(light, spread, i, j, lanes, t):  # type: ignore[no-untyped-def]
     return passed, absorbed
 
 
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def _back(light, spread, i, j, lanes, t):  # type: ignore[no-untyped-def]
     """Adjoint of `_ahead`."""
     absorption, lift = light[4].absorption, light[4].lift
@@ -141,7 +141,7 @@ def _back(light, spread, i, j, lanes, t):  # type: ignore[no-untyped-def]
         t[Z + lane] -= t[_FADE + lane]
 
 
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def _refract_back(light, spread, i, j, lanes, t):  # type: ignore[no-untyped-def]
     """Adjoint of `_refract`; the cotangents of z, z_x, z_y take the place of these."""
     wide, arriving, optics = light[2], light[4].arriving * light[3][j], light[4]

@@ -34,7 +34,7 @@ _DEPTH, _PART, _BRIGHT, _D_BRIGHT, _G, _COS, _NARROW, _Q, _GAMMA, _AHEAD, _FLUX,
 )
 
 
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def _newton(part, depth, widening, apparent):  # type: ignore[no-untyped-def]
     """One step towards the root of p (1 + t g) = 1."""
     one = type(part)(1)
@@ -43,7 +43,7 @@ def _newton(part, depth, widening, apparent):  # type: ignore[no-untyped-def]
     return part - (part * (one + depth * g) - one) / (one + depth * (bent * bent) * g)
 
 
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def _find_part(away_x, away_y, optics, steps, lanes, t):  # type: ignore[no-untyped-def]
     """Depths of samples, and their p."""
     kind = t.dtype.type
@@ -64,7 +64,7 @@ def _find_part(away_x, away_y, optics, steps, lanes, t):  # type: ignore[no-unty
             t[_PART + lane] = _newton(t[_PART + lane], t[_DEPTH + lane], widening, c)
 
 
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def _see_points(across, i, up, j, optics, lanes, t):  # type: ignore[no-untyped-def]
     """Brightness of each sample's point as far as it is seen through the entrance face."""
     kind = t.dtype.type
@@ -86,7 +86,7 @@ def _see_points(across, i, up, j, optics, lanes, t):  # type: ignore[no-untyped-
         t[_BRIGHT + lane] *= seen_x * seen_y
 
 
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def _absorb(away_x, away_y, optics, lanes, t):  # type: ignore[no-untyped-def]
     """Take from the brightness of points what the glass absorbs on the way to each sample.
 
@@ -110,7 +110,7 @@ def _absorb(away_x, away_y, optics, lanes, t):  # type: ignore[no-untyped-def]
         t[_BRIGHT + lane] *= left
 
 
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def _absorbed(lanes, t):  # type: ignore[no-untyped-def]
     """Flux that the glass has taken from what met the face."""
     kind = t.dtype.type
@@ -121,7 +121,7 @@ def _absorbed(lanes, t):  # type: ignore[no-untyped-def]
     return np.float64(absorbed)
 
 
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def _seen(reach, beyond, per_cell, bent):  # type: ignore[no-untyped-def]
     """Part of a sample's cell that sees its point along one axis, and its slope by p.
 
@@ -135,7 +135,7 @@ def _seen(reach, beyond, per_cell, bent):  # type: ignore[no-untyped-def]
     return min(max(seen, kind(0)), kind(1)), rise
 
 
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def _refract(across, i, up, j, optics, spread, lanes, t):  # type: ignore[no-untyped-def]
     """Where light hits, and its flux.
 
@@ -199,7 +199,7 @@ def _refract(across, i, up, j, optics, spread, lanes, t):  # type: ignore[no-unt
     return np.float64(met_flux), np.float64(passed_flux)
 
 
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def _refract_back(across, i, up, j, optics, spread, lanes, t):  # type: ignore[no-untyped-def]
     """Adjoint of `_refract`, `_see_points` and `_find_part` together.
 
@@ -286,7 +286,7 @@ def _refract_back(across, i, up, j, optics, spread, lanes, t):  # type: ignore[n
         t[Z_Y + lane] = d_z_y if passes else zero
 
 
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def _ahead(light, spread, i, j, lanes, t):  # type: ignore[no-untyped-def]
     """From the face to the screen.
 
@@ -305,7 +305,7 @@ def _ahead(light, spread, i, j, lanes, t):  # type: ignore[no-untyped-def]
     return met, passed, _absorbed(lanes, t) if absorbs else 0.0
 
 
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def _back(light, spread, i, j, lanes, t):  # type: ignore[no-untyped-def]
     """Adjoint of `_ahead`."""
     across, up, optics, _ = light

@@ -108,7 +108,7 @@ def contract_back(d_rows, across, i, lanes, gradient):  # type: ignore[no-untype
                 near[b] += np.float64(value * line[b] + slope * line_x[b])
 
 
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def blend(rows, up, j, lanes, t):  # type: ignore[no-untyped-def]
     """Height and slopes of the face at all u of a block and one v."""
     kind = t.dtype.type
@@ -144,7 +144,7 @@ def blend(rows, up, j, lanes, t):  # type: ignore[no-untyped-def]
         start += two
 
 
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def blend_back(d_rows, up, j, lanes, t):  # type: ignore[no-untyped-def]
     """Adjoint of `blend`; the cotangents of z, z_x, z_y are where these were."""
     count = np.uintp(lanes)

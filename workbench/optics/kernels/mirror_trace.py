@@ -26,7 +26,7 @@ class Along(NamedTuple):
     place: npt.NDArray[np.floating[Any]]
 
 
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def _ahead(light, spread, i, j, lanes, t):  # type: ignore[no-untyped-def]
     """Where rays land, and their flux; gives the flux that comes to the mirror.
 
@@ -49,7 +49,7 @@ def _ahead(light, spread, i, j, lanes, t):  # type: ignore[no-untyped-def]
     return (np.float64(met * each),)
 
 
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def _back(light, spread, i, j, lanes, t):  # type: ignore[no-untyped-def]
     """Adjoint of `_ahead`; the cotangents of z, z_x, z_y take the place of these."""
     across, up, landing = light[0], light[1], light[5]

@@ -66,16 +66,16 @@ def make_loops(name: str, ahead: Any, back: Any, own: int) -> Loops:
 
     def ahead_to(take: Any) -> Any:
         def loop(heights, bases, light, spread, begin, end, taken, sums):  # type: ignore[no-untyped-def]
-            rows = make_rows(heights)
+            (across, up), rows = bases, make_rows(heights)
             t = np.empty(numbers, heights.dtype)
             work = workspace(spread, heights)
             blocks = (end - begin + BATCH - 1) // BATCH
             for block in range(blocks):
                 i = begin + (end - begin) * block // blocks
                 lanes = begin + (end - begin) * (block + 1) // blocks - i
-                contract(heights, bases[0], i, lanes, rows)
-                for j in range(len(bases[1].first)):
-                    blend(rows, bases[1], j, lanes, t)
+                contract(heights, across, i, lanes, rows)
+                for j in range(len(up.first)):
+                    blend(rows, up, j, lanes, t)
                     found = ahead(light, spread, i, j, lanes, t)
                     on_screen, beside = take(spread, t, i, j, lanes, work, taken)
                     sums[0] += on_screen
@@ -88,7 +88,7 @@ def make_loops(name: str, ahead: Any, back: Any, own: int) -> Loops:
     def back_from(give: Any) -> Any:
         def loop(heights, bases, light, spread, begin, end, cotangent, gradient):  # type: ignore[no-untyped-def]
             kind = heights.dtype.type
-            rows = make_rows(heights)
+            (across, up), rows = bases, make_rows(heights)
             d_rows = make_rows(heights)
             t = np.empty(numbers, heights.dtype)
             work = workspace(spread, heights)
@@ -96,15 +96,15 @@ def make_loops(name: str, ahead: Any, back: Any, own: int) -> Loops:
             for block in range(blocks):
                 i = begin + (end - begin) * block // blocks
                 lanes = begin + (end - begin) * (block + 1) // blocks - i
-                contract(heights, bases[0], i, lanes, rows)
+                contract(heights, across, i, lanes, rows)
                 d_rows[:] = kind(0)
-                for j in range(len(bases[1].first)):
-                    blend(rows, bases[1], j, lanes, t)
+                for j in range(len(up.first)):
+                    blend(rows, up, j, lanes, t)
                     ahead(light, spread, i, j, lanes, t)
                     give(spread, t, i, j, lanes, work, cotangent)
                     back(light, spread, i, j, lanes, t)
-                    blend_back(d_rows, bases[1], j, lanes, t)
-                contract_back(d_rows, bases[0], i, lanes, gradient)
+                    blend_back(d_rows, up, j, lanes, t)
+                contract_back(d_rows, across, i, lanes, gradient)
 
         return loop
 
@@ -116,14 +116,14 @@ def make_loops(name: str, ahead: Any, back: Any, own: int) -> Loops:
     )
 
 
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def _to_image(spread, t, i, j, lanes, work, canvas):  # type: ignore[no-untyped-def]
     """Add a batch to a canvas."""
     column, row, weight = t[COLUMN:ROW], t[ROW:WEIGHT], t[WEIGHT:D_COLUMN]
     return scatter(spread, column, row, weight, lanes, work, canvas)
 
 
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def _from_image(spread, t, i, j, lanes, work, cotangent):  # type: ignore[no-untyped-def]
     """Adjoint of `_to_image`."""
     column, row, weight = t[COLUMN:ROW], t[ROW:WEIGHT], t[WEIGHT:D_COLUMN]
@@ -131,7 +131,7 @@ def _from_image(spread, t, i, j, lanes, work, cotangent):  # type: ignore[no-unt
     gather(spread, column, row, weight, lanes, work, cotangent, d_column, d_row, d_weight)
 
 
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def _to_nodes(spread, t, i, j, lanes, work, nodes):  # type: ignore[no-untyped-def]
     """Put a batch among the nodes; its flux, and none beside."""
     column, row, flux = nodes[0, j, i:], nodes[1, j, i:], nodes[2, j, i:]
@@ -144,7 +144,7 @@ def _to_nodes(spread, t, i, j, lanes, work, nodes):  # type: ignore[no-untyped-d
     return total, 0.0
 
 
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def _from_nodes(spread, t, i, j, lanes, work, cotangent):  # type: ignore[no-untyped-def]
     """Adjoint of `_to_nodes`."""
     column, row, flux = cotangent[0, j, i:], cotangent[1, j, i:], cotangent[2, j, i:]
