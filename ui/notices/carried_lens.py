@@ -2,17 +2,18 @@
 
 from collections.abc import Callable
 from functools import partial
+from typing import NamedTuple
 
 import numpy as np
 from PySide6.QtCore import QObject, Signal
 
 from ui.document.document import Document
-from ui.panels.edits import Edit, edited_scene
+from ui.panels.edits import Edit, edited_scene, value_at
 from ui.widgets.message_bar import MessageBar, Offer
 from workbench.files.session import Session
 from workbench.geometry.approximation import deviation, nearest_finer
-from workbench.geometry.surface import ControlNet
-from workbench.scene import AutoNet
+from workbench.geometry.surface import ControlNet, freeform_nets
+from workbench.scene import AutoNet, Optic
 from workbench.scene.net import LARGEST_NET
 
 _NO_LENS = (
@@ -71,8 +72,8 @@ class CarriedLens(QObject):
             return
         if before.scene.unit != after.scene.unit:  # converted, the lens with all the rest
             return
-        net, other = ControlNet.of(before.scene.optic), ControlNet.of(after.scene.optic)
-        if after.result is not None and net == other:  # within its new limits
+        changed = _changed_net(before.scene.optic, after.scene.optic)
+        if after.result is not None and changed is None:  # within its new limits
             return
         if new is None:
             self._say_of(after, _NO_LENS)
@@ -80,7 +81,7 @@ class CarriedLens(QObject):
             self._say_of(after, _ANOTHER_FACE)
         elif set(old) - set(new):
             self._say_of(after, _ONE_FACE_LESS)
-        elif net == other and new is not old:
+        elif changed is None and new is not old:
             unit = after.scene.unit
             moved = max(float(np.abs(new[face] - old[face]).max()) for face in new)
             self._say_of(
@@ -88,24 +89,21 @@ class CarriedLens(QObject):
                 f"The {{optic}} is changed by up to {moved:.2g} {unit} to be within its new "
                 "limits. Continue goes on from there, and Undo takes the change back.",
             )
-        elif net != other and isinstance(after.scene.optic.control_points, AutoNet):
+        elif changed is not None and changed.automatic:
             self._say_of(
                 after,
-                f"The program takes {_size(other.shape)} control points now. Continue goes on from "
-                "the {optic} that was there, carried over, and Undo takes the change back.",
+                f"The program takes {_size(changed.new.shape)} control points now. Continue goes "
+                "on from the {optic} that was there, carried over, and Undo takes the change back.",
             )
-        elif net != other:
+        elif changed is not None:
             self._before, self._after = before, after
-            if other.contains(net):
-                self._say(f"On {_size(other.shape)} control points the {{optic}} is the same.")
-            else:
-                self._ask(
-                    before,
-                    after,
-                    deviation(
-                        net, old[before.scene.optic.face], other, new[after.scene.optic.face]
-                    ),
+            if changed.new.contains(changed.old):
+                self._say(
+                    f"On {_size(changed.new.shape)} control points {changed.name} is the same."
                 )
+            else:
+                off = deviation(changed.old, old[changed.face], changed.new, new[changed.face])
+                self._ask(before, after, changed, off)
         elif before.result is not None:
             self._tell_once(
                 before,
@@ -113,23 +111,21 @@ class CarriedLens(QObject):
                 "goes on from it, Start over does not",
             )
 
-    def _ask(self, before: Session, after: Session, off: float) -> None:
-        net, wanted = ControlNet.of(before.scene.optic), after.scene.optic.net_shape
-        unit = after.scene.unit
-        exact = nearest_finer(net, wanted, LARGEST_NET)
+    def _ask(self, before: Session, after: Session, changed: "_ChangedNet", off: float) -> None:
+        wanted, unit = changed.new.shape, after.scene.unit
+        exact = nearest_finer(changed.old, wanted, LARGEST_NET)
         offers: list[Offer] = []
-        if exact != net.shape:
-            take = partial(self._take, before, after, exact)
+        if exact != changed.old.shape:
+            take = partial(self._take, before, after, changed.path, exact)
             offers = [(f"Take {_size(exact)}, exact", take)]
         self._say(
-            f"On {_size(wanted)} control points the {{optic}} is off by up to {off:.2g} {unit}. "
+            f"On {_size(wanted)} control points {changed.name} is off by up to {off:.2g} {unit}. "
             "Continue goes on from there, Start over from nothing, and Undo takes the change back.",
             *offers,
         )
 
-    def _take(self, before: Session, after: Session, size: tuple[int, int]) -> None:
-        called = after.scene.optic.called
-        text, path = f"change of {called} control points", f"{called}.control_points"
+    def _take(self, before: Session, after: Session, path: str, size: tuple[int, int]) -> None:
+        text = f"change of {path.replace('.', ' ').replace('_', ' ')}"
         scene = edited_scene(after.scene, [Edit(path, text, {path: list(size)})])
         self._document.change(before.with_scene(scene, after.target), text)
 
@@ -154,6 +150,32 @@ class CarriedLens(QObject):
         """What was said is about the session that it was said of."""
         if session is not self._after:
             self._messages.withdraw(self._text)
+
+
+class _ChangedNet(NamedTuple):
+    """The net of a face, before and after an edit."""
+
+    face: str
+    old: ControlNet
+    new: ControlNet
+    path: str
+    name: str
+    automatic: bool
+
+
+def _changed_net(before: Optic, after: Optic) -> _ChangedNet | None:
+    """The first face with another net, of those that both have; the exit face before the other."""
+    old, new = freeform_nets(before), freeform_nets(after)
+    changed = [face for face in new if face in old and old[face] != new[face]]
+    if after.face in changed:
+        face, name, path = after.face, "the {optic}", f"{after.called}.control_points"
+        points: object = after.control_points
+    elif changed:
+        (face,), name, path = changed, "the entrance face", "lens.entrance.control_points"
+        points = value_at(after, "entrance.control_points")
+    else:
+        return None
+    return _ChangedNet(face, old[face], new[face], path, name, isinstance(points, AutoNet))
 
 
 def _size(shape: tuple[int, int]) -> str:

@@ -25,6 +25,8 @@ class ToleranceForm(QWidget):
     ----------
     toggled, save_asked : Signal()
         A person wants to begin, or to cancel; to save what was found.
+    obstacle : str
+        What in the task itself tolerances do not know, as it was found last; empty if nothing.
     """
 
     toggled = Signal()
@@ -32,6 +34,7 @@ class ToleranceForm(QWidget):
 
     def __init__(self) -> None:
         super().__init__()
+        self.obstacle = ""
         self._scene: Scene | None = None
         self._data: dict[str, Any] = {}
         self._rows = _make_rows()
@@ -107,9 +110,10 @@ class ToleranceForm(QWidget):
         """Whether all that is typed is possible; what is not, says so."""
         for row in self._rows:
             row.commit()
+        self.obstacle = ""
         if not self._refused():
             self._judge(self._data)
-        return not self._refused()
+        return not self._refused() and not self.obstacle
 
     def _convert(self, scene: Scene, unit: Unit) -> Scene:
         """Give the lengths for a scene in another unit."""
@@ -150,7 +154,10 @@ class ToleranceForm(QWidget):
         try:
             self._possible(data).check(self._scene)
         except Refused as refused:
-            self._row(refused.path).refuse(refused.reason)
+            if any(row.concerns(refused.path) for row in self._rows):
+                self._row(refused.path).refuse(refused.reason)
+            else:
+                self.obstacle = f"{refused}"
 
     def _possible(self, data: dict[str, Any]) -> Tolerances:
         """Without errors of what a scene does not have, whatever was typed before."""

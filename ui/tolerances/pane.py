@@ -85,7 +85,11 @@ class TolerancePane(SideBySide):
         if self._background.busy:
             self._background.stop()
             self._offer()
-        elif self._frame is not None and self.form.accepted():
+        elif self._frame is not None:
+            if not self.form.accepted():
+                if self.form.obstacle:
+                    self.summary.setText(self.form.obstacle)
+                return
             if not self.form.within.any:
                 self.summary.setText(
                     "Nothing is off: give a tilt, a decentre or another tolerance."

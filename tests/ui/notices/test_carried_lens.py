@@ -167,3 +167,19 @@ def test_a_second_freeform_face_is_said_and_taken_back(desk):
     document.edit(two.scene.altered(lens=flat), "one face", "lens.entrance")
     assert set(document.session.heights) == {"exit"}
     assert desk.messages.text.startswith("The entrance face is flat now;")
+
+
+def test_another_net_of_the_entrance_face_is_said_of_that_face(desk):
+    document = desk.document
+    two_faced = document.session.scene.lens.altered(
+        entrance=FreeformEntrance(control_points=(8, 8), height_range=(0.0, 0.1))
+    )
+    document.edit(document.session.scene.altered(lens=two_faced), "two faces", "lens.entrance")
+    finer = two_faced.altered(
+        entrance=FreeformEntrance(control_points=(13, 13), height_range=(0.0, 0.1))
+    )
+    document.edit(
+        document.session.scene.altered(lens=finer), "finer", "lens.entrance.control_points"
+    )
+    assert document.session.heights["entrance"].shape == (13, 13)
+    assert desk.messages.text == "On 13 × 13 control points the entrance face is the same."

@@ -202,3 +202,12 @@ def test_a_far_field_has_no_distance_that_is_off(pane, make_scene, session, qtbo
     assert pane.form.within.distance == 0 and pane.form.accepted()
     pane.form.show_scene(session.scene)
     assert pane.form._row("distance").isVisible() and pane.form.within.distance == 0.01
+
+
+def test_a_task_that_tolerances_do_not_know_is_said(pane, make_scene):
+    screen = {"z": 6.0, "half_width": [1.0, 1.0], "pixels": [32, 32]}
+    second = {"screen": screen, "target": {"builtin": "tophat"}}
+    pane.form.show_scene(make_scene({"further_images": [second]}))
+    pane.toggle()
+    assert not pane._background.busy
+    assert "further_images: 1 given, which tolerances cannot" in pane.summary.text()
