@@ -34,8 +34,8 @@ STOPS = (
     Stop(
         "toolbar",
         "Start",
-        "Start (F5) shapes the lens until its light obeys. Pause (F6) holds it, Stop (F7) keeps "
-        "the best lens so far, Continue goes on from there.",
+        "Start (F5) shapes the lens until its light fits the target. Pause (F6) holds it, Stop "
+        "(F7) keeps the best lens so far, Continue goes on from there.",
     ),
     Stop(
         "scene",
