@@ -1,13 +1,19 @@
 """Runs that shape both faces of a lens."""
 
+import re
+from itertools import islice
+
 import numpy as np
 import pytest
 
 from workbench.analysis.validation import validate
+from workbench.design.interruption import interrupted_when
 from workbench.design.limits import HeightLimits, bounded, undesigned
+from workbench.design.net import definite
 from workbench.design.run import run
 from workbench.design.session import Session
-from workbench.design.transport import first_of
+from workbench.design.snapshot import History
+from workbench.design.transport import behind_flat_entrance, first_of
 from workbench.files.session import read_session, write_session
 from workbench.geometry.faces import FaceArrays
 from workbench.scene import Scene
@@ -64,6 +70,39 @@ def test_a_run_sees_the_error_that_the_check_finds(make_scene, uneven):
     found = validate(scene, uneven, last.state.heights, 20_000, accuracy=2e-3).by_cells
     assert found is not None
     assert last.state.loss == pytest.approx(found.loss, rel=0.05)
+
+
+def test_the_log_compares_the_lens_with_that_of_one_face_at_the_end(make_scene, uneven):
+    history = History()
+    scene = make_scene({**FREEFORM, "run.iterations": 200})
+    losses = [each.state.loss for each in history.follow(run(scene, uneven))][1:]
+    ended = history.result().ended
+    found = re.fullmatch(
+        r"converged: .*; after (\d+) iterations the error of both faces was ([\d.]+) times that of "
+        r"the exit face behind a flat entrance",
+        ended,
+    )
+    assert found is not None
+    count = int(found[1])
+    flat = behind_flat_entrance(definite(scene, uneven))
+    alone = [each.state.loss for each in islice(run(flat, uneven), 1, count + 2)]
+    assert float(found[2]) == pytest.approx(min(losses[: count + 1]) / min(alone), rel=0.05)
+
+
+def test_a_run_is_interrupted_within_its_first_lens(make_scene, uneven):
+    asked = 0
+
+    def fourth():
+        nonlocal asked
+        asked += 1
+        return asked == 4
+
+    history = History()
+    with interrupted_when(fourth):
+        shown = list(history.follow(run(make_scene(FREEFORM), uneven)))
+    assert [each.iteration for each in shown] == [0]
+    assert asked == 4
+    assert history.result().ended == "stopped"
 
 
 def test_the_log_compares_the_first_lens_with_that_of_one_face(make_scene, uneven):

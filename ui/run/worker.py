@@ -16,6 +16,7 @@ from ui.run.mailbox import Mailbox
 from ui.shown.frame import Array, Frame, make_frame
 from ui.threads.background import Task
 from ui.threads.cores import leave_core_for_window
+from workbench.design.interruption import interrupted_when
 from workbench.design.snapshot import History, Result, Snapshot
 from workbench.geometry.faces import ControlHeights, Locks
 
@@ -118,13 +119,14 @@ def _run(job: Job, task: Task) -> None:
         task.report("waits")
     snapshots = job.history.follow(_snapshots(job))
     try:
-        for snapshot in snapshots:
-            unseen = snapshot
-            if gate.held or job.mailbox.empty:
-                _post(job, snapshot)
-                unseen = None
-            if not gate.passes():
-                break
+        with interrupted_when(lambda: gate.stopped):
+            for snapshot in snapshots:
+                unseen = snapshot
+                if gate.held or job.mailbox.empty:
+                    _post(job, snapshot)
+                    unseen = None
+                if not gate.passes():
+                    break
     finally:
         snapshots.close()
         if unseen is not None:

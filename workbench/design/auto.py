@@ -25,6 +25,7 @@ from workbench.design.lbfgs import Evaluation, minimise
 from workbench.design.levels import FINE, Level, images_of, levels_of
 from workbench.design.loss import check_gradient
 from workbench.design.room import Room
+from workbench.design.second_face import with_gain
 from workbench.design.several_images import AnyImage
 from workbench.design.smoothness import Smoothness
 from workbench.design.step import Step
@@ -109,6 +110,8 @@ def auto_steps(room: Room) -> Generator[Step, None, str]:
     )
     if goes_on:
         next(steps)  # has been shown
+    elif len(room.limits) > 1 and not locked:
+        steps = with_gain(steps, scene, target, auto_steps)
     return (yield from steps)
 
 

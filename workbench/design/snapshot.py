@@ -7,6 +7,7 @@ from typing import Any, Self
 import numpy as np
 import numpy.typing as npt
 
+from workbench.design.interruption import Interrupted
 from workbench.design.lens_state import LensState
 
 Array = npt.NDArray[np.float64]
@@ -116,7 +117,7 @@ class History:
         """Take in the snapshots of a run as they pass, and at last why there are no more.
 
         That is what the run returns, and whether it was in vain; "stopped" if this generator is
-        closed before, or "failed: …" with the exception, which goes on to the caller.
+        closed or interrupted before; "failed: …" with the exception, which goes on to the caller.
         """
         try:
             while True:
@@ -127,6 +128,8 @@ class History:
             self._ended = end.value
             if self._losses and self._best is not None and self._best.iteration == 0:
                 self._ended += "; no iteration made the lens better"
+        except Interrupted:
+            self._ended = "stopped"
         except (GeneratorExit, KeyboardInterrupt):
             self._ended = "stopped"
             raise

@@ -9,6 +9,7 @@ import pytest
 from ui.run import worker as worker_module
 from ui.run.worker import Job
 from ui.threads.background import Task
+from workbench.design.interruption import check_interruption
 from workbench.errors import Refused, RunFailed
 from workbench.geometry.faces import FaceArrays
 
@@ -210,3 +211,16 @@ def test_locked_control_points_are_those_of_the_lens_that_is_there(designed, sna
     result, _ = work(Job(dataclasses.replace(designed, locked=locked)), run)
     assert seen[-1][0] is heights and seen[-1][1] is locked
     assert result.iterations == 0
+
+
+def test_stopping_ends_a_job_within_a_step(session, as_run, work):
+    job = Job(session)
+
+    def long_step(*task):
+        yield next(as_run(1)(*task))
+        job.gate.stop()
+        check_interruption()
+        pytest.fail("the step went on")
+
+    result, error = work(job, long_step)
+    assert result.ended == "stopped" and error is None

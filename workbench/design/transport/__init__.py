@@ -1,6 +1,17 @@
 """A first lens by optimal transport: where the light should go, and faces for that."""
 
-from workbench.design.transport.first import First, first_of, first_of_several
+from workbench.design.transport.first import (
+    First,
+    behind_flat_entrance,
+    first_of,
+    first_of_several,
+)
 from workbench.design.transport.start import transport_start
 
-__all__ = ["First", "first_of", "first_of_several", "transport_start"]
+__all__ = [
+    "First",
+    "behind_flat_entrance",
+    "first_of",
+    "first_of_several",
+    "transport_start",
+]

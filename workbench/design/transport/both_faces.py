@@ -12,6 +12,7 @@ from typing import Protocol
 import numpy as np
 import numpy.typing as npt
 
+from workbench.design.interruption import check_interruption
 from workbench.design.limits import HeightLimits, bounded
 from workbench.design.transport.back_and_forth import MOST_ROUNDS, Transport
 from workbench.design.transport.face import SlopeFit
@@ -114,6 +115,7 @@ class BothFaces:
                         transport.improve(traced.flux, rounds)
             goal = goal_of(transports)
             for fit in range(fits):
+                check_interruption()
                 if fit:
                     traced = self._light.through(heights)
                 entrance = self._entrance(traced, goal, part)

@@ -117,13 +117,20 @@ def first_of_several(
     return First(dict(found[best]), (f"first lens: {said}; it begins with {best}",))
 
 
-def _flat_start(scene: Scene, target: Array) -> dict[str, Array] | None:
-    """A first lens with a flat entrance face, where it has room to become another."""
+def behind_flat_entrance(scene: Scene) -> Scene:
+    """The task for the exit face alone, with as much room as beside a freeform entrance face."""
     limits = HeightLimits.of_faces(bounded(scene))["entrance"]
     z = float(limits.lower.min() + limits.upper.max()) / 2
-    # The exit face has as much room as beside another entrance face.
     clear = scene.optic.floor - z
     flat = {"entrance": FlatEntrance(), "entrance_z": z, "min_thickness": clear}
-    lens = scene.optic.model_copy(update=flat)
-    heights = transport_start(scene.with_optic(lens), target)
-    return None if heights is None else {"entrance": np.full_like(limits.lower, z), "exit": heights}
+    return scene.with_optic(scene.optic.model_copy(update=flat))
+
+
+def _flat_start(scene: Scene, target: Array) -> dict[str, Array] | None:
+    """A first lens with a flat entrance face, where it has room to become another."""
+    flat = behind_flat_entrance(scene)
+    heights = transport_start(flat, target)
+    if heights is None:
+        return None
+    net = freeform_nets(scene.optic)["entrance"]
+    return {"entrance": np.full(net.shape, flat.optic.front_z), "exit": heights}
