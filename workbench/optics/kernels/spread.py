@@ -141,7 +141,7 @@ def workspace(spread, like):  # type: ignore[no-untyped-def]
     return Workspace(np.empty((8 + taps) * BATCH, like.dtype), np.empty(BATCH, np.uintp))
 
 
-@jit(fastmath=FAST, error_model="numpy")
+@jit(allocates=False, fastmath=FAST, error_model="numpy")
 def scatter(spread, column, row, weight, count, work, canvas):  # type: ignore[no-untyped-def]
     """Add the light of a batch of rays to a canvas.
 
@@ -197,7 +197,7 @@ def scatter(spread, column, row, weight, count, work, canvas):  # type: ignore[n
     return _landing(spread, column, row, weight, rays)
 
 
-@jit(fastmath=FAST, error_model="numpy")
+@jit(allocates=False, fastmath=FAST, error_model="numpy")
 def gather(  # type: ignore[no-untyped-def]
     spread, column, row, weight, count, work, cotangent, d_column, d_row, d_weight
 ):
@@ -272,12 +272,12 @@ def gather(  # type: ignore[no-untyped-def]
         d_weight[ray] *= numbers[_KEPT + ray]
 
 
-@jit(error_model="numpy", forceinline=True)
+@jit(allocates=False, error_model="numpy", forceinline=True)
 def _size(taps):  # type: ignore[no-untyped-def]
     return np.uintp(2 * taps.reach + 1)
 
 
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def _landing(spread, column, row, weight, count):  # type: ignore[no-untyped-def]
     """Flux of rays on the screen, and beside it."""
     kind = weight.dtype.type
@@ -295,7 +295,7 @@ def _landing(spread, column, row, weight, count):  # type: ignore[no-untyped-def
     return np.float64(on_screen), np.float64(beside)
 
 
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def _prepare(spread, column, row, weight, count, slopes, numbers, start):  # type: ignore[no-untyped-def]
     """Everything that scatter and gather have in common, from cells to taps."""
     kind = weight.dtype.type
@@ -322,7 +322,7 @@ def _prepare(spread, column, row, weight, count, slopes, numbers, start):  # typ
     fill_taps(spread.taps_y, numbers, _STEP, _OFFSET_Y, count, slopes, _STATE, tap, slope)
 
 
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def _cells(place, count, low, high, step, first, start, numbers, offset):  # type: ignore[no-untyped-def]
     """Pixels of rays along one axis, and how far from the pixels' centres they are."""
     kind = place.dtype.type

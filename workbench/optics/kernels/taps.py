@@ -106,10 +106,10 @@ def _even_functions(o: npt.NDArray[np.float64], alpha: float, reach: int) -> Any
 
 
 # Arrays that are made or handed on inside a kernel cost some 10 ns each, for the count of their
-# references. So the numbers of a batch lie in one array, and functions are told where.
+# references. So the numbers of a batch lie in one array, and functions take offsets in it.
 
 
-@jit(fastmath=FAST, error_model="numpy")
+@jit(allocates=False, fastmath=FAST, error_model="numpy")
 def fill_taps(taps, numbers, batch, offset, count, slopes, state, value, slope):  # type: ignore[no-untyped-def]
     """Taps of rays, and their slopes too if these are wanted.
 
@@ -177,7 +177,7 @@ def fill_taps(taps, numbers, batch, offset, count, slopes, state, value, slope):
                     numbers[middle_slope + ray] -= odd + odd
 
 
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def _pair_short(series, k, numbers, offset, count, middle, away):  # type: ignore[no-untyped-def]
     kind = numbers.dtype.type
     e0, e1, e2, e3, e4, e5 = _six(series, k, 0)
@@ -194,7 +194,7 @@ def _pair_short(series, k, numbers, offset, count, middle, away):  # type: ignor
         numbers[middle + ray] -= one + other
 
 
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def _slopes_short(series, k, numbers, offset, count, middle, away):  # type: ignore[no-untyped-def]
     kind = numbers.dtype.type
     g0, g1, g2, g3, g4, g5 = _six(series, k, 2)
@@ -221,7 +221,7 @@ def _six(series, k, which):  # type: ignore[no-untyped-def]
     )
 
 
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def _short(x2, c0, c1, c2, c3, c4, c5):  # type: ignore[no-untyped-def]
     """Sum of six Chebyshev polynomials by Clenshaw's recurrence; x2 is 2 x."""
     b4 = c4 + x2 * c5
@@ -231,7 +231,7 @@ def _short(x2, c0, c1, c2, c3, c4, c5):  # type: ignore[no-untyped-def]
     return c0 + (x2 * b1) * type(x2)(0.5) - b2
 
 
-@jit(fastmath=FAST, error_model="numpy")
+@jit(allocates=False, fastmath=FAST, error_model="numpy")
 def _sum_long(series, k, which, numbers, batch, offset, count, state, total):  # type: ignore[no-untyped-def]
     """Sum of an even number of Chebyshev polynomials, two terms a pass."""
     kind = numbers.dtype.type
