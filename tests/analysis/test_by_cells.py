@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from tests.analysis.lenses import net_of
-from workbench.analysis import validation
+from workbench.analysis import by_cells
 from workbench.analysis.cells import image
 from workbench.analysis.cells.image import imaging
 from workbench.analysis.metrics import paper_loss, relative_l2
@@ -86,7 +86,7 @@ def test_the_second_opinion_finds_an_image_that_is_off(lens, target, monkeypatch
         irradiance = 0.9 * found.irradiance + 0.1 * np.roll(found.irradiance, 1, axis=1)
         return replace(found, irradiance=irradiance)
 
-    monkeypatch.setattr(validation, "imaging", moved)
+    monkeypatch.setattr(by_cells, "imaging", moved)
     scene, heights = lens({"kind": "collimated"})
     off = validate(scene, target, heights, 1_000_000, accuracy=2e-3).by_cells
     assert off.unscattered.interval[0] > 0.01

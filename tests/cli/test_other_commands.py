@@ -74,6 +74,7 @@ class TestValidate:
             "efficiency",
             "error_bound",
             "error_bound_wanted",
+            "independent_rays",
             "loss",
             "noise",
             "optimiser_difference",

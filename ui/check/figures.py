@@ -34,6 +34,9 @@ _TIPS = {
     "what the optic itself is off.",
     "it is surely": "Where that error lies, by a bound from two sizes of cells.",
     "cells": "Cells of the entrance face whose light is spread over what they cover there.",
+    "error by independent images": "Cells would have to be finer than time allows: the error, and "
+    "where it lies with 95 % confidence, are from pairs of images by random rays: their scatter "
+    "has no mean.",
     "random rays are off by": "Relative L2 difference of the two images: the second opinion. About "
     "once the noise of the rays is what chance alone makes.",
     "relative L2 error": "‖I − T‖ / ‖T‖ of image and target, each divided by its sum. The scatter "

@@ -1,16 +1,20 @@
 """What the image by cells says of a lens, and how far random rays are from it."""
 
-from collections.abc import Sequence
+from collections.abc import Generator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
-from workbench.analysis.cells.image import CellImage
+from workbench.analysis.cells.image import CellImage, imaging
+from workbench.analysis.independent import Independent, tracing_independently
 from workbench.analysis.metrics import paper_loss, relative_l2, root
 from workbench.analysis.scatter import Unscattered
-from workbench.scene import AnyReceiver
+from workbench.analysis.tracing.pose import Pose
+from workbench.analysis.tracing.sources.cells import BATCHES
+from workbench.analysis.watch import within
+from workbench.scene import AnyReceiver, Scene
 
 Array = npt.NDArray[np.float64]
 
@@ -24,7 +28,7 @@ class ByCells:
     relative_l2_corrected : float
         ‖I − T‖ / ‖T‖ of image and target, each divided by its sum. No rays scatter here.
     relative_l2_corrected_interval : tuple[float, float]
-        Where it lies, by the bound of the image's error.
+        Where it lies: by the bound of the image's error, or that of independent images.
     loss : float
         Paper's loss (section 2.4).
     efficiency : float
@@ -32,7 +36,7 @@ class ByCells:
     bound : float
         Bound of the error of the image, over its norm; see `imaging`.
     wanted : float
-        What this was to be at most.
+        What this, or how far the error is off, was to be at most.
     cells : tuple[int, int]
         Cells along x and y.
     difference : float
@@ -43,6 +47,8 @@ class ByCells:
         The same difference without their scatter.
     irradiance : ndarray, shape (n_y, n_x)
         Flux per area on the screen, row 0 at +y.
+    independent : Independent, optional
+        Where the error is from independent images of random rays, as these are more exact.
     """
 
     relative_l2_corrected: float
@@ -56,6 +62,7 @@ class ByCells:
     noise: float
     unscattered: Unscattered
     irradiance: Array
+    independent: Independent | None = None
 
     @classmethod
     def of(
@@ -64,7 +71,8 @@ class ByCells:
         target: Array,
         receiver: AnyReceiver,
         of_rays: Array,
-        products: Sequence[float],
+        unscattered: Unscattered,
+        independent: Independent | None = None,
     ) -> "ByCells":
         """Compare an image with the target and with one of random rays.
 
@@ -76,24 +84,30 @@ class ByCells:
             The target and the image of random rays, in any scale.
         receiver : AnyReceiver
             What the images are on.
-        products : sequence of float
-            Those of differences to the image by cells, for `Unscattered`.
+        unscattered : Unscattered
+            Distance of these two without the scatter of the rays.
+        independent : Independent, optional
+            What has the error, in place of the image by cells.
         """
         irradiance = image.irradiance
-        error, bound = image.error(target)
+        by_cells, off = image.error(target)
+        error, interval = by_cells, (max(by_cells - off, 0.0), by_cells + off)
+        if independent is not None:
+            error, interval, _ = independent.unscattered
         difference = relative_l2(of_rays, irradiance)
         return cls(
             relative_l2_corrected=error,
-            relative_l2_corrected_interval=(max(error - bound, 0.0), error + bound),
-            loss=paper_loss(irradiance, target),
+            relative_l2_corrected_interval=interval,
+            loss=paper_loss(irradiance, target) * (error / by_cells if by_cells else 1.0),
             efficiency=receiver.total(irradiance),
             bound=image.bound,
             wanted=image.wanted,
             cells=image.cells,
             difference=difference,
-            noise=root(difference**2 - float(np.mean(products))),
-            unscattered=Unscattered.of(products),
+            noise=root(difference**2 - unscattered.square),
+            unscattered=unscattered,
             irradiance=irradiance,
+            independent=independent,
         )
 
     @property
@@ -102,13 +116,23 @@ class ByCells:
         return self.difference / self.noise if self.noise > 0 else None
 
     @property
+    def way(self) -> str:
+        """How the error was found."""
+        if self.independent is None:
+            return f"{self.cells[0]} x {self.cells[1]} cells, without random rays"
+        return f"{BATCHES} independent images of {self.independent.rays:,} random rays together"
+
+    @property
     def less_exact(self) -> str | None:
-        """That the image is less exact than was asked for, and why; None where it is not."""
-        if self.bound <= self.wanted:
+        """That the error is less exact than was asked for, and why; None where it is not."""
+        off, more = self.bound, "finer cells"
+        if self.independent is not None:
+            off, more = self.independent.unscattered.off, "more rays"
+        if off <= self.wanted:
             return None
         return (
-            f"off by up to {100 * self.bound:.2g} %, not {100 * self.wanted:.2g} %: "
-            "finer cells would take too many rays"
+            f"off by up to {100 * off:.2g} %, not {100 * self.wanted:.2g} %: "
+            f"{more} would take too long"
         )
 
     def to_data(self) -> dict[str, Any]:
@@ -121,9 +145,45 @@ class ByCells:
             "error_bound": self.bound,
             "error_bound_wanted": self.wanted,
             "cells": list(self.cells),
+            "independent_rays": self.independent and self.independent.rays,
             "difference": self.difference,
             "noise": self.noise,
             "difference_over_noise": self.difference_over_noise,
             "difference_corrected": self.unscattered.distance,
             "difference_corrected_interval": list(self.unscattered.interval),
         }
+
+
+def without_scatter(
+    scene: Scene,
+    heights: Mapping[str, Array],
+    target: Array,
+    accuracy: float,
+    pose: Pose | None,
+    threads: int | None,
+) -> Generator[float, None, tuple[CellImage | None, Independent | None]]:
+    """Find the image by cells, and independent ones where these tell its error more exactly.
+
+    Parameters
+    ----------
+    scene, heights, accuracy, pose, threads
+        As for `imaging`.
+    target : ndarray, shape (n_y, n_x)
+        The target image in any scale.
+
+    Yields
+    ------
+    float
+        The part that is done, up to 1.
+
+    Returns
+    -------
+    tuple of (CellImage or None, Independent or None)
+    """
+    steps = imaging(scene, heights, accuracy, pose, threads)
+    image = yield from within(steps, lambda part: part / 2)
+    if image is None or (off := image.error(target)[1]) <= accuracy or not image.sized:
+        return image, None
+    rays = tracing_independently(scene, heights, target, accuracy, pose, threads)
+    independent = yield from within(rays, lambda part: 0.5 + part / 2)
+    return image, independent if independent.unscattered.off < off else None

@@ -5,9 +5,12 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
+import numpy.typing as npt
 
 from workbench.analysis.metrics import root
 from workbench.analysis.tracing.sources.cells import BATCHES
+
+Array = npt.NDArray[np.float64]
 
 FEWER = 4
 """The second image has so many times fewer rays."""
@@ -27,10 +30,13 @@ class Unscattered(NamedTuple):
         counts as 0.
     interval : tuple[float, float]
         Where it lies: at least 95 % confidence.
+    square : float
+        Its square; scatter may make it negative.
     """
 
     distance: float
     interval: tuple[float, float]
+    square: float
 
     @classmethod
     def of(cls, products: Sequence[float]) -> "Unscattered":
@@ -39,4 +45,42 @@ class Unscattered(NamedTuple):
         # The scatter of the second image shows in the products. That of the first, which has more
         # rays, adds less to the variance than its part of the rays says.
         spread = STUDENT_T * float(np.std(products, ddof=1)) * math.sqrt((1 + 1 / FEWER) / BATCHES)
-        return cls(root(square), (root(square - spread), root(square + spread)))
+        return cls._of(square, spread)
+
+    @classmethod
+    def of_pairs(
+        cls, images: Sequence[npt.NDArray[np.floating]], reference: Array
+    ) -> "Unscattered":
+        """From images of other rays each, as many: all pairs of two scatter independently.
+
+        The mean of ⟨I_r − T, I_s − T⟩ over all pairs has no scatter in it. How it varies where one
+        of the images is left out tells how far it is off: the jackknife (Arvesen 1969).
+
+        Parameters
+        ----------
+        images : sequence of ndarray, shape (n_y, n_x)
+            `BATCHES` images by independent rays, in any scale.
+        reference : ndarray, shape (n_y, n_x)
+            What they are compared with, in any scale.
+        """
+        count, wanted = len(images), reference / reference.sum()
+        apart = np.array(
+            [(image / image.sum(dtype=np.float64) - wanted).ravel() for image in images]
+        )
+        products = apart @ apart.T / float(np.square(wanted).sum())
+        np.fill_diagonal(products, 0.0)
+        square = float(products.sum()) / (count * (count - 1))
+        without = (products.sum() - 2 * products.sum(axis=1)) / ((count - 1) * (count - 2))
+        variance = (count - 1) / count * float(np.square(without - square).sum())
+        spread = STUDENT_T * math.sqrt(variance)
+        return cls._of(square, spread)
+
+    @classmethod
+    def _of(cls, square: float, spread: float) -> "Unscattered":
+        return cls(root(square), (root(square - spread), root(square + spread)), square)
+
+    @property
+    def off(self) -> float:
+        """How far the distance may be off."""
+        low, high = self.interval
+        return max(self.distance - low, high - self.distance)

@@ -16,8 +16,8 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from workbench.analysis.by_cells import ByCells
-from workbench.analysis.cells.image import imaging
+from workbench.analysis.by_cells import ByCells, without_scatter
+from workbench.analysis.independent import Independent
 from workbench.analysis.metrics import Quality, paper_loss, product, relative_l2
 from workbench.analysis.scatter import FEWER, STUDENT_T, Unscattered
 from workbench.analysis.shading import Shading, shading_of
@@ -33,6 +33,7 @@ from workbench.scene import Scene
 
 Array = npt.NDArray[np.float64]
 Interval = tuple[float, float]
+Images = list[npt.NDArray[np.float32]]
 
 # Part of the work that the image by cells is taken to be.
 _CELLS = 0.2
@@ -286,16 +287,14 @@ def _of_one(
     if target.max() > _HUGE:
         target = target / target.max()
 
-    trace = Trace(scene, heights, rays, seed, pose)
-    second = Trace(scene, heights, -(-rays // FEWER), _another(seed), pose)
-    image = None
-    traced_from = 0.0
+    image, independent, traced_from = None, None, 0.0
     if accuracy is not None:
-        steps = imaging(scene, heights, accuracy, pose, threads)
-        image = yield from within(steps, lambda part: _CELLS * part)
+        steps = without_scatter(scene, heights, target, accuracy, pose, threads)
+        image, independent = yield from within(steps, lambda part: _CELLS * part)
         traced_from = _CELLS
-    middle = traced_from + (1 - traced_from) * trace.rays / (trace.rays + second.rays)
-    total, distances = yield from within(
+    trace = Trace(scene, heights, rays, seed, pose)
+    middle = traced_from + (1 - traced_from) * FEWER / (FEWER + 1)
+    total, distances, batches = yield from within(
         _traced(trace, target, threads), lambda part: traced_from + (middle - traced_from) * part
     )
     account = _account(total)
@@ -304,17 +303,24 @@ def _of_one(
     irradiance = total.flux.reshape(target.shape)
     irradiance /= total.emitted * scene.receiver.pixel_measure
     references = [target] if image is None else [target, image.irradiance]
-    products = yield from within(
-        _products(second, irradiance, references, threads),
-        lambda part: middle + (1 - middle) * part,
-    )
+    if trace.sampled:
+        unscattered = [Unscattered.of_pairs(batches, reference) for reference in references]
+        independent = Independent(unscattered[0], trace.rays)
+    else:
+        second = Trace(scene, heights, -(-rays // FEWER), _another(seed), pose)
+        products = yield from within(
+            _products(second, irradiance, references, threads),
+            lambda part: middle + (1 - middle) * part,
+        )
+        unscattered = [Unscattered.of(each) for each in products]
 
     error = relative_l2(irradiance, target)
     noise = float(np.std(distances, ddof=1)) / math.sqrt(BATCHES)
-    corrected = Unscattered.of(products[0])
-    by_cells = None
+    corrected, by_cells = unscattered[0], None
     if image is not None:
-        by_cells = ByCells.of(image, target, scene.receiver, irradiance, products[1])
+        by_cells = ByCells.of(
+            image, target, scene.receiver, irradiance, unscattered[1], independent
+        )
     return Validation(
         loss=paper_loss(irradiance, target),
         relative_l2=error,
@@ -334,18 +340,23 @@ def _of_one(
 
 def _traced(
     trace: Trace, target: Array, threads: int | None
-) -> Generator[float, None, tuple[Tally, list[float]]]:
-    """All light of a trace, and the distances of its batches' images to the target."""
-    distances = []
+) -> Generator[float, None, tuple[Tally, list[float], Images]]:
+    """All light of a trace, and the distances of its batches' images to the target.
+
+    Where the batches are independent, their images too.
+    """
+    distances, images = [], []
     total: Tally | None = None
     for batch in trace.batches(threads):
         if batch is not None:
             distances.append(relative_l2(batch.flux.reshape(target.shape), target))
+            if trace.sampled:
+                images.append(batch.flux.reshape(target.shape).astype(np.float32))
         total = added(total, batch)
         del batch  # large images must not wait for the next ones
         yield trace.part
     assert total is not None
-    return total, distances
+    return total, distances, images
 
 
 def _products(

@@ -135,16 +135,14 @@ def _print_image(found: Validation, own: Array | None, place: str) -> None:
 
 
 def _print_cells(found: ByCells, own: Array | None, place: str) -> None:
-    columns, rows = found.cells
     low, high = found.relative_l2_corrected_interval
     difference = None if own is None else relative_l2(found.irradiance, own)
-    by = f"{columns} x {rows} cells, without random rays"
     for name, value in (
         (
             "verified error",
             f"{found.relative_l2_corrected:.5f}  (relative L2, {low:.5f} to {high:.5f})",
         ),
-        ("by", "; ".join(filter(None, (by, found.less_exact)))),
+        ("by", "; ".join(filter(None, (found.way, found.less_exact)))),
         ("loss", f"{found.loss:.4g}"),
         ("optimiser's image", _or_dash(difference, ".5f", "  (relative L2 difference to it)")),
         (place, f"{found.efficiency:.5f}"),

@@ -3,6 +3,7 @@
 import math
 
 from workbench.analysis.by_cells import ByCells
+from workbench.analysis.independent import Independent
 from workbench.analysis.manufacture import Extreme, FaceFigures, Manufacture
 from workbench.analysis.manufacture_limits import Limits, verdicts
 from workbench.analysis.shading import Shading
@@ -53,8 +54,16 @@ def _cell_rows(found: ByCells | None) -> tuple[Row, ...]:
         Row("verified error", percent(found.relative_l2_corrected)),
         Row("it is surely", _interval(found.relative_l2_corrected_interval)),
         Row("cells", "; ".join(filter(None, (f"{columns} × {rows}", found.less_exact)))),
+        *_independent_rows(found.independent),
         Row("random rays are off by", f"{percent(found.difference)}, {times}"),
     )
+
+
+def _independent_rows(found: Independent | None) -> tuple[Row, ...]:
+    """What has the error where cells do not tell it as exactly."""
+    if found is None:
+        return ()
+    return (Row("error by independent images", f"{found.rays:,} rays, 95 % confidence"),)
 
 
 def bound_rows(found: Bound) -> tuple[Row, ...]:

@@ -47,12 +47,15 @@ class CellImage:
     wanted : float
         The accuracy that was asked for. Where the bound is above it, finer cells would have taken
         too many rays.
+    sized : bool
+        Whether its origins stand for a source of some size, so that finer cells need more of them.
     """
 
     irradiance: Array
     bound: float
     cells: tuple[int, int]
     wanted: float
+    sized: bool = False
 
     def error(self, target: Array) -> tuple[float, float]:
         """Relative L2 distance to a target in any scale, and the bound of its own error."""
@@ -123,12 +126,17 @@ def imaging(
         images = [*images[-2:], image]
         if level >= 2:
             bound = _bound(*images)
-            if bound <= accuracy or 4 * _more(train.source, level, wide) * drawing.rays > _MOST:
+            more = 1.0 if wide else _more(train.source, level)
+            # Where origins double too, a level that is not the last one takes longer than random
+            # rays that are as exact.
+            hopeless = more > 1 and bound > _FASTEST * accuracy
+            if bound <= accuracy or hopeless or 4 * more * drawing.rays > _MOST:
                 break
         cells, level = (2 * cells[0], 2 * cells[1]), level + 1
     if not image.any():
         raise RunFailed("no light of this lens reaches the screen, so there is no image to judge")
-    return CellImage(image / scene.receiver.pixel_measure, bound, cells, accuracy)
+    irradiance = image / scene.receiver.pixel_measure
+    return CellImage(irradiance, bound, cells, accuracy, _more(train.source, 0) > 1)
 
 
 def _done(level: int, part: float) -> float:
@@ -145,9 +153,9 @@ def _drawing(
     return Lattice(scene, train.lit_by(train.source.finer(level)), cells)
 
 
-def _more(light: LightSource, level: int, wide: bool) -> float:
-    """How many times as many rays each cell has at the next level."""
-    return 1.0 if wide else light.finer(level + 1).origins / light.finer(level).origins
+def _more(light: LightSource, level: int) -> float:
+    """How many times as many origins there are at the next level."""
+    return light.finer(level + 1).origins / light.finer(level).origins
 
 
 def _first(scene: Scene, each: float) -> tuple[int, int]:

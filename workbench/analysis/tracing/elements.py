@@ -124,7 +124,16 @@ class FaceLight(Protocol):
 
 
 class LightSource(RandomSource, FaceLight, Protocol):
-    """What each kind of source is for the check."""
+    """What each kind of source is for the check.
+
+    Attributes
+    ----------
+    sampled : bool
+        Whether some rays are all that is known of it. Its batches are then independent samples,
+        and its origins only stand for it.
+    """
+
+    sampled: bool
 
     def finer(self, level: int) -> "LightSource":
         """The same light with origins for another level of cells.

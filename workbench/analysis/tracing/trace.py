@@ -45,6 +45,8 @@ class Trace:
     ----------
     rays : int
         Rays traced.
+    sampled : bool
+        Whether batches are independent samples of the light; see `LightSource`.
 
     Raises
     ------
@@ -68,7 +70,7 @@ class Trace:
         receivers = tuple(at)
         check_body(scene, heights, receivers or (scene.receiver,))
         self._train = OpticalTrain.of(scene, heights, rays, seed, pose, receivers)
-        self.rays = self._train.source.rays
+        self.rays, self.sampled = self._train.source.rays, self._train.source.sampled
         self._traced = [0] * BATCHES  # rays of each batch up to now
 
     @property

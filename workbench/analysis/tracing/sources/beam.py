@@ -32,6 +32,8 @@ class BeamLight:
     the places of the directions of `through` on the disc; see `LightSource.on_disc`.
     """
 
+    sampled = False
+
     def __init__(
         self,
         source: CollimatedSource,

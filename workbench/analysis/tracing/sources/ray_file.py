@@ -25,7 +25,7 @@ class RayFileLight(Unspread):
     `light_source`.
     """
 
-    beside = 0.0
+    beside, sampled = 0.0, True
 
     def __init__(
         self, source: RayFileSource, optic: Optic, pose: Pose, rays: int, seed: int

@@ -8,6 +8,8 @@ from workbench.analysis.tracing.elements import Array, LightSource
 class Unspread:
     """What sources have in common that no disc of directions is; see `LightSource`."""
 
+    sampled = False
+
     def finer(self, level: int) -> Self:
         """The same: see `LightSource`."""
         return self

@@ -1,0 +1,117 @@
+"""The error of a lens from pairs of independent images."""
+
+import numpy as np
+import pytest
+
+from tests.analysis.lenses import net_of
+from tests.lamps import PLATE, led
+from workbench.analysis import independent
+from workbench.analysis.cells import image
+from workbench.analysis.cells.lattice import Lattice
+from workbench.analysis.independent import tracing_independently
+from workbench.analysis.metrics import relative_l2
+from workbench.analysis.scatter import Unscattered
+from workbench.analysis.tracing.pose import Pose
+from workbench.analysis.tracing.train import OpticalTrain
+from workbench.analysis.validation import validate
+from workbench.analysis.watch import finished
+
+LED = {"kind": "area", "center": [0.1, 0, -0.5], "half_width": [0.1, 0.1]}
+
+
+@pytest.fixture
+def lens(make_scene):
+    settings = {"screen.half_width": [3.0, 3.0], "screen.pixels": [24, 24]}
+    scene = make_scene({"source": LED, "lens.control_points": [50, 50]} | settings)
+    waves = net_of(scene, lambda x, y: 0.01 * np.sin(25 * x + y) * np.cos(22 * y))
+    heights = waves + net_of(scene, lambda x, y: 0.5 - 0.1 * x**2 - 0.05 * y**2)
+    return scene, {"exit": heights}
+
+
+@pytest.fixture
+def target():
+    return np.ones((24, 24)) + np.eye(24)
+
+
+def test_pairs_find_the_distance_and_its_interval(rng):
+    """Of images with much more scatter than distance, 40 times anew."""
+    wanted = 1 + rng.random((20, 20))
+    true = wanted * (1 + 0.02 * np.sign(rng.normal(size=(20, 20))))
+    exact = relative_l2(true, wanted)
+    inside, found = 0, []
+    for _ in range(40):
+        images = true + 0.1 * rng.normal(size=(16, 20, 20))
+        pairs = Unscattered.of_pairs(images, wanted)
+        low, high = pairs.interval
+        inside += low <= exact <= high
+        found.append(pairs.square)
+        assert relative_l2(images.mean(axis=0), wanted) > exact
+    assert inside >= 34
+    error = np.std(found, ddof=1) / np.sqrt(40)
+    assert np.mean(found) == pytest.approx(exact**2, abs=3 * error)
+
+
+def test_equal_images_have_their_distance_and_no_doubt(rng):
+    wanted, other = rng.random((2, 6, 5))
+    found = Unscattered.of_pairs([other] * 16, wanted)
+    assert found.distance == pytest.approx(relative_l2(other, wanted))
+    assert found.off == pytest.approx(0, abs=1e-9)
+
+
+def test_more_rays_are_followed_until_the_error_is_exact(lens, target, monkeypatch):
+    monkeypatch.setattr(independent, "_BEGIN", 1 << 15)
+    few, more = (finished(tracing_independently(*lens, target, off)) for off in (1.0, 5e-3))
+    assert few.rays < 1.15 * 2**15 < more.rays
+    assert more.unscattered.off <= 5e-3 < few.unscattered.off
+    monkeypatch.setattr(independent, "_MOST", 1 << 16)
+    least = finished(tracing_independently(*lens, target, 1e-9))
+    assert 2**16 <= least.rays < 1.15 * 2**16
+    assert least.unscattered.off > 1e-9
+
+
+def test_it_has_the_error_of_an_emitter_close_by_where_cells_do_not(lens, target, monkeypatch):
+    train = OpticalTrain.of(lens[0], lens[1], 1, 0, Pose(), [lens[0].receiver])
+    fine = Lattice(lens[0], train.lit_by(train.source.finer(2)), (70, 70))
+    error = relative_l2(finished(fine.tracing()), target)
+    monkeypatch.setattr(image, "_BEGIN", 1 << 19)
+    monkeypatch.setattr(independent, "_BEGIN", 1 << 19)
+    found = validate(lens[0], target, lens[1], 100_000, accuracy=2e-3)
+    cells = found.by_cells
+    assert cells.bound > 4 * 2e-3
+    low, high = cells.relative_l2_corrected_interval
+    assert low - 1e-3 < error < high + 1e-3  # 256 origins are off by a little, too
+    assert (high - low) / 2 <= 2e-3
+    assert cells.relative_l2_corrected == cells.independent.unscattered.distance
+    assert cells.less_exact is None
+    assert cells.way.startswith("16 independent images of ")
+    assert cells.to_data()["independent_rays"] == cells.independent.rays
+
+
+def test_a_source_without_size_has_cells_alone(make_scene, target):
+    point = {"kind": "point", "position": [0, 0, -4.0]}
+    scene = make_scene({"source": point, "screen.pixels": [24, 24]})
+    plate = {"exit": np.full(scene.lens.net_shape, 0.5)}
+    found = validate(scene, target, plate, 10_000, accuracy=1e-3)
+    assert found.by_cells.independent is None
+    assert found.by_cells.way.endswith("cells, without random rays")
+
+
+def test_rays_of_a_file_tell_how_far_they_may_be_from_their_lamp(make_scene, tmp_path):
+    """Two checks by all rays of one file follow the same rays: they would find no scatter."""
+    found = []
+    for name, count in (("few", 60_000), ("many", 1_200_000)):
+        (tmp_path / name).mkdir()
+        scene = make_scene(PLATE | {"source": led(tmp_path / name, count)})
+        plate = {"exit": np.full(scene.lens.net_shape, 0.5)}
+        wanted = np.ones((40, 40))
+        found.append(validate(scene, wanted, plate, 4_000_000, accuracy=1e-3))
+    few, many = found
+    assert (few.rays, many.rays) == (60_000, 1_200_000)
+    low, high = few.relative_l2_corrected_interval
+    assert low <= many.relative_l2_corrected <= high
+    assert few.relative_l2 > high
+    assert high - low > 3 * np.subtract(*many.relative_l2_corrected_interval[::-1]) > 0
+    # Cells see the points that stand for the rays; the error is that of the rays themselves.
+    assert few.verified.relative_l2_corrected == few.relative_l2_corrected
+    assert few.verified.independent.rays == 60_000
+    assert few.by_cells.noise > 0

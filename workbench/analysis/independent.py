@@ -1,0 +1,103 @@
+"""The error of a lens from independent images of random rays: without cells that are too large.
+
+Cells of a source of some size have to be fine, and lit from many origins, until nothing of them is
+left in the error. Images of random rays have nothing but scatter, which pairs of them do without;
+see `Unscattered.of_pairs`.
+"""
+
+import math
+from collections.abc import Generator, Mapping
+from functools import partial
+from typing import NamedTuple
+
+import numpy as np
+
+from workbench.analysis.scatter import Unscattered
+from workbench.analysis.tracing.elements import Array
+from workbench.analysis.tracing.pose import Pose
+from workbench.analysis.tracing.sources.cells import BATCHES
+from workbench.analysis.tracing.trace import Trace
+from workbench.analysis.watch import within
+from workbench.scene import Scene
+
+# Rays of all images at first, and at most: some ten seconds on two cores.
+_BEGIN, _MOST = 1 << 22, 1 << 24
+
+
+class Independent(NamedTuple):
+    """What independent images of random rays say of a lens.
+
+    Attributes
+    ----------
+    unscattered : Unscattered
+        Relative L2 distance of the lens's image to a target.
+    rays : int
+        Rays of all images together.
+    """
+
+    unscattered: Unscattered
+    rays: int
+
+
+def tracing_independently(
+    scene: Scene,
+    heights: Mapping[str, Array],
+    target: Array,
+    accuracy: float,
+    pose: Pose | None = None,
+    threads: int | None = None,
+) -> Generator[float, None, Independent]:
+    """Find the error of a lens from independent images; twice as many rays until it is exact.
+
+    Parameters
+    ----------
+    scene, heights, pose, threads
+        As for `imaging`.
+    target : ndarray, shape (n_y, n_x)
+        The target image in any scale.
+    accuracy : float
+        How far the error may be off, unless that takes too many rays.
+
+    Yields
+    ------
+    float
+        The part that is done, up to 1, as far as that can be foreseen.
+
+    Returns
+    -------
+    Independent
+    """
+    images = np.zeros((BATCHES, *target.shape))
+    rays, run, together = 0, 0, _BEGIN
+    while True:
+        more = (together if run == 0 else together // 2) // BATCHES
+        for number in range(BATCHES):
+            trace = Trace(scene, heights, more, _seed(run, number), pose)
+            image = yield from within(_image(trace, threads), partial(_done, run, number))
+            images[number] += image.reshape(target.shape)
+            rays += trace.rays
+        found = Unscattered.of_pairs(list(images), target)
+        run, together = run + 1, 2 * together
+        if found.off <= accuracy or together > _MOST:
+            return Independent(found, rays)
+
+
+def _image(trace: Trace, threads: int | None) -> Generator[float, None, Array]:
+    """Flux in the pixels of all batches of a trace."""
+    flux = np.zeros(1)
+    for batch in trace.batches(threads):
+        if batch is not None:
+            flux = flux + batch.flux[0]
+        yield trace.part
+    return flux
+
+
+def _done(run: int, image: int, part: float) -> float:
+    """The part of the whole that is done with a part of an image."""
+    return 1 - math.pow(0.5, run + (image + part) / BATCHES)
+
+
+def _seed(run: int, image: int) -> int:
+    """A seed for rays that have nothing to do with others."""
+    mixed = np.random.SeedSequence([25, run, image])
+    return int(mixed.generate_state(1, np.uint64)[0])
