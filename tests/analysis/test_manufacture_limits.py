@@ -15,6 +15,7 @@ def lens(**figures):
         "steepest": Extreme(20.0, 21.0, (0.0, 0.0)),
         "tightest_concave": Extreme(0.1, 0.09, (0.0, 0.0)),
         "tightest_convex": Extreme(math.inf, math.inf, (0.0, 0.0)),
+        "tool_radius": Extreme(0.08, 0.07, (0.0, 0.0)),
     }
     return Manufacture(**(plain | figures))
 
@@ -51,6 +52,11 @@ def test_radii_count_for_hollows_and_humps(radius, state):
     assert found == [("concave radius", state), ("convex radius", "met")]
     edge = Extreme(0.0, 0.0, (0.0, 0.0))
     assert states(Limits(min_radius=radius), tightest_convex=edge)[1][1] == "broken"
+
+
+@pytest.mark.parametrize(("radius", "state"), [(0.07, "met"), (0.075, "open"), (0.09, "broken")])
+def test_a_ball_cutter_has_to_fit(radius, state):
+    assert states(Limits(min_tool_radius=radius)) == [("ball cutter", state)]
 
 
 def test_a_figure_on_its_limit_keeps_it(make_scene):

@@ -76,6 +76,14 @@ def test_limits(freeform, bowl, tmp_path):
     assert (status, told) == (0, "")
 
 
+def test_a_ball_cutter_that_does_not_fit(freeform, bowl):
+    radius = json.loads(freeform("manufacture", bowl, "--json")[1])["tool_radius"]["value"]
+    status, printed, told = freeform("manufacture", bowl, "--min-tool-radius", 1.01 * radius)
+    assert status == 1
+    assert "\nball cutter up to " in printed
+    assert told.startswith(f"freeform: ball cutter {radius:.4g} cm, at least ")
+
+
 @pytest.fixture
 def moved(bowl):
     """Moves the exit face of the bowl along z."""

@@ -36,6 +36,10 @@ def tightest(scene, heights):
     return min(found.tightest_concave.value, found.tightest_convex.value)
 
 
+def cutter(scene, snapshot):
+    return manufacture(scene.lens, snapshot.state.heights).tool_radius.value
+
+
 def quadratic(scene, r, s, t):
     """Control heights of d = r x²/2 + s xy + t y²/2 over the base, which is flat here."""
     net = ControlNet.of(scene.lens)
@@ -95,6 +99,24 @@ def test_excess_begins_where_the_maps_say(make_scene, rng):
     found, heights = smoothness_of(scene), torch.as_tensor(heights)
     assert found.faces["exit"].curvature_excess(heights, 0.99 * radius).item() == 0
     assert found.faces["exit"].curvature_excess(heights, 1.01 * radius).item() > 0
+
+
+@pytest.mark.parametrize("face", ["exit", "entrance"])
+def test_hollows_alone_count_for_a_ball_cutter(make_scene, face):
+    """A hollow of the entrance face bends to -z; 1e-3 wide, both look near the middle only."""
+    changes = {
+        "version": 2,
+        "lens.entrance": {"shape": "freeform"},
+        "lens.half_width": [1e-3, 1e-3],
+        "lens.height_range": [-0.3, 0.3],
+        "run.min_tool_radius": 2.0,
+    }
+    scene = make_scene(changes)
+    bends = smoothness_of(scene).faces[face]
+    bent = quadratic(scene, 0.5, 0.5, 0.5)  # principal curvatures 1 and 0, towards +z
+    hollow, hump = (bent, -bent) if face == "exit" else (-bent, bent)
+    assert bends.hollow_excess(hollow, 2.0).item() == pytest.approx(1.0, rel=1e-4)
+    assert bends.hollow_excess(hump, 2.0).item() == 0
 
 
 def test_gradient_is_that_of_finite_differences(make_scene, rng):
@@ -160,6 +182,17 @@ class TestRuns:
         assert tightest(scene, found.state.heights["exit"]) >= 0.99 * limit
         assert found.state.loss < 0.7 * next(run(scene, DISC)).state.loss
 
+    @pytest.mark.parametrize(("method", "iterations"), [("auto", 24), ("paper", 100)])
+    def test_a_ball_cutter_fits_into_all_hollows(self, make_scene, method, iterations):
+        task = self.NET | {"run": {"method": method, "iterations": iterations}}
+        free = make_scene(task)
+        limit = 1.5 * cutter(free, best(free))
+        task["run"]["min_tool_radius"] = limit
+        scene = make_scene(task)
+        found = best(scene)
+        assert cutter(scene, found) >= 0.99 * limit
+        assert found.state.loss < 0.7 * next(run(scene, DISC)).state.loss
+
     def test_smoothness_reduces_bending(self, make_scene):
         task = self.NET | {"run.iterations": 12}
         energies = []
@@ -185,7 +218,7 @@ class TestRuns:
         assert [s.best for s in run(make_scene(), DISC)] == [True, False, True]
 
 
-@pytest.mark.parametrize("field", ["smoothness", "min_radius"])
+@pytest.mark.parametrize("field", ["smoothness", "min_radius", "min_tool_radius"])
 class TestFields:
     @pytest.mark.parametrize("value", [0, -1.0, math.inf, "1", True])
     def test_impossible_values_are_refused(self, make_scene, field, value):

@@ -36,6 +36,7 @@ def test_every_length_is_converted_and_nothing_else():
         "method": "auto",
         "iterations": 10,
         "min_radius": 0.5,
+        "min_tool_radius": 0.25,
         "smoothness": 0.5,
         "stages": stages,
     }
@@ -57,6 +58,7 @@ def test_every_length_is_converted_and_nothing_else():
         "screen.z",
         *(f"screen.half_width[{axis}]" for axis in (0, 1)),
         "run.min_radius",
+        "run.min_tool_radius",
     }
     for path, value in leaves(before.to_data()):
         if path in converted - {"unit"}:

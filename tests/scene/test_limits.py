@@ -31,6 +31,7 @@ GRID = {"kind": "grid", "center": [0, 0, -5], "half_width": [1, 1], "points": [3
         "screen.z",
         "screen.half_width[0]",
         "run.min_radius",
+        "run.min_tool_radius",
         "source.position[0]",
         "source.position[2]",
         "source.center[1]",

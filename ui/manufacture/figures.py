@@ -36,11 +36,17 @@ _LINES = {
     "steepest": _Line("slope", False, "max_slope"),
     "tightest_concave": _Line("concave radius", True, "min_radius"),
     "tightest_convex": _Line("convex radius", True, ""),  # the same as that above
+    "tool_radius": _Line("ball cutter", True, "min_tool_radius"),
 }
 _OF_FACE = {
     "steepest": ("Slope", "Largest angle between the face and a plane across the axis"),
     "tightest_concave": ("Hollow radius", "Smallest radius of curvature of hollows"),
     "tightest_convex": ("Hump radius", "Smallest radius of curvature of humps"),
+    "tool_radius": (
+        "Ball cutter up to",
+        "Largest radius of a ball cutter that fits everywhere on the face, without cutting into "
+        "another part of it",
+    ),
     "sag_range": ("Sag range", "Height of the highest point of the face over the lowest"),
     "draft": ("Draft", "Least angle between the face and the axis, along which a mould opens"),
 }
@@ -109,7 +115,7 @@ class ManufactureFigures(QWidget):
         self._judge(self._fields.limits)
 
     def _show_face(self, found: FaceFigures, face: str, thickness: float) -> None:
-        for key in ("steepest", "tightest_concave", "tightest_convex"):
+        for key in ("steepest", "tightest_concave", "tightest_convex", "tool_radius"):
             self._show_extreme(f"{face}{key}", getattr(found, key))
         flat = found.sag_range < _ROUNDING * thickness
         self.found[f"{face}sag_range"].setText(f"{0 if flat else found.sag_range:.4g} {self._unit}")

@@ -19,6 +19,7 @@ _ROWS = {
         "Largest angle between a freeform face and a plane across the axis, in degrees",
     ),
     "min_radius": ("Hollow radius", "Smallest radius that a tool can cut, in hollows and on humps"),
+    "min_tool_radius": ("Ball cutter", "Radius of the ball cutter that has to fit everywhere"),
 }
 _ANGLE = "max_slope"
 _HINT = "Empty: what the design task keeps to, if anything. Kept for the next start."
@@ -124,6 +125,7 @@ class LimitFields(QObject):
         if self._scene is not None:
             own["min_thickness"] = self._scene.optic.least_thickness or None
             own["min_radius"] = self._scene.run.min_radius
+            own["min_tool_radius"] = self._scene.run.min_tool_radius
         return own
 
     def _stand_in(self, name: str, _: dict[str, Any]) -> list[float | str]:

@@ -12,7 +12,8 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from workbench.analysis.manufacture_bounds import difference_range, shape_bounds
+from workbench.analysis.manufacture_bounds import Bounds, difference_range, shape_bounds
+from workbench.analysis.tool_radius import Face, blocked_radius
 from workbench.geometry.basis import basis_matrix
 from workbench.geometry.bounds import equal_parts
 from workbench.geometry.curvature import local_shape
@@ -93,12 +94,16 @@ class FaceFigures:
     tightest_concave, tightest_convex : Extreme
         Smallest radius of curvature of hollows and humps of the face; infinite where there is
         none, 0 at the edges that a face of degree 1 has.
+    tool_radius : Extreme
+        Largest radius of a ball cutter that fits everywhere and cuts into no other part of the
+        face; infinite where any does, 0 at hollow edges. At the place it is tightest.
     """
 
     sag_range: float
     steepest: Extreme
     tightest_concave: Extreme
     tightest_convex: Extreme
+    tool_radius: Extreme
 
     @property
     def draft(self) -> float:
@@ -116,6 +121,7 @@ class FaceFigures:
             "draft": self.draft,
             "tightest_concave": self.tightest_concave.to_data(),
             "tightest_convex": self.tightest_convex.to_data(),
+            "tool_radius": self.tool_radius.to_data(),
         }
 
 
@@ -233,15 +239,33 @@ def _figures(
     ends = equal_parts(net, 0, parts_x), equal_parts(net, 1, parts_y)
     bounds = shape_bounds(net, outward, (parts_x, parts_y), _with_glass(optic, ends))
     places = net.grid(np.linspace(0, 1, count[0]), np.linspace(1, 0, count[1]))
-    height = places.evaluate(heights[face])[0].T[np.isfinite(maps.slope)]
+    glass = np.isfinite(maps.slope.T)
+    height, *slopes = (np.where(glass, each, np.nan) for each in places.evaluate(outward))
     rises, falls = _edges(net, outward)
     flat = _FLAT / max(optic.half_width)
+    concave = _radius(_most(maps, maps.concave, bounds.hollow), flat, rises)
     return maps, FaceFigures(
-        sag_range=float(np.ptp(height)),
+        sag_range=float(np.ptp(height[glass])),
         steepest=_most(maps, maps.slope, math.degrees(math.atan(bounds.slope))),
-        tightest_concave=_radius(_most(maps, maps.concave, bounds.hollow), flat, rises),
+        tightest_concave=concave,
         tightest_convex=_radius(_most(maps, maps.convex, bounds.hump), flat, falls),
+        tool_radius=_tool_radius(Face(maps.x, maps.y, height, *slopes), concave, bounds),
     )
+
+
+def _tool_radius(face: Face, concave: Extreme, bounds: Bounds) -> Extreme:
+    """What curvature allows, or less where another part of the face is in the way.
+
+    A second derivative of z along any line is at most the curvature times (1 + slope²)^1.5. If none
+    is above 1 / R, the face lies below each parabola of that second derivative that touches it, and
+    a ball of radius R lies above these: it fits, so far away as the face goes.
+    """
+    if math.isinf(concave.value) or concave.value == 0:
+        return concave
+    # Closer pairs are those that curvature tells of.
+    value, place = blocked_radius(face.coarser(), concave.value) or (concave.value, concave.place)
+    surely = concave.bound / (1 + bounds.slope**2) ** 1.5
+    return Extreme(value, min(surely, value), place)
 
 
 def _thicknesses(optic: Optic, heights: Mapping[str, Array]) -> tuple[float, float]:

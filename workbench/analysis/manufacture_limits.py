@@ -25,12 +25,15 @@ class Limits:
         Angle between each freeform face and a plane across the axis, degrees.
     min_radius : float, optional
         Radius of curvature of hollows and of humps, scene units.
+    min_tool_radius : float, optional
+        Radius of the ball cutter that has to fit everywhere, scene units.
     """
 
     min_thickness: float | None = None
     max_thickness: float | None = None
     max_slope: float | None = None
     min_radius: float | None = None
+    min_tool_radius: float | None = None
 
 
 class Verdict(NamedTuple):
@@ -88,6 +91,7 @@ def _of_face(found: FaceFigures, limits: Limits, face: str) -> list[_Asked]:
         (f"{face}slope", limits.max_slope, False, found.steepest),
         (f"{face}concave radius", limits.min_radius, True, found.tightest_concave),
         (f"{face}convex radius", limits.min_radius, True, found.tightest_convex),
+        (f"{face}ball cutter", limits.min_tool_radius, True, found.tool_radius),
     ]
 
 

@@ -27,7 +27,8 @@ def manufacture(path: Path, limits: Limits, plot: Path | None, as_json: bool) ->
     path : Path
         Session with a lens.
     limits : Limits
-        What the shop can make; the task's own least thickness counts where none is given.
+        What the shop can make; the task's own least thickness and ball cutter count where
+        none are given.
     plot : Path, optional
         PNG of the maps to write.
     as_json : bool
@@ -47,6 +48,8 @@ def manufacture(path: Path, limits: Limits, plot: Path | None, as_json: bool) ->
     found = look_at(scene.optic, result.state.heights)
     if limits.min_thickness is None:
         limits = replace(limits, min_thickness=scene.optic.least_thickness)
+    if limits.min_tool_radius is None:
+        limits = replace(limits, min_tool_radius=scene.run.min_tool_radius)
     judged = verdicts(found, limits)
     if as_json:
         listed = [v._asdict() | {"found": v.found.to_data()} for v in judged]
@@ -91,6 +94,7 @@ def _print_face(found: FaceFigures, unit: str) -> None:
     print(_line("steepest slope", found.steepest, "°"))
     print(_line("concave radius", found.tightest_concave, unit))
     print(_line("convex radius", found.tightest_convex, unit))
+    print(_line("ball cutter up to", found.tool_radius, unit))
     print(f"{'sag range':<18}{found.sag_range:.5g} {unit}")
     print(f"{'draft':<18}{found.draft:.5g} °")
 

@@ -176,4 +176,6 @@ def asks_for_another_lens(before: Session, after: Session) -> bool:
 
 def _wanted(scene: Scene) -> tuple[object, ...]:
     """What tells which lens is the best one."""
-    return scene.model_copy(update={"run": None}), scene.run.smoothness, scene.run.min_radius
+    run = scene.run
+    shop = run.smoothness, run.min_radius, run.min_tool_radius
+    return scene.model_copy(update={"run": None}), *shop

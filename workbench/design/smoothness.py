@@ -1,7 +1,8 @@
 """What a shop asks of freeform faces, as a term that a run minimises besides the image's error.
 
-It is there only if a scene asks for it: ``run.smoothness`` weighs how much the face bends, and
-``run.min_radius`` keeps it from bending more sharply than a tool can follow.
+It is there only if a scene asks for it: ``run.smoothness`` weighs how much the face bends,
+``run.min_radius`` keeps it from bending more sharply than a tool can follow, and
+``run.min_tool_radius`` keeps its hollows, as seen from outside, wide enough for a ball cutter.
 """
 
 from collections.abc import Mapping
@@ -35,7 +36,7 @@ class Smoothness:
     Parameters
     ----------
     scene : Scene
-        The design task, with ``run.smoothness`` or ``run.min_radius``.
+        The design task, with a setting of its run that is about bends.
     target : ndarray, shape (n_y, n_x)
         The wanted image in any scale.
     device : torch.device
@@ -53,17 +54,19 @@ class Smoothness:
         # An entrance face bends away from a plane, whose place does not matter.
         bases = {optic.face: optic.base.height_at(x[:, None], y[None, :])}
         self.faces = {
-            face: FaceBends(net, bases.get(face, np.zeros(net.shape)), device)
+            face: FaceBends(net, bases.get(face, np.zeros(net.shape)), device, optic.outwards(face))
             for face, net in nets.items()
         }
         self._weight, self._radius = run.smoothness or 0.0, run.min_radius
+        self._tool = run.min_tool_radius
         wanted = share(target)
         self._loss_of_1 = float(np.sqrt(np.square(wanted).mean()))
 
     @classmethod
     def of(cls, scene: Scene, target: Array, device: torch.device) -> "Smoothness | None":
         """The penalty that a scene asks for, if it asks for one."""
-        if scene.run.smoothness is None and scene.run.min_radius is None:
+        run = scene.run
+        if all(asked is None for asked in (run.smoothness, run.min_radius, run.min_tool_radius)):
             return None
         return cls(scene, target, device)
 
@@ -81,6 +84,9 @@ class Smoothness:
                 penalty = penalty + self._weight * bends.bending(heights[face])
             if self._radius is not None:
                 excess = bends.curvature_excess(heights[face], self._radius * (1 + _RESERVE))
+                penalty = penalty + _PRICE * excess
+            if self._tool is not None:
+                excess = bends.hollow_excess(heights[face], self._tool * (1 + _RESERVE))
                 penalty = penalty + _PRICE * excess
         return penalty
 
@@ -115,9 +121,12 @@ class FaceBends:
         Control heights from which its bending is counted.
     device : torch.device
         Where the heights are.
+    outward : int
+        1 if it is seen from +z, -1 if from -z.
     """
 
-    def __init__(self, net: ControlNet, base: Array, device: torch.device) -> None:
+    def __init__(self, net: ControlNet, base: Array, device: torch.device, outward: int) -> None:
+        self._outward = outward
         self._base = torch.as_tensor(base, device=device)
         self._products = [_products(net, axis, device) for axis in (0, 1)]
         self._derivatives = [_derivatives(net, axis, device) for axis in (0, 1)]
@@ -144,14 +153,23 @@ class FaceBends:
         Looked at where knot lines cross and halfway between: second derivatives of cubics are
         largest on knot lines.
         """
+        mean, apart = self._curvatures(heights, radius)
+        # The principal curvatures are mean ± apart, both at most mean.abs() + apart.
+        return ((mean.abs() + apart) * radius - 1).clamp_min(0).square().mean()
+
+    def hollow_excess(self, heights: Tensor, radius: float) -> Tensor:
+        """As `curvature_excess`, of hollows alone: where the face bends outwards."""
+        mean, apart = self._curvatures(heights, radius)
+        return ((self._outward * mean + apart) * radius - 1).clamp_min(0).square().mean()
+
+    def _curvatures(self, heights: Tensor, radius: float) -> tuple[Tensor, Tensor]:
+        """Mean curvature towards +z, and how far the principal ones are from it."""
         along_x, along_y = self._derivatives
         p, q, r, s, t = (
             along_x[i] @ heights @ along_y[j].T for i, j in ((1, 0), (0, 1), (2, 0), (1, 1), (0, 2))
         )
         mean, gauss = mean_and_gaussian(p, q, r, s, t)
-        # The principal curvatures are mean ± apart, both at most mean.abs() + apart.
-        apart = ((mean * mean - gauss).clamp_min(0) + (_UMBILIC / radius) ** 2).sqrt()
-        return ((mean.abs() + apart) * radius - 1).clamp_min(0).square().mean()
+        return mean, ((mean * mean - gauss).clamp_min(0) + (_UMBILIC / radius) ** 2).sqrt()
 
 
 def _products(net: ControlNet, axis: int, device: torch.device) -> list[Tensor]:

@@ -156,7 +156,11 @@ def _of_image(session: Session, found: Validation, which: str) -> Iterator[Secti
 
 def _manufacture(scene: Scene, heights: Mapping[str, Array]) -> Section:
     optic = scene.optic
-    limits = Limits(min_thickness=optic.least_thickness, min_radius=scene.run.min_radius)
+    limits = Limits(
+        min_thickness=optic.least_thickness,
+        min_radius=scene.run.min_radius,
+        min_tool_radius=scene.run.min_tool_radius,
+    )
     count = even_counts(optic.half_width, _PLACES)
     drawn = []
     for face in reversed(freeform_nets(optic)):

@@ -108,6 +108,16 @@ class RunSettings(Part):
             "empty, any will do.",
         ),
     ] = None
+    min_tool_radius: Annotated[
+        Positive | None,
+        LENGTH,
+        about(
+            "Ball cutter radius",
+            "Radius of the ball cutter that has to fit everywhere on the freeform faces. Hollows "
+            "keep to it; humps may be sharper. Manufacture tells whether it fits. Left empty, any "
+            "will do.",
+        ),
+    ] = None
     seed: Annotated[
         int,
         about(

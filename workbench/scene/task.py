@@ -125,14 +125,14 @@ class Scene(Part):
         """Refuse parts that do not go together, and stages that are not possible."""
         optic = self.optic
         self.receiver.check_lengths(optic.half_width)
-        if self.run.min_radius is not None:
-            radius = [("run.min_radius", self.run.min_radius)]
-            limits.check_lengths(radius, optic.half_width, limits.FAR)
+        radii = {name: getattr(self.run, name) for name in ("min_radius", "min_tool_radius")}
+        asked = [(f"run.{name}", radius) for name, radius in radii.items() if radius is not None]
+        limits.check_lengths(asked, optic.half_width, limits.FAR)
         self.source.measured_in(self.unit)
         self.source.check_before(optic)
         self.receiver.check_lit_by(optic)
         self._check_further()
-        for field in ("smoothness", "min_radius"):
+        for field in ("smoothness", *radii):
             value = getattr(self.run, field)
             if value is not None and min(optic.degree) < 2:
                 raise Refused(

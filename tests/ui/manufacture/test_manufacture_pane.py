@@ -60,6 +60,7 @@ def test_the_figures_are_those_of_the_engine(pane, bowl, session):
         "steepest": f"{found.steepest.value:.4g}°",
         "tightest_concave": f"{found.tightest_concave.value:.4g} cm",
         "tightest_convex": "none",
+        "tool_radius": f"{found.tool_radius.value:.4g} cm",
         "sag_range": f"{found.sag_range:.4g} cm",
         "draft": f"{found.draft:.4g}°",
     }
@@ -99,6 +100,8 @@ def test_limits_are_judged_in_words_and_hatched_on_the_map(pane, qtbot):
     enter(pane, qtbot, "min_radius", between)
     assert states(pane)["tightest_concave"] == "? open"
     assert states(pane)["tightest_convex"] == "✓ met"
+    enter(pane, qtbot, "min_tool_radius", f"{1.01 * concave.value:.12g}")
+    assert states(pane)["tool_radius"] == "✗ broken"
 
 
 def test_a_limit_may_have_a_unit_and_be_worked_out(pane, qtbot):

@@ -15,8 +15,9 @@ def add(commands: Any) -> None:
     parser = add_verb(
         commands,
         "manufacture",
-        "Tell what a shop asks of the lens of a session: thickness, slope, radii of curvature, sag "
-        "and draft. Lengths are in the scene's unit. Ends with status 1 if a limit is not met.",
+        "Tell what a shop asks of the lens of a session: thickness, slope, radii of curvature, the "
+        "ball cutter that fits, sag and draft. Lengths are in the scene's unit. Ends with status 1 "
+        "if a limit is not met.",
         [
             "manufacture flame.freeform",
             "manufacture flame.freeform --min-radius 0.05 --max-slope 25 --plot maps.png",
@@ -29,6 +30,7 @@ def add(commands: Any) -> None:
         ("max-thickness", "LENGTH", "and not thicker than this"),
         ("max-slope", "DEGREES", "largest angle between exit face and entrance face"),
         ("min-radius", "LENGTH", "smallest radius of curvature, in hollows and on humps"),
+        ("min-tool-radius", "LENGTH", "radius of the ball cutter that has to fit [the scene's]"),
     ):
         parser.add_argument(f"--{name}", metavar=metavar, type=length, help=does)
     add_plot(parser, "draw maps; what is beyond limits is hatched")
@@ -40,6 +42,10 @@ def _run(options: argparse.Namespace) -> None:
     from workbench.cli.manufacture import manufacture
 
     limits = Limits(
-        options.min_thickness, options.max_thickness, options.max_slope, options.min_radius
+        options.min_thickness,
+        options.max_thickness,
+        options.max_slope,
+        options.min_radius,
+        options.min_tool_radius,
     )
     manufacture(options.session, limits, options.plot, options.json)
