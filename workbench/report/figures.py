@@ -107,7 +107,7 @@ def _face_rows(found: FaceFigures, unit: str, face: str = "") -> tuple[Row, ...]
         Row(f"{face}draft", f"{found.draft:.3f}°"),
         Row(f"{face}smallest concave radius", _extreme(found.tightest_concave, unit, "at least")),
         Row(f"{face}smallest convex radius", _extreme(found.tightest_convex, unit, "at least")),
-        Row(f"{face}largest ball cutter that fits", _extreme(found.tool_radius, unit, "at least")),
+        Row(f"{face}ball cutter up to", _extreme(found.tool_radius, unit, "at least")),
         Row(f"{face}sag range", f"{found.sag_range:.6g} {unit}"),
     )
 
