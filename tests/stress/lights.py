@@ -115,19 +115,22 @@ def lit_cases(draw: st.DrawFn, most_points: int = 40) -> Case:
     top = base["height"] + sag + lens["height_range"][1]
     kinds = [sky(), sky(), emitters(entrance), emitters(entrance), lamps(entrance)]
     source = draw(st.one_of(*kinds, sources(entrance)))
-    data = {
+    return draw(cases_of({"lens": lens, "source": source} | draw(receivers(top))))
+
+
+@st.composite
+def cases_of(draw: st.DrawFn, part: dict[str, Any]) -> Case:
+    """Cases with a given optic, source and receiver; those that are refused are left out."""
+    data = part | {
         "version": 2,
-        "lens": lens,
-        "source": source,
         "filter": {"kind": "gaussian", "size": [3, 3], "alpha": 1.0},
         "target": {"builtin": "tophat"},
         "run": {"seed": draw(st.integers(0, 9))},
-    } | draw(receivers(top))
-    # The lengths of a ray file are its own.
-    unit = 0 if source["kind"] == "ray_file" else draw(st.sampled_from([0, 0, -19, 19]))
+    }
+    in_file = data["source"]["kind"] == "ray_file"  # its lengths are its own
     case = Case(
         data,
-        unit=unit,
+        unit=0 if in_file else draw(st.sampled_from([0, 0, -19, 19])),
         face=draw(st.sampled_from(FACES)),
         weight=draw(st.sampled_from(WEIGHTS)),
         samples=(draw(st.integers(1, 24)), draw(st.integers(1, 24))),

@@ -3,13 +3,10 @@
 from typing import Any
 
 import numpy as np
-from hypothesis import assume
 from hypothesis import strategies as st
 
-from tests.stress.lights import emitters, glasses, lamps, receivers, sky
-from tests.stress.scenes import FACES, WEIGHTS, Case, sources
-from workbench.errors import Refused
-from workbench.optics.sources import emitter_of
+from tests.stress.lights import cases_of, emitters, glasses, lamps, receivers, sky
+from tests.stress.scenes import Case, sources
 
 
 @st.composite
@@ -80,27 +77,4 @@ def optic_cases(draw: st.DrawFn, most_points: int = 24) -> Case:
         optic = draw(two_faced(most_points))
         before = optic["entrance_z"] + optic["entrance"]["height_range"][0]
         part = {"lens": optic, "source": draw(lights(before))} | draw(receivers(highest(optic)))
-    data = part | {
-        "version": 2,
-        "filter": {"kind": "gaussian", "size": [3, 3], "alpha": 1.0},
-        "target": {"builtin": "tophat"},
-        "run": {"seed": draw(st.integers(0, 9))},
-    }
-    in_file = data["source"]["kind"] == "ray_file"  # its lengths are its own
-    case = Case(
-        data,
-        unit=0 if in_file else draw(st.sampled_from([0, 0, -19, 19])),
-        face=draw(st.sampled_from(FACES)),
-        weight=draw(st.sampled_from(WEIGHTS)),
-        samples=(draw(st.integers(1, 24)), draw(st.integers(1, 24))),
-        origins=draw(st.sampled_from([1, 2, 7, 16])),
-        seed=draw(st.integers(0, 999)),
-    )
-    try:
-        scene = case.scene
-        emitter_of(scene.source, scene.optic)
-    except Refused as refused:
-        assert str(refused).strip()
-        assert "\n" not in str(refused)
-        assume(False)
-    return case
+    return draw(cases_of(part))
