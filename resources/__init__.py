@@ -212,6 +212,12 @@ EXAMPLES = (
         "Wide angle: disc from a near point",
         "Light comes in at up to 60°; see how little of what is in the glass leaves by the side.",
     ),
+    Example(
+        "led-dome",
+        _TWO_FACES,
+        "LED close by: square through a dome",
+        "The entrance face comes towards the LED in its middle; compare with a flat one.",
+    ),
     *(
         Example(
             f"derivative-degree{degree}-filter{size}",

@@ -15,7 +15,7 @@ def _scene(
         "unit": "mm",
         "lens": usual | lens,
         "source": source,
-        "screen": screen | {"pixels": [256, 256]},
+        "screen": {"pixels": [256, 256]} | screen,
         "target": {"image": f"../targets/{image}.png"},
     }
 
@@ -48,6 +48,21 @@ SCENES = {
         {"kind": "point", "position": [0, 0, -14]},
         {"z": 250, "half_width": [100, 100]},
         "tophat-256",
+    ),
+    "led-dome": _scene(
+        {
+            "half_width": [10, 10],
+            "outline": "ellipse",
+            "control_points": [32, 32],
+            "base": {"shape": "flat", "height": 3},
+            "max_thickness": 18,
+            "min_thickness": 0.5,
+            # Its middle comes near the LED; its rim ends where a flat face would be.
+            "entrance": {"shape": "freeform", "height_range": [-4, 1]},
+        },
+        {"kind": "area", "center": [0, 0, -7], "half_width": [1, 1]},
+        {"z": 200, "half_width": [140, 140], "pixels": [40, 40]},
+        "rectangle-20x20",
     ),
 }
 """Scenes by the names of their examples."""

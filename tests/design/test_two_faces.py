@@ -1,11 +1,14 @@
 """Runs that shape both faces of a lens."""
 
+import json
 import re
 from itertools import islice
 
 import numpy as np
 import pytest
 
+from resources import path
+from tests.scenes import changed
 from workbench.analysis.validation import validate
 from workbench.design.interruption import interrupted_when
 from workbench.design.limits import HeightLimits, bounded, undesigned
@@ -17,6 +20,7 @@ from workbench.design.transport import behind_flat_entrance, first_of
 from workbench.files.session import read_session, write_session
 from workbench.geometry.faces import FaceArrays
 from workbench.scene import Scene
+from workbench.targets import load_target
 
 FREEFORM = {"lens.entrance": {"shape": "freeform"}, "lens.height_range": None}
 PAPER = {"method": "paper", "iterations": 4}
@@ -225,3 +229,26 @@ def test_the_entrance_face_keeps_light_of_a_near_point_from_the_side(make_scene)
         each.lost["left_side"] / (1 - each.lost["missed_lens"]) for each in (one, two)
     )
     assert share_two < 0.4 * share_one
+
+
+def test_near_an_led_two_faces_make_a_better_image_of_more_light_than_one():
+    example = json.loads(path("examples", "led-dome.json").read_text())
+    small = {
+        "lens.control_points": [16, 16],
+        "screen.pixels": [24, 24],
+        "run.iterations": 20,
+        "target": {"builtin": "tophat"},
+    }
+
+    def verified(changes):
+        scene = Scene.from_data(changed({**small, **changes}, example))
+        target = load_target(scene, path("examples"))
+        best = [shot for shot in run(scene, target) if shot.best][-1]
+        return validate(scene, target, best.state.heights, rays=300_000)
+
+    two, one = verified({}), verified({"lens.entrance": {"shape": "flat"}})
+    (_, two_at_most), (one_at_least, _) = (
+        each.relative_l2_corrected_interval for each in (two, one)
+    )
+    assert two_at_most < one_at_least / 1.5
+    assert two.efficiency > one.efficiency
