@@ -84,3 +84,16 @@ def test_bound_of_a_disc_of_parallel_light_holds_for_a_lens_that_is_traced(make_
     plate = FaceArrays({"exit": np.full(scene.lens.net_shape, 0.5)})
     image = validate(scene, target, plate, 200_000).irradiance
     assert relative_l2(image, target) > found.relative_l2
+
+
+def test_no_bound_is_certified_for_a_source_nearer_than_half_the_width_of_the_lens(make_scene):
+    # Its blur is not the same all over the lens.
+    near, far = (
+        Bound(make_scene({"source": GRID | {"center": [0, 0, z]}}), square(32))
+        for z in (-0.99, -1.01)
+    )
+    assert far.certified and not near.certified
+    (sentence,) = near.sentences
+    assert "no bound is known" in sentence
+    assert near.to_data()["relative_l2_bound"] is None
+    assert far.to_data()["relative_l2_bound"] > 0

@@ -72,6 +72,7 @@ def test_light_that_no_lens_can_bring_into_the_picture_is_said():
     said = figures(small)
     assert said["Étendue"].warns and "%" in said["Étendue"].value
     assert said["Error at best"].warns
+    assert said["Error at best"].meaning.startswith("A guess")  # the LED is near
     large = figures(LedRectangle().with_answers({"lamp_size": [0.1, 0.1]}))
     assert not large["Étendue"].warns
 

@@ -17,3 +17,8 @@ def test_report_says_what_no_lens_is_below(make_scene, rng):
 
 def test_report_is_silent_where_the_source_sets_no_bound(make_scene):
     assert bound_rows(Bound(make_scene(), np.ones((32, 32)))) == ()
+
+
+def test_report_is_silent_where_the_source_is_too_near_for_a_bound(make_scene, rng):
+    near = make_scene({"source": GRID | {"center": [0, 0, -0.9]}})
+    assert bound_rows(Bound(near, rng.random((32, 32)))) == ()

@@ -50,11 +50,11 @@ class BoundOfDesign(QObject):
         self._task = session
         if last is not None and last.target is session.target:
             before = Bound(last.scene, last.target)
-            if before.blur == bound.blur:
+            if (before.blur, before.certified) == (bound.blur, bound.certified):
                 return
         self._background.cancel()
         self.figures_changed.emit("")
-        if bound.known:
+        if bound.certified:
             self._background.begin(partial(_in_words, bound), session)
 
 

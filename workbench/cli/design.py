@@ -91,7 +91,7 @@ def _print_bound(session: Session, result: Result) -> None:
     from workbench.extended.bound import Bound, percent
 
     bound = Bound(session.scene, session.target)
-    if bound.known:
+    if bound.certified:
         error = relative_error(result.state, session.target)
         print(f"error {percent(error)} as the run sees it; {bound.short}")
 

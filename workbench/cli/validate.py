@@ -85,7 +85,7 @@ def validate(
     others = [light.irradiance for light in result.state.further]
     if as_json:
         figures = _figures(found, own, others)
-        if bound.known:
+        if bound.certified:
             figures["relative_l2_bound"] = bound.relative_l2
         if compared:
             figures["cross_check"] = compared.to_data()
@@ -94,7 +94,7 @@ def validate(
         print(json.dumps(figures))
     else:
         _print_images(found, [own, *others], scene)
-        if bound.known:
+        if bound.certified:
             print(f"{'bound':<18}{bound.relative_l2:.5f}  (no lens of this size can be below)")
         if compared:
             _print_compared(compared)

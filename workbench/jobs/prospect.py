@@ -158,12 +158,19 @@ def _light(bound: Bound) -> tuple[Figure, ...]:
     error = Figure(
         "Error at best",
         percent(least),
-        "No lens of this size can be below it; a smaller or farther lamp would help."
-        if least > _BLACK
-        else "The light is small enough for this picture.",
+        _least_in_words(bound),
         least > 10 * _BLACK,
     )
     return light, error
+
+
+def _least_in_words(bound: Bound) -> str:
+    """What the least error means."""
+    if bound.relative_l2 <= _BLACK:
+        return "The light is small enough for this picture."
+    if not bound.one_blur:
+        return "A guess: a lamp so near is blurred less by the rim of the lens than by its middle."
+    return "No lens of this size can be below it; a smaller or farther lamp would help."
 
 
 def _proposal(session: Session) -> Figure:

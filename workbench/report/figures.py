@@ -68,7 +68,7 @@ def _independent_rows(found: Independent | None) -> tuple[Row, ...]:
 
 def bound_rows(found: Bound) -> tuple[Row, ...]:
     """The least error that any lens can have, where the size of the source sets one."""
-    if not found.known:
+    if not found.certified:
         return ()
     return (
         Row("no lens is below", percent(found.relative_l2)),
