@@ -2,6 +2,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+import trimesh
 
 from tests.accounts import account_of
 from tests.scenes import changed
@@ -143,6 +144,22 @@ def write(tmp_path):
         with path.open("xb") as file:
             deviation = writer(content, file)
         return path, deviation
+
+    return do
+
+
+@pytest.fixture
+def closed_mesh(write):
+    """Writes a lens as a mesh by a writer; the body in the file, which has to be one and closed."""
+
+    def do(writer, design, ending):
+        path, deviation = write(writer, design, f"lens{ending}")
+        assert 0 < deviation.size <= 1e-3
+        mesh = trimesh.load_mesh(path)
+        assert mesh.is_watertight
+        assert mesh.is_winding_consistent
+        assert mesh.body_count == 1
+        return mesh
 
     return do
 

@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-import trimesh
 from PIL import Image
 
 from workbench.files.export import maps
@@ -33,14 +32,9 @@ def volume(design):
 
 
 @pytest.mark.parametrize("ending", MESHES)
-def test_meshes_are_closed_bodies_that_end_at_the_ellipse(make_design, write, ending):
+def test_meshes_are_closed_bodies_that_end_at_the_ellipse(make_design, closed_mesh, ending):
     design = make_design(ROUND | {"unit": "m"}, chord_error=1e-3)
-    path, deviation = write(MESHES[ending], design, f"lens{ending}")
-    assert 0 < deviation.size <= 1e-3
-    mesh = trimesh.load_mesh(path)
-    assert mesh.is_watertight
-    assert mesh.is_winding_consistent
-    assert mesh.body_count == 1
+    mesh = closed_mesh(MESHES[ending], design, ending)
     assert mesh.volume == pytest.approx(volume(design), rel=3e-3)
     x, y = mesh.vertices[:, 0], mesh.vertices[:, 1] / 0.7
     assert np.hypot(x, y).max() == pytest.approx(1, abs=1e-6)

@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-import trimesh
 
 from tests.files.export.test_outline import MESHES, ROUND
 from tests.files.export.test_step import is_spline, points_of
@@ -120,14 +119,9 @@ class TestSolid:
 class TestMesh:
     @OUTLINES
     @pytest.mark.parametrize("ending", MESHES)
-    def test_meshes_are_closed_bodies(self, two_faced, write, volume_within, ending, outline):
+    def test_meshes_are_closed_bodies(self, two_faced, closed_mesh, volume_within, ending, outline):
         design = two_faced({"unit": "m", "lens.outline": outline}, chord_error=1e-3)
-        path, deviation = write(MESHES[ending], design, f"lens{ending}")
-        assert 0 < deviation.size <= 1e-3
-        mesh = trimesh.load_mesh(path)
-        assert mesh.is_watertight
-        assert mesh.is_winding_consistent
-        assert mesh.body_count == 1
+        mesh = closed_mesh(MESHES[ending], design, ending)
         assert mesh.volume == pytest.approx(volume_within(design), rel=3e-3)
 
     @OUTLINES
