@@ -73,7 +73,7 @@ def load(path: File) -> Session:
     >>> from resources import path
     >>> session = load(path("examples", "tophat.json"))
     >>> session.scene.optic.net_shape, session.target.shape
-    ((384, 384), (256, 256))
+    ((416, 416), (256, 256))
     """
     return open_design(Path(path))
 

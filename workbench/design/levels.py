@@ -39,8 +39,8 @@ class Level:
     thinning: float
 
 
-COARSE = Level(per_pixel=1.5, per_control_point=1.3, thinning=0.5)
-FINE = Level(per_pixel=3.0, per_control_point=2.3, thinning=0.25)
+COARSE = Level(per_pixel=1.5, per_control_point=1.2, thinning=0.5)
+FINE = Level(per_pixel=3.0, per_control_point=2.2, thinning=0.25)
 """The last level, by whose image all lenses are judged."""
 
 _MOST_CELLS = 8192
