@@ -115,3 +115,4 @@ def test_rays_of_a_file_tell_how_far_they_may_be_from_their_lamp(make_scene, tmp
     assert few.verified.relative_l2_corrected == few.relative_l2_corrected
     assert few.verified.independent.rays == 60_000
     assert few.by_cells.noise > 0
+    assert few.by_cells.less_exact.endswith("that needs more rays")

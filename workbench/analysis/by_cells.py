@@ -125,15 +125,12 @@ class ByCells:
     @property
     def less_exact(self) -> str | None:
         """That the error is less exact than was asked for, and why; None where it is not."""
-        off, more = self.bound, "finer cells"
+        off, why = self.bound, "finer cells would take too long"
         if self.independent is not None:
-            off, more = self.independent.unscattered.off, "more rays"
+            off, why = self.independent.unscattered.off, "that needs more rays"
         if off <= self.wanted:
             return None
-        return (
-            f"off by up to {100 * off:.2g} %, not {100 * self.wanted:.2g} %: "
-            f"{more} would take too long"
-        )
+        return f"off by up to {100 * off:.2g} %, not {100 * self.wanted:.2g} %: {why}"
 
     def to_data(self) -> dict[str, Any]:
         """The figures by name, for JSON."""
