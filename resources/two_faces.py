@@ -57,7 +57,7 @@ SCENES = {
             "base": {"shape": "flat", "height": 3},
             "max_thickness": 18,
             "min_thickness": 0.5,
-            # Its middle comes near the LED; its rim ends where a flat face would be.
+            # Its middle comes near the LED; its rim ends about where a flat one is.
             "entrance": {"shape": "freeform", "height_range": [-4, 1]},
         },
         {"kind": "area", "center": [0, 0, -7], "half_width": [1, 1]},
