@@ -73,7 +73,7 @@ class NearLight(NamedTuple):
     per_y: Number
 
 
-@jit(fastmath=FAST, error_model="numpy")
+@jit(allocates=False, fastmath=FAST, error_model="numpy")
 def from_far(light, k, x, y, lanes, t):  # type: ignore[no-untyped-def]
     """Light of one direction at a batch of samples."""
     zero = t.dtype.type(0)
@@ -95,7 +95,7 @@ def from_far(light, k, x, y, lanes, t):  # type: ignore[no-untyped-def]
             t[D_BRIGHT + lane] = -t.dtype.type(2) * light.narrowing * bright * (z - along * d_z)
 
 
-@jit(fastmath=FAST, error_model="numpy")
+@jit(allocates=False, fastmath=FAST, error_model="numpy")
 def from_near(light, k, x, y, lanes, t):  # type: ignore[no-untyped-def]
     """Light of one point at a batch of samples."""
     kind = t.dtype.type
@@ -124,7 +124,7 @@ def from_near(light, k, x, y, lanes, t):  # type: ignore[no-untyped-def]
         _weigh(light, k, lanes, t)
 
 
-@jit(fastmath=FAST, error_model="numpy")
+@jit(allocates=False, fastmath=FAST, error_model="numpy")
 def _weigh(light, k, lanes, t):  # type: ignore[no-untyped-def]
     """Weigh light with the pattern of its point, by bilinear interpolation."""
     kind = t.dtype.type

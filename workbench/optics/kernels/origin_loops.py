@@ -112,7 +112,7 @@ def _make(name: str, enter: Any) -> OriginLoops:
     return OriginLoops(_kernel(land, f"{name}_land"), _kernel(back, f"{name}_back"))
 
 
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def put(t, i, row, lanes, nodes):  # type: ignore[no-untyped-def]
     """Put columns, rows and flux of a batch into the nodes, from number ``i`` of a row on."""
     columns, rows, flux = nodes[0, row, i:], nodes[1, row, i:], nodes[2, row, i:]
@@ -122,7 +122,7 @@ def put(t, i, row, lanes, nodes):  # type: ignore[no-untyped-def]
         flux[lane] = t[WEIGHT + lane]
 
 
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def take(cotangent, i, row, lanes, t):  # type: ignore[no-untyped-def]
     """Take the cotangents of these, the adjoint of `put`."""
     columns, rows, flux = cotangent[0, row, i:], cotangent[1, row, i:], cotangent[2, row, i:]

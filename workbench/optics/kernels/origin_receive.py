@@ -67,7 +67,7 @@ def _triple(vector: npt.NDArray[np.float64], kind: type[Number]) -> Triple:
     return x, y, z
 
 
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def _approach(landing, x, y, z, o_x, o_y, o_z):  # type: ignore[no-untyped-def]
     """Whether light meets the plane, how fast it comes nearer, and how far off the plane is."""
     kind = type(z)
@@ -79,7 +79,7 @@ def _approach(landing, x, y, z, o_x, o_y, o_z):  # type: ignore[no-untyped-def]
     return (speed > zero) & (gap > zero) & (speed * speed > tiny * length2), speed, gap
 
 
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def on_plane(landing, x, y, z, o_x, o_y, o_z):  # type: ignore[no-untyped-def]
     """Column and row of light at a place and with a direction of any length, on a plane.
 
@@ -95,7 +95,7 @@ def on_plane(landing, x, y, z, o_x, o_y, o_z):  # type: ignore[no-untyped-def]
     return column if arrives else inf, row if arrives else inf
 
 
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def on_plane_back(landing, x, y, z, o_x, o_y, o_z, d_column, d_row):  # type: ignore[no-untyped-def]
     """Adjoint of `on_plane`: cotangents of the place, and of the direction."""
     zero, one = type(z)(0), type(z)(1)
@@ -120,7 +120,7 @@ def on_plane_back(landing, x, y, z, o_x, o_y, o_z, d_column, d_row):  # type: ig
     )
 
 
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def by_direction(landing, o_x, o_y, o_z):  # type: ignore[no-untyped-def]
     """As `on_plane`, of a far field."""
     aside = np.sqrt(o_x * o_x + o_z * o_z)
@@ -130,7 +130,7 @@ def by_direction(landing, o_x, o_y, o_z):  # type: ignore[no-untyped-def]
     return column if arrives else inf, row if arrives else inf
 
 
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def by_direction_back(landing, o_x, o_y, o_z, d_column, d_row):  # type: ignore[no-untyped-def]
     """Adjoint of `by_direction`: cotangents of the direction."""
     zero, one = type(o_z)(0), type(o_z)(1)
@@ -142,7 +142,7 @@ def by_direction_back(landing, o_x, o_y, o_z, d_column, d_row):  # type: ignore[
     return d_h * o_z + d_aside * o_x, d_v * aside, d_aside * o_z - d_h * o_x
 
 
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def receive(landing, across, i, up, j, lanes, t):  # type: ignore[no-untyped-def]
     """Columns and rows of a batch of samples; see `on_plane`."""
     x, y = across.place[i:], up.place[j]
@@ -159,7 +159,7 @@ def receive(landing, across, i, up, j, lanes, t):  # type: ignore[no-untyped-def
         t[ROW + lane] = row
 
 
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def receive_back(landing, across, i, up, j, lanes, t):  # type: ignore[no-untyped-def]
     """Adjoint of `receive`: cotangents of the direction, and of the height."""
     x, y = across.place[i:], up.place[j]

@@ -41,7 +41,7 @@ FALLS_BY = 0.1
 FALLS, MET, LEFT = 1, 0, -1
 
 
-@jit(fastmath=FAST, error_model="numpy")
+@jit(allocates=False, fastmath=FAST, error_model="numpy")
 def meet(net, bounds, table, w, count, patch, before, columns):  # type: ignore[no-untyped-def]
     """Depth, state, place, height and slopes of a batch of rays.
 
@@ -69,7 +69,8 @@ def meet(net, bounds, table, w, count, patch, before, columns):  # type: ignore[
             if w[at(STATE, ray)] != FALLS:
                 _walk(net, bounds, table, w, ray)
     place(net, w, count, patch)
-    before[:count] = patch[:count]
+    for ray in range(count):
+        before[ray] = patch[ray]
     runs = fill(table, patch, count, columns)
     evaluate(columns, w, count)
     for _ in range(_TOGETHER):
@@ -86,7 +87,7 @@ def meet(net, bounds, table, w, count, patch, before, columns):  # type: ignore[
     return runs
 
 
-@jit(fastmath=FAST, error_model="numpy")
+@jit(allocates=False, fastmath=FAST, error_model="numpy")
 def _bracket(net, bounds, w, count):  # type: ignore[no-untyped-def]
     """How deep the rays are at most, where they start, and how many may have several roots."""
     kind = w.dtype.type
@@ -104,7 +105,7 @@ def _bracket(net, bounds, w, count):  # type: ignore[no-untyped-def]
     return kind(count) - falling
 
 
-@jit(fastmath=FAST, error_model="numpy")
+@jit(allocates=False, fastmath=FAST, error_model="numpy")
 def depth_of_side(net, x, y, slope_x, slope_y):  # type: ignore[no-untyped-def]
     """Depth at which a ray leaves the aperture; infinite for one along the axis."""
     # Start on the right in a mirror where the ray goes left.
@@ -113,7 +114,7 @@ def depth_of_side(net, x, y, slope_x, slope_y):  # type: ignore[no-untyped-def]
     return min(room_x / abs(slope_x), room_y / abs(slope_y))
 
 
-@jit(fastmath=FAST, error_model="numpy")
+@jit(allocates=False, fastmath=FAST, error_model="numpy")
 def _again(net, table, w, count, patch, before, columns):  # type: ignore[no-untyped-def]
     """Evaluate the face where the rays have gone."""
     if place(net, w, count, patch) > 0:
@@ -121,7 +122,7 @@ def _again(net, table, w, count, patch, before, columns):  # type: ignore[no-unt
     evaluate(columns, w, count)
 
 
-@jit(fastmath=FAST, error_model="numpy")
+@jit(allocates=False, fastmath=FAST, error_model="numpy")
 def _step(net, bounds, w, count):  # type: ignore[no-untyped-def]
     """A step of Newton's method for rays that do not rest yet; says how many these are."""
     kind = w.dtype.type
@@ -142,7 +143,7 @@ def _step(net, bounds, w, count):  # type: ignore[no-untyped-def]
     return busy
 
 
-@jit(fastmath=FAST, error_model="numpy")
+@jit(allocates=False, fastmath=FAST, error_model="numpy")
 def _settle(bounds, w, count):  # type: ignore[no-untyped-def]
     """Tell rays that met the face from those that the side cut off."""
     kind = w.dtype.type
@@ -153,7 +154,7 @@ def _settle(bounds, w, count):  # type: ignore[no-untyped-def]
         w[at(STATE, ray)] = settled if state == kind(FALLS) else state
 
 
-@jit(error_model="numpy")
+@jit(allocates=False, error_model="numpy")
 def _f(net, table, w, ray, depth):  # type: ignore[no-untyped-def]
     """The function f and its slope, for one ray."""
     kind = w.dtype.type
@@ -176,7 +177,7 @@ def _f(net, table, w, ray, depth):  # type: ignore[no-untyped-def]
     return z - depth, slope - kind(1)
 
 
-@jit(error_model="numpy")
+@jit(allocates=False, error_model="numpy")
 def _newton(net, bounds, table, w, ray):  # type: ignore[no-untyped-def]
     """The root of one ray whose f falls, safeguarded by the bracket."""
     kind = w.dtype.type
@@ -201,7 +202,7 @@ def _newton(net, bounds, table, w, ray):  # type: ignore[no-untyped-def]
     w[at(DEPTH, ray)] = depth
 
 
-@jit(error_model="numpy")
+@jit(allocates=False, error_model="numpy")
 def _walk(net, bounds, table, w, ray):  # type: ignore[no-untyped-def]
     """The first root of one ray.
 

@@ -82,14 +82,14 @@ def make_columns(table):  # type: ignore[no-untyped-def]
     return np.empty((table.shape[1], table.shape[2] * BATCH), table.dtype)
 
 
-@jit(fastmath=FAST, error_model="numpy")
+@jit(allocates=False, fastmath=FAST, error_model="numpy")
 def span_of(u, last):  # type: ignore[no-untyped-def]
     """Knot span of a coordinate, the nearest one for those beyond; what is not a number has one."""
     inside = u if u > type(u)(0) else type(u)(0)
     return np.floor(inside if inside < last else last)
 
 
-@jit(fastmath=FAST, error_model="numpy")
+@jit(allocates=False, fastmath=FAST, error_model="numpy")
 def place(net, w, count, patch):  # type: ignore[no-untyped-def]
     """Patches and local coordinates of a batch of rays; says how many changed their patch."""
     kind = w.dtype.type
@@ -110,7 +110,7 @@ def place(net, w, count, patch):  # type: ignore[no-untyped-def]
     return changed
 
 
-@jit()
+@jit(allocates=False)
 def fill(table, patch, count, columns):  # type: ignore[no-untyped-def]
     """Give all rays the coefficients of their patches; says how many runs of equal ones there are.
 
@@ -135,7 +135,7 @@ def fill(table, patch, count, columns):  # type: ignore[no-untyped-def]
     return runs
 
 
-@jit()
+@jit(allocates=False)
 def _look_up(table, patch, count, columns):  # type: ignore[no-untyped-def]
     flat = table.reshape(-1)
     terms = np.uintp(table.shape[1] * table.shape[2])
@@ -146,7 +146,7 @@ def _look_up(table, patch, count, columns):  # type: ignore[no-untyped-def]
                 row[ray] = flat[np.uintp(patch[ray]) * terms + term]
 
 
-@jit()
+@jit(allocates=False)
 def _repeat(table, patch, count, columns):  # type: ignore[no-untyped-def]
     start = 0
     while start < count:
@@ -163,7 +163,7 @@ def _repeat(table, patch, count, columns):  # type: ignore[no-untyped-def]
         start = stop
 
 
-@jit()
+@jit(allocates=False)
 def refill(table, patch, before, count, columns):  # type: ignore[no-untyped-def]
     """The same for those rays alone that were in another patch before."""
     for ray in range(count):
@@ -175,7 +175,7 @@ def refill(table, patch, before, count, columns):  # type: ignore[no-untyped-def
                     columns[a, at(b, ray)] = coefficients[a, b]
 
 
-@jit(fastmath=FAST, error_model="numpy")
+@jit(allocates=False, fastmath=FAST, error_model="numpy")
 def evaluate(columns, w, count):  # type: ignore[no-untyped-def]
     """Heights and slopes of the face, by Horner's rule."""
     kind = w.dtype.type
@@ -191,7 +191,7 @@ def evaluate(columns, w, count):  # type: ignore[no-untyped-def]
             w[at(Z_T, ray)] = w[at(Z_T, ray)] * s + w[at(_INNER_T, ray)]
 
 
-@jit(fastmath=FAST, error_model="numpy")
+@jit(allocates=False, fastmath=FAST, error_model="numpy")
 def evaluate_bends(columns, w, count):  # type: ignore[no-untyped-def]
     """The same, and the second derivatives."""
     kind = w.dtype.type
@@ -210,7 +210,7 @@ def evaluate_bends(columns, w, count):  # type: ignore[no-untyped-def]
             w[at(Z_TT, ray)] = w[at(Z_TT, ray)] * s + w[at(_INNER_TT, ray)]
 
 
-@jit(fastmath=FAST, error_model="numpy")
+@jit(allocates=False, fastmath=FAST, error_model="numpy")
 def _polynomial(coefficients, w, count):  # type: ignore[no-untyped-def]
     """A polynomial of t and its derivatives; the usual degree at one go."""
     q = len(coefficients) // BATCH - 1
@@ -231,7 +231,7 @@ def _polynomial(coefficients, w, count):  # type: ignore[no-untyped-def]
             w[at(_INNER, ray)] = w[at(_INNER, ray)] * t + term[ray]
 
 
-@jit(fastmath=FAST, error_model="numpy")
+@jit(allocates=False, fastmath=FAST, error_model="numpy")
 def _cubic(coefficients, w, count):  # type: ignore[no-untyped-def]
     kind = w.dtype.type
     two, three = kind(2), kind(3)
@@ -244,7 +244,7 @@ def _cubic(coefficients, w, count):  # type: ignore[no-untyped-def]
         w[at(_INNER_TT, ray)] = two * (three * c3 * t + c2)
 
 
-@jit(fastmath=FAST, error_model="numpy")
+@jit(allocates=False, fastmath=FAST, error_model="numpy")
 def collect(w, count, patch, columns, d_table):  # type: ignore[no-untyped-def]
     """Add the cotangents of a batch of rays to those of the coefficients, evaluate's adjoint.
 
@@ -283,7 +283,7 @@ def collect(w, count, patch, columns, d_table):  # type: ignore[no-untyped-def]
         start = stop
 
 
-@jit(fastmath=FAST, error_model="numpy")
+@jit(allocates=False, fastmath=FAST, error_model="numpy")
 def _terms(w, count, terms):  # type: ignore[no-untyped-def]
     """Each ray's part of the cotangents of the coefficients of a power of s."""
     kind = w.dtype.type

@@ -203,7 +203,7 @@ def _load(bundle, start, count, w):  # type: ignore[no-untyped-def]
             w[at(row, ray)] = source[ray]
 
 
-@jit(fastmath=FAST, error_model="numpy")
+@jit(allocates=False, fastmath=FAST, error_model="numpy")
 def polish(net, w, count):  # type: ignore[no-untyped-def]
     """One more step, as the reference makes it: it moves the depth by rounding at most."""
     kind = w.dtype.type

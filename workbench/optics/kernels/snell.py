@@ -16,7 +16,7 @@ from workbench.compiled import jit
 from workbench.optics.kernels.taps import FAST
 
 
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def bend(ratio, excess, critical, s_x, s_y, z_x, z_y):  # type: ignore[no-untyped-def]
     """Snell's law.
 
@@ -48,7 +48,7 @@ def bend(ratio, excess, critical, s_x, s_y, z_x, z_y):  # type: ignore[no-untype
     return lean, q, gamma, one / np.sqrt(both2), passes
 
 
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def bend_back(  # type: ignore[no-untyped-def]
     ratio, excess, s_x, s_y, z_x, z_y, bent, d_lean, d_o_x, d_o_y, d_o_z, d_cos_in, d_cos_out
 ):

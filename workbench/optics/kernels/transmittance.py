@@ -7,7 +7,7 @@ from workbench.compiled import jit
 from workbench.optics.kernels.taps import FAST
 
 
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def transmittance(law, cos_in, cos_out):  # type: ignore[no-untyped-def]
     """Part of the light that is refracted.
 
@@ -31,7 +31,7 @@ def transmittance(law, cos_in, cos_out):  # type: ignore[no-untyped-def]
     return exact if law.exact else law.passing * (one - law.grazing * fourth * off)
 
 
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def transmittance_slopes(law, cos_in, cos_out):  # type: ignore[no-untyped-def]
     """Derivatives of `transmittance` by both cosines, each as if the other were fixed.
 

@@ -58,7 +58,6 @@ def _make(name: str, shine: Any) -> OriginLoops:
         heights, bases, exit_face, light, body, landing, depths, begin, end, nodes, rooms, sums
     ):
         (across, up), (net, bounds, table) = bases, exit_face
-        kind = heights.dtype.type
         rows, t = make_rows(heights), np.empty(_NUMBERS, heights.dtype)
         w, columns = np.empty(ROWS * BATCH, heights.dtype), make_columns(table)
         patch, before = np.zeros(BATCH, np.int32), np.empty(BATCH, np.int32)
@@ -74,18 +73,12 @@ def _make(name: str, shine: Any) -> OriginLoops:
                 for k in range(len(light.flux)):
                     shine(light, k, x, up.place[j], lanes, t)
                     enter(body, x, up.place[j], body.areas[j, i:], lanes, t, w, sums)
-                    depth = depths[k * count + j, i:]
-                    for lane in range(lanes):
-                        w[at(DEPTH, lane)] = depth[lane]
+                    _begin(depths, i, k * count + j, lanes, w)
                     meet(net, bounds, table, w, lanes, patch, before, columns)
                     polish(net, w, lanes)
                     leave(net, body, landing, lanes, t, w, sums)
                     put(t, i, k * count + j, lanes, nodes)
-                    room = rooms[k * count + j, i:]
-                    for lane in range(lanes):
-                        room[lane] = t[ROOM + np.uintp(lane)]
-                        met = w[at(STATE, lane)] == kind(MET)
-                        depth[lane] = w[at(DEPTH, lane)] if met else kind(np.inf)
+                    _keep(t, w, i, k * count + j, lanes, rooms, depths)
 
     def back(  # type: ignore[no-untyped-def]
         heights, bases, exit_face, light, body, landing, depths, begin, end, cotangents, gradients
@@ -112,18 +105,12 @@ def _make(name: str, shine: Any) -> OriginLoops:
                     areas = body.areas[j, i:]
                     shine(light, k, x, up.place[j], lanes, t)
                     enter(body, x, up.place[j], areas, lanes, t, w, sums)
-                    depth = depths[k * count + j, i:]
-                    for lane in range(lanes):
-                        met = depth[lane] < kind(np.inf)
-                        w[at(DEPTH, lane)] = depth[lane] if met else kind(0)
-                        w[at(STATE, lane)] = kind(MET) if met else kind(MET - 1)
+                    _met(depths, i, k * count + j, lanes, w)
                     place(net, w, lanes, patch)
                     fill(table, patch, lanes, columns)
                     evaluate_bends(columns, w, lanes)
                     take(cotangent, i, k * count + j, lanes, t)
-                    d_room = d_rooms[k * count + j, i:]
-                    for lane in range(np.uintp(lanes)):
-                        t[D_ROOM + lane] = d_room[lane]
+                    _take_rooms(d_rooms, i, k * count + j, lanes, t)
                     leave_back(net, body, landing, lanes, t, w)
                     enter_back(body, areas, lanes, t)
                     collect(w, lanes, patch, columns, d_table)
@@ -135,6 +122,44 @@ def _make(name: str, shine: Any) -> OriginLoops:
             contract_back(d_rows, across, i, lanes, gradient)
 
     return OriginLoops(_kernel(land, f"{name}_land"), _kernel(back, f"{name}_back"))
+
+
+@jit(allocates=False, forceinline=True)
+def _begin(depths, i, row, lanes, w):  # type: ignore[no-untyped-def]
+    """Let the search of a batch begin where rays met the exit face of the last lens."""
+    depth = depths[row, i:]
+    for lane in range(lanes):
+        w[at(DEPTH, lane)] = depth[lane]
+
+
+@jit(allocates=False, forceinline=True)
+def _keep(t, w, i, row, lanes, rooms, depths):  # type: ignore[no-untyped-def]
+    """Keep the rooms of a batch, and the depths that were found: infinite for rays that miss."""
+    kind = w.dtype.type
+    room, depth = rooms[row, i:], depths[row, i:]
+    for lane in range(lanes):
+        room[lane] = t[ROOM + np.uintp(lane)]
+        met = w[at(STATE, lane)] == kind(MET)
+        depth[lane] = w[at(DEPTH, lane)] if met else kind(np.inf)
+
+
+@jit(allocates=False, forceinline=True)
+def _met(depths, i, row, lanes, w):  # type: ignore[no-untyped-def]
+    """Take kept depths back."""
+    kind = w.dtype.type
+    depth = depths[row, i:]
+    for lane in range(lanes):
+        met = depth[lane] < kind(np.inf)
+        w[at(DEPTH, lane)] = depth[lane] if met else kind(0)
+        w[at(STATE, lane)] = kind(MET) if met else kind(MET - 1)
+
+
+@jit(allocates=False, forceinline=True)
+def _take_rooms(d_rooms, i, row, lanes, t):  # type: ignore[no-untyped-def]
+    """Take the cotangents of rooms."""
+    d_room = d_rooms[row, i:]
+    for lane in range(np.uintp(lanes)):
+        t[D_ROOM + lane] = d_room[lane]
 
 
 def _kernel(function: Callable[..., None], name: str) -> Callable[..., None]:

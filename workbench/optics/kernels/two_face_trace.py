@@ -108,7 +108,7 @@ class Body(NamedTuple):
     law_out: TransmittanceLaw
 
 
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def _at_entrance(body, lane, t):  # type: ignore[no-untyped-def]
     """What `bend` gives at the entrance face, the direction behind it, and whether light enters."""
     law = body.law_in
@@ -121,7 +121,7 @@ def _at_entrance(body, lane, t):  # type: ignore[no-untyped-def]
     return bent, o_x, o_y, o_z, enters
 
 
-@jit(fastmath=FAST, error_model="numpy")
+@jit(allocates=False, fastmath=FAST, error_model="numpy")
 def enter(body, x, y, areas, lanes, t, w, sums):  # type: ignore[no-untyped-def]
     """Rays in the glass of a batch of samples, as lines from the level of the exit face."""
     kind = t.dtype.type
@@ -150,14 +150,14 @@ def enter(body, x, y, areas, lanes, t, w, sums):  # type: ignore[no-untyped-def]
     sums[STEEP_Y] = max(sums[STEEP_Y], steep_y)
 
 
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def _radius(body, x, y):  # type: ignore[no-untyped-def]
     """How far from the axis a place is, as a part of the way to the rim."""
     x2, y2 = x * x * body.by_x2, y * y * body.by_y2
     return np.sqrt(x2 + y2 if body.curved else max(x2, y2))
 
 
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def _at_exit(net, body, ray, t, w):  # type: ignore[no-untyped-def]
     """Where a ray meets the exit face, slopes there, `bend`, whether it is refracted, and its room.
 
@@ -182,7 +182,7 @@ def _at_exit(net, body, ray, t, w):  # type: ignore[no-untyped-def]
     return x, y, z_x, z_y, bent, met, met & bent[4], room
 
 
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def _fade(body, lanes, t, w):  # type: ignore[no-untyped-def]
     """What the glass lets through of each ray; in a loop of its own, exp does not vectorise."""
     one = t.dtype.type(1)
@@ -196,7 +196,7 @@ def _fade(body, lanes, t, w):  # type: ignore[no-untyped-def]
         t[_FADE + lane] = np.exp(-body.absorption * deep * np.sqrt(one + a * a + b * b))
 
 
-@jit(fastmath=FAST, error_model="numpy")
+@jit(allocates=False, fastmath=FAST, error_model="numpy")
 def leave(net, body, landing, lanes, t, w, sums):  # type: ignore[no-untyped-def]
     """Columns, rows and flux of a batch on the receiver; those of lost light are infinite."""
     kind = t.dtype.type
@@ -230,7 +230,7 @@ def leave(net, body, landing, lanes, t, w, sums):  # type: ignore[no-untyped-def
     sums[LEFT_LENS] += left
 
 
-@jit(fastmath=FAST, error_model="numpy")
+@jit(allocates=False, fastmath=FAST, error_model="numpy")
 def leave_back(net, body, landing, lanes, t, w):  # type: ignore[no-untyped-def]
     """Adjoint of `leave`: cotangents of the exit face, and of the rays in the glass."""
     kind = t.dtype.type
@@ -289,7 +289,7 @@ def leave_back(net, body, landing, lanes, t, w):  # type: ignore[no-untyped-def]
         t[_D_FLUX + lane] = d_arriving * t[_FADE + lane] if passes else zero
 
 
-@jit(fastmath=FAST, error_model="numpy")
+@jit(allocates=False, fastmath=FAST, error_model="numpy")
 def enter_back(body, areas, lanes, t):  # type: ignore[no-untyped-def]
     """Adjoint of `enter`; adds to the cotangents of the entrance face."""
     kind = t.dtype.type
