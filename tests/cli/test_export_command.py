@@ -75,6 +75,16 @@ def test_a_scene_without_a_lens_is_refused(freeform, scene_file, tmp_path):
     assert "is no session" in told
 
 
+def test_a_tool_path_tells_the_cutter_and_what_it_leaves(freeform, lens, tmp_path):
+    path = tmp_path / "a.nc"
+    given = "--tool-radius", "0.05", "--scallop", "1e-3", "--rim", "0.1", "--feed", "250"
+    status, printed, told = freeform("export", lens, path, *given)
+    assert (status, told) == (0, "")
+    assert "G-code, simulated cut off by " in printed
+    assert "cutter radius 0.05," in printed
+    assert " F250\n" in path.read_text()
+
+
 def test_help_lists_the_endings(freeform, capsys):
     with pytest.raises(SystemExit) as stop:
         freeform("export", "--help")

@@ -4,10 +4,11 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from workbench.cli.designed import read_designed
+from workbench.files.export.cutting import Cutting
 from workbench.files.export.write import export as write_all
 
 
-def export(path: Path, files: Sequence[Path], chord_error: float | None) -> None:
+def export(path: Path, files: Sequence[Path], chord_error: float | None, cutting: Cutting) -> None:
     """Write the lens of a session and its light in the formats that the endings tell.
 
     Parameters
@@ -18,6 +19,8 @@ def export(path: Path, files: Sequence[Path], chord_error: float | None) -> None
         Files to write.
     chord_error : float, optional
         How far meshes may be from the exit face, scene units.
+    cutting : Cutting
+        How faces are cut, for G-code.
 
     Raises
     ------
@@ -28,5 +31,5 @@ def export(path: Path, files: Sequence[Path], chord_error: float | None) -> None
         If another program's library that is needed fails.
     """
     session, _ = read_designed(path)
-    for written in write_all(session, files, chord_error):
+    for written in write_all(session, files, chord_error, cutting):
         print(written.sentence, flush=True)

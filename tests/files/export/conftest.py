@@ -168,3 +168,4 @@ def closed_mesh(write):
 def small_grids(monkeypatch):
     """Grids of few points, which are written and read sooner."""
     monkeypatch.setattr("workbench.files.export.design._STEPS", 40)
+    monkeypatch.setattr("workbench.files.export.gcode._FINE", 5e-3)

@@ -22,6 +22,7 @@ def add(commands: Any) -> None:
         [
             "export flame.freeform flame.step flame.irradiance.tiff",
             "export flame.freeform flame.stl --chord-error 1e-5",
+            "export flame.freeform flame.nc --tool-radius 0.05 --scallop 1e-4",
         ],
         _run,
     )
@@ -34,9 +35,31 @@ def add(commands: Any) -> None:
         help="how far meshes may be from the exit face, in the scene's unit; "
         "default 1e-4 of the larger half-width",
     )
+    for name, metavar, does in (
+        ("tool-radius", "LENGTH", "ball cutter of G-code [the scene's, or one that fits]"),
+        ("scallop", "LENGTH", "ridges between its cuts [1e-4 of the larger half-width]"),
+        ("safe-height", "LENGTH", "how far above the cuts it travels [its diameter]"),
+    ):
+        parser.add_argument(f"--{name}", metavar=metavar, type=length, help=does)
+    parser.add_argument(
+        "--rim", metavar="LENGTH", type=length, default=0.0, help="stock around it, to clamp it by"
+    )
+    parser.add_argument(
+        "--feed", metavar="MM/MIN", type=length, default=600.0, help="default %(default)s"
+    )
+    parser.add_argument("--negative", action="store_true", help="cut a mould of the face instead")
 
 
 def _run(options: argparse.Namespace) -> None:
     from workbench.cli.export import export
+    from workbench.files.export.cutting import Cutting
 
-    export(options.session, options.files, options.chord_error)
+    cutting = Cutting(
+        options.tool_radius,
+        options.scallop,
+        options.rim,
+        options.safe_height,
+        options.feed,
+        options.negative,
+    )
+    export(options.session, options.files, options.chord_error, cutting)

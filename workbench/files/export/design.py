@@ -10,6 +10,7 @@ import numpy.typing as npt
 
 from workbench import units
 from workbench.design.snapshot import Result
+from workbench.files.export.cutting import PLAIN, Cutting
 from workbench.geometry.outlines import Outline, outline_of
 from workbench.geometry.surface import ControlNet, GridBasis, freeform_nets
 from workbench.scene import Scene
@@ -41,12 +42,15 @@ class Design:
     face : str, optional
         Name of the face that ``net`` and ``heights`` are of: "entrance" or, by default, the face
         that every task shapes.
+    cutting : Cutting
+        How it is cut, where that is asked for.
     """
 
     scene: Scene
     result: Result
     chord_error: float | None = None
     face: str | None = None
+    cutting: Cutting = PLAIN
 
     @property
     def unit(self) -> str:

@@ -7,6 +7,7 @@ from typing import NamedTuple
 from workbench.design.session import result_of
 from workbench.errors import Refused
 from workbench.files.atomic import check_writable, replacing
+from workbench.files.export.cutting import PLAIN, Cutting
 from workbench.files.export.design import Design, Deviation
 from workbench.files.export.formats import OF_ONE_FACE, Format, format_of
 from workbench.files.session import Session
@@ -39,7 +40,10 @@ class Written(NamedTuple):
 
 
 def export(
-    session: Session, paths: Sequence[Path], chord_error: float | None = None
+    session: Session,
+    paths: Sequence[Path],
+    chord_error: float | None = None,
+    cutting: Cutting = PLAIN,
 ) -> Iterator[Written]:
     """Write a lens and its light, one file after the other.
 
@@ -52,6 +56,8 @@ def export(
     chord_error : float, optional
         How far a mesh may be from the exit face, scene units; 1e-4 of the larger half-width of
         the lens by default.
+    cutting : Cutting
+        How faces are cut, for G-code.
 
     Yields
     ------
@@ -67,7 +73,7 @@ def export(
     """
     result = result_of(session)
     check_body(session.scene, result.state.heights)
-    design = Design(session.scene, result, chord_error)
+    design = Design(session.scene, result, chord_error, cutting=cutting)
     formats = [format_of(path) for path in paths]
     faces = result.state.heights.keys()
     for path, found in zip(paths, formats, strict=True):

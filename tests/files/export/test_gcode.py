@@ -1,0 +1,133 @@
+import io
+import math
+import re
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from workbench.errors import Refused
+from workbench.files.export.cutting import Cutting
+from workbench.files.export.gcode import write_gcode
+from workbench.geometry.outlines import Rectangle
+from workbench.geometry.surface import ControlNet
+from workbench.geometry.tool_path import CutFace
+
+NET = ControlNet((24, 20), (3, 3), (1.0, 0.8))
+RADIUS, SCALLOP = 0.2, 0.002
+
+
+def face_of(height):
+    """A face whose control heights are those of a function: close to it."""
+    x, y = NET.positions
+    return CutFace(NET, height(x[:, None], y), Rectangle(NET.half_width))
+
+
+def bowl(x, y):
+    return 0.3 * (x**2 + y**2)
+
+
+def waves(x, y):
+    return 0.02 * np.cos(5 * x) * np.cos(4 * y)
+
+
+def test_a_plane_is_left_with_ridges_of_the_stated_height():
+    face = face_of(lambda x, y: 0 * x + 0 * y)
+    raster = face.raster(RADIUS, SCALLOP, 10**6)
+    assert raster.tip == pytest.approx(0, abs=1e-15)
+    apart = raster.y[1] - raster.y[0]
+    ridge = RADIUS - math.sqrt(RADIUS**2 - (apart / 2) ** 2)
+    assert 0.9 * SCALLOP < ridge <= SCALLOP * (1 + 1e-12)  # a whole number of cuts
+    between = (raster.y[3] + raster.y[4]) / 2
+    cut = raster.cut_at(raster.x[[7, 7]], np.array([between, raster.y[3]]))
+    assert cut == pytest.approx([ridge, 0], rel=0.01, abs=1e-4 * SCALLOP)
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+@pytest.mark.parametrize("height", [bowl, waves, lambda x, y: 0.5 * x - 0.3 * y])
+def test_nothing_is_cut_off_and_ridges_are_at_most_as_high_as_stated(height, sign):
+    face = face_of(lambda x, y: sign * height(x, y))
+    cut_off, left = face.left(face.raster(RADIUS, SCALLOP, 10**6))
+    assert cut_off < 0.02 * SCALLOP
+    assert 0.2 * SCALLOP < left < 1.1 * SCALLOP
+
+
+def test_the_tip_stands_on_the_offset_of_a_tilted_plane():
+    """Beside a plane of slope m, a ball's tip is R (√(1 + m²) − 1) above it."""
+    face = face_of(lambda x, y: 0.75 * x + 0 * y)
+    raster = face.raster(RADIUS, SCALLOP, 10**6)
+    inside_x, inside_y = np.abs(raster.x) < 1 - RADIUS, np.abs(raster.y) < 0.8
+    above = (raster.tip - 0.75 * raster.x[:, None])[inside_x][:, inside_y]
+    assert above == pytest.approx(0.25 * RADIUS, rel=1e-9)
+
+
+def test_a_cutter_that_is_too_large_leaves_more_than_ridges():
+    face = face_of(waves)
+    cut_off, left = face.left(face.raster(3.0, SCALLOP, 10**6))
+    assert max(cut_off, left) > SCALLOP
+
+
+def moves(text):
+    """Places of all cuts of a program."""
+    found = re.findall(r"^G1 X(\S+) Y(\S+) Z(\S+)$", text, re.MULTILINE)
+    return np.array(found, dtype=float)
+
+
+@pytest.fixture
+def program(make_design):
+    def write(height=lambda x, y: 0.5 + 0.1 * x + 0.05 * x**2 + 0 * y, **cutting):
+        net = {"lens.control_points": [40, 30]}
+        x, y = make_design(net).net.positions
+        cutting = Cutting(**{"tool_radius": 0.2, "scallop": 0.002, **cutting})
+        design = replace(make_design(net, height(x[:, None], y)), cutting=cutting)
+        file = io.BytesIO()
+        return file, write_gcode(design, file), design
+
+    return write
+
+
+def test_a_program_is_in_millimetres_and_travels_at_a_safe_height(program):
+    file, deviation, design = program(rim=0.1, safe_height=0.3, feed=400.0)
+    text = file.getvalue().decode()
+    lines = text.splitlines()
+    assert "G21 G90 G17 G94" in lines
+    assert "(stock 22.000 x 16.000," in text  # of 20 × 14 mm, a rim of 1 mm around
+    assert lines[-1] == "M2"
+    assert re.search(r"^G1 Z\S+ F400$", text, re.MULTILINE)
+    x, y, z = moves(text).T
+    assert x.max() >= 10 and y.max() >= 7
+    assert [line for line in lines if line.startswith("G0 Z")] == [f"G0 Z{z.max() + 3:.4f}"] * 2
+    top = z[(abs(x) < 10) & (abs(y) < 7)].max()
+    assert -0.1 < top < 0.1  # at the top of the face, where the ball's side touches it
+    assert deviation.unit == design.unit
+    assert 0 < deviation.size < 2 * 0.002
+
+
+def test_moves_go_to_and_fro_and_never_far(program):
+    x, y, _ = moves(program()[0].getvalue().decode()).T
+    step = np.hypot(np.diff(x), np.diff(y))
+    assert step.max() < 1.0  # mm: lines are 0.56 mm apart
+    assert (np.diff(x) < 0).any() and (np.diff(x) > 0).any()
+
+
+def test_a_mould_is_the_face_turned_over(program):
+    """The wedge's high side is at +x; turned over about y, the mould is high there, too."""
+    for negative in (False, True):
+        x, _, z = moves(program(negative=negative)[0].getvalue().decode()).T
+        high, low = z[x > 9].mean(), z[x < -9].mean()
+        assert high > low
+
+
+def test_a_cutter_that_does_not_fit_is_refused(program):
+    with pytest.raises(Refused, match=r"^tool_radius: a ball cutter of 0.2 cm does not fit"):
+        program(height=lambda x, y: 0.5 + 0.02 * np.cos(40 * x) + 0 * y)
+
+
+def test_too_many_moves_are_refused(program):
+    with pytest.raises(Refused, match=r"^scallop: .* more than 1,000,000"):
+        program(scallop=1e-8)
+
+
+def test_ridges_as_high_as_the_ball_are_refused():
+    with pytest.raises(Refused, match=r"^scallop: "):
+        Cutting(tool_radius=0.1, scallop=0.1)

@@ -1,0 +1,91 @@
+"""G-code of a finishing pass over a face, in millimetres: what GRBL and LinuxCNC both take.
+
+Zero is the middle of the lens at the highest point of the face, which looks up. A face that looks
+to -z is turned over about the y axis, and so is a mould. Programs are simulated as they are
+written: the ball is swept over the rounded numbers, and what is left is compared with the face.
+"""
+
+from collections.abc import Iterator
+from typing import BinaryIO
+
+import numpy as np
+import numpy.typing as npt
+
+from workbench.errors import Refused
+from workbench.files.export.design import Design, Deviation
+from workbench.geometry.tool_path import CutFace, Raster
+
+Array = npt.NDArray[np.float64]
+
+_FINE = 1e-4  # height of ridges over the larger half-width
+_DIGITS = 5  # behind the point; GRBL reads seven in all
+_MOST = 1_000_000  # moves of a program
+# Times the height of ridges that may be left, and be cut off: a cutter that fits does better.
+_LEFT, _OFF = 2.0, 0.25
+
+
+def write_gcode(design: Design, file: BinaryIO) -> Deviation:
+    """Write the cuts, and what they leave.
+
+    Raises
+    ------
+    Refused
+        If the cutter does not fit, or there are too many cuts.
+    """
+    cutting, millimetres = design.cutting, 1e3 * design.metres
+    up = -design.outward if cutting.negative else design.outward
+    heights = design.heights if up > 0 else -design.heights[::-1]
+    face = CutFace(design.net, heights, design.outline)
+    radius = cutting.tool_radius or design.scene.run.min_tool_radius or face.fitting_radius
+    scallop = cutting.scallop or min(_FINE * max(design.net.half_width), radius / 2)
+    raster = _rounded(face.raster(radius, scallop, _MOST), millimetres)
+    cut_off, left = face.left(raster)
+    if cut_off > _OFF * scallop or left > _LEFT * scallop:
+        raise Refused(
+            "tool_radius",
+            f"a ball cutter of {radius:.4g} {design.unit} does not fit: it leaves {left:.2g} and "
+            f"cuts off {max(cut_off, 0):.2g} {design.unit}; a smaller one, or run.min_tool_radius",
+        )
+    for line in _program(design, raster, scallop, float(heights.max())):
+        file.write(f"{line}\n".encode())
+    return Deviation(
+        "simulated cut off by",
+        max(left, cut_off),
+        design.unit,
+        f"cutter radius {radius:.4g}, ridges up to {left:.2g}, cut into the face up to "
+        f"{max(cut_off, 0):.2g} {design.unit}; a finishing pass in mm, zero at the top of the face",
+    )
+
+
+def _rounded(raster: Raster, millimetres: float) -> Raster:
+    """The numbers that a program has, in scene units."""
+    x, y, tip = (
+        np.round(each * millimetres, _DIGITS) / millimetres
+        for each in (raster.x, raster.y, raster.tip)
+    )
+    return Raster(x, y, tip, raster.radius)
+
+
+def _program(design: Design, raster: Raster, scallop: float, top: float) -> Iterator[str]:
+    cutting, mm = design.cutting, 1e3 * design.metres
+    width, height = (2 * mm * (r + cutting.rim) for r in design.net.half_width)
+    deep = mm * (top - float(raster.tip.min()))
+    clear = 2 * raster.radius if cutting.safe_height is None else cutting.safe_height
+    safe = mm * (float(raster.tip.max()) - top + clear)
+    yield f"(freeform {'mould' if cutting.negative else 'face'}: finishing pass, mm)"
+    yield f"(ball cutter of radius {mm * raster.radius:.4f}, ridges {mm * scallop:.5f})"
+    yield f"(stock {width:.3f} x {height:.3f}, cut {deep:.3f} deep)"
+    yield f"(clamping rim {mm * cutting.rim:.3f} wide; let holders keep off the cuts)"
+    yield "(zero: middle of the lens, highest control point of the face)"
+    yield "G21 G90 G17 G94"
+    yield f"G0 Z{safe:.4f}"
+    yield "M3"
+    x, y, z = (mm * each for each in (raster.x, raster.y, raster.tip - top))
+    yield f"G0 X{x[0]:.5f} Y{y[0]:.5f}"
+    yield f"G1 Z{z[0, 0]:.5f} F{cutting.feed:g}"
+    for row in range(len(y)):
+        ends = range(len(x)) if row % 2 == 0 else range(len(x) - 1, -1, -1)
+        yield from (f"G1 X{x[i]:.5f} Y{y[row]:.5f} Z{z[i, row]:.5f}" for i in ends)
+    yield f"G0 Z{safe:.4f}"
+    yield "M5"
+    yield "M2"
