@@ -1,9 +1,12 @@
 """Blur of a source on pixels: exact integrals, and enough places in a pixel."""
 
+import math
+
 import numpy as np
 import pytest
 
 from workbench.extended.blur import Blur
+from workbench.extended.blurring import Blurring
 
 BLURS = [
     Blur((3.0, 5.0)),
@@ -106,3 +109,35 @@ def test_light_in_parts_of_a_pixel_adds_up_to_that_of_the_pixel():
     left, right = parts[4], parts[7]  # in the second row
     x = np.arange(whole.shape[2]) - blur.margin[0]
     assert (right.sum(0) - left.sum(0)) @ x == pytest.approx(0.75, abs=0.01)
+
+
+@pytest.mark.parametrize(
+    ("blur", "seen"),
+    [
+        (Blur((9.0, 31.0)), Blur((9.0, 31.0))),
+        (Blur((1e5, 31.0), "ellipse"), Blur((24.0, 31.0), "ellipse")),
+        (Blur((240.0, 16.0), points=(25, 5)), Blur((20.0, 16.0), points=(3, 5))),
+        (Blur((1e5, 0.0), points=(25, 1)), Blur((0.0, 0.0), points=(1, 1))),
+    ],
+)
+def test_more_of_a_blur_than_an_image_can_show_is_left_out(blur, seen):
+    assert blur.seen_in((12, 16)) == seen
+
+
+@pytest.mark.parametrize("widths", [(70.0, 30.0), (9.0, 50.0)])
+def test_a_wide_blur_makes_the_same_images_as_what_is_seen_of_it(widths):
+    blur, shape = Blur(widths), (10, 12)
+    seen = blur.seen_in((12, 10))
+    assert seen != blur
+    images = []  # with two edges of the blur in them
+    for each in (blur, seen):
+        blurring = Blurring(each.kernels()[:1], shape)
+        m_x, m_y = each.margin
+        light = np.zeros((1, *blurring.grid))
+        left, low = (math.floor(width / 2) for width in each.widths)
+        light[0, m_y + 5 + low, m_x + 4 + left] = 1
+        images.append(blurring.image(light))
+    np.testing.assert_allclose(
+        images[0] / images[0].sum(), images[1] / images[1].sum(), atol=1e-3 * images[1].max()
+    )
+    assert blur.part_in(seen) == pytest.approx(images[0].max() / images[1].max())

@@ -97,3 +97,12 @@ def test_no_bound_is_certified_for_a_source_nearer_than_half_the_width_of_the_le
     assert "no bound is known" in sentence
     assert near.to_data()["relative_l2_bound"] is None
     assert far.to_data()["relative_l2_bound"] > 0
+
+
+def test_a_source_that_is_much_larger_than_the_receiver_takes_no_more_memory(make_scene):
+    # Ten thousand times as wide as the screen: transforms of all of that would take terabytes.
+    source = {"kind": "area", "center": [0, 0, -1.2], "half_width": [2e3, 2e3]}
+    found = Bound(make_scene({"source": source}), square(32))
+    assert min(found.blur.widths) > 1e4
+    assert 0 < found.relative_l2 < 1
+    assert 0 < found.on_receiver < 1e-4

@@ -72,7 +72,8 @@ def _roughly(scene: Scene) -> Scene:
 
 def _aim(scene: Scene, target: Array, exit_z: float) -> _Aim:
     """The task whose light, blurred from an exit face at ``exit_z``, comes closest to a target."""
-    blur, receiver = Blur.of(scene, exit_z), scene.receiver
+    receiver = scene.receiver
+    blur = Blur.of(scene, exit_z).seen_in(receiver.pixels)
     parts = blur.parts
     light = spread_light(target, blur, parts)
     # Some of it may be beside the receiver, as far as there is light.

@@ -195,6 +195,8 @@ def even_blur_of(scene: Scene, heights: Mapping[str, Tensor]) -> Blur | None:
     if _origins(scene) == 1:
         return None
     blur = Blur.of(scene, heights[scene.optic.face].mean().item())
+    if blur.seen_in(scene.receiver.pixels) != blur:
+        return None
     margin = blur.scaled(_MIDDLE + _STEP).margin
 
     def blurred(x: float, y: float) -> Array:

@@ -83,9 +83,8 @@ class WideImage:
         device = device_of(scene)
         self._share = torch.as_tensor(share(target), dtype=torch.float32, device=device)
         # Where pixels cover different measures, densities are compared, as shares of all light.
-        wanted = wanted_light(
-            share(target * receiver.relative_measure()), Blur.of(scene), (m_x, m_y)
-        )
+        seen = Blur.of(scene).seen_in(receiver.pixels)
+        wanted = wanted_light(share(target * receiver.relative_measure()), seen, (m_x, m_y))
         wanted = wanted / receiver.relative_measure(m_y)
         self._wanted = torch.as_tensor(wanted, dtype=torch.float32, device=device)
         self._relative = measure_of(receiver, device)

@@ -20,6 +20,9 @@ _MOST_PLACES = 8
 # Light that is to be blurred is told apart in so many parts of the blur's width, but not in more
 # than so many parts of a pixel.
 _PARTS, _MOST_PARTS = 16.0, 3
+# A blur that is wider than so many images is as good as one of this width: wherever its light is
+# put, one edge of it is in the image at most. Transforms of all of it would take all memory.
+_WIDEST = 2.0
 # Width in pixels of what has none along an axis.
 _LEAST = 1e-6
 
@@ -85,6 +88,31 @@ class Blur:
             x, y = x * m_x / max(m_x - 1, 1), y * m_y / max(m_y - 1, 1)
             points = None
         return cls((x, y), source.blur_shape, points)
+
+    def seen_in(self, pixels: tuple[int, int]) -> Self:
+        """A blur that makes the same images of so many pixels along x and y, up to their flux.
+
+        Edges of it that can never be in the image together are brought nearer to each other; of
+        points, which stay as far apart as they are, some are left out.
+        """
+        widths, counts = list(self.widths), list(self.points or ())
+        for axis, count in enumerate(pixels):
+            most, width = _WIDEST * count, widths[axis]
+            if width > most and not counts:
+                widths[axis] = most
+            elif width > most:
+                apart = width / (counts[axis] - 1)
+                counts[axis] = 1 + math.floor(most / apart)
+                widths[axis] = apart * (counts[axis] - 1)
+        points = (counts[0], counts[1]) if counts else None
+        return replace(self, widths=(widths[0], widths[1]), points=points)
+
+    def part_in(self, seen: Self) -> float:
+        """Which part of its light one that is `seen_in` an image has."""
+        if self.points is not None and seen.points is not None:
+            return math.prod(seen.points) / math.prod(self.points)
+        pairs = zip(seen.widths, self.widths, strict=True)
+        return math.prod(narrow / wide for narrow, wide in pairs if narrow != wide)
 
     def scaled(self, factor: float) -> Self:
         """That of a source so many times as wide, or on so many times as many pixels."""

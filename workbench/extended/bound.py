@@ -49,14 +49,18 @@ class Bound:
         """The blur of the source on the receiver, pixels."""
         return Blur.of(self.scene)
 
+    @property
+    def _seen(self) -> Blur:
+        return self.blur.seen_in(self.scene.receiver.pixels)
+
     @cached_property
     def deblurred(self) -> Deblurred:
         """The light that, blurred, comes closest to the target; a second or some."""
-        return deblur(self.target, self.blur)
+        return deblur(self.target, self._seen)
 
     def finding(self) -> Generator[None, None, Deblurred]:
         """Find `deblurred` step by step, so that one can leave it; it is kept for later."""
-        return deblurring(self.target, self.blur)
+        return deblurring(self.target, self._seen)
 
     @property
     def relative_l2(self) -> float:
@@ -66,7 +70,8 @@ class Bound:
     @cached_property
     def half_as_wide(self) -> float:
         """The error that the blur of a source half as wide allows."""
-        return deblur(self.target, self.blur.scaled(0.5)).error
+        narrower = self.blur.scaled(0.5).seen_in(self.scene.receiver.pixels)
+        return deblur(self.target, narrower).error
 
     @cached_property
     def on_receiver(self) -> float:
@@ -87,8 +92,8 @@ class Bound:
         if self.blur.within_a_pixel:
             return 1.0
         shape = region.shape[0], region.shape[1]
-        share = Blurring(self.blur.kernels(), shape).back(region).max()
-        return min(float(share), 1.0)
+        share = Blurring(self._seen.kernels(), shape).back(region).max()
+        return min(float(share) * self.blur.part_in(self._seen), 1.0)
 
     @property
     def known(self) -> bool:
