@@ -113,7 +113,7 @@ def test_names_are_shown_as_they_are_in_title_and_menu(window, session, tmp_path
 
 def test_undo_and_redo_by_keyboard(window, qtbot):
     edit(window, 7)
-    assert window.commands["undo"].text() == "&Undo change of screen at z"
+    assert window.commands["undo"].text() == "&Undo screen at z 5 → 7 mm"
     qtbot.keyClick(window, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
     assert window.document.session.scene.screen.z == 5
     both = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier

@@ -35,26 +35,26 @@ class Pane:
 
 _LEFT = Qt.DockWidgetArea.LeftDockWidgetArea
 _RIGHT = Qt.DockWidgetArea.RightDockWidgetArea
-_BOTTOM = Qt.DockWidgetArea.BottomDockWidgetArea
+_TOP = Qt.DockWidgetArea.TopDockWidgetArea
 
 PANES = {
     "design": Pane("Design", _LEFT, "1"),
     "scene": Pane("3D scene", None, "2"),
-    "irradiance": Pane("Irradiance", _RIGHT, "3"),
-    "error": Pane("Irradiance − target", _RIGHT, "4"),
-    "target": Pane("Target", _RIGHT, right_of="irradiance", shown=False),
-    "derivative": Pane("Derivative", _RIGHT, behind="error", shown=False),
-    "surface": Pane("Surface", _RIGHT, "5", behind="error", shown=False),
-    "manufacture": Pane("Manufacture", _RIGHT, behind="error", shown=False),
-    "tolerances": Pane("Tolerances", _RIGHT, behind="error", shown=False),
-    "focus": Pane("Through focus", _RIGHT, behind="error", shown=False),
-    "check": Pane("Check", _RIGHT, behind="error", shown=False),
-    "loss": Pane("Loss", _BOTTOM, "6"),
-    "section": Pane("Cross-section", _BOTTOM, "7", behind="loss", shown=False),
-    "light": Pane("Light account", _BOTTOM),
-    "runs": Pane("Runs", _BOTTOM, behind="light"),
+    "irradiance": Pane("Irradiance", _TOP, "3"),
+    "target": Pane("Target", _TOP, right_of="irradiance"),
+    "error": Pane("Irradiance − target", _TOP, "4", right_of="target"),
+    "derivative": Pane("Derivative", _TOP, behind="error", shown=False),
+    "surface": Pane("Surface", _TOP, "5", behind="error", shown=False),
+    "manufacture": Pane("Manufacture", _TOP, behind="error", shown=False),
+    "tolerances": Pane("Tolerances", _TOP, behind="error", shown=False),
+    "focus": Pane("Through focus", _TOP, behind="error", shown=False),
+    "check": Pane("Check", _TOP, behind="error", shown=False),
+    "loss": Pane("Loss", _RIGHT, "6"),
+    "section": Pane("Cross-section", _RIGHT, "7", behind="loss", shown=False),
+    "light": Pane("Light account", _RIGHT, behind="loss"),
+    "runs": Pane("Runs", _RIGHT, behind="loss"),
     "history": Pane("History", _LEFT, "8", behind="design", shown=False),
-    "log": Pane("Log", _BOTTOM, "9", behind="loss", shown=False),
+    "log": Pane("Log", _RIGHT, "9", behind="loss", shown=False),
 }
 """By name, in the order in which menus list them and the focus goes.
 

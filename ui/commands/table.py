@@ -47,9 +47,9 @@ NEW = {f"new_{example.name}": example for example in EXAMPLES}
 VIEWS = ("lens", "screen", "side", "top", "axis")
 """Where the 3D scene can be looked at from, each with a command; see `FittedCamera.fit`."""
 
-RAYS = {f"rays_{rays}": rays for rays in (0, 5, 15, 45)}
+RAYS = {f"rays_{rays}": rays for rays in (0, 5, 9, 15, 45)}
 """Commands for the number of rays in the 3D scene, along each axis."""
-_FIRST_RAYS = 15
+_FIRST_RAYS = 9
 
 COLOURS = {f"colours_{name}": name for name in ("inferno", "viridis", "cividis", "gray")}
 """Commands for the colours in which light is shown; see `workbench.pictures.maps.UNSIGNED`."""

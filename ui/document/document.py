@@ -143,7 +143,7 @@ class Document(QObject):
             If the scene's target cannot be loaded; nothing has changed then.
         """
         # One step is one edit: what was lost on the way comes back with the value it hung on.
-        old = self.undo_stack.origin(key) or self._session
+        old = self.before(key)
         # A relative path typed by hand starts beside the file, as it will when saved there.
         scene = with_absolute_files(scene, self.suggested_path)
         if scene == self._session.scene:
@@ -151,6 +151,10 @@ class Document(QObject):
         after = with_task(old, scene, self.suggested_path.parent)
         self.change(after, text, key)
         self.edited.emit(old, after)
+
+    def before(self, key: str) -> Session:
+        """Where a step with this key begins, which may become part of the last one."""
+        return self.undo_stack.origin(key) or self._session
 
     def read_image_again(self) -> None:
         """Take the target's image as its file has it now, as one step that can be undone.

@@ -144,6 +144,7 @@ class _Step(QUndoCommand):
         if not isinstance(other, _Step) or other.key != self.key:
             return False
         self.lead_to(other.after)
+        self.setText(other.text())
         # Qt deletes the other in the midst of `push`, after which PySide keeps its shell for ever.
         del other.before, other.after
         return True

@@ -11,6 +11,7 @@ from workbench.quantity import read_number
 from workbench.scene import Measure, Part, Scene, Unit
 
 _STEP = re.compile(r"[^.\[\]]+")
+_INDEX = re.compile(r"\[\d+\]$")
 _NONE = Measure()
 
 
@@ -67,6 +68,10 @@ class Edit:
     waits : bool
         Whether it stays in its field when it is refused, to be corrected or to become possible by
         another edit. A file that was chosen or dropped is in no field.
+    measure : Measure
+        What numbers of the field are measured in.
+    between : str
+        What stands between them.
     """
 
     path: str
@@ -75,6 +80,35 @@ class Edit:
     alone: bool = False
     unit: Unit | None = None
     waits: bool = True
+    measure: Measure = _NONE
+    between: str = ""
+
+    @property
+    def field(self) -> str:
+        """Path of the field, whichever of its numbers was touched."""
+        return _INDEX.sub("", self.path)
+
+    def step(self, before: Scene, after: Scene) -> str:
+        """What the undo menu calls it, which has led from one scene to another.
+
+        With both values where these are numbers: "screen half width 1 → 50 mm".
+        """
+        old, new = (_numbers(value_at(scene, self.field)) for scene in (before, after))
+        if old == new or not (old and new):
+            return self.text
+        if self.between == "×" and len({*old}) == len({*new}) == 1:  # alike along x and y
+            old, new = old[:1], new[:1]
+        between = f" {self.between} ".replace(" ,", ",")
+        name, unit = self.text.removeprefix("change of "), self.measure.sign_in(after.unit)
+        return f"{name} {between.join(old)} → {between.join(new)} {unit}".rstrip()
+
+
+def _numbers(value: object) -> list[str]:
+    """Numbers of a field's value as people read them; none if it has other values."""
+    values = value if isinstance(value, tuple) else (value,)
+    if not all(isinstance(each, int | float) and not isinstance(each, bool) for each in values):
+        return []
+    return [format(each, ".6g") for each in values]
 
 
 def value_at(scene: Any, path: str) -> Any:

@@ -53,7 +53,7 @@ class Row(QWidget):
         measure: Measure = _NONE,
     ) -> None:
         super().__init__()
-        self.path, self.measure = path, measure
+        self.path, self.measure, self.between = path, measure, ""
         self.label = QLabel(label)
         self.name = label  # told apart from those of other panels by the panel
         self._conditions: list[Condition] = []
@@ -124,7 +124,8 @@ class Row(QWidget):
             self.label.setBuddy(widget)
 
     def _tell(self, path: str, changes: Changes) -> None:
-        self.edited.emit(Edit(path, f"change of {self.name.lower()}", changes))
+        text, measure = f"change of {self.name.lower()}", self.measure
+        self.edited.emit(Edit(path, text, changes, measure=measure, between=self.between))
 
 
 class NumberRow(Row):
@@ -151,6 +152,7 @@ class NumberRow(Row):
         whole: bool = False,
     ) -> None:
         super().__init__(path, label, tip, measure)
+        self.between = between
         paths = [f"{path}[{k}]" for k in range(count)] if between else [path]
         self.editors = {p: NumberEditor(measure, whole, narrow=len(paths) > 2) for p in paths}
         for number, (place, editor) in enumerate(self.editors.items()):

@@ -217,7 +217,9 @@ class Forms(QScrollArea):
             if self._running:
                 self._postpone(edits, scene)
                 return None
-            self._document.edit(scene, last.text, "" if last.alone else last.path)
+            key = "" if last.alone else last.field
+            before = self._document.before(key).scene
+            self._document.edit(scene, last.step(before, scene), key)
         except Refused as refused:
             return refused
         finally:

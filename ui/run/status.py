@@ -42,7 +42,6 @@ class RunStatus:
             "Iterations done, and how many a second lately",
             "iteration 0000 of 0000, 00.0/s",
         )
-        self._loss = _figure(bar, "How far the image is from the target", "loss 0.000e-00")
         self._verified = _passing(
             bar,
             "Relative L2 error of the image after so many iterations of the run, by an independent "
@@ -60,10 +59,12 @@ class RunStatus:
         )
         self._light = _figure(
             bar,
-            "Part of the light that lands where it is wanted: on the screen, or in the far field; "
-            "of several images, of each",
-            "in the far field 000.0 %",
+            "How far the image is from the target, as the design sees it (relative L2), and how "
+            "much of the light lands where it is wanted: on the screen, or in the far field; of "
+            "several images, of each",
+            "Error 00.0 % · light in the far field 000.0 %",
         )
+        self._loss = _figure(bar, "What the design makes as small as it can", "loss 0.000e-00")
         self._elapsed = _figure(bar, "Run time", "00:00 elapsed")
         self._left = _figure(
             bar,
@@ -97,6 +98,9 @@ class RunStatus:
 
     def show_frame(self, frame: "Frame", running: bool) -> None:
         """Show the figures of a lens; progress only while it is being designed."""
+        from workbench.design.loss import relative_error  # late: takes long to import
+        from workbench.extended.bound import percent
+
         snapshot = frame.snapshot
         done, all_of_it = snapshot.iteration, snapshot.iterations
         self._progress.setVisible(running)
@@ -112,7 +116,8 @@ class RunStatus:
         self._loss.setText(f"loss {snapshot.state.loss:.3e}")
         scene = frame.session.scene
         landed = (f"{100 * light.account.efficiency:.1f} %" for light in snapshot.state.lights)
-        self._light.setText(f"{scene.receiver.place} {', '.join(landed)}")
+        error = percent(relative_error(snapshot.state, frame.session.target))
+        self._light.setText(f"Error {error} · light {scene.receiver.place} {', '.join(landed)}")
         self._elapsed.setText(f"{clock(snapshot.seconds)} elapsed" if counting else "")
         may_stop = scene.run.method == "auto"
         at_most = "at most " if may_stop else ""

@@ -9,7 +9,9 @@
    a new background.
 4. The labels of a colour bar are as wide as their numbers. They are measured when everything is
    drawn, which is not often.
-5. Drawing and painting happen before `show_changes` returns, so that their cost can be measured.
+5. A narrow image goes without the names of its upright axis and of its colour bar: the other axis
+   has the same unit, and the value under the pointer says that of the light. Files have all names.
+6. Drawing and painting happen before `show_changes` returns, so that their cost can be measured.
 """
 
 import math
@@ -28,6 +30,7 @@ from workbench.pictures.style import paint
 
 # Logical pixels for tick labels and names; powers of ten are wider than the ticks of an image.
 _LEFT_OF_IMAGE, _LEFT_OF_CURVE, _BOTTOM, _RIGHT, _TOP = 68, 84, 40, 18, 12
+_LEFT_OF_NARROW, _NARROW = 46, 440  # of an image without the name of its upright axis
 _SPAN = 1.105  # of axes with a colour bar, in widths of the axes
 _BAR_LABELS = 62.0  # to begin with
 _LEAST = 30  # of axes; on smaller ones labels lie over each other
@@ -62,9 +65,20 @@ class Canvas(FigureCanvasQTAgg):
     @property
     def roomy(self) -> bool:
         """Whether there is room for axes beside their labels."""
-        left = _LEFT_OF_IMAGE if self._bar else _LEFT_OF_CURVE
-        across = self.width() - left - (self._bar_labels if self._bar else _RIGHT)
+        across = self.width() - self._left - (self._bar_labels if self._bar else _RIGHT)
         return bool(min(across, self.height() - _BOTTOM - _TOP) >= _LEAST)
+
+    @property
+    def _narrow(self) -> bool:
+        """Whether names of axes would take too much room from an image."""
+        return self._bar and self.width() < _NARROW
+
+    @property
+    def _left(self) -> int:
+        """Logical pixels at the left of the axes."""
+        if not self._bar:
+            return _LEFT_OF_CURVE
+        return _LEFT_OF_NARROW if self._narrow else _LEFT_OF_IMAGE
 
     def begin(self) -> Axes:
         """Throw the old picture away; the axes of the next."""
@@ -97,6 +111,7 @@ class Canvas(FigureCanvasQTAgg):
 
     def draw(self) -> None:
         """Draw everything and keep all but the artists as the background."""
+        self._name_axes(not self._narrow)
         for _ in range(_TRIES):
             super().draw()
             if not self._make_room():
@@ -107,6 +122,7 @@ class Canvas(FigureCanvasQTAgg):
     def write(self, file: BinaryIO, format: str) -> None:
         """Write the figure as "png" or "svg", black on white."""
         paint(self.figure, _INK, _PAPER)
+        self._name_axes(True)
         self.figure.savefig(file, format=format, dpi=_FILE_DPI)
         self.recolour()
         self.draw()
@@ -141,11 +157,11 @@ class Canvas(FigureCanvasQTAgg):
 
     def _place(self) -> None:
         width, height = max(self.width(), 1), max(self.height(), 1)
+        left = self._left
         if self._bar:
-            left = _LEFT_OF_IMAGE
             right = left + (width - left - self._bar_labels) / _SPAN
         else:
-            left, right = _LEFT_OF_CURVE, width - _RIGHT
+            right = float(width - _RIGHT)
         self.figure.subplots_adjust(
             left=left / width,
             right=max(right, left + 1) / width,
@@ -153,6 +169,13 @@ class Canvas(FigureCanvasQTAgg):
             top=max(height - _TOP, _BOTTOM + 1) / height,
         )
         self._background = None
+
+    def _name_axes(self, named: bool) -> None:
+        """Show or hide the names of the upright axis and of the colour bar."""
+        if self._bar:
+            for axes in self.figure.axes:
+                for each in (axes, *axes.child_axes):
+                    each.yaxis.label.set_visible(named)
 
     def _make_room(self) -> bool:
         """Measure the labels of the colour bar; whether they need another room than they had."""

@@ -11,7 +11,7 @@ from ui.window.workspace import Workspace
 _SHARE_OF_SCREEN = 0.85
 _SIZE = QSize(1280, 800)  # below which panes have little room
 _FRAME = QSize(16, 64)  # that a desktop may put around a window
-_GEOMETRY, _DOCKS = "window/geometry", "window/docks"
+_GEOMETRY, _DOCKS = "window/geometry", "window/result-first"
 
 
 class Layout:

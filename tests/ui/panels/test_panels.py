@@ -31,7 +31,21 @@ def session():
 def test_a_number_is_entered_with_return(forms, document, qtbot):
     enter(qtbot, forms, "screen.z", "7.25")
     assert document.session.scene.screen.z == 7.25
-    assert document.undo_stack.undoText() == "change of screen at z"
+    assert document.undo_stack.undoText() == "screen at z 5 → 7.25 cm"
+
+
+def test_both_widths_are_one_step_that_says_what_they_were(forms, document, qtbot):
+    for axis, text in ((0, "40"), (1, "50"), (0, "50")):
+        enter(qtbot, forms, f"screen.half_width[{axis}]", text)
+    assert document.undo_stack.count() == 1
+    assert document.undo_stack.undoText() == "screen half width 1 → 50 cm"
+    enter(qtbot, forms, "screen.half_width[0]", "30")
+    assert document.undo_stack.undoText() == "screen half width 1 × 1 → 30 × 50 cm"
+    enter(qtbot, forms, "lens.height_range[1]", "0.4")
+    assert document.undo_stack.undoText() == "lens from the base -0.3 to 0.3 → -0.3 to 0.4 cm"
+    document.undo_stack.undo()
+    document.undo_stack.undo()
+    assert document.session.scene.screen.half_width == (1.0, 1.0)
 
 
 @pytest.mark.parametrize(

@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QStatusBar
 
 from ui.run.pace import Pace
 from ui.run.status import RunStatus
+from workbench.design.loss import relative_error
 
 
 def test_the_pace_is_that_of_the_last_seconds():
@@ -50,7 +51,8 @@ def frame(session, snapshot):
 
 
 def method(session, make_scene, name):
-    return SimpleNamespace(scene=make_scene({"run.method": name}))
+    scene = make_scene({"run.method": name})
+    return SimpleNamespace(scene=scene, target=session.target)
 
 
 @pytest.mark.parametrize(("name", "left"), [("auto", "at most 0:06 left"), ("paper", "0:06 left")])
@@ -62,7 +64,8 @@ def test_progress_while_a_run_goes_on(bar, session, make_scene, snapshots, name,
     assert status._iteration.text() == "iteration 40 of 100, 10/s"
     assert status._left.text() == left
     assert status._elapsed.text() == "0:04 elapsed"
-    assert status._light.text() == "on the screen 92.0 %"
+    error = relative_error(snapshots(40, 100).state, task.target)
+    assert status._light.text() == f"Error {100 * error:.1f} % · light on the screen 92.0 %"
     status.settle()
     assert status._left.text() == "" and status._progress.isHidden()
 

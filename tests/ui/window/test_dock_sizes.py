@@ -6,7 +6,7 @@ from PySide6.QtGui import QScreen
 from PySide6.QtWidgets import QTabBar
 
 from ui.widgets import theme
-from ui.window.workspace import _IMAGES_SHARE
+from ui.window.workspace import _FORMS_SHARE, _IMAGES
 
 SIZE = QSize(1280, 800)
 
@@ -21,31 +21,46 @@ def large(window, qtbot):
 
 def reset(window, qtbot):
     window.commands["reset_layout"].trigger()
-    share = pytest.approx(_IMAGES_SHARE * SIZE.width(), abs=2)
-    qtbot.waitUntil(lambda: width(window) == share)
+    share = pytest.approx((1 - _FORMS_SHARE) / 3 * window.width(), abs=0.03 * window.width())
+    qtbot.waitUntil(lambda: [width(window, name) for name in _IMAGES] == 3 * [share])
 
 
 def width(window, name="error"):
     return window.workspace.docks[name].width()
 
 
-def test_target_and_irradiance_share_the_room_of_one_dock(large, qtbot):
-    whole = width(large)
+@pytest.mark.parametrize("size", [(1280, 800), (1600, 1000), (2560, 1440)])
+def test_irradiance_target_and_difference_have_a_third_of_the_window(
+    window, qtbot, monkeypatch, size
+):
+    monkeypatch.setattr(QScreen, "availableSize", lambda self: QSize(*size))
+    window.build()
+    window.resize(QSize(*size))
+    qtbot.waitUntil(lambda: window.size() == QSize(*size))
+    reset(window, qtbot)
+    docks = [window.workspace.docks[name] for name in _IMAGES]
+    assert len({dock.y() for dock in docks}) == 1  # side by side
+    assert sum(dock.width() * dock.height() for dock in docks) >= size[0] * size[1] / 3
+
+
+def test_images_share_the_room_of_one_that_went(large, qtbot):
+    whole = sum(width(large, name) for name in _IMAGES)
+    large.workspace.docks["target"].hide()
+    qtbot.wait(50)
     large.commands["go_target"].trigger()
     qtbot.wait(50)
-    parts = [width(large, name) for name in ("irradiance", "target")]
-    assert parts[0] == pytest.approx(parts[1], abs=2)
-    assert sum(parts) == pytest.approx(whole, abs=12)  # a separator between them
+    parts = [width(large, name) for name in _IMAGES]
+    assert sum(parts) == pytest.approx(whole, abs=12)  # separators between them
+    assert min(parts) > max(parts) / 2
 
 
 def test_reset_gives_the_images_their_share_whatever_was_open(large, qtbot):
     usual = width(large)
-    assert usual == pytest.approx(_IMAGES_SHARE * SIZE.width(), abs=2)
     for _ in range(2):
-        large.commands["go_target"].trigger()
+        large.workspace.docks["target"].hide()
         qtbot.wait(50)
         reset(large, qtbot)
-        assert width(large) == usual
+        assert width(large) == pytest.approx(usual, abs=2)
 
 
 def test_titles_of_tabs_are_whole_however_many_there_are(application, large, qtbot):
