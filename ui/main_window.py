@@ -13,8 +13,10 @@ from resources import EXAMPLES, Example
 from ui.commands.availability import Situation
 from ui.commands.pane_focus import PaneFocus
 from ui.commands.table import NEW
+from ui.commands.theme_choice import offer_themes, show_theme
 from ui.document.document import ENDING, Document
 from ui.files.actions import Answer, FileActions
+from ui.files.chosen_files import ChosenFiles
 from ui.files.exporter import Exporter
 from ui.files.gallery import Gallery
 from ui.files.recent import RecentFiles
@@ -24,8 +26,7 @@ from ui.jobs.start import Start
 from ui.notices.carried_lens import CarriedLens
 from ui.notices.target_image import TargetImage
 from ui.notices.unit_change import UnitChange
-from ui.panels.source import LIGHT_FILES, is_light_file
-from ui.panels.target import IMAGE_FILES
+from ui.panels.source import is_light_file
 from ui.run.lens_on_show import LensOnShow
 from ui.window.early_parts import EarlyParts
 from ui.window.layout import Layout
@@ -84,8 +85,6 @@ class MainWindow(QMainWindow):
         self.early = early = EarlyParts(self, document, settings)
         self.commands, self.messages, self.log = early.commands, early.messages, early.log
         self.forms, self.workspace, self.status = early.forms, early.workspace, early.status
-        self.forms.image_asked.connect(self._choose_image)
-        self.forms.light_asked.connect(self._choose_light)
         self._carried = CarriedLens(document, self.messages, self)
         self._carried.noted.connect(self.log.add)
         UnitChange(document, self.messages, self)
@@ -98,6 +97,7 @@ class MainWindow(QMainWindow):
         self._recent = RecentFiles(settings)
         self._lens = LensOnShow(document, self)
         self.dialogs = dialogs = early.dialogs
+        self._chosen = ChosenFiles(self.forms, dialogs, self.messages, self)
         lens, messages = self._lens, self.messages
         self.files = FileActions(document, lens, self._recent, messages, dialogs, self)
         self.exporter = Exporter(document, lens, messages, dialogs, self)
@@ -198,6 +198,7 @@ class MainWindow(QMainWindow):
             self._show_recent()
         if event.type() == QEvent.Type.PaletteChange:
             self.commands.colour_icons()
+            show_theme(self._settings, self.commands)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Escape that nothing else has taken cancels a check."""
@@ -277,12 +278,15 @@ class MainWindow(QMainWindow):
                 "undo": self.document.undo_stack.undo,
                 "redo": self.document.undo_stack.redo,
                 "second_face": self.forms.switch_entrance,
+                "picture_aspect": self.forms.take_aspect,
+                **self._chosen.slots(),
                 "revert": self.files.revert,
                 "reset_layout": self._layout.reset,
                 **self._panes.slots(),
                 **self.help.slots(),
             }
         )
+        offer_themes(self._settings, self.commands)
         self.commands.connect_toggles({"scene_view": self.workspace.show_scene_view})
         self.document.session_changed.connect(self._show_state)
         self.document.path_changed.connect(self._show_title)
@@ -319,16 +323,6 @@ class MainWindow(QMainWindow):
     def _tell_saved(self, sentence: str) -> None:
         self.log.add(sentence)
         self.status.tell(sentence)
-
-    def _choose_image(self) -> None:
-        path = self.dialogs.to_open("image", "Target image", IMAGE_FILES)
-        if path is not None:
-            self.forms.choose_image(path)
-
-    def _choose_light(self) -> None:
-        path = self.dialogs.to_open("light", "File of light", LIGHT_FILES)
-        if path is not None:
-            self.forms.choose_light(path)
 
     def _take_along(self, take: Callable[[], None]) -> None:
         self.forms.commit()

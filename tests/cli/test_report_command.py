@@ -188,7 +188,7 @@ class TestHtml:
         light = check["ledger"]
         for name, key in (
             ("on the screen", "on_screen"),
-            ("beside the screen", "off_screen"),
+            ("missed the screen", "off_screen"),
             ("reflected on entry", "fresnel_entrance"),
             ("reflected on exit", "fresnel_exit"),
             ("totally reflected", "total_reflection"),

@@ -92,8 +92,8 @@ class TestTable:
         monkeypatch.setattr("workbench.analysis.validation.validate", noisy)
         status, printed, told = freeform("sweep", scene_file, "-o", folder, *FEW)
         assert status == 0
-        assert told.splitlines()[0] == "1/1  hat: error below 0.35 %"
-        assert "below 0.35 %" in printed
+        assert told.splitlines()[0] == "1/1  hat: error < 0.35 %"
+        assert "< 0.35 %" in printed
         assert "0.00" not in printed
 
     def test_another_sweep_in_the_folder_is_refused(self, freeform, scene_file, folder):

@@ -42,8 +42,8 @@ def test_each_map_shows_its_values(maps):
     for name, values in (
         ("Thickness", maps.thickness),
         ("Slope", maps.slope),
-        ("Curvature of hollows", maps.concave),
-        ("Curvature of humps", maps.convex.clip(0)),
+        ("Concave curvature", maps.concave),
+        ("Convex curvature", maps.convex.clip(0)),
     ):
         image = found[name].get_images()[0]
         assert np.asarray(image.get_array()) == pytest.approx(values)
@@ -60,11 +60,11 @@ def test_what_is_beyond_limits_is_hatched(maps):
     assert not hatched(thick, 0.7, 0.0)
     assert hatched(steep, -0.9, 0.0)
     assert not hatched(steep, 0.1, 0.0)
-    assert hatched(found["Curvature of hollows"], 0.0, 0.0)
-    assert not found["Curvature of humps"].collections
+    assert hatched(found["Concave curvature"], 0.0, 0.0)
+    assert not found["Convex curvature"].collections
     assert thick.get_title() == "Thickness, at least 0.55 cm, at most 0.7 cm"
     assert steep.get_title() == "Slope, at most 15°"
-    assert found["Curvature of humps"].get_title().endswith("radius at least 2.6 cm")
+    assert found["Convex curvature"].get_title().endswith("radius at least 2.6 cm")
 
 
 def test_a_plane_can_be_drawn(make_scene):

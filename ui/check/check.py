@@ -95,7 +95,7 @@ class Check(QObject):
 
     def _take(self, lens: CheckedLens, outcome: "tuple[Validation, float]") -> None:
         found, difference = outcome
-        self.figures_changed.emit(f"checked: error {verified_error(found.verified)}")
+        self.figures_changed.emit(f"Checked error {verified_error(found.verified)}")
         self.under_way_changed.emit(False)
         self.checked.emit(lens, found, difference)
         low, high = found.verified.relative_l2_corrected_interval

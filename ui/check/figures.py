@@ -179,7 +179,7 @@ class CheckFigures(QWidget):
         """Take note of what is known of the lens on show, as `Check.figures_changed` tells it."""
         if figures.startswith("checked"):
             return
-        before = " These figures are of the design before." if self._count else ""
+        before = " Out of date: these figures are of the design before." if self._count else ""
         self._hint.setText(f"{figures.capitalize() or _NOTHING}{before}")
         self._hint.show()
         self._table.setEnabled(False)

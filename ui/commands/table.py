@@ -54,6 +54,9 @@ _FIRST_RAYS = 9
 COLOURS = {f"colours_{name}": name for name in ("inferno", "viridis", "cividis", "gray")}
 """Commands for the colours in which light is shown; see `workbench.pictures.maps.UNSIGNED`."""
 
+THEMES = {f"theme_{name}": name for name in ("system", "light", "dark")}
+"""Commands for how the windows look; see `ui.widgets.theme.choose`."""
+
 TOOLS = ("turn", "sculpt", "lock", "move_source")
 """Commands for what the left button does in the 3D scene."""
 
@@ -91,6 +94,9 @@ COMMANDS = {
     ),
     "undo": Command("&Undo", "Take the last change back", _Key.Undo, "undo"),
     "redo": Command("&Redo", "Make the change again", "Ctrl+Shift+Z", "redo"),
+    "paste_picture": Command(
+        "&Paste picture", "Make the picture on the clipboard the target", _Key.Paste
+    ),
     "copy_plot": Command(
         "Copy &plot",
         "Copy a picture of the plot that was clicked last, to paste it elsewhere",
@@ -138,7 +144,7 @@ COMMANDS = {
     "top_view": Command("From a&bove", "Look at the 3D scene along y: light goes right"),
     "axis_view": Command("Along the a&xis", "Look back along z from behind the screen"),
     "exploded": Command(
-        "&Exploded distances",
+        "&Shorten gaps",
         "Draw a far source and screen nearer, and a large screen smaller, to see the {optic}",
         "Ctrl+D",
         checked=False,
@@ -158,6 +164,14 @@ COMMANDS = {
             checked=command == "colours_inferno",
         )
         for command, name in COLOURS.items()
+    },
+    **{
+        command: Command(
+            "As the &system" if name == "system" else f"&{name.capitalize()}",
+            "Show all windows light, dark, or as the system is",
+            checked=name == "system",
+        )
+        for command, name in THEMES.items()
     },
     **{
         name: Command(text, tip, checked=by_weight is False)
@@ -193,6 +207,10 @@ COMMANDS = {
     ),
     "move_source": Command(
         "&Move source", "Drag the source; Ctrl: along z", "Alt+M", "move-source", checked=False
+    ),
+    "picture_aspect": Command(
+        "Image as wide and high as the &picture",
+        "Give screen or far field, and their pixels, the aspect of the target's picture",
     ),
     "second_face": Command(
         "&Freeform entrance face",
@@ -266,10 +284,11 @@ MENUS: dict[str, list[Any]] = {
         "close",
         "quit",
     ],
-    "&Edit": ["undo", "redo", None, "copy_plot", "save_plot"],
+    "&Edit": ["undo", "redo", None, "paste_picture", None, "copy_plot", "save_plot"],
     "&Design": [
         *TOOLS,
         None,
+        "picture_aspect",
         "second_face",
         "other_face",
         None,
@@ -291,6 +310,7 @@ MENUS: dict[str, list[Any]] = {
         ("Save pict&ure of 3D", list(PICTURES)),
         "copy_scene",
         ("&Colours of light", list(COLOURS)),
+        ("Th&eme", list(THEMES)),
         None,
         ("&Go to", [*(f"go_{name}" for name in PANES), None, "next_pane", "previous_pane"]),
         "reset_layout",
@@ -304,7 +324,7 @@ TOOLBAR = [*_FILES, None, *_STEPS, None, *_RUN, "follow", None, *TOOLS, None, "f
 """Names and separators, as in a menu."""
 LABELLED = _RUN
 """Those whose name stands beside the icon in the toolbar."""
-CHOICES = [list(RAYS), list(RAYS_BY), list(COLOURS), list(TOOLS)]
+CHOICES = [list(RAYS), list(RAYS_BY), list(COLOURS), list(THEMES), list(TOOLS)]
 """Groups of commands of which one is on."""
 LOOK = ["scene_view", "exploded", "perspective", *RAYS, *RAYS_BY, *COLOURS]
 """Those whose state is part of how a design is looked at, and travels with it."""

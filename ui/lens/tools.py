@@ -42,7 +42,7 @@ Mask = npt.NDArray[np.bool_]
 _BUSY = "Stop the run first; then change the {optic} by hand."
 _NO_LENS = "There is no {optic} to shape yet."
 _ONE_FACE = "There is one freeform face. Design > Freeform entrance face gives a lens a second one."
-_NOT_TO_SCALE = "Show distances to scale first (View > Exploded distances); then move the source."
+_NOT_TO_SCALE = "Show distances to scale first (View > Shorten gaps); then move the source."
 
 
 class LensTools(QObject):

@@ -26,8 +26,8 @@ if TYPE_CHECKING:
 _TIPS = (
     "Thickness along z",
     "Angle between the face and a plane across the axis",
-    "One over the radius of hollows; zero where there is none",
-    "One over the radius of humps; zero where there is none",
+    "One over the radius of concave places; zero elsewhere",
+    "One over the radius of convex places; zero elsewhere",
 )
 
 

@@ -40,8 +40,8 @@ _LINES = {
 }
 _OF_FACE = {
     "steepest": ("Slope", "Largest angle between the face and a plane across the axis"),
-    "tightest_concave": ("Hollow radius", "Smallest radius of curvature of hollows"),
-    "tightest_convex": ("Hump radius", "Smallest radius of curvature of humps"),
+    "tightest_concave": ("Concave radius", "Smallest radius of curvature of concave places"),
+    "tightest_convex": ("Convex radius", "Smallest radius of curvature of convex places"),
     "tool_radius": (
         "Ball cutter up to",
         "Largest radius of a ball cutter that fits everywhere on the face, without cutting into "

@@ -18,7 +18,10 @@ _ROWS = {
         "Slope",
         "Largest angle between a freeform face and a plane across the axis, in degrees",
     ),
-    "min_radius": ("Hollow radius", "Smallest radius that a tool can cut, in hollows and on humps"),
+    "min_radius": (
+        "Concave radius",
+        "Smallest radius that a tool can cut, of concave and convex places",
+    ),
     "min_tool_radius": ("Ball cutter", "Radius of the ball cutter that has to fit everywhere"),
 }
 _ANGLE = "max_slope"

@@ -101,7 +101,7 @@ class ManufacturePane(SideBySide):
             self._figures.say("")
             return
         if self._found is not None:
-            self._figures.say("These are of the lens before; computed anew when it rests.")
+            self._figures.say("Out of date: of the lens before; computed anew when it rests.")
         if self._resting and self.isVisible():
             self._rest.start()
         else:

@@ -22,7 +22,7 @@ from ui.panels.stages import StagesPanel
 from ui.panels.target import TargetPanel
 from workbench.errors import Refused
 from workbench.files.session import Session
-from workbench.scene import FieldDescription, Scene
+from workbench.scene import FieldDescription, ImageTarget, Scene
 
 _PANELS: dict[str, type[PartPanel]] = {"lens": LensPanel, "mirror": LensPanel, "run": RunPanel}
 
@@ -164,6 +164,30 @@ class Forms(QScrollArea):
         shape = "flat" if two_faces else "freeform"
         changes: dict[str, object] = {"lens.entrance": {"shape": shape}}
         self.edit(Edit("lens.entrance.shape", f"{shape} entrance face", changes, alone=True))
+
+    def take_aspect(self) -> None:
+        """Give the receiver, and its pixels, the aspect of the target's picture."""
+        from workbench.targets import picture_aspect  # late: takes long to import
+
+        session = self._session
+        scene = session.scene
+        receiver, target = scene.receiver, scene.target
+        if not isinstance(target, ImageTarget):
+            self.file_refused.emit("The target is no picture: only a picture has an aspect.")
+            return
+        try:
+            aspect = picture_aspect(target, session.picture)
+        except Refused as refused:
+            self.file_refused.emit(f"The picture has no aspect: {refused}")
+            return
+        (half, _), (pixels, _) = receiver.half_extent, receiver.pixels
+        name = "far_field" if scene.screen is None else "screen"
+        changes: dict[str, object] = {
+            f"{name}.{receiver.extent}": [half, half / aspect],
+            f"{name}.pixels": [pixels, max(round(pixels / aspect), 1)],
+        }
+        text = f"{receiver.called} of the picture's aspect"
+        self.edit(Edit(f"{name}.{receiver.extent}", text, changes, alone=True))
 
     def _ask_image(self, panel: TargetPanel | ImagesPanel) -> None:
         """Have an image file chosen for a panel; any other one is for the first target."""

@@ -34,7 +34,7 @@ class LensPanel(PartPanel):
             path,
             field.title,
             field.tip,
-            [(_OWN_INDEX, "Own index"), *((name, name) for name in CATALOGUE)],
+            [(_OWN_INDEX, "Custom index"), *((name, name) for name in CATALOGUE)],
             read=_material,
             changes=self._change_material,
         )

@@ -127,7 +127,7 @@ class RunCheck(QObject):
             self._rested_at = monotonic()
             self._cost = self._rested_at - self._began
             history.add_check(verified)
-        self._text = f"verified {verified_error(found.verified)} at {lens.iterations}"
+        self._text = f"Checked error {verified_error(found.verified)} at {lens.iterations}"
         self._tell()
         self.checked.emit(lens, found)
 

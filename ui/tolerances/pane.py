@@ -146,5 +146,5 @@ class TolerancePane(SideBySide):
             f"{100 * spread.percentiles['95']:.2f} %, worst {100 * spread.worst:.2f} %"
         )
         if self._frame is None or not same_lens(sample.frame, self._frame):
-            return f"{text}. The lens has changed since; these are of the one before."
+            return f"{text}. Out of date: the lens has changed since."
         return text

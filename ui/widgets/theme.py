@@ -19,6 +19,15 @@ _WARNING = {"light": "#fff0c8", "dark": "#4d3f10"}
 _ON = {"light": "#b5d3ee", "dark": "#2a6296"}
 _NOTE = {"light": "#dcebfa", "dark": "#1d3a56"}
 
+_SCHEMES = {
+    "system": Qt.ColorScheme.Unknown,
+    "light": Qt.ColorScheme.Light,
+    "dark": Qt.ColorScheme.Dark,
+}
+# Of buttons and windows; of fields; and text.
+_GROUNDS = {"light": ("#efefef", "#ffffff", "#000000"), "dark": ("#323232", "#242424", "#ffffff")}
+_HIGHLIGHT = "#308cc6"
+
 
 def apply(application: QApplication) -> None:
     """Dress the application, now and whenever the system turns light or dark."""
@@ -29,6 +38,13 @@ def apply(application: QApplication) -> None:
     application.styleHints().colorSchemeChanged.connect(
         lambda _: QTimer.singleShot(0, application, lambda: _colour(application))
     )
+
+
+def choose(application: QApplication, name: str) -> None:
+    """Be "light" or "dark", or as the "system" is."""
+    application.styleHints().setColorScheme(_SCHEMES[name])  # for what the system draws itself
+    application.setPalette(_palette(name) if name in _GROUNDS else QPalette())
+    _colour(application)
 
 
 def is_dark(palette: QPalette) -> bool:
@@ -56,6 +72,32 @@ def restyle(widget: QWidget) -> None:
     for changed in (widget, *widget.findChildren(QWidget)):
         changed.style().unpolish(changed)
         changed.style().polish(changed)
+
+
+def _palette(name: str) -> QPalette:
+    """Fusion's palette for a ground; it makes shades of its own."""
+    ground, field, text = (QColor(colour) for colour in _GROUNDS[name])
+    palette = QPalette(ground, ground)
+    roles = QPalette.ColorRole
+    for role, colour in {
+        roles.Base: field,
+        roles.AlternateBase: ground,
+        roles.ToolTipBase: field,
+        roles.ToolTipText: text,
+        roles.WindowText: text,
+        roles.Text: text,
+        roles.ButtonText: text,
+        roles.Highlight: QColor(_HIGHLIGHT),
+        roles.HighlightedText: QColor("white"),
+        roles.Link: QColor(_HIGHLIGHT),
+    }.items():
+        palette.setColor(role, colour)
+    for role in (roles.WindowText, roles.Text, roles.ButtonText):
+        palette.setColor(QPalette.ColorGroup.Disabled, role, QColor("#808080"))
+    placeholder = QColor(text)
+    placeholder.setAlphaF(0.5)
+    palette.setColor(roles.PlaceholderText, placeholder)
+    return palette
 
 
 def _icon_file(name: str) -> Path:

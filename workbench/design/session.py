@@ -55,7 +55,7 @@ def verified_error(found: Checked) -> str:
     """What a check says of the lens itself: the scatter of its own rays is no error of a lens."""
     low, high = found.relative_l2_corrected_interval
     if low == 0:  # so few rays cannot tell it from none
-        return f"below {_percent(high)}"
+        return f"< {_percent(high)}"
     return _percent(found.relative_l2_corrected)
 
 

@@ -44,7 +44,7 @@ class Loss(NamedTuple):
 
 LOSSES: Mapping[str, Loss] = {
     "off_screen": Loss(
-        "Beside the {receiver}",
+        "Missed the {receiver}",
         "Light that passes the optic and the {receiver} by. One that sends much light here "
         "wastes it, or has more than its surface can bend.",
         "passes beside it",

@@ -76,7 +76,7 @@ class ShopLimits(Protocol):
         """Scene units."""
 
 
-MAPS = ("Thickness", "Slope", "Curvature of hollows", "Curvature of humps")
+MAPS = ("Thickness", "Slope", "Concave curvature", "Convex curvature")
 """What can be shown of a face."""
 
 
@@ -187,7 +187,7 @@ def _map(name: str, maps: FaceMaps, limits: ShopLimits, unit: str) -> _Map:
         return _Map(maps.slope, of, None, steep, _in_words("at most", steep, "°"))
     radius = limits.min_radius
     bent = None if radius is None else 1 / radius
-    values = maps.concave if name == "Curvature of hollows" else maps.convex
+    values = maps.concave if name == "Concave curvature" else maps.convex
     return _Map(values.clip(0), of, None, bent, _in_words("radius at least", radius, f" {unit}"))
 
 

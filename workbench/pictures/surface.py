@@ -58,7 +58,7 @@ class Aspect:
     signed: bool = True
 
 
-_HOLLOW = "positive where the face is hollow, negative where it is a hump"
+_HOLLOW = "positive where the face is concave, negative where it is convex"
 
 ASPECTS = (
     Aspect(
@@ -93,14 +93,14 @@ ASPECTS = (
     ),
     Aspect(
         "largest curvature",
-        f"Larger principal curvature, {_HOLLOW}; one over the smallest radius of hollows",
+        f"Larger principal curvature, {_HOLLOW}; one over the smallest concave radius",
         "1 / {}",
         -1,
         lambda s: s.largest,
     ),
     Aspect(
         "smallest curvature",
-        f"Smaller principal curvature, {_HOLLOW}; one over the smallest radius of humps",
+        f"Smaller principal curvature, {_HOLLOW}; one over the smallest convex radius",
         "1 / {}",
         -1,
         lambda s: s.smallest,

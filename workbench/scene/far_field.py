@@ -50,7 +50,7 @@ class FarField(AnyReceiver):
         tuple[_Angle, _Angle],
         ANGLE,
         PLACE,
-        about("Center", "Its middle: angle to the right and angle upwards from the optical axis."),
+        about("Centre", "Its middle: angle to the right and angle upwards from the optical axis."),
     ] = (0.0, 0.0)
     pixels: Pixels
 

@@ -73,9 +73,7 @@ class Lens(Optic):
     ] = FlatEntrance()
     refractive_index: Annotated[
         float | str,
-        about(
-            "Material", "What the lens is made of: a catalogue material, or an index of your own."
-        ),
+        about("Material", "What the lens is made of: a catalogue material, or a custom index."),
     ]
     wavelength_um: Annotated[
         Positive | None,

@@ -103,7 +103,7 @@ class RunSettings(Part):
         LENGTH,
         about(
             "Smallest radius",
-            "Smallest radius of curvature that the exit face may have, in hollows and on humps: "
+            "Smallest radius of curvature that the exit face may have, concave and convex: "
             "that of the tool. A run that has settled keeps to it; dark edges get softer. Left "
             "empty, any will do.",
         ),

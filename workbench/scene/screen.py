@@ -52,7 +52,7 @@ class Screen(AnyReceiver):
         LENGTH,
         PLACE,
         SINCE_2,
-        about("Center", "Where its middle is beside the optical axis, along x and y."),
+        about("Centre", "Where its middle is beside the optical axis, along x and y."),
     ] = (0.0, 0.0)
     tilt: Annotated[
         tuple[_Turn, _Turn],

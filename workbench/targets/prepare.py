@@ -66,6 +66,25 @@ def load_target(scene: Scene, folder: Path, kept: bytes | None = None) -> Array:
     return _blurred(light, target.blur) if target.blur else light
 
 
+def picture_aspect(target: ImageTarget, kept: bytes | None = None) -> float:
+    """Width over height of a picture as it lies on the screen: what is left of it, turned.
+
+    Parameters
+    ----------
+    target : ImageTarget
+        With the absolute name of its file.
+    kept : bytes, optional
+        Content of the file, which is not read then.
+
+    Raises
+    ------
+    Refused
+        If the file cannot be used.
+    """
+    rows, columns = _picture(target, Path(target.image), _FINEST // _FINENESS, kept).shape
+    return float(columns / rows)
+
+
 def _blurred(light: Array, sigma: float) -> Array:
     from scipy.ndimage import gaussian_filter  # late: it takes long to import
 

@@ -59,7 +59,7 @@ def test_the_figures_stand_beside_the_loss(window, few_rays, qtbot):
     steps = validating(session.scene, session.target, session.result.state.heights, RAYS)
     found = outcome(steps)
     error = verified_error(found)
-    assert figures(window) == f"checked: error {error}"
+    assert figures(window) == f"Checked error {error}"
     assert window.status._check.isVisible()
     log = window.log.toPlainText()
     assert f"relative L2 error {error}" in log
@@ -71,7 +71,7 @@ def test_an_error_below_the_scatter_of_the_rays_is_shown_as_a_bound():
     found = SimpleNamespace(
         relative_l2_corrected=0.004, relative_l2_corrected_interval=(0.0, 0.0123)
     )
-    assert verified_error(found) == "below 1.23 %"
+    assert verified_error(found) == "< 1.23 %"
     found.relative_l2_corrected_interval = (0.001, 0.0123)
     assert verified_error(found) == "0.40 %"
 

@@ -80,7 +80,7 @@ def test_a_lens_at_rest_has_no_pace(bar, session, snapshots):
 def test_verified_figures_are_there_only_when_there_are_some(bar):
     status = RunStatus(bar)
     assert status._verified.isHidden()
-    status.show_verified("verified 1.20 % at 40")
+    status.show_verified("Checked error 1.20 % at 40")
     assert not status._verified.isHidden()
     status.show_verified("")
     assert status._verified.isHidden()

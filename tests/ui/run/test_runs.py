@@ -232,7 +232,7 @@ def test_the_lens_of_a_run_is_checked_at_its_end(window, run, checks, qtbot):
     result = window.document.session.result
     heights, rays, threads = checks.asked[-1]
     assert heights is result.state.heights and rays == 4_000_000 and threads is None
-    assert window.status._verified.text() == "verified 1.25 % at 6"
+    assert window.status._verified.text() == "Checked error 1.25 % at 6"
     assert texts(window, 0)[1] == "1.25 %"
     (point,) = window.loaded.views.loss._verified
     assert (point.iteration, point.loss) == (6, 0.1)
@@ -249,7 +249,7 @@ def test_a_lens_changed_by_hand_is_not_the_one_that_was_checked(window, run, che
     document.set_result(moved, "move control points")
     assert status._verified.text() == ""
     document.undo_stack.undo()
-    assert status._verified.text() == "verified 1.25 % at 6"
+    assert status._verified.text() == "Checked error 1.25 % at 6"
 
 
 def test_a_run_is_checked_while_it_goes_on(window, as_run, checks, monkeypatch, qtbot):
@@ -260,7 +260,7 @@ def test_a_run_is_checked_while_it_goes_on(window, as_run, checks, monkeypatch, 
     window.commands["start"].trigger()
     qtbot.waitUntil(lambda: len(window.loaded.views.loss._verified) >= 2, timeout=60_000)
     assert {(rays, threads) for _, rays, threads in checks.asked} == {(1_000_000, 1)}
-    assert window.status._verified.text().startswith("verified 1.25 % at ")
+    assert window.status._verified.text().startswith("Checked error 1.25 % at ")
     window.commands["stop"].trigger()
     qtbot.waitUntil(lambda: not window.loaded.control.busy, timeout=60_000)
     qtbot.waitUntil(lambda: checks.asked[-1][1] == 4_000_000)

@@ -112,7 +112,7 @@ def test_cancelling_keeps_the_lenses_so_far(pane, qtbot):
 def test_figures_of_an_earlier_lens_are_marked(pane, session, frame, frames, qtbot):
     sample(pane, qtbot)
     pane.show_frame(frames(5))
-    assert pane.summary.text().endswith("these are of the one before.")
+    assert pane.summary.text().endswith("Out of date: the lens has changed since.")
     pane.show_frame(frame)
     assert "changed" not in pane.summary.text()
     pane.show_nothing(session)

@@ -192,7 +192,7 @@ def test_a_check_that_ends_after_its_run_was_undone_comes_back_with_it(window, q
     window.commands["redo"].trigger()
     (point,) = loaded.views.loss._verified
     assert (point.iteration, point.loss) == (12, 0.1)
-    assert window.status._verified.text() == "verified 1.25 % at 12"
+    assert window.status._verified.text() == "Checked error 1.25 % at 12"
     assert loaded.runs.table.table.item(0, 1).text() == "1.25 %"
 
 

@@ -335,7 +335,7 @@ def test_the_light_account_adds_up(frame, show, qtbot):
     qtbot.waitUntil(lambda: view.texts()["All parts"] == "100.00 %")
     assert view.texts() == {
         "On the screen": "50.00 %",
-        "Beside the screen": "25.00 %",
+        "Missed the screen": "25.00 %",
         "Missed the lens": "5.00 %",
         "Out of the side": "3.00 %",
         "Totally reflected": "0.00 %",

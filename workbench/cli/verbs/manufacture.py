@@ -29,7 +29,7 @@ def add(commands: Any) -> None:
         ("min-thickness", "LENGTH", "the lens has to be as thick everywhere [the scene's]"),
         ("max-thickness", "LENGTH", "and not thicker than this"),
         ("max-slope", "DEGREES", "largest angle between exit face and entrance face"),
-        ("min-radius", "LENGTH", "smallest radius of curvature, in hollows and on humps"),
+        ("min-radius", "LENGTH", "smallest radius of curvature, concave and convex"),
         ("min-tool-radius", "LENGTH", "radius of the ball cutter that has to fit [the scene's]"),
     ):
         parser.add_argument(f"--{name}", metavar=metavar, type=length, help=does)

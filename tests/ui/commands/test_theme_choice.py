@@ -1,0 +1,44 @@
+"""Light and dark chosen in the window, for all windows and for the next start."""
+
+import pytest
+from PySide6.QtGui import QPalette
+
+from ui.commands.table import THEMES
+from ui.commands.theme_choice import kept_theme
+from ui.widgets import theme
+
+
+@pytest.fixture
+def coloured(application):
+    theme.apply(application)
+    yield application
+    theme.choose(application, "system")
+
+
+@pytest.mark.parametrize(("name", "dark"), [("dark", True), ("light", False)])
+def test_a_chosen_theme_colours_the_windows_and_is_kept(coloured, window, settings, name, dark):
+    window.commands[f"theme_{name}"].trigger()
+    assert theme.is_dark(coloured.palette()) is dark
+    assert theme._REFUSED[name] in coloured.styleSheet()
+    assert kept_theme(settings) == name
+
+
+def test_the_theme_of_the_system_comes_back(coloured, window, settings):
+    ground = coloured.palette().color(QPalette.ColorRole.Window)
+    window.commands["theme_dark"].trigger()
+    assert coloured.palette().color(QPalette.ColorRole.Window) != ground
+    window.commands["theme_system"].trigger()
+    assert coloured.palette().color(QPalette.ColorRole.Window) == ground
+    assert kept_theme(settings) == "system"
+
+
+def test_another_window_shows_which_theme_is_on(coloured, open_window, qtbot):
+    one, other = open_window(), open_window()
+    one.commands["theme_dark"].trigger()
+    qtbot.waitUntil(other.commands["theme_dark"].isChecked)
+    assert [name for name in THEMES if other.commands[name].isChecked()] == ["theme_dark"]
+
+
+def test_an_unknown_choice_is_that_of_the_system(settings):
+    settings.setValue("window/theme", "pink")
+    assert kept_theme(settings) == "system"

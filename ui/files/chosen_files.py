@@ -1,0 +1,63 @@
+"""Files and pictures that a person chooses or pastes for the design: its target, its light."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+from PySide6.QtCore import QObject, QStandardPaths
+
+from ui.files.dialogs import FileDialogs
+from ui.files.pasted import pasted_picture
+from ui.panels.forms import Forms
+from ui.panels.source import LIGHT_FILES
+from ui.panels.target import IMAGE_FILES
+from ui.widgets.message_bar import MessageBar
+from workbench.errors import Refused
+
+
+class ChosenFiles(QObject):
+    """Asks for files where the forms want them, and takes pictures from the clipboard.
+
+    Parameters
+    ----------
+    forms : Forms
+        Take what was chosen.
+    dialogs : FileDialogs
+        Ask for files.
+    messages : MessageBar
+        Says why there is no picture.
+    """
+
+    def __init__(
+        self, forms: Forms, dialogs: FileDialogs, messages: MessageBar, parent: QObject
+    ) -> None:
+        super().__init__(parent)
+        self._forms, self._dialogs, self._messages = forms, dialogs, messages
+        forms.image_asked.connect(self._choose_image)
+        forms.light_asked.connect(self._choose_light)
+
+    def slots(self) -> dict[str, Callable[[], object]]:
+        """What commands do here."""
+        return {"paste_picture": self.paste}
+
+    def paste(self) -> None:
+        """Make the picture on the clipboard the target."""
+        folder = QStandardPaths.writableLocation(QStandardPaths.StandardLocation.AppDataLocation)
+        try:
+            path = pasted_picture(Path(folder) / "pasted")
+        except Refused as refused:
+            self._messages.warn(str(refused))
+            return
+        if path is None:
+            self._messages.note("There is no picture on the clipboard.")
+        else:
+            self._forms.choose_image(path)
+
+    def _choose_image(self) -> None:
+        path = self._dialogs.to_open("image", "Target image", IMAGE_FILES)
+        if path is not None:
+            self._forms.choose_image(path)
+
+    def _choose_light(self) -> None:
+        path = self._dialogs.to_open("light", "File of light", LIGHT_FILES)
+        if path is not None:
+            self._forms.choose_light(path)
