@@ -4,7 +4,7 @@ import hashlib
 from pathlib import Path
 
 from PySide6.QtCore import QBuffer, QIODevice
-from PySide6.QtGui import QGuiApplication, QImage
+from PySide6.QtGui import QGuiApplication, QImage, QImageWriter
 
 from workbench.files.atomic import replacing
 
@@ -38,7 +38,7 @@ def pasted_picture(folder: Path) -> Path | None:
 def _written(image: QImage, folder: Path) -> Path:
     buffer = QBuffer()
     buffer.open(QIODevice.OpenModeFlag.WriteOnly)
-    image.save(buffer, b"PNG")
+    QImageWriter(buffer, b"png").write(image)
     content = bytes(buffer.data().data())
     path = folder / f"pasted-{hashlib.sha256(content).hexdigest()[:12]}.png"
     folder.mkdir(parents=True, exist_ok=True)
