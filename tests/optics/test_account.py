@@ -123,7 +123,7 @@ def test_light_that_passes_a_far_field_by_is_called_so(make_scene):
     far = {"half_angle": [20.0, 10.0], "pixels": [8, 4]}
     words = words_for(make_scene({"screen": None, "far_field": far}).receiver)
     assert words["on_screen"][0] == "In the far field"
-    assert words["off_screen"][0] == "Beside the far field"
+    assert words["off_screen"][0] == "Missed the far field"
     assert "the far field by" in words["off_screen"][1]
     assert list(words) == ["on_screen", *LOSSES]
     assert not any("{" in text for pair in words.values() for text in pair)

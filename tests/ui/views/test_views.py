@@ -468,6 +468,6 @@ def test_the_light_account_of_a_far_field_is_called_so(make_scene, session, show
     view = show(LightView(), 380, 260)
     view.show_design(dataclasses.replace(session, scene=scene, result=None))
     qtbot.waitUntil(lambda: "In the far field" in view.texts())
-    assert "Beside the far field" in view.texts()
+    assert "Missed the far field" in view.texts()
     view.show_nothing(session)
     qtbot.waitUntil(lambda: "On the screen" in view.texts())
