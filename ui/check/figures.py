@@ -177,7 +177,7 @@ class CheckFigures(QWidget):
 
     def follow(self, figures: str) -> None:
         """Take note of what is known of the lens on show, as `Check.figures_changed` tells it."""
-        if figures.startswith("checked"):
+        if figures.startswith("Checked"):
             return
         before = " Out of date: these figures are of the design before." if self._count else ""
         self._hint.setText(f"{figures.capitalize() or _NOTHING}{before}")

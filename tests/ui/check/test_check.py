@@ -54,7 +54,7 @@ def figures(window):
 def test_the_figures_stand_beside_the_loss(window, few_rays, qtbot):
     window.commands["check"].trigger()
     assert figures(window) == "checking…"
-    qtbot.waitUntil(lambda: figures(window).startswith("checked"), timeout=60_000)
+    qtbot.waitUntil(lambda: figures(window).startswith("Checked"), timeout=60_000)
     session = window.document.session
     steps = validating(session.scene, session.target, session.result.state.heights, RAYS)
     found = outcome(steps)
@@ -78,12 +78,12 @@ def test_an_error_below_the_scatter_of_the_rays_is_shown_as_a_bound():
 
 def test_figures_go_when_the_lens_changes(window, few_rays, qtbot):
     window.commands["check"].trigger()
-    qtbot.waitUntil(lambda: figures(window).startswith("checked"), timeout=60_000)
+    qtbot.waitUntil(lambda: figures(window).startswith("Checked"), timeout=60_000)
     scene, stack = window.document.session.scene, window.document.undo_stack
     run = scene.run.model_copy(update={"iterations": 17})
     window.document.edit(scene.model_copy(update={"run": run}), "run", "")
     qtbot.waitUntil(lambda: window.loaded.check._shown.session.scene.run.iterations == 17)
-    assert figures(window).startswith("checked")  # it is the same lens
+    assert figures(window).startswith("Checked")  # it is the same lens
     move_screen(window.document, 7)
     qtbot.waitUntil(lambda: not figures(window), timeout=60_000)
     assert not window.status._check.isVisible()
@@ -98,7 +98,7 @@ def test_a_check_shows_nothing_if_the_lens_changed_meanwhile(window, gate, qtbot
     window.commands["check"].trigger()
     assert figures(window) == "checking…"
     gate.release(2 * STEPS)
-    qtbot.waitUntil(lambda: figures(window).startswith("checked"), timeout=60_000)
+    qtbot.waitUntil(lambda: figures(window).startswith("Checked"), timeout=60_000)
     assert [scene.screen.z for scene in gate.begun] == [5.0, 7.0]
     assert window.log.toPlainText().count("Check with") == 1
 
@@ -110,7 +110,7 @@ def test_the_progress_of_a_check_is_shown(window, gate, qtbot):
     gate.release(2)
     qtbot.waitUntil(lambda: figures(window) == "checking… 75 %")
     gate.release(1)
-    qtbot.waitUntil(lambda: figures(window).startswith("checked"))
+    qtbot.waitUntil(lambda: figures(window).startswith("Checked"))
 
 
 def test_the_command_again_cancels_the_check(window, gate, qtbot):
@@ -127,7 +127,7 @@ def test_the_command_again_cancels_the_check(window, gate, qtbot):
     assert "Check with" not in window.log.toPlainText()
     check.trigger()
     gate.release(STEPS)
-    qtbot.waitUntil(lambda: figures(window).startswith("checked"))
+    qtbot.waitUntil(lambda: figures(window).startswith("Checked"))
     assert len(gate.begun) == 2 and len(gate.left) == 1
 
 
@@ -154,16 +154,16 @@ def test_a_cancelled_check_can_be_started_again_at_once(window, gate, qtbot):
         window.commands["check"].trigger()
     assert figures(window).startswith("checking…")
     gate.release(1 + STEPS)
-    qtbot.waitUntil(lambda: figures(window).startswith("checked"))
+    qtbot.waitUntil(lambda: figures(window).startswith("Checked"))
     assert len(gate.begun) == 2
 
 
 def test_a_lens_that_is_checked_is_not_checked_again(window, gate, qtbot):
     window.commands["check"].trigger()
     gate.release(STEPS)
-    qtbot.waitUntil(lambda: figures(window).startswith("checked"))
+    qtbot.waitUntil(lambda: figures(window).startswith("Checked"))
     window.commands["check"].trigger()
-    assert figures(window).startswith("checked")
+    assert figures(window).startswith("Checked")
     assert len(gate.begun) == 1
 
 
