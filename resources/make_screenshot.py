@@ -18,7 +18,7 @@ from ui.widgets import theme
 from workbench.files.session import open_design
 
 _SIZE = QSize(1440, 900)
-_SETTLING = 2500  # milliseconds in which all views have had their turn
+_SETTLING = 5000  # milliseconds in which all views have had their turn
 
 
 def begin() -> QApplication:
