@@ -77,8 +77,8 @@ def place_of(path: str, scene: Path, screen: Screen) -> list[str]:
 
 
 def three_dimensional(screen: Screen) -> bool:
-    """Whether the middle of the screen is shaded, as a placeholder is not."""
-    middle = screen.pixels()[SIZE[1] // 4 : SIZE[1] // 2, SIZE[0] // 3 : SIZE[0] // 2]
+    """Whether the place of the 3D scene is shaded, as a placeholder is not."""
+    middle = screen.pixels()[SIZE[1] * 5 // 8 : SIZE[1] * 7 // 8, SIZE[0] // 3 : SIZE[0] // 2]
     _, counts = np.unique(middle.reshape(-1, 3), axis=0, return_counts=True)
     return bool(counts.max() < counts.sum() / 2)
 

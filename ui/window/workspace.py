@@ -170,7 +170,7 @@ class Workspace:
         """Give all images of light as much room, where one that came has hardly any."""
         images = [self.docks[name] for name in _IMAGES if self.docks[name].isVisible()]
         widths = [image.width() for image in images]
-        if min(widths) < max(widths) / 2:
+        if widths and min(widths) < max(widths) / 2:
             even = sum(widths) // len(images)  # less would make all as narrow as they can be
             self._window.resizeDocks(images, len(images) * [even], Qt.Orientation.Horizontal)
 
