@@ -6,7 +6,7 @@ from pathlib import Path
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFormLayout, QFrame, QLabel, QScrollArea, QVBoxLayout, QWidget
 
-from ui.panels.edits import Edit, put
+from ui.panels.edits import Edit, Waiting, put, try_with_waiting
 from ui.panels.fields import Row, TextRow
 from ui.panels.rows import KindRow, Make, Rows
 from ui.panels.source import file_rows
@@ -45,7 +45,7 @@ class JobForm(QScrollArea):
     def __init__(self, job: Job) -> None:
         super().__init__()
         self.job = job
-        self._refused: dict[str, tuple[Edit, Refused]] = {}
+        self._refused: dict[str, Waiting] = {}
         page = QWidget()
         column = QVBoxLayout(page)
         heading = QLabel(f"<b>{title_of(type(job))}</b>")
@@ -97,14 +97,10 @@ class JobForm(QScrollArea):
         self._edit(Edit("file", "file of light", {"file": str(path.absolute())}))
 
     def _edit(self, edit: Edit) -> None:
-        """Try an answer together with those that were refused, which may be possible now."""
-        self._refused.pop(edit.path, None)
-        waiting = [other for other, _ in self._refused.values()]
-        refused = self._try([*waiting, edit])
-        if refused is None:
-            self._refused.clear()
-        elif not waiting or (refused := self._try([edit])):
-            self._refused[edit.path] = edit, refused
+        """Try an answer; one that is not possible waits in its row."""
+        refused = try_with_waiting(edit, self._refused, self._try)
+        if refused is not None:
+            self._refused[edit.path] = Waiting(edit, refused)
         self.show_job()
         self.changed.emit()
 
@@ -133,11 +129,11 @@ class JobForm(QScrollArea):
                 row.forget()
             self._form.setRowVisible(row, row in present)
             row.refuse("")
-        for path, (_, refused) in self._refused.items():
+        for path, waiting in self._refused.items():
             concerned = partial(_first_concerned, present)
-            culprit = concerned(refused.path) or concerned(path)
+            culprit = concerned(waiting.refused.path) or concerned(path)
             if culprit is not None:
-                culprit.refuse(refused.reason)
+                culprit.refuse(waiting.refused.reason)
 
 
 def _first_concerned(rows: list[Row], path: str) -> Row | None:

@@ -67,10 +67,10 @@ class StartPage(QDialog):
         self._jobs.setFixedWidth(_JOBS_WIDE)
         self._stack = QStackedWidget()
         self._stack.setMinimumWidth(_FORM_WIDE)
-        for kind in JOBS:
+        self._forms = [JobForm(kind()) for kind in JOBS]
+        for kind, form in zip(JOBS, self._forms, strict=True):
             self._jobs.addItem(title_of(kind))
             self._jobs.item(self._jobs.count() - 1).setToolTip(summary_of(kind))
-            form = JobForm(kind())
             form.changed.connect(self._look)
             form.image_asked.connect(self._choose_image)
             form.light_asked.connect(self._choose_light)
@@ -88,9 +88,7 @@ class StartPage(QDialog):
     @property
     def form(self) -> JobForm:
         """That of the chosen job."""
-        form = self._stack.currentWidget()
-        assert isinstance(form, JobForm)  # there is nothing else
-        return form
+        return self._forms[self._stack.currentIndex()]
 
     def begin(self) -> None:
         """Begin the job as it is, now or as soon as its target is drawn."""

@@ -1,7 +1,7 @@
 """One edit of a scene: where, what, and how it is called."""
 
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import cache
 from typing import Any
@@ -109,6 +109,44 @@ def _numbers(value: object) -> list[str]:
     if not all(isinstance(each, int | float) and not isinstance(each, bool) for each in values):
         return []
     return [format(each, ".6g") for each in values]
+
+
+@dataclass(frozen=True)
+class Waiting:
+    """An edit that was refused, and why."""
+
+    edit: Edit
+    refused: Refused
+
+
+def try_with_waiting(
+    edit: Edit,
+    pending: dict[str, Waiting],
+    attempt: Callable[[list[Edit]], Refused | None],
+) -> Refused | None:
+    """Try an edit together with those that were refused, which may be possible now; else alone.
+
+    Parameters
+    ----------
+    edit : Edit
+        Takes the place of one that waits at the same path.
+    pending : dict
+        Edits that wait, by path; none is left where all of them are possible together.
+    attempt : callable
+        Makes edits, or says why they are refused.
+
+    Returns
+    -------
+    Refused or None
+        Why the edit is not possible.
+    """
+    pending.pop(edit.path, None)
+    waiting = [waiter.edit for waiter in pending.values()]
+    refused = attempt([*waiting, edit])
+    if refused is None:
+        pending.clear()
+        return None
+    return attempt([edit]) if waiting else refused
 
 
 def value_at(scene: Any, path: str) -> Any:

@@ -1,6 +1,6 @@
 """All forms: they turn edits into scenes, and show each refusal where it was caused."""
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
@@ -9,7 +9,7 @@ from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QVBoxLayout, QWidget
 
 from ui.document.document import Document
-from ui.panels.edits import Edit, edited_scene, has_place
+from ui.panels.edits import Edit, Waiting, edited_scene, has_place, try_with_waiting
 from ui.panels.fields import Changes, ChoiceRow, Row
 from ui.panels.images import ImagesPanel
 from ui.panels.lens import LensPanel
@@ -63,7 +63,7 @@ class Forms(QScrollArea):
     def __init__(self, document: Document) -> None:
         super().__init__()
         self._document = document
-        self._pending: dict[str, _Waiting] = {}
+        self._pending: dict[str, Waiting] = {}
         self._refusals: tuple[str, ...] = ()
         self._editing = self._running = False
         self._run_hint = ""
@@ -216,18 +216,14 @@ class Forms(QScrollArea):
 
     def edit(self, edit: Edit) -> None:
         """Try an edit together with those that wait; keep it waiting if it is refused."""
-        self._pending.pop(edit.path, None)
-        waiting = [waiter.edit for waiter in self._pending.values()]
-        refused = self._try([*waiting, edit])
-        if refused is None:
-            self._pending.clear()
-        elif not waiting or (refused := self._try([edit])):
+        refused = try_with_waiting(edit, self._pending, self._try)
+        if refused is not None:
             self._refuse(edit, refused)
         self._show()
 
     def _refuse(self, edit: Edit, refused: Refused) -> None:
         if edit.waits:
-            self._pending[edit.path] = _Waiting(edit, refused)
+            self._pending[edit.path] = Waiting(edit, refused)
             self.message.emit(f"Refused: {refused}")
         else:
             self.file_refused.emit(f"The {edit.text} is refused: {refused}")
@@ -258,7 +254,7 @@ class Forms(QScrollArea):
             self._document.read_image_again()
         except Refused as refused:
             path = "target.image"
-            self._pending[path] = _Waiting(Edit(path, "new reading of the image", {}), refused)
+            self._pending[path] = Waiting(Edit(path, "new reading of the image", {}), refused)
             self.message.emit(f"Refused: {refused}")
             self._show()
 
@@ -336,14 +332,6 @@ class Forms(QScrollArea):
 
     def _rows(self) -> list[Row]:
         return [row for panel in self.panels for row in panel.rows]
-
-
-@dataclass(frozen=True)
-class _Waiting:
-    """An edit that was refused, and why."""
-
-    edit: Edit
-    refused: Refused
 
 
 class ScenePanel(Panel):

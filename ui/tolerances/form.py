@@ -154,8 +154,9 @@ class ToleranceForm(QWidget):
         try:
             self._possible(data).check(self._scene)
         except Refused as refused:
-            if any(row.concerns(refused.path) for row in self._rows):
-                self._row(refused.path).refuse(refused.reason)
+            row = next((row for row in self._rows if row.concerns(refused.path)), None)
+            if row is not None:
+                row.refuse(refused.reason)
             else:
                 self.obstacle = f"{refused}"
 
