@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 from workbench.analysis.focus import screen_at
-from workbench.analysis.tolerances import Perturbation, Tolerances
+from workbench.analysis.tolerance_fields import Tolerances
+from workbench.analysis.tolerances import Perturbation
 from workbench.errors import Refused
 from workbench.scene import Scene
 
@@ -36,3 +37,16 @@ def test_a_distance_up_to_the_mirror_is_tolerated(scene):
     Tolerances(distance=4.0).check(scene)
     with pytest.raises(Refused, match=r"less than 4.5, else the screen may touch the mirror"):
         Tolerances(distance=4.6).check(scene)
+
+
+@pytest.mark.parametrize(
+    "within, why",
+    [
+        (Tolerances(exit_tilt=0.1), "a mirror has no other face"),
+        (Tolerances(entrance_surface=(0.1, 0.2)), "a mirror has no other face"),
+        (Tolerances(index=0.1), "there is no glass"),
+    ],
+)
+def test_what_a_mirror_does_not_have_is_refused(scene, within, why):
+    with pytest.raises(Refused, match=rf"changes? nothing: {why}; 0"):
+        within.check(scene)

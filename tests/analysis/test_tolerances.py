@@ -6,14 +6,8 @@ from scipy.interpolate import BSpline
 
 from tests.lamps import crooked_lamp, led
 from workbench.analysis.surface_noise import with_noise
-from workbench.analysis.tolerances import (
-    Distribution,
-    Perturbation,
-    Perturbed,
-    Tolerances,
-    draw,
-    perturbed,
-)
+from workbench.analysis.tolerance_fields import Tolerances
+from workbench.analysis.tolerances import Distribution, Perturbation, Perturbed, draw, perturbed
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.validation import validate
 from workbench.errors import Refused
@@ -36,10 +30,8 @@ def prism(scene, slope_x, slope_y):
 
 def middle(scene, heights, perturbation):
     """Centre of the light of a lens that is off, x and y."""
-    off, heights = perturbation.applied(scene, heights)
-    image = validate(
-        off, np.ones((64, 64)), {"exit": heights}, RAYS, pose=perturbation.pose
-    ).irradiance
+    off, moved = perturbation.applied(scene, {"exit": heights})
+    image = validate(off, np.ones((64, 64)), moved, RAYS, pose=perturbation.pose).irradiance
     place = (np.arange(64) + 0.5) / 16 - 2
     return np.array([(image * place).sum(), (image * -place[:, None]).sum()]) / image.sum()
 
@@ -157,16 +149,17 @@ class TestSurfaceNoise:
     def test_amplitude(self, make_scene, rng, degree, scale):
         lens = make_scene({"lens.degree": degree, "lens.half_width": [1.0, 0.8]}).lens
         heights = 0.5 + 0.1 * rng.random((12, 10))
-        finer, noisy = with_noise(lens, heights, 0.01, scale, np.random.default_rng(3))
-        assert finer.control_points == noisy.shape
-        error = self.sampled(finer, noisy) - self.sampled(lens, heights)
+        rng = np.random.default_rng(3)
+        noisy = with_noise(ControlNet.of(lens), heights, 0.01, scale, rng)
+        error = self.sampled(lens, noisy) - self.sampled(lens, heights)
         assert error.std() == pytest.approx(0.01, rel=0.01)
         assert abs(error.mean()) < 1e-4
 
     def test_scale(self, make_scene):
         lens, scale = make_scene().lens, 0.1
-        finer, noise = with_noise(lens, np.zeros((12, 10)), 1.0, scale, np.random.default_rng(4))
-        error = self.sampled(finer, noise)  # 400 samples over 2: 20 over the scale
+        rng = np.random.default_rng(4)
+        noise = with_noise(ControlNet.of(lens), np.zeros((12, 10)), 1.0, scale, rng)
+        error = self.sampled(lens, noise)  # 400 samples over 2: 20 over the scale
         for axis in (0, 1):
             a, b = np.split(np.moveaxis(error, axis, 0), [380])[0], np.moveaxis(error, axis, 0)[20:]
             assert (a * b).mean() == pytest.approx(math.exp(-1), abs=0.1)
@@ -174,8 +167,8 @@ class TestSurfaceNoise:
     def test_no_amplitude_is_the_same_face(self, make_scene, rng):
         lens = make_scene().lens
         heights = 0.5 + 0.1 * rng.random((12, 10))
-        finer, same = with_noise(lens, heights, 0.0, 0.05, rng)
-        error = self.sampled(finer, same) - self.sampled(lens, heights)
+        same = with_noise(ControlNet.of(lens), heights, 0.0, 0.05, rng)
+        error = self.sampled(lens, same) - self.sampled(lens, heights)
         assert np.abs(error).max() < 1e-13
 
 
@@ -312,7 +305,7 @@ class TestSource:
             (make_scene(), Tolerances(source_shift=0.1), "source_shift: 0.1 changes nothing"),
             (point, Tolerances(source_tilt=0.1), "source_tilt: 5.72958 degrees change nothing"),
             (point, Tolerances(source_shift=2.0), "source_shift: 2; at least 0, less than 2"),
-            (point, Tolerances(source_shift=-1.0), "source_shift: -1; at least 0"),
+            (point, Tolerances(source_shift=-1.0), "source_shift: -1; a finite number from 0"),
             (make_scene(), Tolerances(source_tilt=1.0), "source_tilt: 57.2958 degrees; at least"),
         ):
             with pytest.raises(Refused) as refused:

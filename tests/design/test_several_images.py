@@ -7,7 +7,7 @@ import torch
 from tests.scene.test_further_image import SECOND
 from workbench.analysis.derivatives import irradiance_derivative
 from workbench.analysis.metrics import paper_loss, relative_l2
-from workbench.analysis.tolerances import Tolerances
+from workbench.analysis.tolerance_fields import Tolerances
 from workbench.analysis.validation import validate
 from workbench.design.evaluation import Evaluator
 from workbench.design.levels import COARSE, images_of

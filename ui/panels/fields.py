@@ -67,6 +67,10 @@ class Row(QWidget):
         column.setSpacing(2)
         column.addLayout(self._editors)
         column.addWidget(self._refusal)
+        self.explain(tip)
+
+    def explain(self, tip: str) -> None:
+        """Say what the value is."""
         for widget in (self.label, self):
             widget.setToolTip(f"<p>{tip}</p>")  # rich text, because only that wraps
 

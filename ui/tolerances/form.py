@@ -1,6 +1,7 @@
 """Fields for how far lenses may be off, and for how many of them are traced."""
 
 import math
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 from PySide6.QtCore import Signal
@@ -8,11 +9,13 @@ from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QPushButton, QWidget
 
 from ui.panels.edits import Edit
 from ui.panels.fields import NumberRow
-from workbench.analysis.tolerances import Tolerances
+from workbench.analysis.tolerance_fields import ABOUT, PAIRS, Tolerances
 from workbench.errors import Refused
 from workbench.scene import LENGTH, Measure, Scene, Unit
+from workbench.scene.fields import ANGLE
 from workbench.units import ratio, times
 
+_MEASURES = {"": Measure(), "degrees": ANGLE, "length": LENGTH}
 _MOST = 100_000  # lenses
 # Of the lens, to begin with.
 _DECENTRE, _SCALE = 0.005, 0.1
@@ -38,16 +41,14 @@ class ToleranceForm(QWidget):
         self._scene: Scene | None = None
         self._data: dict[str, Any] = {}
         self._rows = _make_rows()
-        tilt, decentre, index, distance, turn, shift, surface, lenses, seed = self._rows
-        self._distance, self._turn, self._shift = distance, turn, shift
         grid = QGridLayout(self)
         grid.setContentsMargins(6, 4, 6, 6)
         grid.setVerticalSpacing(3)
-        pairs = ((tilt, decentre), (index, distance), (turn, shift), (surface,), (lenses, seed))
-        for line, pair in enumerate(pairs):
-            for number, row in enumerate(pair):
+        lines = list(_lines(self._rows))
+        for line, rows in enumerate(lines):
+            for number, row in enumerate(rows):
                 grid.addWidget(row.label, line, 2 * number)
-                grid.addWidget(row, line, 2 * number + 1, 1, 1 if len(pair) == 2 else 3)
+                grid.addWidget(row, line, 2 * number + 1, 1, 3 if row.path in PAIRS else 1)
         self.begin = QPushButton()
         self.begin.clicked.connect(self.toggled)
         self.save = QPushButton("Save…")
@@ -58,8 +59,8 @@ class ToleranceForm(QWidget):
         buttons.addWidget(self.begin)
         buttons.addWidget(self.save)
         buttons.addStretch(1)
-        grid.addLayout(buttons, len(pairs), 0, 1, 4)
-        grid.setRowStretch(len(pairs) + 1, 1)
+        grid.addLayout(buttons, len(lines), 0, 1, 4)
+        grid.setRowStretch(len(lines) + 1, 1)
         for row in self._rows:
             row.edited.connect(self._take)
             row.reverted.connect(self._revert)
@@ -87,13 +88,10 @@ class ToleranceForm(QWidget):
             before = self._convert(before, scene.unit)
         if before is None or before.optic.half_width != scene.optic.half_width:
             self._data = {
+                **{name: [0.0, _SCALE * width] if name in PAIRS else 0.0 for name in ABOUT},
                 "tilt": 0.1,
                 "decentre": _DECENTRE * width,
                 "index": 0.001,
-                "distance": 0.0,
-                "source_tilt": 0.0,
-                "source_shift": 0.0,
-                "surface": [0.0, _SCALE * width],
                 "lenses": 100,
                 "seed": 1,
             }
@@ -142,7 +140,7 @@ class ToleranceForm(QWidget):
                 row.refuse(f"{value}; {_allowed(row.path)}")
                 return
         row.refuse("")
-        wanted = {**self._data, row.path: values if row.path == "surface" else values[0]}
+        wanted = {**self._data, row.path: values if row.path in PAIRS else values[0]}
         self._judge(wanted)
         if not row.refusal:
             self._data = wanted
@@ -162,15 +160,14 @@ class ToleranceForm(QWidget):
 
     def _possible(self, data: dict[str, Any]) -> Tolerances:
         """Without errors of what a scene does not have, whatever was typed before."""
-        absent = [row.path for row, there in self._sometimes() if not there]
-        return _within(data | dict.fromkeys(absent, 0.0))
+        absent = ABOUT.keys() - self._there()
+        none = {name: [0.0, data[name][1]] if name in PAIRS else 0.0 for name in absent}
+        return Tolerances.of(data | none)
 
-    def _sometimes(self) -> tuple[tuple[NumberRow, bool], ...]:
-        """Rows that not all scenes have, and whether this one has them."""
+    def _there(self) -> set[str]:
+        """Names of the tolerances of what the scene has."""
         assert self._scene is not None  # there is one before anything is asked for
-        receiver, source = self._scene.receiver, self._scene.source
-        there = receiver.at_distance, source.turns, source.moves
-        return tuple(zip((self._distance, self._turn, self._shift), there, strict=True))
+        return {name for name, about in ABOUT.items() if about.there(self._scene)}
 
     def _refused(self) -> bool:
         return any(row.refusal for row in self._rows)
@@ -184,24 +181,15 @@ class ToleranceForm(QWidget):
         pending = {p for row in self._rows if row.refusal for p in row.editors}
         for row in self._rows:
             row.show_scene({"unit": self._scene.unit, **self._data}, pending)
-        for row, there in self._sometimes():
-            row.setVisible(there)
-            row.label.setVisible(there)
+        there = self._there()
+        for row in self._rows:
+            if row.path in ABOUT:
+                row.setVisible(row.path in there)
+                row.label.setVisible(row.path in there)
+                row.explain(ABOUT[row.path].tip_of(self._scene.optic.called))
 
     def _row(self, path: str) -> NumberRow:
         return next(row for row in self._rows if row.concerns(path))
-
-
-def _within(data: dict[str, Any]) -> Tolerances:
-    return Tolerances(
-        tilt=math.radians(data["tilt"]),
-        decentre=data["decentre"],
-        index=data["index"],
-        distance=data["distance"],
-        surface=(data["surface"][0], data["surface"][1]),
-        source_tilt=math.radians(data["source_tilt"]),
-        source_shift=data["source_shift"],
-    )
 
 
 def _sound(path: str, value: float) -> bool:
@@ -218,40 +206,25 @@ def _allowed(path: str) -> str:
 
 def _make_rows() -> tuple[NumberRow, ...]:
     return (
-        NumberRow(
-            "tilt",
-            "Tilt",
-            "Largest angle between lens and optical axis; lenses are tilted evenly within it",
-            Measure("°"),
-        ),
-        NumberRow(
-            "decentre",
-            "Decentre",
-            "Largest distance of the lens from the optical axis",
-            LENGTH,
-        ),
-        NumberRow("index", "Index ±", "Largest error of the refractive index"),
-        NumberRow("distance", "Screen ±", "Largest error of the screen's distance", LENGTH),
-        NumberRow(
-            "source_tilt",
-            "Source tilt",
-            "Largest angle by which the source is turned about its middle",
-            Measure("°"),
-        ),
-        NumberRow(
-            "source_shift",
-            "Source shift",
-            "Largest distance of the source from its place, in any direction",
-            LENGTH,
-        ),
-        NumberRow(
-            "surface",
-            "Surface",
-            "Root mean square of the exit face's error, and the length over which it is "
-            "alike: some micrometres over some millimetres for a milled face",
-            LENGTH,
-            between="over",
+        *(
+            NumberRow(
+                name,
+                about.title,
+                about.tip_of("lens"),
+                _MEASURES[about.unit],
+                between="over" if name in PAIRS else "",
+            )
+            for name, about in ABOUT.items()
         ),
         NumberRow("lenses", "Lenses", "How many are traced; more make the tail surer", whole=True),
         NumberRow("seed", "Seed", "The same seed gives the same lenses", whole=True),
     )
+
+
+def _lines(rows: Sequence[NumberRow]) -> Iterator[Sequence[NumberRow]]:
+    """Rows side by side, two of one number or one of two numbers in a line."""
+    single = [row for row in rows if row.path not in PAIRS]
+    *errors, last = zip(single[::2], single[1::2], strict=True)
+    yield from errors
+    yield from ((row,) for row in rows if row.path in PAIRS)
+    yield last

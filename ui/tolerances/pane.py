@@ -91,9 +91,7 @@ class TolerancePane(SideBySide):
                     self.summary.setText(self.form.obstacle)
                 return
             if not self.form.within.any:
-                self.summary.setText(
-                    "Nothing is off: give a tilt, a decentre or another tolerance."
-                )
+                self.summary.setText(_NOTHING_OFF)
                 return
             sample = Sample(self._frame, self.form.within, self.form.lenses, self.form.seed)
             self._sample = sample

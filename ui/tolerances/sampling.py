@@ -7,7 +7,8 @@ from ui.threads.background import Task
 
 if TYPE_CHECKING:
     from ui.shown.frame import Frame
-    from workbench.analysis.tolerances import Perturbed, Tolerances
+    from workbench.analysis.tolerance_fields import Tolerances
+    from workbench.analysis.tolerances import Perturbed
 
 
 @dataclass(eq=False)

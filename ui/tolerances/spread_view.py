@@ -6,6 +6,7 @@ import numpy as np
 
 from ui.tolerances.sampling import Sample
 from ui.views.plot_view import PlotView
+from workbench.analysis.tolerance_fields import ABOUT, PAIRS
 from workbench.analysis.tolerances import Distribution
 from workbench.pictures.data import Column
 from workbench.pictures.tolerances import draw_errors
@@ -44,25 +45,18 @@ class SpreadView(PlotView):
         scene = self._sample.frame.session.scene
         unit = scene.unit
         rows = [each.to_data() for each in self._sample.others]
-        columns: dict[str, list[float]] = {
-            "tilt x [deg]": [row["tilt"][0] for row in rows],
-            "tilt y [deg]": [row["tilt"][1] for row in rows],
-            f"decentre x [{unit}]": [row["decentre"][0] for row in rows],
-            f"decentre y [{unit}]": [row["decentre"][1] for row in rows],
-            "index error": [row["index"] for row in rows],
-            f"error of the screen's distance [{unit}]": [row["distance"] for row in rows],
-            **{
-                f"source tilt {axis} [deg]": [row["source_tilt"][n] for row in rows]
-                for n, axis in enumerate("xy")
-            },
-            **{
-                f"source shift {axis} [{unit}]": [row["source_shift"][n] for row in rows]
-                for n, axis in enumerate("xyz")
-            },
-            "relative L2 error": [row["relative_l2"] for row in rows],
-            f"light {scene.receiver.place}": [row["efficiency"] for row in rows],
-        }
-        return [Column(name, np.array(values)) for name, values in columns.items()]
+        columns: list[Column] = []
+        for name in (name for name in ABOUT if name not in PAIRS):
+            in_unit = {"": "", "degrees": " [deg]", "length": f" [{unit}]"}[ABOUT[name].unit]
+            sizes, words = np.array([row[name] for row in rows]), name.replace("_", " ")
+            along = {"error": sizes} if sizes.ndim == 1 else dict(zip("xyz", sizes.T, strict=False))
+            columns += [Column(f"{words} {axis}{in_unit}", each) for axis, each in along.items()]
+        for words, name in (
+            ("relative L2 error", "relative_l2"),
+            (f"light {scene.receiver.place}", "efficiency"),
+        ):
+            columns.append(Column(words, np.array([row[name] for row in rows])))
+        return columns
 
     def figures(self) -> dict[str, Any] | None:
         """The distribution and each lens, as the command line tells them."""

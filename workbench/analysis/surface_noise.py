@@ -1,55 +1,50 @@
-"""Random errors of a lens's exit face."""
+"""Random errors of a face."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import numpy.typing as npt
 from scipy.interpolate import BSpline, make_interp_spline
 from scipy.ndimage import gaussian_filter
 
-from workbench.scene import Optic
+from workbench.geometry.surface import ControlNet
 
 Array = npt.NDArray[np.float64]
 
 # Knot spans per length of the noise, which make a spline of any degree follow it.
 _SPANS = 4
-# Least scale, in widths of the lens, that a net of some 1000 control points follows.
-FINEST = 1 / 250
 
 
 def with_noise(
-    optic: Optic, control_points: Array, amplitude: float, scale: float, rng: np.random.Generator
-) -> tuple[Optic, Array]:
-    """A lens with a wavy exit face.
+    net: ControlNet, control_points: Array, amplitude: float, scale: float, rng: np.random.Generator
+) -> Array:
+    """A face that is wavy.
 
     Parameters
     ----------
-    optic : Optic
-        The lens.
+    net : ControlNet
+        Its net.
     control_points : ndarray, shape (n_u, n_v)
         Its control heights, scene units.
     amplitude : float
         Root mean square of the error over the face, about its mean; scene units.
     scale : float
         Distance over which the correlation of the error falls to 1/e: exp(−r² / scale²).
-        From `FINEST` of the lens's width up to its width.
+        From `workbench.analysis.tolerance_fields.FINEST` of the lens's width up to its width.
     rng : numpy.random.Generator
         Which error.
 
     Returns
     -------
-    Optic
-        With a net as fine as the error needs.
     ndarray
-        Its control heights.
+        Control heights on a net as fine as the error needs.
     """
-    for axis, (r, n, p) in enumerate(
-        zip(optic.half_width, optic.net_shape, optic.degree, strict=True)
-    ):
+    for axis, (r, n, p) in enumerate(zip(net.half_width, net.shape, net.degree, strict=True)):
         split = math.ceil(_SPANS * 2 * r / (scale * (n - p)))
         control_points = _refined(control_points, axis, r, p, split)
-    finer = optic.model_copy(update={"control_points": control_points.shape})
-    return finer, control_points + amplitude * _noise(finer, scale, rng)
+    finer = replace(net, shape=control_points.shape)
+    return control_points + amplitude * _noise(finer, scale, rng)
 
 
 def _refined(control_points: Array, axis: int, half_width: float, degree: int, split: int) -> Array:
@@ -64,20 +59,18 @@ def _refined(control_points: Array, axis: int, half_width: float, degree: int, s
     return np.ascontiguousarray(np.moveaxis(finer, 0, axis))
 
 
-def _noise(optic: Optic, scale: float, rng: np.random.Generator) -> Array:
+def _noise(net: ControlNet, scale: float, rng: np.random.Generator) -> Array:
     """Control heights of a random face with a root mean square of 1 about a mean of 0."""
     samplers, widths = [], []
-    for r, n, p in zip(optic.half_width, optic.net_shape, optic.degree, strict=True):
+    for r, n, p in zip(net.half_width, net.shape, net.degree, strict=True):
         knots = _knots(r, n - p, p)
         middles = (np.arange(4 * (n - p)) + 0.5) * (r / (2 * (n - p))) - r
         samplers.append(BSpline(knots, np.eye(n), p)(middles))
         # White noise behind a Gaussian of σ is correlated as exp(−r² / 4σ²).
         widths.append(scale / 2 / (2 * r / (n - p)))
     # Filtered beyond the edge too, so that the noise is the same there as elsewhere.
-    margins = [
-        min(math.ceil(4 * width), n) for width, n in zip(widths, optic.net_shape, strict=True)
-    ]
-    size = [n + 2 * m for n, m in zip(optic.net_shape, margins, strict=True)]
+    margins = [min(math.ceil(4 * width), n) for width, n in zip(widths, net.shape, strict=True)]
+    size = [n + 2 * m for n, m in zip(net.shape, margins, strict=True)]
     white = gaussian_filter(rng.standard_normal(size), widths, mode="wrap")
     heights = white[margins[0] : size[0] - margins[0], margins[1] : size[1] - margins[1]]
     surface = samplers[0] @ heights @ samplers[1].T

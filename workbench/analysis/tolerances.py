@@ -12,109 +12,16 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from workbench.analysis.surface_noise import FINEST, with_noise
+from workbench.analysis.manufacture import manufacture
+from workbench.analysis.surface_noise import with_noise
+from workbench.analysis.tolerance_fields import ABOUT, Tolerances
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.validation import validate
 from workbench.errors import Refused, RunFailed
-from workbench.scene import Scene
+from workbench.geometry.surface import ControlNet, freeform_nets
+from workbench.scene import FreeformEntrance, Optic, Scene
 
 Array = npt.NDArray[np.float64]
-
-
-@dataclass(frozen=True)
-class Tolerances:
-    """How far a lens may be off; lengths in scene units, 0 where it is not.
-
-    Attributes
-    ----------
-    tilt : float
-        Largest angle between lens and optical axis, radians, turned about the middle of the
-        entrance face; anywhere in the disc of all such tilts, evenly.
-    decentre : float
-        Largest distance of the lens from the axis; evenly in the disc.
-    index : float
-        Largest error of the refractive index; evenly to both sides.
-    distance : float
-        Largest error of the screen's distance; evenly to both sides.
-    surface : tuple[float, float]
-        Root mean square of the exit face's error, and the length over which it is alike.
-    source_tilt : float
-        As ``tilt``, of the source about its middle.
-    source_shift : float
-        Largest distance of the source from its place; evenly in the ball.
-    """
-
-    tilt: float = 0.0
-    decentre: float = 0.0
-    index: float = 0.0
-    distance: float = 0.0
-    surface: tuple[float, float] = (0.0, 1.0)
-    source_tilt: float = 0.0
-    source_shift: float = 0.0
-
-    @property
-    def any(self) -> bool:
-        """Whether anything is off."""
-        lengths = self.decentre, self.distance, self.source_shift, self.surface[0]
-        return any((self.tilt, self.source_tilt, self.index, *lengths))
-
-    def check(self, scene: Scene) -> None:
-        """Refuse what is not possible for a scene, in the words of the command line.
-
-        Raises
-        ------
-        Refused
-            With the tolerance and what is allowed.
-        """
-        scene.check_one_image("tolerances")
-        for name in ("tilt", "source_tilt"):
-            angle = getattr(self, name)
-            if not 0 <= angle < math.pi / 4:
-                raise Refused(name, f"{math.degrees(angle):g} degrees; at least 0, less than 45")
-        if not 0 <= self.decentre < math.inf:
-            raise Refused("decentre", f"{self.decentre:g}; a finite number from 0 is needed")
-        most = scene.optic.index - 1
-        if self.index != 0 and not 0 <= self.index < most:
-            raise Refused("index", f"{self.index:g}; at least 0, less than {most:g}")
-        optic, room = scene.optic, math.inf
-        if self.distance:
-            room = optic.onwards * (scene.receiver.plane_z - optic.edge_z)
-        if not 0 <= self.distance < room:
-            raise Refused(
-                "distance",
-                f"{self.distance:g}; at least 0, less than {room:g}, else the screen may touch "
-                f"the {optic.called}",
-            )
-        self._check_source(scene)
-        amplitude, scale = self.surface
-        if not 0 <= amplitude < math.inf:
-            raise Refused("surface[0]", f"{amplitude:g}; a finite number from 0 is needed")
-        width = 2 * max(scene.optic.half_width)
-        if amplitude > 0 and not FINEST * width <= scale <= width:
-            raise Refused("surface[1]", f"{scale:g}; from {FINEST * width:g} to {width:g}")
-
-    def _check_source(self, scene: Scene) -> None:
-        """Refuse what the source of a scene cannot be off by."""
-        source = scene.source
-        if self.source_tilt and not source.turns:
-            raise Refused(
-                "source_tilt",
-                f"{math.degrees(self.source_tilt):g} degrees change nothing: this source lights "
-                "the lens alike however it is turned; 0",
-            )
-        if self.source_shift and not source.moves:
-            raise Refused(
-                "source_shift",
-                f"{self.source_shift:g} changes nothing: even light from infinitely far is the "
-                "same everywhere; 0",
-            )
-        room = scene.optic.front_z - source.nearest_z
-        if not 0 <= self.source_shift < room:
-            raise Refused(
-                "source_shift",
-                f"{self.source_shift:g}; at least 0, less than {room:g}, else the source may "
-                "touch the lens",
-            )
 
 
 @dataclass(frozen=True)
@@ -124,43 +31,61 @@ class Perturbation:
     Attributes
     ----------
     pose : Pose
-        How the lens stands.
+        How the lens stands, and its exit face.
     index, distance : float
         What is added to the refractive index and to the screen's distance.
-    surface : tuple[float, float]
-        Root mean square and scale of the exit face's error.
+    surface, entrance_surface : tuple[float, float]
+        Root mean square and scale of the error of the exit face, and of the entrance face.
     seed : int
-        Which error of the exit face.
+        Which errors of the faces.
     """
 
     pose: Pose = field(default_factory=Pose)
     index: float = 0.0
     distance: float = 0.0
     surface: tuple[float, float] = (0.0, 1.0)
+    entrance_surface: tuple[float, float] = (0.0, 1.0)
     seed: int = 0
 
     def applied(
         self, scene: Scene, heights: Mapping[str, Array]
     ) -> tuple[Scene, Mapping[str, Array]]:
         """The scene and the control heights of the lens, which may be more, that is off."""
-        optic, face = scene.optic, scene.optic.face
+        optic = scene.optic
         if self.index:
             off = {"refractive_index": optic.index + self.index, "wavelength_um": None}
             optic = optic.model_copy(update=off)
-        amplitude, scale = self.surface
-        if amplitude > 0:
-            rng = np.random.default_rng(self.seed)
-            if "entrance" in heights:  # its net stays as it is while that of the exit face changes
-                counts = {"control_points": heights["entrance"].shape}
-                entrance = optic.entrance.model_copy(update=counts)
-                optic = optic.model_copy(update={"entrance": entrance})
-            optic, rough = with_noise(optic, heights[face], amplitude, scale, rng)
-            heights = {**heights, face: rough}
-        scene = scene.with_optic(optic)
+        for number, (face, (amplitude, scale)) in enumerate(
+            ((optic.face, self.surface), ("entrance", self.entrance_surface))
+        ):
+            if amplitude > 0:
+                net, smooth = _net_of(optic, heights, face)
+                rng = np.random.default_rng([self.seed, number] if number else self.seed)
+                heights = {**heights, face: with_noise(net, smooth, amplitude, scale, rng)}
+        scene = scene.with_optic(_with_nets(optic, heights))
         if self.distance:
             screen = scene.receiver.moved_to(scene.receiver.plane_z + optic.onwards * self.distance)
             scene = scene.model_copy(update={"screen": screen})
         return scene, heights
+
+
+def _net_of(optic: Optic, heights: Mapping[str, Array], face: str) -> tuple[ControlNet, Array]:
+    """Net and control heights of a face; a flat one has as few as there can be."""
+    nets = freeform_nets(optic)
+    if face in nets:
+        return nets[face], heights[face]
+    net = ControlNet((4, 4), (3, 3), optic.half_width)
+    return net, np.full(net.shape, optic.front_z)
+
+
+def _with_nets(optic: Optic, heights: Mapping[str, Array]) -> Optic:
+    """An optic whose faces have as many control points as there are heights."""
+    counts: dict[str, Any] = {"control_points": heights[optic.face].shape}
+    if "entrance" in heights:
+        entrance = optic.entrance if optic.entrance.shape == "freeform" else FreeformEntrance()
+        own = {"control_points": heights["entrance"].shape}
+        counts["entrance"] = entrance.model_copy(update=own)
+    return optic.model_copy(update=counts)
 
 
 @dataclass(frozen=True)
@@ -184,13 +109,14 @@ class Perturbed:
     def to_data(self) -> dict[str, Any]:
         """The figures by name, for JSON; angles in degrees."""
         off = self.perturbation
+        drawn = {**vars(off.pose), "index": off.index, "distance": off.distance}
         return {
-            "tilt": np.degrees(off.pose.tilt).tolist(),
-            "decentre": list(off.pose.decentre),
-            "source_tilt": np.degrees(off.pose.source_tilt).tolist(),
-            "source_shift": list(off.pose.source_shift),
-            "index": off.index,
-            "distance": off.distance,
+            **{
+                name: np.degrees(size).tolist()
+                if ABOUT[name].unit == "degrees"
+                else np.array(size).tolist()
+                for name, size in drawn.items()
+            },
             "relative_l2": self.relative_l2,
             "efficiency": self.efficiency,
         }
@@ -198,25 +124,24 @@ class Perturbed:
 
 def draw(tolerances: Tolerances, samples: int, seed: int) -> Iterator[Perturbation]:
     """Random perturbations within tolerances; the same seed gives the same, of each kind."""
-    rng, of_source = (np.random.default_rng([seed, number]) for number in (2000, 2001))
+    rng, of_source, of_exit = (
+        np.random.default_rng([seed, number]) for number in (2000, 2001, 2002)
+    )
     for _ in range(samples):
-        tilt_x, tilt_y, shift_x, shift_y = (*_in_disc(rng), *_in_disc(rng))
-        turn_x, turn_y = _in_disc(of_source)
-        x, y, z = _in_ball(of_source)
+        tilt, decentre = _in_disc(rng, tolerances.tilt), _in_disc(rng, tolerances.decentre)
         yield Perturbation(
             Pose(
-                (tolerances.tilt * tilt_x, tolerances.tilt * tilt_y),
-                (tolerances.decentre * shift_x, tolerances.decentre * shift_y),
-                (tolerances.source_tilt * turn_x, tolerances.source_tilt * turn_y),
-                (
-                    tolerances.source_shift * x,
-                    tolerances.source_shift * y,
-                    tolerances.source_shift * z,
-                ),
+                tilt,
+                decentre,
+                _in_disc(of_source, tolerances.source_tilt),
+                _in_ball(of_source, tolerances.source_shift),
+                _in_disc(of_exit, tolerances.exit_tilt),
+                _in_disc(of_exit, tolerances.exit_decentre),
             ),
             index=tolerances.index * rng.uniform(-1, 1),
             distance=tolerances.distance * rng.uniform(-1, 1),
             surface=tolerances.surface,
+            entrance_surface=tolerances.entrance_surface,
             seed=int(rng.integers(1 << 62)),
         )
 
@@ -271,6 +196,7 @@ def perturbed(
     (3, 0.9216)
     """
     tolerances.check(scene)
+    _check_faces(scene.optic, heights, tolerances)
     yield _trace(scene, target, heights, Perturbation(), rays, seed)
     for perturbation in draw(tolerances, samples, seed):
         try:
@@ -327,14 +253,30 @@ def _trace(
     return Perturbed(perturbation, found.relative_l2_corrected, found.efficiency)
 
 
-def _in_disc(rng: np.random.Generator) -> tuple[float, float]:
-    """A point of the unit disc, evenly."""
+def _check_faces(optic: Optic, heights: Mapping[str, Array], tolerances: Tolerances) -> None:
+    """Refuse an exit face so far out of its place that it may touch the entrance face."""
+    if not (tolerances.exit_tilt or tolerances.exit_decentre):
+        return
+    found = manufacture(optic, heights)
+    steepest = math.tan(math.radians(found.steepest.bound))
+    rim = math.tan(tolerances.exit_tilt) * math.hypot(*optic.half_width)
+    for name, lower in (("exit_tilt", rim), ("exit_decentre", tolerances.exit_decentre * steepest)):
+        if lower >= found.thinnest.bound / 2:  # each has half of the thickness to itself
+            raise Refused(
+                name,
+                f"the exit face may come {lower:.3g} nearer to the entrance face, more than half "
+                f"of the least thickness {found.thinnest.bound:.3g}: less is needed",
+            )
+
+
+def _in_disc(rng: np.random.Generator, size: float) -> tuple[float, float]:
+    """A point of a disc, evenly."""
     radius, angle = math.sqrt(rng.random()), 2 * math.pi * rng.random()
-    return radius * math.cos(angle), radius * math.sin(angle)
+    return size * (radius * math.cos(angle)), size * (radius * math.sin(angle))
 
 
-def _in_ball(rng: np.random.Generator) -> tuple[float, float, float]:
-    """A point of the unit ball, evenly."""
+def _in_ball(rng: np.random.Generator, size: float) -> tuple[float, float, float]:
+    """A point of a ball, evenly."""
     x, y, z = rng.normal(size=3)
     far = math.cbrt(rng.random()) / math.hypot(x, y, z)
-    return float(x * far), float(y * far), float(z * far)
+    return size * float(x * far), size * float(y * far), size * float(z * far)

@@ -5,7 +5,7 @@ from datetime import datetime
 from pathlib import Path
 from typing import BinaryIO
 
-from workbench.analysis.tolerances import Tolerances
+from workbench.analysis.tolerance_fields import Tolerances
 from workbench.cli.designed import read_designed
 from workbench.files.atomic import check_writable, replacing
 from workbench.report.content import Report

@@ -4,7 +4,8 @@ import json
 import sys
 from pathlib import Path
 
-from workbench.analysis.tolerances import Distribution, Perturbed, Tolerances, perturbed
+from workbench.analysis.tolerance_fields import ABOUT, Tolerances
+from workbench.analysis.tolerances import Distribution, Perturbed, perturbed
 from workbench.cli.designed import read_designed
 from workbench.cli.interruption import Interrupted, number_of
 from workbench.errors import Refused
@@ -47,10 +48,10 @@ def tolerances(
         After Ctrl-C; what the lenses so far came to is printed and written.
     """
     if not within.any:
+        names = [f"--{name.replace('_', '-')}" for name in ABOUT]
         raise Refused(
             "usage",
-            "nothing is off; give --tilt, --decentre, --index, --distance, --surface, "
-            "--source-tilt or --source-shift",
+            f"nothing is off; give {', '.join(names[:-1])} or {names[-1]}",
         )
     session, result = read_designed(path)
     if plot is not None:

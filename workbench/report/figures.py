@@ -7,7 +7,8 @@ from workbench.analysis.independent import Independent
 from workbench.analysis.manufacture import Extreme, FaceFigures, Manufacture
 from workbench.analysis.manufacture_limits import Limits, verdicts
 from workbench.analysis.shading import Shading
-from workbench.analysis.tolerances import Distribution, Tolerances
+from workbench.analysis.tolerance_fields import ABOUT, PAIRS, Tolerances
+from workbench.analysis.tolerances import Distribution
 from workbench.analysis.validation import Validation
 from workbench.extended.bound import Bound
 from workbench.optics.account import Account, words_for
@@ -116,25 +117,24 @@ def tolerance_rows(
     scene: Scene, within: Tolerances, spread: Distribution, samples: int
 ) -> tuple[Row, ...]:
     """How far lenses were off, and how their error without ray noise is distributed."""
-    unit = scene.unit
-    amplitude, scale = within.surface
-    off = {
-        "tilt up to": (within.tilt, f"{math.degrees(within.tilt):g}°"),
-        "decentre up to": (within.decentre, f"{within.decentre:g} {unit}"),
-        "index off by up to": (within.index, f"{within.index:g}"),
-        "distance off by up to": (within.distance, f"{within.distance:g} {unit}"),
-        "source tilt up to": (within.source_tilt, f"{math.degrees(within.source_tilt):g}°"),
-        "source shift up to": (within.source_shift, f"{within.source_shift:g} {unit}"),
-        "surface error, RMS": (amplitude, f"{amplitude:g} {unit} over {scale:g} {unit}"),
-    }
     return (
-        *(Row(name, text) for name, (size, text) in off.items() if size),
+        *(
+            Row(ABOUT[name].row, _error_size(name, within, scene.unit))
+            for name, size in within.sizes.items()
+            if size
+        ),
         Row("lenses", str(samples)),
         Row("error as designed", percent(spread.nominal)),
         Row("mean", percent(spread.mean)),
         *(Row(f"{part} % of lenses", percent(e)) for part, e in spread.percentiles.items()),
         Row("worst", percent(spread.worst)),
     )
+
+
+def _error_size(name: str, within: Tolerances, unit: str) -> str:
+    about, value = ABOUT[name], getattr(within, name)
+    sizes = value if name in PAIRS else (value,)
+    return " over ".join(about.shown(size, unit) for size in sizes)
 
 
 def percent(part: float, digits: int = 3) -> str:

@@ -12,7 +12,8 @@ from workbench.analysis.cells.image import ACCURACY
 from workbench.analysis.manufacture import manufacture, surface_maps
 from workbench.analysis.manufacture_limits import Limits
 from workbench.analysis.metrics import relative_l2
-from workbench.analysis.tolerances import Distribution, Tolerances, perturbed
+from workbench.analysis.tolerance_fields import Tolerances
+from workbench.analysis.tolerances import Distribution, perturbed
 from workbench.analysis.validation import Validation, validate
 from workbench.design.origin import origin
 from workbench.design.session import KeptRun, Session, result_of, verified_error

@@ -26,12 +26,17 @@ class Pose:
         As ``tilt``, of the source about its middle.
     source_shift : tuple[float, float, float]
         Shift of the source along x, y and z, scene units.
+    exit_tilt, exit_decentre : tuple[float, float]
+        As ``tilt`` and ``decentre``, of the exit face against the entrance face, turned about its
+        own middle.
     """
 
     tilt: tuple[float, float] = (0.0, 0.0)
     decentre: tuple[float, float] = (0.0, 0.0)
     source_tilt: tuple[float, float] = (0.0, 0.0)
     source_shift: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    exit_tilt: tuple[float, float] = (0.0, 0.0)
+    exit_decentre: tuple[float, float] = (0.0, 0.0)
 
     def of_source(self, middle: tuple[float, float, float]) -> "Pose":
         """What takes points and directions of the source, as the scene says them, to the lens.
@@ -43,9 +48,7 @@ class Pose:
         """
         if not any((*self.source_tilt, *self.source_shift)):
             return self
-        return _SourcePose(
-            self.tilt, self.decentre, self.source_tilt, self.source_shift, middle=middle
-        )
+        return _SourcePose(**vars(self), middle=middle)
 
     def to_lens(self, points: Array, entrance_z: float) -> Array:
         """Points (m, 3) of the scene as the lens sees them, from the middle of its entrance."""

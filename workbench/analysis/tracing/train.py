@@ -17,7 +17,7 @@ from workbench.analysis.tracing.interfaces import DielectricBoundary, MirrorBoun
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.receivers import detector_of
 from workbench.analysis.tracing.sources import light_source
-from workbench.analysis.tracing.surfaces import FlatFace, FrontFace, SplineFace
+from workbench.analysis.tracing.surfaces import FlatFace, FrontFace, MovedFace, SplineFace
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import freeform_nets
 from workbench.scene import AnyReceiver, Lens, Mirror, Scene
@@ -105,7 +105,7 @@ class OpticalTrain:
         middle = scene.source.place or (0.0, 0.0, optic.front_z)
         return cls(
             light_source(scene.source, optic, pose.of_source(middle), rays, seed),
-            _FACES[type(optic)](optic, heights),
+            _FACES[type(optic)](optic, heights, pose),
             detector_of(receivers, optic, pose),
         )
 
@@ -160,25 +160,33 @@ class OpticalTrain:
         return rays
 
 
-def _of_lens(lens: Lens, heights: Mapping[str, Array]) -> Sequence[tuple[Face, Boundary]]:
+def _of_lens(
+    lens: Lens, heights: Mapping[str, Array], pose: Pose
+) -> Sequence[tuple[Face, Boundary]]:
     n, (entering, leaving) = lens.index, reflectances(lens)
     entrance: Face = FlatFace(0.0, outline_of(lens), "missed_lens")
     if "entrance" in heights:
         net = freeform_nets(lens)["entrance"]
         entrance = FrontFace(lens, heights["entrance"], "missed_lens", net)
     exit_face = SplineFace(lens, heights["exit"], "left_side")
+    if any((*pose.exit_tilt, *pose.exit_decentre)):
+        exit_face = MovedFace(lens, heights["exit"], "left_side", pose)
     return (
         (entrance, DielectricBoundary(1.0, n, "fresnel_entrance", entering)),
         (exit_face, DielectricBoundary(n, 1.0, "fresnel_exit", leaving, lens.absorption)),
     )
 
 
-def _of_mirror(mirror: Mirror, heights: Mapping[str, Array]) -> Sequence[tuple[Face, Boundary]]:
+def _of_mirror(
+    mirror: Mirror, heights: Mapping[str, Array], pose: Pose
+) -> Sequence[tuple[Face, Boundary]]:
     face = FrontFace(mirror, heights["mirror"], "missed_mirror")
     return ((face, MirrorBoundary(mirror.reflectance)),)
 
 
-_FACES: Mapping[type, Callable[[Any, Mapping[str, Array]], Sequence[tuple[Face, Boundary]]]] = {
+_FACES: Mapping[
+    type, Callable[[Any, Mapping[str, Array], Pose], Sequence[tuple[Face, Boundary]]]
+] = {
     Lens: _of_lens,
     Mirror: _of_mirror,
 }

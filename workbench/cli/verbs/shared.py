@@ -1,13 +1,9 @@
 """Arguments that several verbs have."""
 
 import argparse
-import math
-from typing import TYPE_CHECKING
 
+from workbench.analysis.tolerance_fields import ABOUT, PAIRS, Tolerances
 from workbench.cli.verbs.parser import Parser
-
-if TYPE_CHECKING:
-    from workbench.analysis.tolerances import Tolerances
 
 
 def add_session(parser: Parser) -> None:
@@ -26,36 +22,20 @@ def add_json(parser: argparse.ArgumentParser) -> None:
 
 
 def add_tolerances(parser: argparse.ArgumentParser) -> None:
-    """How far lenses may be off."""
-    for name, metavar, does in (
-        ("tilt", "DEGREES", "largest angle between lens and optical axis"),
-        ("decentre", "LENGTH", "largest distance of the lens from the axis"),
-        ("index", "N", "largest error of the refractive index"),
-        ("distance", "LENGTH", "largest error of the screen's distance"),
-        ("source-tilt", "DEGREES", "largest angle by which the source is turned"),
-        ("source-shift", "LENGTH", "largest distance of the source from its place"),
-    ):
-        parser.add_argument(f"--{name}", metavar=metavar, type=float, default=0.0, help=does)
-    parser.add_argument(
-        "--surface",
-        metavar=("RMS", "SCALE"),
-        type=float,
-        nargs=2,
-        default=(0.0, 1.0),
-        help="error of the exit face, and the length over which it is alike",
-    )
+    """How far lenses may be off: an argument for each tolerance."""
+    for name, about in ABOUT.items():
+        metavar = about.unit.upper() or "N"
+        pair = name in PAIRS
+        parser.add_argument(
+            f"--{name.replace('_', '-')}",
+            metavar=("RMS", "SCALE") if pair else metavar,
+            type=float,
+            nargs=2 if pair else None,
+            default=(0.0, 1.0) if pair else 0.0,
+            help=about.tip[0].lower() + about.tip_of("lens or mirror")[1:],
+        )
 
 
-def tolerances_of(options: argparse.Namespace) -> "Tolerances":
+def tolerances_of(options: argparse.Namespace) -> Tolerances:
     """What `add_tolerances` has read."""
-    from workbench.analysis.tolerances import Tolerances
-
-    return Tolerances(
-        tilt=math.radians(options.tilt),
-        decentre=options.decentre,
-        index=options.index,
-        distance=options.distance,
-        surface=tuple(options.surface),
-        source_tilt=math.radians(options.source_tilt),
-        source_shift=options.source_shift,
-    )
+    return Tolerances.of(vars(options))

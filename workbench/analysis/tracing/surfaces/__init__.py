@@ -1,6 +1,7 @@
 """Faces that rays meet: a file for each kind."""
 
 from workbench.analysis.tracing.surfaces.flat import FlatFace
+from workbench.analysis.tracing.surfaces.moved import MovedFace
 from workbench.analysis.tracing.surfaces.spline import FrontFace, SplineFace
 
-__all__ = ["FlatFace", "FrontFace", "SplineFace"]
+__all__ = ["FlatFace", "FrontFace", "MovedFace", "SplineFace"]

@@ -93,12 +93,25 @@ class SplineFace:
         for part in np.arange(1, looks + 1) / looks:
             place = rays.position[left] + direction[left] * (length * part)[:, None]
             x, y, z = np.ascontiguousarray(place.T)
-            height, *slopes = np.empty((3, len(left)))
-            surface(spline, x, y, height, *slopes)
+            height, _, _ = self.shape_at(x, y)
             back = onwards * (z - height) < -_CLOSE * max(spline.r_x, spline.r_y)
             found[left[back]] = place[back, :2]
             left, length = left[~back], length[~back]
         return found
+
+    def shape_at(self, x: Array, y: Array) -> tuple[Array, Array, Array]:
+        """Height and slopes along x and y at places, all of shape (m,)."""
+        z, slope_x, slope_y = np.empty((3, len(x)))
+        surface(self._spline, x, y, z, slope_x, slope_y)
+        return z, slope_x, slope_y
+
+    def _inside(self, found: Crossings) -> Crossings:
+        """Crossings without those beside the outline."""
+        across = np.abs(found.position[:, 0]) / self._spline.r_x
+        up = np.abs(found.position[:, 1]) / self._spline.r_y
+        reach = across**2 + up**2 if self._spline.curved else np.maximum(across, up)
+        flux = np.where(reach <= _RIM, found.flux, 0.0)
+        return found._replace(flux=flux, missed=found.missed + float((found.flux - flux).sum()))
 
     def _length_beside(self, place: Array, way: Array, onwards: int) -> Array:
         """How far rays go from the face until they are beside it or beyond all of it."""
@@ -117,8 +130,7 @@ class SplineFace:
 
     def lit(self, source: FaceLight, origin: int, x: Array, y: Array) -> TracedRays:
         """See `Face.lit`."""
-        z, slope_x, slope_y = np.empty((3, len(x)))
-        surface(self._spline, x, y, z, slope_x, slope_y)
+        z, slope_x, slope_y = self.shape_at(x, y)
         rays = source.through(origin, x, y, z)
         # It takes in more or less light than the plane z = const, as it leans.
         d_x, d_y, d_z = rays.direction.T
@@ -133,13 +145,8 @@ class FrontFace(SplineFace):
         """Where rays from far below first meet it; see `Face.meet`."""
         way = rays.direction / rays.direction[:, 2:]
         back = (rays.position[:, 2:] - self._spline.lowest).clip(min=0)
-        found = super().meet(rays._replace(position=rays.position - back * way))
         # What comes in from beside, over the rim, meets no front.
-        across = np.abs(found.position[:, 0]) / self._spline.r_x
-        up = np.abs(found.position[:, 1]) / self._spline.r_y
-        inside = across**2 + up**2 if self._spline.curved else np.maximum(across, up)
-        flux = np.where(inside <= _RIM, found.flux, 0.0)
-        return found._replace(flux=flux, missed=found.missed + float((found.flux - flux).sum()))
+        return self._inside(super().meet(rays._replace(position=rays.position - back * way)))
 
 
 def _pieces(knots: Array, degree: int) -> Array:

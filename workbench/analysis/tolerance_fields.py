@@ -1,0 +1,250 @@
+"""How far a lens may be off: the tolerances, and what each says of itself.
+
+The command line, the form and the report follow from them. The command line reads this file before
+it knows what is asked of it, so nothing here takes long to import.
+"""
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, fields
+from typing import TYPE_CHECKING, Any, Literal
+
+from workbench.errors import Refused
+
+if TYPE_CHECKING:
+    from workbench.scene import Scene
+
+FINEST = 1 / 250
+"""Least length of a face's errors, in widths of the lens, that 1000 control points follow."""
+
+
+@dataclass(frozen=True)
+class About:
+    """What a tolerance says of itself.
+
+    Attributes
+    ----------
+    title : str
+        What a person reads before its field.
+    tip : str
+        What it is; "{optic}" stands for the lens or the mirror.
+    row : str
+        What a report calls it.
+    unit : str
+        Of its number; of the first, if there are two, for both.
+    there : callable
+        Whether a scene has what could be off.
+    absent : str
+        Why it changes nothing otherwise.
+    """
+
+    title: str
+    tip: str
+    row: str
+    unit: Literal["", "degrees", "length"]
+    there: "Callable[[Scene], bool]" = lambda scene: True
+    absent: str = ""
+
+    def tip_of(self, optic: str) -> str:
+        """The tip for what is called so."""
+        return self.tip.format(optic=optic)
+
+    def shown(self, size: float, unit: str) -> str:
+        """An error with its unit, in scenes of a unit of length."""
+        return {
+            "": f"{size:g}",
+            "degrees": f"{math.degrees(size):g}°",
+            "length": f"{size:g} {unit}",
+        }[self.unit]
+
+    def check(self, name: str, size: float, scene: "Scene") -> None:
+        """Refuse an error of what a scene does not have, and what is no size of an error."""
+        shown, change = f"{size:g}", "changes"
+        if self.unit == "degrees":
+            shown, change = f"{math.degrees(size):g} degrees", "change"
+        if size and not self.there(scene):
+            raise Refused(name, f"{shown} {change} nothing: {self.absent}; 0")
+        if self.unit == "degrees" and not 0 <= size < math.pi / 4:
+            raise Refused(name, f"{shown}; at least 0, less than 45")
+        if not 0 <= size < math.inf:
+            raise Refused(name, f"{shown}; a finite number from 0 is needed")
+
+
+def _tolerance(*about: Any, default: Any = 0.0, **more: Any) -> Any:
+    return field(default=default, metadata={"about": About(*about, **more)})
+
+
+def _between_faces(scene: "Scene") -> bool:
+    return scene.optic.most_faces > 1
+
+
+_ONE_FACE = "a mirror has no other face"
+_SURFACE = (
+    "and the length over which it is alike: some micrometres over some millimetres when milled"
+)
+
+
+@dataclass(frozen=True)
+class Tolerances:
+    """How far a lens may be off; angles in radians, lengths in scene units, 0 where it is not.
+
+    Attributes
+    ----------
+    tilt : float
+        Largest angle between lens and optical axis, turned about the middle of the entrance face;
+        anywhere in the disc of all such tilts, evenly.
+    decentre : float
+        Largest distance of the lens from the axis; evenly in the disc.
+    exit_tilt, exit_decentre : float
+        The same of the exit face alone, against the entrance face: turned about its own middle.
+    index : float
+        Largest error of the refractive index; evenly to both sides.
+    distance : float
+        Largest error of the screen's distance; evenly to both sides.
+    source_tilt : float
+        As ``tilt``, of the source about its middle.
+    source_shift : float
+        Largest distance of the source from its place; evenly in the ball.
+    surface, entrance_surface : tuple[float, float]
+        Root mean square of the error of the exit face, or of a mirror, and of the entrance face;
+        and the length over which it is alike.
+    """
+
+    tilt: float = _tolerance(
+        "Tilt",
+        "Largest angle between {optic} and optical axis; all within it are alike probable",
+        "tilt up to",
+        "degrees",
+    )
+    decentre: float = _tolerance(
+        "Decentre",
+        "Largest distance of the {optic} from the optical axis",
+        "decentre up to",
+        "length",
+    )
+    exit_tilt: float = _tolerance(
+        "Exit tilt",
+        "Largest angle by which the exit face is turned about its middle against the entrance face",
+        "exit face tilted by up to",
+        "degrees",
+        there=_between_faces,
+        absent=_ONE_FACE,
+    )
+    exit_decentre: float = _tolerance(
+        "Exit decentre",
+        "Largest distance by which the exit face is beside its place over the entrance face",
+        "exit face decentred by up to",
+        "length",
+        there=_between_faces,
+        absent=_ONE_FACE,
+    )
+    index: float = _tolerance(
+        "Index ±",
+        "Largest error of the refractive index",
+        "index off by up to",
+        "",
+        there=lambda scene: scene.optic.index > 1,
+        absent="there is no glass",
+    )
+    distance: float = _tolerance(
+        "Screen ±",
+        "Largest error of the screen's distance",
+        "distance off by up to",
+        "length",
+        there=lambda scene: scene.receiver.at_distance,
+        absent="a far field is at no distance",
+    )
+    source_tilt: float = _tolerance(
+        "Source tilt",
+        "Largest angle by which the source is turned about its middle",
+        "source tilt up to",
+        "degrees",
+        there=lambda scene: scene.source.turns,
+        absent="this source lights the lens alike however it is turned",
+    )
+    source_shift: float = _tolerance(
+        "Source shift",
+        "Largest distance of the source from its place, in any direction",
+        "source shift up to",
+        "length",
+        there=lambda scene: scene.source.moves,
+        absent="even light from infinitely far is the same everywhere",
+    )
+    surface: tuple[float, float] = _tolerance(
+        "Surface",
+        f"Root mean square of the error of the exit face, or of the mirror, {_SURFACE}",
+        "surface error, RMS",
+        "length",
+        default=(0.0, 1.0),
+    )
+    entrance_surface: tuple[float, float] = _tolerance(
+        "Entrance surface",
+        f"Root mean square of the error of the entrance face, {_SURFACE}",
+        "surface error of the entrance face, RMS",
+        "length",
+        default=(0.0, 1.0),
+        there=_between_faces,
+        absent=_ONE_FACE,
+    )
+
+    @classmethod
+    def of(cls, values: Mapping[str, Any]) -> "Tolerances":
+        """From values by name, angles in degrees; other names do not count."""
+        own: dict[str, Any] = {name: values[name] for name in ABOUT}
+        for name, about in ABOUT.items():
+            if about.unit == "degrees":
+                own[name] = math.radians(own[name])
+            elif name in PAIRS:
+                own[name] = tuple(own[name])
+        return cls(**own)
+
+    @property
+    def any(self) -> bool:
+        """Whether anything is off."""
+        return any(self.sizes.values())
+
+    @property
+    def sizes(self) -> dict[str, float]:
+        """How large each error may be, by name."""
+        values = {name: getattr(self, name) for name in ABOUT}
+        return {name: v[0] if name in PAIRS else v for name, v in values.items()}
+
+    def check(self, scene: "Scene") -> None:
+        """Refuse what is not possible for a scene, in the words of the command line.
+
+        Raises
+        ------
+        Refused
+            With the tolerance and what is allowed.
+        """
+        scene.check_one_image("tolerances")
+        for name, size in self.sizes.items():
+            ABOUT[name].check(f"{name}[0]" if name in PAIRS else name, size, scene)
+        optic = scene.optic
+        if self.index:
+            _check_room("index", self.index, optic.index - 1, "else there may be no glass")
+        if self.distance:
+            room = optic.onwards * (scene.receiver.plane_z - optic.edge_z)
+            touch = f"else the screen may touch the {optic.called}"
+            _check_room("distance", self.distance, room, touch)
+        if self.source_shift:
+            room = optic.front_z - scene.source.nearest_z
+            touch = f"else the source may touch the {optic.called}"
+            _check_room("source_shift", self.source_shift, room, touch)
+        width = 2 * max(optic.half_width)
+        for name in PAIRS:
+            amplitude, scale = getattr(self, name)
+            if amplitude > 0 and not FINEST * width <= scale <= width:
+                raise Refused(f"{name}[1]", f"{scale:g}; from {FINEST * width:g} to {width:g}")
+
+
+ABOUT: Mapping[str, About] = {each.name: each.metadata["about"] for each in fields(Tolerances)}
+"""What each tolerance says of itself, by name."""
+
+PAIRS = frozenset(each.name for each in fields(Tolerances) if isinstance(each.default, tuple))
+"""Names of those that are an error and the length over which it is alike."""
+
+
+def _check_room(name: str, size: float, room: float, otherwise: str) -> None:
+    if not size < room:
+        raise Refused(name, f"{size:g}; at least 0, less than {room:g}, {otherwise}")
