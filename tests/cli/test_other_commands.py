@@ -7,6 +7,7 @@ import subprocess
 import sys
 
 import pytest
+from PIL import Image
 
 from workbench.analysis.tracing.ray_limit import MOST_RAYS
 from workbench.design.run import run
@@ -163,6 +164,19 @@ def test_pictures(freeform, lens, tmp_path):
     assert (status, printed, told) == (0, "", "")
     for name in ("irradiance.png", "lens.png"):
         assert (folder / name).read_bytes().startswith(b"\x89PNG")
+
+
+def test_a_predicted_photo(freeform, lens, tmp_path, monkeypatch):
+    monkeypatch.setattr("workbench.cli.pictures.PICTURES", {})
+    status, printed, told = freeform("pictures", lens, tmp_path, "--photo", "--exposure", "-1")
+    assert (status, told) == (0, "")
+    assert printed == "photo: daylight (D65), no dispersion known, by cells\n"
+    with Image.open(tmp_path / "photo.png") as photo:
+        assert (photo.size, photo.mode) == ((32, 32), "RGB")
+        # The plate spreads the light of a disc, 0.6 wide, over all of the screen: half of 28 %.
+        assert photo.getpixel((16, 16)) == (105, 105, 105)
+    status, _, told = freeform("pictures", lens, tmp_path, "--light", "led")
+    assert (status, told) == (2, "freeform: usage: --light is of the photo; give --photo as well\n")
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="about Mesa")

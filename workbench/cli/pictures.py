@@ -1,14 +1,22 @@
 """``freeform pictures``."""
 
+from contextlib import closing
+from functools import partial
 from pathlib import Path
+from typing import BinaryIO
 
+from workbench.analysis.photo.light import LIGHTS
+from workbench.analysis.photo.photo import photograph
+from workbench.analysis.photo.png import write_png
 from workbench.cli.designed import read_designed
+from workbench.cli.progress import PartProgress
+from workbench.design.session import Session, result_of
 from workbench.errors import Refused
 from workbench.files.atomic import check_writable, replacing
 from workbench.pictures import PICTURES, write_images
 
 
-def pictures(path: Path, folder: Path) -> None:
+def pictures(path: Path, folder: Path, stops: float | None = None, light: str = "") -> None:
     """Draw the lens of a session into a folder, which is made where it is missing.
 
     Parameters
@@ -17,13 +25,19 @@ def pictures(path: Path, folder: Path) -> None:
         Session with a lens.
     folder : Path
         Gets irradiance.png, lens.png and loss.png, and irradiance-2.png and so on of further
-        images.
+        images; where it is asked for, photo.png and so on.
+    stops : float, optional
+        Exposure of the predicted photo; none is made by default.
+    light : str
+        What the lens is lit by, one of `LIGHTS`; empty for what its source is likely to be.
 
     Raises
     ------
     Refused
         If the session cannot be read or holds no lens, or the folder or a picture cannot be
         written.
+    RunFailed
+        If no light reaches the screen that a photo is to be of.
     """
     session, _ = read_designed(path)
     try:
@@ -31,12 +45,26 @@ def pictures(path: Path, folder: Path) -> None:
     except OSError as error:
         raise Refused(str(folder), f"cannot be made: {error.strerror or error}") from error
     drawn = [(name, write, session) for name, write in PICTURES.items()]
-    drawn += [
-        (f"irradiance-{number + 1}.png", write_images, session.of_image(number))
-        for number in range(1, len(session.scene.receivers))
-    ]
+    images = [(session.of_image(number), number) for number in range(len(session.scene.receivers))]
+    drawn += [(_named("irradiance", number), write_images, shown) for shown, number in images[1:]]
+    if stops is not None:
+        photo = partial(_write_photo, stops=stops, light=light)
+        drawn += [(_named("photo", number), photo, shown) for shown, number in images]
     for name, _, _ in drawn:
         check_writable(folder / name)
     for name, write, shown in drawn:
         with replacing(folder / name) as file:
             write(shown, file)
+
+
+def _named(name: str, number: int) -> str:
+    return f"{name}-{number + 1}.png" if number else f"{name}.png"
+
+
+def _write_photo(session: Session, file: BinaryIO, stops: float, light: str) -> None:
+    """Predict the photo, and say how it was made."""
+    heights = result_of(session).state.heights
+    with closing(PartProgress("photo")) as progress:
+        photo = photograph(session.scene, session.target, heights, LIGHTS.get(light), progress.show)
+    write_png(photo, stops, file)
+    print(f"photo: {photo.summary}")

@@ -110,47 +110,78 @@ def imaging(
     RunFailed
         If no light reaches the screen.
     """
-    check_body(scene, heights)
-    pose = Pose() if pose is None else pose
-    train = OpticalTrain.of(scene, heights, 1, 0, pose, [scene.receiver])
-    wide = Spots.suit(scene, train)
-    cells = _first(scene, Spots.work if wide else train.source.finer(2).origins)
-    if min(cells) < _FEWEST:
+    levels = Levels(scene, heights, pose)
+    if not levels.possible:
         return None
     images: list[Array] = []
     bound, level = math.inf, 0
     while True:
-        drawing = _drawing(scene, train, cells, level, wide)
+        drawing = levels.drawing(level)
         # Each level takes most of what is left of the whole.
         image = yield from within(drawing.tracing(threads), partial(_done, level))
         images = [*images[-2:], image]
         if level >= 2:
             bound = _bound(*images)
-            more = 1.0 if wide else _more(train.source, level)
+            more = levels.more(level)
             # Where origins double too, a level that is not the last one takes longer than random
             # rays that are as exact.
             hopeless = more > 1 and bound > _FASTEST * accuracy
             if bound <= accuracy or hopeless or 4 * more * drawing.rays > _MOST:
                 break
-        cells, level = (2 * cells[0], 2 * cells[1]), level + 1
+        level += 1
     if not image.any():
         raise RunFailed("no light of this lens reaches the screen, so there is no image to judge")
     irradiance = image / scene.receiver.pixel_measure
-    return CellImage(irradiance, bound, cells, accuracy, _more(train.source, 0) > 1)
+    return CellImage(irradiance, bound, levels.cells(level), accuracy, levels.sized)
+
+
+class Levels:
+    """Images of a lens by finer and finer cells.
+
+    Parameters
+    ----------
+    scene, heights, pose
+        As for `imaging`, and so is what is refused.
+
+    Attributes
+    ----------
+    possible : bool
+        Whether the source has few enough points for three levels.
+    sized : bool
+        As of `CellImage`.
+    """
+
+    def __init__(
+        self, scene: Scene, heights: Mapping[str, Array], pose: Pose | None = None
+    ) -> None:
+        check_body(scene, heights)
+        train = OpticalTrain.of(scene, heights, 1, 0, pose or Pose(), [scene.receiver])
+        self._scene, self._train, self._wide = scene, train, Spots.suit(scene, train)
+        each = Spots.work if self._wide else train.source.finer(2).origins
+        self._first = _first(scene, each)
+        self.possible = min(self._first) >= _FEWEST
+        self.sized = _more(train.source, 0) > 1
+
+    def cells(self, level: int) -> tuple[int, int]:
+        """Cells along x and y; levels are counted from 0."""
+        n_x, n_y = self._first
+        return n_x << level, n_y << level
+
+    def drawing(self, level: int) -> Drawing:
+        """What draws the image of a level: spots of wide light, or cells from some origins."""
+        if self._wide:
+            return Spots(self._scene, self._train, self.cells(level), level)
+        light = self._train.source.finer(level)
+        return Lattice(self._scene, self._train.lit_by(light), self.cells(level))
+
+    def more(self, level: int) -> float:
+        """How many times as many origins there are at the next level."""
+        return 1.0 if self._wide else _more(self._train.source, level)
 
 
 def _done(level: int, part: float) -> float:
     """The part of the whole that is done with a part of a level."""
     return 1 - math.pow(0.25, level + part)
-
-
-def _drawing(
-    scene: Scene, train: OpticalTrain, cells: tuple[int, int], level: int, wide: bool
-) -> Drawing:
-    """What draws the image of a level: spots of wide light, or cells from some origins."""
-    if wide:
-        return Spots(scene, train, cells, level)
-    return Lattice(scene, train.lit_by(train.source.finer(level)), cells)
 
 
 def _more(light: LightSource, level: int) -> float:

@@ -7,6 +7,7 @@ from contextlib import suppress
 from workbench.analysis.tracing.ray_limit import MOST_RAYS
 
 _MOST_DISTANCES = 1000
+_MOST_STOPS = 20.0
 
 
 def positive(text: str) -> float:
@@ -23,6 +24,15 @@ def length(text: str) -> float:
     if math.isinf(number):
         raise argparse.ArgumentTypeError(f"{text!r}; a finite number is needed")
     return number
+
+
+def stops(text: str) -> float:
+    """An exposure: powers of two of brightness."""
+    with suppress(ValueError):
+        if abs(number := float(text)) <= _MOST_STOPS:
+            return number
+    most = _MOST_STOPS
+    raise argparse.ArgumentTypeError(f"{text!r}; a number from {-most:g} to {most:g} is needed")
 
 
 def count(text: str) -> int:

@@ -1,0 +1,155 @@
+"""Predicted photos of lenses whose light is known."""
+
+import io
+import math
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from tests.analysis.lenses import net_of
+from workbench.analysis.cells.image import imaging
+from workbench.analysis.photo.colour import linear_rgb, luminance, tristimulus
+from workbench.analysis.photo.light import LIGHTS
+from workbench.analysis.photo.photo import at_wavelength, photograph
+from workbench.analysis.photo.png import write_png
+from workbench.analysis.watch import finished
+from workbench.errors import Refused, RunFailed
+from workbench.materials import CATALOGUE
+from workbench.scene import Scene
+
+DISPERSIVE = {"lens.refractive_index": "PMMA", "lens.wavelength_um": 0.55}
+# All light of the plate on the screen, which stands far away, in few pixels.
+WIDE = {"screen": {"z": 20.0, "half_width": [6.0, 6.0], "pixels": [48, 16]}}
+LEANS = 0.3
+
+
+def plate(scene):
+    return {"exit": np.full(scene.optic.net_shape, 0.5)}
+
+
+def prism(scene):
+    return {"exit": net_of(scene, lambda x, y: 0.5 + LEANS * x + 0 * y)}
+
+
+def shift(index):
+    """How far the light of the prism goes aside on its way to the screen, by Snell's law."""
+    tilt = math.atan(LEANS)
+    return 19.5 * math.tan(math.asin(index * math.sin(tilt)) - tilt)
+
+
+def white(scene):
+    n_x, n_y = scene.screen.pixels
+    return np.ones((n_y, n_x))
+
+
+def test_without_dispersion_each_channel_is_the_image_of_the_check(make_scene):
+    scene = make_scene(WIDE)
+    photo = photograph(scene, white(scene), prism(scene))
+    grey = finished(imaging(scene, prism(scene), 0.02)).irradiance
+    for channel in np.moveaxis(photo.rgb, -1, 0):
+        assert np.linalg.norm(channel - grey) < 0.02 * np.linalg.norm(grey)
+        assert channel == pytest.approx(photo.rgb[..., 0], abs=1e-9 * grey.max())
+    assert len(photo.wavelengths_um) == 1
+    assert "no dispersion known" in photo.summary
+
+
+def test_a_prism_parts_colours_by_snells_law(make_scene):
+    scene = make_scene(WIDE | DISPERSIVE)
+    photo = photograph(scene, white(scene), prism(scene), LIGHTS["equal"])
+    x = (np.arange(48) + 0.5) / 4 - 6
+    found = x @ photo.rgb.sum(axis=0) / photo.rgb.sum(axis=(0, 1))
+    # Light beyond the wavelengths that are traced is taken to go where the last of these does.
+    wavelengths = np.linspace(0.38, 0.78, 801)
+    places = [shift(CATALOGUE["PMMA"].index(each)) for each in wavelengths.clip(0.4, 0.7).tolist()]
+    seen = linear_rgb(tristimulus(wavelengths))
+    assert np.abs(found) == pytest.approx(places @ seen / seen.sum(axis=0), rel=0.005)
+    red, green, blue = np.abs(found)
+    assert red < green < blue
+    assert photo.step < 1
+
+
+def test_wavelengths_are_as_many_as_pixels_need(make_scene):
+    fine = {"screen": {"z": 20.0, "half_width": [6.0, 1.0], "pixels": [480, 16]}}
+    scene = make_scene(fine | DISPERSIVE)
+    photo = photograph(scene, white(scene), prism(scene))
+    pixels = 40 * (shift(CATALOGUE["PMMA"].index(0.4)) - shift(CATALOGUE["PMMA"].index(0.7)))
+    assert len(photo.wavelengths_um) == math.ceil(abs(pixels)) + 1
+    index = [CATALOGUE["PMMA"].index(each) for each in photo.wavelengths_um]
+    assert np.diff(index) == pytest.approx(np.diff(index).mean(), rel=0.01)
+
+
+def test_light_that_faces_let_through_is_conserved(make_scene):
+    scene = make_scene(WIDE | DISPERSIVE | {"version": 2, "lens.reflection": "fresnel"})
+    photo = photograph(scene, white(scene), plate(scene))
+    index = np.array([CATALOGUE["PMMA"].index(each) for each in photo.wavelengths_um])
+    passes = (1 - ((index - 1) / (index + 1)) ** 2) ** 2
+    found = photo.rgb.sum(axis=(0, 1)) * scene.receiver.pixel_measure
+    weights = LIGHTS["daylight"].weights(np.array(photo.wavelengths_um))
+    assert found == pytest.approx(passes @ weights, rel=1e-6)
+
+
+def test_exposure_counts_in_stops(make_scene):
+    scene = make_scene(WIDE)
+    photo = photograph(scene, white(scene), plate(scene))
+    assert luminance(photo.rgb).mean() == pytest.approx(photo.white)
+    darker, usual = photo.picture(-40.0), photo.picture()
+    assert darker.max() == 0
+    assert usual.dtype == np.uint8
+    assert usual.shape == (16, 48, 3)
+    # A quarter of the light that is brightest: two stops below the value where it is white.
+    bright = float(photo.rgb.max())
+    stops = math.log2(photo.white / bright)
+    assert photo.picture(stops).max() == 255
+    assert photo.picture(stops - 2).max() == 137
+
+
+def test_a_source_of_some_size_is_seen_with_it(make_scene):
+    scene = make_scene(
+        WIDE | {"source": {"kind": "collimated", "angular_diameter": 4.0}} | DISPERSIVE
+    )
+    photo = photograph(scene, white(scene), plate(scene))
+    # From the middle of the image to its end the light falls over the width of the disc.
+    across = photo.rgb[..., 1].sum(axis=0)
+    blurred = (across > 0.01 * across.max()) & (across < 0.99 * across.max())
+    assert blurred.sum() * 0.25 == pytest.approx(2 * 20 * math.radians(4.0), abs=0.8)
+
+
+def test_a_mirror_has_no_dispersion():
+    scene = Scene.from_data(
+        {
+            "mirror": {"half_width": [1, 1], "control_points": [6, 6]},
+            "source": {"kind": "collimated"},
+            "screen": {"z": -6.0, "half_width": [2, 2], "pixels": [16, 16]},
+            "target": {"builtin": "ball"},
+        }
+    )
+    assert at_wavelength(scene, 0.4) is scene
+
+
+def test_no_light_is_no_photo(make_scene):
+    aside = WIDE["screen"] | {"center": [60.0, 0.0]}
+    scene = make_scene({"version": 2, "screen": aside})
+    with pytest.raises(RunFailed, match="no light"):
+        photograph(scene, white(scene), plate(scene))
+
+
+def test_several_images_are_refused(make_scene):
+    further = {"screen": {"z": 8.0, "half_width": [1, 1], "pixels": [8, 8]}}
+    scene = make_scene({"further_images": [further | {"target": {"builtin": "ball"}}]})
+    with pytest.raises(Refused, match="predicted photo"):
+        photograph(scene, white(scene), plate(scene))
+
+
+def test_a_far_field_is_seen_by_its_density(make_scene):
+    far = {"half_angle": [20.0, 20.0], "pixels": [24, 12]}
+    data = make_scene(DISPERSIVE | {"version": 2}).to_data()
+    del data["screen"]
+    scene = Scene.from_data(data | {"far_field": far})
+    photo = photograph(scene, np.ones((12, 24)), prism(scene))
+    assert photo.aspect == pytest.approx(0.5)
+    assert scene.receiver.total(luminance(photo.rgb)) == pytest.approx(0.92, abs=0.01)
+    file = io.BytesIO()
+    write_png(photo, 0.0, file)
+    with Image.open(file) as picture:
+        assert picture.size == (24, 24)

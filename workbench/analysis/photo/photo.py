@@ -1,0 +1,280 @@
+"""The image on the screen as a camera would see it, in colour.
+
+Each wavelength is traced by the independent check with the index that the material has there: by
+cells, or by random rays where the source has very many points. The source has its size, and faces
+reflect as much as they do at that index. What is left out: diffraction, light that is reflected
+within the lens, and the optics of the camera itself.
+"""
+
+import math
+from collections.abc import Generator, Mapping
+from dataclasses import dataclass
+from functools import partial
+from itertools import count
+
+import numpy as np
+import numpy.typing as npt
+
+from workbench.analysis.cells.image import Levels
+from workbench.analysis.photo.colour import encoded, luminance
+from workbench.analysis.photo.light import LONGEST, SHORTEST, Light, light_of
+from workbench.analysis.tracing.elements import joined
+from workbench.analysis.tracing.pose import Pose
+from workbench.analysis.tracing.sources.cells import BATCHES
+from workbench.analysis.tracing.trace import Trace, added
+from workbench.analysis.tracing.train import OpticalTrain, Tally
+from workbench.analysis.watch import Watch, finished, unwatched, within
+from workbench.errors import RunFailed
+from workbench.geometry.body import check_body
+from workbench.materials import CATALOGUE, Material
+from workbench.scene import Scene
+
+Array = npt.NDArray[np.float64]
+
+# Cells are fine enough when half as many along each axis change the image by this part of it: eyes
+# do not see that in a picture of 256 steps.
+_ACCURACY = 0.02
+# Random rays for each pixel, and rays of one wavelength at most.
+_EACH, _MOST_RAYS = 256, 1 << 24
+# Rays that tell how far colours are apart, and the part of them that has to be within.
+_PROBES, _PART = 1 << 13, 0.99
+_FEWEST, _MOST = 3, 32
+
+
+@dataclass(frozen=True, eq=False)
+class Photo:
+    """A predicted photo.
+
+    Attributes
+    ----------
+    rgb : ndarray, shape (n_y, n_x, 3)
+        Linear sRGB, row 0 at +y, in flux per area of a source of flux 1: that of white light if it
+        is the same at all wavelengths.
+    white : float
+        What is white without a change of exposure: the irradiance of the target's brightest pixel,
+        if the target had the light of the image.
+    aspect : float
+        Width of a pixel over its height.
+    light : Light
+        What the lens is lit by.
+    wavelengths_um : tuple of float
+        What was traced.
+    step : float
+        How far images of neighbouring wavelengths are apart, pixels; 99 of 100 rays are nearer.
+    by_cells : bool
+        Whether by cells, else by random rays.
+    """
+
+    rgb: Array
+    white: float
+    aspect: float
+    light: Light
+    wavelengths_um: tuple[float, ...]
+    step: float
+    by_cells: bool
+
+    def picture(self, stops: float = 0.0) -> npt.NDArray[np.uint8]:
+        """Values of a picture file (sRGB), shape (n_y, n_x, 3).
+
+        Parameters
+        ----------
+        stops : float
+            Exposure: one more makes all twice as bright.
+        """
+        return encoded(self.rgb * (2.0**stops / self.white))
+
+    @property
+    def summary(self) -> str:
+        """How it was made, in a line."""
+        number, way = len(self.wavelengths_um), "cells" if self.by_cells else "random rays"
+        if number == 1:
+            return f"{self.light.title}, no dispersion known, by {way}"
+        first, *_, last = self.wavelengths_um
+        return (
+            f"{self.light.title}, {number} wavelengths from {first:g} to {last:g} µm, "
+            f"{self.step:.2g} pixels apart, by {way}"
+        )
+
+
+def photograph(
+    scene: Scene,
+    target: Array,
+    heights: Mapping[str, Array],
+    light: Light | None = None,
+    watch: Watch = unwatched,
+) -> Photo:
+    """Predict the photo of a lens's image.
+
+    Parameters
+    ----------
+    scene : Scene
+        Lens, source and screen, with one image.
+    target : ndarray, shape (n_y, n_x)
+        The target image in any scale, which says what is white.
+    heights : mapping of str to ndarray, shape (n_u, n_v)
+        Control heights of each freeform face by its name, scene units.
+    light : Light, optional
+        What the lens is lit by; by default as `light_of` says.
+    watch : callable
+        Called with the part that is done.
+
+    Raises
+    ------
+    Refused
+        If there are several images, or the lens is no body.
+    RunFailed
+        If no light reaches the screen.
+    """
+    return finished(photographing(scene, target, heights, light), watch)
+
+
+def photographing(
+    scene: Scene,
+    target: Array,
+    heights: Mapping[str, Array],
+    light: Light | None = None,
+    threads: int | None = None,
+) -> Generator[float, None, Photo]:
+    """`photograph` step by step, so that one can see how far it is and leave it.
+
+    Parameters
+    ----------
+    scene, target, heights, light
+        As for `photograph`, and so is what is raised.
+    threads : int, optional
+        How many trace; as many as there are cores by default.
+
+    Yields
+    ------
+    float
+        The part that is done, up to 1.
+
+    Returns
+    -------
+    Photo
+    """
+    scene.check_one_image("the predicted photo")
+    check_body(scene, heights)
+    light = light or light_of(scene)
+    wavelengths, step = _wavelengths(scene, heights, light)
+    weights = light.weights(wavelengths)
+    rgb, tracer = np.zeros((*target.shape, 3)), _Tracer(heights, threads)
+    for done, (wavelength, weight) in enumerate(zip(wavelengths.tolist(), weights, strict=True)):
+        steps = tracer.trace(at_wavelength(scene, wavelength))
+        image = yield from within(steps, partial(_part, done, len(wavelengths)))
+        rgb += (image / scene.receiver.pixel_measure)[..., None] * weight
+    if not rgb.any():
+        raise RunFailed("no light of this lens reaches the screen, so there is nothing to see")
+    receiver, wanted = scene.receiver, target / target.max()
+    white = receiver.total(luminance(rgb)) / receiver.total(wanted)
+    width, height = np.divide(receiver.half_extent, receiver.pixels).tolist()
+    made_by = tuple(wavelengths.tolist()), step, tracer.by_cells
+    return Photo(rgb, white, width / height, light, *made_by)
+
+
+def at_wavelength(scene: Scene, wavelength_um: float) -> Scene:
+    """The scene with the index of its material at a wavelength, if it has dispersion.
+
+    Beside the wavelengths that the material was measured at its formula is continued.
+    """
+    lens, material = scene.lens, _material(scene)
+    if lens is None or material is None:
+        return scene
+    index = material.index(wavelength_um)
+    return scene.altered(lens=lens.altered(refractive_index=index, wavelength_um=None))
+
+
+def _material(scene: Scene) -> Material | None:
+    """That of the lens; None where nothing is known of its dispersion."""
+    name = None if scene.lens is None else scene.lens.refractive_index
+    return CATALOGUE[name] if isinstance(name, str) else None
+
+
+def _part(done: int, of: int, part: float) -> float:
+    return (done + part) / of
+
+
+def _wavelengths(scene: Scene, heights: Mapping[str, Array], light: Light) -> tuple[Array, float]:
+    """Wavelengths at equal steps of the index, and how far their images are apart, in pixels."""
+    if light.line_um is not None:
+        return np.array([light.line_um]), 0.0
+    material = _material(scene)
+    if material is None:
+        return np.array([(SHORTEST + LONGEST) / 2]), 0.0
+    first, last = (at_wavelength(scene, end) for end in (SHORTEST, LONGEST))
+    apart = _apart(first, last, heights)
+    number = min(max(math.ceil(apart) + 1, _FEWEST), _MOST)
+    fine = np.linspace(SHORTEST, LONGEST, 301)
+    index = np.array([material.index(each) for each in fine.tolist()])
+    steps = np.linspace(index[0], index[-1], number)
+    return np.interp(-steps, -index, fine), apart / (number - 1)
+
+
+def _apart(first: Scene, last: Scene, heights: Mapping[str, Array]) -> float:
+    """How far light of two scenes is apart on the receiver, in pixels."""
+    (a, a_lit), (b, b_lit) = (_hits(scene, heights) for scene in (first, last))
+    size = np.array(first.receiver.pixels)
+    on_screen = [((places >= 0) & (places < size)).all(axis=1) for places in (a, b)]
+    seen = a_lit & b_lit & (on_screen[0] | on_screen[1])
+    distances = np.linalg.norm(a[seen] - b[seen], axis=1)
+    return float(np.quantile(distances, _PART)) if distances.size else 0.0
+
+
+def _hits(scene: Scene, heights: Mapping[str, Array]) -> tuple[Array, npt.NDArray[np.bool_]]:
+    """Where some rays meet the receiver, in pixels (m, 2), and whether they do."""
+    train = OpticalTrain.of(scene, heights, _PROBES, 0, Pose(), [scene.receiver])
+    every = joined([rays for number in range(BATCHES) for rays in train.source.batch(number)])
+    places, flux = np.zeros((len(every.flux), 2)), np.empty(len(every.flux))
+    train.hits(every, places, flux)
+    return places, (flux > 0) & np.isfinite(places).all(axis=1)
+
+
+class _Tracer:
+    """Images at several wavelengths, all by the cells that the first one needs, or all by rays."""
+
+    def __init__(self, heights: Mapping[str, Array], threads: int | None) -> None:
+        self._heights, self._threads = heights, threads
+        self._level: int | None = None
+        self.by_cells, self._traced = True, 0
+
+    def trace(self, scene: Scene) -> Generator[float, None, Array]:
+        """Part of the emitted flux in each pixel, (n_y, n_x)."""
+        levels = Levels(scene, self._heights)
+        self.by_cells = levels.possible
+        self._traced += 1
+        if not levels.possible:
+            return (yield from self._by_rays(scene))
+        if self._level is not None:
+            return (yield from levels.drawing(self._level).tracing(self._threads))
+        return (yield from self._refined(levels))
+
+    def _refined(self, levels: Levels) -> Generator[float, None, Array]:
+        """By finer and finer cells, until that changes little."""
+        last: Array | None = None
+        for level in count():
+            drawing = levels.drawing(level)
+            image = yield from within(drawing.tracing(self._threads), partial(_of_level, level))
+            change = math.inf if last is None else float(np.linalg.norm(image - last))
+            too_much = 4 * levels.more(level) * drawing.rays > _MOST_RAYS
+            if change <= _ACCURACY * np.linalg.norm(image) or too_much:
+                self._level = level
+                break
+            last = image
+        return image
+
+    def _by_rays(self, scene: Scene) -> Generator[float, None, Array]:
+        n_x, n_y = scene.receiver.pixels
+        # Other rays for each wavelength: their scatter is not that of the others.
+        trace = Trace(scene, self._heights, min(_EACH * n_x * n_y, _MOST_RAYS), self._traced)
+        total: Tally | None = None
+        for batch in trace.batches(self._threads):
+            total = added(total, batch)
+            del batch  # large images must not wait for the next ones
+            yield trace.part
+        assert total is not None
+        return total.flux.reshape(n_y, n_x) / total.emitted
+
+
+def _of_level(level: int, part: float) -> float:
+    """The part of the first image that is done with a part of a level."""
+    return 1 - math.pow(0.5, level + part)
