@@ -15,6 +15,7 @@ from pathlib import Path
 import pytest
 
 from workbench.cli import keeping
+from workbench.design.interruption import check_interruption
 from workbench.errors import Refused
 from workbench.files.session import read_session
 
@@ -31,6 +32,14 @@ def sent(*numbers):
     return send
 
 
+def work_until_interrupted():
+    """Work of a run within one iteration, like the search for the first lens of two faces."""
+    for _ in range(3000):
+        check_interruption()
+        time.sleep(0.01)
+    raise AssertionError("the work went on")
+
+
 @pytest.fixture
 def often(monkeypatch):
     """Checkpoints after every iteration."""
@@ -44,6 +53,13 @@ def endless(scene_file, scene_data):
     scene_data["run"] = {"method": "paper", "iterations": 1_000_000}
     scene_file.write_text(json.dumps(scene_data))
     return scene_file
+
+
+def test_the_time_limit_ends_long_work_within_an_iteration(freeform, scene_file, out, fake_run):
+    fake_run({1: work_until_interrupted})
+    assert freeform("design", scene_file, "-o", out, "--seconds", 0.05)[0] == 0
+    result = read_session(out).result
+    assert (result.iterations, result.ended) == (0, "stopped")
 
 
 class TestSignals:
@@ -100,6 +116,15 @@ class TestSignals:
         assert status == 130
         assert read_session(out).result.iterations == 3
         assert told.splitlines()[-1] == "freeform: interrupted"
+
+    def test_ctrl_c_ends_long_work_within_an_iteration(self, freeform, scene_file, out, fake_run):
+        def interrupted():
+            sent(signal.SIGINT)()
+            work_until_interrupted()
+
+        fake_run({1: interrupted})
+        assert freeform("design", scene_file, "-o", out)[0] == 130
+        assert read_session(out).result.iterations == 0
 
     def test_a_second_hangup_waits_for_the_iteration(self, freeform, scene_file, out, fake_run):
         fake_run({4: sent(signal.SIGHUP, signal.SIGHUP, signal.SIGTERM)})

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from workbench.analysis.benchmark.names import BENCHMARKS, WITH_CURVES
-from workbench.cli.interruption import Interrupted, number_of
+from workbench.cli.interruption import EndedBySignal, number_of
 from workbench.errors import Refused
 from workbench.files.atomic import check_writable, replacing
 
@@ -74,7 +74,7 @@ def benchmark(
         print(json.dumps({"machine": machine.to_data(), "benchmarks": found}))
     if stop:
         kept = f"what was finished is in {folder}" if found else "nothing was finished"
-        raise Interrupted(number_of(stop), f"interrupted; {kept}")
+        raise EndedBySignal(number_of(stop), f"interrupted; {kept}")
 
 
 def _earlier(against: Path | None) -> Sequence[Any]:

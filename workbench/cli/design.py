@@ -3,14 +3,16 @@
 import json
 import os
 import sys
+import time
 from contextlib import closing
 from dataclasses import replace
 from pathlib import Path
 
-from workbench.cli.interruption import Interrupted, Interruption
+from workbench.cli.interruption import EndedBySignal, Interruption
 from workbench.cli.keeping import Keeper
 from workbench.cli.progress import Progress
 from workbench.design.design_run import DesignRun
+from workbench.design.interruption import interrupted_when
 from workbench.design.light_files import why_light_is_not_kept
 from workbench.design.picture import why_not_kept
 from workbench.design.session import Session
@@ -42,7 +44,7 @@ def design(path: Path, output: Path, iterations: int | None, seconds: float, as_
         If the scene cannot be run or the output not be written; a lens is then kept elsewhere.
     RunFailed
         If the run cannot go on; the best lens before is written.
-    Interrupted
+    EndedBySignal
         After a signal; the best lens so far is written.
     """
     session = open_design(path)
@@ -59,8 +61,13 @@ def design(path: Path, output: Path, iterations: int | None, seconds: float, as_
     with Interruption() as interruption:
         # Threads of the tracer that wait must sleep: spinning, they take the cores from each other.
         os.environ.setdefault("OMP_WAIT_POLICY", "PASSIVE")
+        end = time.perf_counter() + seconds
         try:
-            with closing(Progress(seconds)) as progress, closing(iter(run)) as snapshots:
+            with (
+                interrupted_when(lambda: interruption.asked > 0 or time.perf_counter() >= end),
+                closing(Progress(seconds)) as progress,
+                closing(iter(run)) as snapshots,
+            ):
                 for snapshot in snapshots:
                     progress.show(snapshot)
                     keeper.keep(run.history)
@@ -81,7 +88,7 @@ def design(path: Path, output: Path, iterations: int | None, seconds: float, as_
         if not as_json and not interruption.asked:
             _print_bound(session, result)
     if interruption.asked:
-        raise Interrupted(interruption.asked, f"interrupted; {_held(result, output)}")
+        raise EndedBySignal(interruption.asked, f"interrupted; {_held(result, output)}")
 
 
 def _print_bound(session: Session, result: Result) -> None:

@@ -19,7 +19,7 @@ _AGAIN = 0.05  # seconds after which a signal comes again that found a module be
 _LOADER = "<frozen importlib._bootstrap>"
 
 
-class Interrupted(KeyboardInterrupt):
+class EndedBySignal(KeyboardInterrupt):
     """A signal has ended a command.
 
     Parameters
@@ -37,7 +37,7 @@ class Interrupted(KeyboardInterrupt):
 
 def number_of(stop: KeyboardInterrupt) -> int:
     """The signal that an interruption is about."""
-    return stop.number if isinstance(stop, Interrupted) else signal.SIGINT
+    return stop.number if isinstance(stop, EndedBySignal) else signal.SIGINT
 
 
 class _Handling(ABC):
@@ -65,7 +65,7 @@ class _Handling(ABC):
 
 
 class Interruptible(_Handling):
-    """While entered, signals raise `Interrupted`, but not while a module is being loaded.
+    """While entered, signals raise `EndedBySignal`, but not while a module is being loaded.
 
     Libraries take an exception in their midst for a part that is missing, and say so or go on
     without it; the signal then comes again after a moment. A second Ctrl-C does not wait.
@@ -89,7 +89,7 @@ class Interruptible(_Handling):
         is_repeated, self._is_repeated = self._is_repeated, False
         is_second = self._later is not None and not is_repeated and number == signal.SIGINT
         if is_second or not _is_loading(frame):
-            raise Interrupted(number)
+            raise EndedBySignal(number)
         self._later = threading.Timer(_AGAIN, self._repeat, [threading.get_ident(), number])
         self._later.daemon = True
         self._later.start()
@@ -127,5 +127,5 @@ class Interruption(_Handling):
     def _handle(self, number: int, frame: FrameType | None) -> None:
         if self.asked and number == signal.SIGINT and not self._settled:
             self._settled = True
-            raise Interrupted(number)
+            raise EndedBySignal(number)
         self.asked = self.asked or number

@@ -6,7 +6,7 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from workbench.cli.interruption import Interrupted, number_of
+from workbench.cli.interruption import EndedBySignal, number_of
 from workbench.design.session import verified_error
 from workbench.errors import RunFailed
 from workbench.sweep.cluster import Cluster
@@ -65,7 +65,7 @@ def sweep(
     print(json.dumps(to_data(table)) if as_json else _text(table))
     failed = sum(row.reason is not None for row in table)
     if stop:
-        raise Interrupted(
+        raise EndedBySignal(
             number_of(stop),
             f"interrupted; {len(table) - failed} of {len(points)} points are finished and kept in "
             f"{folder}, the same command goes on",

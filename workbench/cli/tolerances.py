@@ -7,7 +7,7 @@ from pathlib import Path
 from workbench.analysis.tolerance_fields import ABOUT, Tolerances
 from workbench.analysis.tolerances import Distribution, Perturbed, perturbed
 from workbench.cli.designed import read_designed
-from workbench.cli.interruption import Interrupted, number_of
+from workbench.cli.interruption import EndedBySignal, number_of
 from workbench.errors import Refused
 from workbench.files.atomic import check_writable, replacing
 
@@ -74,7 +74,9 @@ def tolerances(
             _write(plot, nominal, others)
     if stop:
         traced = max(len(found) - 1, 0)
-        raise Interrupted(number_of(stop), f"interrupted; {traced} of {samples} lenses were traced")
+        raise EndedBySignal(
+            number_of(stop), f"interrupted; {traced} of {samples} lenses were traced"
+        )
 
 
 def _report(nominal: Perturbed, others: list[Perturbed], as_json: bool) -> None:
