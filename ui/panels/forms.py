@@ -69,10 +69,21 @@ class Forms(QScrollArea):
         self._run_hint = ""
         self._later: list[Edit] = []  # made during a run
         self._next: Scene | None = None  # with these
-        self._hint = QLabel()
-        self._hint.setObjectName("hint")
-        self._hint.setWordWrap(True)
-        self._hint.hide()
+        self.panels = self._make_panels()
+        self._chooser: TargetPanel | ImagesPanel = self._target
+        self._lay_out()
+        for panel in self.panels:
+            panel.edited.connect(self.edit)
+            panel.reverted.connect(self._revert)
+        for asking in (self._target, self._images):
+            asking.image_asked.connect(partial(self._ask_image, asking))
+        self._source.file_asked.connect(self.light_asked)
+        self._target.image_again.connect(self._read_image_again)
+        document.session_changed.connect(self._show_change)
+        self._show()
+
+    def _make_panels(self) -> list[Panel]:
+        """A panel for each part of the scene, in the order of its fields."""
         parts = {field.name: field for field in Scene.fields() if field.parts}
         self._images = ImagesPanel(parts.pop("further_images"))
         self._target = TargetPanel(parts.pop("target"))
@@ -86,21 +97,20 @@ class Forms(QScrollArea):
                 made.append(self._source)
             else:
                 made.append(_PANELS.get(name, PartPanel)(field))
-        self.panels: list[Panel] = [
-            ScenePanel(),
-            self._target,
-            *made,
-            self._images,
-            StagesPanel(),
-        ]
-        self._page = QWidget()
-        column = QVBoxLayout(self._page)
+        return [ScenePanel(), self._target, *made, self._images, StagesPanel()]
+
+    def _lay_out(self) -> None:
+        """The panels below each other, with all fields in line, below the hint."""
+        self._hint = QLabel()
+        self._hint.setObjectName("hint")
+        self._hint.setWordWrap(True)
+        self._hint.hide()
+        page = QWidget()
+        column = QVBoxLayout(page)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(2)
         for panel in self.panels:
             column.addWidget(panel)
-            panel.edited.connect(self.edit)
-            panel.reverted.connect(self._revert)
         column.addStretch()
         labels = [row.label.sizeHint().width() for row in self._rows()]
         for panel in self.panels:
@@ -109,18 +119,11 @@ class Forms(QScrollArea):
         outer = QVBoxLayout(self._content)
         outer.setContentsMargins(0, 0, 0, 0)
         outer.addWidget(self._hint)
-        outer.addWidget(self._page)
+        outer.addWidget(page)
         self.setWidget(self._content)
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self._chooser: TargetPanel | ImagesPanel = self._target
-        for panel in (self._target, self._images):
-            panel.image_asked.connect(partial(self._ask_image, panel))
-        self._source.file_asked.connect(self.light_asked)
-        self._target.image_again.connect(self._read_image_again)
-        document.session_changed.connect(self._show_change)
-        self._show()
 
     def showEvent(self, event: QShowEvent) -> None:
         """Never be narrower than the rows, whose width is known once fonts and style are."""

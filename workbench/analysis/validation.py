@@ -294,25 +294,20 @@ def _of_one(
         traced_from = _CELLS
     trace = Trace(scene, heights, rays, seed, pose)
     middle = traced_from + (1 - traced_from) * FEWER / (FEWER + 1)
-    total, distances, batches = yield from within(
-        _traced(trace, target, threads), lambda part: traced_from + (middle - traced_from) * part
+    account, irradiance, distances, batches = yield from within(
+        _traced(trace, target, scene.receiver.pixel_measure, threads),
+        lambda part: traced_from + (middle - traced_from) * part,
     )
-    account = _account(total)
-    if account.on_screen == 0:
-        raise RunFailed("no light of this lens reaches the screen, so there is no image to judge")
-    irradiance = total.flux.reshape(target.shape)
-    irradiance /= total.emitted * scene.receiver.pixel_measure
     references = [target] if image is None else [target, image.irradiance]
     if trace.sampled:
         unscattered = [Unscattered.of_pairs(batches, reference) for reference in references]
         independent = Independent(unscattered[0], trace.rays)
     else:
         second = Trace(scene, heights, -(-rays // FEWER), _another(seed), pose)
-        products = yield from within(
-            _products(second, irradiance, references, threads),
+        unscattered = yield from within(
+            _by_other_rays(second, irradiance, references, threads),
             lambda part: middle + (1 - middle) * part,
         )
-        unscattered = [Unscattered.of(each) for each in products]
 
     error = relative_l2(irradiance, target)
     noise = float(np.std(distances, ddof=1)) / math.sqrt(BATCHES)
@@ -339,9 +334,9 @@ def _of_one(
 
 
 def _traced(
-    trace: Trace, target: Array, threads: int | None
-) -> Generator[float, None, tuple[Tally, list[float], Images]]:
-    """All light of a trace, and the distances of its batches' images to the target.
+    trace: Trace, target: Array, pixel_measure: float | Array, threads: int | None
+) -> Generator[float, None, tuple[Account, Array, list[float], Images]]:
+    """Where the light of a trace goes, its image, and the distances of its batches' to the target.
 
     Where the batches are independent, their images too.
     """
@@ -356,13 +351,17 @@ def _traced(
         del batch  # large images must not wait for the next ones
         yield trace.part
     assert total is not None
-    return total, distances, images
+    account = _account(total)
+    if account.on_screen == 0:
+        raise RunFailed("no light of this lens reaches the screen, so there is no image to judge")
+    irradiance = total.flux.reshape(target.shape) / (total.emitted * pixel_measure)
+    return account, irradiance, distances, images
 
 
-def _products(
+def _by_other_rays(
     trace: Trace, image: Array, references: Sequence[Array], threads: int | None
-) -> Generator[float, None, list[list[float]]]:
-    """For each reference, products of an image's and each batch's distance to it."""
+) -> Generator[float, None, list[Unscattered]]:
+    """An image's distance to each reference, from its products with those of other rays."""
     found: list[list[float]] = [[] for _ in references]
     for batch in trace.batches(threads):
         if batch is not None:
@@ -371,7 +370,7 @@ def _products(
                 products.append(product(image, other, reference))
         del batch
         yield trace.part
-    return found
+    return [Unscattered.of(products) for products in found]
 
 
 def _account(tally: Tally) -> Account:

@@ -101,9 +101,8 @@ def run(
                 ended: str = end.value
                 break
             except RunFailed as error:
-                short = room.shortfall(room.begin)
-                cause = "" if short is None else f". {short.sentence(scene)}: {short.cure}"
-                raise RunFailed(f"stopped at iteration {iteration}: {error}{cause}") from None
+                why = f"{error}{_cause(room, scene)}"
+                raise RunFailed(f"stopped at iteration {iteration}: {why}") from None
             state = step.state
             merit = state.loss if step.merit is None else step.merit
             # The first one is the best so far even if its light falls beside the screen.
@@ -129,6 +128,12 @@ def run(
         if stage + 1 < len(parts) and best_heights is not None:
             start = _carried(best_heights, part.optic, parts[stage + 1].optic)
     return ended
+
+
+def _cause(room: Room, scene: Scene) -> str:
+    """What the first lens cannot meet, where that is why a run failed."""
+    short = room.shortfall(room.begin)
+    return "" if short is None else f". {short.sentence(scene)}: {short.cure}"
 
 
 def _net_notes(scene: Scene) -> tuple[str, ...]:

@@ -16,14 +16,14 @@ from workbench.optics.face_samples import FaceSamples, SampledFace
 from workbench.optics.glass import Glass
 from workbench.optics.halves import Halves
 from workbench.optics.kernels.exit_face import ExitFace
-from workbench.optics.kernels.face_numbers import Across, Optics, Up
+from workbench.optics.kernels.face_numbers import Across, Number, Optics, Up
 from workbench.optics.kernels.face_trace import LOOPS
 from workbench.optics.kernels.function import Sums, kind_of, trace
 from workbench.optics.kernels.grid import make_axis
 from workbench.optics.kernels.locked import Mask
 from workbench.optics.kernels.passes import GridPasses, Landing
 from workbench.optics.kernels.spread import Spread, make_canvases, make_spread, pad
-from workbench.optics.lattice import make_lattice
+from workbench.optics.lattice import Axis, make_lattice
 from workbench.optics.light import Light, Nodes
 from workbench.optics.path import Path
 from workbench.optics.receivers import PlaneReceiver
@@ -83,22 +83,8 @@ class FusedFaceSamples:
         m_x, m_y = (len(basis.place) for basis in self._bases)
         x, y = lattice.x, lattice.y
         bright = halves.weighted(x.width, 0) * (lattice.intensity / lattice.distance**2)
-        self._across = Across(
-            x.place[:m_x],
-            x.away[:m_x].astype(kind),
-            x.reach[:m_x].astype(kind),
-            x.beyond[:m_x].astype(kind),
-            kind(1 / x.cell),
-            bright.astype(kind),
-        )
-        self._up = Up(
-            y.place[:m_y],
-            y.away[:m_y].astype(kind),
-            y.reach[:m_y].astype(kind),
-            y.beyond[:m_y].astype(kind),
-            kind(1 / y.cell),
-            halves.weighted(y.width, 1).astype(kind),
-        )
+        self._across = Across(*_first(x, m_x, kind), bright.astype(kind))
+        self._up = Up(*_first(y, m_y, kind), halves.weighted(y.width, 1).astype(kind))
         n, lambertian = optic.index, source.emission == "lambertian"
         self._glass = Glass(lattice.distance, sampled.entering, lambertian)
         self._widest = float(np.hypot(np.abs(x.away).max(), np.abs(y.away).max()))
@@ -148,6 +134,15 @@ class FusedFaceSamples:
         """Steps of Newton's method for a lens of heights above the level."""
         deepest = max(float(heights.max()) + self._lift, 0.0)
         return self._glass.steps(self._widest, deepest, self._dtype)
+
+
+def _first(
+    along: Axis, samples: int, kind: type[Number]
+) -> tuple[AnyArray, AnyArray, AnyArray, AnyArray, Number]:
+    """What `Across` and `Up` have in common, of the first samples; places are in scene units."""
+    numbers = along.away, along.reach, along.beyond
+    away, reach, beyond = (each[:samples].astype(kind) for each in numbers)
+    return along.place[:samples], away, reach, beyond, kind(1 / along.cell)
 
 
 def compile_for(dtype: torch.dtype) -> None:
