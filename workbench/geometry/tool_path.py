@@ -10,7 +10,8 @@ from functools import cached_property
 
 import numpy as np
 import numpy.typing as npt
-from scipy.interpolate import NdBSpline
+from scipy.interpolate import BSpline, NdBSpline
+from scipy.sparse import csr_array
 
 from workbench.errors import Refused
 from workbench.geometry.curvature import local_shape
@@ -19,12 +20,13 @@ from workbench.geometry.surface import ControlNet
 
 Array = npt.NDArray[np.float64]
 
-_NEWTON = 12  # steps to where the ball touches; they end where rounding does
+_NEWTON = 4  # steps to where the ball touches, from the lattice
 _COARSE = 7  # places along each axis below a ball, where these steps begin
 _PLACES = 257  # along each axis, where the face's shape is looked at
 _SAMPLES = 4_000  # places where the cut is looked at
-_FINER = 4  # parts of each straight cut there
-_AT_ONCE = 500
+_AT_ONCE = 20_000
+_LINES = 64  # of a raster across, whose contacts are found together
+_HIGHER = 1.1  # ridges, until there are few enough
 _FITTING = 0.8  # of the tightest hollow's radius: a cutter that is chosen
 _LARGEST = 0.5  # of the half-width
 
@@ -50,32 +52,70 @@ class Raster:
 
     def cut_at(self, x: Array, y: Array) -> Array:
         """Height that the ball leaves at places, shape (m,): what it sweeps over is gone."""
-        fine = np.linspace(self.x[0], self.x[-1], _FINER * (len(self.x) - 1) + 1)
-        part = (fine - self.x[0]) / (self.x[1] - self.x[0])
-        first = part.astype(int).clip(max=len(self.x) - 2)
-        along = (part - first)[:, None]
-        tip = (1 - along) * self.tip[first] + along * self.tip[first + 1]
-        left = np.empty(len(x))
+        return self.cut(x, y)[0]
+
+    def cut(self, x: Array, y: Array) -> tuple[Array, Array]:
+        """What the ball leaves at places, as it goes straight from each place of the raster on.
+
+        Parameters
+        ----------
+        x, y : ndarray, shape (m,)
+            Places, scene units.
+
+        Returns
+        -------
+        height : ndarray, shape (m,)
+        normal : ndarray, shape (m, 3)
+            Unit normals to +z.
+        """
+        height, normal = np.empty(len(x)), np.empty((len(x), 3))
         for begin in range(0, len(x), _AT_ONCE):
             some = slice(begin, begin + _AT_ONCE)
-            left[some] = self._lowest(fine, tip, x[some], y[some])
-        return left
+            height[some], normal[some] = self._lowest(x[some], y[some])
+        return height, normal
 
-    def _lowest(self, fine: Array, tip: Array, x: Array, y: Array) -> Array:
-        windows = []
-        for ends, at in ((fine, x), (self.y, y)):
-            step = ends[1] - ends[0]
-            wide = min(math.ceil(self.radius / step), len(ends) - 1)
-            middle = np.rint((at - ends[0]) / step).astype(int)
-            windows.append((middle[:, None] + np.arange(-wide, wide + 1)).clip(0, len(ends) - 1))
-        columns, rows = windows
-        square = ((fine[columns] - x[:, None]) ** 2)[:, :, None] + (
-            (self.y[rows] - y[:, None]) ** 2
-        )[:, None, :]
-        under = self.radius**2 - square
-        height = tip[columns[:, :, None], rows[:, None, :]] + self.radius
-        sides = np.where(under >= 0, height - np.sqrt(under.clip(0)), np.inf)
-        return np.asarray(sides.min(axis=(1, 2)))
+    def _lowest(self, x: Array, y: Array) -> tuple[Array, Array]:
+        """The lowest of the sides of the ball in all cuts that come near, each in three moves."""
+        step = self.y[1] - self.y[0]
+        wide = min(math.ceil(self.radius / step), len(self.y) - 1)
+        middle = np.rint((y - self.y[0]) / step).astype(int)
+        rows = (middle[:, None] + np.arange(-wide, wide + 1)).clip(0, len(self.y) - 1)
+        aside = self.y[rows] - y[:, None]
+        reach = np.sqrt((self.radius**2 - aside**2).clip(0))
+        move = self._move(np.broadcast_to(x[:, None], rows.shape))
+        for _ in range(2):  # to where the ball touches: slopes of neighbours are alike
+            slope = self._slopes[move, rows]
+            move = self._move(x[:, None] - reach * slope / np.sqrt(1 + slope**2))
+        best, normal = np.full(len(x), np.inf), np.zeros((len(x), 3))
+        for each in (move - 1, move, move + 1):
+            each = each.clip(0, len(self.x) - 2)
+            slope = self._slopes[each, rows]
+            there = x[:, None] - reach * slope / np.sqrt(1 + slope**2)
+            there = there.clip(self.x[each], self.x[each + 1])
+            along = there - x[:, None]
+            under = reach**2 - along**2
+            above = self.tip[each, rows] + slope * (there - self.x[each]) + self.radius
+            side = np.where(under > 0, above - np.sqrt(under.clip(0)), np.inf)
+            row = side.argmin(axis=1)[:, None]
+            found = np.take_along_axis(side, row, axis=1)[:, 0]
+            towards = [
+                np.take_along_axis(part, row, axis=1)[:, 0] / self.radius
+                for part in (along, aside, np.sqrt(under.clip(0)))
+            ]
+            lower = found < best
+            best = np.where(lower, found, best)
+            normal[lower] = np.stack(towards, axis=1)[lower]
+        return best, normal
+
+    @cached_property
+    def _slopes(self) -> Array:
+        """Those of the moves along x, shape (m_x - 1, m_y)."""
+        return np.diff(self.tip, axis=0) / (self.x[1] - self.x[0])
+
+    def _move(self, x: Array) -> npt.NDArray[np.intp]:
+        """Numbers of the moves that pass places."""
+        number = np.floor((x - self.x[0]) / (self.x[1] - self.x[0]))
+        return number.clip(0, len(self.x) - 2).astype(np.intp)
 
 
 @dataclass(frozen=True, eq=False)
@@ -135,6 +175,33 @@ class CutFace:
         Refused
             If there would be more.
         """
+        ends, counts = self._counts(radius, scallop)
+        if math.prod(counts) > most:
+            raise Refused(
+                "scallop",
+                f"{scallop:.2g} takes {math.prod(counts):,} moves of this cutter, more than "
+                f"{most:,}; a larger one",
+            )
+        (x_end, y_end), (m_x, m_y) = ends, counts
+        x, y = np.linspace(-x_end, x_end, 2 * m_x - 1), np.linspace(-y_end, y_end, m_y)
+        tips = self._tips(x, y, radius)
+        tip, middles = tips[::2], tips[1::2]
+        # A straight cut would run below an offset surface that is a hump: its ends are higher. The
+        # distance of a hump to its chord is nowhere more than twice that in the middle.
+        lift = np.pad((2 * middles - tip[1:] - tip[:-1]).clip(0), ((1, 1), (0, 0)))
+        return Raster(x[::2], y, tip + np.maximum(lift[1:], lift[:-1]), radius)
+
+    def finest(self, radius: float, scallop: float, most: int) -> float:
+        """Height of ridges that takes no more moves: as asked, or as high as needed for that."""
+        while scallop < radius:
+            _, counts = self._counts(radius, scallop)
+            if math.prod(counts) <= most:
+                return scallop
+            scallop *= _HIGHER
+        return radius / 2
+
+    def _counts(self, radius: float, scallop: float) -> tuple[list[float], list[int]]:
+        """How far a raster reaches along x and y, and how many places it has."""
         slope, _, hump = self._shape
         bent = 1 / (1 / radius + hump)  # a ridge on a hump is that of a smaller ball on a plane
         height = min(scallop, bent)
@@ -142,33 +209,26 @@ class CutFace:
         # At the rim the ball touches with its side.
         beyond = radius * slope / math.sqrt(1 + slope**2)
         ends = [r + beyond for r in self.net.half_width]
-        counts = [math.ceil(2 * r / s) + 1 for r, s in zip(ends, (apart / 2, apart), strict=True)]
-        if math.prod(counts) > most:
-            raise Refused(
-                "scallop",
-                f"{scallop:.2g} takes {math.prod(counts):,} moves of this cutter, more than "
-                f"{most:,}; a larger one",
-            )
-        x, y = (np.linspace(-r, r, count) for r, count in zip(ends, counts, strict=True))
-        tip = np.stack([self._tip(x, np.full_like(x, at), radius) for at in y], axis=1)
-        middles = np.stack(
-            [self._tip((x[1:] + x[:-1]) / 2, np.full(len(x) - 1, at), radius) for at in y], axis=1
-        )
-        # A straight cut would run below an offset surface that is a hump: its ends are higher. The
-        # distance of a hump to its chord is nowhere more than twice that in the middle.
-        lift = np.pad((2 * middles - tip[1:] - tip[:-1]).clip(0), ((1, 1), (0, 0)))
-        return Raster(x, y, tip + np.maximum(lift[1:], lift[:-1]), radius)
+        return ends, [
+            math.ceil(2 * r / s) + 1 for r, s in zip(ends, (apart / 2, apart), strict=True)
+        ]
 
-    def _tip(self, x_0: Array, y_0: Array, radius: float) -> Array:
-        """How far down a ball may go: Newton's method finds where it touches."""
-        middle = np.stack([x_0, y_0], axis=1)
-        at = self._start(middle, radius)
-        lowest = self._held(at, middle, radius)
+    def _tips(self, x: Array, y: Array, radius: float) -> Array:
+        """How far down a ball may go over a grid: Newton's method finds where it touches."""
+        lowest, at = self._start(x, y, radius)
+        middle = np.stack(np.meshgrid(x, y, indexing="ij"), axis=-1)
+        for begin in range(0, len(x), _LINES):
+            some = slice(begin, begin + _LINES)
+            held = self._touching(at[some].reshape(-1, 2), middle[some].reshape(-1, 2), radius)
+            lowest[some] = np.maximum(lowest[some], held.reshape(lowest[some].shape))
+        return lowest
+
+    def _touching(self, at: Array, middle: Array, radius: float) -> Array:
+        """How far down balls may go that touch close to places."""
         for _ in range(_NEWTON):
             _, p, q, r, s, t = self._beyond(at)
             stretch = np.sqrt(1 + p * p + q * q)
-            off_x = at[:, 0] - x_0 - radius * p / stretch
-            off_y = at[:, 1] - y_0 - radius * q / stretch
+            off_x, off_y = (at - middle - (radius / stretch)[:, None] * np.stack([p, q], axis=1)).T
             # Derivatives of these: those of the normal (-p, -q) / stretch are in them.
             scale = radius / stretch**3
             xx = 1 - scale * ((1 + q * q) * r - p * q * s)
@@ -181,7 +241,7 @@ class CutFace:
                 step, whole[:, None], out=np.zeros_like(step), where=whole[:, None] > 0
             )
             at = (at - step).clip(middle - radius, middle + radius)
-        return np.maximum(lowest, self._held(at, middle, radius))
+        return self._held(at, middle, radius)
 
     def _held(self, at: Array, middle: Array, radius: float) -> Array:
         """How high the tip is where a place of the face holds the ball up."""
@@ -189,19 +249,34 @@ class CutFace:
         height = self._beyond(at)[0] + np.sqrt(under.clip(0)) - radius
         return np.where(under >= 0, height, -np.inf)
 
-    def _start(self, middle: Array, radius: float) -> Array:
-        """The place of a coarse lattice below each ball that holds it up most."""
+    def _start(self, x: Array, y: Array, radius: float) -> tuple[Array, Array]:
+        """How high places of a coarse lattice hold balls up, and those that do most (…, 2).
+
+        All balls see the same lattice, so that heights are products of matrices with few entries.
+        """
         slope = self._shape[0]
         wide = radius * slope / math.sqrt(1 + slope**2)
-        best, at = self._held(middle, middle, radius), middle.copy()
-        lattice = np.linspace(-wide, wide, _COARSE)
+        lattice = np.unique(np.append(np.linspace(-wide, wide, _COARSE), 0.0))
+        best = np.full((len(x), len(y)), -np.inf)
+        at = np.zeros((len(x), len(y), 2))
+        upwards = [self._basis(1, y + dy).T for dy in lattice]
         for dx in lattice:
-            for dy in lattice:
-                place = middle + np.array([dx, dy])
-                held = self._held(place, middle, radius)
+            across = self._basis(0, x + dx) @ self.heights
+            for dy, up in zip(lattice, upwards, strict=True):
+                held = across @ up + (math.sqrt(max(radius**2 - dx**2 - dy**2, 0.0)) - radius)
                 better = held > best
-                best, at[better] = np.where(better, held, best), place[better]
-        return at
+                best = np.where(better, held, best)
+                at[better] = np.stack(np.meshgrid(x + dx, y + dy, indexing="ij"), axis=-1)[better]
+        return best, at
+
+    def _basis(self, axis: int, places: Array) -> csr_array:
+        """Values of the basis along an axis; straight lines go on at the rim."""
+        end, knots, degree = self.net.half_width[axis], self._spline.t[axis], self.net.degree[axis]
+        inner = places.clip(-end, end)
+        value = BSpline.design_matrix(inner, knots, degree)
+        slopes = BSpline(knots, np.eye(self.net.shape[axis]), degree)(np.array([-end, end]), nu=1)
+        beyond = np.stack([(places - inner).clip(max=0), (places - inner).clip(min=0)], axis=1)
+        return csr_array(value) + csr_array(beyond) @ csr_array(slopes)
 
     def _beyond(self, at: Array) -> tuple[Array, ...]:
         """Height and derivatives z_x, z_y, z_xx, z_xy, z_yy; straight lines go on at the rim."""

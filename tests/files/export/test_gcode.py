@@ -61,6 +61,32 @@ def test_the_tip_stands_on_the_offset_of_a_tilted_plane():
     assert above == pytest.approx(0.25 * RADIUS, rel=1e-9)
 
 
+def test_ridges_are_higher_where_those_asked_for_take_too_many_moves():
+    face = face_of(waves)
+    assert face.finest(RADIUS, SCALLOP, 10**6) == SCALLOP
+    higher = face.finest(RADIUS, SCALLOP, 1_000)
+    assert SCALLOP < higher < RADIUS
+    raster = face.raster(RADIUS, higher, 1_000)
+    assert 700 < raster.tip.size <= 1_000
+    with pytest.raises(Refused, match="a larger one"):
+        face.raster(RADIUS, SCALLOP, 1_000)
+
+
+@pytest.mark.parametrize("height", [bowl, waves])
+def test_normals_of_a_fine_cut_are_close_to_those_of_the_face(height, rng):
+    face = face_of(height)
+    x, y = rng.uniform(-0.7, 0.7, (2, 500))
+    _, normal = face.raster(RADIUS, 1e-4, 10**6).cut(x, y)
+    np.testing.assert_allclose(np.linalg.norm(normal, axis=1), 1)
+    step = 1e-5
+    slopes = [
+        (height(x + dx, y + dy) - height(x - dx, y - dy)) / (2 * step)
+        for dx, dy in ((step, 0), (0, step))
+    ]
+    # The sides of ridges lean by half their distance over the radius.
+    np.testing.assert_allclose(-normal[:, :2] / normal[:, 2:], np.transpose(slopes), atol=0.05)
+
+
 def test_a_cutter_that_is_too_large_leaves_more_than_ridges():
     face = face_of(waves)
     cut_off, left = face.left(face.raster(3.0, SCALLOP, 10**6))

@@ -37,7 +37,9 @@ def write_gcode(design: Design, file: BinaryIO) -> Deviation:
     heights = design.heights if up > 0 else -design.heights[::-1]
     face = CutFace(design.net, heights, design.outline)
     radius = cutting.tool_radius or design.scene.run.min_tool_radius or face.fitting_radius
-    scallop = cutting.scallop or min(_FINE * max(design.net.half_width), radius / 2)
+    scallop = cutting.scallop or face.finest(
+        radius, min(_FINE * max(design.net.half_width), radius / 2), _MOST
+    )
     raster = _rounded(face.raster(radius, scallop, _MOST), millimetres)
     cut_off, left = face.left(raster)
     if cut_off > _OFF * scallop or left > _LEFT * scallop:
