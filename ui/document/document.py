@@ -25,6 +25,9 @@ from workbench.scene import Scene
 
 ENDING = ".freeform"
 
+_File = tuple[Path | None, str | None, Path]
+"""The file of a design, its fingerprint, and where the design might be saved without one."""
+
 
 class OnDisk(Enum):
     """What has become of a design's file since the design was last read from it or written to it.
@@ -203,6 +206,8 @@ class Document(QObject):
     def begin(self, session: Session, name: str) -> None:
         """Go on with a new task, which has no file yet, as one step that can be undone.
 
+        Undoing it also gives the design before its name and file back.
+
         Parameters
         ----------
         session : Session
@@ -210,10 +215,15 @@ class Document(QObject):
         name : str
             What the title calls it until it has a file of its own.
         """
-        self._path = self._fingerprint = None
-        self._suggestion = Path(name)
-        self.change(session, f"new task: {name}")
-        self.path_changed.emit()
+        other: _File = None, None, Path(name)  # file and name of the design that is not open
+
+        def exchange() -> None:
+            nonlocal other
+            now = self._path, self._fingerprint, self._suggestion
+            (self._path, self._fingerprint, self._suggestion), other = other, now
+            self.path_changed.emit()
+
+        self.undo_stack.take(self._session, session, f"new task: {name}", exchange=exchange)
         self.begun.emit(session)
 
     def open(self, path: Path) -> None:

@@ -44,7 +44,14 @@ class UndoSteps(QUndoStack):
         """Bytes that are held for taking steps back."""
         return sum(step.cost for step in self._all())
 
-    def take(self, before: Session, after: Session, text: str, key: str = "") -> None:
+    def take(
+        self,
+        before: Session,
+        after: Session,
+        text: str,
+        key: str = "",
+        exchange: Callable[[], None] | None = None,
+    ) -> None:
         """Go from one session to the next.
 
         Parameters
@@ -55,8 +62,11 @@ class UndoSteps(QUndoStack):
             What the undo menu calls it.
         key : str
             Consecutive steps with the same key become one.
+        exchange : Callable, optional
+            Is called before the step is done, taken back or done again: it exchanges what else
+            belongs to the one session or the other.
         """
-        self.push(_Step(self._go_to, before, after, text, key))
+        self.push(_Step(self._go_to, before, after, text, key, exchange))
         self._forget_oldest()
 
     def amend(self, after: Session) -> None:
@@ -109,10 +119,17 @@ class _Step(QUndoCommand):
     _MERGING = 1  # Qt offers only commands of the same id to each other
 
     def __init__(
-        self, show: Show, before: Session, after: Session, text: str, key: str, done: bool = False
+        self,
+        show: Show,
+        before: Session,
+        after: Session,
+        text: str,
+        key: str,
+        exchange: Callable[[], None] | None,
+        done: bool = False,
     ) -> None:
         super().__init__(text)
-        self._show, self._done = show, done
+        self._show, self._exchange, self._done = show, exchange or _nothing, done
         self.before, self.after, self.key = before, after, key
         self.cost = _cost(before, after)
 
@@ -121,7 +138,9 @@ class _Step(QUndoCommand):
 
         Without a key it stays apart from its neighbours, as it was.
         """
-        return _Step(self._show, self.before, self.after, self.text(), key, done=True)
+        return _Step(
+            self._show, self.before, self.after, self.text(), key, self._exchange, done=True
+        )
 
     def lead_to(self, after: Session) -> None:
         """End at another session than before."""
@@ -132,9 +151,11 @@ class _Step(QUndoCommand):
         if self._done:
             self._done = False
         else:
+            self._exchange()
             self._show(self.after)
 
     def undo(self) -> None:
+        self._exchange()
         self._show(self.before)
 
     def id(self) -> int:
@@ -148,6 +169,10 @@ class _Step(QUndoCommand):
         # Qt deletes the other in the midst of `push`, after which PySide keeps its shell for ever.
         del other.before, other.after
         return True
+
+
+def _nothing() -> None:
+    """Most steps stay with the file of their design."""
 
 
 def _cost(before: Session, after: Session) -> int:

@@ -208,3 +208,34 @@ def test_merged_edits_restore_the_result_of_the_first_value(document):
     move_screen(document, 5)
     assert document.session.result is not None
     assert document.undo_stack.count() == 2
+
+
+def test_undoing_a_new_task_gives_name_and_file_back(document, tmp_path):
+    document.save(tmp_path / "first.freeform")
+    first, other = (
+        document.session,
+        Session(
+            small_scene(screen={"z": 7, "half_width": [1, 1], "pixels": [12, 10]}),
+            document.session.target,
+        ),
+    )
+    document.begin(other, "Torch")
+    assert (document.name, document.path, document.dirty) == ("Torch", None, True)
+    named = []
+    document.path_changed.connect(lambda: named.append(document.name))
+    document.undo_stack.undo()
+    assert document.session is first
+    assert (document.name, document.path) == ("first", tmp_path / "first.freeform")
+    assert named == ["first"] and not document.dirty
+    document.undo_stack.redo()
+    assert document.session is other
+    assert (document.name, document.path) == ("Torch", None)
+
+
+def test_a_task_that_was_saved_keeps_its_file_when_done_again(document, tmp_path):
+    document.begin(Session(small_scene(), document.session.target), "Torch")
+    document.save(tmp_path / "torch.freeform")
+    document.undo_stack.undo()
+    assert document.path is None and document.name == "small"
+    document.undo_stack.redo()
+    assert document.path == tmp_path / "torch.freeform" and not document.dirty
