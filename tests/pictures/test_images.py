@@ -100,7 +100,7 @@ def test_row_0_is_at_the_top_and_column_0_at_the_left(scene, axes):
     light = np.zeros((4, 8))
     light[0, 0] = full_scale(scene, target)
     picture = IrradianceImage(axes, scene, target)
-    assert picture.update(light) is False
+    picture.update(light)
     pixels = drawn_image(axes.figure)
     height = pixels.shape[0]
     column, row = axes.transData.transform((-1.75, 0.75))  # centre of pixel (0, 0)
@@ -163,13 +163,36 @@ def test_a_logarithmic_scale_spans_three_decades_and_darkness(axes, scene):
     top = full_scale(scene, target)
     levels = np.zeros((4, 8))
     levels[0, :4] = top, top / 10, top / 1000, top / 1e6
-    image.update(levels)
+    image.artists[0].set_data(levels)
     shown = image.artists[0]
     colours = shown.to_rgba(shown.get_array())[0, :5]
     wanted = shown.get_cmap()([1.0, 2 / 3, 0.0, 0.0, 0.0])
     np.testing.assert_allclose(colours[:, :3], wanted[:, :3], atol=0.01)
     image.set_logarithmic(False)
     np.testing.assert_allclose(shown.norm(levels)[0, :2], [1.0, 0.1])
+
+
+@pytest.mark.parametrize("flux", [1.0, 0.9, 0.5, 0.117, 1e-4])
+def test_a_right_image_has_the_colours_of_its_target_however_much_light_is_lost(
+    axes, scene, rng, flux
+):
+    target = rng.random((4, 8))
+    lit = IrradianceImage(axes, scene, target)
+    lit.update(target_irradiance(scene, target, flux))
+    brightest = lit.artists[0].norm(lit.artists[0].get_array()).max()
+    assert 0.73 < brightest < 0.88
+    lit.set_logarithmic(True)
+    assert lit.artists[0].norm.vmax == full_scale(scene, target, flux)
+
+
+def test_a_scale_stays_while_light_changes_little(axes, scene):
+    target = np.ones((4, 8))
+    image = IrradianceImage(axes, scene, target)
+    changes = [
+        image.update(target_irradiance(scene, target, flux)) for flux in (0.9, 0.88, 0.86, 0.5)
+    ]
+    assert changes == [False, False, False, True]
+    assert full_scale(scene, target, 0.0) == full_scale(scene, target)
 
 
 def test_a_far_field_is_drawn_in_degrees_counted_from_the_axis(make_scene, axes):

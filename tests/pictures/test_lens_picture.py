@@ -323,17 +323,25 @@ def test_rays_are_coloured_by_outcome_or_weight(make_scene, plotter, state):
     surface, paths, lit = state(scene, rays=(2, 1))
     paths = paths._replace(weight=np.array([0.0, 1.0]), on_screen=np.array([True, True]))
     picture.update(surface, paths, lit)
-    outcome = picture._rays.cell_data["colour"][:, :3].copy()
+    shades = lambda: picture._rays.point_data["colour"][::4, :3]  # noqa: E731
+    outcome = shades().copy()
     np.testing.assert_array_equal(outcome[0], outcome[1])
     picture.colour_rays(by_weight=True)
-    none, full = picture._rays.cell_data["colour"][:, :3].astype(int)
+    none, full = shades().astype(int)
     assert full.sum() > none.sum() + 200  # the more light, the brighter on dark
     picture.recolour(dark=False)
-    none, full = picture._rays.cell_data["colour"][:, :3].astype(int)
+    none, full = shades().astype(int)
     assert none.sum() > full.sum() + 200
     picture.colour_rays(by_weight=False)
-    none, full = picture._rays.cell_data["colour"][:, :3]
+    none, full = shades()
     np.testing.assert_array_equal(none, full)
+
+
+def test_rays_fade_before_the_lens_and_towards_the_screen(make_scene, plotter, state):
+    picture = LensPicture(plotter, make_scene(), np.ones((32, 32)))
+    picture.update(*state(make_scene(), rays=(3, 3)))
+    begin, entrance, leaving, end = picture._rays.point_data["colour"].reshape(9, 4, 4)[4, :, 3]
+    assert begin < entrance and entrance == leaving and end < leaving
 
 
 def test_both_faces_are_drawn_where_they_are(make_scene, plotter):

@@ -80,9 +80,14 @@ class Commands:
         self._open(slots.keys())
 
     def connect_choices(self, slots: Mapping[str, Callable[[], object]]) -> None:
-        """Tell what each of `CHOICES` does once it is the one that is on, whoever chose it."""
+        """Tell what each of `CHOICES` does once it is the one that is on, whoever chose it.
+
+        Those that are on already are done now.
+        """
         for name, slot in slots.items():
             self[name].toggled.connect(lambda on, slot=slot: slot() if on else None)
+            if self[name].isChecked():
+                slot()
         self._open(slots.keys())
 
     def allow(self, allowed: Mapping[str, bool]) -> None:

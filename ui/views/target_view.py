@@ -14,20 +14,39 @@ from workbench.pictures.images import target_irradiance
 if TYPE_CHECKING:
     from ui.shown.frame import Frame
 
+_TIP = (
+    "The target with as much light as arrives: where the irradiance is right, both have the same "
+    "colour, however much light is lost on the way. The light account tells where that goes."
+)
+
+
+_SAME = 1e-3  # parts by which no eye can tell light from light
+
 
 class TargetView(LightImageView):
-    """The target as irradiance or intensity with a total flux of 1."""
+    """The target as irradiance or intensity, with as much light as arrives."""
 
     def __init__(self, link: ImageLink | None = None, parent: QWidget | None = None) -> None:
         super().__init__(LightContent(_target, "target"), link, parent)
+        self._light = 0.0  # all of it, as drawn
+        self.setToolTip(_TIP)
 
     def show_frame(self, frame: "Frame") -> None:
-        """Take note of another target; frames of a run have the same one."""
+        """Take note of another target, or of another amount of light."""
         before, self._frame = self._frame, frame
         self._untraced = False
-        if before is None or not same_task(before.session, frame.session):
+        light = _light(frame)
+        same = before is not None and same_task(before.session, frame.session)
+        if not same or abs(light - self._light) > _SAME * light:
+            self._light = light
             self._ask()
 
 
+def _light(frame: "Frame") -> float:
+    """How much of the light arrives; all of it, where none does."""
+    return frame.session.scene.receiver.total(frame.state.irradiance) or 1.0
+
+
 def _target(frame: "Frame") -> npt.NDArray[np.float64]:
-    return target_irradiance(frame.session.scene, frame.session.target)
+    session = frame.session
+    return target_irradiance(session.scene, session.target, _light(frame))

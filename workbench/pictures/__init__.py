@@ -29,7 +29,8 @@ def write_images(session: Session, file: BinaryIO) -> None:
     lit, wanted, off = figure.subplots(1, 3)
     scene, target, irradiance = session.scene, session.target, result_of(session).state.irradiance
     IrradianceImage(lit, scene, target).update(irradiance)
-    IrradianceImage(wanted, scene, target).update(target_irradiance(scene, target))
+    flux = scene.receiver.total(irradiance)
+    IrradianceImage(wanted, scene, target).update(target_irradiance(scene, target, flux))
     ErrorImage(off, scene, target).update(irradiance)
     density = scene.receiver.density.capitalize()
     for axes, title in ((lit, density), (wanted, "Target"), (off, f"{density} − target")):

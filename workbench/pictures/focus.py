@@ -52,7 +52,7 @@ def draw_focus(
     columns = -(-chosen.size // rows)
     parts = figure.subfigures(2, 1, height_ratios=[rows, 1.5], squeeze=False)
     above, below = parts[:, 0]
-    top = full_scale(scene, target)
+    top = max(full_scale(scene, target, scene.receiver.total(one.irradiance)) for one in series)
     r_x, r_y = scene.receiver.half_extent
     panels = above.subplots(rows, columns, squeeze=False).ravel()
     for axes in panels:

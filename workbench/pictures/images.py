@@ -3,8 +3,13 @@
 The error compares irradiance and target at the same total flux: both are scaled so that the flux
 on the receiver is 1, then error = irradiance − target, in flux per area or solid angle. It is
 positive where too much light falls.
+
+Light and target are drawn on one scale, which ends above the brightest place of a target that has
+as much light as arrives: where an image is right, both have the same colours, however much light
+is lost on the way.
 """
 
+import math
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -32,10 +37,12 @@ Array = npt.NDArray[np.float64]
 LIGHT = UNSIGNED[0]
 _HEADROOM = 1.15  # of the irradiance scale above the brightest target pixel
 _DECADES = 1e3  # that a logarithmic scale spans
+_ROUNDING = 1e-9
+_STEPS = 4  # of a scale while the light that arrives halves: it shall not change all the time
 
 
-def target_irradiance(scene: Scene, target: npt.NDArray[Any]) -> Array:
-    """The target as irradiance with a total flux of 1 on the screen.
+def target_irradiance(scene: Scene, target: npt.NDArray[Any], flux: float = 1.0) -> Array:
+    """The target as irradiance with a total flux on the screen.
 
     Parameters
     ----------
@@ -43,6 +50,8 @@ def target_irradiance(scene: Scene, target: npt.NDArray[Any]) -> Array:
         Gives the size of a pixel.
     target : ndarray, shape (n_y, n_x)
         Target image, non-negative; an image without any light stays black.
+    flux : float
+        All light of it.
 
     Returns
     -------
@@ -53,7 +62,7 @@ def target_irradiance(scene: Scene, target: npt.NDArray[Any]) -> Array:
     if not peak > 0:
         return np.zeros(target.shape)
     ratios = target / peak  # first, so that neither tiny nor huge images lose their sum
-    return np.asarray(ratios / scene.receiver.total(ratios), dtype=np.float64)
+    return np.asarray(ratios * (flux / scene.receiver.total(ratios)), dtype=np.float64)
 
 
 def signed_error(scene: Scene, target: npt.NDArray[Any], irradiance: Array) -> Array:
@@ -74,9 +83,20 @@ def signed_error(scene: Scene, target: npt.NDArray[Any], irradiance: Array) -> A
     return target_irradiance(scene, irradiance) - target_irradiance(scene, target)
 
 
-def full_scale(scene: Scene, target: npt.NDArray[Any]) -> float:
-    """Upper end of the irradiance scale: it follows the target, so colours keep their meaning."""
-    return _HEADROOM * float(target_irradiance(scene, target).max())
+def full_scale(scene: Scene, target: npt.NDArray[Any], flux: float = 1.0) -> float:
+    """Upper end of the irradiance scale: it follows the target, so colours keep their meaning.
+
+    Parameters
+    ----------
+    scene : Scene
+        Gives the size of a pixel.
+    target : ndarray, shape (n_y, n_x)
+        Target image.
+    flux : float
+        Light that arrives. The scale follows it in steps of 19 %; no light is drawn as all of it.
+    """
+    step = math.ceil(_STEPS * math.log2(flux) - _ROUNDING) if flux > 0 else 0
+    return _HEADROOM * float(target_irradiance(scene, target).max()) * math.pow(2.0, step / _STEPS)
 
 
 def to_colours(irradiance: Array, top: float, colours: str = LIGHT) -> npt.NDArray[np.uint8]:
@@ -126,8 +146,10 @@ class IrradianceImage:
         target: npt.NDArray[Any],
         name: str = "",
     ) -> None:
+        self._scene, self._target = scene, target
         self._image = receiver_map(axes, name or scene.receiver.density, scene, LIGHT)
         self.set_colours(LIGHT)
+        self._logarithmic = False
         self._top = full_scale(scene, target)
         self._image.set_clim(0, self._top)
         colour_bar(axes, self._image, scene.receiver.density_words(scene.unit), extend="max")
@@ -142,7 +164,12 @@ class IrradianceImage:
             Whether more than `artists` changed, so that the whole figure has to be drawn.
         """
         self._image.set_data(irradiance)
-        return False
+        top = full_scale(self._scene, self._target, self._scene.receiver.total(irradiance))
+        if top == self._top:
+            return False
+        self._top = top
+        self.set_logarithmic(self._logarithmic)
+        return True
 
     def set_colours(self, name: str) -> None:
         """Take other colours, one of `UNSIGNED`; the whole figure changes."""
@@ -151,6 +178,7 @@ class IrradianceImage:
 
     def set_logarithmic(self, logarithmic: bool) -> None:
         """Colour by the logarithm, over three decades, or evenly; the whole figure changes."""
+        self._logarithmic = logarithmic
         even, decades = Normalize(0, self._top), LogNorm(self._top / _DECADES, self._top)
         self._image.set_norm(decades if logarithmic else even)
 

@@ -55,6 +55,7 @@ _GROUND = {True: ("#12151a", "#2a303a"), False: ("#dfe4eb", "#fcfdfe")}  # botto
 _LANDS = {True: (255, 206, 110), False: (196, 122, 0)}  # light that reaches the screen
 _LOST = {True: (255, 90, 90), False: (200, 30, 30)}
 _WEIGHT = {True: "viridis", False: "viridis_r"}  # maps from no light to all of it
+_FADING = (0.35, 1.0, 1.0, 0.35)  # ink of a ray at its places
 _AXES = (("x", "#dc5b57"), ("y", "#4caf50"), ("z", "#4a8fe0"))
 
 
@@ -103,8 +104,8 @@ class LensPicture:
         self._add_receivers(target)
         self._add_source()
         self._add_axes()
-        self._rays = pv.PolyData(np.zeros((2, 3)), lines=[2, 0, 1])
-        self._rays.cell_data["colour"] = np.zeros((1, 4), dtype=np.uint8)
+        self._rays = pv.PolyData(np.zeros((4, 3)), lines=[4, 0, 1, 2, 3])
+        self._rays.point_data["colour"] = np.zeros((4, 4), dtype=np.uint8)
         self._landing = np.zeros(1, dtype=bool)
         self._weight = np.zeros(1)
         self._light = self._add(
@@ -306,7 +307,10 @@ class LensPicture:
         # Lost rays have little or no weight and still have to be seen; many rays, less ink each.
         ink = 255 * min(1.0, 7 / math.sqrt(max(len(self._weight), 1)))
         colours[:, 3] = ink * np.where(self._landing, 0.25 + 0.75 * self._weight, 0.5)
-        self._rays.cell_data["colour"] = colours
+        # From where it begins over both faces to its end: image and lens are seen behind rays.
+        along = np.repeat(colours[:, None], len(_FADING), axis=1)
+        along[:, :, 3] = along[:, :, 3] * np.array(_FADING)
+        self._rays.point_data["colour"] = along.reshape(-1, 4)
 
     def _add_axes(self) -> None:
         optic = self._scene.optic

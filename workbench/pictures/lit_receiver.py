@@ -34,7 +34,7 @@ class LitReceiver:
     optic : Optic
         What lights it.
     wanted : WantedImage
-        The image there; the brightness is relative to its target.
+        The image there; the brightness is relative to its target at the light that arrives.
 
     Attributes
     ----------
@@ -43,7 +43,7 @@ class LitReceiver:
     """
 
     def __init__(self, add: Add, receiver: AnyReceiver, optic: Optic, wanted: WantedImage) -> None:
-        self._full_scale = full_scale(wanted.scene, wanted.target)
+        self._wanted = wanted
         corners = receiver.outline(optic)
         count = len(corners)
         plane = pv.PolyData(corners.reshape(-1, 3), faces=shapes.quads(count, count))
@@ -68,7 +68,9 @@ class LitReceiver:
         n_y, n_x = irradiance.shape
         thin = (slice(None, None, -(-n // _TEXTURE_PIXELS)) for n in (n_y, n_x))
         shown = irradiance[tuple(thin)]
-        texels = to_colours(shown, self._full_scale, colours)[::-1]
+        scene = self._wanted.scene
+        top = full_scale(scene, self._wanted.target, scene.receiver.total(irradiance))
+        texels = to_colours(shown, top, colours)[::-1]
         self._texels.dimensions = (texels.shape[1], texels.shape[0], 1)
         self._texels.point_data["colour"] = texels.reshape(-1, 3)
         self._texels.point_data.active_scalars_name = "colour"

@@ -49,7 +49,9 @@ def draw_images(figure: "FigureBase", session: Session, irradiance: Array) -> No
     faces = list(reversed(freeform_nets(scene.optic)))
     lit, wanted, off, *others = figure.subplots(1 + len(faces), 2, gridspec_kw=_APART).ravel()
     IrradianceImage(lit, scene, target).update(irradiance)
-    IrradianceImage(wanted, scene, target).update(target_irradiance(scene, target))
+    IrradianceImage(wanted, scene, target).update(
+        target_irradiance(scene, target, scene.receiver.total(irradiance))
+    )
     ErrorImage(off, scene, target).update(irradiance)
     density = scene.receiver.density.capitalize()
     titles = [density, "Target", f"{density} − target"]

@@ -124,10 +124,9 @@ class SectionCurves:
 
     def __init__(self, axes: "Axes", scene: Scene, target: npt.NDArray[Any]) -> None:
         self._axes = axes
-        self._scene = scene
+        self._scene, self._wanted = scene, target
         self._target = target_irradiance(scene, target)
         self._shown: tuple[object, ...] = ()
-        axes.set_ylim(0, _HEADROOM * full_scale(scene, target))
         axes.set_ylabel(scene.receiver.density_words(scene.unit), fontsize=_FONT, labelpad=2)
         axes.tick_params(labelsize=_FONT)
         for axis in (axes.xaxis, axes.yaxis):
@@ -157,9 +156,11 @@ class SectionCurves:
         flux = self._scene.receiver.total(irradiance)
         self._light_line.set_data(cut.along, values_along(irradiance, cut))
         self._target_line.set_data(cut.along, flux * values_along(self._target, cut))
-        if self._shown == (cut.name, cut.ends):
+        top = _HEADROOM * full_scale(self._scene, self._wanted, flux)
+        if self._shown == (cut.name, cut.ends, top):
             return False
-        self._shown = (cut.name, cut.ends)
+        self._shown = (cut.name, cut.ends, top)
+        self._axes.set_ylim(0, top)
         self._axes.set_xlim(*cut.ends)
         self._axes.set_xlabel(cut.name, fontsize=_FONT, labelpad=2)
         return True

@@ -111,7 +111,7 @@ def test_all_show_their_value_under_the_pointer(views, frame, session, qtbot):
     image, scene = frame.state.irradiance, session.scene
     wanted = [
         image[26, 22],
-        target_irradiance(scene, session.target)[26, 22],
+        target_irradiance(scene, session.target, scene.receiver.total(image))[26, 22],
         signed_error(scene, session.target, image)[26, 22],
     ]
     for view, value in zip(views, wanted, strict=True):
@@ -133,10 +133,21 @@ def test_light_has_a_logarithmic_scale(views, qtbot):
     assert light.norm.vmin == 0 and light.norm(light.norm.vmax / 2) == 0.5
 
 
-def test_the_target_is_drawn_once_for_a_run(views, frames):
+def test_the_target_is_drawn_once_for_a_run_that_loses_as_much_light(views, frame, frames):
     target = views[1]
-    target.show_frame(frames(2))
+    target.show_frame(frames(2, irradiance=frame.state.irradiance[::-1]))
     assert not target._outdated
+
+
+def test_the_target_has_as_much_light_as_arrives(views, frame, frames, qtbot):
+    light, target = (view._content.image.artists[0] for view in views[:2])
+    total = frame.session.scene.receiver.total
+    assert total(target.get_array()) == pytest.approx(total(light.get_array()))
+    for view in views[:2]:
+        view.show_frame(frames(2, irradiance=frame.state.irradiance / 8))
+    qtbot.waitUntil(lambda: not views[1]._outdated)
+    assert total(target.get_array()) == pytest.approx(total(frame.state.irradiance) / 8)
+    qtbot.waitUntil(lambda: light.get_clim() == target.get_clim())
 
 
 def test_a_cross_section_goes_through_the_place_that_is_clicked(
