@@ -110,12 +110,12 @@ class Raster:
     @cached_property
     def _slopes(self) -> Array:
         """Those of the moves along x, shape (m_x - 1, m_y)."""
-        return np.diff(self.tip, axis=0) / (self.x[1] - self.x[0])
+        return np.asarray(np.diff(self.tip, axis=0) / (self.x[1] - self.x[0]))
 
     def _move(self, x: Array) -> npt.NDArray[np.intp]:
         """Numbers of the moves that pass places."""
         number = np.floor((x - self.x[0]) / (self.x[1] - self.x[0]))
-        return number.clip(0, len(self.x) - 2).astype(np.intp)
+        return np.asarray(number.clip(0, len(self.x) - 2), dtype=np.intp)
 
 
 @dataclass(frozen=True, eq=False)
