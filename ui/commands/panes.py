@@ -48,6 +48,7 @@ PANES = {
     "manufacture": Pane("Manufacture", _TOP, behind="error", shown=False),
     "tolerances": Pane("Tolerances", _TOP, behind="error", shown=False),
     "focus": Pane("Through focus", _TOP, behind="error", shown=False),
+    "photo": Pane("Predicted photo", _TOP, behind="error", shown=False),
     "check": Pane("Check", _TOP, behind="error", shown=False),
     "loss": Pane("Loss", _RIGHT, "6"),
     "section": Pane("Cross-section", _RIGHT, "7", behind="loss", shown=False),

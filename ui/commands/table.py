@@ -87,6 +87,10 @@ COMMANDS = {
     "report": Command(
         "&Report…", "Write scene, pictures, check and figures on some pages (HTML, PDF)", "Ctrl+R"
     ),
+    "save_photo": Command(
+        "Save pict&ure…",
+        "Save the predicted photo of the screen: what a camera would see, in colour (PNG)",
+    ),
     "close": Command("&Close window", "Close this window; others stay open", "Ctrl+W"),
     "quit": Command("&Quit", "Close all windows of the workbench", "Ctrl+Q"),
     "revert": Command(
@@ -280,6 +284,7 @@ MENUS: dict[str, list[Any]] = {
         None,
         "export",
         "report",
+        "save_photo",
         None,
         "close",
         "quit",

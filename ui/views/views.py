@@ -15,6 +15,7 @@ from ui.views.image_link import ImageLink
 from ui.views.irradiance_view import IrradianceView
 from ui.views.light_view import LightView
 from ui.views.loss_view import LossView
+from ui.views.photo_view import PhotoView
 from ui.views.plot_view import PlotView
 from ui.views.scene_view import SceneView
 from ui.views.section_view import SectionView
@@ -39,7 +40,8 @@ class Views(QObject):
     derivative : DerivativeView
     focus : FocusView
     loss : LossView
-        Three of these.
+    photo : PhotoView
+        Four of these.
     history_slider : HistorySlider
         Below the loss.
     link : ImageLink
@@ -51,6 +53,7 @@ class Views(QObject):
         self.link = link = ImageLink(self)
         self.scene, self.history_slider = SceneView(), HistorySlider()
         self.derivative, self.focus, self.loss = DerivativeView(), FocusView(link), LossView()
+        self.photo = PhotoView(link)
         self.loss.add_below(self.history_slider)
         self.docked: dict[str, View] = {
             "irradiance": IrradianceView(link),
@@ -59,6 +62,7 @@ class Views(QObject):
             "derivative": self.derivative,
             "surface": SurfaceView(),
             "focus": self.focus,
+            "photo": self.photo,
             "loss": self.loss,
             "section": SectionView(link),
             "light": LightView(link),
@@ -107,3 +111,4 @@ class Views(QObject):
         self.scene.close_plotter()
         self.derivative.close_thread()
         self.focus.close_threads()
+        self.photo.close_thread()

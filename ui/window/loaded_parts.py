@@ -3,6 +3,7 @@
 Importing this takes the seconds that these libraries take.
 """
 
+from functools import partial
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QSettings, Signal
@@ -10,6 +11,7 @@ from PySide6.QtCore import QObject, QSettings, Signal
 from ui.check.check import Check
 from ui.check.figures import CheckFigures
 from ui.commands.colour_choice import keep_colours
+from ui.files.photo_picture import PhotoPicture
 from ui.files.plots import Plots
 from ui.files.scene_pictures import ScenePictures
 from ui.lens.tools import LensTools
@@ -70,6 +72,8 @@ class LoadedParts(QObject):
         self.tools = LensTools(document, self.control, views.scene, self)
         self.postponed = PostponedEdits(early.forms, self.control, messages, self)
         self._pictures = ScenePictures(views.scene, document, messages, early.dialogs, self)
+        show_photo = partial(workspace.show_dock, "photo")
+        self._photo = PhotoPicture(views.photo, document, messages, early.dialogs, show_photo, self)
         RunLog(document, self.control, early.log.add)
         begin = (early.commands[name].trigger for name in ("start", "continue"))
         shortfall = ShortfallNotice(document, self.control, messages, *begin)
@@ -88,6 +92,7 @@ class LoadedParts(QObject):
         workspace.put_views(views.scene, docked)
         workspace.docks["derivative"].visibilityChanged.connect(views.derivative.uncover)
         workspace.docks["focus"].visibilityChanged.connect(views.focus.uncover)
+        workspace.docks["photo"].visibilityChanged.connect(views.photo.uncover)
         workspace.docks["manufacture"].visibilityChanged.connect(production.manufacture.look)
         views.link.drawn.connect(lambda _: workspace.show_dock("section"))
         views.follow(shown, self.control.history)
@@ -113,6 +118,7 @@ class LoadedParts(QObject):
     def allow(self, look: bool, go_on: bool) -> None:
         """Whether one may look back at the run now, and go on from what is seen."""
         self.views.history_slider.allow(look=look, go_on=go_on)
+        self.views.photo.allow(resting=look)
         self.production.allow(resting=look)
 
     def close(self) -> None:
@@ -184,6 +190,7 @@ class LoadedParts(QObject):
                 **self.plots.slots(),
                 **self.tools.slots(),
                 **self._pictures.slots(),
+                **self._photo.slots(),
             }
         )
         commands.connect_toggles(self.views.toggles())

@@ -65,11 +65,11 @@ def test_reset_gives_the_images_their_share_whatever_was_open(large, qtbot):
 
 def test_titles_of_tabs_are_whole_however_many_there_are(application, large, qtbot):
     theme.apply(application)
-    for name in ("derivative", "surface", "manufacture", "tolerances", "focus", "check"):
+    for name in ("derivative", "surface", "manufacture", "tolerances", "focus", "photo", "check"):
         large.commands[f"go_{name}"].trigger()
         qtbot.wait(20)
     bar = max(large.findChildren(QTabBar), key=lambda bar: bar.count())
-    assert bar.count() == 7
+    assert bar.count() == 8
     for number in range(bar.count()):
         text = bar.fontMetrics().horizontalAdvance(bar.tabText(number))
         assert bar.tabRect(number).width() > text

@@ -1,0 +1,119 @@
+"""The predicted photo: taken for eyes, of the lens that rests, saved with its exposure."""
+
+import numpy as np
+import pytest
+from PIL import Image
+from PySide6.QtWidgets import QComboBox, QLabel, QSlider
+
+from ui.document.document import Document
+from ui.files.photo_picture import PhotoPicture
+from ui.views.photo_view import PhotoView
+from ui.widgets.message_bar import MessageBar
+from workbench.analysis.photo.light import LIGHTS
+from workbench.analysis.photo.photo import photograph
+from workbench.geometry.faces import FaceArrays
+
+pytestmark = pytest.mark.usefixtures("kernels")
+
+
+@pytest.fixture
+def flat(frames):
+    """Makes frames of plates, each a little thinner."""
+
+    def make(iteration):
+        plate = np.full((12, 10), 0.5 - 0.01 * iteration)
+        return frames(iteration, heights=FaceArrays({"exit": plate}))
+
+    return make
+
+
+@pytest.fixture
+def view(flat, show, qtbot):
+    view = PhotoView()
+    view.show_frame(flat(0))
+    show(view, 500, 400)
+    yield view
+    view.close_thread()
+
+
+def said(view):
+    return view.findChildren(QLabel)[-1].text()
+
+
+def seen(view):
+    """The colour in the middle of what is painted."""
+    image = view.grab().toImage()
+    return image.pixelColor(image.width() // 2, image.height() // 3).getRgb()[:3]
+
+
+def test_the_photo_is_that_of_the_engine_and_exposure_changes_it_at_once(view, qtbot):
+    qtbot.waitUntil(lambda: view.photo is not None)
+    assert said(view) == "Daylight (D65), no dispersion known, by cells."
+    frame = view._frame
+    alone = photograph(frame.session.scene, frame.session.target, frame.state.heights)
+    assert view.photo.rgb == pytest.approx(alone.rgb, rel=1e-9)
+    for steps in (0, -6, 3):
+        view.findChild(QSlider).setValue(steps)
+        qtbot.waitUntil(lambda: seen(view) == tuple(alone.picture(view.stops)[16, 16]))
+    assert view.stops == 1.0
+    assert "+1 stops" in [label.text() for label in view.findChildren(QLabel)]
+
+
+def test_another_light_and_another_lens_are_taken_anew(view, flat, qtbot):
+    qtbot.waitUntil(lambda: view.photo is not None)
+    lights = next(
+        box for box in view.findChildren(QComboBox) if box.accessibleName() == "Light of the photo"
+    )
+    lights.setCurrentIndex(lights.findData("led"))
+    assert view.photo is None
+    qtbot.waitUntil(lambda: view.photo is not None)
+    assert view.photo.light is LIGHTS["led"]
+    view.show_frame(flat(1))
+    assert view.photo is None
+    assert said(view).startswith("Out of date: of the lens before.")
+    qtbot.waitUntil(lambda: view.photo is not None)
+
+
+def test_nothing_is_traced_while_a_run_goes_on_or_nobody_looks(view, flat, qtbot):
+    qtbot.waitUntil(lambda: view.photo is not None)
+    view.allow(resting=False)
+    view.show_frame(flat(1))
+    qtbot.wait(400)
+    assert not view._background.running
+    view.hide()
+    view.allow(resting=True)
+    qtbot.wait(400)
+    assert not view._background.running
+    view.show()
+    qtbot.waitUntil(lambda: view.photo is not None)
+
+
+def test_a_photo_that_a_run_interrupts_is_given_up(view, flat, qtbot):
+    qtbot.waitUntil(lambda: view._background.running)
+    view.allow(resting=False)
+    qtbot.waitUntil(lambda: not view._background.running)
+    assert view.photo is None
+    assert "when the design rests" in said(view)
+
+
+def test_it_is_saved_as_it_is_exposed(view, session, tmp_path, qtbot):
+    messages, shown = MessageBar(), []
+    qtbot.addWidget(messages)
+    document = Document(session, "flame")
+    picture = PhotoPicture(view, document, messages, None, lambda: shown.append(1), view)
+    picture.choose_and_save()
+    assert (shown, messages.text[:20]) == ([1], "There is no photo of")
+    qtbot.waitUntil(lambda: view.photo is not None)
+    view.findChild(QSlider).setValue(-4)
+    picture.save(tmp_path / "flame.png")
+    with Image.open(tmp_path / "flame.png") as saved:
+        assert np.array_equal(np.asarray(saved), view.photo.picture(-4 / 3))
+    assert messages.text == f"{tmp_path / 'flame.png'} is written."
+    picture.save(tmp_path)
+    assert "a folder of that name is there" in messages.text
+
+
+def test_a_design_without_a_lens_has_no_photo(view, session, qtbot):
+    qtbot.waitUntil(lambda: view.photo is not None)
+    view.show_nothing(session)
+    assert said(view) == "There is no lens yet: Start designs one."

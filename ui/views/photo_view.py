@@ -1,0 +1,218 @@
+"""The predicted photo: what a camera would see on the screen, in colour.
+
+1. It is traced anew at several wavelengths, which takes seconds: only for eyes, and never while a
+   run needs the cores. One that is under way when a run begins is given up.
+2. It follows the lens when it rests. Exposure needs no new trace.
+"""
+
+from functools import partial
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import Qt, QTimer
+from PySide6.QtGui import QCloseEvent
+from PySide6.QtWidgets import (
+    QComboBox,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QSlider,
+    QVBoxLayout,
+    QWidget,
+)
+
+from ui.threads.background import Background
+from ui.threads.failure import sentence_of
+from ui.views.computing_view import ComputingView
+from ui.views.image_choice import ImageChoice
+from ui.views.image_link import ImageLink
+from ui.views.photos import PhotoRequest, take_photo
+from ui.views.pixels import Pixels
+from workbench.analysis.photo.light import LIGHTS
+
+if TYPE_CHECKING:
+    from ui.shown.frame import Frame
+    from workbench.analysis.photo.photo import Photo
+    from workbench.files.session import Session
+
+_TAKE = "predict the photo"
+_REST_MS = 250  # longer than between two steps of a hand
+_STEPS, _MOST = 3, 8  # of the slider for each stop, as on cameras; stops to either side
+_NO_LENS = "There is no lens yet: Start designs one."
+_WAITS = "The photo is predicted when the design rests."
+
+
+class PhotoView(ComputingView):
+    """The photo, its exposure, and what the lens is lit by.
+
+    Parameters
+    ----------
+    link : ImageLink, optional
+        Chooses one of several images; by default it stands alone.
+    """
+
+    def __init__(self, link: ImageLink | None = None, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._link = link or ImageLink(self)
+        self._link.changed.connect(self._want)
+        self._resting = True
+        self._taken: tuple[PhotoRequest, Photo] | None = None
+        self._wanted: PhotoRequest | None = None
+        self._said = QLabel(_NO_LENS, wordWrap=True)
+        self._said.setContentsMargins(6, 0, 6, 4)
+        self._rest = QTimer(self, singleShot=True, interval=_REST_MS)
+        self._rest.timeout.connect(self._take)
+        self._background = Background(_TAKE, self)
+        self._background.progressed.connect(
+            lambda _, part: self._said.setText(f"predicting… {100 * part:.0f} %")
+        )
+        self._background.done.connect(self._show)
+        self._background.failed.connect(
+            lambda _, error: self._said.setText(sentence_of(error, _TAKE))
+        )
+        self._pixels = Pixels()
+        self._box.addWidget(self._pixels, 1)
+        self._box.addLayout(self._controls())
+        self._box.addWidget(self._said)
+        self.setFocusProxy(self._slider)
+
+    @property
+    def photo(self) -> "Photo | None":
+        """The photo of the lens on show; None where it is not there, or of a lens before."""
+        if self._frame is None or self._taken is None or not self._known(self._request()):
+            return None
+        return self._taken[1]
+
+    @property
+    def stops(self) -> float:
+        """Exposure."""
+        return self._slider.value() / _STEPS
+
+    def allow(self, resting: bool) -> None:
+        """Whether the lens on show stays as it is; while it does not, nothing is traced."""
+        self._resting = resting
+        self._want()
+
+    def show_frame(self, frame: "Frame") -> None:
+        """Take note of another lens."""
+        super().show_frame(frame)
+        self._want()
+
+    def show_nothing(self, session: "Session") -> None:
+        """Show a design of which there is no lens."""
+        self._want_nothing()
+        self._taken = None
+        self._pixels.show_pixels(None)
+        super().show_nothing(session)
+        self._said.setText(_NO_LENS)
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        """End the thread with the view."""
+        self.close_thread()
+        super().closeEvent(event)
+
+    def close_thread(self) -> None:
+        """Leave what is being traced and wait for it; safe to call twice."""
+        self._want_nothing()
+        self._background.close()
+
+    def _controls(self) -> QVBoxLayout:
+        """Exposure, and below it what is photographed: two rows fit into a narrow dock."""
+        self._choice = ImageChoice(self._link)
+        self._light = QComboBox()
+        self._light.setAccessibleName("Light of the photo")
+        self._light.setToolTip(
+            "What the lens is lit by: as its source suggests (daylight from infinitely far, a "
+            "laser as a Gaussian beam, else an LED), or another light"
+        )
+        self._light.addItem("Light of the source", "")
+        for name, light in LIGHTS.items():
+            self._light.addItem(light.title[0].upper() + light.title[1:], name)
+        self._light.currentIndexChanged.connect(self._want)
+        self._slider = QSlider(Qt.Orientation.Horizontal)
+        self._slider.setRange(-_MOST * _STEPS, _MOST * _STEPS)
+        self._slider.setPageStep(_STEPS)
+        self._slider.setAccessibleName("Exposure")
+        self._slider.setToolTip("Exposure in stops: one more makes all twice as bright")
+        self._slider.valueChanged.connect(self._expose)
+        self._stops = QLabel()
+        self._stops.setMinimumWidth(self._stops.fontMetrics().horizontalAdvance("−8⅔ stops "))
+        self._usual = QPushButton("0")
+        self._usual.setToolTip("The usual exposure: the target's brightest pixel is white")
+        self._usual.setAccessibleName("Usual exposure")
+        self._usual.setMaximumWidth(2 * self._usual.sizeHint().height())
+        self._usual.clicked.connect(lambda: self._slider.setValue(0))
+        self._expose()
+        rows = QVBoxLayout()
+        rows.setContentsMargins(6, 2, 6, 2)
+        for widgets in ((self._slider, self._stops, self._usual), (self._light, self._choice)):
+            row = QHBoxLayout()
+            for widget in widgets:
+                row.addWidget(widget, 1 if widget in (self._slider, self._light) else 0)
+            rows.addLayout(row)
+        return rows
+
+    def _expose(self) -> None:
+        self._stops.setText(_in_thirds(self._slider.value()))
+        self._ask()
+
+    def _want(self) -> None:
+        """What is shown may be of another lens."""
+        frame = self._frame
+        if frame is None:
+            return
+        self._choice.show_scene(frame.session.scene)
+        request = self._request()
+        if self._known(request) or not (self._resting and self._seen()):
+            self._want_nothing()
+        elif not self._background.busy or not self._asked(request):
+            self._want_nothing()
+            self._rest.start()
+        self._tell(request)
+
+    def _want_nothing(self) -> None:
+        self._rest.stop()
+        self._wanted = None
+        self._background.cancel()
+
+    def _request(self) -> PhotoRequest:
+        assert self._frame is not None  # of what nobody sees there is no photo
+        number = self._link.number_in(self._frame.session.scene)
+        return PhotoRequest(self._frame, number, self._light.currentData())
+
+    def _known(self, request: PhotoRequest) -> bool:
+        return self._taken is not None and self._taken[0].same(request)
+
+    def _asked(self, request: PhotoRequest) -> bool:
+        return self._wanted is not None and self._wanted.same(request)
+
+    def _take(self) -> None:
+        request = self._wanted = self._request()
+        self._background.begin(partial(take_photo, request), request)
+
+    def _show(self, request: PhotoRequest, photo: "Photo | None") -> None:
+        if photo is not None:
+            self._taken = request, photo
+            self._tell(request)
+            self._ask()
+
+    def _tell(self, request: PhotoRequest) -> None:
+        if self._known(request) and self._taken is not None:
+            text = self._taken[1].summary
+            self._said.setText(f"{text[0].upper()}{text[1:]}.")
+        elif not self._background.busy:
+            before = "" if self._taken is None else "Out of date: of the lens before. "
+            self._said.setText(before + _WAITS)
+
+    def _draw(self, session: "Session", frame: "Frame | None") -> None:
+        if self._taken is not None:
+            photo = self._taken[1]
+            self._pixels.show_pixels(photo.picture(self.stops), photo.aspect)
+            self._pixels.repaint()
+
+
+def _in_thirds(steps: int) -> str:
+    """An exposure in words: "+1⅓ stops"."""
+    whole, part = divmod(abs(steps), _STEPS)
+    sign = "" if steps == 0 else "−" if steps < 0 else "+"
+    number = f"{whole or ''}{('', '⅓', '⅔')[part]}" or "0"
+    return f"{sign}{number} stops"

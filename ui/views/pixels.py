@@ -1,0 +1,47 @@
+"""A picture in as much room as there is, its aspect kept."""
+
+import numpy as np
+import numpy.typing as npt
+from PySide6.QtCore import QRectF, QSize, QSizeF, Qt
+from PySide6.QtGui import QImage, QPainter, QPaintEvent
+from PySide6.QtWidgets import QSizePolicy, QWidget
+
+_USUAL, _LEAST = QSize(320, 320), QSize(160, 120)
+
+
+class Pixels(QWidget):
+    """Paints a picture; nothing before there is one."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._image: QImage | None = None
+        self._aspect = 1.0
+        self.setMinimumSize(_LEAST)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+
+    def sizeHint(self) -> QSize:
+        """Room in which a picture can be seen."""
+        return _USUAL
+
+    def show_pixels(self, values: "npt.NDArray[np.uint8] | None", aspect: float = 1.0) -> None:
+        """Show a picture (n_y, n_x, 3), whose pixels are so many times as wide as high, or none."""
+        self._image, self._aspect = None, aspect
+        if values is not None:
+            rows, columns, _ = values.shape
+            data = np.ascontiguousarray(values)
+            image = QImage(data.data, columns, rows, 3 * columns, QImage.Format.Format_RGB888)
+            self._image = image.copy()  # the values are numpy's
+        self.update()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint the picture in the middle, as large as it can be."""
+        if self._image is None:
+            return
+        size = QSizeF(self._image.width() * self._aspect, self._image.height())
+        size.scale(QSizeF(self.size()), Qt.AspectRatioMode.KeepAspectRatio)
+        place = QRectF(0, 0, size.width(), size.height())
+        place.moveCenter(QRectF(self.rect()).center())
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
+        painter.drawImage(place, self._image)
+        painter.end()
