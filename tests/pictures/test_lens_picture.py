@@ -3,6 +3,8 @@
 import numpy as np
 import pytest
 
+from resources import path
+from workbench.files.scene import read_scene
 from workbench.geometry.surface import sample_faces
 from workbench.optics.paths import ray_paths
 from workbench.pictures.exploded import exploded
@@ -342,6 +344,18 @@ def test_rays_fade_before_the_lens_and_towards_the_screen(make_scene, plotter, s
     picture.update(*state(make_scene(), rays=(3, 3)))
     begin, entrance, leaving, end = picture._rays.point_data["colour"].reshape(9, 4, 4)[4, :, 3]
     assert begin < entrance and entrance == leaving and end < leaving
+
+
+def test_rays_of_a_mirror_go_from_place_to_place_of_their_own(plotter):
+    scene = read_scene(path("examples", "mirror-letter.json")).with_net((8, 8))
+    heights = {"mirror": np.zeros(scene.optic.net_shape)}
+    picture = LensPicture(plotter, scene, np.ones(scene.receiver.pixels[::-1]))
+    paths = ray_paths(scene, heights, (3, 3))
+    n_x, n_y = scene.receiver.pixels
+    picture.update(sample_faces(scene.optic, heights, (9, 9)), paths, np.ones((n_y, n_x)))
+    cells = picture._rays.lines.reshape(9, 4)
+    assert (cells[:, 0] == 3).all()
+    np.testing.assert_array_equal(picture._rays.points[cells[:, 1:]][:, 1:], paths.points[:, 1:])
 
 
 def test_both_faces_are_drawn_where_they_are(make_scene, plotter):

@@ -55,7 +55,7 @@ _GROUND = {True: ("#12151a", "#2a303a"), False: ("#dfe4eb", "#fcfdfe")}  # botto
 _LANDS = {True: (255, 206, 110), False: (196, 122, 0)}  # light that reaches the screen
 _LOST = {True: (255, 90, 90), False: (200, 30, 30)}
 _WEIGHT = {True: "viridis", False: "viridis_r"}  # maps from no light to all of it
-_FADING = (0.35, 1.0, 1.0, 0.35)  # ink of a ray at its places
+_FADING = 0.35  # of a ray's ink where it begins and where it ends
 _AXES = (("x", "#dc5b57"), ("y", "#4caf50"), ("z", "#4a8fe0"))
 
 
@@ -291,10 +291,13 @@ class LensPicture:
             return
         points = paths.points.copy()
         points[:, 0] = shapes.starting_at(points[:, 0], points[:, 1], start_z(lit))
+        places = points.shape[1]  # of each ray: where it begins, meets each face, and ends
+        if points.size != self._rays.points.size or count != self._rays.n_cells:
+            ends = np.arange(places * count).reshape(count, places)
+            self._rays.copy_from(
+                pv.PolyData(points.reshape(-1, 3), lines=np.insert(ends, 0, places, axis=1).ravel())
+            )
         self._rays.points = points.reshape(-1, 3)
-        if count != self._rays.n_cells:
-            ends = np.arange(4 * count).reshape(count, 4)
-            self._rays.lines = np.insert(ends, 0, 4, axis=1).ravel()
         self._landing, self._weight = paths.on_screen, paths.weight
         self._colour_rays()
 
@@ -307,9 +310,9 @@ class LensPicture:
         # Lost rays have little or no weight and still have to be seen; many rays, less ink each.
         ink = 255 * min(1.0, 7 / math.sqrt(max(len(self._weight), 1)))
         colours[:, 3] = ink * np.where(self._landing, 0.25 + 0.75 * self._weight, 0.5)
-        # From where it begins over both faces to its end: image and lens are seen behind rays.
-        along = np.repeat(colours[:, None], len(_FADING), axis=1)
-        along[:, :, 3] = along[:, :, 3] * np.array(_FADING)
+        # Image and source are seen behind rays.
+        along = np.repeat(colours[:, None], self._rays.n_points // len(colours), axis=1)
+        along[:, [0, -1], 3] = _FADING * along[:, [0, -1], 3]
         self._rays.point_data["colour"] = along.reshape(-1, 4)
 
     def _add_axes(self) -> None:
