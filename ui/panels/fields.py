@@ -190,8 +190,10 @@ class TextRow(Row):
 
     asked = Signal()
 
-    def __init__(self, path: str, label: str, tip: str, button_tip: str = "") -> None:
-        super().__init__(path, label, tip)
+    def __init__(
+        self, path: str, label: str, tip: str, button_tip: str = "", measure: Measure = _NONE
+    ) -> None:
+        super().__init__(path, label, tip, measure)
         self.editor = TextEditor()
         self._add(self.editor)
         if button_tip:

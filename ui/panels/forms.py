@@ -15,6 +15,7 @@ from ui.panels.images import ImagesPanel
 from ui.panels.lens import LensPanel
 from ui.panels.panel import Panel, PartPanel
 from ui.panels.receiver import ReceiverPanel
+from ui.panels.regions import RegionsPanel
 from ui.panels.rows import Rows
 from ui.panels.run import RunPanel
 from ui.panels.source import SourcePanel
@@ -86,6 +87,7 @@ class Forms(QScrollArea):
         """A panel for each part of the scene, in the order of its fields."""
         parts = {field.name: field for field in Scene.fields() if field.parts}
         self._images = ImagesPanel(parts.pop("further_images"))
+        regions = RegionsPanel(parts.pop("regions"))
         self._target = TargetPanel(parts.pop("target"))
         self._source = SourcePanel(parts["source"])
         made: list[Panel] = []
@@ -97,7 +99,7 @@ class Forms(QScrollArea):
                 made.append(self._source)
             else:
                 made.append(_PANELS.get(name, PartPanel)(field))
-        return [ScenePanel(), self._target, *made, self._images, StagesPanel()]
+        return [ScenePanel(), self._target, *made, self._images, regions, StagesPanel()]
 
     def _lay_out(self) -> None:
         """The panels below each other, with all fields in line, below the hint."""

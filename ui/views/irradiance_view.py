@@ -1,9 +1,14 @@
 """The irradiance on the screen."""
 
+from typing import TYPE_CHECKING
+
 from PySide6.QtWidgets import QWidget
 
 from ui.views.image_link import ImageLink
 from ui.views.light_image_view import LightContent, LightImageView
+
+if TYPE_CHECKING:
+    from ui.shown.frame import Frame
 
 
 class IrradianceView(LightImageView):
@@ -12,3 +17,9 @@ class IrradianceView(LightImageView):
     def __init__(self, link: ImageLink | None = None, parent: QWidget | None = None) -> None:
         content = LightContent(lambda frame: frame.state.irradiance)
         super().__init__(content, link, parent)
+
+    def _change(self, frame: "Frame") -> bool:
+        """Show the irradiance, and what falls on each region."""
+        assert self._regions is not None  # since there is a picture
+        self._regions.show_light(frame.state.irradiance)
+        return super()._change(frame)

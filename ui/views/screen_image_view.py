@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QToolButton, QWidget
 from ui.views.image_choice import ImageChoice
 from ui.views.image_link import ImageLink, Place
 from ui.views.image_view import ImageContent, ImageView
+from ui.views.region_marks import RegionMarks
 from ui.widgets import theme
 from workbench.pictures.maps import Extent
 
@@ -57,6 +58,7 @@ class ScreenImageView(ImageView):
     ) -> None:
         super().__init__(content, link, parent)
         self._marks: list[Any] = []
+        self._regions: RegionMarks | None = None
         self._draws = False  # a line, with this drag
         self._icons: dict[QToolButton, str] = {}
         self._line_tool = self._add_tool(
@@ -104,8 +106,8 @@ class ScreenImageView(ImageView):
             tool.setIcon(theme.icon(icon, self.palette()))
 
     def _looks_alike(self, one: "Session", other: "Session") -> bool:
-        alike = one.scene.receiver == other.scene.receiver and one.scene.unit == other.scene.unit
-        return alike and one.target is other.target  # whatever the lens and its light are
+        seen = [(each.scene.receiver, each.scene.unit, each.scene.regions) for each in (one, other)]
+        return seen[0] == seen[1] and one.target is other.target  # whatever lens and light are
 
     def _begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
         artists = super()._begin(axes, session)
@@ -115,7 +117,8 @@ class ScreenImageView(ImageView):
             axes.axhline(0, linestyle="--", **look),
             axes.plot([], [], marker="o", markersize=3, **look | {"linewidth": 1.4})[0],
         ]
-        return [*artists, *self._marks]
+        self._regions = RegionMarks(axes, session.scene)
+        return [*artists, *self._marks, *self._regions.texts]
 
     def _adapt(self) -> bool:
         everything = super()._adapt()

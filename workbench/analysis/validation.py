@@ -19,6 +19,7 @@ import numpy.typing as npt
 from workbench.analysis.by_cells import ByCells, without_scatter
 from workbench.analysis.independent import Independent
 from workbench.analysis.metrics import Quality, paper_loss, product, relative_l2
+from workbench.analysis.regions import RegionLight, light_of_regions
 from workbench.analysis.scatter import FEWER, STUDENT_T, Unscattered
 from workbench.analysis.shading import Shading, shading_of
 from workbench.analysis.through_focus import with_screen_at
@@ -79,6 +80,8 @@ class Validation:
         What cells say, where that was asked for and the source has not too many points.
     shading : Shading, optional
         Light that is counted although something is in its way, where cells were asked for.
+    regions : tuple of RegionLight
+        The light of each region, by cells where there are some.
     further : tuple of Validation
         The same of each further image, in their order.
     weight : float
@@ -98,6 +101,7 @@ class Validation:
     irradiance: Array
     by_cells: ByCells | None = None
     shading: Shading | None = None
+    regions: tuple[RegionLight, ...] = ()
     further: tuple["Validation", ...] = ()
     weight: float = 1.0
 
@@ -137,6 +141,7 @@ class Validation:
             "noise": self.noise,
             "deterministic": self.by_cells and self.by_cells.to_data(),
             "shading": self.shading and self.shading.to_data(),
+            "regions": [each.to_data() for each in self.regions],
             **(further if self.further else {}),
         }
 
@@ -264,7 +269,9 @@ def validating(
     for done, image in enumerate(images):
         steps = _of_one(image.scene, image.target, heights, rays, seed, pose, threads, accuracy)
         one = yield from within(steps, partial(_part_of_all, done, len(images)))
-        found.append(replace(one, weight=image.weight))
+        clearest = (one.by_cells or one).irradiance
+        regions = light_of_regions(image.scene.regions, image.scene.receiver, clearest)
+        found.append(replace(one, weight=image.weight, regions=regions))
     first, *others = found
     return replace(first, further=tuple(others)) if others else first
 

@@ -178,4 +178,4 @@ def _wanted(scene: Scene) -> tuple[object, ...]:
     """What tells which lens is the best one."""
     run = scene.run
     shop = run.smoothness, run.min_radius, run.min_tool_radius
-    return scene.model_copy(update={"run": None}), *shop
+    return scene.model_copy(update={"run": None, "regions": ()}), *shop

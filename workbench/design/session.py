@@ -283,7 +283,7 @@ def task_of(scene: Scene) -> Scene:
     entrance = optic.entrance.shape, optic.front_z
     known = {name: None for name in searched if hasattr(optic, name)}
     optic = optic.model_copy(update=known | {"entrance": entrance})
-    return scene.with_optic(optic).model_copy(update={"run": None, "unit": None})
+    return scene.with_optic(optic).model_copy(update={"run": None, "unit": None, "regions": ()})
 
 
 def _within(scene: Scene, heights: ControlHeights) -> ControlHeights:

@@ -6,6 +6,7 @@ from workbench.analysis.by_cells import ByCells
 from workbench.analysis.independent import Independent
 from workbench.analysis.manufacture import Extreme, FaceFigures, Manufacture
 from workbench.analysis.manufacture_limits import Limits, verdicts
+from workbench.analysis.regions import RegionLight
 from workbench.analysis.shading import Shading
 from workbench.analysis.tolerance_fields import ABOUT, PAIRS, Tolerances
 from workbench.analysis.tolerances import Distribution
@@ -35,9 +36,18 @@ def check_rows(found: Validation, difference: float) -> tuple[Row, ...]:
         Row("contrast", _or_dash(quality.contrast, ".5f")),
         Row("efficiency", percent(found.efficiency)),
         *_shading_rows(found.shading),
+        *map(region_row, found.regions),
         Row("off the optimiser's image", percent(difference)),
         Row("rays", f"{found.rays:,}"),
     )
+
+
+def region_row(light: RegionLight) -> Row:
+    """How much light a region gets, and how even it is."""
+    even = f"{percent(light.share)} of the light, least / mean {_or_dash(light.uniformity, '.3f')}"
+    if light.most is None or not light.mean:
+        return Row(f"region {light.name}", even)
+    return Row(f"region {light.name}", f"{even}, most / mean {light.most / light.mean:.3f}")
 
 
 def _shading_rows(found: Shading | None) -> tuple[Row, ...]:

@@ -23,6 +23,13 @@ from workbench.scene.optic import Optic
 from workbench.scene.part import NonNegative, Part, Positive
 from workbench.scene.points import LightOfPoints, PointSource
 from workbench.scene.receiver import AnyReceiver
+from workbench.scene.region import (
+    AnyRegion,
+    EllipseRegion,
+    PolygonRegion,
+    RectangleRegion,
+    Region,
+)
 from workbench.scene.run import AutoRun, PaperRun, Run, RunSettings, Stage
 from workbench.scene.screen import Screen
 from workbench.scene.source import Source
@@ -42,6 +49,7 @@ from workbench.scene.task import Scene, Unit
 __all__ = [
     "LENGTH",
     "AnyReceiver",
+    "AnyRegion",
     "AreaSource",
     "AutoNet",
     "AutoRun",
@@ -50,6 +58,7 @@ __all__ = [
     "BoxFilter",
     "CollimatedSource",
     "Drawn",
+    "EllipseRegion",
     "ExactMethod",
     "FarField",
     "FieldDescription",
@@ -77,9 +86,12 @@ __all__ = [
     "Part",
     "PhotometricSource",
     "PointSource",
+    "PolygonRegion",
     "Positive",
     "RayFileSource",
+    "RectangleRegion",
     "RectangleTarget",
+    "Region",
     "RingTarget",
     "Run",
     "RunSettings",

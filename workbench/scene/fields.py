@@ -165,8 +165,8 @@ class FieldDescription:
     marks: tuple[object, ...]
 
     def mark(self, kind: type[Mark]) -> Mark | None:
-        """The mark of a kind; None without one."""
-        return next((mark for mark in self.marks if isinstance(mark, kind)), None)
+        """The mark of a kind, its own or of each of its values; None without one."""
+        return next((mark for mark in self.all_marks if isinstance(mark, kind)), None)
 
     @property
     def measure(self) -> Measure:
@@ -182,8 +182,7 @@ class FieldDescription:
     @cached_property
     def number(self) -> type[float] | type[int] | None:
         """The type of its number, or of each of its numbers; None if it has none."""
-        items = get_args(self.type) if get_origin(self.type) is tuple else (self.type,)
-        bare = _unmarked(items[0])[0]
+        bare, _ = self._item
         return bare if bare in (float, int) else None
 
     @property
@@ -194,7 +193,7 @@ class FieldDescription:
     @property
     def listed(self) -> bool:
         """Whether it holds any number of parts of the scene."""
-        return Ellipsis in get_args(self.type)
+        return Ellipsis in get_args(self.type) and bool(self.parts)
 
     @property
     def choices(self) -> tuple[tuple[str, str], ...]:
@@ -209,14 +208,25 @@ class FieldDescription:
     @property
     def parts(self) -> tuple[type[BaseModel], ...]:
         """What stands there, if it is a part of the scene: each kind that it may be of."""
-        members = (self.type, *get_args(self.type))
+        item, _ = self._item
+        members = (item, *get_args(item))
         return tuple(m for m in members if isinstance(m, type) and issubclass(m, BaseModel))
+
+    @property
+    def all_marks(self) -> tuple[object, ...]:
+        """Its marks, and those of each of its values where there are several."""
+        return (*self.marks, *self._item[1])
+
+    @cached_property
+    def _item(self) -> tuple[Any, tuple[object, ...]]:
+        """The type of each of its values where there are several, else of the one; its marks."""
+        several = get_origin(self.type) is tuple
+        return _unmarked(get_args(self.type)[0] if several else self.type)
 
     @property
     def limits(self) -> str:
         """Between which numbers it lies, as a sentence; empty where an end is open, or nearly."""
-        item = get_args(self.type)[0] if get_origin(self.type) is tuple else self.type
-        marks = (*self.marks, *_unmarked(item)[1])
+        marks = self.all_marks
         low, high = "", ""
         most: Any = 0
         for mark in marks:

@@ -26,6 +26,7 @@ from workbench.scene.mirror import Mirror
 from workbench.scene.optic import Optic
 from workbench.scene.part import Part
 from workbench.scene.receiver import AnyReceiver
+from workbench.scene.region import Region, check_regions
 from workbench.scene.run import AutoRun, Run, Stage, during
 from workbench.scene.screen import Screen
 from workbench.scene.source import Source
@@ -119,6 +120,15 @@ class Scene(Part):
             "Two freeform faces can place light and direct it; one face finds what lies between.",
         ),
     ] = ()
+    regions: Annotated[
+        tuple[Region, ...],
+        SINCE_2,
+        about(
+            "Regions",
+            "Parts of the screen whose light is told by itself, as on a desk or a lane: how much "
+            "there is, and how even it is. They do not change the lens.",
+        ),
+    ] = ()
     run: Annotated[Run, about("Run", "How the design is found.")] = AutoRun()
 
     def check(self) -> None:
@@ -132,6 +142,7 @@ class Scene(Part):
         self.source.check_before(optic)
         self.receiver.check_lit_by(optic)
         self._check_further()
+        check_regions(self.regions)
         for field in ("smoothness", *radii):
             value = getattr(self.run, field)
             if value is not None and min(optic.degree) < 2:
@@ -145,8 +156,9 @@ class Scene(Part):
     @model_serializer(mode="wrap")
     def _written(self, write: SerializerFunctionWrapHandler) -> dict[str, Any]:
         version, data = self.needed_version, write(self)
-        if not self.further_images:  # which earlier programs do not know
-            data.pop("further_images", None)
+        for name in ("further_images", "regions"):  # which earlier programs do not know
+            if not getattr(self, name):
+                data.pop(name, None)
         return self.known_to(version, data) | {"version": version}
 
     def _check_further(self) -> None:
@@ -197,7 +209,7 @@ class Scene(Part):
             {name: getattr(image, name) for name in ("screen", "far_field", "target")}
             for image in self.further_images
         )
-        return (alone, *(alone.model_copy(update=changes) for changes in others))
+        return (alone, *(alone.model_copy(update={**changes, "regions": ()}) for changes in others))
 
     def images(self, target: Array) -> tuple[WantedImage, ...]:
         """All images that are wanted, the first one first.

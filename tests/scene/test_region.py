@@ -1,0 +1,74 @@
+"""Regions: what they may be, and that they are no part of what a lens is for."""
+
+import numpy as np
+import pytest
+
+from tests.scenes import changed
+from workbench.design.session import task_of
+from workbench.errors import Refused
+from workbench.scene import EllipseRegion, Scene
+
+DESK = {"name": "Desk", "shape": "rectangle", "center": [0.1, -0.2], "size": [0.5, 0.25]}
+SPOT = {"name": "Spot", "shape": "ellipse", "size": [0.5, 0.25]}
+ARROW = {"name": "Arrow", "shape": "polygon", "corners": [[-0.5, -0.5], [0.5, -0.5], [0, 0.5]]}
+
+
+def with_regions(*regions):
+    return Scene.from_data(changed({"regions": list(regions)}))
+
+
+def test_regions_are_written_as_they_are_read():
+    scene = with_regions(DESK, SPOT, ARROW)
+    assert Scene.from_data(scene.to_data()) == scene
+    assert scene.needed_version == 2
+    assert scene.to_data()["regions"][0] == DESK
+
+
+def test_a_scene_without_regions_has_no_word_of_them():
+    assert "regions" not in Scene.from_data(changed({})).to_data()
+    two_faces = changed({"lens.entrance": {"shape": "freeform"}})
+    assert "regions" not in Scene.from_data(two_faces).to_data()
+
+
+def test_another_unit_leaves_regions_where_they_are():
+    scene = with_regions(DESK)
+    assert scene.in_unit("mm").regions == scene.regions
+
+
+def test_regions_are_no_part_of_the_task():
+    assert task_of(with_regions(DESK)) == task_of(with_regions(SPOT, ARROW))
+
+
+def test_outlines_are_parts_of_width_and_height():
+    desk, spot, arrow = with_regions(DESK, SPOT, ARROW).regions
+    np.testing.assert_allclose(desk.outline.min(axis=0), [-0.15, -0.325])
+    np.testing.assert_allclose(desk.outline.max(axis=0), [0.35, -0.075])
+    np.testing.assert_allclose(arrow.outline, ARROW["corners"])
+    assert isinstance(spot, EllipseRegion)
+    np.testing.assert_allclose(np.hypot(*(spot.outline / (0.25, 0.125)).T), 1)
+
+
+@pytest.mark.parametrize(
+    ("region", "path", "reason"),
+    [
+        ({**DESK, "size": [0.9, 0.1]}, "size[0]", "at most 0.8 there"),
+        ({**DESK, "center": [0.7, 0]}, "center[0]", "at most 0.5"),
+        ({**DESK, "shape": "star"}, "", "'star' is not available"),
+        ({**ARROW, "corners": [[0, 0], [0.5, 0]]}, "corners", "at least 3"),
+        ({**ARROW, "corners": [[0, 0], [0.2, 0], [0.4, 0]]}, "corners", "have no area"),
+        (
+            {**ARROW, "corners": [[-0.5, -0.5], [0.5, 0.5], [0.5, -0.5], [-0.5, 0.4]]},
+            "corners",
+            "make sides that cross",
+        ),
+    ],
+)
+def test_impossible_regions_are_refused(region, path, reason):
+    with pytest.raises(Refused, match=reason) as refused:
+        with_regions(SPOT, region)
+    assert refused.value.path.startswith(f"regions[1].{path}".rstrip("."))
+
+
+def test_more_regions_than_a_person_reads_are_refused():
+    with pytest.raises(Refused, match="33 are given; at most 32"):
+        with_regions(*[SPOT] * 33)

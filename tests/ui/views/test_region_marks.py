@@ -1,0 +1,42 @@
+"""What is drawn and written for regions on an image of light."""
+
+import numpy as np
+import pytest
+from matplotlib.figure import Figure
+
+from tests.scenes import changed
+from ui.views.region_marks import RegionMarks
+from workbench.scene import Scene
+
+
+@pytest.fixture
+def axes():
+    return Figure().add_subplot()
+
+
+def scene_with(*regions):
+    return Scene.from_data(changed({"regions": list(regions)}))
+
+
+def test_outlines_are_in_coordinates_of_the_screen(axes):
+    RegionMarks(axes, scene_with({"name": "Desk", "center": [0.25, 0], "size": [0.5, 0.25]}))
+    (outline,) = axes.patches
+    corners = outline.get_xy()
+    np.testing.assert_allclose(corners.min(axis=0), [0, -0.25])
+    np.testing.assert_allclose(corners.max(axis=0), [1, 0.25])
+
+
+def test_each_region_says_its_share_and_how_even_it_is(axes):
+    marks = RegionMarks(axes, scene_with({"name": "Left", "center": [-0.25, 0], "size": [0.5, 1]}))
+    irradiance = np.full((32, 32), 0.25)
+    irradiance[0] = 0.125
+    marks.show_light(irradiance)
+    (text,) = marks.texts
+    assert text.get_text() == "Left: 49.2 % of the light, least / mean 0.51"
+
+
+def test_without_regions_nothing_is_drawn(axes):
+    marks = RegionMarks(axes, scene_with())
+    marks.show_light(np.zeros((32, 32)))
+    assert not marks.texts
+    assert not axes.patches

@@ -1,0 +1,43 @@
+"""The regions of a scene as a list."""
+
+from ui.panels.part_list import PartListRow
+from workbench.scene import AnyRegion, RectangleRegion, Scene
+from workbench.scene.kinds import title_of
+
+
+class RegionListRow(PartListRow[AnyRegion]):
+    """The regions one below the other, and what can be done with them."""
+
+    def __init__(self, label: str, tip: str) -> None:
+        super().__init__(
+            "regions",
+            label,
+            tip,
+            "region",
+            "Regions",
+            (
+                "Add a region in the middle",
+                "Remove the chosen region",
+                "Move the chosen region up",
+                "Move the chosen region down",
+            ),
+        )
+        self._scene: Scene | None = None
+
+    def show_regions(self, scene: Scene) -> None:
+        """Show the regions of a scene."""
+        self._scene = scene
+        self.show_parts(scene.regions, "" if scene.regions else "None.")
+
+    def _new(self) -> AnyRegion:
+        assert self._scene is not None  # shown before anything can be clicked
+        return RectangleRegion(name=f"Region {len(self._scene.regions) + 1}")
+
+    def _summary(self, part: AnyRegion) -> str:
+        """Name, kind and how far it goes, in the receiver's own coordinates."""
+        assert self._scene is not None
+        receiver = self._scene.receiver
+        low, high = part.outline.min(axis=0), part.outline.max(axis=0)
+        width, height = (high - low) * receiver.half_extent * 2
+        unit = receiver.measure.sign_in(self._scene.unit)
+        return f"{part.name}: {title_of(type(part)).lower()}, {width:.4g} × {height:.4g} {unit}"

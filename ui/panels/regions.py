@@ -1,0 +1,70 @@
+"""The regions of a scene: a list of them, and the settings of the one that is chosen."""
+
+from collections.abc import Set
+from typing import Any
+
+from ui.panels.edits import value_at
+from ui.panels.fields import Row, TextRow
+from ui.panels.listed import ListedPanel
+from ui.panels.region_list import RegionListRow
+from ui.panels.rows import Rows
+from workbench.files.session import Session
+from workbench.scene import FieldDescription, Kinds
+
+
+class RegionsPanel(ListedPanel):
+    """Bound to ``scene.regions``.
+
+    Parameters
+    ----------
+    field : FieldDescription
+        The field of the scene that holds them.
+    """
+
+    def __init__(self, field: FieldDescription) -> None:
+        self._field = field
+        self._list = RegionListRow("Watched", field.tip)
+        super().__init__(field.title, self._list)
+
+    def show_list(self, session: Session) -> None:
+        """List the regions of the scene."""
+        self._list.show_regions(session.scene)
+
+    def name_of(self, number: int) -> str:
+        """Its number, from 1."""
+        return f"Region {number + 1}"
+
+    def rows_of(self, number: int) -> list[Row]:
+        """Shape, place and size of a region."""
+        kinds = self._field.mark(Kinds)
+        assert kinds is not None  # they are of several kinds
+        rows = Rows(lambda: self.session.scene, {"corners": _corner_rows})
+        return rows.of_kinds(self._field, kinds, f"regions[{number}]", "Shape")
+
+
+class CornersRow(TextRow):
+    """Places as text: two numbers each, with a semicolon between places."""
+
+    def show_scene(self, scene: Any, pending: Set[str]) -> None:
+        """Show the scene's places."""
+        Row.show_scene(self, scene, pending)
+        if self.path not in pending:
+            places = value_at(scene, self.path)
+            self.editor.show_value("; ".join(f"{x:.6g}, {y:.6g}" for x, y in places))
+            self.editor.home(False)
+
+    def _tell(self, path: str, changes: dict[str, object]) -> None:
+        super()._tell(path, {path: _places(str(changes[path]))})
+
+
+def _places(text: str) -> object:
+    """Numbers of places; the text itself where it has others, which the scene refuses."""
+    try:
+        return [[float(number) for number in place.split(",")] for place in text.split(";")]
+    except ValueError:
+        return text
+
+
+def _corner_rows(field: FieldDescription, path: str) -> list[Row]:
+    """Places are typed as one line."""
+    return [CornersRow(path, field.title, f"{field.tip} As x, y; x, y; …", measure=field.measure)]

@@ -1,0 +1,96 @@
+"""Light of regions of a receiver: how much there is, and how even it is."""
+
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from workbench.scene import AnyReceiver, AnyRegion
+from workbench.targets.coverage import coverage
+
+Array = npt.NDArray[np.float64]
+
+# A pixel that is less inside than this says more of what is beside the region.
+_INSIDE = 0.5
+
+
+@dataclass(frozen=True)
+class RegionLight:
+    """The light of a region. All but the share are None where no pixel is half inside.
+
+    Attributes
+    ----------
+    name : str
+        Of the region.
+    share : float
+        Part of the emitted flux that falls on it; of pixels at its edge, the part inside counts.
+    mean : float
+        Flux per area, or per solid angle in a far field, over all of the region.
+    least, most : float, optional
+        The same of the darkest and the brightest pixel of which at least half is inside.
+    """
+
+    name: str
+    share: float
+    mean: float
+    least: float | None
+    most: float | None
+
+    @property
+    def uniformity(self) -> float | None:
+        """Least over mean (U₀ of EN 12464-1); None without a pixel inside or without light."""
+        if self.least is None or not self.mean:
+            return None
+        return self.least / self.mean
+
+    def to_data(self) -> dict[str, Any]:
+        """The figures by name, for JSON."""
+        return asdict(self) | {"uniformity": self.uniformity}
+
+
+def light_of_regions(
+    regions: Sequence[AnyRegion], receiver: AnyReceiver, irradiance: Array
+) -> tuple[RegionLight, ...]:
+    """The light of each region.
+
+    Parameters
+    ----------
+    regions : sequence of AnyRegion
+        Parts of the receiver; they may overlap.
+    receiver : AnyReceiver
+        Pixel raster.
+    irradiance : ndarray, shape (n_y, n_x)
+        Flux per area, or per solid angle, of a source whose flux is 1; row 0 at +y.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from workbench.scene import RectangleRegion, Screen
+    >>> screen = Screen(z=5, half_width=(1, 1), pixels=(4, 4))
+    >>> even = np.full((4, 4), 0.25)
+    >>> light_of_regions([RectangleRegion(name="Desk", size=(0.5, 0.5))], screen, even)
+    (RegionLight(name='Desk', share=0.25, mean=0.25, least=0.25, most=0.25),)
+    """
+    return tuple(_light_of(region, receiver, irradiance) for region in regions)
+
+
+@lru_cache(maxsize=64)  # a run shows image after image
+def _inside(region: AnyRegion, receiver: AnyReceiver) -> Array:
+    """The part of each pixel that is in a region, shape (n_y, n_x)."""
+    return coverage(2 * region.outline * receiver.half_extent, receiver)
+
+
+def _light_of(region: AnyRegion, receiver: AnyReceiver, irradiance: Array) -> RegionLight:
+    inside = _inside(region, receiver)
+    share = receiver.total(irradiance * inside)
+    within = irradiance[inside >= _INSIDE]
+    return RegionLight(
+        region.name,
+        share,
+        share / receiver.total(inside),
+        float(within.min()) if within.size else None,
+        float(within.max()) if within.size else None,
+    )
