@@ -3,8 +3,11 @@
 import numpy as np
 import pytest
 
+from tests.scenes import changed
 from workbench.analysis.regions import light_of_regions
-from workbench.scene import EllipseRegion, FarField, PolygonRegion, RectangleRegion, Screen
+from workbench.analysis.validation import validate
+from workbench.report.figures import region_row
+from workbench.scene import EllipseRegion, FarField, PolygonRegion, RectangleRegion, Scene, Screen
 
 SCREEN = Screen(z=5.0, half_width=(2.0, 1.0), pixels=(40, 20))
 
@@ -65,3 +68,14 @@ def test_flux_per_solid_angle_counts_by_the_solid_angle_of_pixels():
     (light,) = light_of_regions([upper], far, even)
     assert light.mean == pytest.approx(1)
     assert light.share == pytest.approx(far.total(even) / 2)
+
+
+def test_a_check_tells_the_light_of_the_regions_of_its_scene():
+    scene = Scene.from_data(changed({"regions": [{"name": "All", "size": [1, 1]}]}))
+    plate = {"exit": np.full(scene.optic.net_shape, 0.5)}
+    found = validate(scene, np.ones((32, 32)), plate, rays=10_000)
+    (light,) = found.regions
+    assert light.name == "All"
+    assert light.share == pytest.approx(found.efficiency)
+    assert found.to_data()["regions"][0]["share"] == light.share
+    assert region_row(light).value.startswith(f"{100 * light.share:.3f} % of the light")
