@@ -41,11 +41,14 @@ def images_of_places(blur: Blur, shape: tuple[int, int], finer: int = 1) -> np.n
 
 
 def least_error(images: np.ndarray, target: np.ndarray) -> float:
-    """The exact least error: a mean of images is sought, by an active-set method."""
+    """The exact least error: a mean of images is sought, by an active-set method.
+
+    Shares of a mean have a sum of 1. Distances to the target scale with the shares, so the best
+    ones have the same ratios whatever their sum is, and a soft condition on it is enough.
+    """
     wanted = target.ravel() / target.sum()
-    heavy = 1e3
-    matrix = np.vstack([images, heavy * np.ones(images.shape[1])])
-    parts, _ = nnls(matrix, np.append(wanted, heavy))
+    matrix = np.vstack([images - wanted[:, None], np.ones(images.shape[1])])
+    parts, _ = nnls(matrix, np.append(np.zeros_like(wanted), 1.0))
     parts /= parts.sum()
     return float(np.linalg.norm(images @ parts - wanted) / np.linalg.norm(wanted))
 
