@@ -6,14 +6,15 @@ import numpy as np
 import numpy.typing as npt
 
 if TYPE_CHECKING:
+    from matplotlib.artist import Artist
     from matplotlib.axes import Axes
     from matplotlib.text import Text
 
     from workbench.scene import Scene
 
-_OUTLINE: dict[str, Any] = {"fill": False, "edgecolor": "#4aa3df", "linewidth": 1.2}
-_TEXT: dict[str, Any] = {"color": "white", "fontsize": "x-small", "va": "top", "clip_on": True}
-_BOX: dict[str, Any] = {"facecolor": "#1d2733", "edgecolor": "none", "alpha": 0.7, "pad": 1.5}
+_OUTLINE: dict[str, Any] = {"color": "#4aa3df", "linewidth": 1.2}
+_TEXT: dict[str, Any] = {"fontsize": "x-small", "va": "top", "clip_on": True}
+_BOX: dict[str, Any] = {"edgecolor": "none", "alpha": 0.75, "pad": 1.5}
 
 
 class RegionMarks:
@@ -29,25 +30,26 @@ class RegionMarks:
 
     def __init__(self, axes: "Axes", scene: "Scene") -> None:
         self._scene = scene
-        self.texts: list[Text] = []
-        """The artists that change."""
+        self._texts: list[Text] = []
+        outlines: list[Artist] = []
         receiver = scene.receiver
         for region in scene.regions:
             corners = receiver.middle + 2 * region.outline * receiver.half_extent
-            axes.fill(*corners.T, **_OUTLINE)
-            # Inside its upper left corner, where a region beside it does not hide the words.
-            x, y = corners[:, 0].min(), corners[:, 1].max()
-            self.texts.append(axes.text(x, y, region.name, bbox=_BOX, **_TEXT))
+            outlines += axes.plot(*np.append(corners, corners[:1], axis=0).T, **_OUTLINE)
+            left, top = corners[:, 0].min(), corners[:, 1].max()
+            self._texts.append(axes.text(left, top, region.name, bbox=_BOX, **_TEXT))
+        self.artists = (*outlines, *self._texts)
+        """Drawn over the image, which is drawn anew for each state of a run."""
 
     def show_light(self, irradiance: npt.NDArray[np.float64]) -> None:
         """Write the share of the light, and how even it is, at each region."""
-        if not self.texts:
+        if not self._texts:
             return
         from workbench.analysis.regions import light_of_regions  # late: takes long to import
 
         scene = self._scene
         for text, light in zip(
-            self.texts, light_of_regions(scene.regions, scene.receiver, irradiance), strict=True
+            self._texts, light_of_regions(scene.regions, scene.receiver, irradiance), strict=True
         ):
-            even = "" if light.uniformity is None else f", least / mean {light.uniformity:.2f}"
-            text.set_text(f"{light.name}: {100 * light.share:.1f} % of the light{even}")
+            even = "" if light.uniformity is None else f"\nleast / mean {light.uniformity:.2f}"
+            text.set_text(f"{light.name} {100 * light.share:.1f} %{even}")

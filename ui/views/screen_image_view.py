@@ -118,7 +118,7 @@ class ScreenImageView(ImageView):
             axes.plot([], [], marker="o", markersize=3, **look | {"linewidth": 1.4})[0],
         ]
         self._regions = RegionMarks(axes, session.scene)
-        return [*artists, *self._marks, *self._regions.texts]
+        return [*artists, *self._marks, *self._regions.artists]
 
     def _adapt(self) -> bool:
         everything = super()._adapt()

@@ -27,6 +27,9 @@ def _paint_axes(axes: Axes, ink: str, paper: str) -> None:
         axis.set_tick_params(which="both", color=ink, labelcolor=ink)
     for text in (axes.title, *axes.texts):
         text.set_color(ink)
+        box = text.get_bbox_patch()
+        if box is not None:
+            box.set_facecolor(paper)
     for spine in axes.spines.values():
         spine.set_edgecolor(ink)
     legend = axes.get_legend()

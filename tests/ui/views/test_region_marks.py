@@ -2,10 +2,12 @@
 
 import numpy as np
 import pytest
+from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 
 from tests.scenes import changed
 from ui.views.region_marks import RegionMarks
+from workbench.pictures.style import paint
 from workbench.scene import Scene
 
 
@@ -19,9 +21,11 @@ def scene_with(*regions):
 
 
 def test_outlines_are_in_coordinates_of_the_screen(axes):
-    RegionMarks(axes, scene_with({"name": "Desk", "center": [0.25, 0], "size": [0.5, 0.25]}))
-    (outline,) = axes.patches
-    corners = outline.get_xy()
+    desk = {"name": "Desk", "center": [0.25, 0], "size": [0.5, 0.25]}
+    outline, text = RegionMarks(axes, scene_with(desk)).artists
+    assert text.get_text() == "Desk"
+    corners = outline.get_xydata()
+    np.testing.assert_array_equal(corners[0], corners[-1])
     np.testing.assert_allclose(corners.min(axis=0), [0, -0.25])
     np.testing.assert_allclose(corners.max(axis=0), [1, 0.25])
 
@@ -31,12 +35,18 @@ def test_each_region_says_its_share_and_how_even_it_is(axes):
     irradiance = np.full((32, 32), 0.25)
     irradiance[0] = 0.125
     marks.show_light(irradiance)
-    (text,) = marks.texts
-    assert text.get_text() == "Left: 49.2 % of the light, least / mean 0.51"
+    _, text = marks.artists
+    assert text.get_text() == "Left 49.2 %\nleast / mean 0.51"
 
 
 def test_without_regions_nothing_is_drawn(axes):
     marks = RegionMarks(axes, scene_with())
     marks.show_light(np.zeros((32, 32)))
-    assert not marks.texts
-    assert not axes.patches
+    assert not marks.artists
+
+
+def test_words_stay_readable_in_other_colours(axes):
+    _, text = RegionMarks(axes, scene_with({})).artists
+    paint(axes.figure, "white", "black")
+    assert text.get_color() == "white"
+    assert to_rgb(text.get_bbox_patch().get_facecolor()) == (0, 0, 0)
