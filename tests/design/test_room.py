@@ -5,7 +5,7 @@ import pytest
 
 from workbench.design.room import Room
 from workbench.design.run import run
-from workbench.design.shortfall import Shortfall
+from workbench.design.shortfall import Shortfall, wider_entrance
 
 FREE = {"lens.height_range": None, "lens.control_points": [24, 24]}
 
@@ -197,3 +197,12 @@ def test_a_run_whose_entrance_range_is_too_narrow_says_so(make_scene, corner):
     wide = {"lens.entrance": {"shape": "freeform", "height_range": [-0.1, 0.3]}}
     *_, last = run(make_scene(FREE | wide | {"run.iterations": 8}), np.ones((32, 32)))
     assert last.state.shortfall is None
+
+
+def test_a_wider_entrance_range_has_room_before_the_source_and_below_the_exit_face(make_scene):
+    assert wider_entrance(make_scene(FREE)) is None  # flat
+    assert wider_entrance(make_scene(FREE | ENTRANCE)) == pytest.approx((-0.2, 0.2))
+    near = {"source": {"kind": "point", "position": [0, 0, -0.16]}}
+    assert wider_entrance(make_scene(FREE | ENTRANCE | near)) == pytest.approx((-0.15, 0.15))
+    touching = {"source": {"kind": "point", "position": [0, 0, -0.105]}}
+    assert wider_entrance(make_scene(FREE | ENTRANCE | touching)) is None

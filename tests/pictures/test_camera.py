@@ -147,3 +147,15 @@ def test_the_first_fit_draws_nothing(plotter, make_scene, monkeypatch):
     monkeypatch.setattr(type(plotter), "render", lambda *_args, **_kw: drawn.append(1))
     FittedCamera(plotter, make_scene()).fit("")
     assert not drawn
+
+
+def test_a_mirror_is_seen_from_its_reflecting_side(plotter, make_scene):
+    mirror = {"half_width": [1, 1], "control_points": [8, 8]}
+    aside = {"z": -5.0, "half_width": [1, 1], "pixels": [32, 32], "center": [3.0, 0.0]}
+    scene = make_scene({"lens": None, "mirror": mirror, "screen": aside})
+    made, lens = FittedCamera(plotter, scene), FittedCamera(plotter, make_scene())
+    for view in ("", "lens"):
+        made.fit(view)
+        assert plotter.camera.direction[2] > 0.1  # it looks towards +z, as the light comes
+        lens.fit(view)
+        assert plotter.camera.direction[2] < -0.1

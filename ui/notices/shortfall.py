@@ -1,6 +1,7 @@
 """Says when the limits of the optic are too narrow for its task, and offers the cure."""
 
 from collections.abc import Callable
+from functools import partial
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
@@ -8,7 +9,7 @@ from PySide6.QtCore import QObject
 from ui.document.document import Document
 from ui.panels.edits import Edit, edited_scene
 from ui.widgets.message_bar import MessageBar, Offer
-from workbench.design.shortfall import Shortfall
+from workbench.design.shortfall import Shortfall, wider_entrance
 from workbench.files.session import Session
 
 if TYPE_CHECKING:
@@ -45,7 +46,7 @@ class ShortfallNotice(QObject):
         self._shown: Shortfall | None = None
         self._text = ""
         self._text_of_run = ""
-        self._stopped_to_widen = False
+        self._stopped_for: Shortfall | None = None
         control.runner.frame_ready.connect(self._look)
         control.ended.connect(self._end)
         document.session_changed.connect(self.follow)
@@ -58,16 +59,17 @@ class ShortfallNotice(QObject):
             return
         text = f"{self._sentence(shortfall)} The run goes on within these limits."
         self._text_of_run = text
-        offers = [("Stop and widen", self._stop_and_widen)] if self._helps(shortfall) else []
+        widen = partial(self._stop_and_widen, shortfall)
+        offers = [("Stop and widen", widen)] if self._wider(shortfall) else []
         self._say(text, *offers)
 
     def _end(self) -> None:
         # Its best lens lacks nothing, or that would stand there now.
         self._messages.withdraw(self._text_of_run)
         self._text_of_run = ""
-        if self._stopped_to_widen:
-            self._stopped_to_widen = False
-            self._widen()
+        if self._stopped_for is not None:
+            shortfall, self._stopped_for = self._stopped_for, None
+            self._widen(shortfall)
 
     def follow(self, session: Session) -> None:
         """Of the lens that is open; what was said of another one is withdrawn."""
@@ -80,16 +82,22 @@ class ShortfallNotice(QObject):
             self._say(self._sentence(shortfall), *self._offers(shortfall))
 
     def _offers(self, shortfall: Shortfall) -> list[Offer]:
-        if self._helps(shortfall):
-            return [("Widen", self._widen)]
+        if self._wider(shortfall):
+            return [("Widen", partial(self._widen, shortfall))]
         if shortfall.cause == "height_range":  # the next run takes a wider one by itself
             return [("Continue", self._go_on)]
         return []
 
-    def _helps(self, shortfall: Shortfall) -> bool:
-        """Whether another height range would help."""
-        explicit = self._document.session.scene.optic.height_range is not None
-        return explicit and shortfall.cause == "height_range"
+    def _wider(self, shortfall: Shortfall) -> Edit | None:
+        """The range that would help, if there is one."""
+        scene = self._document.session.scene
+        path = f"{scene.optic.called}.height_range"
+        if shortfall.cause == "height_range" and scene.optic.height_range is not None:
+            return Edit(path, "automatic height range", {path: None})
+        if shortfall.cause == "entrance_range" and (wider := wider_entrance(scene)) is not None:
+            path = "lens.entrance.height_range"
+            return Edit(path, "wider entrance range", {path: list(wider)})
+        return None
 
     def _sentence(self, shortfall: Shortfall) -> str:
         sentence = shortfall.sentence(self._document.session.scene)
@@ -98,21 +106,26 @@ class ShortfallNotice(QObject):
         cure = shortfall.cure
         return f"{sentence}. {cure[0].upper()}{cure[1:]}."
 
-    def _stop_and_widen(self) -> None:
-        self._stopped_to_widen = True
+    def _stop_and_widen(self, shortfall: Shortfall) -> None:
+        self._stopped_for = shortfall
         self._control.runner.stop()
 
-    def _widen(self) -> None:
-        """Leave the range to the task, and keep the lens."""
-        text = "automatic height range"
+    def _widen(self, shortfall: Shortfall) -> None:
+        """Leave the range to the task, or make that of the entrance face wider; keep the lens."""
+        edit = self._wider(shortfall)
+        if edit is None:  # the scene was edited meanwhile
+            return
         scene = self._document.session.scene
-        path = f"{scene.optic.called}.height_range"
-        self._document.edit(edited_scene(scene, [Edit(path, text, {path: None})]), text, "")
+        self._document.edit(edited_scene(scene, [edit]), edit.text, "")
+        scene = self._document.session.scene
+        said = "The height range follows from the task now"
+        if shortfall.cause == "entrance_range":
+            low, high = scene.optic.entrance_offsets
+            said = f"The entrance range is {low:.3g} to {high:.3g} {scene.unit} now"
         # From a lens that was cut off at its ends the way is long, and often does not lead as far.
         self._text = (
-            f"The height range follows from the task now, and the {scene.optic.called} is as it "
-            "was. Start over "
-            "mostly finds a better one than Continue does."
+            f"{said}, and the {scene.optic.called} is as it was. Start over mostly finds a better "
+            "one than Continue does."
         )
         self._messages.note(self._text, ("Start over", self._start_over), ("Continue", self._go_on))
 

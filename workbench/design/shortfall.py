@@ -3,10 +3,14 @@
 from dataclasses import dataclass, replace
 from typing import Literal
 
+from workbench.errors import Refused
 from workbench.scene import Scene
 
 Cause = Literal["height_range", "max_thickness", "min_thickness", "screen", "entrance_range"]
 Interval = tuple[float, float]
+
+# Entrance ranges that are tried, times the one before.
+_WIDER = 2.0, 1.5, 1.25, 1.1
 
 _CURES: dict[Cause, str] = {
     "height_range": "widen the height range, or leave it out",
@@ -78,6 +82,32 @@ class Shortfall:
     @property
     def _ends(self) -> str:
         return f"{100 * self.share:.0f} % of the control heights are at"
+
+
+def wider_entrance(scene: Scene) -> Interval | None:
+    """A wider range for the entrance face, to both sides of its middle, that the lens has room for.
+
+    Returns
+    -------
+    tuple of float, or None
+        Offsets from its place, twice as far apart or a little less; None where the range is
+        automatic, or source and exit face leave no room.
+    """
+    given = scene.optic.entrance.height_range
+    if given is None:
+        return None
+    middle, half = (given[1] + given[0]) / 2, (given[1] - given[0]) / 2
+    for times in _WIDER:
+        wider = middle - times * half, middle + times * half
+        try:
+            entrance = scene.optic.entrance.within(wider)
+            optic = scene.optic.model_copy(update={"entrance": entrance})
+            optic.check()
+            scene.with_optic(optic).check()
+        except Refused:
+            continue
+        return wider
+    return None
 
 
 def _times(interval: Interval, factor: float) -> Interval:

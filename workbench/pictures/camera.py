@@ -161,22 +161,26 @@ class FittedCamera:
         return space(self._scene)
 
     def _oblique(self, view: str) -> Array:
-        """Unit vector towards a camera beyond the exit face, beside the axis and above it.
+        """Unit vector towards a camera beside the axis and above it, where the light goes.
 
+        That is beyond the exit face of a lens, and before a mirror, whose back shows nothing.
         The longer the way of the light, the closer to the axis: it then looks about two and a half
         times as long as the widest of source, lens and screen, however long it is.
         """
+        onwards = self._scene.optic.onwards
         if view == "entrance":
-            return _direction(math.radians(180 - _LENS_AZIMUTH), math.radians(_ELEVATION))
+            return _direction(math.radians(_LENS_AZIMUTH), math.radians(_ELEVATION), -1)
         clear = self._clear_azimuth()
         if view == "lens":
-            return _direction(max(math.radians(_LENS_AZIMUTH), clear), math.radians(_ELEVATION))
+            azimuth = max(math.radians(_LENS_AZIMUTH), clear)
+            return _direction(azimuth, math.radians(_ELEVATION), onwards)
         low, high = space(self._scene).min(axis=0), space(self._scene).max(axis=0)
         length, width = high[2] - low[2], max(high[:2] - low[:2])
         azimuth = math.asin(min(math.sin(math.radians(_AZIMUTH)), 2.4 * width / length))
         azimuth = max(azimuth, min(clear, math.radians(_FLATTEST)))
         drop = 0.45 * width / (length * math.cos(azimuth))
-        return _direction(azimuth, math.asin(min(math.sin(math.radians(_ELEVATION)), drop)))
+        elevation = math.asin(min(math.sin(math.radians(_ELEVATION)), drop))
+        return _direction(azimuth, elevation, onwards)
 
     def _clear_azimuth(self) -> float:
         """Angle from the axis from which on the screen hides nothing of the lens, radians.
@@ -185,7 +189,8 @@ class FittedCamera:
         """
         places = _on_receiver(self._scene)
         wide = self._scene.optic.half_width[0] + float(np.abs(places[:, 0]).max())
-        across = math.atan2(wide, float(places[:, 2].min()) - self.top)
+        apart = self._scene.optic.onwards * (places[:, 2] - self.top)
+        across = math.atan2(wide, float(apart.min()))
         return min(across + math.radians(_CLEAR), math.pi / 2)
 
     def _stand(self, toward: Array, nearer: float = 0.0) -> None:
@@ -298,13 +303,16 @@ def _on_receiver(scene: Scene) -> Array:
     return np.concatenate([outline.reshape(-1, 3) for outline in outlines])
 
 
-def _direction(azimuth: float, elevation: float) -> Array:
-    """Unit vector at angles from the axis, to the left of it, and above it; radians."""
+def _direction(azimuth: float, elevation: float, along: int) -> Array:
+    """Unit vector at angles from the axis, to the left of it, and above it; radians.
+
+    ``along`` is 1 where that is the axis +z, -1 where it is -z.
+    """
     return np.array(
         [
             -math.sin(azimuth) * math.cos(elevation),
             math.sin(elevation),
-            math.cos(azimuth) * math.cos(elevation),
+            along * math.cos(azimuth) * math.cos(elevation),
         ]
     )
 

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+import numpy as np
 import pytest
 from PySide6.QtCore import QObject, Qt
 
@@ -10,6 +11,7 @@ from ui.notices.shortfall import ShortfallNotice
 from ui.run.control import RunControl
 from ui.widgets.message_bar import MessageBar
 from workbench.design.shortfall import Shortfall
+from workbench.geometry.faces import FaceArrays
 
 NARROW = Shortfall("height_range", (-2.2, 2.2), (-0.3, 0.3), 0.4)
 THIN = Shortfall("max_thickness", (0.1, 0.9), (0.1, 0.6), 0.4)
@@ -152,3 +154,25 @@ def test_a_narrow_entrance_range_is_said_with_its_cure(desk, qtbot):
         "in a wider one. Widen the entrance range."
     )
     assert offers(desk) == []
+
+
+def test_a_narrow_entrance_range_can_be_widened_keeping_the_lens(desk, as_run, make_scene, qtbot):
+    narrow = {"shape": "freeform", "control_points": [4, 4], "height_range": [-0.01, 0.02]}
+    short = Shortfall("entrance_range", None, (-0.01, 0.02), 0.9)
+
+    def run(scene, target, start=None, locked=None):
+        for shot in as_run(4)(scene, target, start, locked):
+            heights = FaceArrays({"entrance": np.zeros((4, 4)), **shot.state.heights})
+            yield replace(shot, state=replace(shot.state, heights=heights, shortfall=short))
+        return "all iterations are done"
+
+    desk.document.edit(make_scene({"lens.entrance": narrow}), "freeform entrance", "")
+    desk.control.runner._generate = run
+    design(desk, qtbot)
+    assert offers(desk) == ["Widen"]
+    press(desk, qtbot)
+    session = desk.document.session
+    assert session.scene.lens.entrance.height_range == pytest.approx((-0.025, 0.035))
+    assert set(session.start) == {"entrance", "exit"}  # its light is to be traced anew
+    assert desk.messages.text.startswith("The entrance range is -0.025 to 0.035 cm now, and the")
+    assert offers(desk) == ["Start over", "Continue"]
