@@ -79,9 +79,6 @@ def _between_faces(scene: "Scene") -> bool:
 
 
 _ONE_FACE = "a mirror has no other face"
-_SURFACE = (
-    "and the length over which it is alike: some micrometres over some millimetres when milled"
-)
 
 
 @dataclass(frozen=True)
@@ -112,19 +109,19 @@ class Tolerances:
 
     tilt: float = _tolerance(
         "Tilt",
-        "Largest angle between {optic} and optical axis; all within it are alike probable",
+        "Largest angle between {optic} and optical axis",
         "tilt up to",
         "degrees",
     )
     decentre: float = _tolerance(
         "Decentre",
-        "Largest distance of the {optic} from the optical axis",
+        "Largest distance of the {optic} from the axis",
         "decentre up to",
         "length",
     )
     exit_tilt: float = _tolerance(
         "Exit tilt",
-        "Largest angle by which the exit face is turned about its middle against the entrance face",
+        "Largest tilt of the exit face against the entrance",
         "exit face tilted by up to",
         "degrees",
         there=_between_faces,
@@ -132,7 +129,7 @@ class Tolerances:
     )
     exit_decentre: float = _tolerance(
         "Exit decentre",
-        "Largest distance by which the exit face is beside its place over the entrance face",
+        "Largest shift of the exit face over the entrance",
         "exit face decentred by up to",
         "length",
         there=_between_faces,
@@ -156,7 +153,7 @@ class Tolerances:
     )
     source_tilt: float = _tolerance(
         "Source tilt",
-        "Largest angle by which the source is turned about its middle",
+        "Largest tilt of the source about its middle",
         "source tilt up to",
         "degrees",
         there=lambda scene: scene.source.turns,
@@ -164,7 +161,7 @@ class Tolerances:
     )
     source_shift: float = _tolerance(
         "Source shift",
-        "Largest distance of the source from its place, in any direction",
+        "Largest shift of the source, in any direction",
         "source shift up to",
         "length",
         there=lambda scene: scene.source.moves,
@@ -172,14 +169,15 @@ class Tolerances:
     )
     surface: tuple[float, float] = _tolerance(
         "Surface",
-        f"Root mean square of the error of the exit face, or of the mirror, {_SURFACE}",
+        "Root mean square of the error of the exit face, or of the mirror, and the length over "
+        "which it is alike: some micrometres over some millimetres when milled",
         "surface error, RMS",
         "length",
         default=(0.0, 1.0),
     )
     entrance_surface: tuple[float, float] = _tolerance(
         "Entrance surface",
-        f"Root mean square of the error of the entrance face, {_SURFACE}",
+        "The same two of the entrance face",
         "surface error of the entrance face, RMS",
         "length",
         default=(0.0, 1.0),
