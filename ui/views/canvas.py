@@ -12,20 +12,33 @@
 5. A narrow image goes without the names of its upright axis and of its colour bar: the other axis
    has the same unit, and the value under the pointer says that of the light. Files have all names.
 6. Drawing and painting happen before `show_changes` returns, so that their cost can be measured.
+7. A new size is drawn when it is painted. Of several canvases that get one together, as docks that
+   are opened, one is drawn in a turn of the event loop; the others show what they had, stretched.
 """
 
 import math
 from collections.abc import Sequence
 from typing import Any, BinaryIO
 
+import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_qtagg import FigureCanvasQTAgg
 from matplotlib.figure import Figure
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QFocusEvent, QKeyEvent, QPainter, QPaintEvent, QPen, QResizeEvent
+from PySide6.QtGui import (
+    QFocusEvent,
+    QHideEvent,
+    QImage,
+    QKeyEvent,
+    QPainter,
+    QPaintEvent,
+    QPen,
+    QResizeEvent,
+)
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
+from ui.views.drawing_queue import drawing_queue
 from workbench.pictures.style import paint
 
 # Logical pixels for tick labels and names; powers of ten are wider than the ticks of an image.
@@ -60,6 +73,7 @@ class Canvas(FigureCanvasQTAgg):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self._artists: Sequence[Artist] = ()
         self._background: Any = None
+        self._stale = False
         self.recolour()  # no white sheet before the first picture
 
     @property
@@ -109,8 +123,20 @@ class Canvas(FigureCanvasQTAgg):
         paint(self.figure, palette.windowText().color().name(), palette.window().color().name())
         self._background = None
 
+    def draw_idle(self) -> None:
+        """Draw before the next painting."""
+        self._stale = True
+        self.update()
+
+    def draw_now(self) -> None:
+        """Draw, unless that was done while others were drawn."""
+        if self._stale:
+            self.draw()
+            self.repaint()
+
     def draw(self) -> None:
         """Draw everything and keep all but the artists as the background."""
+        self._stale = False
         self._name_axes(not self._narrow)
         for _ in range(_TRIES):
             super().draw()
@@ -143,17 +169,37 @@ class Canvas(FigureCanvasQTAgg):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         """Frame the figure while the keyboard works on it."""
-        super().paintEvent(event)
+        if self._stale and drawing_queue().may_draw(self):
+            self.draw()
+        if self._stale:
+            self._paint_stretched()
+        else:
+            super().paintEvent(event)
         if self.hasFocus():
             painter = QPainter(self)
             painter.setPen(QPen(self.palette().highlight().color(), 1))
             painter.drawRect(self.rect().adjusted(0, 0, -1, -1))
             painter.end()
 
+    def hideEvent(self, event: QHideEvent) -> None:
+        """Do not draw while hidden."""
+        drawing_queue().leave(self)
+        super().hideEvent(event)
+
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Place the axes anew; also sent when the device pixel ratio changes."""
         super().resizeEvent(event)
         self._place()
+
+    def _paint_stretched(self) -> None:
+        """Paint the figure as it was drawn for another size, if it was."""
+        painter = QPainter(self)
+        painter.fillRect(self.rect(), self.palette().window())
+        if hasattr(self, "renderer"):
+            pixels = np.asarray(self.renderer.buffer_rgba())
+            (height, width, _), kind = pixels.shape, QImage.Format.Format_RGBA8888
+            painter.drawImage(self.rect(), QImage(pixels.data, width, height, kind))
+        painter.end()
 
     def _place(self) -> None:
         width, height = max(self.width(), 1), max(self.height(), 1)

@@ -34,7 +34,7 @@ class DrawingQueue(QObject):
         super().__init__(parent)
         self._waiting: OrderedDict[int, Drawer] = OrderedDict()
         self._rested_at = 0.0
-        self._hurried = False
+        self._hurried = self._drawn = False
         self._timer = QTimer(self, singleShot=True)
         self._timer.timeout.connect(self._next)
 
@@ -49,9 +49,21 @@ class DrawingQueue(QObject):
         if not self._waiting:
             self._timer.stop()
 
+    def may_draw(self, drawer: Drawer) -> bool:
+        """Whether it may draw at once; if others did in this turn of the loop, it has to wait."""
+        if self._drawn:
+            self.ask(drawer)
+            return False
+        self._drawn = True
+        QTimer.singleShot(0, self, self._end_turn)
+        return True
+
     def hurry(self, hurried: bool) -> None:
         """Draw without rest, or with it again."""
         self._hurried = hurried
+
+    def _end_turn(self) -> None:
+        self._drawn = False
 
     def _next(self) -> None:
         _, drawer = self._waiting.popitem(last=False)

@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QColor, QPalette, QWheelEvent
-from PySide6.QtWidgets import QApplication, QMainWindow, QTabWidget
+from PySide6.QtWidgets import QApplication, QHBoxLayout, QMainWindow, QTabWidget, QWidget
 
 from tests.accounts import account_of
+from ui.views.canvas import Canvas
 from ui.views.drawing_queue import DrawingQueue, drawing_queue
 from ui.views.error_view import ErrorView
 from ui.views.irradiance_view import IrradianceView
@@ -200,6 +201,26 @@ def test_a_view_that_fails_does_not_keep_others_from_drawing(qapp, qtbot):
 
 def test_there_is_one_queue(qapp):
     assert drawing_queue() is drawing_queue()
+
+
+def test_pictures_of_a_new_size_are_drawn_in_several_turns(frame, show, draws, qtbot, monkeypatch):
+    window = QWidget()
+    row = QHBoxLayout(window)
+    views = [IrradianceView(), IrradianceView(), IrradianceView()]
+    for view in views:
+        row.addWidget(view)
+        view.show_frame(frame(1))
+    show(window, 900, 250)
+    qtbot.waitUntil(lambda: draws.get(IrradianceView) == 3)
+    qtbot.waitUntil(lambda: not any(view._canvas._stale for view in views))
+    full, drawn = Canvas.draw, []
+    monkeypatch.setattr(Canvas, "draw", lambda self: (drawn.append(self), full(self)))
+    window.resize(1200, 300)
+    seen = [grabbed(view) for view in views]  # which paints them
+    assert len(drawn) == 1
+    assert all(len(np.unique(each.reshape(-1, 3), axis=0)) > 100 for each in seen)
+    qtbot.waitUntil(lambda: set(drawn) == {view._canvas for view in views})
+    assert len(drawn) == 3
 
 
 # In three dimensions.
