@@ -7,7 +7,7 @@ from tests.analysis.lenses import net_of
 from tests.lamps import PLATE, led
 from workbench.analysis import independent
 from workbench.analysis.cells import image
-from workbench.analysis.cells.lattice import Lattice
+from workbench.analysis.cells.lattice import CellLattice
 from workbench.analysis.independent import tracing_independently
 from workbench.analysis.metrics import relative_l2
 from workbench.analysis.scatter import Unscattered
@@ -71,7 +71,7 @@ def test_more_rays_are_followed_until_the_error_is_exact(lens, target, monkeypat
 
 def test_it_has_the_error_of_an_emitter_close_by_where_cells_do_not(lens, target, monkeypatch):
     train = OpticalTrain.of(lens[0], lens[1], 1, 0, Pose(), [lens[0].receiver])
-    fine = Lattice(lens[0], train.lit_by(train.source.finer(2)), (70, 70))
+    fine = CellLattice(lens[0], train.lit_by(train.source.finer(2)), (70, 70))
     error = relative_l2(finished(fine.tracing()), target)
     monkeypatch.setattr(image, "_BEGIN", 1 << 19)
     monkeypatch.setattr(independent, "_BEGIN", 1 << 19)

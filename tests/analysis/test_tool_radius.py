@@ -5,7 +5,7 @@ import pytest
 
 from tests.analysis.test_manufacture import ball, lens_of
 from workbench.analysis.manufacture import manufacture
-from workbench.analysis.tool_radius import Face, blocked_radius
+from workbench.analysis.tool_radius import GridFace, blocked_radius
 
 RADIUS = 4.0
 
@@ -59,7 +59,7 @@ def profile(z, slope, x):
     """A profile as a face that is the same along y."""
     y = np.linspace(0, 0.1, 3)
     fields = (np.broadcast_to(each[:, None], (len(x), 3)) for each in (z, slope, 0 * x))
-    return Face(x, y, *fields)
+    return GridFace(x, y, *fields)
 
 
 def test_a_wall_far_away_is_in_the_way_of_a_large_ball():

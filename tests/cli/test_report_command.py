@@ -24,7 +24,7 @@ from workbench.design.session import VerifiedError
 from workbench.design.snapshot import Result
 from workbench.files.session import KeptRun, Session, write_session
 from workbench.geometry.faces import FaceArrays
-from workbench.report.content import Picture, Report, Row, Section
+from workbench.report.content import Fact, PagePicture, Report, Section
 from workbench.report.pdf import write_pdf
 from workbench.scene import Scene
 from workbench.targets import load_target
@@ -220,8 +220,8 @@ class TestPdf:
             axes = figure.subplots()
             figure.colorbar(axes.imshow(np.eye(3)), label="irradiance")
 
-        rows = tuple(Row(f"row {n}", "value") for n in range(40))
-        sections = (Section("All", rows, (Picture("An image", draw, 4.0),), note="why " * 50),)
+        rows = tuple(Fact(f"row {n}", "value") for n in range(40))
+        sections = (Section("All", rows, (PagePicture("An image", draw, 4.0),), note="why " * 50),)
         written = []
         for _ in range(3):
             file = io.BytesIO()
@@ -232,7 +232,7 @@ class TestPdf:
 
     def test_long_texts_stay_on_their_pages(self, tmp_path):
         pypdf = pytest.importorskip("pypdf")
-        rows = tuple(Row(f"row{n}", f"value{n} " + "long " * 30) for n in range(60))
+        rows = tuple(Fact(f"row{n}", f"value{n} " + "long " * 30) for n in range(60))
         with (tmp_path / "long.pdf").open("wb") as file:
             write_pdf(
                 Report("Long", "below", DAY, (Section("All", rows, note="why " * 200),)), file

@@ -6,7 +6,7 @@ import torch
 from hypothesis import given
 from hypothesis import strategies as st
 
-from workbench.optics.glass import Glass
+from workbench.optics.glass import FlatGlass
 from workbench.optics.transmittance import TransmittanceLaw
 
 DTYPES = [torch.float32, torch.float64]
@@ -29,7 +29,7 @@ def forward(glass_index, distance, enters, depth):
 def test_the_inverse_map_agrees_with_the_forward_map(dtype, distance, index, depth, enters):
     radius = forward(index, distance, enters, depth)
     radius2 = torch.tensor([radius**2], dtype=dtype)
-    light = Glass(distance, TransmittanceLaw.schlick(1 / index), False).light(
+    light = FlatGlass(distance, TransmittanceLaw.schlick(1 / index), False).light(
         radius2, torch.tensor([depth], dtype=dtype)
     )
     found = light.part.item() * radius
@@ -52,7 +52,7 @@ def test_light_is_conserved_from_plane_to_plane(distance, lambertian):
     rise = (ahead - behind) / 2e-5
     cos = distance / np.hypot(distance, enters)
     at_face = cos ** (4 if lambertian else 3) * 0.96 * (1 - (1 - cos) ** 5)
-    light = Glass(distance, LAW, lambertian).light(
+    light = FlatGlass(distance, LAW, lambertian).light(
         torch.as_tensor(radius**2), torch.full((200,), 0.7, dtype=torch.float64)
     )
     expected = at_face * enters / (radius * rise)
@@ -64,14 +64,14 @@ def test_derivatives_by_the_depth(distance):
     generator = torch.Generator().manual_seed(1)
     radius2 = torch.rand(50, generator=generator, dtype=torch.float64) * 4
     depth = torch.rand(50, generator=generator, dtype=torch.float64) + 0.1
-    glass = Glass(distance, LAW, True)
+    glass = FlatGlass(distance, LAW, True)
     assert torch.autograd.gradcheck(
         lambda t: tuple(glass.light(radius2, t)), depth.requires_grad_(), eps=1e-7
     )
 
 
 def test_a_deeper_lens_gets_the_steps_that_it_needs():
-    far, near = Glass(5.0, LAW, False), Glass(1e-6, LAW, False)
+    far, near = FlatGlass(5.0, LAW, False), FlatGlass(1e-6, LAW, False)
     assert far.steps(1.5, 0.5, torch.float32) == 1
     assert far.steps(1.5, 0.5, torch.float64) == 2
     assert near.steps(1.5, 0.5, torch.float64) > far.steps(50.0, 50.0, torch.float64) > 2

@@ -13,7 +13,7 @@ from workbench.optics.interfaces import Passed, Refraction
 from workbench.optics.path import Path
 from workbench.optics.rays import RayBundle
 from workbench.optics.receivers import PlaneReceiver
-from workbench.optics.steps import Step
+from workbench.optics.steps import FaceStep
 from workbench.optics.surfaces import Plane
 from workbench.optics.transmittance import TransmittanceLaw
 
@@ -62,7 +62,7 @@ def test_light_beside_the_first_face_is_named_as_that_face_says(make_scene):
     path = Path(
         Given(bundle([[0.5, 0, -2], [3, 0, -2]], [[0, 0, 1], [0, 0, 1]], [0.5, 0.5])),
         [
-            Step(
+            FaceStep(
                 plate, Refraction(TransmittanceLaw.schlick(1 / INDEX), "front_reflection"), "beside"
             )
         ],
@@ -86,7 +86,7 @@ def test_a_plate_in_pieces_is_the_plate(make_scene, source):
     net = ControlNet.of(scene.lens)
     whole = Path.of(scene, net, torch.float64)
     between = [
-        Step(Plane(f"inner {z}", z - whole.datum, Rectangle((9.0, 9.0))), Unchanged(), "aside")
+        FaceStep(Plane(f"inner {z}", z - whole.datum, Rectangle((9.0, 9.0))), Unchanged(), "aside")
         for z in (0.1, 0.2)
     ]
     entrance, *rest = whole.steps

@@ -4,7 +4,7 @@ from matplotlib.figure import Figure
 
 from workbench.pictures.data import shown_data
 from workbench.pictures.images import IrradianceImage
-from workbench.pictures.loss import Course, LossPicture
+from workbench.pictures.loss import LossCourse, LossPicture
 from workbench.pictures.section import SectionCurves, cut_through
 from workbench.pictures.surface import ASPECTS, SurfaceImage
 
@@ -59,7 +59,7 @@ def test_curves_of_the_same_places_share_them(scene, figure, rng):
 
 def test_runs_of_any_length_are_copied_without_decoration(figure):
     picture = LossPicture(figure.subplots())
-    picture.compare([Course("other, coarse", np.array([5.0, 4.0, 3.0]), np.ones(3))])
+    picture.compare([LossCourse("other, coarse", np.array([5.0, 4.0, 3.0]), np.ones(3))])
     picture.update(np.array([2.0, 1.0]), 5, stage_starts=(1,))
     columns = shown_data(figure)
     names = ["iteration", "this run: loss", "iteration", "other, coarse: loss"]

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
-from workbench.pictures.loss import Course, LossPicture, Verified
+from workbench.pictures.loss import LossCourse, LossPicture, Verified
 
 
 @pytest.fixture
@@ -75,7 +75,7 @@ def test_an_even_y_axis_begins_at_nothing(axes):
 
 def test_other_runs_differ_by_dashes_and_fit_in_the_limits(axes):
     picture = LossPicture(axes)
-    one = Course("coarse net", np.array([9.0, 4.0, 0.3]), np.array([1.0, 2.0, 3.0]))
+    one = LossCourse("coarse net", np.array([9.0, 4.0, 0.3]), np.array([1.0, 2.0, 3.0]))
     picture.compare([one, one._replace(name="fine net")])
     picture.update(np.array([3.0, 2.0]), 2)
     assert axes.get_xlim() == (0, 3)
@@ -93,7 +93,7 @@ def test_other_runs_differ_by_dashes_and_fit_in_the_limits(axes):
 def test_names_that_have_no_room_are_left_out():
     low = Figure(figsize=(2.2, 1.2)).subplots()
     picture = LossPicture(low)
-    picture.compare([Course(f"run {k}", np.ones(2), np.ones(2)) for k in range(6)])
+    picture.compare([LossCourse(f"run {k}", np.ones(2), np.ones(2)) for k in range(6)])
     assert low.get_legend() is None
     low.get_figure().set_size_inches(8, 4)
     assert picture.update(np.ones(2), 2) is True

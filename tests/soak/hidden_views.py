@@ -27,7 +27,7 @@ from ui.document.document import Document
 from ui.main_window import MainWindow
 from ui.views.view import View
 from workbench.analysis.benchmark.machine import Machine
-from workbench.analysis.benchmark.table import Column, Table
+from workbench.analysis.benchmark.table import Table, TableColumn
 from workbench.analysis.kernels import compile_all
 from workbench.files.session import Session, open_design
 
@@ -85,22 +85,22 @@ class DragRow:
 
 
 _COLUMNS = (
-    Column("seen", "seen of the run"),
-    Column("pace", "iterations/s", ".0f"),
-    Column("pace_ratio", "times as many", ".2f"),
-    Column("cost_ms", "CPU for each, in all (ms)", ".1f"),
-    Column("cost_ratio", "times as much", ".2f"),
-    Column("share", "CPU of the window's thread", ".1%"),
-    Column("share_ratio", "times as much", ".2f"),
-    Column("p99_ms", "event loop, 99th percentile (ms)", ".0f"),
-    Column("longest_ms", "longest (ms)", ".0f"),
+    TableColumn("seen", "seen of the run"),
+    TableColumn("pace", "iterations/s", ".0f"),
+    TableColumn("pace_ratio", "times as many", ".2f"),
+    TableColumn("cost_ms", "CPU for each, in all (ms)", ".1f"),
+    TableColumn("cost_ratio", "times as much", ".2f"),
+    TableColumn("share", "CPU of the window's thread", ".1%"),
+    TableColumn("share_ratio", "times as much", ".2f"),
+    TableColumn("p99_ms", "event loop, 99th percentile (ms)", ".0f"),
+    TableColumn("longest_ms", "longest (ms)", ".0f"),
 )
 _DRAG_COLUMNS = (
-    Column("seen", "seen"),
-    Column("frames", "pictures/s", ".1f"),
-    Column("cpu_ms", "CPU of the window's thread for each (ms)", ".0f"),
-    Column("p99_ms", "event loop, 99th percentile (ms)", ".0f"),
-    Column("longest_ms", "longest (ms)", ".0f"),
+    TableColumn("seen", "seen"),
+    TableColumn("frames", "pictures/s", ".1f"),
+    TableColumn("cpu_ms", "CPU of the window's thread for each (ms)", ".0f"),
+    TableColumn("p99_ms", "event loop, 99th percentile (ms)", ".0f"),
+    TableColumn("longest_ms", "longest (ms)", ".0f"),
 )
 
 

@@ -24,7 +24,7 @@ from ui import app
 from ui.document.document import Document
 from ui.main_window import MainWindow
 from workbench.analysis.benchmark.machine import Machine
-from workbench.analysis.benchmark.table import Column, Table
+from workbench.analysis.benchmark.table import Table, TableColumn
 from workbench.analysis.kernels import compile_all
 from workbench.design.loss import relative_error
 from workbench.files.session import open_design
@@ -59,21 +59,21 @@ class DragRow:
 
 
 _COLUMNS = (
-    Column("edits", "edits"),
-    Column("count", "number", "d"),
-    Column("first", "first lens, median (s)", ".2f"),
-    Column("first_worst", "at worst (s)", ".2f"),
-    Column("error", "its error, median", ".1%"),
-    Column("good", "good enough, median (s)"),
-    Column("p99_ms", "event loop, 99th percentile (ms)", ".0f"),
-    Column("longest_ms", "longest (ms)", ".0f"),
+    TableColumn("edits", "edits"),
+    TableColumn("count", "number", "d"),
+    TableColumn("first", "first lens, median (s)", ".2f"),
+    TableColumn("first_worst", "at worst (s)", ".2f"),
+    TableColumn("error", "its error, median", ".1%"),
+    TableColumn("good", "good enough, median (s)"),
+    TableColumn("p99_ms", "event loop, 99th percentile (ms)", ".0f"),
+    TableColumn("longest_ms", "longest (ms)", ".0f"),
 )
 _DRAG_COLUMNS = (
-    Column("example", "dragged"),
-    Column("lenses", "tasks with a lens seen, each second", ".1f"),
-    Column("rest", "lens of the last task after letting go (s)", ".2f"),
-    Column("p99_ms", "event loop, 99th percentile (ms)", ".0f"),
-    Column("longest_ms", "longest (ms)", ".0f"),
+    TableColumn("example", "dragged"),
+    TableColumn("lenses", "tasks with a lens seen, each second", ".1f"),
+    TableColumn("rest", "lens of the last task after letting go (s)", ".2f"),
+    TableColumn("p99_ms", "event loop, 99th percentile (ms)", ".0f"),
+    TableColumn("longest_ms", "longest (ms)", ".0f"),
 )
 
 

@@ -19,7 +19,7 @@ from workbench.sweep.processes import Processes
 from workbench.sweep.store import Store
 from workbench.sweep.sweep import sweep
 from workbench.sweep.vary import Variation
-from workbench.sweep.work import Done, Failed, Task, attempt
+from workbench.sweep.work import DesignTask, Done, Failed, attempt
 
 RAYS = 10_000
 CHECK = {
@@ -222,7 +222,7 @@ class TestWorkers:
     @pytest.fixture
     def task(self, make_scene):
         scene = make_scene({"run": {"method": "paper", "iterations": 1}})
-        return Task(scene, np.ones((32, 32)), RAYS)
+        return DesignTask(scene, np.ones((32, 32)), RAYS)
 
     def test_every_failure_is_reported(self, task):
         assert attempt(task._replace(target=np.zeros((3, 3)))).reason.startswith("unexpected ")

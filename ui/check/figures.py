@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from workbench.analysis.validation import Validation
-    from workbench.report.content import Row
+    from workbench.report.content import Fact
     from workbench.scene import AnyReceiver
 
 _CHOICES = (1_000_000, 4_000_000, 16_000_000, 64_000_000)
@@ -159,7 +159,7 @@ class CheckFigures(QWidget):
                 for image, own in zip(found.further, lens.further, strict=True)
             ),
         ]
-        rows: list[Row] = []
+        rows: list[Fact] = []
         tips: list[str] = []
         receivers = lens.session.scene.receivers
         for number, (image, off, receiver) in enumerate(
@@ -198,7 +198,7 @@ class CheckFigures(QWidget):
         assert item is not None  # each row is filled
         return item.text()
 
-    def _fill(self, rows: "Sequence[Row]", tips: "Sequence[str]") -> None:
+    def _fill(self, rows: "Sequence[Fact]", tips: "Sequence[str]") -> None:
         self._table.setRowCount(len(rows))
         for number, (row, tip) in enumerate(zip(rows, tips, strict=True)):
             for column, text in enumerate((row.name[:1].upper() + row.name[1:], row.value)):
@@ -213,7 +213,7 @@ class CheckFigures(QWidget):
 
 def _rows_of(
     found: "Validation", difference: float, receiver: "AnyReceiver"
-) -> "list[tuple[Row, str]]":
+) -> "list[tuple[Fact, str]]":
     """What a check says of an image, and what explains it."""
     # Late: what it stands on is slow to import, and is there after a check.
     from workbench.optics.account import words_for

@@ -31,7 +31,7 @@ _STEPS: dict[int, tuple[int, int, int]] = {
 
 
 @dataclass
-class _Drag:
+class _SourceDrag:
     before: Source
     handle: Handle
     at: Pointer | None  # None with a key
@@ -72,7 +72,7 @@ class MoveSource(QObject):
     ) -> None:
         super().__init__(parent)
         self._view, self._source = view, source
-        self._drag: _Drag | None = None
+        self._drag: _SourceDrag | None = None
 
     @property
     def hint(self) -> str:
@@ -143,10 +143,10 @@ class MoveSource(QObject):
     def _begin(self, handle: Handle, at: Pointer | None = None) -> None:
         source = self._source()
         if source is not None:
-            self._drag = _Drag(source, handle, at, np.zeros(3))
+            self._drag = _SourceDrag(source, handle, at, np.zeros(3))
             self.begun.emit()
 
-    def _move(self, drag: _Drag, by: Array, fine: bool) -> None:
+    def _move(self, drag: _SourceDrag, by: Array, fine: bool) -> None:
         optic = self._view.optic
         if optic is not None:
             drag.by = drag.by + by * (_FINE if fine else 1.0)

@@ -29,7 +29,7 @@ _RISES: dict[int, int] = {Qt.Key.Key_PageUp: 1, Qt.Key.Key_PageDown: -1}
 
 
 @dataclass
-class _Drag:
+class _ControlDrag:
     heights: "ControlHeights"  # before
     face: str
     stroke: Stroke
@@ -73,7 +73,7 @@ class Sculpt(BrushTool):
     ) -> None:
         super().__init__(view, brush, parent)
         self._heights = heights
-        self._drag: _Drag | None = None
+        self._drag: _ControlDrag | None = None
 
     @property
     def hint(self) -> str:
@@ -138,15 +138,15 @@ class Sculpt(BrushTool):
             return
         stroke = Stroke(optic, face, heights[face], nets.locked, index, self._brush.radius)
         if stroke.moves:
-            self._drag = _Drag(heights, face, stroke, net.places[index].copy(), at)
+            self._drag = _ControlDrag(heights, face, stroke, net.places[index].copy(), at)
         else:
             self.refused.emit("All control points in the brush are locked; unlock some first.")
 
-    def _raise(self, drag: _Drag, by: float, fine: bool) -> None:
+    def _raise(self, drag: _ControlDrag, by: float, fine: bool) -> None:
         drag.rise += by * (_FINE if fine else 1.0)
         self._shape(drag, drag.rise, settled=False)
 
-    def _shape(self, drag: _Drag, rise: float, *, settled: bool) -> None:
+    def _shape(self, drag: _ControlDrag, rise: float, *, settled: bool) -> None:
         shaped = FaceArrays({**drag.heights, drag.face: drag.stroke.raised(rise)})
         self.shaped.emit(shaped, settled)
 

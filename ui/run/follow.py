@@ -19,7 +19,7 @@ from PySide6.QtCore import QObject, QTimer, Signal
 from ui.document.document import Document
 from ui.run.control import RunControl
 from ui.run.kept import with_followed
-from ui.run.worker import Job, work
+from ui.run.worker import RunJob, work
 from ui.threads.background import Background
 from ui.threads.cores import leave_core_for_window
 from ui.threads.failure import sentence_of
@@ -51,7 +51,7 @@ class _Design:
     ----------
     session : Session
         The task.
-    job : Job
+    job : RunJob
         What the thread does.
     own_step : bool
         Whether its lens is a step of its own: it follows no edit.
@@ -62,7 +62,7 @@ class _Design:
     """
 
     session: "Session"
-    job: Job
+    job: RunJob
     own_step: bool = False
     patient: bool = False
     has_lens: bool = False
@@ -208,7 +208,7 @@ class Follow(QObject):
             return
         self._chain = True
         self._wanted, self._control.followed = session, True
-        job = Job(session, generate=lambda *_: self._snapshots(session, goes_on))
+        job = RunJob(session, generate=lambda *_: self._snapshots(session, goes_on))
         self._next = _Design(session, job, own_step, patient)
         self._background.begin(partial(work, job), self._next)
         if self._design is None:

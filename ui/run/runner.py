@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from ui.run.worker import Generate, Job, work
+from ui.run.worker import Generate, RunJob, work
 from ui.threads.background import Background
 from ui.threads.failure import sentence_of
 from workbench.design.snapshot import Result
@@ -59,7 +59,7 @@ class Runner(QObject):
         self._generate = generate
         self._state = "idle"
         self._waiting = False
-        self._job: Job | None = None
+        self._job: RunJob | None = None
         self._best: Result | None = None
         self._background = Background("run", self)
         self._background.progressed.connect(self._wait)
@@ -95,13 +95,13 @@ class Runner(QObject):
         """
         if self._state != "idle":
             raise RuntimeError(f"cannot start a run while one is {self._state}")
-        self._give(Job(session, continue_run=continue_run, generate=self._generate))
+        self._give(RunJob(session, continue_run=continue_run, generate=self._generate))
         self._set_state("running")
 
     def preview(self, session: "Session") -> None:
         """Show the lens as it stands: with its stored figures, or those of a first trace."""
         if self._state == "idle":
-            self._give(Job(session, preview=True, generate=self._generate))
+            self._give(RunJob(session, preview=True, generate=self._generate))
 
     def show(self, frame: "Frame") -> None:
         """Show a frame that was made elsewhere, in place of a preview."""
@@ -133,7 +133,7 @@ class Runner(QObject):
         self._background.close()
         self._set_state("idle")
 
-    def _give(self, job: Job) -> None:
+    def _give(self, job: RunJob) -> None:
         self._drop_job()
         self._job = job
         self._timer.start()
@@ -157,7 +157,7 @@ class Runner(QObject):
             self._set_waiting(False)
             self.frame_ready.emit(frame)
 
-    def _end(self, job: Job, error: Exception | None) -> None:
+    def _end(self, job: RunJob, error: Exception | None) -> None:
         self._take_frame()
         self._drop_job()
         self._set_state("idle")

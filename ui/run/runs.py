@@ -14,7 +14,7 @@ from ui.run.run_check import RunCheck
 from ui.run.table import RunTable
 from workbench.errors import Refused
 from workbench.files.session import KeptRun
-from workbench.pictures.loss import Course
+from workbench.pictures.loss import LossCourse
 
 if TYPE_CHECKING:
     from workbench.analysis.validation import Validation
@@ -36,7 +36,7 @@ class Runs(QObject):
         For a dock.
     check : RunCheck
         Of the run that goes on.
-    compared : Signal(list of Course)
+    compared : Signal(list of LossCourse)
         Other runs shall be drawn beside this one.
     refused : Signal(str)
         Why something was not done.
@@ -113,7 +113,7 @@ class Runs(QObject):
         if runs != self._drawn:
             self._drawn = runs
             self.compared.emit(
-                [Course(run.name, run.result.losses, run.result.times()) for run in runs]
+                [LossCourse(run.name, run.result.losses, run.result.times()) for run in runs]
             )
 
     def _rename(self, run: KeptRun, name: str) -> None:

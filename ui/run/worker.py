@@ -70,7 +70,7 @@ class Gate:
 
 
 @dataclass(frozen=True, eq=False)
-class Job:
+class RunJob:
     """One task for the worker.
 
     Attributes
@@ -105,7 +105,7 @@ class Job:
         object.__setattr__(self, "history", History(earlier))
 
 
-def work(job: Job, task: Task) -> None:
+def work(job: RunJob, task: Task) -> None:
     """Do a job; meant for a thread. Reports that it has to wait for what it traces with."""
     if job.preview:
         _show(job)
@@ -113,7 +113,7 @@ def work(job: Job, task: Task) -> None:
         _run(job, task)
 
 
-def _run(job: Job, task: Task) -> None:
+def _run(job: RunJob, task: Task) -> None:
     gate, unseen = job.gate, None
     if job.generate is None and not _ready():
         task.report("waits")
@@ -133,7 +133,7 @@ def _run(job: Job, task: Task) -> None:
             _post(job, unseen)
 
 
-def _show(job: Job) -> None:
+def _show(job: RunJob) -> None:
     result = job.session.result
     if job.gate.stopped:
         return
@@ -151,7 +151,7 @@ def _show(job: Job) -> None:
     job.mailbox.put(make_frame(job.session, snapshot, History(result)))
 
 
-def _snapshots(job: Job) -> Generator[Snapshot, None, str]:
+def _snapshots(job: RunJob) -> Generator[Snapshot, None, str]:
     # A preview of a lens without figures of this task is the first one of a run from there, and
     # locked control points are those of the lens that is there, however the run begins.
     session, locked = job.session, job.session.locked
@@ -161,7 +161,7 @@ def _snapshots(job: Job) -> Generator[Snapshot, None, str]:
     return (yield from generate(session.scene, session.target, start, locked))
 
 
-def _post(job: Job, snapshot: Snapshot) -> None:
+def _post(job: RunJob, snapshot: Snapshot) -> None:
     """Leave a frame of a run, after the best lens up to it: whoever sees the one has the other."""
     best = job.history.result()
     if best is not None:

@@ -20,7 +20,7 @@ _COURSES = 2  # as large as that are kept
 
 
 @dataclass
-class _Kept:
+class _KeptCourse:
     """The course that led to a result, told by the result's loss curve."""
 
     losses: weakref.ref[Array]
@@ -52,7 +52,7 @@ class FrameHistory(QObject):
         self._frames: list[Frame] = []
         self._gap = 1  # iterations between frames, at least
         self._checks: tuple[Verified, ...] = ()
-        self._kept: list[_Kept] = []
+        self._kept: list[_KeptCourse] = []
 
     @property
     def frames(self) -> "Sequence[Frame]":
@@ -117,13 +117,13 @@ class FrameHistory(QObject):
             self._gap = 1 if kept is None else kept.gap
             self.changed.emit()
 
-    def _of(self, result: Result) -> _Kept | None:
+    def _of(self, result: Result) -> _KeptCourse | None:
         return next((kept for kept in self._kept if kept.losses() is result.losses), None)
 
     def _keep(
         self, losses: Array, frames: "tuple[Frame, ...]", checks: "tuple[Verified, ...]"
     ) -> None:
-        self._kept.append(_Kept(weakref.ref(losses), frames, self._gap, checks))
+        self._kept.append(_KeptCourse(weakref.ref(losses), frames, self._gap, checks))
         self._save_memory()
 
     def _save_memory(self) -> None:

@@ -53,7 +53,7 @@ _FILE_DPI = 200
 _INK, _PAPER = "black", "white"  # of files, which are read and printed elsewhere
 
 
-class Canvas(FigureCanvasQTAgg):
+class PlotCanvas(FigureCanvasQTAgg):
     """A figure with one set of axes whose artists change often.
 
     Parameters

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QSize
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from ui.views.canvas import Canvas
+from ui.views.canvas import PlotCanvas
 from ui.views.view import View
 from workbench.pictures.focus_curve import FocusCurve
 
@@ -21,7 +21,7 @@ class FocusCurveView(View):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._canvas = Canvas(self, bar=False)
+        self._canvas = PlotCanvas(self, bar=False)
         self._box.addWidget(self._canvas)
         self.setMinimumHeight(self.sizeHint().height())
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Expanding)

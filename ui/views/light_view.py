@@ -41,11 +41,11 @@ class LightView(View):
         self._grid.setVerticalSpacing(2)
         self._grid.setHorizontalSpacing(8)
         self._grid.setColumnStretch(1, 1)
-        self._rows = {name: _Line(self._grid, *text) for name, text in _AT_FIRST.items()}
+        self._rows = {name: _AccountLine(self._grid, *text) for name, text in _AT_FIRST.items()}
         rule = QFrame(frameShape=QFrame.Shape.HLine, frameShadow=QFrame.Shadow.Plain)
         rule.setForegroundRole(QPalette.ColorRole.Mid)
         self._grid.addWidget(rule, self._grid.rowCount(), 0, 1, 3)
-        self._sum = _Line(self._grid, *_SUM)
+        self._sum = _AccountLine(self._grid, *_SUM)
         self._grid.setRowStretch(self._grid.rowCount(), 1)
         self._box.addWidget(table)
 
@@ -75,7 +75,7 @@ class LightView(View):
         self.repaint()
 
 
-class _Line:
+class _AccountLine:
     """Name, bar and percentage of a part."""
 
     def __init__(self, grid: QGridLayout, name: str, tip: str) -> None:

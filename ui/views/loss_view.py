@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QWidget
 
 from ui.views.plot_view import PlotView
 from ui.widgets.menu_button import MenuButton, chosen_of
-from workbench.pictures.loss import Against, Course, LossPicture, Verified
+from workbench.pictures.loss import Against, LossCourse, LossPicture, Verified
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
@@ -28,7 +28,7 @@ class LossView(PlotView):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._runs: tuple[Course, ...] = ()
+        self._runs: tuple[LossCourse, ...] = ()
         self._verified: tuple[Verified, ...] = ()
         self._axes_choice = MenuButton("Axes", "What the loss is drawn against, and how")
         self._against = self._axes_choice.add_choice([f"Against {name}" for name in _AGAINST])
@@ -39,7 +39,7 @@ class LossView(PlotView):
         self._axes_choice.chosen.connect(self._begin_anew)
         self._add_in_corner(self._axes_choice)
 
-    def show_runs(self, runs: Sequence[Course]) -> None:
+    def show_runs(self, runs: Sequence[LossCourse]) -> None:
         """Show other runs beside this one."""
         self._runs = tuple(runs)
         self._begin_anew()

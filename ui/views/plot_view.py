@@ -8,7 +8,7 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
 
 from ui.shown.frame import same_task
-from ui.views.canvas import Canvas
+from ui.views.canvas import PlotCanvas
 from ui.views.view import View
 from workbench.pictures.data import Column, shown_data
 
@@ -40,7 +40,7 @@ class PlotView(View):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._canvas = Canvas(self, bar=self._HAS_BAR)
+        self._canvas = PlotCanvas(self, bar=self._HAS_BAR)
         self._canvas.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
         self._canvas.installEventFilter(self)
         self.setFocusProxy(self._canvas)

@@ -13,7 +13,7 @@ from ui.panels.forms import Forms
 from ui.run.status import RunStatus
 from ui.widgets.log_view import LogView
 from ui.widgets.message_bar import MessageBar
-from ui.window.workspace import Workspace
+from ui.window.workspace import DockWorkspace
 
 _COMPILING = (
     "The run waits for its tracing kernels: they are compiled once after installing, "
@@ -45,7 +45,7 @@ class EarlyParts(QObject):
         self.forms.message.connect(self.log.add)
         self.forms.file_refused.connect(messages.warn)
         self._refused = RefusedFields(self.forms, messages, self)
-        self.workspace = Workspace(window, self.forms, messages, document.undo_stack, self.log)
+        self.workspace = DockWorkspace(window, self.forms, messages, document.undo_stack, self.log)
         self.workspace.name_light(document.session)
         document.session_changed.connect(self.workspace.name_light)
         self.dialogs = FileDialogs(document, settings, window)

@@ -6,7 +6,7 @@ import binascii
 from PySide6.QtCore import QByteArray, QSettings, QSize, Qt, QTimer
 from PySide6.QtWidgets import QMainWindow
 
-from ui.window.workspace import Workspace
+from ui.window.workspace import DockWorkspace
 
 _SHARE_OF_SCREEN = 0.85
 _SIZE = QSize(1280, 800)  # below which panes have little room
@@ -21,13 +21,13 @@ class Layout:
     ----------
     window : QMainWindow
         With all its docks; it is given a size here.
-    workspace : Workspace
+    workspace : DockWorkspace
         Shares the window out among the docks.
     settings : QSettings
         Where size, place and docks outlive the window.
     """
 
-    def __init__(self, window: QMainWindow, workspace: Workspace, settings: QSettings) -> None:
+    def __init__(self, window: QMainWindow, workspace: DockWorkspace, settings: QSettings) -> None:
         self._window, self._workspace, self._settings = window, workspace, settings
         room = window.screen().availableSize()
         window.resize((room * _SHARE_OF_SCREEN).expandedTo(_SIZE).boundedTo(room))

@@ -37,7 +37,7 @@ _BESIDE_SHARE = 0.27
 _IMAGES = ("irradiance", "target", "error")
 
 
-class Workspace:
+class DockWorkspace:
     """Docks around the 3D scene; the views come later, because their libraries load slowly.
 
     Parameters

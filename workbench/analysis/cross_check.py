@@ -23,7 +23,7 @@ _95 = 1.96
 
 
 @dataclass(frozen=True)
-class Seen:
+class TracerResult:
     """What one tracer says of a lens.
 
     Attributes
@@ -54,7 +54,7 @@ class CrossCheck:
         2 are the halves. Their scatter is independent and falls out; a negative one counts as 0.
     difference_corrected_interval : tuple[float, float]
         Where that lies with 95 % confidence, pixels scattering independently.
-    ours, mitsuba : Seen
+    ours, mitsuba : TracerResult
         What each of them says of the lens.
     rays : int
         Rays of each.
@@ -66,8 +66,8 @@ class CrossCheck:
     noise: float
     difference_corrected: float
     difference_corrected_interval: tuple[float, float]
-    ours: Seen
-    mitsuba: Seen
+    ours: TracerResult
+    mitsuba: TracerResult
     rays: int
     left_out: tuple[str, ...] = ()
 
@@ -176,9 +176,9 @@ def bare_and_clear(scene: Scene) -> tuple[Scene, tuple[str, ...]]:
     return scene.altered(lens=lens), tuple(name for name, there in left_out.items() if there)
 
 
-def _seen(halves: list[Array], target: Array) -> Seen:
+def _seen(halves: list[Array], target: Array) -> TracerResult:
     image = (halves[0] + halves[1]) / 2
-    return Seen(
+    return TracerResult(
         relative_l2=relative_l2(image, target),
         relative_l2_corrected=root(product(halves[0], halves[1], target)),
         efficiency=float(image.sum()),

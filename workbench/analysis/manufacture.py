@@ -12,8 +12,8 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from workbench.analysis.manufacture_bounds import Bounds, difference_range, shape_bounds
-from workbench.analysis.tool_radius import Face, blocked_radius
+from workbench.analysis.manufacture_bounds import FaceBounds, difference_range, shape_bounds
+from workbench.analysis.tool_radius import GridFace, blocked_radius
 from workbench.geometry.basis import basis_matrix
 from workbench.geometry.bounds import equal_parts
 from workbench.geometry.curvature import local_shape
@@ -249,11 +249,11 @@ def _figures(
         steepest=_most(maps, maps.slope, math.degrees(math.atan(bounds.slope))),
         tightest_concave=concave,
         tightest_convex=_radius(_most(maps, maps.convex, bounds.hump), flat, falls),
-        tool_radius=_tool_radius(Face(maps.x, maps.y, height, *slopes), concave, bounds),
+        tool_radius=_tool_radius(GridFace(maps.x, maps.y, height, *slopes), concave, bounds),
     )
 
 
-def _tool_radius(face: Face, concave: Extreme, bounds: Bounds) -> Extreme:
+def _tool_radius(face: GridFace, concave: Extreme, bounds: FaceBounds) -> Extreme:
     """What curvature allows, or less where another part of the face is in the way.
 
     A second derivative of z along any line is at most the curvature times (1 + slope²)^1.5. If none

@@ -24,7 +24,7 @@ _AT_ONCE = 1 << 20
 _ORDERS = ((1, 0), (0, 1), (2, 0), (1, 1), (0, 2))
 
 
-class Bounds(NamedTuple):
+class FaceBounds(NamedTuple):
     """What a face is not beyond anywhere.
 
     Attributes
@@ -42,7 +42,7 @@ class Bounds(NamedTuple):
 
 def shape_bounds(
     net: ControlNet, heights: Array, parts: tuple[int, int], where: Mask | None = None
-) -> Bounds:
+) -> FaceBounds:
     """Bounds of slope and curvature.
 
     Parameters
@@ -83,7 +83,7 @@ def shape_bounds(
         for number, curvature in ((1, mean + apart), (2, apart - mean)):
             largest = (curvature / stretch).max(where=seen, initial=0.0)
             most[number] = max(most[number], float(largest))
-    return Bounds(*most)
+    return FaceBounds(*most)
 
 
 def difference_range(

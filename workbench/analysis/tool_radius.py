@@ -20,7 +20,7 @@ Array = npt.NDArray[np.float64]
 _WINDOW = 12
 
 
-class Face(NamedTuple):
+class GridFace(NamedTuple):
     """A face on a regular grid, seen from outside: hollows bend towards +z.
 
     Attributes
@@ -37,18 +37,18 @@ class Face(NamedTuple):
     slope_x: Array
     slope_y: Array
 
-    def coarser(self) -> "Face":
+    def coarser(self) -> "GridFace":
         """Every second place along both axes."""
         fields = (each[::2, ::2] for each in self[2:])
-        return Face(self.x[::2], self.y[::2], *fields)
+        return GridFace(self.x[::2], self.y[::2], *fields)
 
 
-def blocked_radius(face: Face, radius: float) -> tuple[float, tuple[float, float]] | None:
+def blocked_radius(face: GridFace, radius: float) -> tuple[float, tuple[float, float]] | None:
     """The largest ball that no other place of a face is in the way of, and where it touches.
 
     Parameters
     ----------
-    face : Face
+    face : GridFace
         The face.
     radius : float
         What fits by curvature alone, scene units.
@@ -88,7 +88,7 @@ def _offsets(shape: tuple[int, ...], finest: bool) -> Iterator[tuple[int, int]]:
                 yield i, j
 
 
-def _tightest(face: Face, i: int, j: int) -> tuple[float, tuple[float, float]] | None:
+def _tightest(face: GridFace, i: int, j: int) -> tuple[float, tuple[float, float]] | None:
     """The least ratio of all pairs of places that are so many steps apart, either way."""
     rows = slice(None, -i or None), slice(i, None)
     columns = slice(max(-j, 0), -j if j > 0 else None), slice(max(j, 0), j if j < 0 else None)

@@ -13,7 +13,7 @@ from workbench.sweep.cluster import Cluster
 from workbench.sweep.points import Point
 from workbench.sweep.points import points as points_of
 from workbench.sweep.processes import Processes
-from workbench.sweep.store import Row, Store, to_data
+from workbench.sweep.store import PointRow, Store, to_data
 from workbench.sweep.sweep import sweep as sweep_all
 from workbench.sweep.vary import Variation
 
@@ -84,9 +84,9 @@ def _workers(jobs: int | None, dask: str | None, points: int) -> Cluster | Proce
 
 def _work(
     points: Sequence[Point], store: Store, workers: Cluster | Processes, rays: int
-) -> tuple[list[Row], KeyboardInterrupt | None]:
+) -> tuple[list[PointRow], KeyboardInterrupt | None]:
     """Rows of all points that were worked on, and what interrupted that."""
-    rows: dict[int, Row] = {}
+    rows: dict[int, PointRow] = {}
     stop = None
     try:
         with workers:
@@ -98,12 +98,12 @@ def _work(
     return [rows[number] for number in sorted(rows)], stop
 
 
-def _tell(name: str, row: Row, done: int, of: int) -> None:
+def _tell(name: str, row: PointRow, done: int, of: int) -> None:
     outcome = row.reason or f"error {verified_error(row.verified)}"
     print(f"{done}/{of}  {name}: {outcome}", file=sys.stderr, flush=True)
 
 
-def _text(rows: Sequence[Row]) -> str:
+def _text(rows: Sequence[PointRow]) -> str:
     """The table for people."""
     several = len({row.scene for row in rows}) > 1
     paths = list(rows[0].changes) if rows else []

@@ -179,7 +179,7 @@ def spread_light(target: Array, blur: Blur, parts: int = 1) -> Array:
     return np.asarray(light.reshape(rows * parts, columns * parts))
 
 
-class _Found(NamedTuple):
+class _Deblurred(NamedTuple):
     """Light of each place in a pixel, its image, and the image's copy less the target."""
 
     light: Array
@@ -187,7 +187,7 @@ class _Found(NamedTuple):
     residual: Array
 
 
-def _search(kernels: Array, wanted: Array) -> Iterator[Callable[[], _Found]]:
+def _search(kernels: Array, wanted: Array) -> Iterator[Callable[[], _Deblurred]]:
     """Come closer step by step; what is found up to now is made when it is asked for."""
     shape = wanted.shape[0], wanted.shape[1]
     blurring = Blurring(kernels, shape)
@@ -199,10 +199,10 @@ def _search(kernels: Array, wanted: Array) -> Iterator[Callable[[], _Found]]:
     light = np.zeros(dark.shape, wanted.dtype)
     away_image, away_light = np.zeros_like(image), np.zeros_like(light)
 
-    def look() -> _Found:
+    def look() -> _Deblurred:
         found = blurring.image(light)
         total = float(found.sum(dtype=np.float64))
-        return _Found(
+        return _Deblurred(
             light[:, *blurring.places].astype(np.float64) / total,
             found.astype(np.float64) / total,
             (image[seen] - wanted).astype(np.float64),

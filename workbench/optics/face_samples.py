@@ -10,14 +10,14 @@ from torch import Tensor
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import ControlNet, GridBasis
 from workbench.optics.arrival import Arrival
-from workbench.optics.glass import Glass
+from workbench.optics.glass import FlatGlass
 from workbench.optics.interfaces import Refraction
 from workbench.optics.lattice import make_lattice
 from workbench.optics.path import Path
 from workbench.optics.rays import RayBundle
 from workbench.optics.samples import Samples
 from workbench.optics.sources import PointEmitter
-from workbench.optics.steps import Step
+from workbench.optics.steps import FaceStep
 from workbench.optics.surfaces import BSplineSurface, Meeting, Plane
 from workbench.optics.transmittance import TransmittanceLaw
 
@@ -39,7 +39,7 @@ class SampledFace(NamedTuple):
         Where the control heights of the exit face sit.
     level : float
         z of the scene that heights of the exit face are counted from.
-    exit : Step
+    exit : FaceStep
         The exit face.
     """
 
@@ -50,7 +50,7 @@ class SampledFace(NamedTuple):
     entering: TransmittanceLaw
     net: ControlNet
     level: float
-    exit: Step
+    exit: FaceStep
 
     @classmethod
     def of(cls, path: Path) -> "SampledFace | None":
@@ -63,8 +63,8 @@ class SampledFace(NamedTuple):
             case (
                 PointEmitter(samples=tuple() as samples) as emitter,
                 (
-                    Step(Plane(), Refraction(law=law, reflected=reflected), missed),
-                    Step(BSplineSurface(net=net, level=level)) as exit_face,
+                    FaceStep(Plane(), Refraction(law=law, reflected=reflected), missed),
+                    FaceStep(BSplineSurface(net=net, level=level)) as exit_face,
                 ),
             ) if emitter.source.axes is not None and _before_the_lens(emitter):
                 return cls(emitter, samples, missed, reflected, law, net, level, exit_face)
@@ -131,7 +131,7 @@ class FaceSamples:
         self._y = constant(lattice.y.place)[None, :]
         self._away_x = constant(lattice.x.away)[:, None]
         self._away_y = constant(lattice.y.away)[None, :]
-        self._glass = Glass(lattice.distance, face.entering, source.emission == "lambertian")
+        self._glass = FlatGlass(lattice.distance, face.entering, source.emission == "lambertian")
         self._area = constant(lattice.x.width)[:, None], constant(lattice.y.width)
         if not (outline := outline_of(optic)).whole:
             self._area = constant(lattice.areas(outline)), constant(np.ones(1))

@@ -23,7 +23,7 @@ from workbench.optics.patterns import tabulated
 from workbench.optics.rays import RayBundle, Vector
 from workbench.optics.samples import Corners, Places, areas_of, places, splits_side_by_side
 from workbench.optics.sources.origins import Origins
-from workbench.optics.steps import Step
+from workbench.optics.steps import FaceStep
 from workbench.optics.surfaces import BSplineSurface
 
 Array = npt.NDArray[np.float64]
@@ -41,7 +41,7 @@ class FrontGrid(NamedTuple):
         Where the light comes from.
     corners : Corners
         How many samples there are.
-    entrance, exit : Step
+    entrance, exit : FaceStep
         The two faces.
     leaving : BSplineSurface
         The surface of the exit face.
@@ -55,8 +55,8 @@ class FrontGrid(NamedTuple):
 
     origins: Origins
     corners: Corners
-    entrance: Step
-    exit: Step
+    entrance: FaceStep
+    exit: FaceStep
     leaving: BSplineSurface
     net: ControlNet
     level: float
@@ -70,8 +70,8 @@ class FrontGrid(NamedTuple):
             return None
         match path.steps:
             case (
-                Step(BSplineSurface(net=net, level=level), Refraction()) as entrance,
-                Step(BSplineSurface() as leaving, Refraction()) as last,
+                FaceStep(BSplineSurface(net=net, level=level), Refraction()) as entrance,
+                FaceStep(BSplineSurface() as leaving, Refraction()) as last,
             ) if all(step.surface.kind == "B-spline" for step in path.steps):
                 found = emitter.origins, emitter.samples, entrance, last, leaving
                 return cls(*found, net, level, path.outline)

@@ -24,7 +24,7 @@ from workbench.optics.transmittance import TransmittanceLaw
 _MOST_STEPS = 100
 
 
-class Light(NamedTuple):
+class LightInGlass(NamedTuple):
     """The light at places in the glass; tensors of any one shape.
 
     Attributes
@@ -43,7 +43,7 @@ class Light(NamedTuple):
     density: Tensor
 
 
-class Glass:
+class FlatGlass:
     """Glass behind a flat face, before it a point.
 
     Parameters
@@ -61,7 +61,7 @@ class Glass:
         self._index = 1 / law.ratio
         self._known: tuple[float, float, torch.dtype, int] | None = None
 
-    def light(self, radius2: Tensor, depth: Tensor) -> Light:
+    def light(self, radius2: Tensor, depth: Tensor) -> LightInGlass:
         """The light at places ``radius2`` = ρ² from the axis, at depths t ≥ 0; smooth in t."""
         with torch.no_grad():
             fixed = depth.detach()
@@ -81,7 +81,7 @@ class Glass:
         if self._lambertian:
             behind = behind * cos
         spread = self._excess(part, radius2, depth)[1]
-        return Light(part, steepness, behind * part / spread)
+        return LightInGlass(part, steepness, behind * part / spread)
 
     def steps(self, widest: float, deepest: float, dtype: torch.dtype) -> int:
         """How many steps of Newton's method reach rounding at all radii and depths up to these.

@@ -18,7 +18,7 @@ Array = npt.NDArray[np.float64]
 _NARROWEST = 0.002
 
 
-class Axis(NamedTuple):
+class SampleAxis(NamedTuple):
     """Samples along x (or y), each for one row (or column) of points; arrays of shape (m,).
 
     Attributes
@@ -61,7 +61,7 @@ class Lattice(NamedTuple):
 
     Attributes
     ----------
-    x, y : Axis
+    x, y : SampleAxis
         Samples along the two axes.
     distance : float
         From the points to the entrance face.
@@ -71,8 +71,8 @@ class Lattice(NamedTuple):
         Flux that passed the entrance face by, and flux reflected there.
     """
 
-    x: Axis
-    y: Axis
+    x: SampleAxis
+    y: SampleAxis
     distance: float
     intensity: float
     missed: float
@@ -140,7 +140,7 @@ def _turns(samples: Samples, axis: int, points: int) -> npt.NDArray[np.int64]:
 
 def _axis(
     centre: Array, half_width: float, sampled: Places, point: npt.NDArray[np.int64], lit: float
-) -> Axis:
+) -> SampleAxis:
     part, low, high = sampled
     place = _spread(part, centre, half_width, lit)
     begin, end = (_spread(ends, centre, half_width, lit) for ends in (low, high))
@@ -150,7 +150,7 @@ def _axis(
     side = sign[point]
     # Not as a difference of two ways from the point, which may be far.
     beyond = np.where(side == 0, cell, half_width - side * place)
-    return Axis(
+    return SampleAxis(
         place,
         begin,
         end,

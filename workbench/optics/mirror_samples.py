@@ -18,7 +18,7 @@ from workbench.optics.lit_face import LitFace
 from workbench.optics.path import Path
 from workbench.optics.samples import Corners, Places, Samples, places, splits_side_by_side
 from workbench.optics.sources.origins import Origins
-from workbench.optics.steps import Step
+from workbench.optics.steps import FaceStep
 from workbench.optics.surfaces import BSplineSurface
 
 Array = npt.NDArray[np.float64]
@@ -35,14 +35,14 @@ class SharedMirror(NamedTuple):
         Middles of so many cells along x and y, or corners of cells.
     net : ControlNet
         Where the control heights of the mirror sit.
-    step : Step
+    step : FaceStep
         The mirror.
     """
 
     origins: Origins
     samples: Samples
     net: ControlNet
-    step: Step
+    step: FaceStep
 
     @classmethod
     def of(cls, path: Path) -> "SharedMirror | None":
@@ -54,7 +54,7 @@ class SharedMirror(NamedTuple):
         if not isinstance(samples, Corners) and emitter.by_area:
             return None
         match path.steps:
-            case (Step(BSplineSurface(net=net, subdivisions=None), Reflection()) as step,):
+            case (FaceStep(BSplineSurface(net=net, subdivisions=None), Reflection()) as step,):
                 return cls(emitter.origins, samples, net, step)
         return None
 

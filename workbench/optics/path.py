@@ -17,7 +17,7 @@ from workbench.optics.rays import RayBundle, Vector
 from workbench.optics.receivers import Receiver, receiver_of
 from workbench.optics.samples import Samples
 from workbench.optics.sources import Emitter, emitter_of
-from workbench.optics.steps import Along, Step, steps_of
+from workbench.optics.steps import Along, FaceStep, steps_of
 from workbench.scene import Scene
 
 # Less light than this is none: rays that carry all of it add up to 1 but for so much.
@@ -31,7 +31,7 @@ class Path:
     ----------
     emitter : Emitter
         The source.
-    steps : sequence of Step
+    steps : sequence of FaceStep
         Faces in the order in which light meets them.
     receiver : Receiver
         Where the light is wanted.
@@ -49,14 +49,14 @@ class Path:
     ----------
     emitter, steps, receiver, datum, outline, dtype, device
         As they were given.
-    shaped : tuple of Step
+    shaped : tuple of FaceStep
         Those of the steps that depend on control heights: the first freeform face and all behind.
     """
 
     def __init__(
         self,
         emitter: Emitter,
-        steps: Sequence[Step],
+        steps: Sequence[FaceStep],
         receiver: Receiver,
         datum: float,
         outline: Outline,
@@ -177,7 +177,7 @@ class Path:
 
 
 def _through(
-    steps: Sequence[Step], rays: RayBundle, heights: Mapping[str, Tensor]
+    steps: Sequence[FaceStep], rays: RayBundle, heights: Mapping[str, Tensor]
 ) -> tuple[RayBundle, dict[str, Tensor], list[Vector]]:
     """Rays behind some faces, light lost there by name, and the places on each face."""
     account: dict[str, Tensor] = {}

@@ -17,14 +17,14 @@ from torch import Tensor
 from workbench.geometry.outlines import Outline
 from workbench.geometry.surface import ControlNet, GridBasis
 from workbench.optics.arrival import Arrival
-from workbench.optics.glass import Glass
+from workbench.optics.glass import FlatGlass
 from workbench.optics.interfaces import Refraction
 from workbench.optics.path import Path
 from workbench.optics.patterns import interpolated, tabulated
 from workbench.optics.rays import RayBundle, Vector
 from workbench.optics.samples import Corners, Places, parts_inside, places, splits_side_by_side
 from workbench.optics.sources.origins import Origins
-from workbench.optics.steps import Step
+from workbench.optics.steps import FaceStep
 from workbench.optics.surfaces import BSplineSurface, Meeting, Plane
 from workbench.optics.transmittance import TransmittanceLaw
 
@@ -46,7 +46,7 @@ class SharedGrid(NamedTuple):
         Cells between the samples.
     entrance_z : float
         Where the entrance face is, scene units.
-    entrance, exit : Step
+    entrance, exit : FaceStep
         The faces.
     law : TransmittanceLaw
         Of the entrance face.
@@ -63,8 +63,8 @@ class SharedGrid(NamedTuple):
     origins: Origins
     corners: Corners
     entrance_z: float
-    entrance: Step
-    exit: Step
+    entrance: FaceStep
+    exit: FaceStep
     law: TransmittanceLaw
     net: ControlNet
     level: float
@@ -81,8 +81,8 @@ class SharedGrid(NamedTuple):
         origins = emitter.origins
         match path.steps:
             case (
-                Step(Plane(z=z), Refraction(law=law, reflected=reflected), missed) as entrance,
-                Step(
+                FaceStep(Plane(z=z), Refraction(law=law, reflected=reflected), missed) as entrance,
+                FaceStep(
                     BSplineSurface(net=net, subdivisions=None, level=level), Refraction()
                 ) as exit_face,
             ) if origins.infinite or np.ptp(origins.places[:, 2]) == 0:
@@ -135,7 +135,10 @@ class SharedGrid(NamedTuple):
 
 
 def _turned(
-    entrance: Step, place: tuple[Array, Array], direction: tuple[Array, Array, Array], flux: Tensor
+    entrance: FaceStep,
+    place: tuple[Array, Array],
+    direction: tuple[Array, Array, Array],
+    flux: Tensor,
 ) -> RayBundle:
     """Light behind the entrance face."""
     alive = torch.ones(flux.shape, dtype=torch.bool)
@@ -299,7 +302,7 @@ class SharedSamples:
         distance = self._shared.distance
         away_x, away_y = self._x - p_x, self._y - p_y
         radius2 = away_x.square() + away_y.square()
-        glass = Glass(distance, self._shared.law, lambertian=False)
+        glass = FlatGlass(distance, self._shared.law, lambertian=False)
         light = glass.light(radius2, depth)
         part = light.part
         apparent = distance * self._index

@@ -16,7 +16,7 @@ from workbench.optics.transmittance import TransmittanceLaw
 from workbench.scene import Lens, Mirror, Optic
 
 
-class Step(NamedTuple):
+class FaceStep(NamedTuple):
     """A face on the way of the light.
 
     Attributes
@@ -67,12 +67,12 @@ class Along(NamedTuple):
         return BSplineSurface(name, net, self.datum, *how, outline, level)
 
 
-def steps_of(optic: Optic, along: Along) -> tuple[Step, ...]:
+def steps_of(optic: Optic, along: Along) -> tuple[FaceStep, ...]:
     """Faces of an optic, in the order in which light meets them."""
     return _STEPS[type(optic)](optic, along)
 
 
-def _of_lens(lens: Lens, along: Along) -> tuple[Step, ...]:
+def _of_lens(lens: Lens, along: Along) -> tuple[FaceStep, ...]:
     outline, entrance_net = outline_of(lens), freeform_nets(lens).get("entrance")
     entering, leaving = TransmittanceLaw.of(lens)
     before = Rectangle(lens.half_width) if along.by_area else outline
@@ -83,19 +83,19 @@ def _of_lens(lens: Lens, along: Along) -> tuple[Step, ...]:
         entrance = along.spline("entrance", entrance_net, at_face, lens.entrance_z)
     exit_face = along.spline("exit", along.net, before if straight else outline, lens.base.height)
     return (
-        Step(entrance, Refraction(entering, "fresnel_entrance"), "missed_lens"),
-        Step(exit_face, Refraction(leaving, "fresnel_exit", lens.absorption), "left_side"),
+        FaceStep(entrance, Refraction(entering, "fresnel_entrance"), "missed_lens"),
+        FaceStep(exit_face, Refraction(leaving, "fresnel_exit", lens.absorption), "left_side"),
     )
 
 
-def _of_mirror(mirror: Mirror, along: Along) -> tuple[Step, ...]:
+def _of_mirror(mirror: Mirror, along: Along) -> tuple[FaceStep, ...]:
     whole = along.by_area and along.along_axis
     outline = Rectangle(mirror.half_width) if whole else outline_of(mirror)
     face = along.spline("mirror", along.net, outline, mirror.base.height)
-    return (Step(face, Reflection(mirror.reflectance, "absorbed_mirror"), "missed_mirror"),)
+    return (FaceStep(face, Reflection(mirror.reflectance, "absorbed_mirror"), "missed_mirror"),)
 
 
-_STEPS: Mapping[type, Callable[[Any, Along], tuple[Step, ...]]] = {
+_STEPS: Mapping[type, Callable[[Any, Along], tuple[FaceStep, ...]]] = {
     Lens: _of_lens,
     Mirror: _of_mirror,
 }

@@ -28,7 +28,7 @@ _BAR = "#2f86d1"
 _KINDS = (("image", "o"), ("loss", "s"), ("gradient", "^"))
 
 
-class Course(Protocol):
+class DrawnCourse(Protocol):
     """Verified error of a method over time."""
 
     @property
@@ -52,7 +52,7 @@ class Course(Protocol):
         """Time and the method's own error after each iteration."""
 
 
-class Measured(Protocol):
+class DrawnTime(Protocol):
     """Time of a variant."""
 
     @property
@@ -72,7 +72,7 @@ class Measured(Protocol):
         """Times the first variant of the question."""
 
 
-class Difference(Protocol):
+class DrawnDifference(Protocol):
     """Float32 against float64."""
 
     @property
@@ -107,7 +107,7 @@ def draw(name: str, rows: Sequence[Any], file: BinaryIO) -> None:
     _DRAWN[name](rows).savefig(file, format="png", dpi=_DPI)
 
 
-def courses(rows: Sequence[Course]) -> Figure:
+def courses(rows: Sequence[DrawnCourse]) -> Figure:
     """Error over time, a panel for each scene."""
     scenes = list(dict.fromkeys(row.scene for row in rows))
     figure, panels = _panels(len(scenes), width=4.2, height=3.2)
@@ -137,7 +137,7 @@ def courses(rows: Sequence[Course]) -> Figure:
     return figure
 
 
-def comparisons(rows: Sequence[Measured]) -> Figure:
+def comparisons(rows: Sequence[DrawnTime]) -> Figure:
     """Times as bars, a panel for each question."""
     questions = [(name, list(each)) for name, each in groupby(rows, lambda row: row.question)]
     figure, panels = _panels(len(questions), width=4.6, height=2.2)
@@ -159,7 +159,7 @@ def comparisons(rows: Sequence[Measured]) -> Figure:
     return figure
 
 
-def differences(rows: Sequence[Difference]) -> Figure:
+def differences(rows: Sequence[DrawnDifference]) -> Figure:
     """Relative differences as marks on one logarithmic scale."""
     figure = Figure(figsize=(7, 1.2 + 0.35 * len(rows)), layout="constrained")
     axes = figure.subplots()

@@ -35,7 +35,7 @@ _OTHERS = (
 )
 
 
-class Course(NamedTuple):
+class LossCourse(NamedTuple):
     """How the loss of a run went.
 
     Attributes
@@ -112,7 +112,7 @@ class LossPicture:
         axes.xaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{x:g}"))
         axes.yaxis.set_major_formatter(FuncFormatter(_tick))
         self._others: list[Line2D] = []
-        self._runs: tuple[Course, ...] = ()
+        self._runs: tuple[LossCourse, ...] = ()
         self._has_points = False
         # Of the legend: its columns, where it begins and what it names.
         self._legend: tuple[int, float, list[Line2D]] = (0, 0.0, [])
@@ -131,7 +131,7 @@ class LossPicture:
         self._set_limits((self._begins(np.zeros(0)), 10.0, 1e-1, 1.0))
         self.artists: list[Artist] = [self._line, self._points, self._value]
 
-    def compare(self, runs: Sequence[Course]) -> None:
+    def compare(self, runs: Sequence[LossCourse]) -> None:
         """Show other runs as well; the whole figure changes."""
         for line in self._others:
             line.remove()

@@ -8,14 +8,14 @@ if TYPE_CHECKING:
     from workbench.pictures.pages import Draw
 
 
-class Row(NamedTuple):
+class Fact(NamedTuple):
     """A name and what is to be said of it."""
 
     name: str
     value: str
 
 
-class Picture(NamedTuple):
+class PagePicture(NamedTuple):
     """A picture as wide as a page.
 
     Attributes
@@ -41,17 +41,17 @@ class Section:
     ----------
     title : str
         Its heading.
-    rows : tuple of Row
+    rows : tuple of Fact
         What is known.
-    pictures : tuple of Picture
+    pictures : tuple of PagePicture
         Stand behind the rows.
     note : str
         What has to be known to read it.
     """
 
     title: str
-    rows: tuple[Row, ...] = ()
-    pictures: tuple[Picture, ...] = ()
+    rows: tuple[Fact, ...] = ()
+    pictures: tuple[PagePicture, ...] = ()
     note: str = ""
 
 

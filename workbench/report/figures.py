@@ -13,131 +13,133 @@ from workbench.analysis.tolerances import Distribution
 from workbench.analysis.validation import Validation
 from workbench.extended.bound import Bound
 from workbench.optics.account import Account, words_for
-from workbench.report.content import Row
+from workbench.report.content import Fact
 from workbench.scene import AnyReceiver, Scene
 
 _STATES = {"met": "met", "broken": "not met", "open": "met where it was looked at"}
 
 
-def check_rows(found: Validation, difference: float) -> tuple[Row, ...]:
+def check_rows(found: Validation, difference: float) -> tuple[Fact, ...]:
     """What the independent check says; ``difference`` is that to the optimiser's own image."""
     quality = found.quality
     return (
         *_cell_rows(found.by_cells),
-        Row("relative L2 error", percent(found.relative_l2)),
-        Row("95 % of other rays", _interval(found.relative_l2_interval)),
-        Row("without ray noise", percent(found.relative_l2_corrected)),
-        Row("95 % confidence", _interval(found.relative_l2_corrected_interval)),
-        Row("loss of the paper", f"{found.loss:.4g}"),
-        Row("PSNR", _or_dash(quality.psnr, ".2f", " dB")),
-        Row("SSIM", f"{quality.ssim:.5f}"),
-        Row("correlation", _or_dash(quality.correlation, ".5f")),
-        Row("uniformity", f"{quality.uniformity:.5f}"),
-        Row("contrast", _or_dash(quality.contrast, ".5f")),
-        Row("efficiency", percent(found.efficiency)),
+        Fact("relative L2 error", percent(found.relative_l2)),
+        Fact("95 % of other rays", _interval(found.relative_l2_interval)),
+        Fact("without ray noise", percent(found.relative_l2_corrected)),
+        Fact("95 % confidence", _interval(found.relative_l2_corrected_interval)),
+        Fact("loss of the paper", f"{found.loss:.4g}"),
+        Fact("PSNR", _or_dash(quality.psnr, ".2f", " dB")),
+        Fact("SSIM", f"{quality.ssim:.5f}"),
+        Fact("correlation", _or_dash(quality.correlation, ".5f")),
+        Fact("uniformity", f"{quality.uniformity:.5f}"),
+        Fact("contrast", _or_dash(quality.contrast, ".5f")),
+        Fact("efficiency", percent(found.efficiency)),
         *_shading_rows(found.shading),
         *map(region_row, found.regions),
-        Row("off the optimiser's image", percent(difference)),
-        Row("rays", f"{found.rays:,}"),
+        Fact("off the optimiser's image", percent(difference)),
+        Fact("rays", f"{found.rays:,}"),
     )
 
 
-def region_row(light: RegionLight) -> Row:
+def region_row(light: RegionLight) -> Fact:
     """How much light a region gets, and how even it is."""
     even = f"{percent(light.share)} of the light, least / mean {_or_dash(light.uniformity, '.3f')}"
     if light.most is None or not light.mean:
-        return Row(f"region {light.name}", even)
-    return Row(f"region {light.name}", f"{even}, most / mean {light.most / light.mean:.3f}")
+        return Fact(f"region {light.name}", even)
+    return Fact(f"region {light.name}", f"{even}, most / mean {light.most / light.mean:.3f}")
 
 
-def _shading_rows(found: Shading | None) -> tuple[Row, ...]:
+def _shading_rows(found: Shading | None) -> tuple[Fact, ...]:
     """Light that has something in its way."""
-    return tuple(Row(name, text) for name, text in found.figures.items()) if found else ()
+    return tuple(Fact(name, text) for name, text in found.figures.items()) if found else ()
 
 
-def _cell_rows(found: ByCells | None) -> tuple[Row, ...]:
+def _cell_rows(found: ByCells | None) -> tuple[Fact, ...]:
     """What cells say, and how far random rays are from that."""
     if found is None:
         return ()
     columns, rows = found.cells
     times = _or_dash(found.difference_over_noise, ".2f", " times their noise")
     return (
-        Row("verified error", percent(found.relative_l2_corrected)),
-        Row("it is surely", _interval(found.relative_l2_corrected_interval)),
-        Row("cells", "; ".join(filter(None, (f"{columns} × {rows}", found.less_exact)))),
+        Fact("verified error", percent(found.relative_l2_corrected)),
+        Fact("it is surely", _interval(found.relative_l2_corrected_interval)),
+        Fact("cells", "; ".join(filter(None, (f"{columns} × {rows}", found.less_exact)))),
         *_independent_rows(found.independent),
-        Row("random rays are off by", f"{percent(found.difference)}, {times}"),
+        Fact("random rays are off by", f"{percent(found.difference)}, {times}"),
     )
 
 
-def _independent_rows(found: Independent | None) -> tuple[Row, ...]:
+def _independent_rows(found: Independent | None) -> tuple[Fact, ...]:
     """What has the error where cells do not tell it as exactly."""
     if found is None:
         return ()
-    return (Row("error by independent images", f"{found.rays:,} rays, 95 % confidence"),)
+    return (Fact("error by independent images", f"{found.rays:,} rays, 95 % confidence"),)
 
 
-def bound_rows(found: Bound) -> tuple[Row, ...]:
+def bound_rows(found: Bound) -> tuple[Fact, ...]:
     """The least error that any lens can have, where the size of the source sets one."""
     if not found.certified:
         return ()
     return (
-        Row("no lens is below", percent(found.relative_l2)),
-        Row("for that, the source blurs over", "{:.3g} × {:.3g} pixels".format(*found.blur.widths)),
+        Fact("no lens is below", percent(found.relative_l2)),
+        Fact(
+            "for that, the source blurs over", "{:.3g} × {:.3g} pixels".format(*found.blur.widths)
+        ),
     )
 
 
-def account_rows(account: Account, receiver: AnyReceiver) -> tuple[Row, ...]:
+def account_rows(account: Account, receiver: AnyReceiver) -> tuple[Fact, ...]:
     """Where the light went, in parts of what was emitted."""
     parts = {"on_screen": account.on_screen, **account.lost}
     titles = {name: title for name, (title, _) in words_for(receiver).items()}
     return tuple(
-        Row(titles[name][:1].lower() + titles[name][1:], percent(flux / account.emitted))
+        Fact(titles[name][:1].lower() + titles[name][1:], percent(flux / account.emitted))
         for name, flux in parts.items()
     )
 
 
-def manufacture_rows(found: Manufacture, limits: Limits, unit: str) -> tuple[Row, ...]:
+def manufacture_rows(found: Manufacture, limits: Limits, unit: str) -> tuple[Fact, ...]:
     """Figures of the lens, each with what it is not beyond anywhere, and whether limits are met."""
     return (
-        Row("thinnest", _extreme(found.thinnest, unit, "at least")),
-        Row("thickest", _extreme(found.thickest, unit, "at most")),
+        Fact("thinnest", _extreme(found.thinnest, unit, "at least")),
+        Fact("thickest", _extreme(found.thickest, unit, "at most")),
         *_face_rows(found, unit),
         *(() if found.entrance is None else _face_rows(found.entrance, unit, "entrance face: ")),
         *(
-            Row(f"limit of the {v.name}", f"{v.wanted(unit)}: {_STATES[v.state]}")
+            Fact(f"limit of the {v.name}", f"{v.wanted(unit)}: {_STATES[v.state]}")
             for v in verdicts(found, limits)
         ),
     )
 
 
-def _face_rows(found: FaceFigures, unit: str, face: str = "") -> tuple[Row, ...]:
+def _face_rows(found: FaceFigures, unit: str, face: str = "") -> tuple[Fact, ...]:
     """Figures of one face, which their names begin with."""
     return (
-        Row(f"{face}steepest slope", _extreme(found.steepest, "°", "at most")),
-        Row(f"{face}draft", f"{found.draft:.3f}°"),
-        Row(f"{face}smallest concave radius", _extreme(found.tightest_concave, unit, "at least")),
-        Row(f"{face}smallest convex radius", _extreme(found.tightest_convex, unit, "at least")),
-        Row(f"{face}ball cutter up to", _extreme(found.tool_radius, unit, "at least")),
-        Row(f"{face}sag range", f"{found.sag_range:.6g} {unit}"),
+        Fact(f"{face}steepest slope", _extreme(found.steepest, "°", "at most")),
+        Fact(f"{face}draft", f"{found.draft:.3f}°"),
+        Fact(f"{face}smallest concave radius", _extreme(found.tightest_concave, unit, "at least")),
+        Fact(f"{face}smallest convex radius", _extreme(found.tightest_convex, unit, "at least")),
+        Fact(f"{face}ball cutter up to", _extreme(found.tool_radius, unit, "at least")),
+        Fact(f"{face}sag range", f"{found.sag_range:.6g} {unit}"),
     )
 
 
 def tolerance_rows(
     scene: Scene, within: Tolerances, spread: Distribution, samples: int
-) -> tuple[Row, ...]:
+) -> tuple[Fact, ...]:
     """How far lenses were off, and how their error without ray noise is distributed."""
     return (
         *(
-            Row(ABOUT[name].row, _error_size(name, within, scene.unit))
+            Fact(ABOUT[name].row, _error_size(name, within, scene.unit))
             for name, size in within.sizes.items()
             if size
         ),
-        Row("lenses", str(samples)),
-        Row("error as designed", percent(spread.nominal)),
-        Row("mean", percent(spread.mean)),
-        *(Row(f"{part} % of lenses", percent(e)) for part, e in spread.percentiles.items()),
-        Row("worst", percent(spread.worst)),
+        Fact("lenses", str(samples)),
+        Fact("error as designed", percent(spread.nominal)),
+        Fact("mean", percent(spread.mean)),
+        *(Fact(f"{part} % of lenses", percent(e)) for part, e in spread.percentiles.items()),
+        Fact("worst", percent(spread.worst)),
     )
 
 

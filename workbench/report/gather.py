@@ -21,7 +21,7 @@ from workbench.errors import visible
 from workbench.extended.bound import Bound
 from workbench.geometry.surface import even_counts, freeform_nets
 from workbench.pictures import report as pictures
-from workbench.report.content import Picture, Report, Row, Section
+from workbench.report.content import Fact, PagePicture, Report, Section
 from workbench.report.figures import (
     account_rows,
     bound_rows,
@@ -76,9 +76,9 @@ def gather(
     sections = [
         Section(
             f"{called.capitalize()} and light",
-            (Row(called, origin(session)),),
+            (Fact(called, origin(session)),),
             pictures=(
-                Picture(
+                PagePicture(
                     f"{called.capitalize()}, rays and {scene.receiver.called}",
                     partial(
                         pictures.draw_lens,
@@ -105,12 +105,12 @@ def gather(
         Section(
             "Design run",
             (
-                Row("loss of the optimiser", f"{result.state.loss:.4g}"),
-                Row("iterations", str(result.iterations)),
-                Row("seconds", f"{result.seconds:.1f}"),
+                Fact("loss of the optimiser", f"{result.state.loss:.4g}"),
+                Fact("iterations", str(result.iterations)),
+                Fact("seconds", f"{result.seconds:.1f}"),
                 *(_kept(run, scene) for run in session.runs),
             ),
-            (Picture("Loss", partial(pictures.draw_loss, result=result), 2.6),),
+            (PagePicture("Loss", partial(pictures.draw_loss, result=result), 2.6),),
         )
     )
     sections.append(Section("Scene", scene_rows(scene)))
@@ -139,12 +139,12 @@ def _of_image(session: Session, found: Validation, which: str) -> Iterator[Secti
     yield Section(
         f"Light {scene.receiver.place}{which}",
         pictures=(
-            Picture(
+            PagePicture(
                 f"Images and {' and '.join(faces)}",
                 partial(pictures.draw_images, session=session, irradiance=light),
                 3.1 * (1 + len(faces)),
             ),
-            Picture(
+            PagePicture(
                 f"Cross-sections through the middle of the {scene.receiver.called}",
                 partial(pictures.draw_sections, session=session, irradiance=light),
                 2.6,
@@ -168,7 +168,7 @@ def _manufacture(scene: Scene, heights: Mapping[str, Array]) -> Section:
         maps = surface_maps(optic, heights, count, face)
         draw = partial(pictures.draw_manufacture, maps=maps, limits=limits, unit=scene.unit)
         name = f"Thickness, slope and curvature of the {optic.face_in_words(face)}"
-        drawn.append(Picture(name, draw, 6.2))
+        drawn.append(PagePicture(name, draw, 6.2))
     return Section(
         "Manufacture",
         manufacture_rows(manufacture(optic, heights), limits, scene.unit),
@@ -187,16 +187,16 @@ def _tolerances(session: Session, within: Tolerances, samples: int, rays: int) -
     return Section(
         "Tolerances",
         tolerance_rows(session.scene, within, spread, samples),
-        (Picture("Which part of the lenses stays below an error", draw, 2.8),),
+        (PagePicture("Which part of the lenses stays below an error", draw, 2.8),),
         note="Lenses that are off at random, evenly within these, traced one by one; relative L2 "
         "error without ray noise.",
     )
 
 
-def _kept(run: KeptRun, scene: Scene) -> Row:
+def _kept(run: KeptRun, scene: Scene) -> Fact:
     result, state, checked = run.result, run.result.state, run.verified
     error = f", error {verified_error(checked)}" if checked else ""
-    return Row(
+    return Fact(
         run.name,
         f"loss {state.loss:.4g} after {result.iterations} iterations in {result.seconds:.1f} s, "
         f"{percent(state.account.efficiency, 1)} {scene.receiver.place}{error}",

@@ -7,7 +7,7 @@ from html import escape
 from typing import BinaryIO
 
 from workbench.pictures.pages import to_png
-from workbench.report.content import Picture, Report, Section
+from workbench.report.content import PagePicture, Report, Section
 
 _STYLE = """
 :root { color-scheme: light dark; --ink: #1d232b; --pale: #5d6673; --line: #d9dee5; --paper: #fff; }
@@ -75,7 +75,7 @@ def _section(section: Section) -> Iterator[str]:
     yield "</section>"
 
 
-def _figure(picture: Picture) -> str:
+def _figure(picture: PagePicture) -> str:
     png = io.BytesIO()
     to_png(picture.draw, picture.height, png)
     data = base64.b64encode(png.getbuffer()).decode()

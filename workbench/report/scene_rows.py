@@ -3,14 +3,14 @@
 from collections.abc import Iterator
 from typing import Any
 
-from workbench.report.content import Row
+from workbench.report.content import Fact
 from workbench.scene import FieldDescription, Part, Scene
 from workbench.scene.fields import Since
 
 _FILE = {"format", "version"}
 
 
-def scene_rows(scene: Scene) -> tuple[Row, ...]:
+def scene_rows(scene: Scene) -> tuple[Fact, ...]:
     """A row for each field that has a value, those of a kind before those of all kinds.
 
     Fields that the scene's file leaves out, as its version does not know them, have none.
@@ -18,7 +18,7 @@ def scene_rows(scene: Scene) -> tuple[Row, ...]:
     return tuple(_rows(scene, "", scene))
 
 
-def _rows(part: Part, path: str, scene: Scene) -> Iterator[Row]:
+def _rows(part: Part, path: str, scene: Scene) -> Iterator[Fact]:
     """Rows of a part, as deep as there are names."""
     remarks = part.remarks()
     for field in part.fields():
@@ -34,7 +34,7 @@ def _rows(part: Part, path: str, scene: Scene) -> Iterator[Row]:
         elif value is not None and place not in _FILE:
             text = f"{_text(value, field)} {field.measure.words_in(scene.unit)}".rstrip()
             remark = remarks.get(field.name)
-            yield Row(place, f"{text} ({remark})" if remark else text)
+            yield Fact(place, f"{text} ({remark})" if remark else text)
 
 
 def _text(value: Any, field: FieldDescription) -> str:

@@ -5,7 +5,7 @@ from typing import Any, Self, TypeVar
 
 import workbench
 from workbench.errors import Refused
-from workbench.sweep.work import Done, Failed, Task, attempt
+from workbench.sweep.work import DesignTask, Done, Failed, attempt
 
 Key = TypeVar("Key")
 
@@ -62,7 +62,7 @@ class Cluster:
     def __exit__(self, *_: Any) -> None:
         self._client.close()  # which forgets what it has asked for
 
-    def work(self, tasks: Iterator[tuple[Key, Task]]) -> Iterator[tuple[Key, Done | Failed]]:
+    def work(self, tasks: Iterator[tuple[Key, DesignTask]]) -> Iterator[tuple[Key, Done | Failed]]:
         """Work on tasks, as `workbench.sweep.processes.Processes.work` does."""
         from distributed import as_completed
 

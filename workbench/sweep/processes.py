@@ -14,7 +14,7 @@ from multiprocessing.connection import Connection, wait
 from multiprocessing.context import SpawnProcess
 from typing import Any, Self, TypeVar
 
-from workbench.sweep.work import Done, Failed, Task, attempt
+from workbench.sweep.work import DesignTask, Done, Failed, attempt
 
 Key = TypeVar("Key")
 
@@ -45,7 +45,7 @@ class Processes:
             pipe.close()
         self._all.clear()
 
-    def work(self, tasks: Iterator[tuple[Key, Task]]) -> Iterator[tuple[Key, Done | Failed]]:
+    def work(self, tasks: Iterator[tuple[Key, DesignTask]]) -> Iterator[tuple[Key, Done | Failed]]:
         """Work on tasks, which are asked for as they are needed.
 
         Yields

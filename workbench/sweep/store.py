@@ -45,7 +45,7 @@ TABLES = ("table.csv", "table.json")
 
 
 @dataclass(frozen=True)
-class Row:
+class PointRow:
     """What became of a point.
 
     Attributes
@@ -76,7 +76,7 @@ class Row:
         return VerifiedError(figures[name], (figures[f"{name}_low"], figures[f"{name}_high"]))
 
     @classmethod
-    def of(cls, point: Point, reason: str | None = None) -> "Row":
+    def of(cls, point: Point, reason: str | None = None) -> "PointRow":
         """A row without a lens."""
         changes = {path: shown(value) for path, value in point.changes.items()}
         return cls(str(point.path), changes, {}, reason=reason)
@@ -115,7 +115,7 @@ class Store:
         busy = "another sweep is at work in this folder; wait for it, or give another one by -o"
         return locked(self.folder / _LOCK, busy)
 
-    def find(self, point: Point, key: str) -> Row | None:
+    def find(self, point: Point, key: str) -> PointRow | None:
         """The row of a point that is finished: both of its files are there and whole."""
         name = point.file_name(key)
         with suppress(OSError, ValueError, KeyError, TypeError, Refused):
@@ -124,10 +124,10 @@ class Store:
             session = f"{name}.freeform"
             if data["key"] == key and read_session(self.folder / session).result is not None:
                 figures = {figure: float(data[figure]) for figure in FIGURES}
-                return replace(Row.of(point), figures=figures, session=session)
+                return replace(PointRow.of(point), figures=figures, session=session)
         return None
 
-    def put(self, point: Point, key: str, task: Session, done: Done) -> Row:
+    def put(self, point: Point, key: str, task: Session, done: Done) -> PointRow:
         """Keep what was found for a point."""
         name = point.file_name(key)
         result = done.result
@@ -142,7 +142,7 @@ class Store:
         assert found is not None
         return found
 
-    def write_table(self, rows: Sequence[Row]) -> None:
+    def write_table(self, rows: Sequence[PointRow]) -> None:
         """Write all rows as table.csv and table.json."""
         text = io.StringIO(newline="")
         paths = list(dict.fromkeys(path for row in rows for path in row.changes))
@@ -158,6 +158,6 @@ class Store:
             file.write(json.dumps(to_data(rows), indent=1).encode())
 
 
-def to_data(rows: Sequence[Row]) -> dict[str, Any]:
+def to_data(rows: Sequence[PointRow]) -> dict[str, Any]:
     """Rows as plain dictionaries, for JSON."""
     return {"points": [asdict(row) for row in rows]}

@@ -6,8 +6,8 @@ from typing import Protocol, TypeVar
 from workbench.errors import Refused
 from workbench.files.session import Session
 from workbench.sweep.points import Point, key_of
-from workbench.sweep.store import Row, Store
-from workbench.sweep.work import Done, Failed, Task
+from workbench.sweep.store import PointRow, Store
+from workbench.sweep.work import DesignTask, Done, Failed
 
 Key = TypeVar("Key")
 
@@ -15,13 +15,13 @@ Key = TypeVar("Key")
 class Workers(Protocol):
     """Whoever works on tasks."""
 
-    def work(self, tasks: Iterator[tuple[Key, Task]]) -> Iterator[tuple[Key, Done | Failed]]:
+    def work(self, tasks: Iterator[tuple[Key, DesignTask]]) -> Iterator[tuple[Key, Done | Failed]]:
         """Yield what came with each task and what became of it."""
 
 
 def sweep(
     points: Sequence[Point], store: Store, workers: Workers, rays: int
-) -> Iterator[tuple[int, Row]]:
+) -> Iterator[tuple[int, PointRow]]:
     """Design a lens at each point.
 
     Parameters
@@ -39,7 +39,7 @@ def sweep(
     ------
     number : int
         Which point.
-    row : Row
+    row : PointRow
         What became of it. First come those that cannot be worked on and those that are finished
         already, then the others as they end.
 
@@ -53,7 +53,7 @@ def sweep(
         try:
             key = key_of(point.session(), rays)
         except Refused as refused:
-            yield number, Row.of(point, str(refused))
+            yield number, PointRow.of(point, str(refused))
             continue
         found = store.find(point, key)
         if found is None:
@@ -63,14 +63,14 @@ def sweep(
 
     working: dict[tuple[int, str], Session] = {}
 
-    def tasks() -> Iterator[tuple[tuple[int, str], Task]]:
+    def tasks() -> Iterator[tuple[tuple[int, str], DesignTask]]:
         for each in left:
             session = working[each] = points[each[0]].session()
-            yield each, Task(session.scene, session.target, rays)
+            yield each, DesignTask(session.scene, session.target, rays)
 
     for each, outcome in workers.work(tasks()):
         (number, key), task = each, working.pop(each)
         if isinstance(outcome, Failed):
-            yield number, Row.of(points[number], outcome.reason)
+            yield number, PointRow.of(points[number], outcome.reason)
         else:
             yield number, store.put(points[number], key, task, outcome)

@@ -15,7 +15,7 @@ from workbench.scene import Scene
 Array = npt.NDArray[np.float64]
 
 
-class Task(NamedTuple):
+class DesignTask(NamedTuple):
     """A design task.
 
     Attributes
@@ -46,12 +46,12 @@ class Failed(NamedTuple):
     reason: str
 
 
-def attempt(task: Task, threads: int | None = None) -> Done | Failed:
+def attempt(task: DesignTask, threads: int | None = None) -> Done | Failed:
     """Design a lens and check it; whatever goes wrong is told.
 
     Parameters
     ----------
-    task : Task
+    task : DesignTask
         The design task.
     threads : int, optional
         How many work on it; as many as there are cores by default.
@@ -64,7 +64,7 @@ def attempt(task: Task, threads: int | None = None) -> Done | Failed:
         return Failed(unexpected(error))
 
 
-def _design(task: Task, threads: int | None) -> Done:
+def _design(task: DesignTask, threads: int | None) -> Done:
     import torch  # late: takes seconds, which the process that waits for results can do without
 
     from workbench.analysis.validation import validate

@@ -5,8 +5,15 @@ import pytest
 
 from workbench.analysis.benchmark import frontier
 from workbench.analysis.benchmark.fresh import Fresh
-from workbench.analysis.benchmark.frontier import Course, Effort, Verified, courses, table, verified
-from workbench.analysis.benchmark.methods import METHODS, Lens
+from workbench.analysis.benchmark.frontier import (
+    Course,
+    Effort,
+    VerifiedError,
+    courses,
+    table,
+    verified,
+)
+from workbench.analysis.benchmark.methods import METHODS, MethodLens
 from workbench.analysis.validation import validate
 from workbench.errors import RunFailed
 
@@ -44,7 +51,7 @@ def scripted(monkeypatch, make_example):
     def put(scripts):
         methods = {
             name: lambda example, iterations, script=script: (
-                Lens(seconds, lens(waviness), waviness) for seconds, waviness in script
+                MethodLens(seconds, lens(waviness), waviness) for seconds, waviness in script
             )
             for name, script in scripts.items()
         }
@@ -127,7 +134,7 @@ def test_a_failed_method_is_reported_and_the_others_run(scripted, told, monkeypa
     effort, _ = scripted({"fine": [(1.0, 0.0)]})
 
     def dark(example, iterations):
-        yield Lens(0.1, np.full(example.scene.lens.net_shape, 0.5))
+        yield MethodLens(0.1, np.full(example.scene.lens.net_shape, 0.5))
         raise RunFailed("no light")
 
     methods = {"first": dark, **frontier.METHODS}
@@ -147,7 +154,7 @@ def test_table_agrees_with_the_courses():
         (0.1, 1.0),
         (0.5, 0.125),
         ((0.1, 0.5), (1.0, 0.12)),
-        Verified(0.125, 0.001, 0.9),
+        VerifiedError(0.125, 0.001, 0.9),
         3.0,
         2_000_000,
     )

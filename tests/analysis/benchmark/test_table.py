@@ -4,9 +4,13 @@ from types import SimpleNamespace
 
 import pytest
 
-from workbench.analysis.benchmark.table import Column, Table
+from workbench.analysis.benchmark.table import Table, TableColumn
 
-COLUMNS = (Column("name", "who"), Column("part", "how much", ".1%"), Column("curve", ""))
+COLUMNS = (
+    TableColumn("name", "who"),
+    TableColumn("part", "how much", ".1%"),
+    TableColumn("curve", ""),
+)
 ROWS = [
     SimpleNamespace(name="a|b", part=0.25, curve=[1, 2]),
     SimpleNamespace(name="c", part=None, curve=[]),

@@ -9,7 +9,7 @@ import pytest
 from tests.analysis.lenses import net_of
 from workbench.analysis.cells import image
 from workbench.analysis.cells.image import imaging
-from workbench.analysis.cells.lattice import Lattice
+from workbench.analysis.cells.lattice import CellLattice
 from workbench.errors import Refused, RunFailed
 
 POINT = {"kind": "point", "position": [0.3, -0.2, -4.0]}
@@ -81,7 +81,7 @@ def test_no_level_follows_more_rays_than_are_allowed_where_much_light_is_lost(
 ):
     most, followed = 1 << 19, []
 
-    class Counted(Lattice):
+    class Counted(CellLattice):
         def tracing(self, threads=None):
             found = yield from super().tracing(threads)
             followed.append(self.rays)

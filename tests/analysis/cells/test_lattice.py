@@ -9,7 +9,7 @@ from scipy.integrate import quad
 from scipy.optimize import brentq
 
 from tests.analysis.lenses import net_of
-from workbench.analysis.cells.lattice import Lattice
+from workbench.analysis.cells.lattice import CellLattice
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.train import OpticalTrain
 from workbench.analysis.validation import validate
@@ -28,7 +28,7 @@ SOURCES = {
 def flux_of(scene, heights, cells, lifted=None, threads=None, pose=None):
     """Part of the emitted flux in each pixel."""
     train = OpticalTrain.of(scene, {"exit": heights}, 1, 0, pose or Pose(), [scene.receiver])
-    steps = Lattice(scene, train, cells, lifted).tracing(threads)
+    steps = CellLattice(scene, train, cells, lifted).tracing(threads)
     while True:
         try:
             assert 0 <= next(steps) <= 1

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from ui.run import worker as worker_module
-from ui.run.worker import Job
+from ui.run.worker import RunJob
 from ui.threads.background import Task
 from workbench.design.interruption import check_interruption
 from workbench.errors import Refused, RunFailed
@@ -36,14 +36,14 @@ def test_frames_are_made_only_when_the_mailbox_is_empty(session, as_run, work, m
         return make_frame(session, snapshot, history)
 
     monkeypatch.setattr(worker_module, "make_frame", counted)
-    job = Job(session)
+    job = RunJob(session)
     work(job, as_run(50))
     assert made == [0, 50]
     assert job.mailbox.take().snapshot.iteration == 50
 
 
 def test_frame_holds_what_is_drawn(session, as_run, work):
-    job = Job(session)
+    job = RunJob(session)
     work(job, as_run(3))
     frame = job.mailbox.take()
     assert frame.session is session
@@ -55,7 +55,7 @@ def test_frame_holds_what_is_drawn(session, as_run, work):
 
 
 def test_stopped_job_ends_with_its_first_snapshot(session, as_run, work):
-    job = Job(session)
+    job = RunJob(session)
     job.gate.stop()
     result, error = work(job, as_run(50))
     assert result.iterations == 0 and error is None
@@ -72,7 +72,7 @@ def test_failure_keeps_the_last_good_lens(session, snapshots, work, error):
         yield snapshots(1)
         raise error
 
-    job = Job(session)
+    job = RunJob(session)
     result, found = work(job, run)
     assert found is error
     np.testing.assert_array_equal(result.state.heights["exit"], snapshots(1).state.heights["exit"])
@@ -86,7 +86,7 @@ def test_failure_before_the_first_snapshot_has_no_result(session, work):
         raise refused
         yield
 
-    assert work(Job(session), run) == (None, refused)
+    assert work(RunJob(session), run) == (None, refused)
 
 
 def test_generator_is_closed_when_stopped(session, snapshots, work):
@@ -99,7 +99,7 @@ def test_generator_is_closed_when_stopped(session, snapshots, work):
         finally:
             closed.append(True)
 
-    job = Job(session)
+    job = RunJob(session)
     job.gate.stop()
     work(job, run)
     assert closed == [True]
@@ -113,15 +113,15 @@ def test_continues_from_the_result(designed, snapshots, work):
         yield snapshots(0)
         yield snapshots(1)
 
-    result, _ = work(Job(designed, continue_run=True), run)
+    result, _ = work(RunJob(designed, continue_run=True), run)
     assert starts[0] == designed.result.state.heights
     np.testing.assert_allclose(result.losses, [1 / 2, 1 / 3, 1 / 4, 1 / 2])
-    result, _ = work(Job(designed), run)
+    result, _ = work(RunJob(designed), run)
     assert starts[1] is None and result.iterations == 1
 
 
 def test_preview_takes_the_first_snapshot_alone(session, as_run, work):
-    job = Job(session, preview=True)
+    job = RunJob(session, preview=True)
     assert work(job, as_run(50)) == (None, None)
     assert job.mailbox.take().snapshot.iteration == 0
 
@@ -131,7 +131,7 @@ def test_preview_of_a_result_needs_no_run(designed, work):
         raise AssertionError("not needed")
         yield
 
-    job = Job(designed, preview=True)
+    job = RunJob(designed, preview=True)
     assert work(job, run) == (None, None)
     frame = job.mailbox.take()
     assert frame.snapshot.iteration == 3
@@ -142,7 +142,7 @@ def test_preview_of_a_result_needs_no_run(designed, work):
 
 
 def test_replaced_preview_does_nothing(session, as_run, work):
-    job = Job(session, preview=True)
+    job = RunJob(session, preview=True)
     job.gate.stop()
     work(job, as_run(50))
     assert job.mailbox.empty
@@ -152,7 +152,7 @@ def test_the_engine_is_the_default(session, work):
     scene = session.scene.model_copy(
         update={"run": session.scene.run.model_copy(update={"iterations": 2})}
     )
-    job = Job(dataclasses.replace(session, scene=scene))
+    job = RunJob(dataclasses.replace(session, scene=scene))
     result, error = work(job, None)
     assert error is None
     assert result.iterations == 2
@@ -172,7 +172,7 @@ def test_rays_come_from_the_source_of_the_stage(
     result = dataclasses.replace(
         designed.result, stage_starts=stage_starts, stages_left=stages_left
     )
-    job = Job(dataclasses.replace(designed, scene=make_scene({"run": run}), result=result), True)
+    job = RunJob(dataclasses.replace(designed, scene=make_scene({"run": run}), result=result), True)
     work(job, as_run(0))
     frame = job.mailbox.take()
     assert frame.source.kind == shown
@@ -189,7 +189,7 @@ def test_a_start_lens_is_traced_for_its_preview_and_continued(session, as_run, w
         starts.append(start)
         return as_run(2)(scene, target, start)
 
-    for job in (Job(moved, preview=True), Job(moved, continue_run=True), Job(moved)):
+    for job in (RunJob(moved, preview=True), RunJob(moved, continue_run=True), RunJob(moved)):
         work(job, generate)
     assert starts[0] is heights and starts[1] is heights
     assert starts[2] is None
@@ -204,17 +204,17 @@ def test_locked_control_points_are_those_of_the_lens_that_is_there(designed, sna
 
     heights = designed.result.state.heights
     mask = np.zeros((12, 10), bool)
-    work(Job(dataclasses.replace(designed, locked=FaceArrays({"exit": mask}))), run)
+    work(RunJob(dataclasses.replace(designed, locked=FaceArrays({"exit": mask}))), run)
     assert seen[-1][0] is None
     mask[1, 2] = True
     locked = FaceArrays({"exit": mask})
-    result, _ = work(Job(dataclasses.replace(designed, locked=locked)), run)
+    result, _ = work(RunJob(dataclasses.replace(designed, locked=locked)), run)
     assert seen[-1][0] is heights and seen[-1][1] is locked
     assert result.iterations == 0
 
 
 def test_stopping_ends_a_job_within_a_step(session, as_run, work):
-    job = Job(session)
+    job = RunJob(session)
 
     def long_step(*task):
         yield next(as_run(1)(*task))

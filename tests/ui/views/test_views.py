@@ -9,7 +9,7 @@ from PySide6.QtGui import QColor, QPalette, QWheelEvent
 from PySide6.QtWidgets import QApplication, QHBoxLayout, QMainWindow, QTabWidget, QWidget
 
 from tests.accounts import account_of
-from ui.views.canvas import Canvas
+from ui.views.canvas import PlotCanvas
 from ui.views.drawing_queue import DrawingQueue, drawing_queue
 from ui.views.error_view import ErrorView
 from ui.views.irradiance_view import IrradianceView
@@ -213,8 +213,8 @@ def test_pictures_of_a_new_size_are_drawn_in_several_turns(frame, show, draws, q
     show(window, 900, 250)
     qtbot.waitUntil(lambda: draws.get(IrradianceView) == 3)
     qtbot.waitUntil(lambda: not any(view._canvas._stale for view in views))
-    full, drawn = Canvas.draw, []
-    monkeypatch.setattr(Canvas, "draw", lambda self: (drawn.append(self), full(self)))
+    full, drawn = PlotCanvas.draw, []
+    monkeypatch.setattr(PlotCanvas, "draw", lambda self: (drawn.append(self), full(self)))
     window.resize(1200, 300)
     seen = [grabbed(view) for view in views]  # which paints them
     assert len(drawn) == 1

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from workbench.analysis.benchmark.table import Column, Table
+from workbench.analysis.benchmark.table import Table, TableColumn
 from workbench.analysis.benchmark.timing import in_turns
 
 Array = npt.NDArray[np.float64]
@@ -92,13 +92,13 @@ def compare(question: str, variants: Sequence[Variant], seconds: float) -> list[
 def table(title: str, found: Sequence[Measured]) -> Table:
     """The variants as rows."""
     columns = (
-        Column("question", "compared"),
-        Column("variant", "variant"),
-        Column("milliseconds", "ms", ".2f"),
-        Column("ratio", "times the first", ".2f"),
-        Column("rays", "rays", ","),
-        Column("nanoseconds_a_ray", "ns a ray", ".1f"),
-        Column("error", "error of the image", ".1e"),
+        TableColumn("question", "compared"),
+        TableColumn("variant", "variant"),
+        TableColumn("milliseconds", "ms", ".2f"),
+        TableColumn("ratio", "times the first", ".2f"),
+        TableColumn("rays", "rays", ","),
+        TableColumn("nanoseconds_a_ray", "ns a ray", ".1f"),
+        TableColumn("error", "error of the image", ".1e"),
     )
     return Table(title, columns, found, _NOTE)
 

@@ -11,7 +11,7 @@ import numpy.typing as npt
 
 from workbench.analysis.benchmark.examples import Example, Notify
 from workbench.analysis.benchmark.machine import PeakMemory
-from workbench.analysis.benchmark.table import Column, Table
+from workbench.analysis.benchmark.table import Table, TableColumn
 from workbench.analysis.derivatives import irradiance_derivative
 from workbench.analysis.validation import validate
 from workbench.design.run import run
@@ -41,7 +41,7 @@ _RAYS = 16_000_000
 
 
 @dataclass(frozen=True, eq=False)
-class Design:
+class ExampleDesign:
     """One designed lens.
 
     Attributes
@@ -138,7 +138,7 @@ class Derivative:
         return self.sum / self.moved
 
 
-def experiments(iterations: int | None, notify: Notify) -> Iterator[Design | Derivative]:
+def experiments(iterations: int | None, notify: Notify) -> Iterator[ExampleDesign | Derivative]:
     """Run all experiments, the quickest first."""
     ready.compile_all()  # which is no part of any run's time
     for name in DERIVATIVES:
@@ -149,13 +149,13 @@ def experiments(iterations: int | None, notify: Notify) -> Iterator[Design | Der
             yield design(_limited(example, iterations), method, _RAYS, notify)
 
 
-def design(example: Example, method: str, rays: int, notify: Notify) -> Design:
+def design(example: Example, method: str, rays: int, notify: Notify) -> ExampleDesign:
     """Run one experiment and verify its lens with so many rays.
 
     What cannot be run, or cannot go on, is said by the result.
     """
     case = f"{example.name}, {method}"
-    found = Design(example.name, example.group, method, example.scene, example.target)
+    found = ExampleDesign(example.name, example.group, method, example.scene, example.target)
     history = History()
     times: list[float] = []
     peak = PeakMemory()
@@ -196,30 +196,30 @@ def derivative(example: Example) -> Derivative:
     )
 
 
-def tables(found: Sequence[Design | Derivative]) -> tuple[Table, ...]:
+def tables(found: Sequence[ExampleDesign | Derivative]) -> tuple[Table, ...]:
     """The experiments as rows: the designs, and the derivatives."""
     designs = (
-        Column("name", "experiment"),
-        Column("method", "method"),
-        Column("loss", "final loss", ".3g"),
-        Column("error", "verified error", ".2%"),
-        Column("noise", "±", ".2%"),
-        Column("efficiency", "light on the screen", ".1%"),
-        Column("iterations", "iterations"),
-        Column("milliseconds_an_iteration", "ms an iteration", ".0f"),
-        Column("seconds", "seconds", ".1f"),
-        Column("megabytes", "peak MB", ".0f"),
-        Column("failure", "failed"),
+        TableColumn("name", "experiment"),
+        TableColumn("method", "method"),
+        TableColumn("loss", "final loss", ".3g"),
+        TableColumn("error", "verified error", ".2%"),
+        TableColumn("noise", "±", ".2%"),
+        TableColumn("efficiency", "light on the screen", ".1%"),
+        TableColumn("iterations", "iterations"),
+        TableColumn("milliseconds_an_iteration", "ms an iteration", ".0f"),
+        TableColumn("seconds", "seconds", ".1f"),
+        TableColumn("megabytes", "peak MB", ".0f"),
+        TableColumn("failure", "failed"),
     )
     derivatives = (
-        Column("name", "derivative"),
-        Column("sum", "sum", ".2e"),
-        Column("moved", "flux moved", ".2e"),
-        Column("balance", "sum / moved", ".1e"),
-        Column("pixels", "pixels in reach"),
+        TableColumn("name", "derivative"),
+        TableColumn("sum", "sum", ".2e"),
+        TableColumn("moved", "flux moved", ".2e"),
+        TableColumn("balance", "sum / moved", ".1e"),
+        TableColumn("pixels", "pixels in reach"),
     )
     return (
-        Table("Designs", designs, [each for each in found if isinstance(each, Design)]),
+        Table("Designs", designs, [each for each in found if isinstance(each, ExampleDesign)]),
         Table(
             "Derivatives with respect to one control height",
             derivatives,

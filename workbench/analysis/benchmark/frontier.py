@@ -8,8 +8,8 @@ from typing import Any, NamedTuple
 
 from workbench.analysis.benchmark.examples import Array, Example, Notify
 from workbench.analysis.benchmark.fresh import fresh_design
-from workbench.analysis.benchmark.methods import METHODS, Lens, Method
-from workbench.analysis.benchmark.table import Column, Table
+from workbench.analysis.benchmark.methods import METHODS, Method, MethodLens
+from workbench.analysis.benchmark.table import Table, TableColumn
 from workbench.analysis.cells.image import ACCURACY, imaging
 from workbench.analysis.validation import validate
 from workbench.analysis.watch import finished
@@ -55,7 +55,7 @@ class Effort:
     processes: int
 
 
-class Verified(NamedTuple):
+class VerifiedError(NamedTuple):
     """What an independent tracer says of a lens.
 
     Attributes
@@ -86,7 +86,7 @@ class Course:
         not in it.
     own_curve : tuple of (float, float)
         Time and own error of the best lens after each iteration.
-    last : Verified or None
+    last : VerifiedError or None
         What is said of the last lens.
     waited : float or None
         Time that a fresh process takes, s.
@@ -105,7 +105,7 @@ class Course:
     times: tuple[float, ...] = ()
     errors: tuple[float, ...] = ()
     own_curve: tuple[tuple[float, float], ...] = ()
-    last: Verified | None = None
+    last: VerifiedError | None = None
     waited: float | None = None
     memory: int | None = None
     sooner: float | None = None
@@ -200,22 +200,22 @@ def courses(effort: Effort, notify: Notify) -> Iterator[Course]:
 def table(found: Sequence[Course]) -> Table:
     """The courses as rows."""
     columns = (
-        Column("scene", "scene"),
-        Column("method", "method"),
-        Column("error", "verified error", ".2%"),
-        Column("bound", "±", ".2%"),
-        Column("own", "own error", ".2%"),
-        Column("own_over_verified", "own / verified", ".3f"),
-        Column("efficiency", "light on the screen", ".1%"),
-        Column("seconds", "seconds", ".1f"),
-        Column("waited", "waited", ".1f"),
-        Column("microseconds_a_pixel", "µs a pixel", ".0f"),
-        Column("megabytes", "peak MB", ".0f"),
-        Column("sooner", f"times sooner at the best error of {found[0].method}", ".3g"),
-        Column("failure", "failed"),
-        Column("pixels", ""),
-        Column("curve", ""),
-        Column("own_curve", ""),
+        TableColumn("scene", "scene"),
+        TableColumn("method", "method"),
+        TableColumn("error", "verified error", ".2%"),
+        TableColumn("bound", "±", ".2%"),
+        TableColumn("own", "own error", ".2%"),
+        TableColumn("own_over_verified", "own / verified", ".3f"),
+        TableColumn("efficiency", "light on the screen", ".1%"),
+        TableColumn("seconds", "seconds", ".1f"),
+        TableColumn("waited", "waited", ".1f"),
+        TableColumn("microseconds_a_pixel", "µs a pixel", ".0f"),
+        TableColumn("megabytes", "peak MB", ".0f"),
+        TableColumn("sooner", f"times sooner at the best error of {found[0].method}", ".3g"),
+        TableColumn("failure", "failed"),
+        TableColumn("pixels", ""),
+        TableColumn("curve", ""),
+        TableColumn("own_curve", ""),
     )
     return Table(TITLE, columns, found, _NOTE)
 
@@ -224,7 +224,7 @@ def _course(example: Example, name: str, effort: Effort, notify: Notify) -> Cour
     course = Course(example.name, name, example.target.size)
     case = f"{example.name}, {name}"
     try:
-        kept: list[Lens] = []
+        kept: list[MethodLens] = []
         own: list[tuple[float, float]] = []
         for lens in _timed(METHODS[name], example, effort.iterations):
             notify(case, f"{lens.seconds:.1f} s")
@@ -252,13 +252,13 @@ def _course(example: Example, name: str, effort: Effort, notify: Notify) -> Cour
     return course
 
 
-def _timed(method: Method, example: Example, iterations: int | None) -> Iterator[Lens]:
+def _timed(method: Method, example: Example, iterations: int | None) -> Iterator[MethodLens]:
     for _ in islice(method(example, iterations), _WARM_UP):
         pass
     return method(example, iterations)
 
 
-def verified(example: Example, lens: Array, accuracy: float = ACCURACY) -> Verified:
+def verified(example: Example, lens: Array, accuracy: float = ACCURACY) -> VerifiedError:
     """Judge a lens by cells of that accuracy; by random rays where the source has many points."""
     # A method may design on a net of its own.
     net = {"control_points": lens.shape}
@@ -267,9 +267,9 @@ def verified(example: Example, lens: Array, accuracy: float = ACCURACY) -> Verif
     if image is None:
         light = validate(scene, example.target, {example.scene.optic.face: lens}, _RAYS)
         low, high = light.relative_l2_corrected_interval
-        return Verified(light.relative_l2_corrected, (high - low) / 2, light.efficiency)
+        return VerifiedError(light.relative_l2_corrected, (high - low) / 2, light.efficiency)
     efficiency = scene.receiver.total(image.irradiance)
-    return Verified(*image.error(example.target), efficiency)
+    return VerifiedError(*image.error(example.target), efficiency)
 
 
 def _sooner(course: Course, yardstick: Course) -> float | None:

@@ -22,7 +22,7 @@ from workbench.scene import Scene
 Array = npt.NDArray[np.float64]
 
 
-class Lens(NamedTuple):
+class MethodLens(NamedTuple):
     """A lens that a method has found.
 
     Attributes
@@ -40,7 +40,7 @@ class Lens(NamedTuple):
     own: float | None = None
 
 
-Method = Callable[[Example, int | None], Iterator[Lens]]
+Method = Callable[[Example, int | None], Iterator[MethodLens]]
 
 _PAPER_ITERATIONS = 1000  # as in the paper
 # With a finer net and the paper's rays its own loss falls and the verified error rises.
@@ -48,11 +48,11 @@ _PAPER_NET = 64
 _PAPER_SECONDS = 10.0  # no longer, so that all scenes together end soon
 
 
-def _auto(example: Example, iterations: int | None) -> Iterator[Lens]:
+def _auto(example: Example, iterations: int | None) -> Iterator[MethodLens]:
     return _designed(example, "auto", iterations or example.scene.run.iterations)
 
 
-def _paper(example: Example, iterations: int | None) -> Iterator[Lens]:
+def _paper(example: Example, iterations: int | None) -> Iterator[MethodLens]:
     n_u, n_v = example.scene.optic.net_shape
     net = {"control_points": (min(n_u, _PAPER_NET), min(n_v, _PAPER_NET))}
     lens = example.scene.optic.model_copy(update=net)
@@ -61,23 +61,23 @@ def _paper(example: Example, iterations: int | None) -> Iterator[Lens]:
     return takewhile(lambda lens: lens.seconds <= _PAPER_SECONDS, lenses)
 
 
-def _paper_on_torch(example: Example, iterations: int | None) -> Iterator[Lens]:
+def _paper_on_torch(example: Example, iterations: int | None) -> Iterator[MethodLens]:
     """As printed: the same in plain torch, without the kernels."""
     with held_back():
         yield from _paper(example, iterations)
 
 
-def _transport(example: Example, iterations: int | None) -> Iterator[Lens]:
+def _transport(example: Example, iterations: int | None) -> Iterator[MethodLens]:
     """The first lens of ``auto`` alone."""
     start = time.perf_counter()
     first = transport_start(example.scene, example.target)
     if first is None:
         raise RunFailed("no light leaves the lens, so there is none to transport")
     limits = HeightLimits.of(example.scene.optic, ControlNet.of(example.scene.optic))
-    yield Lens(time.perf_counter() - start, limits.nearest(first))
+    yield MethodLens(time.perf_counter() - start, limits.nearest(first))
 
 
-def _designed(example: Example, method: str, iterations: int) -> Iterator[Lens]:
+def _designed(example: Example, method: str, iterations: int) -> Iterator[MethodLens]:
     before = example.scene.run
     settings = {"iterations": iterations, "seed": before.seed, "device": before.device}
     scene = Scene.from_data(example.scene.to_data() | {"run": {"method": method} | settings})
@@ -85,7 +85,7 @@ def _designed(example: Example, method: str, iterations: int) -> Iterator[Lens]:
         if snapshot.best:
             heights = snapshot.state.heights[example.scene.optic.face]
             own = relative_l2(snapshot.state.irradiance, example.target)
-        yield Lens(snapshot.seconds, heights, own)
+        yield MethodLens(snapshot.seconds, heights, own)
 
 
 METHODS: dict[str, Method] = {

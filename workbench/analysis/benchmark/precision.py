@@ -9,7 +9,7 @@ import torch
 
 from workbench.analysis.benchmark.examples import Example, Notify, wavy
 from workbench.analysis.benchmark.kernels import Descent
-from workbench.analysis.benchmark.table import Column, Table
+from workbench.analysis.benchmark.table import Table, TableColumn
 
 Array = npt.NDArray[np.float64]
 
@@ -67,10 +67,10 @@ def difference(example: Example, heights: Array) -> Difference:
 def table(found: Sequence[Difference]) -> Table:
     """The differences as rows."""
     columns = (
-        Column("scene", "scene"),
-        Column("image", "image", ".1e"),
-        Column("loss", "loss", ".1e"),
-        Column("gradient", "gradient", ".1e"),
+        TableColumn("scene", "scene"),
+        TableColumn("image", "image", ".1e"),
+        TableColumn("loss", "loss", ".1e"),
+        TableColumn("gradient", "gradient", ".1e"),
     )
     return Table("Relative difference of float32 from float64", columns, found)
 

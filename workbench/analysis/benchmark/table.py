@@ -6,7 +6,7 @@ from typing import Any
 
 
 @dataclass(frozen=True)
-class Column:
+class TableColumn:
     """A column.
 
     Attributes
@@ -32,7 +32,7 @@ class Table:
     ----------
     title : str
         What the rows are.
-    columns : tuple of Column
+    columns : tuple of TableColumn
         What is known of each.
     rows : sequence
         Anything with the columns' names as attributes; None for what does not apply.
@@ -41,7 +41,7 @@ class Table:
     """
 
     title: str
-    columns: tuple[Column, ...]
+    columns: tuple[TableColumn, ...]
     rows: Sequence[Any]
     note: str = ""
 

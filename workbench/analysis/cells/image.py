@@ -8,7 +8,7 @@ from functools import partial
 import numpy as np
 
 from workbench.analysis.cells.drawing import Drawing
-from workbench.analysis.cells.lattice import Lattice
+from workbench.analysis.cells.lattice import CellLattice
 from workbench.analysis.cells.spots import Spots
 from workbench.analysis.cells.triangles import Array
 from workbench.analysis.metrics import relative_l2
@@ -172,7 +172,7 @@ class Levels:
         if self._wide:
             return Spots(self._scene, self._train, self.cells(level), level)
         light = self._train.source.finer(level)
-        return Lattice(self._scene, self._train.lit_by(light), self.cells(level))
+        return CellLattice(self._scene, self._train.lit_by(light), self.cells(level))
 
     def more(self, level: int) -> float:
         """How many times as many origins there are at the next level."""

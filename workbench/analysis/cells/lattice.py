@@ -19,7 +19,7 @@ _AT_ONCE = 1 << 15
 _SAMPLES, _FEWER, _MANY = 8, 4, 16
 
 
-class Lattice(Drawing):
+class CellLattice(Drawing):
     """Cells that cover the entrance face, lit from each origin of the light; see `Drawing`.
 
     Parameters

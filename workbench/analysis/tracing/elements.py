@@ -159,7 +159,7 @@ class LightSource(RandomSource, FaceLight, Protocol):
         ...
 
 
-class Face(Protocol):
+class TracedFace(Protocol):
     """A surface that rays meet.
 
     Attributes

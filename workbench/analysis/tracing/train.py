@@ -9,8 +9,8 @@ from workbench.analysis.tracing.elements import (
     Array,
     Boundary,
     Detector,
-    Face,
     LightSource,
+    TracedFace,
     TracedRays,
 )
 from workbench.analysis.tracing.interfaces import DielectricBoundary, MirrorBoundary, reflectances
@@ -71,7 +71,7 @@ class OpticalTrain:
     ----------
     source : LightSource
         The source.
-    faces : sequence of (Face, Boundary)
+    faces : sequence of (TracedFace, Boundary)
         Faces, and what each does to light.
     detector : Detector
         Where light is counted.
@@ -85,7 +85,7 @@ class OpticalTrain:
     def __init__(
         self,
         source: LightSource,
-        faces: Sequence[tuple[Face, Boundary]],
+        faces: Sequence[tuple[TracedFace, Boundary]],
         detector: Detector,
     ) -> None:
         self.source, self.faces, self.detector = source, faces, detector
@@ -114,7 +114,7 @@ class OpticalTrain:
         return OpticalTrain(source, self.faces, self.detector)
 
     def lit(self, origin: int, x: Array, y: Array) -> TracedRays:
-        """Rays of one origin to places of the first face; see `Face.lit`."""
+        """Rays of one origin to places of the first face; see `TracedFace.lit`."""
         return self.faces[0][0].lit(self.source, origin, x, y)
 
     def walk(self, rays: TracedRays, tally: Tally) -> None:
@@ -162,9 +162,9 @@ class OpticalTrain:
 
 def _of_lens(
     lens: Lens, heights: Mapping[str, Array], pose: Pose
-) -> Sequence[tuple[Face, Boundary]]:
+) -> Sequence[tuple[TracedFace, Boundary]]:
     n, (entering, leaving) = lens.index, reflectances(lens)
-    entrance: Face = FlatFace(0.0, outline_of(lens), "missed_lens")
+    entrance: TracedFace = FlatFace(0.0, outline_of(lens), "missed_lens")
     if "entrance" in heights:
         net = freeform_nets(lens)["entrance"]
         entrance = FrontFace(lens, heights["entrance"], "missed_lens", net)
@@ -179,13 +179,13 @@ def _of_lens(
 
 def _of_mirror(
     mirror: Mirror, heights: Mapping[str, Array], pose: Pose
-) -> Sequence[tuple[Face, Boundary]]:
+) -> Sequence[tuple[TracedFace, Boundary]]:
     face = FrontFace(mirror, heights["mirror"], "missed_mirror")
     return ((face, MirrorBoundary(mirror.reflectance)),)
 
 
 _FACES: Mapping[
-    type, Callable[[Any, Mapping[str, Array], Pose], Sequence[tuple[Face, Boundary]]]
+    type, Callable[[Any, Mapping[str, Array], Pose], Sequence[tuple[TracedFace, Boundary]]]
 ] = {
     Lens: _of_lens,
     Mirror: _of_mirror,

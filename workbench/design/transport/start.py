@@ -23,7 +23,7 @@ from workbench.design.loss import relative_error
 from workbench.design.transport.back_and_forth import Transport
 from workbench.design.transport.face import SlopeFit
 from workbench.geometry.surface import ControlNet
-from workbench.optics.glass import Glass
+from workbench.optics.glass import FlatGlass
 from workbench.optics.path import Path
 from workbench.optics.reference import Reference
 from workbench.optics.sources import emitter_of
@@ -161,7 +161,7 @@ class _Light:
         self.x, self.y = (middle * r_x)[:, None], (middle * r_y)[None, :]
         self._entrance_z, self._face = scene.optic.front_z, scene.optic.face
         self._along: tuple[float, float, float] | None = None
-        self._glass: Glass | None = None
+        self._glass: FlatGlass | None = None
         self._fit, self._given = fit, emitter_of(scene.source, scene.optic).origins
         sharp = scene.source.sharp
         if self._given.pattern is not None:  # a file's origin need not be where its light is
@@ -177,7 +177,7 @@ class _Light:
             self._from_z = z
             if n > 1:
                 entering = TransmittanceLaw.constant(1 / n, 0.0)  # it bends as any other
-                self._glass = Glass(self._entrance_z - z, entering, origins.lambertian)
+                self._glass = FlatGlass(self._entrance_z - z, entering, origins.lambertian)
         self._sharp = origins
         path = Path.of(scene, net, torch.float64, samples=(cells, cells))
         self._reference = Reference(path)

@@ -11,7 +11,7 @@ from typing import BinaryIO
 import numpy as np
 
 from workbench.files.export.design import METRES, Design, Deviation
-from workbench.files.export.tessellation import Body, Tessellation
+from workbench.files.export.tessellation import Tessellation, TriangleBody
 
 _FLOAT, _UNSIGNED_INT = 5126, 5125
 _VERTICES, _INDICES = 34962, 34963  # what a buffer view is for
@@ -39,7 +39,7 @@ def write_glb(design: Design, file: BinaryIO) -> Deviation:
     return Deviation("chord error", face.chord_error(design), design.unit, "lengths in m")
 
 
-def _scene(design: Design, body: Body, vertices: int, triangles: int) -> dict[str, object]:
+def _scene(design: Design, body: TriangleBody, vertices: int, triangles: int) -> dict[str, object]:
     metres = METRES[design.unit]
     return {
         "asset": {"version": "2.0", "generator": "freeform-lens-workbench"},

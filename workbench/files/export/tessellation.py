@@ -21,7 +21,7 @@ _MOST_CELLS = 4_000_000
 _LOOKS = 4
 
 
-class Body(NamedTuple):
+class TriangleBody(NamedTuple):
     """A closed surface of triangles.
 
     Attributes
@@ -133,7 +133,7 @@ class Tessellation(NamedTuple):
         """The same in single precision, as some formats keep it."""
         return Tessellation(*(c.astype(np.float32).astype(np.float64) for c in self))
 
-    def body(self) -> Body:
+    def body(self) -> TriangleBody:
         """The closed body: freeform face, walls, and the other side."""
         m_x, m_y = self.z.shape
         index = np.arange(m_x * m_y).reshape(m_x, m_y)
@@ -155,7 +155,7 @@ class Tessellation(NamedTuple):
         found = np.concatenate([_cells(index), *map(np.column_stack, walls), closing])
         if self.other.flat[0] > self.z.flat[0]:  # seen from outside, the face is turned over
             found = found[:, ::-1]
-        return Body(np.concatenate([top, bottom]), found)
+        return TriangleBody(np.concatenate([top, bottom]), found)
 
     def _places(self, z: Array) -> Array:
         """The vertices of a face, shape (m_x * m_y, 3)."""

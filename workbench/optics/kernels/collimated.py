@@ -27,7 +27,7 @@ from workbench.optics.path import Path
 from workbench.optics.receivers import PlaneReceiver
 from workbench.optics.samples import cells
 from workbench.optics.sources import CollimatedEmitter
-from workbench.optics.steps import Step
+from workbench.optics.steps import FaceStep
 from workbench.optics.surfaces import Plane
 from workbench.optics.transmittance import TransmittanceLaw
 from workbench.scene import GaussianFilter, Screen
@@ -81,7 +81,7 @@ class FusedCollimatedRays(ParallelRays):
 
     def passes(self, rays: Rays, spread: Spread) -> GridPasses:
         """See `ParallelRays`."""
-        return _Passes(self, rays, spread)
+        return _CollimatedPasses(self, rays, spread)
 
     def light(self, flux: Tensor, sums: Sums) -> Light:
         """See `ParallelRays`."""
@@ -104,7 +104,7 @@ class _ParallelLens(NamedTuple):
         match path.emitter, path.steps:
             case (
                 CollimatedEmitter() as emitter,
-                (Step(Plane(z=z), Refraction(law=law, reflected=reflected), missed), _),
+                (FaceStep(Plane(z=z), Refraction(law=law, reflected=reflected), missed), _),
             ) if face is not None:
                 return cls(emitter, z, missed, law, reflected, face)
         return None
@@ -133,7 +133,7 @@ def compile_for(dtype: torch.dtype) -> None:
     LOOPS.land_back(*given, nodes, gradient)
 
 
-class _Passes(GridPasses):
+class _CollimatedPasses(GridPasses):
     """The trace of one set of rays onto one screen, and its adjoint."""
 
     def __init__(self, source: FusedCollimatedRays, rays: Rays, spread: Spread) -> None:

@@ -11,7 +11,7 @@ from workbench.optics.interfaces import Refraction
 from workbench.optics.kernels.function import Sums
 from workbench.optics.light import Light
 from workbench.optics.path import Path
-from workbench.optics.steps import Step
+from workbench.optics.steps import FaceStep
 from workbench.optics.surfaces import BSplineSurface
 from workbench.optics.transmittance import TransmittanceLaw
 
@@ -56,10 +56,10 @@ class ExitFace(NamedTuple):
         return face if face is not None and face.law.ratio > 1 else None
 
     @classmethod
-    def at(cls, step: Step) -> "ExitFace | None":
+    def at(cls, step: FaceStep) -> "ExitFace | None":
         """The face of a step; None where that is no B-spline that refracts."""
         match step:
-            case Step(
+            case FaceStep(
                 BSplineSurface(name=name, net=net, outline=outline) as surface,
                 Refraction(law=law, reflected=reflected, absorption=absorption),
                 missed,

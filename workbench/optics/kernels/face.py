@@ -13,17 +13,17 @@ from torch import Tensor
 
 from workbench.geometry.surface import ControlNet
 from workbench.optics.face_samples import FaceSamples, SampledFace
-from workbench.optics.glass import Glass
+from workbench.optics.glass import FlatGlass
 from workbench.optics.halves import Halves
 from workbench.optics.kernels.exit_face import ExitFace
-from workbench.optics.kernels.face_numbers import Across, Number, Optics, Up
+from workbench.optics.kernels.face_numbers import Across, FaceOptics, Number, Up
 from workbench.optics.kernels.face_trace import LOOPS
 from workbench.optics.kernels.function import Sums, kind_of, trace
 from workbench.optics.kernels.grid import make_axis
 from workbench.optics.kernels.locked import Mask
-from workbench.optics.kernels.passes import GridPasses, Landing
+from workbench.optics.kernels.passes import GridLanding, GridPasses
 from workbench.optics.kernels.spread import Spread, make_canvases, make_spread, pad
-from workbench.optics.lattice import Axis, make_lattice
+from workbench.optics.lattice import SampleAxis, make_lattice
 from workbench.optics.light import Light, Nodes
 from workbench.optics.path import Path
 from workbench.optics.receivers import PlaneReceiver
@@ -86,12 +86,12 @@ class FusedFaceSamples:
         self._across = Across(*_first(x, m_x, kind), bright.astype(kind))
         self._up = Up(*_first(y, m_y, kind), halves.weighted(y.width, 1).astype(kind))
         n, lambertian = optic.index, source.emission == "lambertian"
-        self._glass = Glass(lattice.distance, sampled.entering, lambertian)
+        self._glass = FlatGlass(lattice.distance, sampled.entering, lambertian)
         self._widest = float(np.hypot(np.abs(x.away).max(), np.abs(y.away).max()))
         apparent = n * lattice.distance
         self._level = sampled.level
         self._lift = self._level - optic.front_z
-        self._optics = Optics(
+        self._optics = FaceOptics(
             kind(n),
             kind(n * n - 1),
             kind(apparent),
@@ -120,13 +120,13 @@ class FusedFaceSamples:
     def image(self, heights: Mapping[str, Tensor], filter: Filter) -> Light:
         """Trace a lens; see `workbench.optics.light.Tracer`."""
         spread = make_spread(self._receiver, filter, self._kind)
-        light = trace(heights[self._face.name], self._level, self._dtype, _Passes(self, spread))
+        light = trace(heights[self._face.name], self._level, self._dtype, _FacePasses(self, spread))
         return self._face.light(*light, self._before)
 
     def nodes(self, heights: Mapping[str, Tensor]) -> Nodes:
         """Trace the corners of cells of light; see `workbench.optics.light.BeamTracer`."""
         spread = make_spread(self._receiver, BoxFilter(), self._kind)
-        landing = Landing(_Passes(self, spread))
+        landing = GridLanding(_FacePasses(self, spread))
         traced = trace(heights[self._face.name], self._level, self._dtype, landing)
         return Nodes(*self._face.light(*traced, self._before))
 
@@ -137,7 +137,7 @@ class FusedFaceSamples:
 
 
 def _first(
-    along: Axis, samples: int, kind: type[Number]
+    along: SampleAxis, samples: int, kind: type[Number]
 ) -> tuple[AnyArray, AnyArray, AnyArray, AnyArray, Number]:
     """What `Across` and `Up` have in common, of the first samples; places are in scene units."""
     numbers = along.away, along.reach, along.beyond
@@ -154,7 +154,7 @@ def compile_for(dtype: torch.dtype) -> None:
     across = Across(pair, pair, pair, pair, one, pair)
     up = Up(pair, pair, pair, pair, one, pair)
     laws = TransmittanceLaw.fresnel(1 / 1.5).cast(kind), TransmittanceLaw.fresnel(1.5).cast(kind)
-    optics = Optics._make([*(kind(1.5) for _ in Optics._fields[:-4]), *laws, False, False])
+    optics = FaceOptics._make([*(kind(1.5) for _ in FaceOptics._fields[:-4]), *laws, False, False])
     screen = Screen(z=1.0, half_width=(1.0, 1.0), pixels=(2, 2))
     spread = make_spread(PlaneReceiver(screen, 0.0), GaussianFilter(), kind)
     canvas = make_canvases(spread, 1)[0]
@@ -167,7 +167,7 @@ def compile_for(dtype: torch.dtype) -> None:
     LOOPS.land_back(*given, nodes, gradient)
 
 
-class _Passes(GridPasses):
+class _FacePasses(GridPasses):
     """The trace of one set of samples onto one screen, and its adjoint."""
 
     def __init__(self, samples: FusedFaceSamples, spread: Spread) -> None:

@@ -12,7 +12,7 @@ AnyArray = npt.NDArray[np.floating[Any]]
 
 
 class Across(NamedTuple):
-    """Samples along x: see `workbench.optics.lattice.Axis`; arrays of shape (m,).
+    """Samples along x: see `workbench.optics.lattice.SampleAxis`; arrays of shape (m,).
 
     Attributes
     ----------
@@ -45,7 +45,7 @@ class Up(NamedTuple):
     width: AnyArray
 
 
-class Optics(NamedTuple):
+class FaceOptics(NamedTuple):
     """Numbers of a trace, in its float type.
 
     Attributes

@@ -26,7 +26,7 @@ from workbench.optics.path import Path
 from workbench.optics.receivers import PlaneReceiver
 from workbench.optics.samples import cells
 from workbench.optics.sources import CollimatedEmitter
-from workbench.optics.steps import Step
+from workbench.optics.steps import FaceStep
 from workbench.optics.surfaces import BSplineSurface
 from workbench.scene import GaussianFilter, Screen
 
@@ -69,7 +69,7 @@ class FusedMirrorRays(ParallelRays):
 
     def passes(self, rays: Rays, spread: Spread) -> GridPasses:
         """See `ParallelRays`."""
-        return _Passes(self, rays, spread)
+        return _MirrorPasses(self, rays, spread)
 
     def light(self, flux: Tensor, sums: Sums) -> Light:
         """See `ParallelRays`."""
@@ -95,7 +95,7 @@ class _LitMirror(NamedTuple):
             case (
                 CollimatedEmitter() as emitter,
                 (
-                    Step(
+                    FaceStep(
                         BSplineSurface(name=name, net=net, subdivisions=None, outline=outline),
                         Reflection() as mirror,
                         missed,
@@ -106,7 +106,7 @@ class _LitMirror(NamedTuple):
         return None
 
 
-class _Passes(GridPasses):
+class _MirrorPasses(GridPasses):
     """The trace of one set of rays, and its adjoint."""
 
     def __init__(self, source: FusedMirrorRays, rays: Rays, spread: Spread) -> None:

@@ -11,7 +11,7 @@ Number = np.floating[Any]
 AnyArray = npt.NDArray[np.floating[Any]]
 
 
-class Line(NamedTuple):
+class SampleLine(NamedTuple):
     """Samples of the exit face along one axis; arrays of shape (m,), scene units.
 
     Attributes
@@ -21,7 +21,7 @@ class Line(NamedTuple):
     low, high : ndarray
         Ends of what each stands for.
     half_width : floating
-        Of the entrance face; infinite where an `Outline` is curved.
+        Of the entrance face; infinite where an `OutlineNumbers` is curved.
     """
 
     place: AnyArray
@@ -30,7 +30,7 @@ class Line(NamedTuple):
     half_width: Number
 
 
-class Outline(NamedTuple):
+class OutlineNumbers(NamedTuple):
     """A lens that is not all of its rectangle.
 
     Attributes

@@ -14,13 +14,13 @@ import torch
 from torch import Tensor
 
 from workbench.geometry.surface import ControlNet
-from workbench.optics.glass import Glass
+from workbench.optics.glass import FlatGlass
 from workbench.optics.kernels import threads
 from workbench.optics.kernels.exit_face import ExitFace
 from workbench.optics.kernels.function import Sums, kind_of, trace
 from workbench.optics.kernels.grid import make_axis
 from workbench.optics.kernels.origin_loops import FROM_POINTS, FROM_SKY
-from workbench.optics.kernels.origin_numbers import Line, Medium, Outline, Points, Sky
+from workbench.optics.kernels.origin_numbers import Medium, OutlineNumbers, Points, SampleLine, Sky
 from workbench.optics.kernels.origin_receive import Landing, landing_of
 from workbench.optics.light import Nodes
 from workbench.optics.path import Path
@@ -66,7 +66,7 @@ class FusedOrigins:
         kept, self.mirrored = halved(shared.origins, mirrored)
         self._shared = shared._replace(origins=kept)
         entered = 1 - sum(self._before.values())
-        self._passes = _Passes(self._shared, face, path, entered, self.mirrored)
+        self._passes = _OriginPasses(self._shared, face, path, entered, self.mirrored)
 
     @property
     def notes(self) -> list[str]:
@@ -84,7 +84,7 @@ class FusedOrigins:
         return Nodes(*self._face.light(*traced, self._before))
 
 
-class _Passes:
+class _OriginPasses:
     """The trace of one grid of samples, and its adjoint; see `function.Passes`."""
 
     def __init__(
@@ -108,7 +108,7 @@ class _Passes:
         )
         by_x2, by_y2 = (kind(1 / r**2) for r in shared.half_width)
         inside = np.ascontiguousarray(shared.inside.T, kind)
-        self._outline = Outline(not shared.outline.whole, inside, by_x2, by_y2)
+        self._outline = OutlineNumbers(not shared.outline.whole, inside, by_x2, by_y2)
         critical = kind(16 * np.finfo(kind).eps)
         absorption, law = kind(face.absorption), face.law.cast(kind)
         self._medium = Medium(kind(n), kind(n * n - 1), kind(lift), critical, absorption, law)
@@ -118,7 +118,7 @@ class _Passes:
         patterns = np.zeros((0, 2, 2)) if patterns is None else patterns
         per_x, per_y = (kind((patterns.shape[1] - 1) / (2 * r)) for r in shared.half_width)
         self._patterns = np.ascontiguousarray(patterns, kind), per_x, per_y
-        self._glass = Glass(shared.distance, shared.law, lambertian=False)
+        self._glass = FlatGlass(shared.distance, shared.law, lambertian=False)
         columns, rows = (len(line.place) for line in self._lines)
         self._shape = len(shared.origins.flux) * rows, columns
         self._parts = min(threads.parts(self._shape[0] * columns), columns)
@@ -197,9 +197,9 @@ class _Passes:
         )
 
 
-def _line(places: Places, half_width: float, whole: bool, kind: Kind) -> Line:
+def _line(places: Places, half_width: float, whole: bool, kind: Kind) -> SampleLine:
     place, low, high = (((2 * part - 1) * half_width).astype(kind) for part in places)
-    return Line(place, low, high, kind(half_width if whole else math.inf))
+    return SampleLine(place, low, high, kind(half_width if whole else math.inf))
 
 
 def halved(origins: Origins, wanted: tuple[bool, bool]) -> tuple[Origins, tuple[bool, bool]]:
@@ -250,7 +250,10 @@ def compile_for(dtype: torch.dtype) -> None:
     corners = Corners(1, 1)
     bases = tuple(make_axis(net, axis, places(corners, axis).part, kind) for axis in (0, 1))
     pair, one = np.ones(2, kind), kind(1)
-    line, outline = Line(pair, pair, pair, one), Outline(True, np.ones((2, 2), kind), one, one)
+    line, outline = (
+        SampleLine(pair, pair, pair, one),
+        OutlineNumbers(True, np.ones((2, 2), kind), one, one),
+    )
     law = TransmittanceLaw.schlick(1.5).cast(kind)
     medium = Medium(kind(1.5), kind(1.25), one, kind(1e-6), one, law)
     axes = (one, one, one)

@@ -19,7 +19,7 @@ from workbench.optics.halves import Halves
 from workbench.optics.kernels.function import Sums, kind_of, trace
 from workbench.optics.kernels.grid import Axis, make_axis
 from workbench.optics.kernels.locked import Mask, Rays, count, split
-from workbench.optics.kernels.passes import GridPasses, Landing
+from workbench.optics.kernels.passes import GridLanding, GridPasses
 from workbench.optics.kernels.spread import Spread, make_spread
 from workbench.optics.light import Light, Nodes
 from workbench.optics.path import Path
@@ -128,7 +128,7 @@ class ParallelRays(ABC):
     def nodes(self, heights: Mapping[str, Tensor]) -> Nodes:
         """Trace the corners of cells of light; see `workbench.optics.light.BeamTracer`."""
         spread = make_spread(self.receiver, BoxFilter(), self.kind)
-        landing = Landing(self.passes(self._moving, spread))
+        landing = GridLanding(self.passes(self._moving, spread))
         traced = trace(heights[self._name], self._level, self._dtype, landing)
         return Nodes(*self.light(*traced))
 

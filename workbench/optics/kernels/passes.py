@@ -16,7 +16,7 @@ from workbench.optics.kernels.spread import Spread, add_up, make_canvases, pad
 AnyArray = npt.NDArray[np.floating[Any]]
 
 
-class Landing:
+class GridLanding:
     """The trace of a grid to where its rays land; `workbench.optics.kernels.function.Passes`."""
 
     def __init__(self, grid: "GridPasses") -> None:

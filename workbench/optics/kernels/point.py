@@ -89,7 +89,7 @@ class FusedPointRays:
         """Trace a lens; see `workbench.optics.light.Tracer`."""
         path = self._path
         spread = make_spread(path.receiver, filter, self.kind)
-        light = trace(heights[self._exit.name], path.datum, path.dtype, _Passes(self, spread))
+        light = trace(heights[self._exit.name], path.datum, path.dtype, _PointPasses(self, spread))
         return self._exit.light(*light, {name: part.item() for name, part in path.lost.items()})
 
     def ready(self, level: float) -> Sorted:
@@ -114,7 +114,7 @@ def _start(path: Path) -> float:
     return z.flatten()[0].item() if z.numel() else 0.0
 
 
-class _Passes:
+class _PointPasses:
     """The trace of one set of rays onto one screen, and its adjoint."""
 
     def __init__(self, rays: FusedPointRays, spread: Spread) -> None:

@@ -91,7 +91,7 @@ class FusedTwoFaces:
         """Trace the corners of cells of light; see `workbench.optics.light.BeamTracer`."""
         given = self._given
         first, second = (heights[face.name] for face in given.faces)
-        return trace_two((first, second), given.levels, self._dtype, _Passes(given))
+        return trace_two((first, second), given.levels, self._dtype, _TwoFacePasses(given))
 
 
 class _Given:
@@ -131,7 +131,7 @@ class _Given:
         self.steepest = np.full(2, _STEEPEST, kind)  # as long as they are not known
 
 
-class _Passes:
+class _TwoFacePasses:
     """The trace of one lens, and its adjoint; see `function.PassesOfTwo`."""
 
     def __init__(self, given: _Given) -> None:

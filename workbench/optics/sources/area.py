@@ -8,7 +8,7 @@ from torch import Tensor
 
 from workbench.optics.rays import RayBundle
 from workbench.optics.samples import Samples
-from workbench.optics.sources.evenly import Spread
+from workbench.optics.sources.evenly import SpreadPlaces
 from workbench.optics.sources.extended import ExtendedEmitter
 from workbench.optics.sources.origins import Origins, vector
 from workbench.scene import AreaSource, Optic
@@ -25,7 +25,7 @@ class AreaEmitter(ExtendedEmitter):
         self._source, self.outline = source, source.outline
         self.aspect = source.half_width[0] / source.half_width[1]
 
-    def origins_at(self, places: Spread) -> Origins:
+    def origins_at(self, places: SpreadPlaces) -> Origins:
         """See `ExtendedEmitter`."""
         (x, y, z), (r_x, r_y) = self._source.center, self._source.half_width
         points = np.column_stack(

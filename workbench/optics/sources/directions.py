@@ -9,7 +9,7 @@ from torch import Tensor
 
 from workbench.optics.rays import RayBundle
 from workbench.optics.samples import Samples
-from workbench.optics.sources.evenly import Spread
+from workbench.optics.sources.evenly import SpreadPlaces
 from workbench.optics.sources.extended import ExtendedEmitter
 from workbench.optics.sources.origins import Origins, vector
 from workbench.scene import CollimatedSource, Optic
@@ -19,7 +19,7 @@ Array = npt.NDArray[np.float64]
 # The shadow of a beam on the face is not taken to be longer than this many of its radii.
 _LONGEST = 20.0
 # Directions to look at, beside that in the middle.
-_RIM = Spread(np.array([0.0, -1, 1, 0, 0]), np.array([0.0, 0, 0, -1, 1]), np.full(5, 0.2))
+_RIM = SpreadPlaces(np.array([0.0, -1, 1, 0, 0]), np.array([0.0, 0, 0, -1, 1]), np.full(5, 0.2))
 
 
 class DirectionEmitter(ExtendedEmitter):
@@ -36,7 +36,7 @@ class DirectionEmitter(ExtendedEmitter):
         super().__init__(optic, source.ray_count, samples)
         self._source = source
 
-    def origins_at(self, places: Spread) -> Origins:
+    def origins_at(self, places: SpreadPlaces) -> Origins:
         """See `ExtendedEmitter`; directions are even in solid angle."""
         waist = self._source.profile.radius
         ways = self._source.directions(places.x, places.y)

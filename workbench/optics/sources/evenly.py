@@ -16,7 +16,7 @@ _FINE = 100
 _ROUNDS = 30
 
 
-class Spread(NamedTuple):
+class SpreadPlaces(NamedTuple):
     """Places within −1 and 1 along x and y, of a rectangle or of the ellipse in it.
 
     Attributes
@@ -33,7 +33,7 @@ class Spread(NamedTuple):
 
 
 @lru_cache(maxsize=16)
-def spread(count: int, outline: Outline, aspect: float = 1.0) -> Spread:
+def spread(count: int, outline: Outline, aspect: float = 1.0) -> SpreadPlaces:
     """Places that fill an outline evenly; its own mirror image in x and in y.
 
     Parameters
@@ -65,13 +65,13 @@ def spread(count: int, outline: Outline, aspect: float = 1.0) -> Spread:
     its rim or in its middle.
     """
     if count == 1:
-        return Spread(np.zeros(1), np.zeros(1), np.ones(1))
+        return SpreadPlaces(np.zeros(1), np.zeros(1), np.ones(1))
     few = -(-count // 4)
     x, y, share = _quarter(few, outline, aspect)
     # Place k from the end is the mirror image in y of place k, as in `interleaving`.
     x, share = np.concatenate([x, -x]), np.concatenate([share, share]) / 4
     y = np.concatenate([y, y])
-    return Spread(
+    return SpreadPlaces(
         np.concatenate([x, x[::-1]]),
         np.concatenate([y, -y[::-1]]),
         np.concatenate([share, share[::-1]]),

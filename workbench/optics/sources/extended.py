@@ -11,7 +11,7 @@ from torch import Tensor
 from workbench.geometry.outlines import outline_of
 from workbench.optics.rays import RayBundle
 from workbench.optics.samples import Corners, Samples
-from workbench.optics.sources.evenly import Outline, Spread, filling, spread
+from workbench.optics.sources.evenly import Outline, SpreadPlaces, filling, spread
 from workbench.optics.sources.origins import Origins, splits_of, through_cells, vector
 from workbench.scene import Optic
 
@@ -46,7 +46,7 @@ class ExtendedEmitter(ABC):
         self._rays = rays
 
     @abstractmethod
-    def origins_at(self, places: Spread) -> Origins:
+    def origins_at(self, places: SpreadPlaces) -> Origins:
         """Origins at places of the source's outline."""
 
     def onto_face(self, across: Array, up: Array) -> tuple[Array, Array, Array]:
@@ -102,7 +102,7 @@ class ExtendedEmitter(ABC):
         a, b, across, up = sobol.random_base2(max(count - 1, 1).bit_length())[:count].T
         x, y, area = self.onto_face(across, up)
         share = np.full(count, 1 / count)
-        origins = self.origins_at(Spread(*filling(a, b, self.outline), share))
+        origins = self.origins_at(SpreadPlaces(*filling(a, b, self.outline), share))
         lit = origins.light(x, y, self.optic.front_z, np.arange(count))
         flux = lit.density * area * outline_of(self.optic).contains(x, y)
         if flux.any():  # else all rays pass the outline by

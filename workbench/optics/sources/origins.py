@@ -20,7 +20,7 @@ Array = npt.NDArray[np.float64]
 Index = npt.NDArray[np.intp]
 
 
-class Lit(NamedTuple):
+class EnteringLight(NamedTuple):
     """Light at places of the entrance face; arrays of one shape.
 
     Attributes
@@ -83,7 +83,7 @@ class Origins(NamedTuple):
     pattern: Pattern | None = None
     note: str = ""
 
-    def light(self, x: Array, y: Array, z: float, origin: Index) -> Lit:
+    def light(self, x: Array, y: Array, z: float, origin: Index) -> EnteringLight:
         """Light of origins at places of the entrance face.
 
         Parameters
@@ -109,14 +109,14 @@ class Origins(NamedTuple):
             d_x, d_y, d_z = np.moveaxis(place, -1, 0)
             beside2 = np.square(x) + np.square(y) - np.square(x * d_x + y * d_y)
             density = self.flux[origin] * d_z * np.exp(-2 * beside2 / self.waist**2)
-            return Lit(_alike(d_x, d_y, d_z, density), density)
+            return EnteringLight(_alike(d_x, d_y, d_z, density), density)
         away = np.broadcast_arrays(x - place[..., 0], y - place[..., 1], z - place[..., 2])
         distance = np.sqrt(np.square(away).sum(axis=0))
         d_x, d_y, d_z = (part / distance for part in away)
         density = self.flux[origin] * d_z / distance**2
         if self.pattern is not None:
             density = density * self.pattern.at(origin, (d_x, d_y, d_z))
-        return Lit((d_x, d_y, d_z), density * d_z if self.lambertian else density)
+        return EnteringLight((d_x, d_y, d_z), density * d_z if self.lambertian else density)
 
     def density(self, x: Array, y: Array, z: float) -> Array:
         """Flux per area of all origins together at places of the face; see `light`."""
