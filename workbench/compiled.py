@@ -40,7 +40,9 @@ _LOG = logging.getLogger(__name__)
 _failures: list[str] = []
 
 
-def jit(*, allocates: bool = True, **options: Any) -> Callable[[Callable[..., Any]], Any]:
+def jit(
+    *, allocates: bool = True, name: str = "", **options: Any
+) -> Callable[[Callable[..., Any]], Any]:
     """Compile a function at its first call with each signature, or take its code from disk.
 
     Parameters
@@ -49,12 +51,15 @@ def jit(*, allocates: bool = True, **options: Any) -> Callable[[Callable[..., An
         Whether it, or what it calls, makes arrays. One that only takes arrays of its caller, or
         slices of them, needs no count of who holds them; otherwise numba may count at each call of
         a function that is inlined, and all threads wait for the same counters.
+    name : str
+        By which code is kept, for functions that are made by another one and so share theirs.
     **options
         Those of `numba.njit`; compiled code never holds Python's lock.
     """
     made: dict[str, Any] = {"nogil": True, "pipeline_class": _Compiler, "_nrt": allocates}
 
     def decorate(function: Callable[..., Any]) -> Any:
+        function.__qualname__ = name or function.__qualname__
         kernel = numba.njit(**made, **options)(function)
         kernel._cache = _Kept(function)
         return kernel

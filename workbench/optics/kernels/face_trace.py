@@ -201,38 +201,28 @@ def _refract(across, i, up, j, optics, spread, lanes, t):  # type: ignore[no-unt
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def _refract_back(across, i, up, j, optics, spread, lanes, t):  # type: ignore[no-untyped-def]
-    """Adjoint of `_refract`, `_see_points` and `_find_part` together.
-
-    The derivative of p by the depth is that of the root, −p g dρ_e/dρ.
-    """
+    """Adjoint of `_refract`, `_see_points` and `_find_part` together."""
     kind = t.dtype.type
-    one, two, half, zero = kind(1), kind(2), kind(0.5), kind(0)
-    n, excess, c2 = optics.ratio, optics.excess, optics.apparent * optics.apparent
-    away = across.away[i:]
-    away_y = up.away[j]
-    plain, power = one - optics.lambert, kind(3) + optics.lambert
+    one, two, zero, n = kind(1), kind(2), kind(0), optics.ratio
+    away, away_y = across.away[i:], up.away[j]
     for lane in range(np.uintp(lanes)):
-        # Again what `refract` had, but for its roots and quotients.
+        # Again what `_refract` had, but for its roots and quotients.
         z, z_x, z_y = t[Z + lane], t[Z_X + lane], t[Z_Y + lane]
         depth, part, g = t[_DEPTH + lane], t[_PART + lane], t[_G + lane]
-        cos, narrow, q = t[_COS + lane], t[_NARROW + lane], t[_Q + lane]
-        gamma, ahead, bright = t[_GAMMA + lane], t[_AHEAD + lane], t[_BRIGHT + lane]
-        away_x, g2 = away[lane], g * g
+        q, gamma, ahead = t[_Q + lane], t[_GAMMA + lane], t[_AHEAD + lane]
+        bright = t[_BRIGHT + lane]
+        away_x = away[lane]
         radius2 = away_x * away_x + away_y * away_y
         slope = part * g
         s_x, s_y = away_x * slope, away_y * slope
         lean = one - s_x * z_x - s_y * z_y
         length2, face2 = one + radius2 * slope * slope, one + z_x * z_x + z_y * z_y
         path = (optics.drop - z) * ahead
-        one_by_q = one / q
         one_by_both = one / np.sqrt(length2 * face2)
         cos_in, cos_out = lean * one_by_both, q * one_by_both
-        cos_glass = one / np.sqrt(length2)
-        enters = transmittance(optics.entering, cos, cos_glass)
-        enters_slope, glass_slope = transmittance_slopes(optics.entering, cos, cos_glass)
-        enters_slope += glass_slope * cos / (n * n * cos_glass)
-        cosines = cos * cos * cos * (plain + optics.lambert * cos)
-        density = cosines * enters * part * narrow
+        density, density_rise, slope_rise, part_rise = _density(
+            optics, depth, part, g, t[_COS + lane], t[_NARROW + lane], length2
+        )
         flux = bright * density * lean
 
         # The light's weight.
@@ -248,42 +238,68 @@ def _refract_back(across, i, up, j, optics, spread, lanes, t):  # type: ignore[n
         d_y *= path
         d_z = -d_path * ahead
         d_gamma = -(d_x * z_x + d_y * z_y) - d_path * path * ahead
-        # Γ and Q, by L², S² and m.
-        shared = d_gamma * gamma / (q + n * lean)
-        d_q = d_cos_out * one_by_both - shared
-        d_square = half * d_q * one_by_q
-        d_length2 = -d_square * excess * face2
-        d_face2 = -d_square * excess * length2
-        half_cos = half * (d_cos_in * cos_in + d_cos_out * cos_out) * (one_by_both * one_by_both)
-        d_length2 += d_gamma * gamma / length2 - half_cos * face2
-        d_face2 -= half_cos * length2
-        d_lean = two * d_square * n * n * lean - n * shared + d_flux * bright * density
-        d_lean += d_cos_in * one_by_both
-        # Slopes of the light and of the face.
+        d_lean, d_length2, d_face2 = _snell_back(
+            optics, lean, length2, face2, q, gamma, one_by_both, d_gamma, d_cos_in, d_cos_out
+        )
+        d_lean += d_flux * bright * density
+        # Slopes of the light and of the face, and the depth through p.
         d_s_x, d_s_y = n * d_x - d_lean * z_x, n * d_y - d_lean * z_y
         d_slope = d_s_x * away_x + d_s_y * away_y + two * radius2 * slope * d_length2
         d_z_x = two * z_x * d_face2 - gamma * d_x - d_lean * s_x
         d_z_y = two * z_y * d_face2 - gamma * d_y - d_lean * s_y
-        # All that depends on the depth through p, in units of dp/dt = −p g dρ_e/dρ.
-        bent = c2 * g2
-        part_rise = -slope * narrow
-        d_slope_rise = g * bent * part_rise
-        spread_rise = bent * g + kind(3) * depth * bent * (one - bent) * g2 * narrow
-        behind_rise = (one - cos * cos) * (power * enters + enters_slope * cos) * g * narrow
-        density_rise = (
-            cosines
-            * narrow
-            * (behind_rise * part + enters * (part_rise - part * narrow * spread_rise))
-        )
         flux_rise = bright * density_rise + t[_D_BRIGHT + lane] * part_rise * density
-        d_z += d_slope * d_slope_rise + d_flux * lean * flux_rise
+        d_z += d_slope * slope_rise + d_flux * lean * flux_rise
         # Also where no flux is: the light of neighbours is spread up to this hit.
         both2 = length2 * face2
-        square = n * n * lean * lean - excess * both2
+        square = n * n * lean * lean - optics.excess * both2
         passes = (depth > zero) & (lean > zero) & (square > optics.critical * both2)
         t[Z + lane] = d_z if passes else zero
         t[Z_X + lane] = d_z_x if passes else zero
         t[Z_Y + lane] = d_z_y if passes else zero
+
+
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
+def _density(optics, depth, part, g, cos, narrow, length2):  # type: ignore[no-untyped-def]
+    """Flux on a level part of the face over its point's brightness, and what the depth does to it.
+
+    Returns
+    -------
+    tuple of four floating
+        The flux, and derivatives by the depth: its own, that of the light's slope p g, and that of
+        p, which is that of the root: −p g dρ_e/dρ.
+    """
+    kind, n = type(depth), optics.ratio
+    one, three = kind(1), kind(3)
+    cos_glass = one / np.sqrt(length2)
+    enters = transmittance(optics.entering, cos, cos_glass)
+    enters_slope, glass_slope = transmittance_slopes(optics.entering, cos, cos_glass)
+    enters_slope += glass_slope * cos / (n * n * cos_glass)
+    cosines = cos * cos * cos * (one - optics.lambert + optics.lambert * cos)
+    g2, part_rise = g * g, -part * g * narrow
+    bent = optics.apparent * optics.apparent * g2
+    spread_rise = bent * g + three * depth * bent * (one - bent) * g2 * narrow
+    power = three + optics.lambert
+    behind_rise = (one - cos * cos) * (power * enters + enters_slope * cos) * g * narrow
+    by_part = enters * (part_rise - part * narrow * spread_rise)
+    density_rise = cosines * narrow * (behind_rise * part + by_part)
+    return cosines * enters * part * narrow, density_rise, g * bent * part_rise, part_rise
+
+
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
+def _snell_back(  # type: ignore[no-untyped-def]
+    optics, lean, length2, face2, q, gamma, one_by_both, d_gamma, d_cos_in, d_cos_out
+):
+    """Cotangents of m, L² and S² from those of Γ and of the cosines before and behind the face."""
+    kind, n = type(lean), optics.ratio
+    half, two = kind(0.5), kind(2)
+    cos_in, cos_out = lean * one_by_both, q * one_by_both
+    shared = d_gamma * gamma / (q + n * lean)
+    d_square = half * (d_cos_out * one_by_both - shared) / q
+    half_cos = half * (d_cos_in * cos_in + d_cos_out * cos_out) * (one_by_both * one_by_both)
+    d_length2 = d_gamma * gamma / length2 - d_square * optics.excess * face2 - half_cos * face2
+    d_face2 = -d_square * optics.excess * length2 - half_cos * length2
+    d_lean = two * d_square * n * n * lean - n * shared + d_cos_in * one_by_both
+    return d_lean, d_length2, d_face2
 
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)

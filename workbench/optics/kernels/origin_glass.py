@@ -173,28 +173,12 @@ def from_point(points, k, across, i, up, j, outline, medium, lanes, t):  # type:
     """Light of one point at a batch of samples."""
     kind = t.dtype.type
     zero, one, three = kind(0), kind(1), kind(3)
-    c, excess, n = points.apparent, medium.excess, medium.ratio
-    p_x, p_y, flux, lambert = points.x[k], points.y[k], points.flux[k], points.lambert
+    c, excess = points.apparent, medium.excess
+    p_x, p_y, flux = points.x[k], points.y[k], points.flux[k]
     place, low, high = across.place[i:], across.low[i:], across.high[i:]
     away_y, low_y, high_y = up.place[j] - p_y, up.low[j] - p_y, up.high[j] - p_y
     r_x, r_y = across.half_width, up.half_width
-    for lane in range(np.uintp(lanes)):
-        # p is between the two lower bounds of it and 1, and Newton's steps from below never fail.
-        depth = max(t[Z + lane] + medium.lift, zero)
-        away_x = place[lane] - p_x
-        widening = excess * (away_x * away_x + away_y * away_y)
-        steep = one - depth / np.sqrt(widening) if widening > zero else zero
-        t[BRIGHT + lane] = max(c / (c + depth), steep)
-    for _ in range(points.steps):
-        for lane in range(np.uintp(lanes)):
-            depth = max(t[Z + lane] + medium.lift, zero)
-            away_x = place[lane] - p_x
-            widening = excess * (away_x * away_x + away_y * away_y)
-            part = t[BRIGHT + lane]
-            g = one / np.sqrt(c * c + part * part * widening)
-            bent = c * g
-            off = part * (one + depth * g) - one
-            t[BRIGHT + lane] = part - off / (one + depth * (bent * bent) * g)
+    _find_part(points, place, p_x, away_y, medium, lanes, t)
     for lane in range(np.uintp(lanes)):
         depth, part = max(t[Z + lane] + medium.lift, zero), t[BRIGHT + lane]
         away_x = place[lane] - p_x
@@ -208,17 +192,7 @@ def from_point(points, k, across, i, up, j, outline, medium, lanes, t):  # type:
         d_part = part * rise
         d_g = -g * g2 * excess * enters2 * rise
         d_narrow = -narrow * narrow * (bent + three * depth * c * c * g2 * d_g)
-
-        cos2 = points.distance2 / (points.distance2 + enters2)
-        cos = np.sqrt(cos2)
-        d_cos = -cos * (one - cos2) * rise
-        # Behind the face the cosine to the axis is n d g over what the slope makes of 1.
-        cos_glass = np.sqrt(one - (one - cos2) / (n * n))
-        enters = transmittance(points.law, cos, cos_glass)
-        by_in, by_out = transmittance_slopes(points.law, cos, cos_glass)
-        d_enters = (by_in + by_out * cos / (n * n * cos_glass)) * d_cos
-        lit = cos2 * cos * (one - lambert + lambert * cos)
-        d_lit = cos2 * (three * (one - lambert) + kind(4) * lambert * cos) * d_cos
+        behind, d_behind = _behind(points, medium.ratio, enters2, rise)
 
         slope = part * g
         d_slope = d_part * g + part * d_g
@@ -237,17 +211,60 @@ def from_point(points, k, across, i, up, j, outline, medium, lanes, t):  # type:
         area, d_area = wide_x * wide_y, rise_x * wide_y + wide_x * rise_y
         ring = narrow / part
         d_ring = d_narrow / part - ring * rise
-        both = flux * lit * enters
         t[S_X + lane] = away_x * slope
         t[S_Y + lane] = away_y * slope
         t[D_S_X + lane] = away_x * d_slope
         t[D_S_Y + lane] = away_y * d_slope
         seen = t[Z + lane] + medium.lift > zero
-        t[BRIGHT + lane] = both * area * ring if seen else zero
-        t[D_BRIGHT + lane] = flux * (d_lit * enters + lit * d_enters) * area * ring + both * (
-            d_area * ring + area * d_ring
-        )
+        t[BRIGHT + lane] = flux * behind * area * ring if seen else zero
+        d_seen = d_area * ring + area * d_ring
+        t[D_BRIGHT + lane] = flux * d_behind * area * ring + flux * behind * d_seen
     if len(points.patterns):
         _weigh(points, k, across.place[i:], up.place[j], medium, lanes, t)
     _leave_out(across, i, up, j, outline, medium, lanes, t)
     _absorb(medium, lanes, t)
+
+
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
+def _find_part(points, place, p_x, away_y, medium, lanes, t):  # type: ignore[no-untyped-def]
+    """Find p of samples, in place of their flux."""
+    kind = t.dtype.type
+    zero, one, c, excess = kind(0), kind(1), points.apparent, medium.excess
+    for lane in range(np.uintp(lanes)):
+        # p is between the two lower bounds of it and 1, and Newton's steps from below never fail.
+        depth = max(t[Z + lane] + medium.lift, zero)
+        away_x = place[lane] - p_x
+        widening = excess * (away_x * away_x + away_y * away_y)
+        steep = one - depth / np.sqrt(widening) if widening > zero else zero
+        t[BRIGHT + lane] = max(c / (c + depth), steep)
+    for _ in range(points.steps):
+        for lane in range(np.uintp(lanes)):
+            depth = max(t[Z + lane] + medium.lift, zero)
+            away_x = place[lane] - p_x
+            widening = excess * (away_x * away_x + away_y * away_y)
+            part = t[BRIGHT + lane]
+            g = one / np.sqrt(c * c + part * part * widening)
+            bent = c * g
+            off = part * (one + depth * g) - one
+            t[BRIGHT + lane] = part - off / (one + depth * (bent * bent) * g)
+
+
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
+def _behind(points, n, enters2, rise):  # type: ignore[no-untyped-def]
+    """Light behind the entrance face at ρ_e² over that straight ahead, and its slope by the depth.
+
+    ``rise`` is dp/dt over p.
+    """
+    kind = type(enters2)
+    one, three, lambert = kind(1), kind(3), points.lambert
+    cos2 = points.distance2 / (points.distance2 + enters2)
+    cos = np.sqrt(cos2)
+    d_cos = -cos * (one - cos2) * rise
+    # Behind the face the cosine to the axis is n d g over what the slope makes of 1.
+    cos_glass = np.sqrt(one - (one - cos2) / (n * n))
+    enters = transmittance(points.law, cos, cos_glass)
+    by_in, by_out = transmittance_slopes(points.law, cos, cos_glass)
+    d_enters = (by_in + by_out * cos / (n * n * cos_glass)) * d_cos
+    lit = cos2 * cos * (one - lambert + lambert * cos)
+    d_lit = cos2 * (three * (one - lambert) + kind(4) * lambert * cos) * d_cos
+    return lit * enters, d_lit * enters + lit * d_enters

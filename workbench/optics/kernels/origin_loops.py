@@ -30,7 +30,7 @@ from workbench.optics.kernels.origin_trace import (
     refract,
     refract_back,
 )
-from workbench.optics.kernels.rows import COLUMN, D_COLUMN, D_ROW, D_WEIGHT, ROW, WEIGHT
+from workbench.optics.kernels.rows import put, take
 from workbench.optics.kernels.spread import BATCH
 from workbench.optics.kernels.taps import FAST
 
@@ -58,6 +58,7 @@ class OriginLoops(NamedTuple):
 
 
 def _make(name: str, enter: Any) -> OriginLoops:
+    @jit(name=f"{name}_land", fastmath=FAST, error_model="numpy")
     def land(  # type: ignore[no-untyped-def]
         heights, bases, lines, origins, medium, landing, begin, end, nodes, sums
     ):
@@ -80,6 +81,7 @@ def _make(name: str, enter: Any) -> OriginLoops:
                     for number in range(4):
                         sums[number] += found[number]
 
+    @jit(name=f"{name}_back", fastmath=FAST, error_model="numpy")
     def back(  # type: ignore[no-untyped-def]
         heights, bases, lines, origins, medium, landing, begin, end, cotangent, gradient
     ):
@@ -109,33 +111,7 @@ def _make(name: str, enter: Any) -> OriginLoops:
                 blend_back(d_rows, bases[1], j, lanes, t)
             contract_back(d_rows, bases[0], i, lanes, gradient)
 
-    return OriginLoops(_kernel(land, f"{name}_land"), _kernel(back, f"{name}_back"))
-
-
-@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
-def put(t, i, row, lanes, nodes):  # type: ignore[no-untyped-def]
-    """Put columns, rows and flux of a batch into the nodes, from number ``i`` of a row on."""
-    columns, rows, flux = nodes[0, row, i:], nodes[1, row, i:], nodes[2, row, i:]
-    for lane in range(np.uintp(lanes)):
-        columns[lane] = t[COLUMN + lane]
-        rows[lane] = t[ROW + lane]
-        flux[lane] = t[WEIGHT + lane]
-
-
-@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
-def take(cotangent, i, row, lanes, t):  # type: ignore[no-untyped-def]
-    """Take the cotangents of these, the adjoint of `put`."""
-    columns, rows, flux = cotangent[0, row, i:], cotangent[1, row, i:], cotangent[2, row, i:]
-    for lane in range(np.uintp(lanes)):
-        t[D_COLUMN + lane] = columns[lane]
-        t[D_ROW + lane] = rows[lane]
-        t[D_WEIGHT + lane] = flux[lane]
-
-
-def _kernel(function: Callable[..., None], name: str) -> Callable[..., None]:
-    function.__qualname__ = name  # by which its code is kept
-    kernel: Callable[..., None] = jit(fastmath=FAST, error_model="numpy")(function)
-    return kernel
+    return OriginLoops(land, back)
 
 
 FROM_SKY = _make("sky", from_sky)

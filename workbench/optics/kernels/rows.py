@@ -64,7 +64,8 @@ def make_loops(name: str, ahead: Any, back: Any, own: int) -> Loops:
     """
     numbers = int(OWN) + own * BATCH
 
-    def ahead_to(take: Any) -> Any:
+    def ahead_to(take: Any, called: str) -> Any:
+        @jit(name=f"{name}_{called}", fastmath=FAST, error_model="numpy")
         def loop(heights, bases, light, spread, begin, end, taken, sums):  # type: ignore[no-untyped-def]
             (across, up), rows = bases, make_rows(heights)
             t = np.empty(numbers, heights.dtype)
@@ -85,7 +86,8 @@ def make_loops(name: str, ahead: Any, back: Any, own: int) -> Loops:
 
         return loop
 
-    def back_from(give: Any) -> Any:
+    def back_from(give: Any, called: str) -> Any:
+        @jit(name=f"{name}_{called}", fastmath=FAST, error_model="numpy")
         def loop(heights, bases, light, spread, begin, end, cotangent, gradient):  # type: ignore[no-untyped-def]
             kind = heights.dtype.type
             (across, up), rows = bases, make_rows(heights)
@@ -109,10 +111,10 @@ def make_loops(name: str, ahead: Any, back: Any, own: int) -> Loops:
         return loop
 
     return Loops(
-        _kernel(ahead_to(_to_image), f"{name}_trace"),
-        _kernel(back_from(_from_image), f"{name}_trace_back"),
-        _kernel(ahead_to(_to_nodes), f"{name}_land"),
-        _kernel(back_from(_from_nodes), f"{name}_land_back"),
+        ahead_to(_to_image, "trace"),
+        back_from(_from_image, "trace_back"),
+        ahead_to(_to_nodes, "land"),
+        back_from(_from_nodes, "land_back"),
     )
 
 
@@ -134,27 +136,39 @@ def _from_image(spread, t, i, j, lanes, work, cotangent):  # type: ignore[no-unt
 @jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def _to_nodes(spread, t, i, j, lanes, work, nodes):  # type: ignore[no-untyped-def]
     """Put a batch among the nodes; its flux, and none beside."""
-    column, row, flux = nodes[0, j, i:], nodes[1, j, i:], nodes[2, j, i:]
-    total = 0.0
-    for lane in range(np.uintp(lanes)):
-        column[lane] = t[COLUMN + lane]
-        row[lane] = t[ROW + lane]
-        flux[lane] = t[WEIGHT + lane]
-        total += t[WEIGHT + lane]
-    return total, 0.0
+    return put(t, i, j, lanes, nodes), 0.0
 
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def _from_nodes(spread, t, i, j, lanes, work, cotangent):  # type: ignore[no-untyped-def]
     """Adjoint of `_to_nodes`."""
-    column, row, flux = cotangent[0, j, i:], cotangent[1, j, i:], cotangent[2, j, i:]
+    take(cotangent, i, j, lanes, t)
+
+
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
+def put(t, i, row, lanes, nodes):  # type: ignore[no-untyped-def]
+    """Put columns, rows and flux of a batch into the nodes, from number ``i`` of a row on.
+
+    Returns
+    -------
+    float64
+        All its flux.
+    """
+    columns, rows, flux = nodes[0, row, i:], nodes[1, row, i:], nodes[2, row, i:]
+    total = 0.0
     for lane in range(np.uintp(lanes)):
-        t[D_COLUMN + lane] = column[lane]
-        t[D_ROW + lane] = row[lane]
+        columns[lane] = t[COLUMN + lane]
+        rows[lane] = t[ROW + lane]
+        flux[lane] = t[WEIGHT + lane]
+        total += t[WEIGHT + lane]
+    return total
+
+
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
+def take(cotangent, i, row, lanes, t):  # type: ignore[no-untyped-def]
+    """Take the cotangents of these, the adjoint of `put`."""
+    columns, rows, flux = cotangent[0, row, i:], cotangent[1, row, i:], cotangent[2, row, i:]
+    for lane in range(np.uintp(lanes)):
+        t[D_COLUMN + lane] = columns[lane]
+        t[D_ROW + lane] = rows[lane]
         t[D_WEIGHT + lane] = flux[lane]
-
-
-def _kernel(function: Callable[..., None], name: str) -> Callable[..., None]:
-    function.__qualname__ = name  # by which its code is kept
-    kernel: Callable[..., None] = jit(fastmath=FAST, error_model="numpy")(function)
-    return kernel

@@ -220,33 +220,13 @@ def gather(  # type: ignore[no-untyped-def]
     taps_x, taps_y = _TAPS, _TAPS + size_x * _STEP
     slopes = (size_x + size_y) * _STEP  # as far behind the taps
     kind = weight.dtype.type
-    one, two = np.uintp(1), np.uintp(2)
     if size_x == 1 and size_y == 1:
         for ray in range(rays):
             d_column[ray] = kind(0)
             d_row[ray] = kind(0)
             d_weight[ray] = flat[start[ray]]
     elif size_x == 3 and size_y == 3:
-        for ray in range(rays):
-            x = taps_x + ray
-            left, middle, right = numbers[x], numbers[x + _STEP], numbers[x + two * _STEP]
-            x += slopes
-            rise_left, rise_middle = numbers[x], numbers[x + _STEP]
-            rise_right = numbers[x + two * _STEP]
-            total, along_x, along_y = kind(0), kind(0), kind(0)
-            at, y = start[ray], taps_y + ray
-            for _ in range(3):
-                c_left, c_middle, c_right = flat[at], flat[at + one], flat[at + two]
-                value = left * c_left + middle * c_middle + right * c_right
-                rise = rise_left * c_left + rise_middle * c_middle + rise_right * c_right
-                total += numbers[y] * value
-                along_x += numbers[y] * rise
-                along_y += numbers[y + slopes] * value
-                at += stride
-                y += _STEP
-            d_column[ray] = along_x
-            d_row[ray] = along_y
-            d_weight[ray] = total
+        _gather_three(numbers, start, rays, flat, stride, d_column, d_row, d_weight)
     else:
         for ray in range(rays):
             total, along_x, along_y = kind(0), kind(0), kind(0)
@@ -270,6 +250,34 @@ def gather(  # type: ignore[no-untyped-def]
         d_column[ray] *= numbers[_LIGHT + ray]
         d_row[ray] *= numbers[_LIGHT + ray]
         d_weight[ray] *= numbers[_KEPT + ray]
+
+
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
+def _gather_three(numbers, start, rays, flat, stride, d_column, d_row, d_weight):  # type: ignore[no-untyped-def]
+    """`gather` for the usual filter, without inner loops; what rays of flux 1 would have."""
+    kind = d_weight.dtype.type
+    one, two, three = np.uintp(1), np.uintp(2), np.uintp(3)
+    slopes = (three + three) * _STEP  # as far behind the taps
+    for ray in range(rays):
+        x = _TAPS + ray
+        left, middle, right = numbers[x], numbers[x + _STEP], numbers[x + two * _STEP]
+        x += slopes
+        rise_left, rise_middle = numbers[x], numbers[x + _STEP]
+        rise_right = numbers[x + two * _STEP]
+        total, along_x, along_y = kind(0), kind(0), kind(0)
+        at, y = start[ray], _TAPS + three * _STEP + ray
+        for _ in range(3):
+            c_left, c_middle, c_right = flat[at], flat[at + one], flat[at + two]
+            value = left * c_left + middle * c_middle + right * c_right
+            rise = rise_left * c_left + rise_middle * c_middle + rise_right * c_right
+            total += numbers[y] * value
+            along_x += numbers[y] * rise
+            along_y += numbers[y + slopes] * value
+            at += stride
+            y += _STEP
+        d_column[ray] = along_x
+        d_row[ray] = along_y
+        d_weight[ray] = total
 
 
 @jit(allocates=False, error_model="numpy", forceinline=True)

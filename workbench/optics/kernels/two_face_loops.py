@@ -4,7 +4,6 @@ What a batch sees of the entrance face is found once, whatever the number of ori
 `workbench.optics.kernels.rows` for how.
 """
 
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -21,7 +20,7 @@ from workbench.optics.kernels.grid import (
     contract_back,
     make_rows,
 )
-from workbench.optics.kernels.origin_loops import OriginLoops, put, take
+from workbench.optics.kernels.origin_loops import OriginLoops
 from workbench.optics.kernels.point_meet import MET, meet
 from workbench.optics.kernels.point_patches import (
     DEPTH,
@@ -35,6 +34,7 @@ from workbench.optics.kernels.point_patches import (
     place,
 )
 from workbench.optics.kernels.point_trace import polish
+from workbench.optics.kernels.rows import put, take
 from workbench.optics.kernels.spread import BATCH
 from workbench.optics.kernels.taps import FAST
 from workbench.optics.kernels.two_face_trace import (
@@ -54,6 +54,11 @@ _NUMBERS = int(END)
 
 
 def _make(name: str, shine: Any) -> OriginLoops:
+    return OriginLoops(_make_land(f"{name}_land", shine), _make_back(f"{name}_back", shine))
+
+
+def _make_land(name: str, shine: Any) -> Any:
+    @jit(name=name, fastmath=FAST, error_model="numpy")
     def land(  # type: ignore[no-untyped-def]
         heights, bases, exit_face, light, body, landing, depths, begin, end, nodes, rooms, sums
     ):
@@ -80,6 +85,11 @@ def _make(name: str, shine: Any) -> OriginLoops:
                     put(t, i, k * count + j, lanes, nodes)
                     _keep(t, w, i, k * count + j, lanes, rooms, depths)
 
+    return land
+
+
+def _make_back(name: str, shine: Any) -> Any:
+    @jit(name=name, fastmath=FAST, error_model="numpy")
     def back(  # type: ignore[no-untyped-def]
         heights, bases, exit_face, light, body, landing, depths, begin, end, cotangents, gradients
     ):
@@ -121,7 +131,7 @@ def _make(name: str, shine: Any) -> OriginLoops:
                 blend_back(d_rows, up, j, lanes, t)
             contract_back(d_rows, across, i, lanes, gradient)
 
-    return OriginLoops(_kernel(land, f"{name}_land"), _kernel(back, f"{name}_back"))
+    return back
 
 
 @jit(allocates=False, forceinline=True)
@@ -160,12 +170,6 @@ def _take_rooms(d_rooms, i, row, lanes, t):  # type: ignore[no-untyped-def]
     d_room = d_rooms[row, i:]
     for lane in range(np.uintp(lanes)):
         t[D_ROOM + lane] = d_room[lane]
-
-
-def _kernel(function: Callable[..., None], name: str) -> Callable[..., None]:
-    function.__qualname__ = name  # by which its code is kept
-    kernel: Callable[..., None] = jit(fastmath=FAST, error_model="numpy")(function)
-    return kernel
 
 
 FROM_FAR = _make("two_faces_far", from_far)
