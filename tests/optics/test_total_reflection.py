@@ -19,9 +19,16 @@ def steep(scene):
     return heights | {"exit": 0.5 + rise}
 
 
+POINT = {"source": {"kind": "point", "position": [0, 0, -2.0], "rays": 60_000}}
+LED = {"source": {"kind": "area", "center": [0, 0, -2.0], "half_width": [0.1, 0.1], "rays": 60_000}}
+
+
+@pytest.mark.parametrize("source", [{}, POINT, LED], ids=["parallel", "near point", "LED"])
 @pytest.mark.parametrize("changes", [{}, {"lens.entrance": ENTRANCE}], ids=["one", "two faces"])
-def test_its_places_are_on_the_steep_part_and_carry_what_the_account_says(make_scene, changes):
-    scene = make_scene({"lens.control_points": [24, 24]} | changes)
+def test_its_places_are_on_the_steep_part_and_carry_what_the_account_says(
+    make_scene, changes, source
+):
+    scene = make_scene({"lens.control_points": [24, 24]} | changes | source)
     heights = steep(scene)
     found = total_reflection(scene, heights)
     tensors = {face: torch.tensor(each) for face, each in heights.items()}
@@ -32,7 +39,7 @@ def test_its_places_are_on_the_steep_part_and_carry_what_the_account_says(make_s
     exact, *_ = ControlNet.of(scene.lens).at(x, y, heights["exit"])
     np.testing.assert_allclose(z, exact, atol=1e-9)
     x, y = found.middle
-    assert x > 0.3 and y > 0.1
+    assert x > 0.3 and y > (0.0 if source else 0.1)  # near light is brightest about the axis
     assert found.sentence(scene) == (
         f"{100 * found.share:.2g} % of the light is totally reflected at the exit face, "
         f"most of it around x = {x:.3g}, y = {y:.3g} cm"
