@@ -20,7 +20,7 @@ _LARGEST = 1 << 18
 
 
 def unexpected(error: BaseException) -> str:
-    """Write an error down, and say what it is and where more is told.
+    """Write an error down, and say what it is and where the details are.
 
     Parameters
     ----------

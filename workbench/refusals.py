@@ -77,7 +77,7 @@ def _follow(location: tuple[int | str, ...], model: type[BaseModel]) -> tuple[st
 
 def _has_tag(model: type[BaseModel], tag: str) -> bool:
     only = [get_args(field.annotation) == (tag,) for field in model.model_fields.values()]
-    return any(only) or tag in model.model_fields  # `image` is told by its field alone
+    return any(only) or tag in model.model_fields  # `image` is known by its field alone
 
 
 def _models(annotation: object) -> list[type[BaseModel]]:

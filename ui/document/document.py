@@ -191,7 +191,7 @@ class Document(QObject):
     def improve(self, session: Session) -> None:
         """Go on with a better lens for the same task, as part of the last step.
 
-        Nothing is told: it is the same design, and whoever found the lens shows it. Undoing the
+        No signal is sent: it is the same design, and whoever found the lens shows it. Undoing the
         step takes the lens back, and redoing it brings the lens again. A design to which nothing
         was done yet has no changes by this.
 

@@ -31,7 +31,7 @@ class About:
     fingerprint : str, optional
         Of that file when the design was last read from it or written to it.
     ended : bool
-        Whether the program was told to end, as at the end of a login; otherwise it broke off.
+        Whether the program was asked to end, as at the end of a login; otherwise it broke off.
     """
 
     name: str
@@ -170,7 +170,7 @@ def ask(work: LeftBehind, window: QWidget) -> RecoveryChoice:
     box.setWindowTitle("Unsaved work")
     if work.about.ended:
         box.setIcon(QMessageBox.Icon.Information)
-        box.setText(f"{name} had unsaved changes when the workbench was told to end.")
+        box.setText(f"{name} had unsaved changes when the workbench was asked to end.")
     else:
         box.setIcon(QMessageBox.Icon.Question)
         box.setText(f"The workbench was not closed. Unsaved changes to {name} were kept.")

@@ -73,7 +73,7 @@ class LiveLens(QObject):
         self._background.begin(partial(self._trace, draft), draft)
 
     def forget(self) -> None:
-        """Trace no more; the draft under way is not told of."""
+        """Trace no more; nothing comes of the draft under way."""
         self._background.cancel()
 
     def close(self) -> None:

@@ -29,7 +29,7 @@ class TextEditor(QLineEdit):
         self.setCursorPosition(cursor)
 
     def commit(self) -> None:
-        """Tell of the text if it is new since it was last told or shown."""
+        """Emit the text if it is new since it was last emitted or shown."""
         if self.text() != self._settled:
             self._settled = self.text()
             self.committed.emit(self._settled)

@@ -55,7 +55,7 @@ class Row(QWidget):
         super().__init__()
         self.path, self.measure, self.between = path, measure, ""
         self.label = QLabel(label)
-        self.name = label  # told apart from those of other panels by the panel
+        self.name = label  # distinguished from those of other panels by the panel
         self._conditions: list[Condition] = []
         self._unit = QLabel()
         self._unit.setVisible(measure != _NONE)

@@ -134,7 +134,7 @@ class KindRow(ChoiceRow):
     field : FieldDescription
         What the part is, and of which kinds it may be.
     kinds : Kinds
-        How they are told apart.
+        What distinguishes them.
     begin : callable
         A new part of a kind; None if it needs what only a person can give.
     otherwise : str

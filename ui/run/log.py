@@ -24,7 +24,7 @@ _TURNS = {
 class RunLog(QObject):
     """Listens to the runs of a window.
 
-    What a stage or the trace of a run is told when a frame of it is shown, so the log of a run
+    Notes on a stage or on the trace are logged when a frame with them is shown, so the log of a run
     grows with what changes in it, never with its iterations.
 
     Parameters
@@ -32,7 +32,7 @@ class RunLog(QObject):
     document : Document
         What is designed.
     control : RunControl
-        Its runs are told; the log goes with it.
+        Its runs are logged; the log is deleted with it.
     tell : Callable
         Gets one sentence at a time.
     """

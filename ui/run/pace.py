@@ -22,13 +22,13 @@ class Pace:
 
     @property
     def rate(self) -> float | None:
-        """Iterations a second; None until it can be told."""
+        """Iterations a second; None until it is known."""
         if not self._seen:
             return None
         (began, first), (ended, last) = self._seen[0], self._seen[-1]
         return (last - first) / (ended - began) if last > first and ended > began else None
 
     def left(self, iterations: int) -> float | None:
-        """Seconds that so many more iterations take at this pace; None until it can be told."""
+        """Seconds that so many more iterations take at this pace; None until it is known."""
         rate = self.rate
         return None if rate is None else iterations / rate

@@ -80,13 +80,13 @@ class RunStatus:
         return self._state.text()
 
     def show_state(self, text: str) -> None:
-        """Say what goes on; a sentence told before is of a state that is over."""
+        """Say what goes on; a sentence shown before is of a state that is over."""
         self._text = text
         self._read.stop()
         self._state.setText(text)
 
     def go_on(self, text: str) -> None:
-        """Say how far that is which goes on, once a sentence told before has been read."""
+        """Say how far that is which goes on, once a sentence shown before has been read."""
         self._text = text
         if not self._read.isActive():
             self._state.setText(text)

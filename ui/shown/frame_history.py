@@ -21,7 +21,7 @@ _COURSES = 2  # as large as that are kept
 
 @dataclass
 class _KeptCourse:
-    """The course that led to a result, told by the result's loss curve."""
+    """The course that led to a result, found by the result's loss curve."""
 
     losses: weakref.ref[Array]
     frames: "tuple[Frame, ...]"
@@ -33,7 +33,7 @@ class FrameHistory(QObject):
     """Frames of a run and of those that continue it, first and latest always among them.
 
     When they take too much memory every second one is dropped, and from then on frames are kept
-    half as often: the course is told evenly, however long it is.
+    half as often: the course is kept evenly, however long it is.
 
     A course is kept with the result that it led to, as long as that lives, and `show` brings it
     back: undoing a run takes its course away, and redoing it brings the course back.

@@ -1,8 +1,8 @@
-"""Defects that nobody caught: told once in the window, with all that a report of them needs.
+"""Defects that nobody caught: shown once in the window, with all that a report of them needs.
 
 1. An error in a slot or in a handler of events ends that slot, not the program: Qt's loop goes on.
 2. A view that fails fails at every frame. Each kind, by its type and the line that raised it, is
-   told once and printed every time.
+   shown once and printed every time.
 3. Errors of other threads and messages of Qt come from anywhere; signals bring them to the window.
 4. Each is written down in the file of `workbench.defects`, which the sentence names.
 """
@@ -41,7 +41,7 @@ class UnexpectedErrors(QObject):
     qt_warned : Signal(str)
         A warning of Qt's that was not heard before.
     logged : Signal(str)
-        The details of an error that was told by who began the work; see `ui.threads.failure`.
+        The details of an error that was reported by who began the work; see `ui.threads.failure`.
     """
 
     happened = Signal(str, str)

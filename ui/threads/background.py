@@ -2,8 +2,8 @@
 
 1. One thread at a time works for a `Background`. Of the requests that come meanwhile the latest is
    next, and the others never begin.
-2. Whatever is told is told in the window's thread; of work that was cancelled, nothing is.
-3. An error is told as the exception itself, with its traceback; see `sentence_of`.
+2. Every signal is emitted in the window's thread; for work that was cancelled, none is.
+3. An error is passed as the exception itself, with its traceback; see `sentence_of`.
 """
 
 import threading
@@ -111,7 +111,7 @@ class Background(QObject):
 
     @property
     def busy(self) -> bool:
-        """Whether something is still to be told."""
+        """Whether an outcome is still to be emitted."""
         return self._next is not None or (self._task is not None and self._task.wanted)
 
     @property
@@ -121,7 +121,7 @@ class Background(QObject):
 
     @property
     def stopping(self) -> bool:
-        """Whether the work of which something is still to be told was asked to end."""
+        """Whether the work whose outcome is still to be emitted was asked to end."""
         return self._task is not None and self._task.wanted and self._task.stopped
 
     def begin(self, work: Work, request: object = None) -> None:
@@ -132,7 +132,7 @@ class Background(QObject):
         work : Callable
             Is called in the thread with its `Task`, which says when it shall end sooner.
         request : object
-            Is told with the outcome.
+            Is emitted with the outcome.
         """
         if not self._finish_first:
             self.cancel()
@@ -141,13 +141,13 @@ class Background(QObject):
             self._begin_next()
 
     def stop(self) -> None:
-        """Ask the work to end soon; what it returns is told."""
+        """Ask the work to end soon; what it returns is emitted."""
         self._next = None
         if self._task is not None:
             self._task.stop()
 
     def cancel(self) -> None:
-        """Ask the work to end soon, and tell nothing more of it."""
+        """Ask the work to end soon, and emit nothing more of it."""
         self.stop()
         if self._task is not None:
             self._task.wanted = False
@@ -185,12 +185,12 @@ class Background(QObject):
 
     @Slot(object)
     def _end(self, task: Task) -> None:
-        if task is not self._task:  # told or closed before this came
+        if task is not self._task:  # ended or closed before this came
             return
         self._join()
         if task.wanted and task.error is None:
             self.done.emit(task.request, task.result)
         elif task.wanted:
             self.failed.emit(task.request, task.error)
-        if self._task is None:  # else whoever was told has begun other work
+        if self._task is None:  # else a slot has begun other work
             self._begin_next()

@@ -1,4 +1,4 @@
-"""What a person is told of work in another thread that came to nothing."""
+"""What a person reads of work in another thread that came to nothing."""
 
 import logging
 

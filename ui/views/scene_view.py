@@ -176,7 +176,7 @@ class SceneView(View):
         return self._placement
 
     def set_camera(self, placement: dict[str, Any]) -> None:
-        """Look at the latest design from where `camera` told.
+        """Look at the latest design from the place that `camera` gave.
 
         Raises
         ------
@@ -247,7 +247,7 @@ class SceneView(View):
         super().resizeEvent(event)
         if self._picture is not None and self._picture.fitted:
             self._picture.fit_again()
-            self._plotter.update()  # the plotter may have been painted before the view was told
+            self._plotter.update()  # the plotter may have been painted before the frame came
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """Close the plotter with the view."""

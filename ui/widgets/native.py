@@ -10,7 +10,7 @@ def make_native(widget: QWidget) -> None:
 
     The 3D scene needs one, and lies then above all that Qt paints in the window around it; so does
     whatever shall be seen over the scene. What lies beside it does not: menus over a native dock
-    would be told that they belong to no window.
+    would count as belonging to no window.
     """
     QCoreApplication.setAttribute(Qt.ApplicationAttribute.AA_DontCreateNativeWidgetSiblings)
     widget.setAttribute(Qt.WidgetAttribute.WA_DontCreateNativeAncestors)

@@ -12,7 +12,7 @@ import resources
 _ICON_SIZES = (16, 24, 32, 48, 64)
 _INK = "#666"  # the one colour of all icons but the program's own
 
-# Beside the palette's greys; readable (7:1) on both grounds, and told by an icon as well.
+# Beside the palette's greys; readable (7:1) on both grounds, and marked by an icon as well.
 _REFUSED = {"light": "#a40020", "dark": "#ff9a8d"}
 _WARNING = {"light": "#fff0c8", "dark": "#4d3f10"}
 # Fusion's buttons that are on look like the others in the dark.

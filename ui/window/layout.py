@@ -59,7 +59,7 @@ class Layout:
         return base64.b64encode(self._window.saveState().data()).decode("ascii")
 
     def restore(self, text: str) -> None:
-        """Lay the docks out as `to_text` told.
+        """Lay the docks out as `to_text` describes.
 
         Raises
         ------

@@ -21,7 +21,7 @@ class CameraView(Protocol):
 
 
 class ViewState:
-    """Told as a JSON object, and taken up again from one.
+    """Written as a JSON object, and restored from one.
 
     Parameters
     ----------
@@ -30,7 +30,7 @@ class ViewState:
     layout : Layout
         The docks.
     tell : Callable
-        Is told in a sentence what could not be taken up.
+        Gets a sentence about what could not be restored.
     """
 
     def __init__(self, commands: Commands, layout: Layout, tell: Callable[[str], None]) -> None:

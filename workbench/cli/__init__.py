@@ -73,7 +73,7 @@ def _logging() -> Iterator[None]:
 
 
 def _run(arguments: Sequence[str] | None) -> None:
-    from workbench.cli.arguments import parse  # here, where Ctrl-C is told already
+    from workbench.cli.arguments import parse  # here, where Ctrl-C is reported already
 
     options = parse(arguments)
     options.command(options)

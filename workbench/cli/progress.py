@@ -11,7 +11,7 @@ from workbench.design.snapshot import Snapshot
 # Elsewhere than on a terminal a line is due after this part of the run or this many seconds.
 _PART, _SECONDS = 0.05, 10.0
 _DELAY = 0.5  # seconds, before which nobody looks for a bar
-_LINES = 10.0  # seconds from one line to the next, where parts are told
+_LINES = 10.0  # seconds from one line to the next, where parts are printed
 
 
 class PartProgress:

@@ -22,7 +22,7 @@ def report(
     path : Path
         Session with a lens.
     files : sequence of Path
-        HTML or PDF, told by their endings.
+        HTML or PDF, by their endings.
     rays : int
         Rays of the check, at least.
     tolerances : tuple[Tolerances, int], optional

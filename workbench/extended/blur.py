@@ -17,7 +17,7 @@ Array = npt.NDArray[np.float64]
 _PLACES = ((20.0, 1), (9.0, 2), (0.0, 4))
 # Places in a pixel along an axis, at most.
 _MOST_PLACES = 8
-# Light that is to be blurred is told apart in so many parts of the blur's width, but not in more
+# Light that is to be blurred is divided into so many parts of the blur's width, but not in more
 # than so many parts of a pixel.
 _PARTS, _MOST_PARTS = 16.0, 3
 # A blur that is wider than so many images is as good as one of this width: wherever its light is

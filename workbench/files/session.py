@@ -58,7 +58,7 @@ _START = {
 
 
 def open_design(path: Path) -> Session:
-    """Open a session, or a scene file together with its target; told apart by content.
+    """Open a session, or a scene file together with its target; distinguished by content.
 
     Raises
     ------

@@ -13,7 +13,7 @@ from workbench.scene import Scene
 _THINNEST, _LEAST_MM = 0.05, 1.0
 # The middle of the exit face is above that by this part of what the face rises, and of the lens.
 _RISE, _BODY = 0.75, 0.04
-# Pixels along the longer side of an image; what is blurred is told by so many pixels.
+# Pixels along the longer side of an image; so many pixels describe what is blurred.
 _MOST, _FEWEST, _MULTIPLE, _IN_BLUR = 256, 96, 8, 8
 _MICRO = 1e-3  # millimetres
 

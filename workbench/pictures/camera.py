@@ -1,6 +1,6 @@
 """The camera of the 3D scene, and what it has to hold.
 
-It projects in parallel unless told otherwise: a screen fifty lens widths away is then as easy to
+It projects in parallel by default: a screen fifty lens widths away is then as easy to
 see as the lens.
 """
 
@@ -212,7 +212,7 @@ class FittedCamera:
         return {**places, "scale": float(camera.parallel_scale)}
 
     def place(self, placement: dict[str, Any]) -> None:
-        """Stand where `placement` told.
+        """Stand at the place that `placement` gave.
 
         Raises
         ------

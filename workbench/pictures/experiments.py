@@ -181,7 +181,7 @@ def _block(block: SubFigure, design: DrawnDesign) -> None:
         lit.text(0, 0.5, design.failure, fontsize=_FONT, wrap=True, transform=lit.transAxes)
         return
     scene, target = design.scene, design.target
-    # At a total flux of 1, as the target: how little light comes this way is told above.
+    # At a total flux of 1, as the target: how little light comes this way is written above.
     light = target_irradiance(scene, design.result.state.irradiance)
     _image(lit, scene, light, LIGHT, (0, full_scale(scene, target)))
     error = signed_error(scene, target, design.result.state.irradiance)

@@ -4,7 +4,7 @@ Right-handed axes: z, the optical axis, runs to the right of the default view, y
 stands beyond the exit face, so the screen is seen from behind and reads as its image does: x to
 the right, row 0 at the top.
 
-1. The camera projects in parallel, unless it is told to see in perspective: a screen fifty lens
+1. The camera projects in parallel, unless perspective is chosen: a screen fifty lens
    widths away is as easy to see as the lens.
 2. `LensPicture.update` moves points and repaints the texture of actors that stay. Adding them
    again would cost ten times as much.

@@ -24,7 +24,7 @@ _NAME = 13  # widths of letters that a name and its stroke take
 _MARK = "#8a8f98"  # seen on light and dark
 _THIS_RUN = "#2f86d1"
 _CHECKED = "#d9822b"
-# Okabe and Ito's colours that show on light and dark, told apart by their strokes as well; first
+# Okabe and Ito's colours that show on light and dark, with strokes that differ as well; first
 # those unlike that of checks.
 _OTHERS = (
     ("#009e73", "--"),
@@ -280,7 +280,7 @@ def _set_ticks(axis: "Axis", logarithmic: bool, low: float, high: float) -> None
 
 
 def _tick(loss: float, _: int) -> str:
-    """As short as it can be told."""
+    """As short as it can be said."""
     mantissa, exponent = f"{loss:.1e}".split("e")
     return f"{mantissa.removesuffix('.0')}e{exponent}" if loss else "0"
 

@@ -19,7 +19,7 @@ Place = tuple[float, float]
 
 _FONT = 8
 _HEADROOM = 1.4  # above the scale of the images, for bright spots and the legend
-_LIGHT, _TARGET = "#2f86d1", "#d9822b"  # told apart also by those who see no red or no green
+_LIGHT, _TARGET = "#2f86d1", "#d9822b"  # distinguished also by those who see no red or no green
 
 
 class Cut(NamedTuple):

@@ -45,7 +45,7 @@ def gather(
     rays: int,
     tolerances: tuple[Tolerances, int] | None = None,
 ) -> Report:
-    """Check a lens and put together what is to be told of it.
+    """Check a lens and put together what the report says of it.
 
     Parameters
     ----------

@@ -9,11 +9,10 @@ from pydantic import Field, field_validator
 from workbench import materials
 from workbench.errors import Refused, shown
 from workbench.scene import limits
-from workbench.scene.auto_net import AutoNet, NumbersOrAuto
 from workbench.scene.base import Base, FlatBase
 from workbench.scene.entrance import Entrance, FlatEntrance
 from workbench.scene.fields import LENGTH, PLACE, RANGE, SINCE_2, Choices, Measure, about
-from workbench.scene.net import Degree, NetSize
+from workbench.scene.net import ControlPoints, Degree
 from workbench.scene.optic import Array, Optic, relative
 from workbench.scene.part import NonNegative, Positive
 
@@ -118,16 +117,7 @@ class Lens(Optic):
             "curvature.",
         ),
     ] = (3, 3)
-    control_points: Annotated[
-        tuple[NetSize, NetSize] | AutoNet,
-        NumbersOrAuto(),
-        about(
-            "Control points",
-            "Number of control points along x and y. More of them draw finer detail and take "
-            "longer. Automatic takes what the target's detail, the screen's pixels and the size of "
-            "the source are worth; the paper's method then has nets like those of the paper.",
-        ),
-    ]
+    control_points: ControlPoints
     base: Annotated[
         Base,
         about(

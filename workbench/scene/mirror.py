@@ -5,11 +5,10 @@ from typing import Annotated, ClassVar, Literal, Self
 
 from pydantic import Field
 
-from workbench.scene.auto_net import AutoNet, NumbersOrAuto
 from workbench.scene.base import Base, FlatBase
 from workbench.scene.entrance import FlatEntrance
 from workbench.scene.fields import LENGTH, RANGE, Version, about
-from workbench.scene.net import Degree, NetSize
+from workbench.scene.net import ControlPoints, Degree
 from workbench.scene.optic import Array, Optic, relative
 from workbench.scene.part import Positive
 
@@ -59,16 +58,7 @@ class Mirror(Optic):
             "Polynomial degree of the mirror's B-spline along x and y. 3 gives smooth curvature.",
         ),
     ] = (3, 3)
-    control_points: Annotated[
-        tuple[NetSize, NetSize] | AutoNet,
-        NumbersOrAuto(),
-        about(
-            "Control points",
-            "Number of control points along x and y. More of them draw finer detail and take "
-            "longer. Automatic takes what the target's detail, the screen's pixels and the size of "
-            "the source are worth; the paper's method then has nets like those of the paper.",
-        ),
-    ]
+    control_points: ControlPoints
     base: Annotated[
         Base,
         about(

@@ -78,7 +78,7 @@ class Cluster:
             if not waiting:
                 return
             future = next(ended)
-            error = future.exception()  # of the cluster: those of the work are told in its result
+            error = future.exception()  # of the cluster: those of the work are in its result
             yield (
                 waiting.pop(future),
                 Failed(f"the cluster gave it up: {error}") if error else future.result(),

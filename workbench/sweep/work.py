@@ -47,7 +47,7 @@ class Failed(NamedTuple):
 
 
 def attempt(task: DesignTask, threads: int | None = None) -> Done | Failed:
-    """Design a lens and check it; whatever goes wrong is told.
+    """Design a lens and check it; whatever goes wrong is in the result.
 
     Parameters
     ----------

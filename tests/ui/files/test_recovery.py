@@ -304,7 +304,7 @@ def test_work_kept_at_the_end_of_a_session_opens_without_a_warning(
     QTimer.singleShot(200, answer)
     assert left_behind.ask(work, window) is RecoveryChoice.LATER
     ((text, icon),) = boxes
-    assert "told to end" in text and "not closed" not in text
+    assert "asked to end" in text and "not closed" not in text
     assert icon is QMessageBox.Icon.Information
     work.remove()
 

@@ -1,4 +1,4 @@
-"""What a tool of the 3D scene is told, and what it has to answer."""
+"""The events that a tool of the 3D scene gets, and what it has to return."""
 
 from collections.abc import Set
 from dataclasses import dataclass

@@ -5,7 +5,7 @@
 2. Without a tool a press and a release at one place are a click, which picks.
 3. A key that the tool takes does its work again and again while it is held, as one drag, which the
    mouse does not disturb. Another key or button ends it, and so does the focus that goes elsewhere:
-   the release would be told there. X11 may tell of a key that repeats itself as if it were released
+   the release would arrive there. X11 may report a key that repeats itself as if it were released
    and pressed at once, so a release counts only if no press comes right behind it.
 4. Keys that no tool takes are for the view, which turns the camera, and for the window.
 5. Other buttons are the camera's with any tool, and the wheel without Ctrl is the view's.
@@ -50,7 +50,7 @@ class ToolInput(QObject):
         self._works = False  # the tool, by what is held
         self._lifted = False  # what is held, unless a press comes right behind
         self._behind = QTimer(self, singleShot=True, interval=_BEHIND)
-        # Queued: a press that waits because the window was busy is told before.
+        # Queued: a press that waits because the window was busy is handled before.
         self._behind.timeout.connect(self._find_released, Qt.ConnectionType.QueuedConnection)
         self._pressed_at: QPointF | None = None
 

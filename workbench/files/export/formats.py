@@ -1,4 +1,4 @@
-"""The formats, told by the endings of file names.
+"""The formats, by the endings of file names.
 
 What writes them is imported when it is needed: torch and OpenCASCADE take long.
 """
@@ -41,7 +41,7 @@ class Format(NamedTuple):
 
     @property
     def of_entrance(self) -> "Format":
-        """The same for files of a freeform entrance face, which is told before the ending."""
+        """The same for files of a freeform entrance face, which is named before the ending."""
         endings = tuple(f".entrance{ending}" for ending in self.endings)
         name = f"{self.name}, entrance face"
         return self._replace(endings=endings, name=name, face="entrance")
@@ -91,7 +91,7 @@ FORMATS = (
     Format((".rays.csv",), "rays on the screen", "rays", "write_rays"),
     *(each.of_entrance for each in OF_ONE_FACE),
 )
-"""All formats. What can be written in the same kind of file is told by a double ending."""
+"""All formats. What can be written in the same kind of file is distinguished by a double ending."""
 
 ENDINGS = tuple(ending for found in FORMATS for ending in found.endings)
 """Endings of all formats."""

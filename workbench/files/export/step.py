@@ -3,8 +3,9 @@
 Four sides and a flat entrance face are planes, bounded by straight lines and by the B-spline curves
 at the rims of freeform faces. Nothing is fitted, and no number is rounded. The wall of an elliptic
 lens is an ellipse that is extruded, in four quarters; there the rim of a freeform face is fitted,
-as no B-spline curve is on both it and the wall, and what remains is told. The header tells neither
-user nor time, so the same lens gives the same file. A face alone is written as an open sheet.
+as no B-spline curve is on both it and the wall, and what remains is reported. The header has
+neither user nor time, so the same lens gives the same file. A face alone is written as an open
+sheet.
 """
 
 from collections.abc import Callable, Iterable, Sequence

@@ -40,7 +40,7 @@ def read_ldt(content: bytes) -> IntensityTable:
         )
     numbers = np.array([number(word) for word in words[_RATIOS:]])
     c, gamma, values = np.split(numbers, [n_c, n_c + n_gamma])
-    # They are told per 1000 lm of the lamps. A factor of 0 is a line that was left empty.
+    # They are given per 1000 lm of the lamps. A factor of 0 is a line that was left empty.
     factor = (_value(lines, _FACTOR) or 1.0) * (lumens or 1000.0) / 1000
     planes = factor * values.reshape(len(stored), n_gamma)
     c = c[stored]

@@ -82,7 +82,7 @@ def _columns(header: np.void) -> tuple[Columns, int]:
             at[name] = width
             width += _WIDTH.get(name, 1)
     width += _count(header, "more_columns", _MOST_COLUMNS)
-    # What eyes see of it, where both are told; all rays are alike where neither is.
+    # What eyes see of it, where both are given; all rays are alike where neither is.
     flux = at.get("luminous_flux", at.get("radiant_flux"))
     return Columns(flux, at.get("wavelength"), at.get("spectrum")), width
 

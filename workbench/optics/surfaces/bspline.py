@@ -45,9 +45,9 @@ class BSplineSurface:
 
     Notes
     -----
-    Rays that stay the same for lens after lens are told by being the same object: what depends on
-    them alone is then kept. The search begins at the root of the last lens, also of rays that come
-    from a face before this one, a little changed.
+    Rays that are the same object as for the last lens are the same: what depends on them alone is
+    then kept. The search begins at the root of the last lens, also of rays that come from a face
+    before this one, a little changed.
     """
 
     freeform = True
