@@ -68,7 +68,7 @@ class FaceMap(ImageView):
     """One of `MAPS`, to be chosen above it."""
 
     _content: FaceContent
-    _WAITING = "Computed when the lens rests…"
+    _WAITING = "Computed when no run changes it…"
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(FaceContent(), parent=parent)

@@ -11,13 +11,13 @@ from workbench.analysis.manufacture import Extreme, FaceFigures, Manufacture
 from workbench.analysis.manufacture_limits import Limits, Verdict, verdicts
 
 _STATES = {
-    "met": ("✓ met", "No place of the lens is beyond the limit."),
+    "met": ("✓ met", "No place is beyond the limit."),
     "open": (
         "? open",
         "No place that was looked at is beyond the limit, but that no other place is, is not "
         "proved: {bound} is all that the face surely keeps to.",
     ),
-    "broken": ("✗ broken", "The lens is beyond the limit; the map shows where."),
+    "broken": ("✗ broken", "Some places are beyond the limit; the map shows where."),
 }
 """Sign, word and tip of each verdict."""
 

@@ -12,8 +12,8 @@ from workbench.analysis.manufacture_limits import Limits
 from workbench.scene import LENGTH, Measure, Scene
 
 _ROWS = {
-    "min_thickness": ("Thinnest", "The lens has to be as thick as this everywhere"),
-    "max_thickness": ("Thickest", "The lens must not be thicker than this anywhere"),
+    "min_thickness": ("Thinnest", "The part has to be as thick as this everywhere"),
+    "max_thickness": ("Thickest", "The part must not be thicker than this anywhere"),
     "max_slope": (
         "Slope",
         "Largest angle between a freeform face and a plane across the axis, in degrees",

@@ -121,9 +121,9 @@ class TolerancePane(SideBySide):
         begin = self.form.begin
         begin.setText("Cancel" if busy else "Start")
         begin.setToolTip(
-            "Trace no more lenses; those that are traced count"
+            "Trace no more; those that are traced count"
             if busy
-            else "Perturb the lens on show at random, and trace each lens with fresh rays"
+            else "Perturb what is on show at random, and trace each with fresh rays"
         )
         possible = self._resting and self._frame is not None
         begin.setEnabled(not self._background.stopping if busy else possible)
