@@ -1,36 +1,36 @@
-"""Benches with a design on them."""
+"""Windows with the tools of the 3D view and a design."""
 
 import pytest
 
-from tests.ui.lens.bench import Bench, Drag
+from tests.ui.lens.tool_window import Drag, ToolWindow
 
 
 @pytest.fixture
-def at_bench(display, make_session, qtbot):
-    def at_bench(changes=None):
-        bench = Bench(make_session(changes))
-        qtbot.addWidget(bench.window, before_close_func=lambda _: bench.close())
-        with qtbot.waitExposed(bench.window):
-            bench.window.show()
+def make_tools(display, make_session, qtbot):
+    def make_tools(changes=None):
+        tools = ToolWindow(make_session(changes))
+        qtbot.addWidget(tools.window, before_close_func=lambda _: tools.close())
+        with qtbot.waitExposed(tools.window):
+            tools.window.show()
         # Until the first preview is drawn there is nothing to take hold of.
-        view = bench.view
+        view = tools.view
         qtbot.waitUntil(lambda: view.frame is not None and view.optic is not None, timeout=60_000)
         qtbot.waitUntil(lambda: not view._outdated)
-        return bench
+        return tools
 
-    return at_bench
-
-
-@pytest.fixture
-def bench(at_bench):
-    return at_bench()
+    return make_tools
 
 
 @pytest.fixture
-def sculpting(bench, qtbot):
-    bench.commands["sculpt"]()
-    qtbot.waitUntil(lambda: bench.view.nets.picture._shown)
-    return bench
+def tools(make_tools):
+    return make_tools()
+
+
+@pytest.fixture
+def sculpting(tools, qtbot):
+    tools.commands["sculpt"]()
+    qtbot.waitUntil(lambda: tools.view.nets.picture._shown)
+    return tools
 
 
 @pytest.fixture

@@ -8,7 +8,7 @@ from PySide6.QtGui import QFocusEvent, QGuiApplication, QImage, QKeyEvent, QMous
 from PySide6.QtWidgets import QApplication
 
 from tests.ui.hands import move_screen
-from tests.ui.lens.bench import control_point, seen_at, upwards
+from tests.ui.lens.tool_window import control_point, seen_at, upwards
 from ui.files.scene_pictures import ScenePictures
 from workbench.optics.plan import Plan
 from workbench.scene import Scene
@@ -26,13 +26,13 @@ GRID = {
 
 
 def test_dragging_a_point_is_one_step_with_its_light(sculpting, drag, qtbot):
-    bench, view, document = sculpting, sculpting.view, sculpting.document
-    bench.commands["brush_smaller"]()
-    bench.commands["brush_smaller"]()
+    tools, view, document = sculpting, sculpting.view, sculpting.document
+    tools.commands["brush_smaller"]()
+    tools.commands["brush_smaller"]()
     frames, flat = [], view.frame
-    bench.control.runner.frame_ready.connect(frames.append)
+    tools.control.runner.frame_ready.connect(frames.append)
     camera = view._plotter.camera_position
-    held = drag(view, control_point(bench, (6, 5)))
+    held = drag(view, control_point(tools, (6, 5)))
     for _ in range(4):
         held.move(upwards(view, 0.05))
     qtbot.waitUntil(lambda: bool(frames), timeout=20_000)
@@ -60,8 +60,8 @@ def test_dragging_a_point_is_one_step_with_its_light(sculpting, drag, qtbot):
 
 
 def test_shift_moves_finely_and_escape_undoes_the_drag(sculpting, drag, qtbot):
-    bench, view = sculpting, sculpting.view
-    held = drag(view, control_point(bench, (6, 5)))
+    tools, view = sculpting, sculpting.view
+    held = drag(view, control_point(tools, (6, 5)))
     held.move(upwards(view, 0.2), Qt.KeyboardModifier.ShiftModifier)
     qtbot.waitUntil(lambda: view.frame.state.heights["exit"][6, 5] > 0.5, timeout=20_000)
     assert view.frame.state.heights["exit"][6, 5] == pytest.approx(0.51, abs=0.002)
@@ -69,29 +69,29 @@ def test_shift_moves_finely_and_escape_undoes_the_drag(sculpting, drag, qtbot):
     qtbot.keyClick(view._plotter, Qt.Key.Key_Escape)
     qtbot.waitUntil(lambda: view.frame.state.heights["exit"][6, 5] == 0.5, timeout=20_000)
     held.release()
-    assert bench.document.undo_stack.count() == 0 and not bench.put_away
+    assert tools.document.undo_stack.count() == 0 and not tools.put_away
     qtbot.keyClick(view._plotter, Qt.Key.Key_Escape)
-    assert bench.put_away
+    assert tools.put_away
 
 
 def test_the_brush_takes_a_smooth_bump_and_stays_in_range(sculpting, drag, qtbot):
-    bench, view = sculpting, sculpting.view
+    tools, view = sculpting, sculpting.view
     for _ in range(3):
-        bench.commands["brush_larger"]()
-    held = drag(view, control_point(bench, (6, 5)))
+        tools.commands["brush_larger"]()
+    held = drag(view, control_point(tools, (6, 5)))
     held.move(upwards(view, 0.1))
     held.release()
-    qtbot.waitUntil(lambda: bench.document.session.result is not None, timeout=20_000)
-    found = bench.heights()
+    qtbot.waitUntil(lambda: tools.document.session.result is not None, timeout=20_000)
+    found = tools.heights()
     assert found.min() == 0.5
     assert 10 < (found > 0.5).sum() < 120
     assert found[6, 5] > found[8, 5] > found[9, 5]
-    held = drag(view, control_point(bench, (6, 5)))
+    held = drag(view, control_point(tools, (6, 5)))
     held.move(upwards(view, 1.0))
     held.release()
-    qtbot.waitUntil(lambda: bench.heights().max() > 0.7, timeout=20_000)
-    assert bench.heights().max() == pytest.approx(0.8)  # the end of the height range
-    assert bench.document.undo_stack.count() == 2
+    qtbot.waitUntil(lambda: tools.heights().max() > 0.7, timeout=20_000)
+    assert tools.heights().max() == pytest.approx(0.8)  # the end of the height range
+    assert tools.document.undo_stack.count() == 2
 
 
 def test_beside_the_lens_the_camera_turns(sculpting, drag):
@@ -143,8 +143,8 @@ def test_the_wheel_with_ctrl_is_the_brush_and_without_it_the_zoom(sculpting, qtb
 
 
 def test_a_change_of_the_design_ends_the_drag(sculpting, drag, qtbot):
-    bench, view, document = sculpting, sculpting.view, sculpting.document
-    held = drag(view, control_point(bench, (6, 5)))
+    tools, view, document = sculpting, sculpting.view, sculpting.document
+    held = drag(view, control_point(tools, (6, 5)))
     held.move(upwards(view, 0.1))
     move_screen(document, 6)
     held.move(upwards(view, 0.1))
@@ -155,25 +155,25 @@ def test_a_change_of_the_design_ends_the_drag(sculpting, drag, qtbot):
 
 
 def test_nothing_is_done_to_a_lens_that_is_not_shown_yet(sculpting, drag, qtbot):
-    bench, view, document = sculpting, sculpting.view, sculpting.document
+    tools, view, document = sculpting, sculpting.view, sculpting.document
     data = document.session.scene.to_data()
     other = Scene.from_data({**data, "lens": {**data["lens"], "control_points": [8, 8]}})
     for tool in ("sculpt", "lock"):
-        bench.commands[tool]()
+        tools.commands[tool]()
         document.edit(other, "net", "")
-        held = drag(view, control_point(bench, (6, 5)))
+        held = drag(view, control_point(tools, (6, 5)))
         held.move(upwards(view, 0.1))
         held.release()
-        assert "no lens" in bench.said[-1] and not document.session.locked
+        assert "no lens" in tools.said[-1] and not document.session.locked
         document.undo_stack.undo()
     assert document.session.result is None
 
 
-def test_the_text_of_a_tool_does_not_change_the_picture(bench, qtbot):
-    view = bench.view
+def test_the_text_of_a_tool_does_not_change_the_picture(tools, qtbot):
+    view = tools.view
     qtbot.waitUntil(lambda: view._plotter is not None, timeout=30_000)
     place = view._plotter.geometry()
-    bench.commands["sculpt"]()
+    tools.commands["sculpt"]()
     view._hint.setText("as many words as it takes for some lines of them " * 5)
     QApplication.processEvents()
     assert view._hint.isVisible() and view._plotter.geometry() == place
@@ -182,32 +182,32 @@ def test_the_text_of_a_tool_does_not_change_the_picture(bench, qtbot):
 
 
 def test_locked_points_do_not_move(sculpting, drag):
-    bench = sculpting
-    bench.commands["lock_all"]()
-    locked = bench.document.session.locked["exit"]
+    tools = sculpting
+    tools.commands["lock_all"]()
+    locked = tools.document.session.locked["exit"]
     assert locked.shape == (12, 10) and locked.all() and not locked.flags.writeable
-    held = drag(bench.view, control_point(bench, (6, 5)))
-    held.move(upwards(bench.view, 0.1))
+    held = drag(tools.view, control_point(tools, (6, 5)))
+    held.move(upwards(tools.view, 0.1))
     held.release()
-    assert "locked" in bench.said[-1]
-    assert bench.document.session.result is None
-    bench.commands["unlock_all"]()
-    assert not bench.document.session.locked
-    bench.commands["invert_locks"]()
-    assert bench.document.session.locked["exit"].all() and bench.document.undo_stack.count() == 3
-    bench.commands["lock_all"]()  # which they are
-    assert bench.document.undo_stack.count() == 3
+    assert "locked" in tools.said[-1]
+    assert tools.document.session.result is None
+    tools.commands["unlock_all"]()
+    assert not tools.document.session.locked
+    tools.commands["invert_locks"]()
+    assert tools.document.session.locked["exit"].all() and tools.document.undo_stack.count() == 3
+    tools.commands["lock_all"]()  # which they are
+    assert tools.document.undo_stack.count() == 3
 
 
-def test_painting_locks_and_unlocks(bench, drag, qtbot):
-    view, document = bench.view, bench.document
-    bench.commands["lock"]()
+def test_painting_locks_and_unlocks(tools, drag, qtbot):
+    view, document = tools.view, tools.document
+    tools.commands["lock"]()
     for _ in range(2):
-        bench.commands["brush_smaller"]()
+        tools.commands["brush_smaller"]()
     qtbot.waitUntil(lambda: view.nets.picture._shown)
-    held = drag(view, control_point(bench, (3, 3)))
-    held.move(control_point(bench, (4, 3)) - held.at)
-    held.move(control_point(bench, (5, 3)) - held.at)
+    held = drag(view, control_point(tools, (3, 3)))
+    held.move(control_point(tools, (4, 3)) - held.at)
+    held.move(control_point(tools, (5, 3)) - held.at)
     assert view.nets.locked.sum() == 3 and not document.session.locked
     held.release()
     np.testing.assert_array_equal(
@@ -215,11 +215,11 @@ def test_painting_locks_and_unlocks(bench, drag, qtbot):
     )
     assert document.undo_stack.undoText() == "lock points"
     qtbot.waitUntil(lambda: view.nets.picture._locked is not None)
-    held = drag(view, control_point(bench, (4, 3)))
-    held.move(control_point(bench, (4, 4)) - held.at)
+    held = drag(view, control_point(tools, (4, 3)))
+    held.move(control_point(tools, (4, 4)) - held.at)
     held.release()
     np.testing.assert_array_equal(np.argwhere(document.session.locked["exit"]), [[3, 3], [5, 3]])
-    held = drag(view, control_point(bench, (8, 8)))
+    held = drag(view, control_point(tools, (8, 8)))
     qtbot.keyClick(view._plotter, Qt.Key.Key_Escape)
     np.testing.assert_array_equal(np.argwhere(view.nets.locked), [[3, 3], [5, 3]])
     held.release()
@@ -229,23 +229,23 @@ def test_painting_locks_and_unlocks(bench, drag, qtbot):
 
 
 def test_tools_are_disabled_during_a_run(sculpting, drag, qtbot):
-    bench, view = sculpting, sculpting.view
-    bench.control.start()
-    bench.control.toggle_pause()
-    held = drag(view, control_point(bench, (6, 5)))
+    tools, view = sculpting, sculpting.view
+    tools.control.start()
+    tools.control.toggle_pause()
+    held = drag(view, control_point(tools, (6, 5)))
     held.move(upwards(view, 0.1))
     held.release()
-    assert "Stop the run first" in bench.said[-1]
-    bench.commands["lock_all"]()
-    assert not bench.document.session.locked
-    bench.control.runner.stop()
-    qtbot.waitUntil(lambda: not bench.control.busy, timeout=30_000)
+    assert "Stop the run first" in tools.said[-1]
+    tools.commands["lock_all"]()
+    assert not tools.document.session.locked
+    tools.control.runner.stop()
+    qtbot.waitUntil(lambda: not tools.control.busy, timeout=30_000)
 
 
-def test_the_source_follows_the_pointer_in_its_plane(at_bench, drag, qtbot):
-    bench = at_bench({"source": POINT})
-    view, document = bench.view, bench.document
-    bench.commands["move_source"]()
+def test_the_source_follows_the_pointer_in_its_plane(make_tools, drag, qtbot):
+    tools = make_tools({"source": POINT})
+    view, document = tools.view, tools.document
+    tools.commands["move_source"]()
     qtbot.waitUntil(lambda: view.handles._source is not None)
     camera, start = view._plotter.camera_position, seen_at(view, (0.0, 0.0, -3.0))
     there = seen_at(view, (0.3, -0.2, -3.0)) - start
@@ -272,7 +272,7 @@ def test_the_source_follows_the_pointer_in_its_plane(at_bench, drag, qtbot):
     assert document.session.scene.source.position[2] == pytest.approx(-2.0, abs=0.05)
     held.move(seen_at(view, (x, y, 3.0)) - start, ctrl)
     assert document.session.scene.source.position[2] < 0
-    assert "source.position" in bench.said[-1]
+    assert "source.position" in tools.said[-1]
     qtbot.keyClick(view._plotter, Qt.Key.Key_Escape)
     assert document.session.scene.source.position == (x, y, z)
     held.release()
@@ -283,29 +283,29 @@ def test_the_source_follows_the_pointer_in_its_plane(at_bench, drag, qtbot):
     assert document.session.scene.source.position == (0.0, 0.0, -3.0)
 
 
-def test_a_corner_widens_the_grid_unless_exploded(at_bench, drag, qtbot):
-    bench = at_bench({"source": GRID})
-    view, corner = bench.view, (0.5, 0.5, -3.0)
-    bench.commands["move_source"]()
+def test_a_corner_widens_the_grid_unless_exploded(make_tools, drag, qtbot):
+    tools = make_tools({"source": GRID})
+    view, corner = tools.view, (0.5, 0.5, -3.0)
+    tools.commands["move_source"]()
     qtbot.waitUntil(lambda: view.handles._source is not None)
     held = drag(view, seen_at(view, corner))
     held.move(seen_at(view, (0.8, 0.6, -3.0)) - seen_at(view, corner))
     held.release()
-    source = bench.document.session.scene.source
+    source = tools.document.session.scene.source
     assert source.half_width == (pytest.approx(0.8, abs=0.05), pytest.approx(0.6, abs=0.05))
     assert source.center == (0.0, 0.0, -3.0)
-    qtbot.waitUntil(lambda: view.frame.session is bench.document.session, timeout=20_000)
+    qtbot.waitUntil(lambda: view.frame.session is tools.document.session, timeout=20_000)
     view.explode(True)
     qtbot.waitUntil(lambda: view._shown is not None)
     held = drag(view, seen_at(view, view.handles._dots._mesh.points[-1]))
     held.move(QPoint(20, 5))
     held.release()
-    assert bench.document.undo_stack.count() == 1
-    assert "to scale" in bench.said[-1]
+    assert tools.document.undo_stack.count() == 1
+    assert "to scale" in tools.said[-1]
 
 
-def test_keys_without_a_tool_move_the_camera(bench, qtbot):
-    view, camera = bench.view, bench.view._plotter.camera
+def test_keys_without_a_tool_move_the_camera(tools, qtbot):
+    view, camera = tools.view, tools.view._plotter.camera
     fitted, scale = camera.position, camera.parallel_scale
     qtbot.keyClick(view._plotter, Qt.Key.Key_Right)
     turned = camera.position
@@ -315,7 +315,7 @@ def test_keys_without_a_tool_move_the_camera(bench, qtbot):
     middle = camera.focal_point
     qtbot.keyClick(view._plotter, Qt.Key.Key_Up, Qt.KeyboardModifier.ShiftModifier)
     assert camera.focal_point[1] > middle[1]
-    bench.commands["sculpt"]()
+    tools.commands["sculpt"]()
     middle = camera.focal_point
     qtbot.keyClick(view._plotter, Qt.Key.Key_Up)
     assert view.nets.brush and camera.focal_point == middle
@@ -371,33 +371,33 @@ def hold_key(view, key, times, as_repeats=True):
 
 @pytest.mark.parametrize("as_repeats", [True, False], ids=["told as repeats", "as on X11"])
 def test_a_held_key_is_one_step(sculpting, qtbot, as_repeats):
-    bench, view, document = sculpting, sculpting.view, sculpting.document
-    bench.commands["brush_smaller"]()
-    bench.commands["brush_smaller"]()
+    tools, view, document = sculpting, sculpting.view, sculpting.document
+    tools.commands["brush_smaller"]()
+    tools.commands["brush_smaller"]()
     hold_key(view, Qt.Key.Key_PageUp, 10, as_repeats)
     qtbot.waitUntil(lambda: view.frame.state.heights["exit"][6, 5] > 0.5, timeout=20_000)
     qtbot.waitUntil(lambda: "Moved by +0.06 cm" in view._hint.text())
     assert document.session.result is None
     # Neither hand nor pointer is in its way.
-    qtbot.mouseMove(view._plotter, control_point(bench, (3, 4)))
+    qtbot.mouseMove(view._plotter, control_point(tools, (3, 4)))
     QApplication.sendEvent(view._plotter, QEvent(QEvent.Type.Leave))
     assert view.nets.brush[0] == (6, 5)
     qtbot.keyRelease(view._plotter, Qt.Key.Key_PageUp)
     qtbot.waitUntil(lambda: document.session.result is not None, timeout=20_000)
-    np.testing.assert_array_equal(np.argwhere(bench.heights() != 0.5), [[6, 5]])
-    assert bench.heights()[6, 5] == pytest.approx(0.56)  # ten times 1/100 of 0.6
+    np.testing.assert_array_equal(np.argwhere(tools.heights() != 0.5), [[6, 5]])
+    assert tools.heights()[6, 5] == pytest.approx(0.56)  # ten times 1/100 of 0.6
     assert document.undo_stack.count() == 1
     assert document.undo_stack.undoText() == "move control points"
     qtbot.keyClick(view._plotter, Qt.Key.Key_PageDown, Qt.KeyboardModifier.ShiftModifier)
     qtbot.waitUntil(lambda: document.undo_stack.count() == 2, timeout=20_000)
-    assert bench.heights()[6, 5] == pytest.approx(0.5597)
+    assert tools.heights()[6, 5] == pytest.approx(0.5597)
     document.undo_stack.undo()
     document.undo_stack.undo()
     assert document.session.result is None
 
 
 def test_escape_undoes_a_held_key_and_losing_the_focus_ends_it(sculpting, qtbot):
-    bench, view, document = sculpting, sculpting.view, sculpting.document
+    tools, view, document = sculpting, sculpting.view, sculpting.document
     hold_key(view, Qt.Key.Key_PageDown, 3)
     qtbot.waitUntil(lambda: view.frame.state.heights["exit"].min() < 0.5, timeout=20_000)
     qtbot.keyClick(view._plotter, Qt.Key.Key_Escape)
@@ -408,30 +408,30 @@ def test_escape_undoes_a_held_key_and_losing_the_focus_ends_it(sculpting, qtbot)
     QApplication.sendEvent(view._plotter, again)  # it is held still
     qtbot.keyRelease(view._plotter, Qt.Key.Key_PageDown)
     qtbot.waitUntil(lambda: view._tool_input._held is None)
-    assert document.undo_stack.count() == 0 and not bench.put_away
+    assert document.undo_stack.count() == 0 and not tools.put_away
     hold_key(view, Qt.Key.Key_PageDown, 3)
     QApplication.sendEvent(view._plotter, QFocusEvent(QEvent.Type.FocusOut))
     qtbot.waitUntil(lambda: document.undo_stack.count() == 1, timeout=20_000)
-    assert bench.heights().min() == pytest.approx(0.482)
+    assert tools.heights().min() == pytest.approx(0.482)
 
 
 def test_keys_are_refused_as_drags_are(sculpting, qtbot):
-    bench, view = sculpting, sculpting.view
-    bench.commands["lock_all"]()
+    tools, view = sculpting, sculpting.view
+    tools.commands["lock_all"]()
     hold_key(view, Qt.Key.Key_PageUp, 5)
     qtbot.keyRelease(view._plotter, Qt.Key.Key_PageUp)
-    assert len(bench.said) == 1 and "locked" in bench.said[0]
-    assert bench.document.session.result is None
+    assert len(tools.said) == 1 and "locked" in tools.said[0]
+    assert tools.document.session.result is None
 
 
-def test_space_locks_and_unlocks_what_is_in_the_brush(bench, qtbot):
-    view, document = bench.view, bench.document
-    bench.commands["lock"]()
+def test_space_locks_and_unlocks_what_is_in_the_brush(tools, qtbot):
+    view, document = tools.view, tools.document
+    tools.commands["lock"]()
     qtbot.waitUntil(lambda: view.nets.picture._shown)
     hold_key(view, Qt.Key.Key_Space, 3)
     assert view.nets.locked.sum() == 9 and not document.session.locked
     qtbot.keyClick(view._plotter, Qt.Key.Key_Escape)
-    assert view.nets.locked is None and not bench.put_away
+    assert view.nets.locked is None and not tools.put_away
     qtbot.keyClick(view._plotter, Qt.Key.Key_Space)
     qtbot.waitUntil(lambda: document.undo_stack.count() == 1)
     locked = document.session.locked["exit"]
@@ -445,10 +445,10 @@ def test_space_locks_and_unlocks_what_is_in_the_brush(bench, qtbot):
     assert document.undo_stack.undoText() == "unlock points"
 
 
-def test_keys_move_the_source(at_bench, qtbot):
-    bench = at_bench({"source": POINT})
-    view, document = bench.view, bench.document
-    bench.commands["move_source"]()
+def test_keys_move_the_source(make_tools, qtbot):
+    tools = make_tools({"source": POINT})
+    view, document = tools.view, tools.document
+    tools.commands["move_source"]()
     qtbot.waitUntil(lambda: view.handles._source is not None)
     hold_key(view, Qt.Key.Key_Right, 5)
     qtbot.keyRelease(view._plotter, Qt.Key.Key_Right)
@@ -462,8 +462,8 @@ def test_keys_move_the_source(at_bench, qtbot):
     assert document.undo_stack.index() == 2
 
 
-def test_projection_and_ray_colours_stay_for_another_design(bench, qtbot):
-    view, document = bench.view, bench.document
+def test_projection_and_ray_colours_stay_for_another_design(tools, qtbot):
+    view, document = tools.view, tools.document
     view.see_in_perspective(True)
     view.colour_rays(by_weight=True)
     assert not view._plotter.camera.parallel_projection
@@ -521,8 +521,8 @@ def test_in_the_window(display, make_session, open_window, tmp_path, drag, qtbot
     assert not file.exists() and "hidden" in window.messages.text
 
 
-def test_keys_of_the_3d_widget_itself_do_nothing(bench, qtbot):
-    view = bench.view
+def test_keys_of_the_3d_widget_itself_do_nothing(tools, qtbot):
+    view = tools.view
     before = [actor.prop.style for actor in view._plotter.actors.values() if hasattr(actor, "prop")]
     position = view._plotter.camera_position
     for key in "wsprv3qbC":  # wireframe, picking, other cameras, stereo, closing
@@ -532,12 +532,12 @@ def test_keys_of_the_3d_widget_itself_do_nothing(bench, qtbot):
     assert view._plotter.camera_position == position
 
 
-def test_a_lens_of_automatic_range_is_shaped(at_bench, drag, qtbot):
-    bench = at_bench({"lens.height_range": None, "lens.max_thickness": None})
-    bench.commands["sculpt"]()
-    qtbot.waitUntil(lambda: bench.view.nets.picture._shown)
-    held = drag(bench.view, control_point(bench, (6, 5)))
-    held.move(upwards(bench.view, 0.1))
+def test_a_lens_of_automatic_range_is_shaped(make_tools, drag, qtbot):
+    tools = make_tools({"lens.height_range": None, "lens.max_thickness": None})
+    tools.commands["sculpt"]()
+    qtbot.waitUntil(lambda: tools.view.nets.picture._shown)
+    held = drag(tools.view, control_point(tools, (6, 5)))
+    held.move(upwards(tools.view, 0.1))
     held.release()
-    qtbot.waitUntil(lambda: bench.document.session.result is not None, timeout=20_000)
-    assert bench.heights().max() > 0.55 and not bench.said
+    qtbot.waitUntil(lambda: tools.document.session.result is not None, timeout=20_000)
+    assert tools.heights().max() > 0.55 and not tools.said

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tests.ui.lens.bench import control_point, upwards
+from tests.ui.lens.tool_window import control_point, upwards
 from workbench.geometry.faces import ControlPoint
 
 pytestmark = pytest.mark.usefixtures("kernels")
@@ -12,13 +12,13 @@ TWO_FACES = {"lens.entrance": {"shape": "freeform", "height_range": [-0.1, 0.1]}
 
 
 @pytest.fixture
-def sculpting(at_bench, qtbot):
-    bench = at_bench(TWO_FACES)
-    bench.commands["sculpt"]()
+def sculpting(make_tools, qtbot):
+    tools = make_tools(TWO_FACES)
+    tools.commands["sculpt"]()
     for _ in range(2):
-        bench.commands["brush_smaller"]()
-    qtbot.waitUntil(lambda: bench.view.nets.picture._shown)
-    return bench
+        tools.commands["brush_smaller"]()
+    qtbot.waitUntil(lambda: tools.view.nets.picture._shown)
+    return tools
 
 
 def shown(nets):
@@ -44,13 +44,13 @@ def test_the_exit_face_is_worked_on_first_and_the_hint_names_it(sculpting, qtbot
 def test_the_face_that_is_seen_under_the_pointer_is_dragged(
     sculpting, drag, qtbot, look, face, other
 ):
-    bench, view, document = sculpting, sculpting.view, sculpting.document
+    tools, view, document = sculpting, sculpting.view, sculpting.document
     view.fit(look)
     picture = view.nets._pictures[face]
     ((x, y),) = view.sight.pixels(picture.places[6, 5][None])
     assert view.nets.aim(x, y) == (6, 5) and view.nets.face == face
     before = view.frame.state.heights
-    held = drag(view, control_point(bench, (6, 5)))
+    held = drag(view, control_point(tools, (6, 5)))
     held.move(upwards(view, 0.05))
     held.release()
     qtbot.waitUntil(lambda: document.session.result is not None, timeout=20_000)
@@ -64,12 +64,12 @@ def test_the_face_that_is_seen_under_the_pointer_is_dragged(
 
 
 def test_a_drag_of_each_face_in_turn_keeps_both(sculpting, drag, qtbot):
-    bench, view, document = sculpting, sculpting.view, sculpting.document
+    tools, view, document = sculpting, sculpting.view, sculpting.document
     for look in ("lens", "entrance"):
         view.fit(look)
         face = {"lens": "exit", "entrance": "entrance"}[look]
         view.nets.choose(face)
-        held = drag(view, control_point(bench, (6, 5)))
+        held = drag(view, control_point(tools, (6, 5)))
         held.move(upwards(view, 0.05))
         held.release()
         steps = {"lens": 1, "entrance": 2}[look]
@@ -78,9 +78,9 @@ def test_a_drag_of_each_face_in_turn_keeps_both(sculpting, drag, qtbot):
 
 
 def test_a_face_is_sculpted_within_its_own_range(sculpting, drag, qtbot):
-    bench, view, document = sculpting, sculpting.view, sculpting.document
-    bench.commands["other_face"]()
-    held = drag(view, control_point(bench, (6, 5)))
+    tools, view, document = sculpting, sculpting.view, sculpting.document
+    tools.commands["other_face"]()
+    held = drag(view, control_point(tools, (6, 5)))
     held.move(upwards(view, 0.5))
     held.release()
     qtbot.waitUntil(lambda: document.session.result is not None, timeout=20_000)
@@ -88,45 +88,45 @@ def test_a_face_is_sculpted_within_its_own_range(sculpting, drag, qtbot):
 
 
 def test_locks_are_painted_on_the_face_that_is_seen(sculpting, drag, qtbot):
-    bench, view, document = sculpting, sculpting.view, sculpting.document
-    bench.commands["lock"]()
-    bench.commands["other_face"]()
-    held = drag(view, control_point(bench, (3, 3)))
-    held.move(control_point(bench, (4, 3)) - held.at)
+    tools, view, document = sculpting, sculpting.view, sculpting.document
+    tools.commands["lock"]()
+    tools.commands["other_face"]()
+    held = drag(view, control_point(tools, (3, 3)))
+    held.move(control_point(tools, (4, 3)) - held.at)
     held.release()
     assert set(document.session.locked) == {"entrance"}
     np.testing.assert_array_equal(
         np.argwhere(document.session.locked["entrance"]), [[3, 3], [4, 3]]
     )
     qtbot.waitUntil(lambda: view._hint.text().endswith("2 locked"))
-    bench.commands["other_face"]()
+    tools.commands["other_face"]()
     qtbot.waitUntil(lambda: view._hint.text().endswith("0 locked"))
-    bench.commands["lock_all"]()
+    tools.commands["lock_all"]()
     assert all(mask.all() for mask in document.session.locked.values())
     assert set(document.session.locked) == {"entrance", "exit"}
 
 
 def test_the_other_face_ends_what_is_under_way(sculpting, drag, qtbot):
-    bench, view, document = sculpting, sculpting.view, sculpting.document
-    bench.commands["lock"]()
-    held = drag(view, control_point(bench, (3, 3)))
-    bench.commands["other_face"]()
-    held.move(control_point(bench, (4, 3)) - held.at)
+    tools, view, document = sculpting, sculpting.view, sculpting.document
+    tools.commands["lock"]()
+    held = drag(view, control_point(tools, (3, 3)))
+    tools.commands["other_face"]()
+    held.move(control_point(tools, (4, 3)) - held.at)
     held.release()
     assert not document.session.locked and view.nets.locked is None
 
 
-def test_a_lens_of_one_face_has_no_other(at_bench):
-    bench = at_bench()
-    bench.commands["other_face"]()
-    assert "one freeform face" in bench.said[-1] and bench.view.nets.face == "exit"
+def test_a_lens_of_one_face_has_no_other(make_tools):
+    tools = make_tools()
+    tools.commands["other_face"]()
+    assert "one freeform face" in tools.said[-1] and tools.view.nets.face == "exit"
 
 
 def test_without_a_tool_or_a_mark_nothing_is_picked(sculpting, qtbot):
-    bench, nets = sculpting, sculpting.view.nets
-    ((x, y),) = bench.view.sight.pixels(nets.picture.places[6, 5][None])
+    tools, nets = sculpting, sculpting.view.nets
+    ((x, y),) = tools.view.sight.pixels(nets.picture.places[6, 5][None])
     assert nets.pick(x, y) == ControlPoint("exit", (6, 5))
-    bench.commands["turn"]()
+    tools.commands["turn"]()
     qtbot.waitUntil(lambda: not shown(nets))
     assert nets.pick(x, y) is None
     nets.mark(ControlPoint("entrance", (2, 2)))
@@ -136,12 +136,12 @@ def test_without_a_tool_or_a_mark_nothing_is_picked(sculpting, qtbot):
 
 
 def test_marked_places_are_shown_with_their_lens_alone(sculpting, drag, qtbot):
-    bench, view = sculpting, sculpting.view
+    tools, view = sculpting, sculpting.view
     places = np.array([[0.2, 0.1, 0.5], [0.3, 0.1, 0.5]])
     view.show_spots(view.frame.state.heights, places)
     qtbot.waitUntil(lambda: bool(view._dots._actor.visibility))
     np.testing.assert_allclose(view._dots._mesh.points, places)
-    held = drag(view, control_point(bench, (6, 5)))
+    held = drag(view, control_point(tools, (6, 5)))
     held.move(upwards(view, 0.05))
     held.release()
     qtbot.waitUntil(lambda: not view._dots._actor.visibility, timeout=20_000)

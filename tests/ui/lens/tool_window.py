@@ -1,4 +1,4 @@
-"""A bench for tools of the 3D view, and a hand that drags over it."""
+"""A window with the tools of the 3D view, and drags over it."""
 
 import numpy as np
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
@@ -14,7 +14,7 @@ from workbench.design.limits import undesigned
 LEFT = Qt.MouseButton.LeftButton
 
 
-class Bench:
+class ToolWindow:
     """The 3D view with its tools, a document and its runs, and no more of the window."""
 
     def __init__(self, session):
@@ -77,8 +77,8 @@ class Drag:
         self._qtbot.mouseRelease(self._plotter, LEFT, pos=self.at)
 
 
-def control_point(bench, index):
-    return seen_at(bench.view, bench.view.nets.picture.places[index])
+def control_point(tools, index):
+    return seen_at(tools.view, tools.view.nets.picture.places[index])
 
 
 def upwards(view, length):
