@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from workbench.extended.blur import Blur
 from workbench.extended.blurring import Blurring
-from workbench.extended.deblur import Deblurred, deblur, deblurring
+from workbench.extended.deblur import Deblurred, deblur, deblurring, error_allowed
 from workbench.scene import Scene
 
 Array = npt.NDArray[np.float64]
@@ -71,7 +71,7 @@ class Bound:
     def half_as_wide(self) -> float:
         """The error that the blur of a source half as wide allows."""
         narrower = self.blur.scaled(0.5).seen_in(self.scene.receiver.pixels)
-        return deblur(self.target, narrower).error
+        return error_allowed(self.target, narrower)
 
     @cached_property
     def on_receiver(self) -> float:

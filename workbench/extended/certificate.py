@@ -15,8 +15,16 @@ for w = v − t and c = ⟨v, w⟩. For an image that is merely close some place
     r(y) = c − ⟨k_y, w⟩ / ⟨k_y, 1⟩ > 0.
 
 Let δ(x) be the largest r of all places whose blur touches the pixel x. Then ⟨k_y, δ⟩ is at least
-r(y) ⟨k_y, 1⟩, and w + δ fails nowhere. Few places fail, and by little: it is hardly larger than w.
+r(y) ⟨k_y, 1⟩, and w + δ fails nowhere.
+
+Before that, w is raised some times where places fail: each pixel by the mean of what the failing
+places that touch it lack. That costs less than their largest lack. At the rim, a place whose blur
+grazes one pixel lacks a thousand times as much as others do: a photograph in the sun was certified
+to 0.97 % without it and is to 1.18 % with it, where light that makes 1.43 % is known (128 ×
+128 pixels, 240 steps).
 """
+
+from collections.abc import Iterator
 
 import numpy as np
 import numpy.typing as npt
@@ -29,6 +37,8 @@ Array = npt.NDArray[np.float64]
 
 # Less than this part of the blur in the image is rounding.
 _GRAZING = 1e-9
+# So many times an image is raised where places fail, by so many times what they lack.
+_RAISES, _RAISED = 3, 1.8
 # The number c is sought this far about its first guess, in typical sizes of w, with so many tries.
 _BELOW, _ABOVE, _TRIES = 1.0, 0.1, 8
 
@@ -63,12 +73,14 @@ class Certifier:
         residual : ndarray, shape (n_y, n_x)
             Any image; that of blurred light less the target where this is close.
         """
-        w = residual.astype(np.float64)
+        w = residual.astype(np.float64)  # a copy
         spread = float(np.linalg.norm(w)) / np.sqrt(w.size)
         if spread == 0:
             return 0.0
-        least = self._least_means(w)
         guess = float(((self._target + w) * w).sum() / (self._target + w).sum())
+        for _ in range(_RAISES):
+            w += _RAISED * self._lack(w, guess)
+        least = self._least_means(w)
 
         def lost(c: float) -> float:
             mended = w + self._mending(c, least)
@@ -82,13 +94,39 @@ class Certifier:
         )
         return max(-min(lost(guess), float(tried.fun)) / self._size, 0.0)
 
-    def _least_means(self, w: Array) -> Array:
-        """⟨k_y, w⟩ / ⟨k_y, 1⟩, the least of all places in each pixel and about the image."""
-        least = np.full(self._shares[0].shape, np.inf)
+    def _means(self, w: Array) -> Iterator[tuple[Blurring, Array, Array]]:
+        """⟨k_y, w⟩ / ⟨k_y, 1⟩ of each place in a pixel, which is infinite where it has no light.
+
+        With each come its blurring and 1 / ⟨k_y, 1⟩, which is 0 there.
+        """
         for blurring, share in zip(self._each, self._shares, strict=True):
             seen = share > _GRAZING
-            means = blurring.back(w)[0][blurring.places][seen] / share[seen]
-            least[seen] = np.minimum(least[seen], means)
+            inverse = np.divide(1.0, share, out=np.zeros_like(share), where=seen)
+            yield (
+                blurring,
+                np.where(seen, blurring.back(w)[0][blurring.places] * inverse, np.inf),
+                inverse,
+            )
+
+    def _lack(self, w: Array, c: float) -> Array:
+        """The mean of what the failing places lack that touch a pixel, for each pixel."""
+        lacking, touching = np.zeros_like(w), np.zeros_like(w)
+        for blurring, means, inverse in self._means(w):
+            fails = (c - means).clip(min=0.0)
+            light = np.zeros((1, *blurring.grid))
+            light[0][blurring.places] = fails * inverse
+            lacking += blurring.image(light)
+            light[0][blurring.places] = (fails > 0) * inverse
+            touching += blurring.image(light)
+        # Where the transforms' rounding is all there is, no place fails.
+        touched = touching > _GRAZING * max(float(touching.max()), 1.0)
+        return np.divide(lacking, touching, out=np.zeros_like(w), where=touched).clip(min=0.0)
+
+    def _least_means(self, w: Array) -> Array:
+        """The least mean of all places in each pixel and about the image."""
+        least = np.full(self._shares[0].shape, np.inf)
+        for _, means, _ in self._means(w):
+            np.minimum(least, means, out=least)
         return least
 
     def _mending(self, c: float, least: Array) -> Array:
