@@ -194,7 +194,7 @@ class PlotCanvas(FigureCanvasQTAgg):
     def _paint_stretched(self) -> None:
         """Paint the figure as it was drawn for another size, if it was."""
         painter = QPainter(self)
-        painter.fillRect(self.rect(), self.palette().window())
+        painter.fillRect(self.rect(), self.parentWidget().palette().window())
         if hasattr(self, "renderer"):
             pixels = np.asarray(self.renderer.buffer_rgba())
             (height, width, _), kind = pixels.shape, QImage.Format.Format_RGBA8888

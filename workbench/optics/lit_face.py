@@ -24,7 +24,7 @@ from workbench.optics.surfaces import Meeting
 Array = npt.NDArray[np.float64]
 
 
-class FaceLight(NamedTuple):
+class LitSamples(NamedTuple):
     """Rays at a face, before it does anything to them, and where they meet it.
 
     Shapes are (samples along x, origins × samples along y).
@@ -82,7 +82,7 @@ class LitFace:
         self._at = tuple(constant(part).reshape(1, -1, 1) for part in (origins.places - above).T)
         self._patterns = None if patterns is None else constant(patterns)
 
-    def light(self, heights: Tensor) -> FaceLight:
+    def light(self, heights: Tensor) -> LitSamples:
         """The light that meets a face with control heights (n_u, n_v), z as in the scene."""
         above = (heights - self._level).to(self._x.dtype)
         z, face_x, face_y = (part[:, None] for part in self._basis.evaluate(above))
@@ -97,7 +97,7 @@ class LitFace:
         normal = _side_by_side((-face_x * length, -face_y * length, length), shape)
         direction = _side_by_side((s_x * along, s_y * along, along), shape)
         flux, met = (part.reshape(shape[0], -1) for part in (flux, met.expand(shape)))
-        return FaceLight(RayBundle(at, direction, flux, met), Meeting(at, normal, met))
+        return LitSamples(RayBundle(at, direction, flux, met), Meeting(at, normal, met))
 
     def _come(self, z: Tensor) -> tuple[tuple[Tensor, Tensor], Tensor]:
         """Slopes of the light at the samples, and its flux per area across the axis."""

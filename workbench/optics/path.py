@@ -17,7 +17,7 @@ from workbench.optics.rays import RayBundle, Vector
 from workbench.optics.receivers import Receiver, receiver_of
 from workbench.optics.samples import Samples
 from workbench.optics.sources import Emitter, emitter_of
-from workbench.optics.steps import Along, FaceStep, steps_of
+from workbench.optics.steps import FaceStep, PathContext, steps_of
 from workbench.scene import Scene
 
 # Less light than this is none: rays that carry all of it add up to 1 but for so much.
@@ -92,7 +92,7 @@ class Path:
         datum = optic.base.height if straight else optic.datum
         emitter, outline = emitter_of(source, optic, samples), outline_of(optic)
         light = emitter.by_area, source.along_axis, source.subdivisions
-        steps = steps_of(optic, Along(net, datum, *light, dtype, device))
+        steps = steps_of(optic, PathContext(net, datum, *light, dtype, device))
         receiver = receiver_of(scene.receiver, optic, datum)
         return cls(emitter, steps, receiver, datum, outline, scene.run.seed, dtype, device)
 

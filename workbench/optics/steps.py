@@ -34,7 +34,7 @@ class FaceStep(NamedTuple):
     missed: str
 
 
-class Along(NamedTuple):
+class PathContext(NamedTuple):
     """What is known of the light and of the trace before there are faces.
 
     Attributes
@@ -67,12 +67,12 @@ class Along(NamedTuple):
         return BSplineSurface(name, net, self.datum, *how, outline, level)
 
 
-def steps_of(optic: Optic, along: Along) -> tuple[FaceStep, ...]:
+def steps_of(optic: Optic, along: PathContext) -> tuple[FaceStep, ...]:
     """Faces of an optic, in the order in which light meets them."""
     return _STEPS[type(optic)](optic, along)
 
 
-def _of_lens(lens: Lens, along: Along) -> tuple[FaceStep, ...]:
+def _of_lens(lens: Lens, along: PathContext) -> tuple[FaceStep, ...]:
     outline, entrance_net = outline_of(lens), freeform_nets(lens).get("entrance")
     entering, leaving = TransmittanceLaw.of(lens)
     before = Rectangle(lens.half_width) if along.by_area else outline
@@ -88,14 +88,14 @@ def _of_lens(lens: Lens, along: Along) -> tuple[FaceStep, ...]:
     )
 
 
-def _of_mirror(mirror: Mirror, along: Along) -> tuple[FaceStep, ...]:
+def _of_mirror(mirror: Mirror, along: PathContext) -> tuple[FaceStep, ...]:
     whole = along.by_area and along.along_axis
     outline = Rectangle(mirror.half_width) if whole else outline_of(mirror)
     face = along.spline("mirror", along.net, outline, mirror.base.height)
     return (FaceStep(face, Reflection(mirror.reflectance, "absorbed_mirror"), "missed_mirror"),)
 
 
-_STEPS: Mapping[type, Callable[[Any, Along], tuple[FaceStep, ...]]] = {
+_STEPS: Mapping[type, Callable[[Any, PathContext], tuple[FaceStep, ...]]] = {
     Lens: _of_lens,
     Mirror: _of_mirror,
 }

@@ -8,7 +8,7 @@ from workbench.analysis.benchmark.fresh import Fresh
 from workbench.analysis.benchmark.frontier import (
     Course,
     Effort,
-    VerifiedError,
+    TracedError,
     courses,
     table,
     verified,
@@ -154,7 +154,7 @@ def test_table_agrees_with_the_courses():
         (0.1, 1.0),
         (0.5, 0.125),
         ((0.1, 0.5), (1.0, 0.12)),
-        VerifiedError(0.125, 0.001, 0.9),
+        TracedError(0.125, 0.001, 0.9),
         3.0,
         2_000_000,
     )

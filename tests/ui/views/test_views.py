@@ -223,6 +223,15 @@ def test_pictures_of_a_new_size_are_drawn_in_several_turns(frame, show, draws, q
     assert len(drawn) == 3
 
 
+def test_a_picture_that_has_to_wait_for_its_turn_is_no_white_sheet(show, monkeypatch):
+    monkeypatch.setattr(DrawingQueue, "may_draw", lambda self, drawer: False)
+    holder = QWidget()
+    holder.setPalette(dark_palette())
+    canvas = PlotCanvas(holder, bar=False)
+    show(holder, 300, 200)
+    assert (grabbed(canvas) == 0x20).all()
+
+
 # In three dimensions.
 
 

@@ -55,7 +55,7 @@ class Effort:
     processes: int
 
 
-class VerifiedError(NamedTuple):
+class TracedError(NamedTuple):
     """What an independent tracer says of a lens.
 
     Attributes
@@ -86,7 +86,7 @@ class Course:
         not in it.
     own_curve : tuple of (float, float)
         Time and own error of the best lens after each iteration.
-    last : VerifiedError or None
+    last : TracedError or None
         What is said of the last lens.
     waited : float or None
         Time that a fresh process takes, s.
@@ -105,7 +105,7 @@ class Course:
     times: tuple[float, ...] = ()
     errors: tuple[float, ...] = ()
     own_curve: tuple[tuple[float, float], ...] = ()
-    last: VerifiedError | None = None
+    last: TracedError | None = None
     waited: float | None = None
     memory: int | None = None
     sooner: float | None = None
@@ -258,7 +258,7 @@ def _timed(method: Method, example: Example, iterations: int | None) -> Iterator
     return method(example, iterations)
 
 
-def verified(example: Example, lens: Array, accuracy: float = ACCURACY) -> VerifiedError:
+def verified(example: Example, lens: Array, accuracy: float = ACCURACY) -> TracedError:
     """Judge a lens by cells of that accuracy; by random rays where the source has many points."""
     # A method may design on a net of its own.
     net = {"control_points": lens.shape}
@@ -267,9 +267,9 @@ def verified(example: Example, lens: Array, accuracy: float = ACCURACY) -> Verif
     if image is None:
         light = validate(scene, example.target, {example.scene.optic.face: lens}, _RAYS)
         low, high = light.relative_l2_corrected_interval
-        return VerifiedError(light.relative_l2_corrected, (high - low) / 2, light.efficiency)
+        return TracedError(light.relative_l2_corrected, (high - low) / 2, light.efficiency)
     efficiency = scene.receiver.total(image.irradiance)
-    return VerifiedError(*image.error(example.target), efficiency)
+    return TracedError(*image.error(example.target), efficiency)
 
 
 def _sooner(course: Course, yardstick: Course) -> float | None:
