@@ -19,10 +19,11 @@ from workbench.geometry.surface import ControlNet
 from workbench.optics.beams import beam_image
 from workbench.optics.interfaces import Refraction
 from workbench.optics.kernels.two_faces import FusedTwoFaces
-from workbench.optics.path import Path, Step
+from workbench.optics.path import Path
 from workbench.optics.reference import Reference
 from workbench.optics.samples import Corners
 from workbench.optics.sources import Origins
+from workbench.optics.steps import FaceStep
 from workbench.optics.surfaces import BSplineSurface
 from workbench.optics.transmittance import TransmittanceLaw
 from workbench.scene import Scene
@@ -36,7 +37,7 @@ def two_faces(scene, origins, cells, dtype=torch.float64):
         "entrance", net, flat.datum, dtype, outline=flat.outline, level=scene.lens.entrance_z
     )
     law, _ = TransmittanceLaw.of(scene.lens)
-    front = Step(surface, Refraction(law, "fresnel_entrance"), "missed_lens")
+    front = FaceStep(surface, Refraction(law, "fresnel_entrance"), "missed_lens")
     emitter, steps = Light(origins, Corners(*cells)), (front, flat.steps[1])
     return Path(emitter, steps, flat.receiver, flat.datum, flat.outline, 0, dtype)
 
