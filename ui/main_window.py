@@ -23,6 +23,7 @@ from ui.files.recent import RecentFiles
 from ui.files.reporter import Reporter
 from ui.help.help import TITLE, Help
 from ui.jobs.start import Start
+from ui.manufacture.cutter import AskCutting
 from ui.notices.carried_lens import CarriedLens
 from ui.notices.target_image import TargetImage
 from ui.notices.unit_change import UnitChange
@@ -101,6 +102,7 @@ class MainWindow(QMainWindow):
         lens, messages = self._lens, self.messages
         self.files = FileActions(document, lens, self._recent, messages, dialogs, self)
         self.exporter = Exporter(document, lens, messages, dialogs, self)
+        self.exporter.ask_cutting = AskCutting(self)
         self.reporter = Reporter(document, lens, messages, dialogs, self)
         self.start_page = Start(self.files, self._show_gallery, dialogs, self)
         self._panes = PaneFocus(
@@ -271,6 +273,7 @@ class MainWindow(QMainWindow):
                 "save": lambda: self._save(self.files.save),
                 "save_as": lambda: self._save(self.files.save_as),
                 "export": lambda: self._take_along(self.exporter.choose_and_export),
+                "cut": lambda: self._take_along(self.exporter.choose_and_cut),
                 "report": lambda: self._take_along(self.reporter.choose_and_report),
                 "new_window": self.new_window_asked.emit,
                 "close": self.close,

@@ -89,3 +89,15 @@ def test_what_is_known_at_once_comes_before_the_picture_at_best():
     assert first.picture is None
     assert "Largest slope" in {figure.name for figure in first.figures}
     steps.close()
+
+
+def test_light_that_passes_the_lens_by_is_said():
+    """Of a Lambertian lamp at h before a square: Gebhart's view factor of a point and a corner."""
+    job = Torch().with_answers(EVEN)
+    half, height = job.size[0] / 2, job.lamp_distance
+    slant = math.hypot(half, height)
+    caught = 4 / math.pi * (half / slant) * math.atan(half / slant)
+    said = figures(job)["Light on the lens"]
+    assert said.value == f"{100 * caught:.0f} % of it" and said.warns
+    assert "Light on the lens" not in figures(SunPlate().with_answers(EVEN))
+    assert not figures(LedRectangle())["Light on the lens"].warns

@@ -8,7 +8,7 @@ from ui.commands.table import LOCKS, NEW
 if TYPE_CHECKING:
     from workbench.scene import Optic
 
-_TAKES_LENS = ("export", "report")
+_TAKES_LENS = ("export", "cut", "report")
 
 # Not while a run works on the design as it was when it began.
 _CHANGING = (

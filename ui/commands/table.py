@@ -84,6 +84,10 @@ COMMANDS = {
     "save": Command("&Save", "Save scene, target and {optic}", _Key.Save, "save"),
     "save_as": Command("Save &as…", "Save under another name", "Ctrl+Shift+S"),
     "export": Command("&Export…", "Write the {optic} or its light for other programs", "Ctrl+E"),
+    "cut": Command(
+        "Cu&t with a ball cutter…",
+        "Write a finishing pass as G-code; what the cut leaves of the image is found before",
+    ),
     "report": Command(
         "&Report…", "Write scene, pictures, check and figures on some pages (HTML, PDF)", "Ctrl+R"
     ),
@@ -283,6 +287,7 @@ MENUS: dict[str, list[Any]] = {
         "revert",
         None,
         "export",
+        "cut",
         "report",
         "save_photo",
         None,

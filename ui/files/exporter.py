@@ -1,5 +1,6 @@
 """Takes the lens and its light to files for other programs."""
 
+from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -12,7 +13,8 @@ from ui.run.lens_on_show import NO_LENS, LensOnShow
 from ui.threads.background import Background, Task
 from ui.threads.failure import sentence_of
 from ui.widgets.message_bar import MessageBar
-from workbench.files.export.formats import Format, formats_for
+from workbench.files.export.cutting import PLAIN, Cutting
+from workbench.files.export.formats import GCODE, Format, formats_for
 
 if TYPE_CHECKING:
     from workbench.files.export.write import Written
@@ -32,6 +34,11 @@ class Exporter(QObject):
         Shows what was written and how far it is from the design, or why nothing was.
     dialogs : FileDialogs
         Ask for the file.
+
+    Attributes
+    ----------
+    ask_cutting : callable
+        Asks how the lens of a session is cut, for G-code; None if it shall not be.
     """
 
     def __init__(
@@ -47,6 +54,7 @@ class Exporter(QObject):
         self._lens = lens
         self._messages = messages
         self._dialogs = dialogs
+        self.ask_cutting: Callable[[Session], Cutting | None] = lambda session: PLAIN
         self._background = Background("export", self)
         self._background.done.connect(self._tell)
         self._background.failed.connect(
@@ -59,8 +67,22 @@ class Exporter(QObject):
         if path is not None:
             self.export(path)
 
-    def export(self, path: Path) -> None:
-        """Write a file."""
+    def choose_and_cut(self) -> None:
+        """Ask how the face is cut, then for the file, and write it."""
+        session = self._lens.session
+        if session is None:
+            self._messages.note(NO_LENS)
+            return
+        cutting = self.ask_cutting(session)
+        if cutting is not None:
+            title, name = f"Cut {self._lens.text}", self._document.name
+            endings = {_filter(GCODE): GCODE.endings[0]}
+            path = self._dialogs.to_save("export", title, name, endings)
+            if path is not None:
+                self.export(path, cutting)
+
+    def export(self, path: Path, cutting: Cutting | None = None) -> None:
+        """Write a file; how a face is cut is asked for, where that counts and is not known."""
         if self._background.busy:
             self._messages.note("One file is still being written; export the next after it.")
             return
@@ -68,8 +90,12 @@ class Exporter(QObject):
         if session is None:
             self._messages.note(NO_LENS)
             return
+        if cutting is None and path.name.lower().endswith(GCODE.endings):
+            cutting = self.ask_cutting(session)
+            if cutting is None:
+                return
         self._messages.note(f"{path.name} is being written…")
-        self._background.begin(partial(_write, session, path), self._lens.text)
+        self._background.begin(partial(_write, session, path, cutting or PLAIN), self._lens.text)
 
     def ask_for_name(self) -> Path | None:
         """Ask for a file; a name without an ending gets that of the chosen format."""
@@ -86,11 +112,11 @@ class Exporter(QObject):
         self._messages.note(f"{written.sentence}; {lens}")
 
 
-def _write(session: "Session", path: Path, task: Task) -> "Written":
+def _write(session: "Session", path: Path, cutting: Cutting, task: Task) -> "Written":
     # Late: torch comes with it, and the window shows before that.
     from workbench.files.export.write import export
 
-    (written,) = export(session, [path])
+    (written,) = export(session, [path], cutting=cutting)
     return written
 
 

@@ -13,7 +13,7 @@ from ui.panels.source import file_rows
 from ui.panels.target import image_rows, of_image
 from workbench.errors import Refused
 from workbench.jobs import Job
-from workbench.scene import Finish
+from workbench.scene import Finish, ImageTarget
 from workbench.scene.kinds import summary_of, title_of
 
 # What is done to pictures can be chosen later, in the window.
@@ -88,9 +88,25 @@ class JobForm(QScrollArea):
             row.commit()
 
     def choose_image(self, path: Path) -> None:
-        """Take a picture file."""
+        """Take a picture file, and an image as wide and high as it is."""
         target = of_image(path, Finish())
-        self._edit(Edit("target.image", "picture", {"target": target}))
+        changes: dict[str, object] = {"target": target}
+        size = getattr(self.job, "image_size", None)
+        if size is not None:
+            changes["image_size"] = self._in_aspect(size, target)
+        self._edit(Edit("target.image", "picture", changes))
+
+    def _in_aspect(self, size: tuple[float, float], target: dict[str, object]) -> list[float]:
+        """The size of an image that is as large as before and has the aspect of a picture."""
+        from workbench.targets import picture_aspect  # late: takes long to import
+
+        try:
+            aspect = picture_aspect(ImageTarget.model_validate(target))
+        except Refused:  # whoever draws the picture says so
+            return list(size)
+        larger = max(size)
+        shorter = float(f"{larger * min(aspect, 1 / aspect):.3g}")
+        return [larger, shorter] if aspect > 1 else [shorter, larger]
 
     def choose_light(self, path: Path) -> None:
         """Take a file of light."""

@@ -18,6 +18,9 @@ if TYPE_CHECKING:
     from workbench.jobs.prospect import Figure, Prospect
 
 
+_HIGH = 160  # logical pixels of a picture: two of them are compared
+
+
 class Finder(QObject):
     """Draws the target of the latest job and finds what can be expected of it.
 
@@ -86,7 +89,7 @@ class Outlook(QWidget):
         super().__init__()
         self._aspect = 1.0
         self._labels: list[QLabel] = []
-        self._wanted, self._at_best = Thumbnail(), Thumbnail()
+        self._wanted, self._at_best = Thumbnail(_HIGH), Thumbnail(_HIGH)
         self._at_best.setAccessibleName("Picture at best")
         self._at_best.setToolTip("Blurred by the size of the light, as any lens has to")
         self._state = Wrapped()

@@ -27,7 +27,7 @@ from workbench.scene.kinds import summary_of, title_of
 if TYPE_CHECKING:
     from workbench.files.session import Session
 
-_SIZE = QSize(1120, 700)
+_SIZE = QSize(1240, 820)
 _JOBS_WIDE, _FORM_WIDE = 190, 330
 
 

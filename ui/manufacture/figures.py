@@ -4,7 +4,7 @@ import math
 from typing import NamedTuple
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
+from PySide6.QtWidgets import QGridLayout, QLabel, QPushButton, QWidget
 
 from ui.manufacture.limits import LimitFields
 from workbench.analysis.manufacture import Extreme, FaceFigures, Manufacture
@@ -96,7 +96,10 @@ class ManufactureFigures(QWidget):
             self._add(row, key, _named(*_OF_FACE[key]))
         self.note = QLabel(wordWrap=True)
         grid.addWidget(self.note, end + 2 + len(_OF_FACE) + 1, 0, 1, 5)
-        grid.setRowStretch(end + 3 + len(_OF_FACE) + 1, 1)
+        grid.setRowStretch(end + 4 + len(_OF_FACE) + 1, 1)
+        self.cut = QPushButton("Ball cutter…")
+        self.cut.setToolTip("Say how the face is cut, see what the cut leaves, and write G-code")
+        grid.addWidget(self.cut, end + 3 + len(_OF_FACE) + 1, 0, 1, 5)
         fields.changed.connect(self._judge)
 
     def show_found(self, found: Manufacture, unit: str) -> None:

@@ -7,7 +7,7 @@
 
 from typing import TYPE_CHECKING, NamedTuple
 
-from PySide6.QtCore import QSettings, QTimer
+from PySide6.QtCore import QSettings, QTimer, Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QWidget
 
@@ -49,7 +49,11 @@ class ManufacturePane(SideBySide):
     ----------
     map : FaceMap
         Its picture.
+    cut_asked : Signal()
+        A person wants to have the face cut.
     """
+
+    cut_asked = Signal()
 
     def __init__(self, settings: QSettings, parent: QWidget | None = None) -> None:
         face_map = FaceMap()
@@ -57,6 +61,7 @@ class ManufacturePane(SideBySide):
         figures = ManufactureFigures(fields)
         super().__init__(face_map, figures, parent)
         self.map, self._fields, self._figures = face_map, fields, figures
+        figures.cut.clicked.connect(self.cut_asked)
         self.setFocusProxy(face_map)
         self._frame: Frame | None = None
         self._found: _Found | None = None

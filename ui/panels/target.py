@@ -24,6 +24,8 @@ IMAGE_FILES = (
     "*.npy);;All files (*)"
 )
 
+_HEIGHT = 110  # logical pixels of a thumbnail
+
 
 class TargetPanel(PartPanel):
     """Bound to ``scene.target``.
@@ -82,14 +84,18 @@ def image_rows(field: FieldDescription, path: str) -> list[Row]:
 
 
 class Thumbnail(QWidget):
-    """The target in greys, also while the form is closed."""
+    """The target in greys, also while the form is closed.
 
-    _HEIGHT = 110
+    Parameters
+    ----------
+    height : int
+        Logical pixels.
+    """
 
-    def __init__(self) -> None:
+    def __init__(self, height: int = _HEIGHT) -> None:
         super().__init__()
         self._picture, self._aspect = QImage(), 1.0
-        self.setFixedHeight(self._HEIGHT)
+        self.setFixedHeight(height)
         self.setToolTip("The light that is wanted on the screen")
         self.setAccessibleName("Target image")
 

@@ -9,8 +9,8 @@
    a new background.
 4. The labels of a colour bar are as wide as their numbers. They are measured when everything is
    drawn, which is not often.
-5. A narrow image goes without the names of its upright axis and of its colour bar: the other axis
-   has the same unit, and the value under the pointer says that of the light. Files have all names.
+5. A narrow image goes without the name of its upright axis: the other axis has the same unit. That
+   of its colour bar stands above it. Files have all names.
 6. Drawing and painting happen before `show_changes` returns, so that their cost can be measured.
 7. A new size is drawn when it is painted. Of several canvases that get one together, as docks that
    are opened, one is drawn in a turn of the event loop; the others show what they had, stretched.
@@ -43,6 +43,7 @@ from workbench.pictures.style import paint
 
 # Logical pixels for tick labels and names; powers of ten are wider than the ticks of an image.
 _LEFT_OF_IMAGE, _LEFT_OF_CURVE, _BOTTOM, _RIGHT, _TOP = 68, 84, 40, 18, 12
+_TOP_OF_IMAGE = 24  # the unit of its light, and a power of ten
 _LEFT_OF_NARROW, _NARROW = 46, 440  # of an image without the name of its upright axis
 _SPAN = 1.105  # of axes with a colour bar, in widths of the axes
 _BAR_LABELS = 62.0  # to begin with
@@ -212,16 +213,21 @@ class PlotCanvas(FigureCanvasQTAgg):
             left=left / width,
             right=max(right, left + 1) / width,
             bottom=_BOTTOM / height,
-            top=max(height - _TOP, _BOTTOM + 1) / height,
+            top=max(height - (_TOP_OF_IMAGE if self._bar else _TOP), _BOTTOM + 1) / height,
         )
         self._background = None
 
     def _name_axes(self, named: bool) -> None:
-        """Show or hide the names of the upright axis and of the colour bar."""
+        """Show the names of the upright axis and of the colour bar, or the latter above it."""
         if self._bar:
             for axes in self.figure.axes:
                 for each in (axes, *axes.child_axes):
                     each.yaxis.label.set_visible(named)
+                for bar in axes.child_axes:
+                    above = "" if named else bar.get_ylabel()
+                    colour, size = bar.yaxis.label.get_color(), bar.yaxis.label.get_fontsize()
+                    axes.set_title(above, loc="right", fontsize=size, color=colour, pad=5)
+                    bar.yaxis.get_offset_text().set_fontsize(size)
 
     def _make_room(self) -> bool:
         """Measure the labels of the colour bar; whether they need another room than they had."""

@@ -105,6 +105,7 @@ class LoadedParts(QObject):
         self._connect_follow(settings)
         self.runs.refused.connect(messages.warn)
         self.tools.message.connect(messages.note)
+        production.manufacture.cut_asked.connect(early.commands["cut"].trigger)
         production.tolerances.failed.connect(messages.warn)
         production.tolerances.save_asked.connect(
             lambda: self.plots.choose_and_save_plot("tolerances")

@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from workbench.analysis.tracing.trace import Trace, added
 from workbench.design.session import Session
 from workbench.extended.bound import Bound, percent
 from workbench.jobs.proposals import blur_widths, diffraction
@@ -17,6 +18,8 @@ Array = npt.NDArray[np.float64]
 
 _BLACK = 0.01  # parts of a target's peak up to where a pixel is dark
 _ALL = 0.995  # more light than this is all of it
+_HALF = 0.5  # of the light: less than that is a lamp that is too far away
+_RAYS, _NET = 1 << 16, 4  # that find how much of it meets the optic, whatever its face is like
 _STEEP = 0.85  # of the largest turn, from where much light is reflected
 
 
@@ -72,7 +75,7 @@ def prospecting(session: Session) -> Generator[Prospect | None, None, Prospect]:
     """
     scene = session.scene
     slopes = needed_slopes(scene, _lit(session))
-    begin = *_resolved(scene), _steepness(scene, slopes)
+    begin = *_resolved(scene), _steepness(scene, slopes), *_caught(scene)
     yield Prospect(None, (*begin, _proposal(session)))
     bound = Bound(scene, session.target)
     picture = (yield from bound.finding()).image.clip(min=0) if bound.known else session.target
@@ -137,6 +140,29 @@ def _steepness(scene: Scene, slopes: Slopes) -> Figure:
     return Figure("Largest slope", value, f"Up to {slopes.most:.0f}° would be possible.")
 
 
+def _caught(scene: Scene) -> tuple[Figure, ...]:
+    """How much light meets the optic at all; nothing is said where all of it does."""
+    optic = scene.optic
+    scene = scene.with_net((_NET, _NET))
+    flat = {scene.optic.face: np.full(scene.optic.net_shape, optic.leaving_z)}
+    tally = None
+    for batch in Trace(scene, flat, _RAYS, seed=0).batches(threads=1):
+        tally = added(tally, batch) if batch is not None else tally
+    assert tally is not None  # all batches have been traced
+    caught = 1 - tally.lost.get(f"missed_{optic.called}", 0.0) / tally.emitted
+    if caught > _ALL:
+        return ()
+    return (
+        Figure(
+            f"Light on the {optic.called}",
+            f"{100 * caught:.0f} % of it",
+            f"The rest passes it by: a lamp that is nearer, or a larger {optic.called}, catches "
+            "more.",
+            caught < _HALF,
+        ),
+    )
+
+
 def _light(bound: Bound) -> tuple[Figure, ...]:
     """What the size of the source allows."""
     if bound.scene.further_images or max(bound.blur.widths) == 0:
@@ -146,7 +172,12 @@ def _light(bound: Bound) -> tuple[Figure, ...]:
     least = bound.relative_l2
     most = min(bound.on_receiver, bound.on_target)
     light = (
-        Figure("Étendue", "allows it", "All light can land where the picture is bright.")
+        Figure(
+            "Étendue",
+            "allows it",
+            f"All light that meets the {bound.scene.optic.called} can land where the picture is "
+            "bright.",
+        )
         if most > _ALL
         else Figure(
             "Étendue",

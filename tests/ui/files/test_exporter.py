@@ -46,7 +46,7 @@ def held(monkeypatch):
     """An export that goes on until it is let."""
     release = threading.Event()
 
-    def write(session, path, task):
+    def write(session, path, cutting, task):
         assert release.wait(30)
         return SimpleNamespace(sentence="written")
 

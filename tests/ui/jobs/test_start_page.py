@@ -3,6 +3,7 @@
 from pathlib import Path
 
 import pytest
+from PIL import Image
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QPushButton
 
@@ -119,6 +120,16 @@ def test_a_word_can_be_the_picture(window, page, qtbot):
     assert not row_of(page, "target.image").isVisible()
     begin(page, qtbot)
     assert window.document.session.scene.target.text == "sun"
+
+
+@pytest.mark.parametrize(
+    ("pixels", "size"), [((60, 40), (200.0, 133.0)), ((40, 60), (133.0, 200.0))]
+)
+def test_an_image_takes_the_aspect_of_the_picture_that_is_chosen(page, tmp_path, pixels, size):
+    Image.new("L", pixels, 200).save(tmp_path / "picture.png")
+    page.form.choose_image(tmp_path / "picture.png")
+    assert page.form.job.image_size == size
+    assert Path(page.form.job.target.image) == tmp_path / "picture.png"
 
 
 def test_figures_come_without_blocking_the_page(page, qtbot):

@@ -54,12 +54,15 @@ class Format(NamedTuple):
         return lambda design, file: write(content(replace(design, face=self.face)), file)
 
 
+GCODE = Format((".nc", ".gcode"), "G-code", "gcode", "write_gcode")
+"""The one that asks how the face is cut."""
+
 OF_ONE_FACE = (
     Format((".face.step", ".face.stp"), "STEP sheet", "step", "write_step_face"),
     Format((".face.iges", ".face.igs"), "IGES sheet", "iges", "write_iges_face"),
     Format((".xyz", ".asc"), "point cloud with normals", "point_cloud", "write_points"),
     Format((".dat",), "OpticStudio grid sag", "grid_sag", "write_grid_sag"),
-    Format((".nc", ".gcode"), "G-code", "gcode", "write_gcode"),
+    GCODE,
     Format((".height.png",), "height map, 16 bit", "maps", "write_png", "height"),
     Format((".height.npy",), "height map", "maps", "write_npy", "height"),
     Format((".height.csv",), "height map", "maps", "write_csv", "height"),

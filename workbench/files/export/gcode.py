@@ -6,7 +6,7 @@ written: the ball is swept over the rounded numbers, and what is left is compare
 """
 
 from collections.abc import Iterator
-from typing import BinaryIO
+from typing import BinaryIO, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -24,6 +24,28 @@ _MOST = 1_000_000  # moves of a program
 _LEFT, _OFF = 2.0, 0.25
 
 
+class CutPlan(NamedTuple):
+    """Cuts of a face, as a program has them.
+
+    Attributes
+    ----------
+    raster : Raster
+        The cuts, scene units.
+    scallop : float
+        Height of ridges that was planned.
+    cut_off, left : float
+        The deepest cut into the face, and the most that is left on it.
+    top : float
+        Highest control height of the face as it lies below the cutter.
+    """
+
+    raster: Raster
+    scallop: float
+    cut_off: float
+    left: float
+    top: float
+
+
 def write_gcode(design: Design, file: BinaryIO) -> Deviation:
     """Write the cuts, and what they leave.
 
@@ -32,23 +54,16 @@ def write_gcode(design: Design, file: BinaryIO) -> Deviation:
     Refused
         If the cutter does not fit, or there are too many cuts.
     """
-    cutting, millimetres = design.cutting, 1e3 * design.metres
-    up = -design.outward if cutting.negative else design.outward
-    heights = design.heights if up > 0 else -design.heights[::-1]
-    face = CutFace(design.net, heights, design.outline)
-    radius = cutting.tool_radius or design.scene.run.min_tool_radius or face.fitting_radius
-    scallop = cutting.scallop or face.finest(
-        radius, min(_FINE * max(design.net.half_width), radius / 2), _MOST
-    )
-    raster = _rounded(face.raster(radius, scallop, _MOST), millimetres)
-    cut_off, left = face.left(raster)
+    plan = planned(design)
+    raster, radius, scallop = plan.raster, plan.raster.radius, plan.scallop
+    cut_off, left = plan.cut_off, plan.left
     if cut_off > _OFF * scallop or left > _LEFT * scallop:
         raise Refused(
             "tool_radius",
             f"a ball cutter of {radius:.4g} {design.unit} does not fit: it leaves {left:.2g} and "
             f"cuts off {max(cut_off, 0):.2g} {design.unit}; a smaller one, or run.min_tool_radius",
         )
-    for line in _program(design, raster, scallop, float(heights.max())):
+    for line in _program(design, raster, scallop, plan.top):
         file.write(f"{line}\n".encode())
     return Deviation(
         "simulated cut off by",
@@ -57,6 +72,26 @@ def write_gcode(design: Design, file: BinaryIO) -> Deviation:
         f"cutter radius {radius:.4g}, ridges up to {left:.2g}, cut into the face up to "
         f"{max(cut_off, 0):.2g} {design.unit}; a finishing pass in mm, zero at the top of the face",
     )
+
+
+def planned(design: Design) -> CutPlan:
+    """The cuts of a design's face, simulated.
+
+    Raises
+    ------
+    Refused
+        If there are too many cuts.
+    """
+    cutting = design.cutting
+    up = -design.outward if cutting.negative else design.outward
+    heights = design.heights if up > 0 else -design.heights[::-1]
+    face = CutFace(design.net, heights, design.outline)
+    radius = cutting.tool_radius or design.scene.run.min_tool_radius or face.fitting_radius
+    scallop = cutting.scallop or face.finest(
+        radius, min(_FINE * max(design.net.half_width), radius / 2), _MOST
+    )
+    raster = _rounded(face.raster(radius, scallop, _MOST), 1e3 * design.metres)
+    return CutPlan(raster, scallop, *face.left(raster), top=float(heights.max()))
 
 
 def _rounded(raster: Raster, millimetres: float) -> Raster:

@@ -1,0 +1,73 @@
+"""Each job of the start page as a new user does it: ``python -m tests.soak.new_user FOLDER``.
+
+The real program starts with an empty home folder on a screen of its own. Mouse and keyboard choose
+a job, wait for what can be expected of it, begin it, and wait until its lens is as good as it gets.
+The folder gets pictures of each stage, to be looked at; printed are seconds, and what is told.
+"""
+
+import argparse
+import time
+from pathlib import Path
+
+from tests.soak.hand import Hand
+from tests.soak.screen import SIZE, virtual_screen
+from workbench.jobs import JOBS
+from workbench.scene.kinds import title_of
+
+_PAGE, _WINDOW = "New design", "Freeform"
+_PATIENCE = 300.0  # seconds, on a machine that does much else
+_STILL = 15  # looks in succession at which no lens follows
+
+
+def do(job: str, hand: Hand) -> dict[str, float]:
+    """Do one job; seconds from the start of the program, and from Begin to lenses."""
+    begun = time.monotonic()
+    hand.until(lambda: hand.find(_PAGE), "start page", _PATIENCE)
+    hand.fill_screen(_WINDOW)
+    hand.focus(_PAGE)
+    hand.click(job)
+    hand.picture("1-chosen")
+    hand.until(lambda: not hand.having("Computing what"), "what can be expected", _PATIENCE)
+    told = {"prospect": time.monotonic() - begun}
+    hand.picture("2-prospect")
+    begun = time.monotonic()
+    hand.click("Begin", "QPushButton")
+    hand.until(lambda: not hand.find(_PAGE), "the window behind the page")
+    hand.picture("3-begun")
+    hand.until(lambda: "error" in hand.having("Following"), "first lens", _PATIENCE)
+    told["first lens"] = time.monotonic() - begun
+    hand.picture("4-first")
+    still = 0
+    give_up = begun + _PATIENCE
+    while still < _STILL and time.monotonic() < give_up:
+        time.sleep(0.1)
+        still = 0 if hand.having("ollowing") else still + 1
+    told["good lens"] = time.monotonic() - begun
+    hand.picture("5-good")
+    return told
+
+
+def main() -> None:
+    """Do all jobs, or some."""
+    parser = argparse.ArgumentParser("tests.soak.new_user")
+    parser.add_argument("folder", type=Path)
+    parser.add_argument("--size", type=int, nargs=2, default=SIZE, metavar="PIXELS")
+    parser.add_argument("--scale", default="1", help="of the user interface, as QT_SCALE_FACTOR")
+    parser.add_argument("--theme", choices=("light", "dark"), default="light")
+    parser.add_argument("--job", action="append", help="title of one; all by default")
+    options = parser.parse_args()
+    for job in options.job or [title_of(kind) for kind in JOBS]:
+        folder = options.folder / job.lower().replace(" ", "-")
+        folder.mkdir(parents=True)
+        with virtual_screen(folder, tuple(options.size)) as screen:
+            hand = Hand(screen, folder, options.scale, options.theme)
+            try:
+                told = do(job, hand)
+                figures = ", ".join(f"{name} {seconds:.0f} s" for name, seconds in told.items())
+                print(f"{job}: {figures}; {hand.having('Error ')}", flush=True)
+            finally:
+                hand.close()
+
+
+if __name__ == "__main__":
+    main()

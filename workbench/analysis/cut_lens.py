@@ -1,0 +1,105 @@
+"""The light of a lens as it comes from the cutter, beside that of the lens as it was designed.
+
+Ridges of a few micrometres lean by degrees: polishing takes them away, and this says how much
+of the image depends on it.
+"""
+
+from collections.abc import Mapping
+from typing import NamedTuple
+
+import numpy as np
+
+from workbench.analysis.scatter import Unscattered
+from workbench.analysis.tracing.elements import Array
+from workbench.analysis.tracing.pose import Pose
+from workbench.analysis.tracing.sources.cells import BATCHES
+from workbench.analysis.tracing.surfaces.cut import CutSurface
+from workbench.analysis.tracing.train import OpticalTrain, Tally
+from workbench.analysis.watch import Watch, unwatched
+from workbench.errors import Refused
+from workbench.geometry.tool_path import Raster
+from workbench.scene import Scene
+
+
+class CutLens(NamedTuple):
+    """Errors of a lens.
+
+    Attributes
+    ----------
+    designed : Unscattered
+        Relative L2 error of the lens as it was designed.
+    cut : Unscattered
+        The same as the cutter leaves it.
+    """
+
+    designed: Unscattered
+    cut: Unscattered
+
+    @property
+    def sentence(self) -> str:
+        """Both errors for people to read."""
+        return (
+            f"Error as cut {100 * self.cut.distance:.2g} % (± {100 * self.cut.off:.1g}), as "
+            f"designed {100 * self.designed.distance:.2g} % (± {100 * self.designed.off:.1g})."
+        )
+
+
+def trace_cut(
+    scene: Scene,
+    heights: Mapping[str, Array],
+    target: Array,
+    raster: Raster,
+    rays: int = 1_000_000,
+    watch: Watch = unwatched,
+) -> CutLens:
+    """Trace a lens whose exit face is as a cutter leaves it.
+
+    Parameters
+    ----------
+    scene : Scene
+        The design task; of several images the first counts.
+    heights : mapping of str to ndarray, shape (n_u, n_v)
+        Control heights of each freeform face by its name, scene units.
+    target : ndarray, shape (n_y, n_x)
+        The target image in any scale.
+    raster : Raster
+        The cuts of the exit face.
+    rays : int
+        Rays to trace for the cut; four times as many for the lens as it was designed.
+    watch : callable
+        Called with the part that is done.
+
+    Returns
+    -------
+    CutLens
+
+    Raises
+    ------
+    Refused
+        If the scene has a mirror: it is cut from the other side.
+    """
+    optic = scene.optic
+    if optic.onwards < 0:
+        raise Refused("mirror", "its cut is not traced; only that of an exit face is")
+    images: list[list[Array]] = [[], []]
+    for number in range(BATCHES):
+        designed, train = (
+            OpticalTrain.of(scene, heights, each // BATCHES, number, Pose(), (scene.receiver,))
+            for each in (4 * rays, rays)
+        )
+        *before, (face, boundary) = train.faces
+        surface = CutSurface(face, raster, optic.front_z)
+        cut = OpticalTrain(train.source, [*before, (surface, boundary)], train.detector)
+        for which, each in enumerate((designed, cut)):
+            images[which].append(_image(each, target.shape))
+        watch((number + 1) / BATCHES)
+    found = (Unscattered.of_pairs(each, target) for each in images)
+    return CutLens(*found)
+
+
+def _image(train: OpticalTrain, shape: tuple[int, ...]) -> Array:
+    tally = Tally(train.detector.images, train.detector.pixels)
+    for number in range(BATCHES):
+        for rays in train.source.batch(number):
+            train.walk(rays, tally)
+    return np.asarray(tally.flux[0].reshape(shape))
