@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from tests.lamps import led
 from workbench.analysis.metrics import relative_l2
 from workbench.analysis.validation import validate
 from workbench.extended.blur import Blur
@@ -86,17 +87,29 @@ def test_bound_of_a_disc_of_parallel_light_holds_for_a_lens_that_is_traced(make_
     assert relative_l2(image, target) > found.relative_l2
 
 
-def test_no_bound_is_certified_for_a_source_nearer_than_half_the_width_of_the_lens(make_scene):
+def test_no_bound_is_certified_for_a_source_nearer_than_twice_the_width_of_the_lens(make_scene):
     # Its blur is not the same all over the lens.
     near, far = (
         Bound(make_scene({"source": GRID | {"center": [0, 0, z]}}), square(32))
-        for z in (-0.99, -1.01)
+        for z in (-3.99, -4.01)
     )
     assert far.certified and not near.certified
     (sentence,) = near.sentences
     assert "no bound is known" in sentence
     assert near.to_data()["relative_l2_bound"] is None
     assert far.to_data()["relative_l2_bound"] > 0
+
+
+def test_no_bound_is_said_of_rays_of_a_file(make_scene, tmp_path):
+    scene = make_scene({"source": led(tmp_path, 20_000)})
+    bound = Bound(scene, np.ones((scene.screen.pixels[1], scene.screen.pixels[0])))
+
+    assert max(bound.blur.widths) > 1
+    assert not bound.known and not bound.certified
+    assert bound.sentences == (
+        "Rays of a file need not come evenly from one place: no bound is known.",
+    )
+    assert bound.to_data()["relative_l2_bound"] is None
 
 
 def test_a_source_that_is_much_larger_than_the_receiver_takes_no_more_memory(make_scene):

@@ -18,6 +18,17 @@ over halves of them, and 6.1 % over thirds (`Blur.parts`); the light itself 6.0,
 lens is below 4.8 %. The sharp target leaves 11.8 %.
 
 So light is spread over parts of pixels, and a descent without the size of the source is left out.
+
+A source close by is seen under many angles by the lens, and blurred by each part of it otherwise:
+the closest light is then that of no lens, and what waves it makes in the face stay there. A letter
+of 64 × 64 pixels, made by an LED of 2 × 2 mm that is 30 mm before a lens of 30 mm on 64 × 64
+control points, and a rectangle of 40 × 40 pixels by one of 1 × 1 mm 15 mm before it:
+
+| what the first lens aims at | letter | verified after a run | rectangle |
+|---|---|---|---|
+| the target | 15.9 % | 6.3 % | 8.9 % |
+| the closest light, spread over each pixel | 12.5 % | 7.4 % | 11.7 % |
+| the same over thirds of pixels | 12.5 % | 8.0 % | – |
 """
 
 from typing import NamedTuple
@@ -26,7 +37,7 @@ import numpy as np
 import numpy.typing as npt
 
 from workbench.design.transport import First, first_of, first_of_several
-from workbench.extended.blur import Blur
+from workbench.extended.blur import Blur, one_over_the_lens
 from workbench.extended.deblur import spread_light
 from workbench.scene import Scene
 
@@ -55,7 +66,7 @@ def first_lens(scene: Scene, target: Array) -> First | None:
     """
     if scene.further_images:
         return first_of_several(scene, target, lambda image: first_lens(image.scene, image.target))
-    if Blur.of(scene).within_a_pixel:
+    if Blur.of(scene).within_a_pixel or not one_over_the_lens(scene):
         return first_of(scene, target)
     # How far the designed face is from the receiver tells how wide the blur is.
     rough = first_of(_roughly(scene), target)

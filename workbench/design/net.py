@@ -28,6 +28,7 @@ import math
 import numpy as np
 import numpy.typing as npt
 
+from workbench.measured.lamps import of_known_size
 from workbench.scene import Scene
 from workbench.scene.net import LARGEST_NET
 
@@ -86,12 +87,13 @@ def _chosen(scene: Scene, target: Array) -> tuple[int, int]:
     if scene.run.usual_net is not None:
         n_u, n_v = (max(scene.run.usual_net, degree + 1) for degree in scene.optic.degree)
         return n_u, n_v
-    per_blur = _PER_FAR_BLUR if scene.source.place is None else _PER_BLUR
+    source = of_known_size(scene.source, scene.optic)
+    per_blur = _PER_FAR_BLUR if source.place is None else _PER_BLUR
     across, up = (
         min(_worth_of_target(target, axis), _worth_of_light(blur, half_width, per_blur))
         for axis, blur, half_width in zip(
             (1, 0),
-            scene.source.blur(scene.optic, scene.receiver),
+            source.blur(scene.optic, scene.receiver),
             scene.receiver.half_extent,
             strict=True,
         )

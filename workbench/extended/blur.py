@@ -8,6 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from workbench.geometry.outlines import outline_named
+from workbench.measured.lamps import of_known_size
 from workbench.scene import Scene
 
 Array = npt.NDArray[np.float64]
@@ -23,6 +24,8 @@ _PARTS, _MOST_PARTS = 16.0, 3
 # A blur that is wider than so many images is as good as one of this width: wherever its light is
 # put, one edge of it is in the image at most. Transforms of all of it would take all memory.
 _WIDEST = 2.0
+# Half-widths of the lens that a source is away, at least, for one blur over all of it.
+_FAR = 4.0
 # Width in pixels of what has none along an axis.
 _LEAST = 1e-6
 
@@ -70,8 +73,8 @@ class Blur:
             Where the exit face is, scene units; where that of the undesigned lens is nearest to
             the receiver by default.
         """
-        source, receiver = scene.source, scene.receiver
-        nearer = _nearer(scene, exit_z)
+        source, receiver = of_known_size(scene.source, scene.optic), scene.receiver
+        nearer = _nearer(scene, source.place, exit_z)
         x, y = (
             width * part * pixels / (2 * half)
             for width, part, pixels, half in zip(
@@ -244,9 +247,24 @@ class Blur:
         return np.linspace(-half, half, count) if count > 1 else np.zeros(1)
 
 
-def _nearer(scene: Scene, exit_z: float | None) -> tuple[float, float]:
+def one_over_the_lens(scene: Scene) -> bool:
+    """Whether a source is far enough away for one blur over the whole lens.
+
+    The rim sees one that is near at a slant and from farther away, and blurs it less: at this
+    distance by 6 %. A torch 1.5 half-widths away made an image that was 11.7 % off where one blur
+    allowed no less than 12.6 %, and where a design took it for the same everywhere, an LED one
+    half-width away made a rectangle that was 4.8 % off in place of 2.1 %.
+    """
+    optic = scene.optic
+    place = of_known_size(scene.source, optic).place
+    return place is None or abs(optic.datum - place[2]) >= _FAR * max(optic.half_width)
+
+
+def _nearer(
+    scene: Scene, place: tuple[float, float, float] | None, exit_z: float | None
+) -> tuple[float, float]:
     """How much narrower along x and y a blur is from an exit face elsewhere."""
-    optic, receiver, place = scene.optic, scene.receiver, scene.source.place
+    optic, receiver = scene.optic, scene.receiver
     if exit_z is None:
         return 1.0, 1.0
     there, here = (receiver.per_radian(z) for z in (exit_z, optic.leaving_z))

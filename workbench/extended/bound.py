@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from workbench.extended.blur import Blur
+from workbench.extended.blur import Blur, one_over_the_lens
 from workbench.extended.blurring import Blurring
 from workbench.extended.deblur import Deblurred, deblur, deblurring, error_allowed
 from workbench.scene import Scene
@@ -99,9 +99,16 @@ class Bound:
     def known(self) -> bool:
         """Whether the source's size sets a bound at all; without one there is nothing to find.
 
-        Of several images, each may be worse than alone: none is known of them together.
+        Of several images, each may be worse than alone: none is known of them together; nor of
+        rays of a file, whose blur need not be even.
         """
-        return not self.scene.further_images and not self.blur.within_a_pixel
+        none = self.scene.further_images or self._measured or self.blur.within_a_pixel
+        return not none
+
+    @property
+    def _measured(self) -> bool:
+        """Whether its light stands in a file: its blur is then only about that of even light."""
+        return bool(self.scene.source.light_files)
 
     @property
     def certified(self) -> bool:
@@ -110,13 +117,8 @@ class Bound:
 
     @property
     def one_blur(self) -> bool:
-        """Whether the source is far enough away for one blur over the whole lens.
-
-        Its light comes at less than 45° to all of it. Nearer ones are blurred less by the rim than
-        by the middle: before an LED a lens of two faces was 5.5 % off, and the figure was 44 %.
-        """
-        place, optic = self.scene.source.place, self.scene.optic
-        return place is None or abs(optic.datum - place[2]) >= max(optic.half_width)
+        """See `one_over_the_lens`."""
+        return one_over_the_lens(self.scene)
 
     @property
     def short(self) -> str:
@@ -148,9 +150,11 @@ class Bound:
             return ("No size of this source is known that blurs the image: it sets no bound.",)
         if self.blur.within_a_pixel:
             return ("The source blurs the image by less than a pixel: its size sets no bound.",)
+        if self._measured:
+            return ("Rays of a file need not come evenly from one place: no bound is known.",)
         if not self.one_blur:
             return (
-                "The source is nearer than half the width of the lens, whose rim blurs it less "
+                "The source is nearer than twice the width of the lens, whose rim blurs it less "
                 "than its middle: no bound is known.",
             )
         found = [
@@ -171,7 +175,7 @@ class Bound:
     def to_data(self) -> dict[str, Any]:
         """All figures, for JSON."""
         return {
-            "relative_l2_bound": self.relative_l2 if self.one_blur else None,
+            "relative_l2_bound": self.relative_l2 if self.one_blur and not self._measured else None,
             "relative_l2_reached": self.deblurred.error,
             "relative_l2_half_as_wide": self.half_as_wide,
             "efficiency_bound": self.on_receiver,

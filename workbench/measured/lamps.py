@@ -5,7 +5,7 @@ import os
 from collections.abc import Callable
 from functools import lru_cache
 from pathlib import Path
-from typing import BinaryIO, TypeVar
+from typing import BinaryIO, Literal, TypeVar
 
 from workbench.errors import Refused
 from workbench.measured.photometry import IntensityTable, read_photometry
@@ -13,9 +13,20 @@ from workbench.measured.rays import RaySet, read_rays
 from workbench.measured.rays.model import RayModel, model_of
 from workbench.measured.rays.placed import PlacedRays, placed
 from workbench.reading import opened
-from workbench.scene import MeasuredSource, Optic, PhotometricSource, RayFileSource
+from workbench.scene import (
+    AreaSource,
+    MeasuredSource,
+    Optic,
+    PhotometricSource,
+    PointSource,
+    RayFileSource,
+    Source,
+)
 
 T = TypeVar("T")
+
+# Width over height of the emitter that stands for rays of a line, at least.
+_SLIMMEST = 1e-6
 
 
 def intensity_of(source: PhotometricSource) -> IntensityTable:
@@ -61,6 +72,40 @@ def ray_model(source: RayFileSource, optic: Optic, points: int) -> RayModel:
         return _model(source, source.unit, rays_of(source), *face, points)
     except ValueError as error:
         raise Refused("source.file", f"'{source.file}' gives the lens no light: {error}") from None
+
+
+def of_known_size(source: Source, optic: Optic) -> Source:
+    """A source that says how large it is.
+
+    Parameters
+    ----------
+    source : Source
+        The source; only files of rays do not say it themselves.
+    optic : Optic
+        What it lights: of rays, those that come there count.
+
+    Returns
+    -------
+    Source
+        The source itself. Of rays of a file, an even emitter whose middle and standard deviation
+        are those of the places where they start, or a point where that is one.
+
+    Raises
+    ------
+    Refused
+        As `ray_model`.
+    """
+    if not isinstance(source, RayFileSource) or not source.continuous:
+        return source
+    model = ray_model(source, optic, 1)
+    place = (*model.size.middle, float(model.places[0, 2]))
+    r_x, r_y = model.size.half_width
+    least = _SLIMMEST * max(r_x, r_y)
+    if least == 0:
+        return PointSource(kind="point", position=place)
+    half_width = max(r_x, least), max(r_y, least)
+    outline: Literal["rectangle", "ellipse"] = "ellipse" if model.size.round else "rectangle"
+    return AreaSource(kind="area", center=place, half_width=half_width, outline=outline)
 
 
 def check_file(source: object) -> None:

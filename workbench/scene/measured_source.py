@@ -21,7 +21,6 @@ if TYPE_CHECKING:
 
 Array = npt.NDArray[np.float64]
 
-_POINTS = 16
 Angle = Annotated[float, Field(ge=-360, le=360)]
 _FileUnit = Literal["mm", "cm", "m", "inch"]
 _Rotation = Annotated[
@@ -193,6 +192,7 @@ class RayFileSource(MeasuredSource):
             "Unit of the lengths in the file. Left empty, it is the one that the file names.",
         ),
     ] = None
+    _sharp: bool = PrivateAttr(default=False)
 
     @classmethod
     def defaults_for(cls, scene: "Scene") -> dict[str, Any]:
@@ -200,11 +200,13 @@ class RayFileSource(MeasuredSource):
         return {"position": scene.source.place or in_front(scene.optic)}
 
     @property
-    def point_count(self) -> int:
-        """How many points stand for its rays in designs."""
-        return _POINTS
+    def continuous(self) -> bool:
+        """As its rays start anywhere; how large that place is, only the file tells."""
+        return not self._sharp
 
     @property
-    def sharp(self) -> PointSource:
-        """As if all its rays came from its origin."""
-        return PointSource(kind="point", position=self.position)
+    def sharp(self) -> Self:
+        """As if all its rays came from the middle of where they start."""
+        copy = self.model_copy()
+        copy._sharp = True
+        return copy

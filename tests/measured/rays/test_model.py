@@ -4,8 +4,9 @@ import numpy as np
 import pytest
 
 from tests.lamps import led
+from tests.measured.rays.files import text
 from workbench.errors import Refused
-from workbench.measured.lamps import placed_rays, ray_model
+from workbench.measured.lamps import of_known_size, placed_rays, ray_model
 from workbench.measured.rays.model import _off
 from workbench.scene import Scene
 
@@ -47,6 +48,59 @@ def test_points_stand_on_the_emitter_and_have_the_light_of_its_rays(scene):
     x, y, come = placed_rays(scene.source).onto(0.0)
     come &= (np.abs(x) <= 0.9) & (np.abs(y) <= 0.9)
     assert flux == pytest.approx(come.mean(), rel=0.005)
+
+
+@pytest.mark.parametrize(("outline", "half_width"), [("rectangle", 0.25), ("ellipse", 0.2)])
+def test_its_size_is_that_of_the_even_emitter_that_the_rays_come_from(
+    make_scene, tmp_path, outline, half_width
+):
+    source = led(tmp_path)
+    if outline == "ellipse":
+        path = tmp_path / "led.tm25ray"
+        table = np.frombuffer(path.read_bytes(), "<f4").copy()
+        starts = table[-200_000 * 7 :].reshape(-1, 7)
+        turn, radius = 2 * np.pi * (starts[:, 0] / 5 + 0.5), 2 * np.sqrt(starts[:, 1] / 3 + 0.5)
+        starts[:, 0], starts[:, 1] = radius * np.cos(turn), radius * np.sin(turn)
+        path.write_bytes(table.tobytes())
+    scene = make_scene({"source": source | {"rotation": [0.0, 0.0, 0.0]}})
+
+    found = of_known_size(scene.source, scene.lens)
+
+    assert found.outline == outline
+    assert found.center == pytest.approx((0.1, 0.0, -3.0), abs=0.05)
+    assert found.half_width[0] == pytest.approx(half_width, rel=0.02)
+    assert of_known_size(found, scene.lens) is found
+
+
+def test_rays_of_one_place_have_no_size(make_scene, tmp_path):
+    directions = np.random.default_rng(1).normal(size=(2000, 3)) * [0.1, 0.1, 0] + [0, 0, 1]
+    directions /= np.linalg.norm(directions, axis=1, keepdims=True)
+    rows = np.column_stack([np.zeros((2000, 3)), directions, np.ones(2000)])
+    (tmp_path / "point.csv").write_bytes(text(rows))
+    source = {"kind": "ray_file", "file": str(tmp_path / "point.csv"), "file_unit": "cm"}
+    scene = make_scene({"source": source | {"position": [0.0, 0.0, -3.0]}})
+
+    found = of_known_size(scene.source, scene.lens)
+
+    assert max(found.half_width) < 1e-3
+    assert found.place == pytest.approx((0, 0, -3), abs=1e-3)
+
+
+def test_light_of_a_lamp_with_a_collimator_comes_as_from_far(make_scene, tmp_path):
+    # 2 cm wide and slanted by 0.01 in the mean: each place of the lens sees it at that angle alone.
+    generator = np.random.default_rng(1)
+    starts, slopes = generator.uniform(-1, 1, (4000, 2)), generator.normal(0, 0.01, (4000, 2))
+    n = 1 / np.sqrt(1 + np.square(slopes).sum(axis=1))
+    rows = np.column_stack([starts, np.zeros(4000), slopes * n[:, None], n, np.ones(4000)])
+    (tmp_path / "torch.csv").write_bytes(text(rows))
+    source = {"kind": "ray_file", "file": str(tmp_path / "torch.csv"), "file_unit": "cm"}
+    scene = make_scene({"source": source | {"position": [0.0, 0.0, -3.0]}})
+
+    found = of_known_size(scene.source, scene.lens)
+
+    away = -found.center[2]
+    assert away > 100
+    assert found.half_width[0] / away == pytest.approx(np.sqrt(3) * 0.01, rel=0.25)
 
 
 def test_it_says_how_far_its_light_on_the_lens_is_from_that_of_its_rays(scene):

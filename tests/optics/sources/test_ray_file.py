@@ -11,6 +11,8 @@ from workbench.analysis.validation import validate
 from workbench.geometry.surface import ControlNet
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.plan import Plan
+from workbench.optics.samples import Corners
+from workbench.optics.sources import emitter_of
 
 
 @pytest.fixture
@@ -26,7 +28,7 @@ def waves(scene):
 
 def test_beams_of_points_make_the_image_of_the_rays(scene):
     lens = waves(scene)
-    light = BeamPlan(scene, (40, 40), dtype=torch.float64).trace({"exit": lens})
+    light = BeamPlan(scene, Corners(40, 40, 64), dtype=torch.float64).trace({"exit": lens})
 
     found = validate(scene, np.ones((16, 16)), {"exit": lens.numpy()}, 200_000, accuracy=3e-3)
 
@@ -39,13 +41,21 @@ def test_beams_of_points_make_the_image_of_the_rays(scene):
 
 
 def test_a_design_says_how_far_its_points_are_from_the_rays(scene):
-    notes = BeamPlan(scene, (40, 40)).notes
+    notes = BeamPlan(scene, Corners(40, 40, 16)).notes
     assert any(note.startswith("16 points stand for the rays of the file: ") for note in notes)
+
+
+def test_light_of_the_middle_of_the_rays_alone_is_that_of_one_point(scene):
+    sharp = emitter_of(scene.source.sharp, scene.lens, Corners(8, 8, 16)).origins.places
+    all_of_it = emitter_of(scene.source, scene.lens, Corners(8, 8, 16)).origins.places
+
+    assert sharp.shape == (1, 3) and all_of_it.shape == (16, 3)
+    assert sharp[0] == pytest.approx(all_of_it.mean(axis=0), abs=0.01)
 
 
 def test_all_light_of_the_file_is_accounted_for(scene):
     heights = {"exit": waves(scene)}
-    beams = BeamPlan(scene, (24, 24), dtype=torch.float64).trace(heights).account
+    beams = BeamPlan(scene, Corners(24, 24, 16), dtype=torch.float64).trace(heights).account
     drawn = Plan(scene, dtype=torch.float64).trace(heights).account
 
     for account in (beams, drawn):
@@ -66,7 +76,7 @@ def test_the_lamp_stays_where_it_is_while_the_lens_is_turned(scene):
 
 
 def test_gradients_are_those_of_central_differences(scene):
-    plan = BeamPlan(scene, (12, 12), dtype=torch.float64)
+    plan = BeamPlan(scene, Corners(12, 12, 4), dtype=torch.float64)
     heights = waves(scene)
     generator = torch.Generator().manual_seed(1)
     weights = torch.rand(16, 16, generator=generator, dtype=torch.float64)

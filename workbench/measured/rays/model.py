@@ -1,9 +1,12 @@
 """Rays as light of a few points: smooth, so that beams of it have no noise.
 
-The points stand where the bundle of rays to a lens is narrowest. Each stands for the rays that come
-from around it, and what comes from it to each place of the lens's plane is a histogram of where
-these cross it. So all light keeps its place on the lens, and its direction errs by how far a ray's
-start there is from its point.
+The points stand where each lights all of the lens alike: on a chip, if it is one. Each stands for
+the rays that come from around it, and what comes from it to each place of the lens's plane is a
+histogram of where these cross it. So all light keeps its place on the lens, and its direction errs
+by how far a ray's start there is from its point.
+
+A few hundred rays of a point tell no fine histogram. What all points have in common is known by all
+rays, and each one's own rays only tell how it differs, as finely as they are many.
 """
 
 from typing import NamedTuple
@@ -12,16 +15,20 @@ import numpy as np
 import numpy.typing as npt
 
 from workbench.measured.rays.placed import PlacedRays
+from workbench.measured.rays.size import Size
 
 Array = npt.NDArray[np.float64]
 Index = npt.NDArray[np.intp]
 
 # The histogram goes beyond the lens by this factor: lenses that are out of their place see it.
 _WIDER = 1.2
-# Rays in each of its cells, about, and its cells along each axis.
-_PER_CELL = 24
+# Rays of all points in each of its cells, about, its cells along each axis, and rays of a point at
+# least.
+_PER_CELL = 200
 _FEWEST, _MOST = 4, 48
-# Standard deviation in cells of what smooths it; and parts of a cell of what it is compared with.
+_PER_POINT = 24
+# Standard deviation in cells of what smooths it at least; and parts of a cell of what it is
+# compared with.
 _SMOOTH = 0.6
 _FINER = 4
 # Cells of the lens along each axis in which the model is compared with its rays, and places along
@@ -29,6 +36,8 @@ _FINER = 4
 _COMPARED, _WITHIN = 8, 6
 # Nearest and farthest that the points are from the lens, in its half-widths.
 _NEAREST, _FARTHEST = 1e-2, 1e4
+# Rays for each point that place it, at most, and rounds.
+_PLACING, _ROUNDS = 256, 20
 
 
 class RayModel(NamedTuple):
@@ -45,6 +54,8 @@ class RayModel(NamedTuple):
         The cells fill −extent to extent along x and y.
     z : float
         Where the plane is.
+    size : Size
+        Of where the rays start at the z of the points.
     spread : float
         How far rays start from their points, in the root mean square; over the same for a single
         point.
@@ -56,6 +67,7 @@ class RayModel(NamedTuple):
     radiance: Array
     extent: tuple[float, float]
     z: float
+    size: Size
     spread: float = 0.0
     off: float = 0.0
 
@@ -114,7 +126,7 @@ def model_of(rays: PlacedRays, half_width: tuple[float, float], z: float, points
     z : float
         Where its entrance face is.
     points : int
-        How many points there are; rounded down to a power of 2.
+        How many points there are, at most: each has some rays.
 
     Raises
     ------
@@ -128,25 +140,20 @@ def model_of(rays: PlacedRays, half_width: tuple[float, float], z: float, points
         raise ValueError("no ray of it comes to the lens")
     flux, crossing = rays.flux[come], np.column_stack([x, y])[come]
     slope = rays.direction[come, :2] / rays.direction[come, 2:]
-    way = _way_from_waist(crossing, slope, flux, max(half_width))
+    way = _way(crossing, slope, flux, max(half_width))
     start = crossing - way * slope
-    groups = _groups(start, flux, points)
+    groups = _nearest(start, _places(start, flux, points))
     k = int(groups.max()) + 1
     share = np.bincount(groups, flux, k)
     middle = np.column_stack([np.bincount(groups, flux * s, k) for s in start.T]) / share[:, None]
-    n = int(np.clip(np.sqrt(len(flux) / k / _PER_CELL), _FEWEST, _MOST))
-    counted = _histograms(groups, crossing, flux, (k, n), extent)
-    radiance = counted / _even(middle, way, n, extent)
-    mean = (flux @ start) / flux.sum()
-    near, all_of_it = (
-        np.sqrt(flux @ np.square(start - about).sum(axis=1)) for about in (middle[groups], mean)
-    )
+    size = Size.of(start, flux)
+    all_of_it = float(np.hypot(*size.deviation))
+    near = float(np.sqrt(flux @ np.square(start - middle[groups]).sum(axis=1) / flux.sum()))
     places = np.column_stack([middle, np.full(k, z - way)])
-    model = RayModel(places, radiance, extent, z)
-    return model._replace(
-        spread=float(near / all_of_it) if all_of_it > 0 else 0.0,
-        off=_off(model, crossing, flux, half_width),
-    )
+    radiance = _radiance(groups, crossing, flux, middle, way, extent)
+    spread = near / all_of_it if all_of_it > 0 else 0.0
+    model = RayModel(places, radiance, extent, z, size, spread)
+    return model._replace(off=_off(model, crossing, flux, half_width))
 
 
 def _off(model: RayModel, crossing: Array, flux: Array, half_width: tuple[float, float]) -> float:
@@ -161,56 +168,110 @@ def _off(model: RayModel, crossing: Array, flux: Array, half_width: tuple[float,
     return float(np.abs(cells - of_rays).sum()) / (2 * total) if total > 0 else 0.0
 
 
-def _way_from_waist(crossing: Array, slope: Array, flux: Array, size: float) -> float:
-    """How far before the plane the bundle is narrowest: least variance of places."""
+def _way(crossing: Array, slope: Array, flux: Array, size: float) -> float:
+    """How far before the plane the points are: where directions deviate least from those of one.
+
+    Then each lights all of the lens alike. Where the bundle is narrowest that need not be so: of a
+    lamp with a collimator it is on its rim, and each point there lights a spot of the lens.
+    """
     part = flux / flux.sum()
     from_middle, turned = (each - part @ each for each in (crossing, slope))
-    spread = float(part @ np.square(turned).sum(axis=1))
+    wide = float(part @ np.square(from_middle).sum(axis=1))
     together = float(part @ (from_middle * turned).sum(axis=1))
-    if not 0 < together < _FARTHEST * size * spread:
-        return _FARTHEST * size if together >= 0 else _NEAREST * size
-    return max(together / spread, _NEAREST * size)
+    if together * _FARTHEST * size <= wide:  # parallel, or it converges
+        return _FARTHEST * size
+    return max(wide / together, _NEAREST * size)
 
 
-def _groups(start: Array, flux: Array, points: int) -> Index:
-    """Neighbours of equal flux: each group is cut in two across its wider side, again and again."""
-    groups = np.zeros(len(flux), dtype=np.intp)
-    for _ in range(max(points, 1).bit_length() - 1):
-        halves = np.zeros_like(groups)
-        for number in range(int(groups.max()) + 1):
-            members = np.flatnonzero(groups == number)
-            if len(members) < 2 * _PER_CELL:
-                continue
-            places = start[members]
-            along = places[:, int(np.argmax(np.ptp(places, axis=0)))]
-            order = np.argsort(along, kind="stable")
-            sums = np.cumsum(flux[members[order]])
-            halves[members[order[np.searchsorted(sums, sums[-1] / 2) + 1 :]]] = 1
-        groups = np.unique(2 * groups + halves, return_inverse=True)[1]
-    return groups
+def _places(start: Array, flux: Array, points: int) -> Array:
+    """Points that stand for starts, as Lloyd's method finds them, shape (k, 2)."""
+    few = _drawn(start, flux, _PLACING * points)
+    count = max(min(points, len(flux) // _PER_POINT), 1)
+    places = _halved(few, count)
+    for _ in range(_ROUNDS):
+        nearest = _nearest(few, places)
+        mine = np.bincount(nearest)
+        sums = [np.bincount(nearest, along) for along in few.T]
+        places = np.column_stack(sums) / mine[:, None]
+    return np.asarray(places)
+
+
+def _drawn(start: Array, flux: Array, count: int) -> Array:
+    """So many starts, as dense as the flux is."""
+    sums = np.cumsum(flux)
+    step = sums[-1] / count
+    chosen = np.searchsorted(sums, (np.arange(count) + 0.5) * step)
+    return np.asarray(start[np.minimum(chosen, len(flux) - 1)])
+
+
+def _halved(few: Array, count: int) -> Array:
+    """Middles of parts of starts: each is cut in two across its wider side, again and again."""
+    if count == 1 or len(few) < 2:
+        return np.asarray(few.mean(axis=0, keepdims=True))
+    along = few[:, int(np.argmax(np.ptp(few, axis=0)))]
+    order, first = np.argsort(along, kind="stable"), count // 2
+    cut = max(len(few) * first // count, 1)
+    parts = (few[order[:cut]], first), (few[order[cut:]], count - first)
+    return np.concatenate([_halved(*part) for part in parts])
+
+
+def _nearest(start: Array, places: Array) -> Index:
+    """Number of the place nearest to each start; numbers of those that are nearest to none go."""
+    from scipy.spatial import cKDTree  # late: it takes long to import
+
+    nearest = cKDTree(places).query(start)[1]
+    return np.unique(nearest, return_inverse=True)[1].astype(np.intp)
+
+
+def _radiance(
+    groups: Index,
+    crossing: Array,
+    flux: Array,
+    middle: Array,
+    way: float,
+    extent: tuple[float, float],
+) -> Array:
+    """Radiance of each point; see `RayModel`.
+
+    That of all points together, times how each one's rays are spread otherwise: smoothed over so
+    many cells that some of its rays are there.
+    """
+    k = len(middle)
+    n = int(np.clip(np.sqrt(len(flux) / _PER_CELL), _FEWEST, _MOST))
+    counted = _histograms(groups, crossing, flux, (k, n), extent)
+    share = np.bincount(groups, flux, k)[:, None, None]
+    even = _even(middle, way, n, extent)
+    common = _smooth(counted.sum(axis=0), _SMOOTH) / _smooth((share * even).sum(axis=0), _SMOOTH)
+    expected = share * even * common
+    wide = max(_SMOOTH, n * np.sqrt(_PER_CELL * k / (4 * np.pi * len(flux))))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        other = _smooth(counted, wide) / _smooth(expected, wide)
+    return np.asarray(np.where(np.isfinite(other), other, 0.0) * share * common)
 
 
 def _histograms(
     groups: Index, crossing: Array, flux: Array, shape: tuple[int, int], extent: tuple[float, float]
 ) -> Array:
-    """Flux of each group in n × n cells, a little smoothed."""
-    from scipy.ndimage import gaussian_filter1d  # late: it takes long to import
-
+    """Flux of each group in n × n cells."""
     k, n = shape
     i, j = (
         np.clip(((c / e + 1) * n / 2).astype(np.intp), 0, n - 1)
         for c, e in zip(crossing.T, extent, strict=True)
     )
-    counted = np.bincount((groups * n + i) * n + j, flux, k * n * n).reshape(k, n, n)
-    for axis in (1, 2):
-        counted = gaussian_filter1d(counted, _SMOOTH, axis=axis, mode="reflect")
-    return np.asarray(counted)
+    return np.asarray(np.bincount((groups * n + i) * n + j, flux, k * n * n).reshape(k, n, n))
+
+
+def _smooth(cells: Array, deviation: float) -> Array:
+    """Cells along the last two axes, smoothed."""
+    from scipy.ndimage import gaussian_filter1d  # late: it takes long to import
+
+    for axis in (-2, -1):
+        cells = gaussian_filter1d(cells, deviation, axis=axis, mode="reflect")
+    return np.asarray(cells)
 
 
 def _even(middle: Array, way: float, n: int, extent: tuple[float, float]) -> Array:
-    """Flux in the same cells of points with an intensity of the cosine to +z, smoothed alike."""
-    from scipy.ndimage import gaussian_filter1d  # late: it takes long to import
-
+    """Flux in the same cells of points with an intensity of the cosine to +z."""
     m = n * _FINER
     x, y = (
         ((2 * (np.arange(m) + 0.5) / m - 1) * e - place[:, None]) ** 2
@@ -218,7 +279,4 @@ def _even(middle: Array, way: float, n: int, extent: tuple[float, float]) -> Arr
     )
     across = (x[:, :, None] + y[:, None, :]) / way**2
     lit = 1 / (1 + across) ** 2 * 4 * extent[0] * extent[1] / (m * way) ** 2
-    cells = lit.reshape(len(middle), n, _FINER, n, _FINER).sum(axis=(2, 4))
-    for axis in (1, 2):
-        cells = gaussian_filter1d(cells, _SMOOTH, axis=axis, mode="reflect")
-    return np.asarray(cells)
+    return np.asarray(lit.reshape(len(middle), n, _FINER, n, _FINER).sum(axis=(2, 4)))

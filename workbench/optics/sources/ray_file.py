@@ -14,6 +14,9 @@ from workbench.scene import Optic, RayFileSource
 
 Array = npt.NDArray[np.float64]
 
+# Points that stand for the rays where nothing says how many.
+_POINTS = 16
+
 
 class ModelPattern:
     """Intensity of points that stand for rays; a `Pattern`."""
@@ -29,15 +32,16 @@ class ModelPattern:
 class RayFileEmitter:
     """Light of a ray file; an `Emitter`.
 
-    All light of the file is 1, what goes elsewhere than to the lens included. The parameters are
-    those of `emitter_of`.
+    All light of the file is 1, what goes elsewhere than to the lens included. At corners of cells
+    it is that of as many points as `Corners` says. The parameters are those of `emitter_of`.
     """
 
     beside = 0.0
 
     def __init__(self, source: RayFileSource, optic: Optic, samples: Samples | None = None) -> None:
         self._source, self._lens, self.samples = source, optic, samples
-        self._model = model = ray_model(source, optic, source.point_count)
+        count = samples.origins if isinstance(samples, Corners) else _POINTS
+        self._model = model = ray_model(source, optic, count if source.continuous else 1)
         points = self._model.places
         self.origins = Origins(
             points, False, np.ones(len(points)), pattern=ModelPattern(model), note=model.note

@@ -14,6 +14,8 @@ from workbench.measured.lamps import ray_model, rays_of
 from workbench.scene import Optic, RayFileSource
 
 _AT_ONCE = 1 << 15
+# Points that stand for the rays where cells ask for light.
+_POINTS = 64
 _FEET = 12 * units.METRES["inch"]
 
 
@@ -41,7 +43,7 @@ class RayFileLight(Unspread):
         self._scale = float(metres / units.METRES[source.unit])
         self._turn, self._place = file_axes(source.rotation), np.array(source.position)
         self._beside = 2 * optic.half_width[0]
-        self._model = ray_model(source, optic, source.point_count)
+        self._model = ray_model(source, optic, _POINTS)
         self._to_scene, _ = pose.to_scene(optic.front_z)
         self._points = pose.to_lens(self._model.places, optic.front_z)
         self.origins, self.emitted = len(self._points), 1.0
