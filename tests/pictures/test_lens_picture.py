@@ -390,3 +390,50 @@ def test_a_mirror_is_grey_and_opaque_like_metal(make_scene, plotter):
     red, green, blue = looks.color.float_rgb
     assert looks.opacity == 1.0 and looks.specular == 1.0
     assert max(red, green, blue) - min(red, green, blue) < 0.06
+
+
+def test_faces_are_coloured_by_their_height_when_asked(make_scene, plotter, state):
+    scene = make_scene()
+    picture = LensPicture(plotter, scene, np.ones((32, 32)))
+    surfaces, paths, light = state(scene)
+    surfaces["exit"][..., 2] += 0.1 * surfaces["exit"][..., 0]
+    picture.update(surfaces, paths, light)
+    picture.fit("lens")
+    places = [screen_pixel(plotter, (x, 0.3, 0.5 + 0.1 * x)) for x in (-0.7, 0.7)]
+
+    def colours():
+        pixels = drawn(plotter).astype(int)
+        return [pixels[place] for place in places]
+
+    low, high = colours()
+    assert np.abs(low - high).max() < 25
+    picture.set_faces("height", False)
+    picture.update(surfaces, paths, light)
+    low, high = colours()
+    # Viridis: the lower half is blue, the upper one green.
+    assert low[2] > low[1] + 20
+    assert high[1] > high[2] + 20
+
+
+def test_relief_too_low_to_be_seen_is_lit_on_demand(make_scene, plotter, state):
+    scene = make_scene()
+    picture = LensPicture(plotter, scene, np.ones((32, 32)))
+    surfaces, paths, light = state(scene)
+
+    def seen(exaggerated):
+        picture.set_faces("material", exaggerated)
+        picture.update(surfaces, paths, light)
+        return drawn(plotter).astype(int)
+
+    picture.fit("lens")
+    plane = seen(False)
+    assert np.abs(seen(True) - plane).max() <= 1
+    # Waves of four samples: too fine for polynomials.
+    surfaces["exit"][..., 2] += 2e-4 * np.sin(np.pi / 2 * np.arange(17))[:, None]
+
+    def changed_share(exaggerated):
+        """Part of the picture that is much brighter or darker than that of the plane."""
+        return (np.abs(seen(exaggerated) - plane).max(axis=-1) > 8).mean()
+
+    assert changed_share(False) < 0.001
+    assert changed_share(True) > 0.005

@@ -1,7 +1,7 @@
 """Every command of the window, defined once; menus, toolbar and palette are made of these."""
 
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, Literal
 
 from PySide6.QtGui import QKeySequence
 
@@ -65,6 +65,13 @@ LOCKS = ("lock_all", "unlock_all", "invert_locks")
 
 RAYS_BY = {"rays_by_outcome": False, "rays_by_weight": True}
 """Commands for the colours of rays: whether by their weight."""
+
+FACES_BY: dict[str, Literal["material", "height", "curvature"]] = {
+    "faces_material": "material",
+    "faces_by_height": "height",
+    "faces_by_curvature": "curvature",
+}
+"""Commands for the colours of freeform faces in the 3D scene."""
 
 PICTURES = {f"save_scene_{times}": times for times in (1, 2, 4)}
 """Commands that save the 3D scene so many times as large as it is seen."""
@@ -190,6 +197,24 @@ COMMANDS = {
             strict=True,
         )
     },
+    **{
+        name: Command(text, tip, checked=name == "faces_material")
+        for name, text, tip in zip(
+            FACES_BY,
+            ("As their &material", "By &height", "By &curvature"),
+            (
+                "Faces of the {optic} as glass or metal",
+                "Faces of the {optic} from dark, low along z, to bright",
+                "Faces of the {optic} red where they are bowl-shaped towards +z, blue where humped",
+            ),
+            strict=True,
+        )
+    },
+    "relief": Command(
+        "&Relief exaggerated",
+        "Light the fine shape of faces as if it were higher; the {optic} stays as it is",
+        checked=False,
+    ),
     "perspective": Command(
         "&Perspective", "Draw what is farther away smaller, instead of in parallel", checked=False
     ),
@@ -317,6 +342,7 @@ MENUS: dict[str, list[Any]] = {
         "exploded",
         "perspective",
         ("&Rays", [*RAYS, None, *RAYS_BY]),
+        ("F&aces", [*FACES_BY, None, "relief"]),
         ("Save pict&ure of 3D", list(PICTURES)),
         "copy_scene",
         ("&Colours of light", list(COLOURS)),
@@ -334,7 +360,7 @@ TOOLBAR = [*_FILES, None, *_STEPS, None, *_RUN, "follow", None, *TOOLS, None, "f
 """Names and separators, as in a menu."""
 LABELLED = _RUN
 """Those whose name stands beside the icon in the toolbar."""
-CHOICES = [list(RAYS), list(RAYS_BY), list(COLOURS), list(THEMES), list(TOOLS)]
+CHOICES = [list(RAYS), list(RAYS_BY), list(FACES_BY), list(COLOURS), list(THEMES), list(TOOLS)]
 """Groups of commands of which one is on."""
-LOOK = ["scene_view", "exploded", "perspective", *RAYS, *RAYS_BY, *COLOURS]
+LOOK = ["scene_view", "exploded", "perspective", *RAYS, *RAYS_BY, *FACES_BY, "relief", *COLOURS]
 """Those whose state is part of how a design is looked at, and travels with it."""

@@ -39,6 +39,7 @@ if TYPE_CHECKING:
     from workbench.files.session import Session
     from workbench.geometry.faces import ControlHeights
     from workbench.pictures.dots import Dots
+    from workbench.pictures.face_look import FaceColours
     from workbench.pictures.lens import LensPicture
     from workbench.pictures.sight import Sight
     from workbench.pictures.source_handles import SourceHandles
@@ -85,6 +86,7 @@ class SceneView(View):
         self._exploded = False
         self._perspective = False
         self._by_weight = False
+        self._faces: tuple[FaceColours, bool] = "material", False
         self._tool_input = ToolInput(self)
         self._tool_input.clicked.connect(self._pick)
         self._tool_input.wheeled.connect(self._zoom)
@@ -203,6 +205,16 @@ class SceneView(View):
             self._picture.colour_rays(by_weight)
             self._plotter.update()
 
+    def colour_faces(self, by: "FaceColours") -> None:
+        """Colour freeform faces by what `workbench.pictures.face_look` knows."""
+        self._faces = by, self._faces[1]
+        self._ask()
+
+    def exaggerate_relief(self, exaggerated: bool) -> None:
+        """Light the relief of freeform faces as if it were higher, or as it is."""
+        self._faces = self._faces[0], exaggerated
+        self._ask()
+
     def picture(self, times: int) -> "npt.NDArray[np.uint8] | None":
         """What is seen now, so many times as large, shape (rows, columns, 3); None before that."""
         if self._picture is None:
@@ -291,6 +303,7 @@ class SceneView(View):
             lit, paths = frame.state.irradiance, some_rays(frame.paths, self._rays)
             further = [light.irradiance for light in frame.state.further]
             self._picture.set_colours(self._colours)
+            self._picture.set_faces(*self._faces)
             self._picture.update(frame.surfaces, paths, lit, frame.source, further)
         if frame is not None:
             self._draw_tools(frame)

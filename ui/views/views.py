@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 
-from ui.commands.table import COLOURS, RAYS, RAYS_BY, VIEWS
+from ui.commands.table import COLOURS, FACES_BY, RAYS, RAYS_BY, VIEWS
 from ui.views.derivative_view import DerivativeView
 from ui.views.error_view import ErrorView
 from ui.views.focus_view import FocusView
@@ -99,12 +99,17 @@ class Views(QObject):
         return {
             **{name: partial(self.scene.show_rays, rays) for name, rays in RAYS.items()},
             **{name: partial(self.scene.colour_rays, by) for name, by in RAYS_BY.items()},
+            **{name: partial(self.scene.colour_faces, by) for name, by in FACES_BY.items()},
             **{name: partial(self.show_colours, colours) for name, colours in COLOURS.items()},
         }
 
     def toggles(self) -> dict[str, Callable[[bool], object]]:
         """What commands that are on or off do here."""
-        return {"exploded": self.scene.explode, "perspective": self.scene.see_in_perspective}
+        return {
+            "exploded": self.scene.explode,
+            "perspective": self.scene.see_in_perspective,
+            "relief": self.scene.exaggerate_relief,
+        }
 
     def close(self) -> None:
         """Free plotter and threads; safe to call twice."""

@@ -29,6 +29,7 @@ from workbench.geometry.surface import freeform_nets
 from workbench.pictures import shapes
 from workbench.pictures.camera import FittedCamera, in_view, start_z
 from workbench.pictures.exploded import explode_paths, exploded
+from workbench.pictures.face_look import FaceColours, face_colours, lit_normals
 from workbench.pictures.images import LIGHT
 from workbench.pictures.lit_receiver import LitReceiver
 from workbench.scene import Scene, Source
@@ -46,9 +47,10 @@ _BODIES = {
     "lens": {"color": "#8fc1e8", "opacity": 0.25, "ambient": 0.3},
     "mirror": {"color": "#8b929c", "opacity": 0.6, "ambient": 0.3},
 }
+_MATERIALS = {"lens": "#8fc1e8", "mirror": "#c3c8cf"}
 _FACES = {
-    "lens": {"color": "#8fc1e8", "opacity": 0.88, "ambient": 0.05, "specular": 0.5},
-    "mirror": {"color": "#c3c8cf", "opacity": 1.0, "ambient": 0.4, "specular": 1.0},
+    "lens": {"opacity": 0.88, "ambient": 0.05, "specular": 0.5},
+    "mirror": {"opacity": 1.0, "ambient": 0.4, "specular": 1.0},
 }
 _INK = {True: "#b4bcc8", False: "#475060"}  # by dark
 _GROUND = {True: ("#12151a", "#2a303a"), False: ("#dfe4eb", "#fcfdfe")}  # bottom and top
@@ -96,6 +98,8 @@ class LensPicture:
         self._traced, self._explode = scene, explode
         self._scene = exploded(scene) if explode else scene  # as it is drawn
         self._colours = LIGHT
+        self._face_colours: FaceColours = "material"
+        self._exaggerated = False
         self._dark = dark
         self._by_weight = by_weight
         self._lines: list[Any] = []
@@ -178,6 +182,10 @@ class LensPicture:
         """Take other colours of light, seen with the next update; see `to_colours`."""
         self._colours = name
 
+    def set_faces(self, by: FaceColours, exaggerated: bool) -> None:
+        """Colour and light freeform faces otherwise, seen with the next update; see `face_look`."""
+        self._face_colours, self._exaggerated = by, exaggerated
+
     def recolour(self, dark: bool) -> None:
         """Change between the dark and the light ground."""
         self._dark = dark
@@ -214,7 +222,10 @@ class LensPicture:
         )
         self._add(self._walls, body=True, **_BODIES[optic.called])
         for face, net in self._faces.values():
-            self._add(face, body=True, diffuse=0.9, specular_power=30, **_FACES[optic.called])
+            look: dict[str, Any] = {"diffuse": 0.9, "specular_power": 30, **_FACES[optic.called]}
+            actor = self._add(face, body=True, scalars="colour", rgb=True, **look)
+            actor.prop.color = _MATERIALS[optic.called]
+            actor.prop.interpolation = "Phong"  # by normals of points; flat shading has none
             self._lines.append(self._add(net, line_width=1.0, opacity=0.4, lighting=False))
         self._lines.append(self._add(self._edges, line_width=1.5, lighting=False))
 
@@ -233,7 +244,9 @@ class LensPicture:
                 mesh.faces = shapes.quads(m_u, m_v)
                 net.lines = shapes.net_lines(m_u, m_v, _NET_FIELDS)
                 net.verts = np.zeros(0, dtype=np.int64)
-            mesh.point_data.active_normals = shapes.normals(surfaces[face])
+            by, material = self._face_colours, _MATERIALS[optic.called]
+            mesh.point_data["colour"] = face_colours(surfaces[face], by, material)
+            mesh.point_data.active_normals = lit_normals(surfaces[face], self._exaggerated)
         if (m_u, m_v) != self._samples:
             self._samples = (m_u, m_v)
             straight = outline_of(optic).whole

@@ -1,0 +1,56 @@
+"""How a freeform face is coloured and lit."""
+
+import numpy as np
+import pytest
+
+from workbench.pictures import shapes
+from workbench.pictures.face_look import face_colours, lit_normals, mean_curvature
+
+X, Y = np.meshgrid(np.linspace(-2, 2, 41), np.linspace(-1, 1, 31), indexing="ij")
+
+
+def surface(z):
+    return np.stack([X, Y, z + 0 * X], axis=-1)
+
+
+def rgb(z, by):
+    return face_colours(surface(z), by, "#8fc1e8").reshape(41, 31, 3).astype(int)
+
+
+def test_a_sphere_is_bent_alike_everywhere():
+    bowl = surface(5 - np.sqrt(25 - X**2 - Y**2))
+    assert mean_curvature(bowl)[2:-2, 2:-2] == pytest.approx(0.2, rel=0.01)
+    assert mean_curvature(bowl * [1, 1, -1])[2:-2, 2:-2] == pytest.approx(-0.2, rel=0.01)
+
+
+def test_a_face_of_its_material_has_one_colour():
+    assert (rgb(X * Y, "material") == (0x8F, 0xC1, 0xE8)).all()
+
+
+def test_height_goes_from_dark_to_bright():
+    brightness = rgb(3 + X, "height").sum(axis=-1)
+    assert (np.diff(brightness[:, 5]) >= 0).all()
+    assert brightness[0, 5] < 200 < 400 < brightness[-1, 5]
+
+
+def test_bowls_are_red_and_humps_blue():
+    red, _, blue = np.moveaxis(rgb(0.1 * X**3, "curvature"), -1, 0)  # a hump at -x, a bowl at +x
+    assert (red[35] > blue[35]).all()
+    assert (red[5] < blue[5]).all()
+
+
+@pytest.mark.parametrize("by", ["height", "curvature"])
+def test_a_plane_has_one_colour(by):
+    assert np.ptp(rgb(0.5, by), axis=(0, 1)).max() == 0
+
+
+def test_relief_is_lit_as_if_it_were_higher_and_a_smooth_face_as_it_is():
+    smooth = 0.3 * X**2 - 0.1 * X * Y + 0.2 * Y
+    fine = smooth + 1e-3 * np.sin(12 * X)
+    plain, exaggerated = (lit_normals(surface(fine), high) for high in (False, True))
+    assert plain == pytest.approx(shapes.normals(surface(fine)))
+    bent = np.abs(lit_normals(surface(smooth), True) - shapes.normals(surface(smooth)))
+    assert bent.max() < 1e-6
+    off = [np.abs(each - shapes.normals(surface(smooth))).max() for each in (plain, exaggerated)]
+    assert off[1] > 20 * off[0]
+    assert np.linalg.norm(exaggerated, axis=1) == pytest.approx(1.0)
