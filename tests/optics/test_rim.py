@@ -5,7 +5,9 @@ import pytest
 import torch
 
 from workbench.optics.beam_plan import BeamPlan
+from workbench.optics.beam_reference import drawn
 from workbench.optics.beams import beam_image
+from workbench.optics.kernels.polygons import compiled_drawn
 from workbench.optics.rim import rim_light
 from workbench.optics.samples import Corners, places, splits_side_by_side
 
@@ -142,3 +144,21 @@ def test_all_light_is_accounted_for(make_scene):
     account = BeamPlan(scene, (30, 30)).trace(heights).account
     assert account.on_screen + sum(account.lost.values()) == pytest.approx(1, abs=1e-6)
     assert account.lost["total_reflection"] == pytest.approx(0, abs=1e-6)
+
+
+def test_compiled_polygons_are_those_of_the_reference(rng):
+    # Triangles with six corners, turned over or not, some of them beside the image.
+    corners = torch.tensor(rng.uniform(-3, 12, (2, 40, 3)))
+    x, y = corners - corners[:, :, :1]
+    turned = (x[:, 1] * y[:, 2] - x[:, 2] * y[:, 1]).sign()
+    density, weights = (torch.tensor(rng.random(size)) for size in (40, PIXELS[::-1]))
+    density = density * turned
+    images, gradients = [], []
+    for draw in (drawn, compiled_drawn):
+        given = [each.clone().requires_grad_() for each in (*corners, density)]
+        x, y = (each.repeat_interleave(2, dim=1) for each in given[:2])
+        images.append(draw(x, y, given[2], PIXELS, 0.0))
+        gradients.append(torch.autograd.grad((images[-1] * weights).sum(), given))
+    assert torch.allclose(*images, rtol=0, atol=1e-12) and images[0].max() > 1
+    for mine, theirs in zip(*gradients, strict=True):
+        assert torch.allclose(mine, theirs, rtol=0, atol=1e-11)

@@ -123,7 +123,7 @@ class BeamPlan:
         image, landed = beam_image(nodes, wide, tracer.splits, self._choice.fused)
         cut = 0.0
         if room is not None:
-            rim = rim_light(nodes, room, wide, tracer.splits)
+            rim = rim_light(nodes, room, wide, tracer.splits, self._choice.fused)
             image, landed, cut = image + rim.flux, landed + rim.landed, rim.counted - rim.landed
         for axis in (0, 1):
             if tracer.mirrored[axis]:

@@ -15,8 +15,10 @@ import torch
 from torch import Tensor
 
 from workbench.optics.beam_reference import drawn, first_lines
+from workbench.optics.kernels import ready
 from workbench.optics.kernels.beam_image import Splits
 from workbench.optics.kernels.beam_raster import FARTHEST, SLIVER
+from workbench.optics.kernels.polygons import compiled_drawn
 
 # Corners of the triangles of even and of odd cells, as numbers of 2 × 2 nodes; see
 # `workbench.optics.beam_reference`.
@@ -67,12 +69,14 @@ class _Cells(NamedTuple):
     even: Tensor
 
 
-def rim_light(nodes: Tensor, room: Tensor, pixels: tuple[int, int], splits: Splits) -> RimLight:
+def rim_light(
+    nodes: Tensor, room: Tensor, pixels: tuple[int, int], splits: Splits, fused: bool = True
+) -> RimLight:
     """Light of the cells that `workbench.optics.beams.beam_image` leaves out for their room.
 
     Parameters
     ----------
-    nodes, pixels, splits
+    nodes, pixels, splits, fused
         As for `workbench.optics.beams.beam_image`.
     room : Tensor, shape (n, m)
         Of the nodes.
@@ -93,7 +97,8 @@ def rim_light(nodes: Tensor, room: Tensor, pixels: tuple[int, int], splits: Spli
     area = _area(column, row)
     wide = area.detach().abs() > SLIVER * part.detach()
     x, y, density = (each[wide] for each in (column, row, lit / torch.where(wide, area, 1.0)))
-    image = drawn(x, y, density, pixels, landed)
+    compiled = fused and nodes.device.type == "cpu" and ready.obtain("beams", nodes.dtype)
+    image = (compiled_drawn if compiled else drawn)(x, y, density, pixels, landed)
     n_x, n_y = pixels
     j, i = (hits[~wide].mean(1).detach().floor() for hits in (column, row))
     seen = (j >= 0) & (j < n_x) & (i >= 0) & (i < n_y)

@@ -20,6 +20,7 @@ from workbench.optics.kernels.beam_raster import (
     edges_back,
 )
 from workbench.optics.kernels.function import kind_of
+from workbench.optics.kernels.polygons import compile_drawing
 
 Array = npt.NDArray[np.float64]
 AnyArray = npt.NDArray[np.floating[Any]]
@@ -40,6 +41,7 @@ def compile_for(dtype: torch.dtype) -> None:
     nodes = np.zeros((3, 2, 2), kind_of(dtype))
     splits = np.array([[0.0, 1.0, 0.0], [1.0, 0.0, 0.0]])
     _back(nodes, _forward(nodes, (2, 2), (splits, splits))[2], np.zeros((2, 2)))
+    compile_drawing()
 
 
 class _Mesh(NamedTuple):
