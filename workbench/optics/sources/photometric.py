@@ -7,7 +7,6 @@ import numpy.typing as npt
 import torch
 from torch import Tensor
 
-from workbench.errors import Refused
 from workbench.measured.lamps import intensity_of
 from workbench.measured.photometry import IntensityTable
 from workbench.optics.rays import RayBundle
@@ -16,9 +15,6 @@ from workbench.optics.sources.origins import Index, Origins, splits_of, through_
 from workbench.scene import Optic, PhotometricSource
 
 Array = npt.NDArray[np.float64]
-
-# Places of the lens along each axis at which a lamp has to shine somewhere.
-_LOOKED_AT = 129
 
 
 class TurnedTable:
@@ -56,7 +52,6 @@ class PhotometricEmitter:
         self.origins = Origins(
             np.array([source.position]), False, np.array([1 / table.lumens]), pattern=pattern
         )
-        self._check_lights()
 
     beside = 0.0
 
@@ -94,15 +89,6 @@ class PhotometricEmitter:
         start = [torch.full_like(x, place) for place in self._source.position]
         flux = torch.where(rays.flux > 0, 1 / len(x), 0.0)
         return rays._replace(position=(start[0], start[1], start[2]), flux=flux)
-
-    def _check_lights(self) -> None:
-        """Refuse a lamp none of whose light comes to the lens, as one that is turned away."""
-        x, y = (r * np.linspace(-1, 1, _LOOKED_AT) for r in self._lens.half_width)
-        if not self.origins.density(x[:, None], y, self._lens.front_z).any():
-            raise Refused(
-                "source.file",
-                f"'{self._source.file}' gives the lens no light: none of it goes there",
-            )
 
     def _onto_face(self, x: Array, y: Array, area: float) -> RayBundle:
         """Rays through places of the face, each of which stands for an area of it."""
