@@ -19,7 +19,7 @@ FINEST = 1 / 250
 
 
 @dataclass(frozen=True)
-class About:
+class ToleranceField:
     """What a tolerance says of itself.
 
     Attributes
@@ -71,7 +71,7 @@ class About:
 
 
 def _tolerance(*about: Any, default: Any = 0.0, **more: Any) -> Any:
-    return field(default=default, metadata={"about": About(*about, **more)})
+    return field(default=default, metadata={"about": ToleranceField(*about, **more)})
 
 
 def _between_faces(scene: "Scene") -> bool:
@@ -236,7 +236,9 @@ class Tolerances:
                 raise Refused(f"{name}[1]", f"{scale:g}; from {FINEST * width:g} to {width:g}")
 
 
-ABOUT: Mapping[str, About] = {each.name: each.metadata["about"] for each in fields(Tolerances)}
+ABOUT: Mapping[str, ToleranceField] = {
+    each.name: each.metadata["about"] for each in fields(Tolerances)
+}
 """What each tolerance says of itself, by name."""
 
 PAIRS = frozenset(each.name for each in fields(Tolerances) if isinstance(each.default, tuple))

@@ -45,7 +45,7 @@ def test_a_stranger_sees_the_same_colours(make_scene, monkeypatch):
 
 
 def weights_by(mitsuba, wavelengths):
-    """What its tables make of images at some wavelengths in daylight, by `Light.weights`."""
+    """What its tables make of images at some wavelengths in daylight, by `Illuminant.weights`."""
     mitsuba.set_variant("scalar_rgb")
     power = LIGHTS["daylight"].power
     fine = np.linspace(0.38, 0.78, power.size)

@@ -30,7 +30,7 @@ _D65 = (
 
 
 @dataclass(frozen=True, eq=False)
-class Light:
+class Illuminant:
     """Light of some spectrum.
 
     Attributes
@@ -73,11 +73,11 @@ class Light:
         return np.asarray(rgb / (luminance(white) if white.min() <= 0 else white))
 
 
-def line(wavelength_um: float) -> Light:
+def line(wavelength_um: float) -> Illuminant:
     """Light of a single wavelength from 0.38 to 0.78 µm, as of a laser."""
     power = np.zeros(_GRID.size)
     power[np.abs(_GRID - wavelength_um).argmin()] = 1.0
-    return Light("laser", f"laser of {wavelength_um:g} µm", power, wavelength_um)
+    return Illuminant("laser", f"laser of {wavelength_um:g} µm", power, wavelength_um)
 
 
 def _lobe(middle: float, width: float) -> Array:
@@ -88,16 +88,18 @@ def _lobe(middle: float, width: float) -> Array:
 LIGHTS = {
     light.name: light
     for light in (
-        Light("daylight", "daylight (D65)", np.interp(_GRID, np.linspace(0.38, 0.78, 41), _D65)),
+        Illuminant(
+            "daylight", "daylight (D65)", np.interp(_GRID, np.linspace(0.38, 0.78, 41), _D65)
+        ),
         # A model: the blue of the chip, and what its phosphor makes of it.
-        Light("led", "white LED", _lobe(0.45, 0.02) + 0.7 * _lobe(0.57, 0.12)),
-        Light("equal", "equal energy", np.ones(_GRID.size)),
+        Illuminant("led", "white LED", _lobe(0.45, 0.02) + 0.7 * _lobe(0.57, 0.12)),
+        Illuminant("equal", "equal energy", np.ones(_GRID.size)),
     )
 }
 """By name."""
 
 
-def light_of(scene: Scene) -> Light:
+def light_of(scene: Scene) -> Illuminant:
     """The light that the source of a scene is likely to be.
 
     Light from infinitely far is daylight, a Gaussian beam that of a laser whose wavelength is that

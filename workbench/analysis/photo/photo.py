@@ -17,7 +17,7 @@ import numpy.typing as npt
 
 from workbench.analysis.cells.image import Levels
 from workbench.analysis.photo.colour import encoded, luminance
-from workbench.analysis.photo.light import LONGEST, SHORTEST, Light, light_of
+from workbench.analysis.photo.light import LONGEST, SHORTEST, Illuminant, light_of
 from workbench.analysis.tracing.elements import joined
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import BATCHES
@@ -55,7 +55,7 @@ class Photo:
         if the target had the light of the image.
     aspect : float
         Width of a pixel over its height.
-    light : Light
+    light : Illuminant
         What the lens is lit by.
     wavelengths_um : tuple of float
         What was traced.
@@ -68,7 +68,7 @@ class Photo:
     rgb: Array
     white: float
     aspect: float
-    light: Light
+    light: Illuminant
     wavelengths_um: tuple[float, ...]
     step: float
     by_cells: bool
@@ -100,7 +100,7 @@ def photograph(
     scene: Scene,
     target: Array,
     heights: Mapping[str, Array],
-    light: Light | None = None,
+    light: Illuminant | None = None,
     watch: Watch = unwatched,
 ) -> Photo:
     """Predict the photo of a lens's image.
@@ -113,7 +113,7 @@ def photograph(
         The target image in any scale, which says what is white.
     heights : mapping of str to ndarray, shape (n_u, n_v)
         Control heights of each freeform face by its name, scene units.
-    light : Light, optional
+    light : Illuminant, optional
         What the lens is lit by; by default as `light_of` says.
     watch : callable
         Called with the part that is done.
@@ -132,7 +132,7 @@ def photographing(
     scene: Scene,
     target: Array,
     heights: Mapping[str, Array],
-    light: Light | None = None,
+    light: Illuminant | None = None,
     threads: int | None = None,
 ) -> Generator[float, None, Photo]:
     """`photograph` step by step, so that one can see how far it is and leave it.
@@ -194,7 +194,9 @@ def _part(done: int, of: int, part: float) -> float:
     return (done + part) / of
 
 
-def _wavelengths(scene: Scene, heights: Mapping[str, Array], light: Light) -> tuple[Array, float]:
+def _wavelengths(
+    scene: Scene, heights: Mapping[str, Array], light: Illuminant
+) -> tuple[Array, float]:
     """Wavelengths at equal steps of the index, and how far their images are apart, in pixels."""
     if light.line_um is not None:
         return np.array([light.line_um]), 0.0
