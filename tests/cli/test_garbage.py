@@ -1,8 +1,6 @@
 """Cyclic garbage of a command."""
 
 import gc
-import subprocess
-import sys
 
 import pytest
 
@@ -22,14 +20,3 @@ def test_a_command_that_is_refused_leaves_the_thresholds_as_they_were(capsys):
     before = gc.get_threshold()
     assert main(["no-such-verb"]) == 2
     assert gc.get_threshold() == before
-
-
-def test_nothing_is_left_to_search_when_the_process_ends():
-    program = (
-        "import atexit, gc\n"
-        "atexit.register(lambda: print(gc.get_freeze_count() > 1000))\n"
-        "from workbench.cli import main\n"
-        "main(['design'])"
-    )
-    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
-    assert done.stdout == "True\n", done.stderr

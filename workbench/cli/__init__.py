@@ -9,7 +9,9 @@ import logging
 import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
+from typing import NoReturn
 
+from workbench.cli.ending import end
 from workbench.cli.garbage import seldom_collected
 from workbench.cli.interruption import Interruptible, number_of
 from workbench.cli.streams import Streams
@@ -49,6 +51,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
         if broken is not None:
             return _fail(1, f"standard output cannot be written: {broken.strerror or broken}")
     return 0
+
+
+def command() -> NoReturn:
+    """Run the command of this process, and end the process with its exit status."""
+    status = main()
+    end(status)
+    sys.exit(status)
 
 
 class _Printer(logging.Handler):

@@ -28,8 +28,6 @@ from collections.abc import Iterator
 
 import numpy as np
 import numpy.typing as npt
-from scipy.ndimage import maximum_filter
-from scipy.optimize import minimize_scalar
 
 from workbench.extended.blurring import Blurring
 
@@ -73,6 +71,8 @@ class Certifier:
         residual : ndarray, shape (n_y, n_x)
             Any image; that of blurred light less the target where this is close.
         """
+        from scipy.optimize import minimize_scalar  # late: it takes long to import
+
         w = residual.astype(np.float64)  # a copy
         spread = float(np.linalg.norm(w)) / np.sqrt(w.size)
         if spread == 0:
@@ -131,5 +131,7 @@ class Certifier:
 
     def _mending(self, c: float, least: Array) -> Array:
         """The image δ that has to be added to w."""
+        from scipy.ndimage import maximum_filter  # late, too
+
         fails = (c - least).clip(min=0.0)
         return np.asarray(maximum_filter(fails, self._footprint, mode="constant")[self._image])

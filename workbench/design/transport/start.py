@@ -6,7 +6,11 @@
 2. The laws of refraction and reflection say which slopes the face needs for that.
 3. Least squares find the face of the B-spline space that comes closest to these slopes.
 
-The flux on the face and the heights in 2 depend on the face itself: all of it is done twice.
+The flux on the face and the heights in 2 depend on the face itself: all of it is done twice. Light
+in as many cells as slopes, and more fits to one transport, would cost a third of a start of
+parallel light and change its image by a hundredth of its error. Light of a near source is another
+one behind each face: with one fit in place of two to the last transport, measured rays of an LED
+begin at 16.6 % in place of 9.9 %.
 """
 
 import math
@@ -34,7 +38,11 @@ Array = npt.NDArray[np.float64]
 
 # Cells along each axis, of lens and screen alike; finer nets get more places for their slopes.
 CELLS = 256
-_FITS = 2
+# Light that leaves a face changes little from one of these cells to the next: each stands for so
+# many along an axis.
+_SHARED = 2
+# Fits to a transport: the first face only tells where light is, the next one is a first lens.
+_ROUGH_FITS, _FITS, _NEAR_FITS = 1, 1, 2
 # Rounds of transport on the finest grid for a quick lens. Where the error of its image is less than
 # this, the descent does the rest sooner; else as many rounds follow as bring light nearer, and the
 # better one of both lenses is taken: each may be much better than the other.
@@ -73,17 +81,18 @@ def transport_start(scene: Scene, target: Array) -> Array | None:
         return None
     transport = Transport(flux, wanted, weights, FEW_ROUNDS)
     faces = _Faces(scene, light, fit, limits)
-    heights = faces.bent(transport, heights)
+    heights = faces.bent(transport, heights, _ROUGH_FITS)
     # A lens that reflects all light totally is improved blindly.
     passed = light.flux(heights)
     flux = flux if passed is None else passed
     transport.improve(flux, FEW_ROUNDS)
-    heights = faces.bent(transport, heights)
+    fits = _FITS if scene.source.place is None else _NEAR_FITS
+    heights = faces.bent(transport, heights, fits)
     error = first_error(scene, target, {scene.optic.face: heights})
     if error < _GOOD:
         return heights
     transport.improve(flux)
-    other = faces.bent(transport, heights)
+    other = faces.bent(transport, heights, fits)
     return other if first_error(scene, target, {scene.optic.face: other}) < error else heights
 
 
@@ -114,12 +123,12 @@ class _Faces(NamedTuple):
     fit: SlopeFit
     limits: HeightLimits
 
-    def bent(self, transport: Transport, heights: Array) -> Array:
-        """Control heights of a face, from those of one like it."""
+    def bent(self, transport: Transport, heights: Array, fits: int) -> Array:
+        """Control heights of a face, from those of one like it, found in so many fits."""
         light, optic, receiver = self.light, self.scene.optic, self.scene.receiver
         n = optic.index
         to_u, to_v = destinations(transport, receiver)
-        for _ in range(_FITS):
+        for _ in range(fits):
             z = self.fit.surface(heights)
             d_x, d_y, d_z = light.direction(z)
             out_x, out_y, out_z = receiver.towards(optic, (light.x, light.y, z), to_u, to_v)
@@ -179,14 +188,14 @@ class _Light:
                 entering = TransmittanceLaw.constant(1 / n, 0.0)  # it bends as any other
                 self._glass = FlatGlass(self._entrance_z - z, entering, origins.lambertian)
         self._sharp = origins
-        path = Path.of(scene, net, torch.float64, samples=(cells, cells))
+        path = Path.of(scene, net, torch.float64, samples=(cells // _SHARED, cells // _SHARED))
         self._reference = Reference(path)
 
     def flux(self, heights: Array) -> Array | None:
         """Flux that leaves the face, in each cell; all together 1. None if there is none."""
         with torch.no_grad():
             leaving = self._reference.arrival({self._face: torch.as_tensor(heights)}).rays.flux
-        flux = leaving.numpy().astype(np.float64)
+        flux = leaving.numpy().astype(np.float64).repeat(_SHARED, 0).repeat(_SHARED, 1)
         if self._given.pattern is not None:
             flux = flux * self._brighter(self._fit.surface(heights))
         total = float(flux.sum())
