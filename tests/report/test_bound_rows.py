@@ -10,8 +10,13 @@ GRID = {"kind": "grid", "center": [0, 0, -4], "half_width": [0.3, 0.3], "points"
 
 def test_report_says_what_no_lens_is_below(make_scene, rng):
     found = Bound(make_scene({"source": GRID}), rng.random((32, 32)))
-    least, blur = bound_rows(found)
+    least, narrower, blur = bound_rows(found)
     assert (least.name, least.value) == ("no lens is below", percent(found.relative_l2))
+    assert (narrower.name, narrower.value) == (
+        "a source half as wide would allow",
+        percent(found.half_as_wide),
+    )
+    assert found.half_as_wide < found.relative_l2
     assert "pixels" in blur.value
 
 

@@ -4,6 +4,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 import numpy.typing as npt
+import torch
 
 from workbench.design.heights import Mask
 from workbench.design.limits import HeightLimits, bounded
@@ -12,9 +13,13 @@ from workbench.errors import Refused
 from workbench.geometry.body import check_body
 from workbench.geometry.surface import freeform_nets
 from workbench.optics.plan import device_of
+from workbench.optics.sources import emitter_of
 from workbench.scene import Scene
 
 Array = npt.NDArray[np.float64]
+
+# Places of the optic along each axis at which its source has to shine somewhere.
+_LOOKED_AT = 65
 
 
 def check_parts(
@@ -44,6 +49,7 @@ def check_parts(
         try:
             device_of(part)
             method_of(part).check(part)
+            _check_lit(part)
             if locked:
                 _check_net(part, finished)
         except Refused as refused:
@@ -55,6 +61,17 @@ def check_parts(
         limits = HeightLimits.of_faces(bounded(finished))
         kept = {face: limits[face].kept(each, locked.get(face)) for face, each in start.items()}
         check_body(finished, kept)
+
+
+def _check_lit(part: Scene) -> None:
+    """Refuse a source that shines away from the optic, as a lamp that is turned around."""
+    places = torch.linspace(-1, 1, _LOOKED_AT, dtype=torch.float64)
+    r_x, r_y = part.optic.half_width
+    x, y = torch.cartesian_prod(r_x * places, r_y * places).T
+    if not emitter_of(part.source, part.optic).towards(x, y).flux.any():
+        raise Refused(
+            "source", f"none of its light goes to the {part.optic.called}; turn or move it"
+        )
 
 
 def _check_net(part: Scene, finished: Scene) -> None:

@@ -83,6 +83,7 @@ def bound_rows(found: Bound) -> tuple[Fact, ...]:
         return ()
     return (
         Fact("no lens is below", percent(found.relative_l2)),
+        Fact("a source half as wide would allow", percent(found.half_as_wide)),
         Fact(
             "for that, the source blurs over", "{:.3g} × {:.3g} pixels".format(*found.blur.widths)
         ),
