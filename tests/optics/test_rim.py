@@ -7,7 +7,7 @@ import torch
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.beam_reference import drawn
 from workbench.optics.beams import beam_image
-from workbench.optics.kernels.polygons import compiled_drawn
+from workbench.optics.kernels.polygons import compile_drawing, compiled_drawn
 from workbench.optics.rim import rim_light
 from workbench.optics.samples import Corners, places, splits_side_by_side
 
@@ -162,3 +162,14 @@ def test_compiled_polygons_are_those_of_the_reference(rng):
     assert torch.allclose(*images, rtol=0, atol=1e-12) and images[0].max() > 1
     for mine, theirs in zip(*gradients, strict=True):
         assert torch.allclose(mine, theirs, rtol=0, atol=1e-11)
+
+
+def test_kernels_of_polygons_are_compiled_also_where_torch_notes_no_gradients():
+    with torch.no_grad():
+        compile_drawing()
+    x = torch.tensor([[0.0, 1.0, 1.0]], dtype=torch.float64, requires_grad=True)
+    y, density = torch.tensor([[1.0, 0.0, 1.0]]).double(), torch.ones(1).double()
+    image = compiled_drawn(x, y, density, (2, 2), 1.0)
+    image.sum().backward()
+    assert float(image.detach().sum()) == 0.5
+    assert x.grad.abs().sum() > 0

@@ -126,8 +126,9 @@ class Validation:
         return self.loss * self.verified.relative_l2_corrected / self.relative_l2
 
     def to_data(self) -> dict[str, Any]:
-        """The figures by name, for JSON; those of further images in a list, if there are any."""
+        """The figures by name, for JSON; those of further images and regions in lists."""
         further = {"further_images": [each.to_data() for each in self.further]}
+        regions = {"regions": [each.to_data() for each in self.regions]}
         return {
             "loss": self.loss,
             "relative_l2": self.relative_l2,
@@ -141,7 +142,7 @@ class Validation:
             "noise": self.noise,
             "deterministic": self.by_cells and self.by_cells.to_data(),
             "shading": self.shading and self.shading.to_data(),
-            "regions": [each.to_data() for each in self.regions],
+            **(regions if self.regions else {}),
             **(further if self.further else {}),
         }
 

@@ -89,7 +89,7 @@ def test_no_level_follows_more_rays_than_are_allowed_where_much_light_is_lost(
 
     monkeypatch.setattr(image, "_MOST", most)
     monkeypatch.setattr(image, "_BEGIN", 1 << 15)
-    monkeypatch.setattr(image, "Lattice", Counted)
+    monkeypatch.setattr(image, "CellLattice", Counted)
     near = {"kind": "grid", "center": [0, 0, -0.3], "half_width": [0.1, 0.1], "points": [2, 3]}
     scene = make_scene({"source": near, "screen.half_width": [3.0, 3.0]})
     # Waves so steep that they reflect much of the light totally, in many places.
