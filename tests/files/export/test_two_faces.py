@@ -126,7 +126,8 @@ class TestMesh:
 
     @OUTLINES
     def test_the_chord_error_holds_at_both_faces(self, two_faced, entrance, rng, outline):
-        design = two_faced(entrance | {"lens.outline": outline}, chord_error=1e-3)
+        wanted = 5e-3
+        design = two_faced(entrance | {"lens.outline": outline}, chord_error=wanted)
         found = Tessellation.of(design)
         body = found.body()
         cells = 2 * (found.z.shape[0] - 1) * (found.z.shape[1] - 1)
@@ -137,7 +138,7 @@ class TestMesh:
             corners = body.vertices[triangles]
             x, y, z = np.einsum("tk,tkc->ct", rng.dirichlet([1, 1, 1], len(triangles)), corners)
             largest = max(largest, np.abs(z - face.net.at(x, y, face.heights)[0]).max())
-        assert largest <= found.chord_error(design) * 1.05 <= 1.05e-3
+        assert largest <= found.chord_error(design) * 1.05 <= 1.05 * wanted
 
     def test_the_face_that_bends_more_sets_the_size_of_cells(self, two_faced):
         design = two_faced(heights=np.full((12, 10), 0.5), chord_error=1e-3)
