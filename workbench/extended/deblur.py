@@ -36,7 +36,7 @@ _IMAGE, _RELAXED = 0.1, 1.7
 _LIGHT, _FALLING_LIGHT, _FALLS_EVERY = (0.003,), tuple(np.geomspace(0.02, 0.002, 13)), 10
 # The search ends when the certificate is less than this part of the error below it, or this much.
 _GAP, _NEGLIGIBLE = 0.03, 2e-4
-_STEPS, _LOOK_EVERY = 160, 80
+_STEPS, _LOOK_EVERY = 120, 60
 # Light at more places in a pixel comes closer, but of large images, it would take all memory: so
 # many places at most, on all pixels together.
 _MOST_LIGHT = 6_000_000

@@ -133,7 +133,7 @@ def test_an_image_takes_the_aspect_of_the_picture_that_is_chosen(page, tmp_path,
 
 
 def test_figures_come_without_blocking_the_page(page, qtbot):
-    qtbot.waitUntil(lambda: "Error at best" in page._outlook.text)
+    qtbot.waitUntil(lambda: "Error at best" in page._outlook.text, timeout=90_000)
     said = page._outlook.text
     for name in ("Blur of the light", "Diffraction", "Largest slope", "Étendue", "Proposed"):
         assert name in said
