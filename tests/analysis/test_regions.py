@@ -6,7 +6,7 @@ import pytest
 from tests.scenes import changed
 from workbench.analysis.regions import light_of_regions
 from workbench.analysis.validation import validate
-from workbench.report.figures import region_row
+from workbench.report.figures import region_rows
 from workbench.scene import EllipseRegion, FarField, PolygonRegion, RectangleRegion, Scene, Screen
 
 SCREEN = Screen(z=5.0, half_width=(2.0, 1.0), pixels=(40, 20))
@@ -78,4 +78,6 @@ def test_a_check_tells_the_light_of_the_regions_of_its_scene():
     assert light.name == "All"
     assert light.share == pytest.approx(found.efficiency)
     assert found.to_data()["regions"][0]["share"] == light.share
-    assert region_row(light).value.startswith(f"{100 * light.share:.3f} % of the light")
+    (row,) = region_rows(found)
+    assert row.name == "region All"
+    assert row.value.startswith(f"{100 * light.share:.3f} % of the light")

@@ -66,6 +66,12 @@ _TIPS = {
 }
 
 
+_OF_REGION = (
+    "Part of the emitted light that falls on the region, and its darkest and brightest pixel over "
+    "the mean: 1 is even."
+)
+
+
 class CheckFigures(QWidget):
     """Keeps the figures when another lens is shown, and tells that they are of the one before.
 
@@ -217,9 +223,15 @@ def _rows_of(
     """What a check says of an image, and what explains it."""
     # Late: what it stands on is slow to import, and is there after a check.
     from workbench.optics.account import words_for
-    from workbench.report.figures import account_rows, check_rows
+    from workbench.report.figures import account_rows, check_rows, region_rows
 
-    checked, words = check_rows(found, difference), words_for(receiver)
-    tips = [_TIPS[row.name] for row in checked]
+    checked, regions, words = (
+        check_rows(found, difference),
+        region_rows(found),
+        words_for(receiver),
+    )
+    tips = [*(_TIPS[row.name] for row in checked), *[_OF_REGION] * len(regions)]
     tips += [words[name][1] for name in ("on_screen", *found.account.lost)]
-    return list(zip((*checked, *account_rows(found.account, receiver)), tips, strict=True))
+    return list(
+        zip((*checked, *regions, *account_rows(found.account, receiver)), tips, strict=True)
+    )

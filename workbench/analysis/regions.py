@@ -46,6 +46,20 @@ class RegionLight:
             return None
         return self.least / self.mean
 
+    @property
+    def title(self) -> str:
+        """What stands before its figures."""
+        return f"region {self.name}"
+
+    @property
+    def words(self) -> str:
+        """How much light it gets, and how even that is."""
+        share = f"{100 * self.share:.3f} % of the light"
+        even = "–" if self.uniformity is None else f"{self.uniformity:.3f}"
+        if self.most is None or not self.mean:
+            return f"{share}, least / mean {even}"
+        return f"{share}, least / mean {even}, most / mean {self.most / self.mean:.3f}"
+
     def to_data(self) -> dict[str, Any]:
         """The figures by name, for JSON."""
         return asdict(self) | {"uniformity": self.uniformity}

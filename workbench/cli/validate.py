@@ -21,7 +21,6 @@ from workbench.cli.designed import read_designed
 from workbench.cli.progress import PartProgress
 from workbench.extended.bound import Bound
 from workbench.files.atomic import check_writable, replacing
-from workbench.report.figures import region_row
 from workbench.scene import Scene
 
 Array = npt.NDArray[np.float64]
@@ -172,12 +171,13 @@ def _print(found: Validation, difference: float | None) -> None:
         "contrast": _or_dash(quality.contrast, ".5f"),
         "optimiser's image": _or_dash(difference, ".5f", "  (relative L2 difference to it)"),
         **(found.shading.figures if found.shading else {}),
-        **dict(map(region_row, found.regions)),
         "rays": str(found.rays),
         **{name.replace("_", " "): f"{flux:.5f}" for name, flux in found.account.to_data().items()},
     }
     for name, value in lines.items():
         print(f"{name:<18}{value}" if len(name) < 18 else f"{name}: {value}")
+    for light in found.regions:  # two may have one name
+        print(f"{light.title}: {light.words}")
 
 
 def _print_compared(found: CrossCheck) -> None:

@@ -6,7 +6,6 @@ from workbench.analysis.by_cells import ByCells
 from workbench.analysis.independent import Independent
 from workbench.analysis.manufacture import Extreme, FaceFigures, Manufacture
 from workbench.analysis.manufacture_limits import Limits, verdicts
-from workbench.analysis.regions import RegionLight
 from workbench.analysis.shading import Shading
 from workbench.analysis.tolerance_fields import ABOUT, PAIRS, Tolerances
 from workbench.analysis.tolerances import Distribution
@@ -36,18 +35,14 @@ def check_rows(found: Validation, difference: float) -> tuple[Fact, ...]:
         Fact("contrast", _or_dash(quality.contrast, ".5f")),
         Fact("efficiency", percent(found.efficiency)),
         *_shading_rows(found.shading),
-        *map(region_row, found.regions),
         Fact("off the optimiser's image", percent(difference)),
         Fact("rays", f"{found.rays:,}"),
     )
 
 
-def region_row(light: RegionLight) -> Fact:
-    """How much light a region gets, and how even it is."""
-    even = f"{percent(light.share)} of the light, least / mean {_or_dash(light.uniformity, '.3f')}"
-    if light.most is None or not light.mean:
-        return Fact(f"region {light.name}", even)
-    return Fact(f"region {light.name}", f"{even}, most / mean {light.most / light.mean:.3f}")
+def region_rows(found: Validation) -> tuple[Fact, ...]:
+    """What the check says of each region."""
+    return tuple(Fact(light.title, light.words) for light in found.regions)
 
 
 def _shading_rows(found: Shading | None) -> tuple[Fact, ...]:

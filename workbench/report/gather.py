@@ -28,6 +28,7 @@ from workbench.report.figures import (
     check_rows,
     manufacture_rows,
     percent,
+    region_rows,
     tolerance_rows,
 )
 from workbench.report.scene_rows import scene_rows
@@ -126,7 +127,11 @@ def _of_image(session: Session, found: Validation, which: str) -> Iterator[Secti
     faces = [scene.optic.face_in_words(face) for face in reversed(freeform_nets(scene.optic))]
     yield Section(
         f"Independent check{which}",
-        (*check_rows(found, difference), *bound_rows(Bound(scene, session.target))),
+        (
+            *check_rows(found, difference),
+            *region_rows(found),
+            *bound_rows(Bound(scene, session.target)),
+        ),
         note="Traced anew by other means than the optimiser's, against the untouched target: "
         "by cells without random rays, and with fresh random rays. Relative L2 error = "
         "‖I − T‖ / ‖T‖, both divided by their sum.",

@@ -59,6 +59,19 @@ def test_all_figures_are_listed_and_explained(figures, designed, found):
     assert all(table.item(row, 1).toolTip() == tip for row, tip in enumerate(tips))
 
 
+def test_the_light_of_regions_is_listed_and_explained(figures, make_scene, designed, tmp_path):
+    desk = {"name": "Desk", "size": [0.5, 0.5]}
+    session = begin(make_scene({"regions": [desk, desk]}), tmp_path)
+    heights = designed.result.state.heights
+    found = validate(session.scene, session.target, heights, RAYS)
+    figures.show_check(CheckedLens(session, heights), found, 0.0321)
+    assert rows(figures)["Region Desk"] == found.regions[0].words
+    assert figures.text.count("Region Desk") == 2
+    table = figures._table
+    shown = next(k for k in range(table.rowCount()) if table.item(k, 0).text() == "Region Desk")
+    assert "1 is even" in table.item(shown, 0).toolTip()
+
+
 def test_figures_of_each_image_are_listed(figures, make_scene, designed, tmp_path):
     session = begin(make_scene({"further_images": [SECOND]}), tmp_path)
     heights = designed.result.state.heights
