@@ -27,7 +27,7 @@ from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import BATCHES
 from workbench.analysis.tracing.trace import Trace, added
 from workbench.analysis.tracing.train import Tally
-from workbench.analysis.watch import Watch, finished, unwatched, within
+from workbench.analysis.watch import Watch, finished, of_equal, unwatched, within
 from workbench.errors import RunFailed
 from workbench.optics.account import Account
 from workbench.scene import Scene
@@ -269,16 +269,12 @@ def validating(
     images = scene.images(target)
     for done, image in enumerate(images):
         steps = _of_one(image.scene, image.target, heights, rays, seed, pose, threads, accuracy)
-        one = yield from within(steps, partial(_part_of_all, done, len(images)))
+        one = yield from within(steps, partial(of_equal, len(images), done))
         clearest = (one.by_cells or one).irradiance
         regions = light_of_regions(image.scene.regions, image.scene.receiver, clearest)
         found.append(replace(one, weight=image.weight, regions=regions))
     first, *others = found
     return replace(first, further=tuple(others)) if others else first
-
-
-def _part_of_all(done: int, images: int, part: float) -> float:
-    return (done + part) / images
 
 
 def _of_one(

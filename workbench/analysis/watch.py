@@ -30,6 +30,11 @@ def finished(steps: Generator[float, None, T], watch: Watch = unwatched) -> T:
                 return found
 
 
+def of_equal(pieces: int, done: int, part: float) -> float:
+    """The part of equal pieces that is done after some of them and a part of the next."""
+    return (done + part) / pieces
+
+
 def within(
     steps: Generator[float, None, T], part: Callable[[float], float]
 ) -> Generator[float, None, T]:

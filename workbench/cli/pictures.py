@@ -5,9 +5,6 @@ from functools import partial
 from pathlib import Path
 from typing import BinaryIO
 
-from workbench.analysis.photo.light import LIGHTS
-from workbench.analysis.photo.photo import photograph
-from workbench.analysis.photo.png import write_png
 from workbench.cli.designed import read_designed
 from workbench.cli.progress import PartProgress
 from workbench.design.session import Session, result_of
@@ -63,6 +60,11 @@ def _named(name: str, number: int) -> str:
 
 def _write_photo(session: Session, file: BinaryIO, stops: float, light: str) -> None:
     """Predict the photo, and say how it was made."""
+    # Late: it takes two thirds of the start of a command that most often draws none.
+    from workbench.analysis.photo.light import LIGHTS
+    from workbench.analysis.photo.photo import photograph
+    from workbench.analysis.photo.png import write_png
+
     heights = result_of(session).state.heights
     with closing(PartProgress("photo")) as progress:
         photo = photograph(session.scene, session.target, heights, LIGHTS.get(light), progress.show)

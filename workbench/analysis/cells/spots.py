@@ -48,7 +48,7 @@ class Spots(Drawing):
     """
 
     work = 2.5
-    """A spot takes as long as so many rays of a `Lattice`."""
+    """A spot takes as long as so many rays of a `CellLattice`."""
 
     def __init__(
         self, scene: Scene, train: OpticalTrain, cells: tuple[int, int], level: int = 2

@@ -23,7 +23,7 @@ from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import BATCHES
 from workbench.analysis.tracing.trace import Trace, added
 from workbench.analysis.tracing.train import OpticalTrain, Tally
-from workbench.analysis.watch import Watch, finished, unwatched, within
+from workbench.analysis.watch import Watch, finished, of_equal, unwatched, within
 from workbench.errors import RunFailed
 from workbench.geometry.body import check_body
 from workbench.materials import CATALOGUE, Material
@@ -161,7 +161,7 @@ def photographing(
     rgb, tracer = np.zeros((*target.shape, 3)), _Tracer(heights, threads)
     for done, (wavelength, weight) in enumerate(zip(wavelengths.tolist(), weights, strict=True)):
         steps = tracer.trace(at_wavelength(scene, wavelength))
-        image = yield from within(steps, partial(_part, done, len(wavelengths)))
+        image = yield from within(steps, partial(of_equal, len(wavelengths), done))
         rgb += (image / scene.receiver.pixel_measure)[..., None] * weight
     if not rgb.any():
         raise RunFailed("no light of this lens reaches the screen, so there is nothing to see")
@@ -188,10 +188,6 @@ def _material(scene: Scene) -> Material | None:
     """That of the lens; None where nothing is known of its dispersion."""
     name = None if scene.lens is None else scene.lens.refractive_index
     return CATALOGUE[name] if isinstance(name, str) else None
-
-
-def _part(done: int, of: int, part: float) -> float:
-    return (done + part) / of
 
 
 def _wavelengths(

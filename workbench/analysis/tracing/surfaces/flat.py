@@ -12,7 +12,7 @@ RIM = 1 + 1e-12
 
 
 class FlatFace:
-    """Plate about the axis; a `Face`.
+    """Plate about the axis; a `TracedFace`.
 
     Parameters
     ----------
@@ -21,7 +21,7 @@ class FlatFace:
     outline : Outline
         What of the plane is glass.
     missed : str
-        See `Face`.
+        See `TracedFace`.
     """
 
     def __init__(self, z: float, outline: Outline, missed: str) -> None:
@@ -31,18 +31,18 @@ class FlatFace:
         self._normal = np.array([[0.0, 0.0, 1.0]])
 
     def meet(self, rays: TracedRays) -> Crossings:
-        """Where rays meet it; see `Face.meet`."""
+        """Where rays meet it; see `TracedFace.meet`."""
         # Rays that do not meet it get the origin: memory as it comes might hold any number.
         position, flux = np.zeros_like(rays.position), np.empty_like(rays.flux)
         missed = _meet(*rays, self._z, self._half_width, self._curved, position, flux)
         return Crossings(position, self._normal, flux, missed)
 
     def met_again(self, rays: TracedRays, onwards: int) -> Array:
-        """Nowhere: it is flat; see `Face.met_again`."""
+        """Nowhere: it is flat; see `TracedFace.met_again`."""
         return np.full((len(rays.flux), 2), np.nan)
 
     def lit(self, source: FaceLight, origin: int, x: Array, y: Array) -> TracedRays:
-        """See `Face.lit`."""
+        """See `TracedFace.lit`."""
         return source.through(origin, x, y, self._z)
 
 

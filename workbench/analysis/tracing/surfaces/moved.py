@@ -10,7 +10,7 @@ from workbench.scene import Lens
 
 
 class MovedFace(SplineFace):
-    """A B-spline turned about its middle, then moved sideways, its outline with it; a `Face`.
+    """A B-spline turned about its middle, then moved sideways, its outline with it; a `TracedFace`.
 
     Rays come and go in the coordinates of the lens. There is always a face before it, so that
     `lit` is not asked of it.
@@ -32,7 +32,7 @@ class MovedFace(SplineFace):
         self._shift = np.array([*pose.exit_decentre, 0.0])
 
     def meet(self, rays: TracedRays) -> Crossings:
-        """Where rays that go upwards first meet it; see `Face.meet`."""
+        """Where rays that go upwards first meet it; see `TracedFace.meet`."""
         seen = self._seen(rays)
         # They may begin beside the face and come to it: they are followed from below it on.
         way = seen.direction / seen.direction[:, 2:]
@@ -43,7 +43,7 @@ class MovedFace(SplineFace):
         return found._replace(position=place, normal=found.normal @ self._turn.T)
 
     def met_again(self, rays: TracedRays, onwards: int) -> Array:
-        """See `Face.met_again`; x and y as the face counts them."""
+        """See `TracedFace.met_again`; x and y as the face counts them."""
         return super().met_again(self._seen(rays), onwards)
 
     def _seen(self, rays: TracedRays) -> TracedRays:

@@ -19,7 +19,7 @@ _LOOKS, _CLOSE = (32, 512), 1e-9
 
 
 class SplineFace:
-    """The exit face of a lens, lit from inside; a `Face`.
+    """The exit face of a lens, lit from inside; a `TracedFace`.
 
     Parameters
     ----------
@@ -28,7 +28,7 @@ class SplineFace:
     control_points : ndarray, shape (n_u, n_v)
         Control heights, scene units.
     missed : str
-        See `Face`.
+        See `TracedFace`.
     net : ControlNet, optional
         Where the control points sit; the net of the face that the task shapes by default.
     """
@@ -67,7 +67,7 @@ class SplineFace:
         )
 
     def meet(self, rays: TracedRays) -> Crossings:
-        """Where rays that go upwards first meet it; see `Face.meet`."""
+        """Where rays that go upwards first meet it; see `TracedFace.meet`."""
         # Rays that do not meet it get the origin: memory as it comes might hold any number.
         position, normal = np.zeros_like(rays.position), np.zeros_like(rays.position)
         flux = np.empty_like(rays.flux)
@@ -75,7 +75,7 @@ class SplineFace:
         return Crossings(position, normal, flux, missed)
 
     def met_again(self, rays: TracedRays, onwards: int) -> Array:
-        """See `Face.met_again`: some places along each ray, two for each knot span up to a limit.
+        """See `TracedFace.met_again`: places along each ray, two for each knot span up to a limit.
 
         Rays that go away from the face faster than it anywhere follows are not looked at.
         """
@@ -129,7 +129,7 @@ class SplineFace:
         return np.asarray(np.fmin(to_end, to_rim).clip(min=0))
 
     def lit(self, source: FaceLight, origin: int, x: Array, y: Array) -> TracedRays:
-        """See `Face.lit`."""
+        """See `TracedFace.lit`."""
         z, slope_x, slope_y = self.shape_at(x, y)
         rays = source.through(origin, x, y, z)
         # It takes in more or less light than the plane z = const, as it leans.
@@ -139,10 +139,10 @@ class SplineFace:
 
 
 class FrontFace(SplineFace):
-    """The face that light meets first, perhaps before the plane where rays count; a `Face`."""
+    """The face that light meets first, perhaps before the plane of counted rays; a `TracedFace`."""
 
     def meet(self, rays: TracedRays) -> Crossings:
-        """Where rays from far below first meet it; see `Face.meet`."""
+        """Where rays from far below first meet it; see `TracedFace.meet`."""
         way = rays.direction / rays.direction[:, 2:]
         back = (rays.position[:, 2:] - self._spline.lowest).clip(min=0)
         # What comes in from beside, over the rim, meets no front.
