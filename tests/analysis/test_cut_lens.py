@@ -3,11 +3,12 @@
 import numpy as np
 import pytest
 
-from workbench.analysis.cut_lens import trace_cut
+from workbench.analysis.cut_lens import tracing_cut
 from workbench.errors import Refused
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import freeform_nets
 from workbench.geometry.tool_path import CutFace
+from workbench.watch import finished
 
 
 @pytest.fixture
@@ -17,7 +18,7 @@ def scene(make_scene):
 
 def raster_of(scene, heights, radius, scallop):
     face = CutFace(freeform_nets(scene.optic)["exit"], heights, outline_of(scene.optic))
-    return face.raster(radius, scallop, 10**6)
+    return finished(face.rastering(radius, scallop, 10**6))
 
 
 def test_a_fine_cut_leaves_the_image_and_a_coarse_one_does_not(scene):
@@ -26,14 +27,12 @@ def test_a_fine_cut_leaves_the_image_and_a_coarse_one_does_not(scene):
     target[4:12] = 3.0  # a plate lights the screen evenly: its error is known
     wanted, even = target / target.sum(), 1 / target.size
     error = np.linalg.norm(wanted - even) / np.linalg.norm(wanted)
-    fine = trace_cut(
-        scene, {"exit": heights}, target, raster_of(scene, heights, 0.5, 1e-4), 100_000
+    fine, coarse = (
+        finished(tracing_cut(scene, {"exit": heights}, target, raster, 100_000))
+        for raster in (raster_of(scene, heights, 0.5, scallop) for scallop in (1e-4, 0.05))
     )
     assert fine.designed.distance == pytest.approx(error, abs=3 * fine.designed.off + 1e-9)
     assert fine.cut.distance == pytest.approx(error, abs=0.02)
-    coarse = trace_cut(
-        scene, {"exit": heights}, target, raster_of(scene, heights, 0.5, 0.05), 100_000
-    )
     assert abs(coarse.cut.distance - error) > 0.05
     assert f"as designed {100 * coarse.designed.distance:.2g} %" in coarse.sentence
 
@@ -54,4 +53,12 @@ def test_the_cut_of_a_mirror_is_not_traced(make_scene, scene):
     mirror = {"half_width": [1, 1], "control_points": [8, 8]}
     other = make_scene({"version": 2, "lens": None, "mirror": mirror, "screen.z": -5})
     with pytest.raises(Refused, match="mirror"):
-        trace_cut(other, {"mirror": np.zeros((8, 8))}, np.ones((16, 16)), raster)
+        next(tracing_cut(other, {"mirror": np.zeros((8, 8))}, np.ones((16, 16)), raster))
+
+
+def test_parts_that_are_done_grow_to_the_whole(scene):
+    heights = np.full((8, 8), 0.5)
+    raster = raster_of(scene, heights, 0.5, 0.05)
+    parts = list(tracing_cut(scene, {"exit": heights}, np.ones((16, 16)), raster, 5_000))
+    assert parts == sorted(parts) and parts[-1] == 1
+    assert len(parts) > 100  # one of 10 s can be left within a moment

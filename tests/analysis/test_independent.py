@@ -14,7 +14,7 @@ from workbench.analysis.scatter import Unscattered
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.train import OpticalTrain
 from workbench.analysis.validation import validate
-from workbench.analysis.watch import finished
+from workbench.watch import finished
 
 LED = {"kind": "area", "center": [0.1, 0, -0.5], "half_width": [0.1, 0.1]}
 

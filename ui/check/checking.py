@@ -82,12 +82,8 @@ def check(
 
     scene, target = lens.session.scene, lens.session.target
     steps = validating(scene, target, lens.heights, rays, threads=threads, accuracy=accuracy)
-    while not task.stopped:
-        try:
-            task.report(next(steps))
-        except StopIteration as end:
-            found: Validation = end.value
-            own = lens.irradiance
-            return found, None if own is None else relative_l2(found.irradiance, own)
-    steps.close()
-    return None
+    found = task.follow(steps, task.report)
+    if found is None:
+        return None
+    own = lens.irradiance
+    return found, None if own is None else relative_l2(found.irradiance, own)

@@ -60,12 +60,6 @@ def _trace(request: FocusRequest, z: float, rays: int, task: Task) -> "Validatio
         threads=other_cores(),
     )
     try:
-        while not task.stopped:
-            next(steps)
-    except StopIteration as end:
-        found: Validation = end.value
-        return found
+        return task.follow(steps)
     except RunFailed:
         return None
-    steps.close()
-    return None

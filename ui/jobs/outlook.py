@@ -73,13 +73,7 @@ def _find(job: "Job", task: Task) -> "Prospect | None":
     session = begin(job.scene(), Path.cwd())
     steps = prospecting(session)
     task.report((session, next(steps)))
-    while not task.stopped:
-        try:
-            next(steps)
-        except StopIteration as end:
-            found: Prospect = end.value
-            return found
-    return None
+    return task.follow(steps)
 
 
 class Outlook(QWidget):

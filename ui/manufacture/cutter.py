@@ -198,15 +198,17 @@ class CutterDialog(QDialog):
         self.found.setText(said)
 
 
-def _look(session: "Session", cutting: Cutting, task: Task) -> str:
-    """Meant for the thread: what a cut leaves, in words."""
-    from workbench.analysis.cut_lens import trace_cut  # late: take long to import
+def _look(session: "Session", cutting: Cutting, task: Task) -> str | None:
+    """Meant for the thread: what a cut leaves, in words; None if the work was left."""
+    from workbench.analysis.cut_lens import tracing_cut  # late: take long to import
     from workbench.design.session import result_of
     from workbench.files.export.design import Design
-    from workbench.files.export.gcode import planned
+    from workbench.files.export.gcode import planning
 
     result, unit = result_of(session), session.scene.unit
-    plan = planned(Design(session.scene, result, cutting=cutting))
+    plan = task.follow(planning(Design(session.scene, result, cutting=cutting)))
+    if plan is None:
+        return None
     lines = [
         f"Radius {plan.raster.radius:.4g} {unit}, {plan.raster.tip.size:,} moves. Ridges are up to "
         f"{plan.left:.2g} {unit} high; the cut goes up to {max(plan.cut_off, 0):.2g} {unit} into "
@@ -215,5 +217,9 @@ def _look(session: "Session", cutting: Cutting, task: Task) -> str:
     if cutting.negative:
         return lines[0]
     task.report(f"{lines[0]}\nTracing…")
-    found = trace_cut(session.scene, result.state.heights, session.target, plan.raster, RAYS)
+    found = task.follow(
+        tracing_cut(session.scene, result.state.heights, session.target, plan.raster, RAYS)
+    )
+    if found is None:
+        return None
     return "\n".join([*lines, f"{found.sentence} Polishing takes ridges away."])

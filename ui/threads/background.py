@@ -7,10 +7,15 @@
 """
 
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Generator
+from contextlib import closing
 from functools import partial
+from typing import TypeVar
 
 from PySide6.QtCore import QObject, QThread, Signal, Slot
+
+Step = TypeVar("Step")
+End = TypeVar("End")
 
 
 class Task:
@@ -48,6 +53,34 @@ class Task:
     def report(self, value: object) -> None:
         """Tell how far the work is; meant for its thread."""
         self._report(self, value)
+
+    def follow(
+        self, steps: Generator[Step, None, End], watch: Callable[[Step], object] | None = None
+    ) -> End | None:
+        """Take steps until their end, or until the work shall end; meant for its thread.
+
+        Parameters
+        ----------
+        steps : generator
+            Each of its steps takes a moment.
+        watch : callable, optional
+            Called with what each step yields.
+
+        Returns
+        -------
+        object
+            What the steps return; None if they were left before that.
+        """
+        with closing(steps):
+            while not self.stopped:
+                try:
+                    step = next(steps)
+                except StopIteration as end:
+                    found: End = end.value
+                    return found
+                if watch is not None:
+                    watch(step)
+        return None
 
     def run(self) -> None:
         """Do the work; meant for its thread."""

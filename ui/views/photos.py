@@ -53,11 +53,4 @@ def take_photo(request: PhotoRequest, task: Task) -> "Photo | None":
         LIGHTS.get(request.light),
         threads=other_cores(),
     )
-    try:
-        while not task.stopped:
-            task.report(next(steps))
-    except StopIteration as end:
-        photo: Photo = end.value
-        return photo
-    steps.close()
-    return None
+    return task.follow(steps, task.report)

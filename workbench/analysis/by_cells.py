@@ -13,8 +13,8 @@ from workbench.analysis.metrics import paper_loss, relative_l2, root
 from workbench.analysis.scatter import Unscattered
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import BATCHES
-from workbench.analysis.watch import within
 from workbench.scene import AnyReceiver, Scene
+from workbench.watch import within
 
 Array = npt.NDArray[np.float64]
 

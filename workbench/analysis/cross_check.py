@@ -11,10 +11,10 @@ import numpy.typing as npt
 from workbench.analysis.metrics import product, relative_l2, root
 from workbench.analysis.mitsuba import MitsubaScene
 from workbench.analysis.through_focus import through_focus
-from workbench.analysis.watch import Watch, part_of, unwatched
 from workbench.errors import RunFailed
 from workbench.geometry.body import check_body
 from workbench.scene import Scene
+from workbench.watch import Watch, part_of, unwatched
 
 Array = npt.NDArray[np.float64]
 

@@ -4,7 +4,8 @@ Ridges of a few micrometres lean by degrees: polishing takes them away, and this
 of the image depends on it.
 """
 
-from collections.abc import Mapping
+from collections.abc import Generator, Mapping
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -15,10 +16,10 @@ from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import BATCHES
 from workbench.analysis.tracing.surfaces.cut import CutSurface
 from workbench.analysis.tracing.train import OpticalTrain, Tally
-from workbench.analysis.watch import Watch, unwatched
 from workbench.errors import Refused
 from workbench.geometry.tool_path import Raster
 from workbench.scene import Scene
+from workbench.watch import of_equal, within
 
 
 class CutLens(NamedTuple):
@@ -44,15 +45,14 @@ class CutLens(NamedTuple):
         )
 
 
-def trace_cut(
+def tracing_cut(
     scene: Scene,
     heights: Mapping[str, Array],
     target: Array,
     raster: Raster,
     rays: int = 1_000_000,
-    watch: Watch = unwatched,
-) -> CutLens:
-    """Trace a lens whose exit face is as a cutter leaves it.
+) -> Generator[float, None, CutLens]:
+    """Trace a lens whose exit face is as a cutter leaves it, in steps of a moment.
 
     Parameters
     ----------
@@ -66,8 +66,11 @@ def trace_cut(
         The cuts of the exit face.
     rays : int
         Rays to trace for the cut; four times as many for the lens as it was designed.
-    watch : callable
-        Called with the part that is done.
+
+    Yields
+    ------
+    float
+        The part that is done, up to 1.
 
     Returns
     -------
@@ -91,15 +94,16 @@ def trace_cut(
         surface = CutSurface(face, raster, optic.front_z)
         cut = OpticalTrain(train.source, [*before, (surface, boundary)], train.detector)
         for which, each in enumerate((designed, cut)):
-            images[which].append(_image(each, target.shape))
-        watch((number + 1) / BATCHES)
+            part = partial(of_equal, 2 * BATCHES, 2 * number + which)
+            images[which].append((yield from within(_imaging(each, target.shape), part)))
     found = (Unscattered.of_pairs(each, target) for each in images)
     return CutLens(*found)
 
 
-def _image(train: OpticalTrain, shape: tuple[int, ...]) -> Array:
+def _imaging(train: OpticalTrain, shape: tuple[int, ...]) -> Generator[float, None, Array]:
     tally = Tally(train.detector.images, train.detector.pixels)
     for number in range(BATCHES):
         for rays in train.source.batch(number):
             train.walk(rays, tally)
+        yield (number + 1) / BATCHES
     return np.asarray(tally.flux[0].reshape(shape))

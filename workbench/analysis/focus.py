@@ -9,8 +9,8 @@ import numpy.typing as npt
 
 from workbench.analysis.metrics import relative_l2
 from workbench.analysis.through_focus import through_focus
-from workbench.analysis.watch import Watch, part_of, unwatched
 from workbench.scene import Scene
+from workbench.watch import Watch, part_of, unwatched
 
 Array = npt.NDArray[np.float64]
 

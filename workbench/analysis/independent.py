@@ -17,8 +17,8 @@ from workbench.analysis.tracing.elements import Array
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import BATCHES
 from workbench.analysis.tracing.trace import Trace
-from workbench.analysis.watch import within
 from workbench.scene import Scene
+from workbench.watch import within
 
 # Rays of all images at first, and at most: some ten seconds on two cores.
 _BEGIN, _MOST = 1 << 22, 1 << 24

@@ -17,11 +17,11 @@ import numpy.typing as npt
 from workbench import system_libraries
 from workbench.analysis.mitsuba_lights import check_known, mitsuba_lights
 from workbench.analysis.mitsuba_receivers import picture_of
-from workbench.analysis.watch import Watch, unwatched
 from workbench.errors import Refused
 from workbench.geometry.outlines import Rectangle, outline_of
 from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.scene import Lens, Mirror, Scene
+from workbench.watch import Watch, unwatched
 
 Array = npt.NDArray[np.float64]
 Indices = npt.NDArray[np.uint32]

@@ -7,8 +7,8 @@ import numpy.typing as npt
 
 from workbench.analysis.tracing.trace import Trace, added
 from workbench.analysis.tracing.train import Tally
-from workbench.analysis.watch import Watch, unwatched
 from workbench.scene import Scene
+from workbench.watch import Watch, unwatched
 
 Array = npt.NDArray[np.float64]
 

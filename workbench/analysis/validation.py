@@ -27,10 +27,10 @@ from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import BATCHES
 from workbench.analysis.tracing.trace import Trace, added
 from workbench.analysis.tracing.train import Tally
-from workbench.analysis.watch import Watch, finished, of_equal, unwatched, within
 from workbench.errors import RunFailed
 from workbench.optics.account import Account
 from workbench.scene import Scene
+from workbench.watch import Watch, finished, of_equal, unwatched, within
 
 Array = npt.NDArray[np.float64]
 Interval = tuple[float, float]

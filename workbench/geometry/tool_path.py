@@ -5,8 +5,9 @@ places of the face at a distance r, across the axis, from there: the offset surf
 """
 
 import math
+from collections.abc import Generator
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 
 import numpy as np
 import numpy.typing as npt
@@ -17,6 +18,7 @@ from workbench.errors import Refused
 from workbench.geometry.curvature import local_shape
 from workbench.geometry.outlines import Outline
 from workbench.geometry.surface import ControlNet
+from workbench.watch import of_equal, within
 
 Array = npt.NDArray[np.float64]
 
@@ -158,8 +160,8 @@ class CutFace:
         hollow = self._shape[1]
         return min(_FITTING / hollow, largest) if hollow > 0 else largest
 
-    def raster(self, radius: float, scallop: float, most: int) -> Raster:
-        """Cuts so close that ridges between them are at most so high.
+    def rastering(self, radius: float, scallop: float, most: int) -> Generator[float, None, Raster]:
+        """Find cuts so close that ridges between them are at most so high, in steps of a moment.
 
         Parameters
         ----------
@@ -169,6 +171,15 @@ class CutFace:
             Largest height of ridges, scene units; exact on a plane across the axis.
         most : int
             Places that there may be.
+
+        Yields
+        ------
+        float
+            The part that is done, up to 1.
+
+        Returns
+        -------
+        Raster
 
         Raises
         ------
@@ -184,7 +195,7 @@ class CutFace:
             )
         (x_end, y_end), (m_x, m_y) = ends, counts
         x, y = np.linspace(-x_end, x_end, 2 * m_x - 1), np.linspace(-y_end, y_end, m_y)
-        tips = self._tips(x, y, radius)
+        tips = yield from self._tips(x, y, radius)
         tip, middles = tips[::2], tips[1::2]
         # A straight cut would run below an offset surface that is a hump: its ends are higher. The
         # distance of a hump to its chord is nowhere more than twice that in the middle.
@@ -213,14 +224,15 @@ class CutFace:
             math.ceil(2 * r / s) + 1 for r, s in zip(ends, (apart / 2, apart), strict=True)
         ]
 
-    def _tips(self, x: Array, y: Array, radius: float) -> Array:
+    def _tips(self, x: Array, y: Array, radius: float) -> Generator[float, None, Array]:
         """How far down a ball may go over a grid: Newton's method finds where it touches."""
-        lowest, at = self._start(x, y, radius)
+        lowest, at = yield from within(self._start(x, y, radius), partial(of_equal, 2, 0))
         middle = np.stack(np.meshgrid(x, y, indexing="ij"), axis=-1)
         for begin in range(0, len(x), _LINES):
             some = slice(begin, begin + _LINES)
             held = self._touching(at[some].reshape(-1, 2), middle[some].reshape(-1, 2), radius)
             lowest[some] = np.maximum(lowest[some], held.reshape(lowest[some].shape))
+            yield (1 + min(begin + _LINES, len(x)) / len(x)) / 2
         return lowest
 
     def _touching(self, at: Array, middle: Array, radius: float) -> Array:
@@ -249,7 +261,9 @@ class CutFace:
         height = self._beyond(at)[0] + np.sqrt(under.clip(0)) - radius
         return np.where(under >= 0, height, -np.inf)
 
-    def _start(self, x: Array, y: Array, radius: float) -> tuple[Array, Array]:
+    def _start(
+        self, x: Array, y: Array, radius: float
+    ) -> Generator[float, None, tuple[Array, Array]]:
         """How high places of a coarse lattice hold balls up, and those that do most (…, 2).
 
         All balls see the same lattice, so that heights are products of matrices with few entries.
@@ -260,13 +274,14 @@ class CutFace:
         best = np.full((len(x), len(y)), -np.inf)
         at = np.zeros((len(x), len(y), 2))
         upwards = [self._basis(1, y + dy).T for dy in lattice]
-        for dx in lattice:
+        for done, dx in enumerate(lattice):
             across = self._basis(0, x + dx) @ self.heights
             for dy, up in zip(lattice, upwards, strict=True):
                 held = across @ up + (math.sqrt(max(radius**2 - dx**2 - dy**2, 0.0)) - radius)
                 better = held > best
                 best = np.where(better, held, best)
                 at[better] = np.stack(np.meshgrid(x + dx, y + dy, indexing="ij"), axis=-1)[better]
+                yield (done + 1) / len(lattice)
         return best, at
 
     def _basis(self, axis: int, places: Array) -> csr_array:

@@ -13,10 +13,10 @@ from workbench.analysis.photo.colour import linear_rgb, luminance, tristimulus
 from workbench.analysis.photo.light import LIGHTS
 from workbench.analysis.photo.photo import at_wavelength, photograph
 from workbench.analysis.photo.png import write_png
-from workbench.analysis.watch import finished
 from workbench.errors import Refused, RunFailed
 from workbench.materials import CATALOGUE
 from workbench.scene import Scene
+from workbench.watch import finished
 
 DISPERSIVE = {"lens.refractive_index": "PMMA", "lens.wavelength_um": 0.55}
 # All light of the plate on the screen, which stands far away, in few pixels.

@@ -12,6 +12,7 @@ from workbench.files.export.gcode import write_gcode
 from workbench.geometry.outlines import Rectangle
 from workbench.geometry.surface import ControlNet
 from workbench.geometry.tool_path import CutFace
+from workbench.watch import finished
 
 NET = ControlNet((24, 20), (3, 3), (1.0, 0.8))
 RADIUS, SCALLOP = 0.2, 0.002
@@ -33,7 +34,7 @@ def waves(x, y):
 
 def test_a_plane_is_left_with_ridges_of_the_stated_height():
     face = face_of(lambda x, y: 0 * x + 0 * y)
-    raster = face.raster(RADIUS, SCALLOP, 10**6)
+    raster = finished(face.rastering(RADIUS, SCALLOP, 10**6))
     assert raster.tip == pytest.approx(0, abs=1e-15)
     apart = raster.y[1] - raster.y[0]
     ridge = RADIUS - math.sqrt(RADIUS**2 - (apart / 2) ** 2)
@@ -47,15 +48,21 @@ def test_a_plane_is_left_with_ridges_of_the_stated_height():
 @pytest.mark.parametrize("height", [bowl, waves, lambda x, y: 0.5 * x - 0.3 * y])
 def test_nothing_is_cut_off_and_ridges_are_at_most_as_high_as_stated(height, sign):
     face = face_of(lambda x, y: sign * height(x, y))
-    cut_off, left = face.left(face.raster(RADIUS, SCALLOP, 10**6))
+    cut_off, left = face.left(finished(face.rastering(RADIUS, SCALLOP, 10**6)))
     assert cut_off < 0.02 * SCALLOP
     assert 0.2 * SCALLOP < left < 1.1 * SCALLOP
+
+
+def test_a_raster_is_found_in_steps_that_can_be_left():
+    parts = list(face_of(waves).rastering(RADIUS, 1e-4, 10**6))
+    assert parts == sorted(parts) and parts[-1] == 1
+    assert len(parts) > 8
 
 
 def test_the_tip_stands_on_the_offset_of_a_tilted_plane():
     """Beside a plane of slope m, a ball's tip is R (√(1 + m²) − 1) above it."""
     face = face_of(lambda x, y: 0.75 * x + 0 * y)
-    raster = face.raster(RADIUS, SCALLOP, 10**6)
+    raster = finished(face.rastering(RADIUS, SCALLOP, 10**6))
     inside_x, inside_y = np.abs(raster.x) < 1 - RADIUS, np.abs(raster.y) < 0.8
     above = (raster.tip - 0.75 * raster.x[:, None])[inside_x][:, inside_y]
     assert above == pytest.approx(0.25 * RADIUS, rel=1e-9)
@@ -66,17 +73,17 @@ def test_ridges_are_higher_where_those_asked_for_take_too_many_moves():
     assert face.finest(RADIUS, SCALLOP, 10**6) == SCALLOP
     higher = face.finest(RADIUS, SCALLOP, 1_000)
     assert SCALLOP < higher < RADIUS
-    raster = face.raster(RADIUS, higher, 1_000)
+    raster = finished(face.rastering(RADIUS, higher, 1_000))
     assert 700 < raster.tip.size <= 1_000
     with pytest.raises(Refused, match="a larger one"):
-        face.raster(RADIUS, SCALLOP, 1_000)
+        finished(face.rastering(RADIUS, SCALLOP, 1_000))
 
 
 @pytest.mark.parametrize("height", [bowl, waves])
 def test_normals_of_a_fine_cut_are_close_to_those_of_the_face(height, rng):
     face = face_of(height)
     x, y = rng.uniform(-0.7, 0.7, (2, 500))
-    _, normal = face.raster(RADIUS, 1e-4, 10**6).cut(x, y)
+    _, normal = finished(face.rastering(RADIUS, 1e-4, 10**6)).cut(x, y)
     np.testing.assert_allclose(np.linalg.norm(normal, axis=1), 1)
     step = 1e-5
     slopes = [
@@ -89,7 +96,7 @@ def test_normals_of_a_fine_cut_are_close_to_those_of_the_face(height, rng):
 
 def test_a_cutter_that_is_too_large_leaves_more_than_ridges():
     face = face_of(waves)
-    cut_off, left = face.left(face.raster(3.0, SCALLOP, 10**6))
+    cut_off, left = face.left(finished(face.rastering(3.0, SCALLOP, 10**6)))
     assert max(cut_off, left) > SCALLOP
 
 

@@ -10,10 +10,10 @@ from scipy.interpolate import make_interp_spline
 from tests.optics.gradients import check_against_differences
 from tests.optics.points import interpolating, smooth
 from workbench.analysis.cells.image import imaging
-from workbench.analysis.watch import finished, unwatched
 from workbench.geometry.surface import ControlNet
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.path import Path
+from workbench.watch import finished, unwatched
 
 RECEIVERS = {
     "aside": {"screen.center": [0.8, -0.3]},

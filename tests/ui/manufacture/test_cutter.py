@@ -50,7 +50,7 @@ def test_what_cannot_be_is_said_and_the_dialog_stays(dialog, qtbot, name, text, 
     assert why in dialog.found.text() and dialog.isVisible()
 
 
-def test_ridges_and_both_errors_are_told(dialog, qtbot, monkeypatch):
+def test_ridges_and_both_errors_are_shown(dialog, qtbot, monkeypatch):
     monkeypatch.setattr("ui.manufacture.cutter.RAYS", 20_000)
     fill(qtbot, dialog.fields["tool_radius"], "0.2", key=None)
     fill(qtbot, dialog.fields["scallop"], "0.002", key=None)
@@ -59,6 +59,24 @@ def test_ridges_and_both_errors_are_told(dialog, qtbot, monkeypatch):
     qtbot.waitUntil(dialog.look.isEnabled)
     assert "Radius 0.2 cm" in dialog.found.text()
     assert "Error as cut" in dialog.found.text() and "as designed" in dialog.found.text()
+
+
+def test_closing_leaves_the_trace_of_a_cut(dialog, qtbot, monkeypatch):
+    left = []
+
+    def endless(*_):
+        try:
+            while True:
+                yield 0.0
+        finally:
+            left.append(True)
+
+    monkeypatch.setattr("workbench.analysis.cut_lens.tracing_cut", endless)
+    fill(qtbot, dialog.fields["scallop"], "0.002", key=None)
+    dialog.look.click()
+    qtbot.waitUntil(lambda: "Tracing" in dialog.found.text())
+    dialog.reject()  # waits for the thread
+    assert left and not dialog._background.running
 
 
 def test_the_last_answer_is_what_the_next_begins_with(designed, window):

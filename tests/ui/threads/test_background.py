@@ -5,7 +5,7 @@ import threading
 import pytest
 from PySide6.QtCore import QThread
 
-from ui.threads.background import Background
+from ui.threads.background import Background, Task
 from workbench.errors import Refused
 
 
@@ -150,3 +150,44 @@ def test_closing_waits_and_reports_nothing(asked, qtbot):
     assert asked.begun and asked.ended == ["abc"]
     qtbot.wait(50)
     assert asked.told == []
+
+
+class TestFollowing:
+    """Steps that a task takes."""
+
+    @pytest.fixture
+    def steps(self):
+        """Ten steps, and what has become of them."""
+        self.ends = []
+
+        def ten():
+            try:
+                yield from range(10)
+                return "whole"
+            finally:
+                self.ends.append("closed")
+
+        return ten()
+
+    def test_to_their_end(self, steps):
+        seen = []
+        assert Task(None, None, None).follow(steps, seen.append) == "whole"
+        assert seen == list(range(10)) and self.ends == ["closed"]
+
+    def test_until_the_work_is_stopped(self, steps):
+        task, seen = Task(None, None, None), []
+
+        def watch(step):
+            seen.append(step)
+            if step == 3:
+                task.stop()
+
+        assert task.follow(steps, watch) is None
+        assert seen == [0, 1, 2, 3] and self.ends == ["closed"]
+
+    def test_no_step_of_work_that_was_stopped_before(self, steps):
+        task = Task(None, None, None)
+        task.stop()
+        assert task.follow(steps) is None
+        with pytest.raises(StopIteration):
+            next(steps)

@@ -12,8 +12,8 @@ from workbench.analysis.benchmark.methods import METHODS, Method, MethodLens
 from workbench.analysis.benchmark.table import Table, TableColumn
 from workbench.analysis.cells.image import ACCURACY, imaging
 from workbench.analysis.validation import validate
-from workbench.analysis.watch import finished
 from workbench.errors import Refused, RunFailed
+from workbench.watch import finished
 
 TITLE = "Verified error against time"
 

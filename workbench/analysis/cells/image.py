@@ -15,10 +15,10 @@ from workbench.analysis.metrics import relative_l2
 from workbench.analysis.tracing.elements import LightSource
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.train import OpticalTrain
-from workbench.analysis.watch import within
 from workbench.errors import RunFailed
 from workbench.geometry.body import check_body
 from workbench.scene import Scene
+from workbench.watch import within
 
 ACCURACY = 1e-3
 """Relative error of an image that is good enough for a check of a lens."""

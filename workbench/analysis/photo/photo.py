@@ -23,11 +23,11 @@ from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import BATCHES
 from workbench.analysis.tracing.trace import Trace, added
 from workbench.analysis.tracing.train import OpticalTrain, Tally
-from workbench.analysis.watch import Watch, finished, of_equal, unwatched, within
 from workbench.errors import RunFailed
 from workbench.geometry.body import check_body
 from workbench.materials import CATALOGUE, Material
 from workbench.scene import Scene
+from workbench.watch import Watch, finished, of_equal, unwatched, within
 
 Array = npt.NDArray[np.float64]
 

@@ -5,7 +5,7 @@ to -z is turned over about the y axis, and so is a mould. Programs are simulated
 written: the ball is swept over the rounded numbers, and what is left is compared with the face.
 """
 
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
 from typing import BinaryIO, NamedTuple
 
 import numpy as np
@@ -14,6 +14,7 @@ import numpy.typing as npt
 from workbench.errors import Refused
 from workbench.files.export.design import Design, Deviation
 from workbench.geometry.tool_path import CutFace, Raster
+from workbench.watch import finished
 
 Array = npt.NDArray[np.float64]
 
@@ -54,7 +55,7 @@ def write_gcode(design: Design, file: BinaryIO) -> Deviation:
     Refused
         If the cutter does not fit, or there are too many cuts.
     """
-    plan = planned(design)
+    plan = finished(planning(design))
     raster, radius, scallop = plan.raster, plan.raster.radius, plan.scallop
     cut_off, left = plan.cut_off, plan.left
     if cut_off > _OFF * scallop or left > _LEFT * scallop:
@@ -74,8 +75,17 @@ def write_gcode(design: Design, file: BinaryIO) -> Deviation:
     )
 
 
-def planned(design: Design) -> CutPlan:
-    """The cuts of a design's face, simulated.
+def planning(design: Design) -> Generator[float, None, CutPlan]:
+    """Find the cuts of a design's face and simulate them, in steps of a moment.
+
+    Yields
+    ------
+    float
+        The part that is done, up to 1.
+
+    Returns
+    -------
+    CutPlan
 
     Raises
     ------
@@ -90,7 +100,8 @@ def planned(design: Design) -> CutPlan:
     scallop = cutting.scallop or face.finest(
         radius, min(_FINE * max(design.net.half_width), radius / 2), _MOST
     )
-    raster = _rounded(face.raster(radius, scallop, _MOST), 1e3 * design.metres)
+    raster = yield from face.rastering(radius, scallop, _MOST)
+    raster = _rounded(raster, 1e3 * design.metres)
     return CutPlan(raster, scallop, *face.left(raster), top=float(heights.max()))
 
 

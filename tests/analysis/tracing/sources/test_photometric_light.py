@@ -9,8 +9,8 @@ from workbench.analysis.cells.image import imaging
 from workbench.analysis.metrics import relative_l2
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.validation import validate
-from workbench.analysis.watch import finished
 from workbench.optics.beam_plan import BeamPlan
+from workbench.watch import finished
 
 
 def heights(scene):

@@ -1,4 +1,4 @@
-"""How long work says how far it is."""
+"""How long work says how far it is, and is left."""
 
 from collections.abc import Callable, Generator
 from contextlib import closing
