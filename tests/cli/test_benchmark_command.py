@@ -176,3 +176,36 @@ def test_a_benchmark_without_curves_takes_no_earlier_result(freeform, before):
     file, _ = before
     status, _, told = freeform("benchmark", "kernels", "--against", file)
     assert status == 2 and told.startswith("freeform: kernels: has no curves")
+
+
+def test_two_results_make_one_picture_and_nothing_is_measured(
+    freeform, before, tmp_path, monkeypatch
+):
+    old, drawn = before
+    new = tmp_path / "new.json"
+    rows = [
+        {"scene": "flame", "method": "auto", "curve": [[1.0, 0.2]], "own_curve": [[0.5, 0.3]]},
+        {"scene": "flame", "method": "paper", "curve": [[2.0, 0.4]]},
+    ]
+    new.write_text(json.dumps({frontier.TITLE: rows}))
+    benchmark = suite.SUITE["frontier"]._replace(measure=lambda *_: pytest.fail("measures"))
+    monkeypatch.setitem(suite.SUITE, "frontier", benchmark)
+    folder = tmp_path / "both"
+    status, printed, _ = freeform(
+        "benchmark", "frontier", "--result", new, "--against", old, "--output", folder
+    )
+    assert (status, printed) == (0, f"{folder / 'frontier.png'}\n")
+    ((auto, paper, earlier),) = drawn
+    assert (auto.method, paper.method, earlier.method) == ("auto", "paper", "auto, before")
+    assert auto.curve == [(1.0, 0.2)] and auto.own_curve == ((0.5, 0.3),)
+    assert [path.name for path in folder.iterdir()] == ["frontier.png"]
+
+
+def test_a_result_has_the_curves_of_a_benchmark_that_has_some(freeform, before, tmp_path):
+    file, drawn = before
+    for name, said in (("kernels", "kernels: has no curves"), ("speed", "speed: has no curves")):
+        status, _, told = freeform(
+            "benchmark", name, "--result", file, "--output", tmp_path / "none"
+        )
+        assert (status, drawn) == (2, []) and said in told
+    assert not (tmp_path / "none").exists()

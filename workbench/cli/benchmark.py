@@ -44,17 +44,7 @@ def benchmark(
     KeyboardInterrupt
         After Ctrl-C; what was finished is written.
     """
-    for name in names:
-        if name not in BENCHMARKS:
-            raise Refused(name, f"is no benchmark; there are {', '.join(BENCHMARKS)}")
-        if against is not None and name not in WITH_CURVES:
-            raise Refused(name, f"has no curves; --against is for {', '.join(WITH_CURVES)}")
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise Refused(str(folder), f"cannot be made: {error.strerror or error}") from error
-    for name in names:
-        check_writable(folder / f"{name}.png")
+    _check(names, folder, against)
     os.environ.setdefault("OMP_WAIT_POLICY", "PASSIVE")  # as for a design
     from workbench.analysis.benchmark.machine import Machine  # late: torch
 
@@ -75,6 +65,50 @@ def benchmark(
     if stop:
         kept = f"what was finished is in {folder}" if found else "nothing was finished"
         raise EndedBySignal(number_of(stop), f"interrupted; {kept}")
+
+
+def draw_result(name: str, result: Path, folder: Path, against: Path | None) -> None:
+    """Draw the picture of a benchmark that was measured before.
+
+    Parameters
+    ----------
+    name : str
+        Which, one with curves.
+    result : Path
+        The JSON file that it has written.
+    folder : Path
+        Where the picture goes; see `benchmark`.
+    against : Path, optional
+        As for `benchmark`.
+
+    Raises
+    ------
+    Refused
+        If there is no such benchmark, it has no curves, the folder cannot be written, or one of
+        the results cannot be read.
+    """
+    if name not in WITH_CURVES:
+        raise Refused(name, f"has no curves; --result is for {', '.join(WITH_CURVES)}")
+    _check([name], folder, against)
+    from workbench.analysis.benchmark.earlier import kept_courses  # late: torch
+
+    _draw(name, kept_courses(result), _earlier(against), folder)
+    print(folder / f"{name}.png")
+
+
+def _check(names: Sequence[str], folder: Path, against: Path | None) -> None:
+    """Refuse what cannot be measured, drawn or written, before anything is measured."""
+    for name in names:
+        if name not in BENCHMARKS:
+            raise Refused(name, f"is no benchmark; there are {', '.join(BENCHMARKS)}")
+        if against is not None and name not in WITH_CURVES:
+            raise Refused(name, f"has no curves; --against is for {', '.join(WITH_CURVES)}")
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise Refused(str(folder), f"cannot be made: {error.strerror or error}") from error
+    for name in names:
+        check_writable(folder / f"{name}.png")
 
 
 def _earlier(against: Path | None) -> Sequence[Any]:
@@ -114,10 +148,8 @@ def _write(
     as_json: bool,
 ) -> dict[str, Any]:
     from workbench.analysis.benchmark.suite import SUITE
-    from workbench.pictures.benchmark import draw
 
     tables = SUITE[name].tables(rows)
-    seen = [each for each in earlier if any(each.scene == row.scene for row in rows)]
     text = "\n".join(table.to_markdown() for table in tables)
     if not as_json:
         print(f"## {name} ({seconds:.0f} s)\n\n{text}", flush=True)
@@ -126,9 +158,17 @@ def _write(
         file.write(text.encode())
     with replacing(folder / f"{name}.json") as file:
         file.write(json.dumps(figures, indent=1).encode())
+    _draw(name, rows, earlier, folder)
+    return figures
+
+
+def _draw(name: str, rows: Sequence[Any], earlier: Sequence[Any], folder: Path) -> None:
+    """Draw a picture, with what there was before of the same scenes."""
+    from workbench.pictures.benchmark import draw
+
+    seen = [each for each in earlier if any(each.scene == row.scene for row in rows)]
     with replacing(folder / f"{name}.png") as file:
         draw(name, [*rows, *seen], file)
-    return figures
 
 
 class _Progress:

@@ -1,5 +1,6 @@
-"""Curves of an earlier program, from the file that its benchmark wrote."""
+"""Curves of a finished benchmark, from the file that it wrote."""
 
+from dataclasses import replace
 from pathlib import Path
 
 from pydantic import BaseModel, Field, FiniteFloat, ValidationError
@@ -15,14 +16,15 @@ class _Row(BaseModel):
     scene: str
     method: str
     curve: list[tuple[FiniteFloat, FiniteFloat]]
+    own_curve: list[tuple[FiniteFloat, FiniteFloat]] = []
 
 
 class _File(BaseModel):
     rows: list[_Row] = Field(alias=TITLE)
 
 
-def earlier_courses(path: Path) -> list[Course]:
-    """Read what ``auto`` was in an earlier result of ``freeform benchmark``.
+def kept_courses(path: Path) -> list[Course]:
+    """Read the curves of a result of ``freeform benchmark``.
 
     Parameters
     ----------
@@ -43,10 +45,19 @@ def earlier_courses(path: Path) -> list[Course]:
     return [
         Course(
             row.scene,
-            f"{METHOD}, before",
+            row.method,
             times=tuple(seconds for seconds, _ in row.curve),
             errors=tuple(found for _, found in row.curve),
+            own_curve=tuple(row.own_curve),
         )
         for row in file.rows
-        if row.method == METHOD
+    ]
+
+
+def earlier_courses(path: Path) -> list[Course]:
+    """What ``auto`` was in a result, to be drawn beside a newer one; see `kept_courses`."""
+    return [
+        replace(course, method=f"{METHOD}, before", own_curve=())
+        for course in kept_courses(path)
+        if course.method == METHOD
     ]

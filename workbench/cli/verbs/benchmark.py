@@ -19,7 +19,11 @@ def add(commands: Any) -> None:
         commands,
         "benchmark",
         f"Measure run time against error. Ctrl-C keeps what is finished.\n\nbenchmarks:\n{names}",
-        ["benchmark", "benchmark frontier --output new/ --against old/frontier.json"],
+        [
+            "benchmark",
+            "benchmark frontier --output new/ --against old/frontier.json",
+            "benchmark frontier --output both/ --result new.json --against old.json",
+        ],
         _run,
     )
     parser.add_argument(
@@ -41,11 +45,21 @@ def add(commands: Any) -> None:
         metavar="FILE.json",
         help=f"earlier result, drawn beside the new one; for {', '.join(WITH_CURVES)}",
     )
+    parser.add_input(
+        "--result",
+        role="the result",
+        metavar="FILE.json",
+        help="finished result, whose picture is drawn again; nothing is measured",
+    )
     add_json(parser)
 
 
 def _run(options: argparse.Namespace) -> None:
-    from workbench.cli.benchmark import benchmark
+    from workbench.cli.benchmark import benchmark, draw_result
 
     names = options.names or [DEFAULT]
+    if options.result is not None:
+        for name in names:
+            draw_result(name, options.result, options.output, options.against)
+        return
     benchmark(names, options.output, options.iterations, options.against, options.json)
