@@ -6,8 +6,6 @@ import pytest
 
 from workbench.design import parametrisation
 from workbench.design.parametrisation import (
-    as_bytes,
-    available_memory,
     check_memory,
     link_count,
     memory_bytes,
@@ -84,31 +82,6 @@ def test_a_net_that_fits_is_not_refused(paper_scene, monkeypatch):
     scene = paper_scene("sparse")
     monkeypatch.setattr(parametrisation, "available_memory", lambda _: memory_bytes(scene))
     check_memory(scene)
-
-
-def test_memory_is_known_with_and_without_the_kernels_account(monkeypatch, tmp_path):
-    assert 1e8 < available_memory() < 1e15
-    monkeypatch.setattr(parametrisation, "Path", lambda _: tmp_path / "none")
-    assert 1e8 < available_memory() < 1e15
-    monkeypatch.delattr(parametrisation.os, "sysconf")
-    assert available_memory() == 4 << 30
-
-
-@pytest.mark.parametrize(
-    ("count", "text"),
-    [
-        (0, "0 B"),
-        (999, "999 B"),
-        (1000, "1 kB"),
-        (6_345_216, "6.35 MB"),
-        (537_133_056, "537 MB"),
-        (999_600_000, "1 GB"),
-        (35_184_439_197_696, "35.2 TB"),
-        (3.5e16, "3.5e+04 TB"),
-    ],
-)
-def test_bytes_are_written_with_three_digits(count, text):
-    assert as_bytes(count) == text
 
 
 def test_a_learning_rate_left_out_suits_the_parametrisation(paper_scene):

@@ -8,7 +8,8 @@ from PySide6.QtWidgets import QLabel
 from ui.panels.fields import Row
 from ui.panels.panel import PartPanel
 from ui.panels.rows import Make, value_row
-from workbench.design.parametrisation import as_bytes, memory_bytes, parameter_count
+from workbench.design.parametrisation import memory_bytes, parameter_count
+from workbench.system_memory import as_bytes
 
 
 class RunPanel(PartPanel):

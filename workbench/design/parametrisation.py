@@ -4,18 +4,14 @@ Here is arithmetic alone, quick to import; `workbench.design.networks` builds th
 """
 
 import math
-import os
-from pathlib import Path
 
 from workbench.errors import Refused
 from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.scene import Scene
+from workbench.system_memory import as_bytes, available_memory
 
 # A parameter, its gradient and Adam's two moments.
 _COPIES = 4
-
-# Where the system does not say how much memory is there: what any desktop has.
-_USUAL_MEMORY = 4 << 30
 
 
 def parameter_count(scene: Scene) -> int:
@@ -69,28 +65,3 @@ def check_memory(scene: Scene) -> None:
             f"needs {as_bytes(needed)} for them, their gradient and Adam's moments; "
             f"{as_bytes(available)} are free",
         )
-
-
-def available_memory(device: str = "cpu") -> int:
-    """Bytes that a device could still give; a guess where its system does not say."""
-    if device == "cuda":
-        import torch
-
-        return torch.cuda.mem_get_info()[0]
-    # The pages that sysconf calls free leave out the file cache, which gives way when asked.
-    account = Path("/proc/meminfo")
-    if account.exists():
-        sizes = dict(line.split(":", 1) for line in account.read_text("ascii").splitlines())
-        return int(sizes["MemAvailable"].split()[0]) * 1024
-    if hasattr(os, "sysconf"):
-        return os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
-    return _USUAL_MEMORY
-
-
-def as_bytes(count: float) -> str:
-    """A number of bytes for people: three digits and a decimal prefix."""
-    for unit in ("B", "kB", "MB", "GB"):
-        if count < 999.5:
-            return f"{count:.3g} {unit}"
-        count /= 1000
-    return f"{count:.3g} TB"

@@ -15,6 +15,7 @@ from workbench.design.transport import First
 from workbench.geometry.faces import NO_LOCKS
 from workbench.geometry.surface import ControlNet
 from workbench.scene import Optic, Scene
+from workbench.system_memory import release_freed_memory
 
 Array = npt.NDArray[np.float64]
 
@@ -72,6 +73,7 @@ class Room:
         """Control heights of the first lens, beyond the limits where these are too narrow."""
         if self._found is None:
             self._found = (first_lens(self.scene, self.target),)
+            release_freed_memory()
         found = self._found[0]
         return None if found is None else found.heights
 
