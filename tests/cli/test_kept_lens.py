@@ -15,9 +15,9 @@ from pathlib import Path
 import pytest
 
 from workbench.cli import keeping
-from workbench.design.interruption import check_interruption
 from workbench.errors import Refused
 from workbench.files.session import read_session
+from workbench.interruption import check_interruption
 
 SIGNALS = [signal.SIGINT, signal.SIGTERM, signal.SIGHUP]
 

@@ -10,7 +10,6 @@ import pytest
 from resources import path
 from tests.scenes import changed
 from workbench.analysis.validation import validate
-from workbench.design.interruption import interrupted_when
 from workbench.design.limits import HeightLimits, bounded, undesigned
 from workbench.design.net import definite
 from workbench.design.run import run
@@ -19,6 +18,7 @@ from workbench.design.snapshot import History
 from workbench.design.transport import behind_flat_entrance, first_of
 from workbench.files.session import read_session, write_session
 from workbench.geometry.faces import FaceArrays
+from workbench.interruption import interrupted_when
 from workbench.scene import Scene
 from workbench.targets import load_target
 

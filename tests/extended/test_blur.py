@@ -101,6 +101,13 @@ def test_light_spread_over_a_pixel_is_blurred_to_the_mean_of_all_places_in_it():
     np.testing.assert_allclose(spread[1], [1 / 24, 7 / 24, 1 / 3, 7 / 24, 1 / 24], atol=1e-9)
 
 
+def test_a_wide_blur_is_known_from_few_places_of_a_pixel():
+    wide = Blur((140.0, 66.0), "ellipse")
+    few, all_places = wide.spread()[0], wide.at((np.arange(8) + 0.5) / 8 - 0.5)
+    assert few.sum() == pytest.approx(1, abs=1e-12)
+    assert np.abs(few - all_places.mean(axis=0)).sum() < 2e-3
+
+
 def test_light_in_parts_of_a_pixel_adds_up_to_that_of_the_pixel():
     blur = Blur((3.4, 2.1), "ellipse")
     whole, parts = blur.spread(), blur.spread(4)

@@ -16,9 +16,9 @@ from ui.run.mailbox import Mailbox
 from ui.shown.frame import Array, Frame, make_frame
 from ui.threads.background import Task
 from ui.threads.cores import leave_core_for_window
-from workbench.design.interruption import interrupted_when
 from workbench.design.snapshot import History, Result, Snapshot
 from workbench.geometry.faces import ControlHeights, Locks
+from workbench.interruption import interrupted_when
 
 if TYPE_CHECKING:
     from workbench.files.session import Session

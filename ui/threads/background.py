@@ -14,6 +14,8 @@ from typing import TypeVar
 
 from PySide6.QtCore import QObject, QThread, Signal, Slot
 
+from workbench.interruption import Interrupted, interrupted_when
+
 Step = TypeVar("Step")
 End = TypeVar("End")
 
@@ -83,9 +85,12 @@ class Task:
         return None
 
     def run(self) -> None:
-        """Do the work; meant for its thread."""
+        """Do the work, or leave it as soon as nobody wants it; meant for its thread."""
         try:
-            self.result = self._work(self)
+            with interrupted_when(lambda: not self.wanted):
+                self.result = self._work(self)
+        except Interrupted:
+            pass
         except Exception as error:  # of any kind: it has to reach the person
             self.error = error
 

@@ -13,6 +13,8 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from workbench.interruption import check_interruption
+
 Array = npt.NDArray[np.float64]
 
 # Pairs are looked at up to so many steps of the grid apart, then on one of twice the step, so that
@@ -65,6 +67,7 @@ def blocked_radius(face: GridFace, radius: float) -> tuple[float, tuple[float, f
     finest = True
     while min(face.height.shape) > 1:
         for i, j in _offsets(face.height.shape, finest):
+            check_interruption()
             apart = math.hypot(i * (face.x[1] - face.x[0]), j * (face.y[1] - face.y[0]))
             if apart >= 2 * radius * above:
                 continue  # nothing so far away is in the way of a ball of this size

@@ -12,7 +12,6 @@ from workbench.cli.interruption import EndedBySignal, Interruption
 from workbench.cli.keeping import Keeper
 from workbench.cli.progress import Progress
 from workbench.design.design_run import DesignRun
-from workbench.design.interruption import interrupted_when
 from workbench.design.light_files import why_light_is_not_kept
 from workbench.design.picture import why_not_kept
 from workbench.design.session import Session
@@ -20,6 +19,7 @@ from workbench.design.snapshot import Result
 from workbench.files.atomic import check_writable
 from workbench.files.figures import Figures
 from workbench.files.session import is_session, open_design
+from workbench.interruption import interrupted_when
 
 
 def design(path: Path, output: Path, iterations: int | None, seconds: float, as_json: bool) -> None:

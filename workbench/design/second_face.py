@@ -6,11 +6,11 @@ from contextlib import closing
 import numpy as np
 import numpy.typing as npt
 
-from workbench.design.interruption import check_interruption
 from workbench.design.room import Room
 from workbench.design.step import Step
 from workbench.design.transport import behind_flat_entrance
 from workbench.errors import RunFailed
+from workbench.interruption import check_interruption
 from workbench.scene import Scene
 
 Array = npt.NDArray[np.float64]

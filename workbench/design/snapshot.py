@@ -7,8 +7,8 @@ from typing import Any, Self
 import numpy as np
 import numpy.typing as npt
 
-from workbench.design.interruption import Interrupted
 from workbench.design.lens_state import LensState
+from workbench.interruption import Interrupted
 
 Array = npt.NDArray[np.float64]
 

@@ -18,6 +18,8 @@ Array = npt.NDArray[np.float64]
 _PLACES = ((20.0, 1), (9.0, 2), (0.0, 4))
 # Places in a pixel along an axis, at most.
 _MOST_PLACES = 8
+# Places of evenly spread light in the width of an even blur: only at its edge do they differ.
+_EVEN_PLACES = 128.0
 # Light that is to be blurred is divided into so many parts of the blur's width, but not in more
 # than so many parts of a pixel.
 _PARTS, _MOST_PARTS = 16.0, 3
@@ -233,12 +235,16 @@ class Blur:
         ndarray, shape (parts parts, 2 m_y + 1, 2 m_x + 1)
             Parts in the same row one after the other.
         """
-        each = math.ceil(_MOST_PLACES / parts)
-        even = (np.arange(parts * each) + 0.5) / (parts * each) - 0.5
-        found = self.at(even).reshape(
-            parts, each, parts, each, *(2 * m + 1 for m in self.margin[::-1])
-        )
-        return np.asarray(found.mean(axis=(1, 3)).reshape(-1, *found.shape[4:]))
+        across, up = (self._even_places(axis, parts) for axis in (0, 1))
+        return np.stack([self._at(x, y).mean(axis=0) for y in up for x in across])
+
+    def _even_places(self, axis: int, parts: int) -> Array:
+        """Places that stand for the light of each part of a pixel, shape (parts, places)."""
+        most: float = _MOST_PLACES
+        if self.points is None:
+            most = min(most, _EVEN_PLACES / max(self.widths[axis], _LEAST))
+        count = parts * math.ceil(most / parts)
+        return ((np.arange(count) + 0.5) / count - 0.5).reshape(parts, -1)
 
     def _points(self, axis: int) -> Array:
         """Where its points are along an axis, pixels from its middle."""

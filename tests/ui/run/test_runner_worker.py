@@ -9,9 +9,9 @@ import pytest
 from ui.run import worker as worker_module
 from ui.run.worker import RunJob
 from ui.threads.background import Task
-from workbench.design.interruption import check_interruption
 from workbench.errors import Refused, RunFailed
 from workbench.geometry.faces import FaceArrays
+from workbench.interruption import check_interruption
 
 
 @pytest.fixture

@@ -7,6 +7,7 @@ from PySide6.QtCore import QThread
 
 from ui.threads.background import Background, Task
 from workbench.errors import Refused
+from workbench.interruption import check_interruption
 
 
 @pytest.fixture
@@ -111,6 +112,23 @@ def test_cancelled_work_reports_nothing(asked, qtbot, request_):
     qtbot.waitUntil(lambda: not asked.background.running)
     assert asked.begun[0][1].stopped
     assert asked.told == [] and asked.progress == []
+
+
+def test_closing_leaves_work_between_two_of_its_steps(qapp):
+    begun, told = threading.Event(), []
+
+    def without_end(_):
+        while True:
+            check_interruption()
+            begun.set()
+
+    background = Background("turning round", None)
+    background.done.connect(lambda *outcome: told.append(outcome))
+    background.failed.connect(lambda *outcome: told.append(outcome))
+    background.begin(without_end)
+    assert begun.wait(timeout=20)
+    background.close()
+    assert not background.running and told == []
 
 
 def test_stopped_work_reports_what_it_returns(asked, qtbot):

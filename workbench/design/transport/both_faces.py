@@ -12,13 +12,13 @@ from typing import Protocol
 import numpy as np
 import numpy.typing as npt
 
-from workbench.design.interruption import check_interruption
 from workbench.design.limits import HeightLimits, bounded
 from workbench.design.transport.back_and_forth import MOST_ROUNDS, Transport
 from workbench.design.transport.face import SlopeFit
 from workbench.design.transport.start import FEW_ROUNDS, UPRIGHT, wanted_cells
 from workbench.design.transport.two_face_light import LightInLens, TwoFaceLight
 from workbench.geometry.surface import freeform_nets
+from workbench.interruption import check_interruption
 from workbench.scene import Scene, WantedImage
 
 Array = npt.NDArray[np.float64]

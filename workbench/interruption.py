@@ -1,4 +1,4 @@
-"""Ends a run within an iteration, where one takes seconds: before the first lens for instance."""
+"""Ends long work between two of its steps, such as a run that is before its first lens."""
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -6,7 +6,7 @@ from contextvars import ContextVar
 
 
 class Interrupted(Exception):
-    """A run was to end before its next iteration was complete."""
+    """Work was to end before it was complete."""
 
 
 def _never() -> bool:
@@ -18,7 +18,7 @@ _wanted: ContextVar[Callable[[], bool]] = ContextVar("wanted", default=_never)
 
 @contextmanager
 def interrupted_when(wanted: Callable[[], bool]) -> Iterator[None]:
-    """Let runs of this thread be interrupted as soon as ``wanted`` is true."""
+    """Let the work of this thread be interrupted as soon as ``wanted`` is true."""
     before = _wanted.set(wanted)
     try:
         yield
@@ -32,7 +32,7 @@ def check_interruption() -> None:
     Raises
     ------
     Interrupted
-        If its run is to end.
+        If it is to end.
     """
     if _wanted.get()():
         raise Interrupted
