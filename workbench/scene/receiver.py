@@ -109,6 +109,13 @@ class AnyReceiver(Part):
     ) -> tuple[Array, ...]:
         """Unit vectors from places (x, y, z) of an optic to places on it; three arrays."""
 
+    def perspective(self, optic: "Optic") -> Array:
+        """What takes (u, v, 1) to a multiple of (x, y, 1) as an optic sees it, shape (3, 3).
+
+        On a plane across the axis, in any scale; for one that does not lean its own coordinates.
+        """
+        return np.eye(3)
+
     @abstractmethod
     def drawn(self, optic: "Optic", u: Array, v: Array) -> Array:
         """Where places on it are drawn in the scene, shape (..., 3); u and v broadcast."""

@@ -21,6 +21,9 @@ if TYPE_CHECKING:
 _Turn = Annotated[float, Field(ge=-180, le=180)]
 # Light that falls along a plane is taken to meet it this steeply.
 _GRAZING = 1e-3
+# What comes nearer to the plane of the optic than this part of the screen's half diagonal is beside
+# it: perspective on a plane across the axis would be endless.
+_BESIDE = 0.1
 # A new screen stands this many half-widths behind the lens, and is seen within so many radians.
 _DISTANCE, _WIDEST = 10.0, 1.3
 
@@ -123,6 +126,15 @@ class Screen(AnyReceiver):
         ]
         length = np.sqrt(way[0] ** 2 + way[1] ** 2 + way[2] ** 2)
         return tuple(part / length for part in way)
+
+    def perspective(self, optic: "Optic") -> Array:
+        """From the middle of the face that light leaves; its own coordinates if it is beside it."""
+        right, up, _ = self.sides
+        seen = np.stack([right, up, self.position - [0.0, 0.0, optic.leaving_z]], axis=1)
+        seen[2] *= optic.onwards
+        (r_x, r_y), (lean_x, lean_y, away) = self.half_width, seen[2]
+        beside = away - abs(lean_x) * r_x - abs(lean_y) * r_y < _BESIDE * np.hypot(*self.half_width)
+        return np.eye(3) if self.upright or beside else seen
 
     def drawn(self, optic: "Optic", u: Array, v: Array) -> Array:
         """Where they are."""

@@ -86,3 +86,14 @@ def test_larger_cells_hold_the_mass_of_their_parts(rng):
     mass = rng.random((6, 4))
     assert _halved(mass)[2, 1] == pytest.approx(mass[4:6, 2:4].sum())
     assert _halved(mass).sum() == pytest.approx(mass.sum())
+
+
+def test_the_way_back_is_the_inverse_of_the_map():
+    cells = np.arange(32.0)
+    light = np.exp(-(((cells - 12) / 10) ** 2))
+    source, target = np.outer(light, light[::-1]), np.ones((32, 32))
+    transport = Transport(source / source.sum(), target / target.sum(), (1.0, 1.0))
+    (to_0, to_1), (from_0, from_1) = transport.map(), transport.back()
+    near = np.rint([to_0[8:24, 8:24], to_1[8:24, 8:24]]).astype(int)
+    off = from_0[*near] - cells[8:24, None], from_1[*near] - cells[8:24]
+    assert np.hypot(*off).mean() < 0.5

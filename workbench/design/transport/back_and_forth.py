@@ -96,6 +96,11 @@ class Transport:
         to_0, to_1 = mapped(self._there, *self._weights)
         return to_0, to_1
 
+    def back(self) -> tuple[Array, Array]:
+        """Where the middles of the target's cells come from, in cells of the source."""
+        from_0, from_1 = mapped(c_transform(self._there, *self._weights), *self._weights)
+        return from_0, from_1
+
     def _climb(
         self, mine: Array, other: Array, here: Array, there: Array, value: float, step: float
     ) -> tuple[Array, Array, float, float, float]:

@@ -47,6 +47,13 @@ class SlopeFit:
         """Heights of the face at the places, shape (places, places)."""
         return np.asarray((self._y.value @ (self._x.value @ heights).T).T)
 
+    def slopes(self, heights: Array) -> tuple[Array, Array]:
+        """Slopes dz/dx and dz/dy of the face at the places, each of shape (places, places)."""
+        x, y = self._x, self._y
+        along_x = (y.value @ (x.slope @ heights).T).T / self._width_x
+        along_y = (y.slope @ (x.value @ heights).T).T / self._width_y
+        return np.asarray(along_x), np.asarray(along_y)
+
     def heights(self, slope_x: Array, slope_y: Array) -> Array:
         """Control heights of the face, up to a constant.
 

@@ -15,7 +15,7 @@ begin at 16.6 % in place of 9.9 %.
 
 import math
 from collections.abc import Iterator, Mapping
-from typing import NamedTuple
+from typing import NamedTuple, Self
 
 import numpy as np
 import numpy.typing as npt
@@ -25,16 +25,19 @@ from workbench.design.levels import COARSE, image_of
 from workbench.design.limits import HeightLimits, bounded
 from workbench.design.loss import relative_error
 from workbench.design.transport.back_and_forth import Transport
+from workbench.design.transport.chart import Bends, Chart, Pair, between
 from workbench.design.transport.face import SlopeFit
+from workbench.design.transport.view import View
 from workbench.geometry.surface import ControlNet
 from workbench.optics.glass import FlatGlass
 from workbench.optics.path import Path
 from workbench.optics.reference import Reference
 from workbench.optics.sources import emitter_of
 from workbench.optics.transmittance import TransmittanceLaw
-from workbench.scene import AnyReceiver, PointSource, Scene
+from workbench.scene import PointSource, Scene
 
 Array = npt.NDArray[np.float64]
+Vector = tuple[Array, Array, Array]
 
 # Cells along each axis, of lens and screen alike; finer nets get more places for their slopes.
 CELLS = 256
@@ -47,6 +50,12 @@ _ROUGH_FITS, _FITS, _NEAR_FITS = 1, 1, 2
 # this, the descent does the rest sooner; else as many rounds follow as bring light nearer, and the
 # better one of both lenses is taken: each may be much better than the other.
 FEW_ROUNDS, _GOOD = 1, 0.06
+# Light that misses its places by more than this part of the receiver's width, where no net is too
+# coarse for them, is sent to places in other coordinates: so many times, as long as what is left of
+# the error each time is less than this part of it. A flame misses them by 0.0003.
+_STRAIGHT, _CHARTS, _LESS = 0.002, 4, 0.9
+# Blocks along an axis within which what a net cannot follow cancels out.
+_BLOCKS = 16
 # Where no face could bend the light as wanted, the normal is kept along the axis by this part of
 # what it is where light goes straight on or back: n − 1, and 2 for a mirror.
 UPRIGHT = 0.1
@@ -73,6 +82,7 @@ def transport_start(scene: Scene, target: Array) -> Array | None:
     fit = SlopeFit(net, cells)
     light = _Light(scene, net, fit, cells)
     limits = HeightLimits.of(bounded(scene), net)
+    view = View.of(scene)
     wanted, weights = wanted_cells(scene, target, cells)
 
     passing = ((z, flux) for z in _candidates(limits) if (flux := light.flux(z)) is not None)
@@ -81,19 +91,43 @@ def transport_start(scene: Scene, target: Array) -> Array | None:
         return None
     transport = Transport(flux, wanted, weights, FEW_ROUNDS)
     faces = _Faces(scene, light, fit, limits)
-    heights = faces.bent(transport, heights, _ROUGH_FITS)
-    # A lens that reflects all light totally is improved blindly.
-    passed = light.flux(heights)
-    flux = flux if passed is None else passed
+    heights = faces.bent(view.places(transport), heights, _ROUGH_FITS)
+    flux = light.flux_or(heights, flux)
     transport.improve(flux, FEW_ROUNDS)
     fits = _FITS if scene.source.place is None else _NEAR_FITS
-    heights = faces.bent(transport, heights, fits)
-    error = first_error(scene, target, {scene.optic.face: heights})
-    if error < _GOOD:
-        return heights
+    heights = faces.bent(view.places(transport), heights, fits)
+    first = _Judged.of(scene, target, heights)
+    if first.error < _GOOD:
+        return first.heights
     transport.improve(flux)
-    other = faces.bent(transport, heights, fits)
-    return other if first_error(scene, target, {scene.optic.face: other}) < error else heights
+    to = view.places(transport)
+    best = min(first, _Judged.of(scene, target, faces.bent(to, heights, fits)))
+    if best.error < _GOOD or faces.missed(to, best.heights) < _STRAIGHT:
+        return best.heights
+    begins = transport.back()
+    for _ in range(_CHARTS):
+        chart = Chart.of(view, wanted, faces.bends(best.heights), begins)
+        transport = chart.transport(light.flux_or(best.heights, flux), wanted)
+        begins = chart.begins(transport)
+        heights = faces.bent(chart.places(transport), best.heights, fits)
+        before, best = best, min(best, _Judged.of(scene, target, heights))
+        if best.error > _LESS * before.error:
+            break
+    return best.heights
+
+
+class _Judged(NamedTuple):
+    """A lens and how far its image is from the target; the better one is less."""
+
+    error: float
+    heights: Array
+
+    @classmethod
+    def of(cls, scene: Scene, target: Array, heights: Array) -> Self:
+        return cls(first_error(scene, target, {scene.optic.face: heights}), heights)
+
+    def __lt__(self, other: object) -> bool:
+        return isinstance(other, _Judged) and self.error < other.error
 
 
 def wanted_cells(scene: Scene, target: Array, cells: int) -> tuple[Array, tuple[float, float]]:
@@ -101,18 +135,9 @@ def wanted_cells(scene: Scene, target: Array, cells: int) -> tuple[Array, tuple[
 
     Along x first and y upwards, as the lens is; all together 1.
     """
-    optic, receiver = scene.optic, scene.receiver
-    image = target / target.max() * receiver.relative_measure()
-    wanted = _resampled(image[::-1].T, cells)
-    r_x, r_y = (a * b for a, b in zip(optic.half_width, receiver.half_extent, strict=True))
-    return wanted / wanted.sum(), (math.sqrt(r_x / r_y), math.sqrt(r_y / r_x))
-
-
-def destinations(transport: Transport, receiver: AnyReceiver) -> tuple[Array, Array]:
-    """Where on the receiver the light of each cell should go, in the receiver's coordinates."""
-    places = zip(transport.map(), receiver.half_extent, receiver.middle, strict=True)
-    to_u, to_v = (((2 * to + 1) / len(to) - 1) * half + middle for to, half, middle in places)
-    return to_u, to_v
+    view = View.of(scene)
+    wanted = view.wanted(target / target.max() * scene.receiver.relative_measure(), cells)
+    return wanted / wanted.sum(), view.weights(view.half_extent)
 
 
 class _Faces(NamedTuple):
@@ -123,21 +148,55 @@ class _Faces(NamedTuple):
     fit: SlopeFit
     limits: HeightLimits
 
-    def bent(self, transport: Transport, heights: Array, fits: int) -> Array:
+    def bent(self, to: Pair, heights: Array, fits: int) -> Array:
         """Control heights of a face, from those of one like it, found in so many fits."""
-        light, optic, receiver = self.light, self.scene.optic, self.scene.receiver
-        n = optic.index
-        to_u, to_v = destinations(transport, receiver)
         for _ in range(fits):
-            z = self.fit.surface(heights)
-            d_x, d_y, d_z = light.direction(z)
-            out_x, out_y, out_z = receiver.towards(optic, (light.x, light.y, z), to_u, to_v)
-            # Snell's law as vectors: the normal is along n d_in − d_out; of a mirror, n is 1.
-            normal_z = np.maximum(n * d_z - out_z, UPRIGHT * optic.deflection)
-            slope_x = -(n * d_x - out_x) / normal_z
-            slope_y = -(n * d_y - out_y) / normal_z
-            heights = self.limits.placed(self.fit.heights(slope_x, slope_y))
+            heights = self.limits.placed(self.fit.heights(*self._wanted(to, heights)))
         return heights
+
+    def missed(self, to: Pair, heights: Array) -> float:
+        """How far a face as it is found by `bent` sends light from where it should go.
+
+        In parts of the receiver's width, a root mean square. What a net of control points cannot
+        follow is left out: only what no smooth face can.
+        """
+        wanted, extent = self._wanted(to, heights), self.scene.receiver.half_extent
+        found = self.fit.slopes(self.fit.heights(*wanted))
+        square = 0.0
+        for axis, half in enumerate(extent):
+            beside = to[0] + (axis == 0) * half, to[1] + (axis == 1) * half
+            rate = float(np.median(self._wanted(beside, heights)[axis] - wanted[axis]))
+            square += float(np.square(_coarsely(found[axis] - wanted[axis]) / (2 * rate)).mean())
+        return math.sqrt(square)
+
+    def bends(self, heights: Array) -> Bends:
+        """The slopes that light needs in any cell of a face like another."""
+        z = self.fit.surface(heights)
+        cells, direction = len(z), self.light.direction(z)
+
+        def slopes(cell: Pair, to: Pair) -> Pair:
+            x, y = (
+                ((2 * place + 1) / cells - 1) * half
+                for place, half in zip(cell, self.scene.optic.half_width, strict=True)
+            )
+            d_x, d_y, d_z = (between(part, cell) for part in direction)
+            return self._slopes((x, y, between(z, cell)), (d_x, d_y, d_z), to)
+
+        return slopes
+
+    def _wanted(self, to: Pair, heights: Array) -> Pair:
+        """Slopes in all cells of a face like another that send light to places."""
+        z = self.fit.surface(heights)
+        return self._slopes((self.light.x, self.light.y, z), self.light.direction(z), to)
+
+    def _slopes(self, place: Vector, coming: Vector, to: Pair) -> Pair:
+        """Slopes of the face that send light from places on it to places on the receiver."""
+        optic, (d_x, d_y, d_z) = self.scene.optic, coming
+        out_x, out_y, out_z = self.scene.receiver.towards(optic, place, *to)
+        # Snell's law as vectors: the normal is along n d_in − d_out; of a mirror, n is 1.
+        n = optic.index
+        normal_z = np.maximum(n * d_z - out_z, UPRIGHT * optic.deflection)
+        return -(n * d_x - out_x) / normal_z, -(n * d_y - out_y) / normal_z
 
 
 def first_error(scene: Scene, target: Array, heights: Mapping[str, Array]) -> float:
@@ -201,6 +260,11 @@ class _Light:
         total = float(flux.sum())
         return flux / total if total > 0 else None
 
+    def flux_or(self, heights: Array, flux: Array) -> Array:
+        """`flux`, or another one if a lens reflects all light: it is improved blindly."""
+        passed = self.flux(heights)
+        return flux if passed is None else passed
+
     def _brighter(self, z: Array) -> Array:
         """Light that enters on its way to each place, over that of the point in the middle."""
         d_x, d_y, d_z = self.direction(z)
@@ -228,13 +292,8 @@ def _unit(x: Array, y: Array, z: Array) -> tuple[Array, Array, Array]:
     return x / length, y / length, z / length
 
 
-def _resampled(image: Array, cells: int) -> Array:
-    """The light of an image in the cells of another grid over the same area."""
-    into_0, into_1 = (_overlaps(count, cells) for count in image.shape)
-    return np.asarray(into_0 @ image @ into_1.T)
-
-
-def _overlaps(pixels: int, cells: int) -> Array:
-    """Which part of each pixel lies in each cell of the same line, shape (cells, pixels)."""
-    below = (np.linspace(0, pixels, cells + 1)[:, None] - np.arange(pixels)).clip(0, 1)
-    return np.diff(below, axis=0)
+def _coarsely(values: Array) -> Array:
+    """Means of values over blocks of cells."""
+    size = len(values) // _BLOCKS
+    kept = values[: size * _BLOCKS, : size * _BLOCKS]
+    return np.asarray(kept.reshape(_BLOCKS, size, _BLOCKS, size).mean((1, 3)))

@@ -1,0 +1,155 @@
+"""Transport to places in coordinates of their own, in which one face can bend light as is wanted.
+
+Light from a place x of a face to a place y of the receiver needs a slope s(x, y) there. Transport
+with a quadratic cost finds a map whose destinations are a gradient in x. Where s differs from the
+coordinate of y by what depends on x alone and is a gradient itself, the slopes of all places are
+those of one face. Where it does not, as on a screen that leans and by angles that are not small,
+slopes have a curl, and light misses its places. So y gets new coordinates, by where its light comes
+from in the transport before: s(x(y), y), less a gradient in x. A transport that stays the same by
+that has no curl at all. First lenses for a photograph
+of 64 x 64 pixels on the wall of the example *Wall washer*, turned by other angles, and for the far
+field of *Street light*; in parentheses what the check says after 60 steps:
+
+| | the receiver's own coordinates | as it is seen | by slopes, once | until it is no better |
+|---|---|---|---|---|
+| 30° | 14.4 % (4.7 %) | 6.9 % (2.6 %) | 4.1 % | 4.0 % (1.4 %) |
+| 50° | 27.5 % (10.5 %) | 13.5 % (5.8 %) | 3.9 % | 3.9 % (1.4 %) |
+| 60° | 42.0 % (20.3 %) | 23.1 % (12.5 %) | 5.7 % | 5.2 % (1.8 %) |
+| 70° | – | 62.5 % | 18.9 % | 11.5 % (4.5 %) |
+| street light | 7.6 % | 7.6 % | 2.5 % | 1.7 % |
+"""
+
+from collections.abc import Callable
+from typing import NamedTuple, Self
+
+import numpy as np
+import numpy.typing as npt
+
+from workbench.design.transport.back_and_forth import Transport
+from workbench.design.transport.push import push
+from workbench.design.transport.view import View
+
+Array = npt.NDArray[np.float64]
+Pair = tuple[Array, Array]
+# Slopes along x and y that light needs at places in cells of the lens to places u, v.
+Bends = Callable[[Pair, Pair], Pair]
+
+# Cells over which coordinates are smoothed: where light comes from is known to a cell.
+_SMOOTH = 1.0
+# Newton steps back from a coordinate to its cell, cells that each goes at most, and the least part
+# by which cells may be narrower there.
+_STEPS, _FAR, _NARROW = 12, 20.0, 0.1
+
+
+class Chart(NamedTuple):
+    """Where cells of a view lie in other coordinates.
+
+    Attributes
+    ----------
+    view : View
+        Of the receiver.
+    x, y : ndarray, shape (cells, cells)
+        For each of its cells, in cells of a rectangle that holds them.
+    weights : tuple[float, float]
+        What ways along x and y cost there.
+    """
+
+    view: View
+    x: Array
+    y: Array
+    weights: tuple[float, float]
+
+    @classmethod
+    def of(cls, view: View, wanted: Array, bends: Bends, begins: Pair) -> Self:
+        """The chart by the slopes that light needs from where it comes.
+
+        Parameters
+        ----------
+        view : View
+            Of the receiver.
+        wanted : ndarray, shape (cells, cells)
+            Light in each of its cells; all together 1.
+        bends : callable
+            Says the slopes.
+        begins : tuple of two ndarray
+            In which cell of the lens the light of each of its cells comes from.
+        """
+        cells = len(wanted)
+        slopes = _along_seen(view, wanted, bends, begins)
+        bounds = np.array([[f[wanted > 0].min(), f[wanted > 0].max()] for f in slopes])
+        middle, half = bounds.mean(axis=1), np.diff(bounds)[:, 0] / 2 * (1 + 2 / cells)
+        x, y = (
+            np.ascontiguousarray(((f - m) / r + 1) * cells / 2 - 0.5)
+            for f, m, r in zip(slopes, middle, half, strict=True)
+        )
+        return cls(view, x, y, view.weights((float(half[0]), float(half[1]))))
+
+    def transport(self, flux: Array, wanted: Array) -> Transport:
+        """Transport of the lens's flux to the light of each cell, where the chart has it."""
+        return Transport(flux, push(wanted, self.x, self.y), self.weights)
+
+    def places(self, transport: Transport) -> Pair:
+        """Where on the receiver a transport brings light, in the receiver's coordinates."""
+        return self.view.at(self._back(*transport.map()), len(self.x))
+
+    def begins(self, transport: Transport) -> Pair:
+        """In which cell of the lens the light of each cell of the view comes from."""
+        x, y = transport.back()
+        return between(x, (self.x, self.y)), between(y, (self.x, self.y))
+
+    def _back(self, to_x: Array, to_y: Array) -> Pair:
+        """The cells of the view at places of the chart."""
+        most = len(self.x) - 0.5
+        (xx, xy), (yx, yy) = np.gradient(self.x), np.gradient(self.y)
+        at: Pair = to_x, to_y
+        for _ in range(_STEPS):
+            off_x, off_y = between(self.x, at) - to_x, between(self.y, at) - to_y
+            a, b, c, d = (between(np.asarray(f), at) for f in (xx, xy, yx, yy))
+            area = np.maximum(a * d - b * c, _NARROW)
+            step_x, step_y = (
+                (step / area).clip(-_FAR, _FAR)
+                for step in (d * off_x - b * off_y, a * off_y - c * off_x)
+            )
+            at = (at[0] - step_x).clip(-0.5, most), (at[1] - step_y).clip(-0.5, most)
+        return at
+
+
+def _along_seen(view: View, wanted: Array, bends: Bends, begins: Pair) -> Pair:
+    """Slopes less a gradient of the place on the lens, in the scale of the view's coordinates.
+
+    What is left out is what would send all light to the middle, and what is linear in the place, so
+    that the rest differs as little as may be from the view's coordinates.
+    """
+    from scipy.ndimage import gaussian_filter  # late: it takes long to import
+
+    cells, (r_x, r_y) = len(wanted), view.scene.optic.half_width
+    grid = view.grid(cells)
+    needed = bends(begins, view.at(grid, cells))
+    middle = tuple(np.full_like(wanted, float((f * wanted).sum())) for f in grid)
+    ahead = bends(begins, view.at((middle[0], middle[1]), cells))
+    scale = 0.0  # slopes for each step along the view's coordinates, from one place of the lens
+    for axis, half in enumerate(view.half_extent):
+        beside = grid[0] + (axis == 0), grid[1] + (axis == 1)
+        more = bends(begins, view.at(beside, cells))[axis] - needed[axis]
+        scale += float((more * wanted).sum()) / (2 * half / cells) / 2
+    x, y = (((2 * place + 1) / cells - 1) * r for place, r in zip(begins, (r_x, r_y), strict=True))
+    seen, none, one = view.seen(cells), np.zeros_like(x), np.ones_like(x)
+    gradients = np.array(
+        [[ahead[0], x, y, none, one, none], [ahead[1], none, x, y, none, one]]
+    )  # [2, 6, cells, cells]
+    off = np.stack([s / scale - t for s, t in zip(needed, seen, strict=True)])
+    share = np.sqrt(wanted)
+    rows = np.moveaxis(gradients * share, 1, -1).reshape(-1, 6)
+    parts = np.linalg.lstsq(rows, (off * share).ravel(), rcond=1e-6)[0]
+    off -= np.einsum("k,akxy->axy", parts, gradients)
+    along_x, along_y = (
+        t + gaussian_filter(f, _SMOOTH, mode="nearest") for t, f in zip(seen, off, strict=True)
+    )
+    return along_x, along_y
+
+
+def between(values: Array, at: Pair) -> Array:
+    """Values of cells at places between their middles, and at the nearest one beyond them."""
+    from scipy.ndimage import map_coordinates  # late: it takes long to import
+
+    return np.asarray(map_coordinates(values, at, order=1, mode="nearest"))

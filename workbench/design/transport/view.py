@@ -1,0 +1,126 @@
+"""The receiver as an optic sees it: in coordinates that light moves along evenly as it is turned.
+
+Transport with a quadratic cost makes faces that can be exact where the place that light reaches
+moves evenly with the slope of the face. On a screen across the axis it does. On one that leans, the
+same turn moves light much farther at the far edge than at the near one: transport in the screen's
+own coordinates asks for slopes that no one face has. So a leaning screen is seen in perspective,
+from the middle of the optic on a plane across the axis.
+"""
+
+import math
+from typing import NamedTuple, Self
+
+import numpy as np
+import numpy.typing as npt
+
+from workbench.design.transport.back_and_forth import Transport
+from workbench.scene import Scene
+
+Array = npt.NDArray[np.float64]
+
+# Samples of each cell along an axis for the light that is wanted there.
+_SAMPLES = 4
+
+
+class View(NamedTuple):
+    """A rectangle that holds the receiver as it is seen.
+
+    Attributes
+    ----------
+    scene : Scene
+        The design task.
+    back : ndarray, shape (3, 3)
+        Takes (x, y, 1) of a place as it is seen to a multiple of (u, v, 1) on the receiver.
+    middle, half_extent : tuple[float, float]
+        Of the rectangle.
+    """
+
+    scene: Scene
+    back: Array
+    middle: tuple[float, float]
+    half_extent: tuple[float, float]
+
+    @classmethod
+    def of(cls, scene: Scene) -> Self:
+        """The view of a scene's receiver from the middle of the face that light leaves."""
+        receiver = scene.receiver
+        seen = receiver.perspective(scene.optic)
+        left, right, bottom, top = receiver.bounds
+        corners = seen @ [[left, left, right, right], [bottom, top, bottom, top], [1.0] * 4]
+        x, y = corners[:2] / corners[2]
+        low, high = np.array([x.min(), y.min()]), np.array([x.max(), y.max()])
+        (mid_x, mid_y), (r_x, r_y) = (high + low) / 2, (high - low) / 2
+        return cls(scene, np.asarray(np.linalg.inv(seen)), (mid_x, mid_y), (r_x, r_y))
+
+    def places(self, transport: Transport) -> tuple[Array, Array]:
+        """Where on the receiver the light of each cell should go, in the receiver's coordinates."""
+        x, y = transport.map()
+        return self.at((x, y), len(x))
+
+    def at(self, place: tuple[Array, Array], cells: int) -> tuple[Array, Array]:
+        """Where on the receiver places are that are given in so many cells of the rectangle."""
+        u, v, _ = self._on_receiver(*place, cells)
+        return u, v
+
+    def seen(self, cells: int) -> tuple[Array, Array]:
+        """Where the middles of cells are seen, two arrays of shape (cells, cells)."""
+        x, y = (
+            ((2 * place + 1) / cells - 1) * half + middle
+            for place, half, middle in zip(
+                self.grid(cells), self.half_extent, self.middle, strict=True
+            )
+        )
+        return x, y
+
+    @staticmethod
+    def grid(cells: int) -> tuple[Array, Array]:
+        """Numbers of cells along x and y, two arrays of shape (cells, cells)."""
+        x, y = np.meshgrid(np.arange(float(cells)), np.arange(float(cells)), indexing="ij")
+        return x, y
+
+    def weights(self, half_extent: tuple[float, float]) -> tuple[float, float]:
+        """What ways along x and y cost between cells of the lens and of another rectangle."""
+        r_x, r_y = (a * b for a, b in zip(self.scene.optic.half_width, half_extent, strict=True))
+        return math.sqrt(r_x / r_y), math.sqrt(r_y / r_x)
+
+    def wanted(self, image: Array, cells: int) -> Array:
+        """The light of an image (n_y, n_x) in the cells of the rectangle, shape (cells, cells).
+
+        Along x first and y upwards, as the lens is.
+        """
+        image = image[::-1].T
+        if not self.leans:
+            into_0, into_1 = (_overlaps(count, cells) for count in image.shape)
+            return np.asarray(into_0 @ image @ into_1.T)
+        even = (np.arange(_SAMPLES * cells) + 0.5) / _SAMPLES - 0.5
+        u, v, stretch = self._on_receiver(even[:, None], even[None, :], cells)
+        left, right, bottom, top = self.scene.receiver.bounds
+        columns = np.floor((u - left) / (right - left) * image.shape[0]).astype(np.int64)
+        rows = np.floor((v - bottom) / (top - bottom) * image.shape[1]).astype(np.int64)
+        inside = (columns >= 0) & (columns < image.shape[0]) & (rows >= 0) & (rows < image.shape[1])
+        pixel = (right - left) * (top - bottom) / image.size
+        sample = 4 * self.half_extent[0] * self.half_extent[1] / inside.size
+        light = np.zeros(inside.shape)
+        light[inside] = image[columns[inside], rows[inside]] * stretch[inside] * (sample / pixel)
+        return np.asarray(light.reshape(cells, _SAMPLES, cells, _SAMPLES).sum((1, 3)))
+
+    @property
+    def leans(self) -> bool:
+        """Whether it differs from the receiver's own coordinates."""
+        return not np.array_equal(self.back, np.eye(3))
+
+    def _on_receiver(self, x: Array, y: Array, cells: int) -> tuple[Array, Array, Array]:
+        """Places u, v of others in cells of the rectangle, and areas there over areas here."""
+        seen = (
+            ((2 * place + 1) / cells - 1) * half + middle
+            for place, half, middle in zip((x, y), self.half_extent, self.middle, strict=True)
+        )
+        x, y = np.broadcast_arrays(*seen)
+        u, v, far = (a * x + b * y + c for a, b, c in self.back)
+        return u / far, v / far, np.abs(np.linalg.det(self.back) / far**3)
+
+
+def _overlaps(pixels: int, cells: int) -> Array:
+    """Which part of each pixel lies in each cell of the same line, shape (cells, pixels)."""
+    below = (np.linspace(0, pixels, cells + 1)[:, None] - np.arange(pixels)).clip(0, 1)
+    return np.diff(below, axis=0)
