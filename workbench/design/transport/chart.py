@@ -122,7 +122,7 @@ def _along_seen(view: View, wanted: Array, bends: Bends, begins: Pair) -> Pair:
     """
     from scipy.ndimage import gaussian_filter  # late: it takes long to import
 
-    cells, (r_x, r_y) = len(wanted), view.scene.optic.half_width
+    cells, half_width = len(wanted), view.scene.optic.half_width
     grid = view.grid(cells)
     needed = bends(begins, view.at(grid, cells))
     middle = tuple(np.full_like(wanted, float((f * wanted).sum())) for f in grid)
@@ -132,7 +132,10 @@ def _along_seen(view: View, wanted: Array, bends: Bends, begins: Pair) -> Pair:
         beside = grid[0] + (axis == 0), grid[1] + (axis == 1)
         more = bends(begins, view.at(beside, cells))[axis] - needed[axis]
         scale += float((more * wanted).sum()) / (2 * half / cells) / 2
-    x, y = (((2 * place + 1) / cells - 1) * r for place, r in zip(begins, (r_x, r_y), strict=True))
+    x, y = (  # without a unit, so that what is left out does not depend on it
+        ((2 * place + 1) / cells - 1) * (r / max(half_width))
+        for place, r in zip(begins, half_width, strict=True)
+    )
     seen, none, one = view.seen(cells), np.zeros_like(x), np.ones_like(x)
     gradients = np.array(
         [[ahead[0], x, y, none, one, none], [ahead[1], none, x, y, none, one]]
