@@ -3,7 +3,7 @@
 import pytest
 
 from tests.lamps import PLATE, downlight
-from workbench.design.needs import check_parts
+from workbench.design.needs import check_parts, grazed
 from workbench.errors import Refused
 
 
@@ -25,3 +25,15 @@ def test_light_of_a_stage_is_refused_by_the_path_of_the_stage(make_scene, tmp_pa
     scene = make_scene(PLATE | {"run": run})
     with pytest.raises(Refused, match=r"^run\.stages\[0\]\.source: none of its light"):
         check_parts(scene.parts(), 0, None, {})
+
+
+def test_a_screen_that_light_grazes_is_said_with_what_helps(make_scene):
+    wall = {
+        "version": 2,
+        "screen.z": 4.0,
+        "screen.center": [0.0, 2.0],
+        "lens.half_width": [0.1, 0.1],
+    }
+    assert grazed(make_scene(wall | {"screen.tilt": [20.0, 0.0]})) is None
+    said = grazed(make_scene(wall | {"screen.tilt": [52.0, 0.0]}))
+    assert "from across it" in said and "turn the screen towards the lens" in said

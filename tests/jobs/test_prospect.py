@@ -13,6 +13,7 @@ from workbench.jobs.proposals import blur_widths, diffraction
 from workbench.jobs.prospect import prospecting
 from workbench.jobs.sun_plate import SunPlate
 from workbench.jobs.torch import Torch
+from workbench.jobs.wall_washer import WallWasher
 
 EVEN = {"target": {"builtin": "rectangle"}}
 
@@ -101,3 +102,9 @@ def test_light_that_passes_the_lens_by_is_said():
     assert said.value == f"{100 * caught:.0f} % of it" and said.warns
     assert "Light on the lens" not in figures(SunPlate().with_answers(EVEN))
     assert not figures(LedRectangle())["Light on the lens"].warns
+
+
+def test_a_wall_that_light_grazes_is_said():
+    near = figures(WallWasher(**EVEN, wall_distance=400.0, above=2200.0))
+    assert near["Light on the screen"].warns and "grazes" in near["Light on the screen"].meaning
+    assert "Light on the screen" not in figures(WallWasher(**EVEN))

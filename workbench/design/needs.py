@@ -20,6 +20,9 @@ Array = npt.NDArray[np.float64]
 
 # Places of the optic along each axis at which its source has to shine somewhere.
 _LOOKED_AT = 65
+# Degrees from across the receiver beyond which light grazes it. A photograph on a wall that is met
+# at 55 to 78 degrees is 1.4 to 1.8 % off, one at 86 degrees 4 %.
+_GRAZES = 80.0
 
 
 def check_parts(
@@ -61,6 +64,19 @@ def check_parts(
         limits = HeightLimits.of_faces(bounded(finished))
         kept = {face: limits[face].kept(each, locked.get(face)) for face, each in start.items()}
         check_body(finished, kept)
+
+
+def grazed(scene: Scene) -> str | None:
+    """What will be worse for light that grazes a receiver, and what helps; None where none does."""
+    for part in scene.single:
+        slant = part.receiver.slant(part.optic)
+        if slant > _GRAZES:
+            return (
+                f"light grazes the far side of the {part.receiver.called}, at {slant:.0f} degrees "
+                f"from across it, where the image is less exact; turn the {part.receiver.called} "
+                f"towards the {part.optic.called}, or move its middle nearer to the axis"
+            )
+    return None
 
 
 def _check_lit(part: Scene) -> None:

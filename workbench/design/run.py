@@ -14,7 +14,7 @@ import numpy.typing as npt
 
 from workbench.design.heights import Mask
 from workbench.design.methods import method_of
-from workbench.design.needs import check_parts
+from workbench.design.needs import check_parts, grazed
 from workbench.design.net import definite
 from workbench.design.room import Room
 from workbench.design.snapshot import Snapshot
@@ -120,7 +120,7 @@ def run(
                 best=best,
                 stage=stage,
                 stages=len(parts),
-                notes=(*_net_notes(scene), *step.notes, *room.notes),
+                notes=(*_scene_notes(scene), *step.notes, *room.notes),
             )
             iteration += 1
         else:
@@ -136,11 +136,11 @@ def _cause(room: Room, scene: Scene) -> str:
     return "" if short is None else f". {short.sentence(scene)}: {short.cure}"
 
 
-def _net_notes(scene: Scene) -> tuple[str, ...]:
-    """The net of the finished lens, where the program has chosen it."""
-    if not isinstance(scene.optic.control_points, AutoNet):
-        return ()
-    return ("control points: {} × {}, chosen for this task".format(*scene.optic.net_shape),)
+def _scene_notes(scene: Scene) -> tuple[str, ...]:
+    """The net of the finished lens, where the program has chosen it, and what will be worse."""
+    net = "control points: {} × {}, chosen for this task".format(*scene.optic.net_shape)
+    chosen = isinstance(scene.optic.control_points, AutoNet)
+    return tuple(filter(None, (net if chosen else None, grazed(scene))))
 
 
 def _carried(heights: ControlHeights, optic: Optic, other: Optic) -> ControlHeights:

@@ -8,6 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from workbench.analysis.tracing.trace import Trace, added
+from workbench.design.needs import grazed
 from workbench.design.session import Session
 from workbench.extended.bound import Bound, percent
 from workbench.jobs.proposals import blur_widths, diffraction
@@ -75,7 +76,7 @@ def prospecting(session: Session) -> Generator[Prospect | None, None, Prospect]:
     """
     scene = session.scene
     slopes = needed_slopes(scene, _lit(session))
-    begin = *_resolved(scene), _steepness(scene, slopes), *_caught(scene)
+    begin = *_resolved(scene), _steepness(scene, slopes), *_slant(scene), *_caught(scene)
     yield Prospect(None, (*begin, _proposal(session)))
     bound = Bound(scene, session.target)
     picture = (yield from bound.finding()).image.clip(min=0) if bound.known else session.target
@@ -138,6 +139,15 @@ def _steepness(scene: Scene, slopes: Slopes) -> Figure:
         meaning = f"{slopes.most:.0f}° is the most; so near to it much light is reflected."
         return Figure("Largest slope", value, meaning, True)
     return Figure("Largest slope", value, f"Up to {slopes.most:.0f}° would be possible.")
+
+
+def _slant(scene: Scene) -> tuple[Figure, ...]:
+    """How aslant the receiver is met; nothing is said where that does no harm."""
+    said = grazed(scene)
+    if said is None:
+        return ()
+    slant = f"up to {scene.receiver.slant(scene.optic):.0f}°"
+    return (Figure("Light on the screen", slant, f"{said[0].upper()}{said[1:]}.", True),)
 
 
 def _caught(scene: Scene) -> tuple[Figure, ...]:

@@ -116,6 +116,10 @@ class AnyReceiver(Part):
         """
         return np.eye(3)
 
+    def slant(self, optic: "Optic") -> float:
+        """The largest angle between light of an optic and what is across the receiver, degrees."""
+        return 0.0
+
     @abstractmethod
     def drawn(self, optic: "Optic", u: Array, v: Array) -> Array:
         """Where places on it are drawn in the scene, shape (..., 3); u and v broadcast."""

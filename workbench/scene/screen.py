@@ -136,6 +136,14 @@ class Screen(AnyReceiver):
         beside = away - abs(lean_x) * r_x - abs(lean_y) * r_y < _BESIDE * np.hypot(*self.half_width)
         return np.eye(3) if self.upright or beside else seen
 
+    def slant(self, optic: "Optic") -> float:
+        """At its corners, from the middle of the face that light leaves."""
+        (r_x, r_y), (right, up, across) = self.half_width, self.sides
+        way = self.position - [0.0, 0.0, optic.leaving_z]
+        corners = [way + x * r_x * right + y * r_y * up for x, y in product((-1, 1), repeat=2)]
+        cosines = [abs(across @ corner) / math.hypot(*corner) for corner in corners]
+        return math.degrees(math.acos(min(1.0, *cosines)))
+
     def drawn(self, optic: "Optic", u: Array, v: Array) -> Array:
         """Where they are."""
         right, up, _ = self.sides
