@@ -10,7 +10,15 @@ from tests.measured.photometry.files import GAMMA, candela, ies, ldt
 from workbench.errors import Refused
 from workbench.measured.photometry import IntensityTable, read_photometry
 
-VERSIONS = ["", "IESNA91", "IESNA:LM-63-1995", "IESNA:LM-63-2002", "IES:LM-63-2019"]
+VERSIONS = [
+    "",
+    "IESNA91",
+    "IESNA:LM-63-1995",
+    "IESNA:LM-63-2002",
+    "IES:LM-63-2019",
+    "LM-63-1986",
+    "A series of 1980",
+]
 HALF = np.linspace(0.0, 180.0, 13)
 FULL = np.linspace(0.0, 360.0, 25)
 AROUND = FULL[:-1]
@@ -162,6 +170,7 @@ def good() -> str:
         (good().replace(" 3 1 1 ", " 999999999 1 1 "), "from 1 to 4096"),
         (good().replace(" 3 1 1 ", " 2.5 1 1 "), "a whole number"),
         (good().replace("LM-63-2002", "LM-63-2050"), "says to be of version"),
+        (good().replace("IESNA:LM-63-2002", "LM-63-3000"), "says to be of version 'LM-63-3000'"),
         (good().replace("=NONE", "=other.tlt"), "TILT is in another file, 'OTHER.TLT'"),
         (good().replace("TILT=NONE", ""), "no line that begins with TILT="),
         ("", "no line that begins with TILT="),

@@ -4,13 +4,17 @@ Numbers run on over lines and are known by their order: the ten that say how the
 three of the ballast, angles γ, angles C, and the intensities plane by plane.
 """
 
+import re
+
 import numpy as np
 
 from workbench.measured.photometry.table import IntensityTable, table_of
 from workbench.measured.text import count, lines_of, number, readings
 
 _MOST_ANGLES = 4096
-_VERSIONS = ("IESNA91", "IESNA:LM-63-1995", "IESNA:LM-63-2002", "IES:LM-63-2019")
+_VERSIONS = "LM-63-1986", "IESNA91", "LM-63-1991", "LM-63-1995", "LM-63-2002", "LM-63-2019"
+# A first line that names a version; without one it is the text of a file of 1986.
+_VERSION = re.compile(r"^IES|LM-?63-?\d")
 _TYPE_C = 1
 _TYPES = {1: "C", 2: "B", 3: "A"}
 
@@ -25,7 +29,8 @@ def read_ies(content: bytes) -> IntensityTable:
     """
     lines = lines_of(content)
     version = lines[0].replace(" ", "").upper()
-    if version.startswith("IES") and not version.startswith(_VERSIONS):
+    said = _VERSION.search(version)
+    if said and not any(known in version for known in _VERSIONS):
         raise ValueError(
             f"it says to be of version {lines[0][:30]!r}; known are {', '.join(_VERSIONS)}"
         )
