@@ -60,7 +60,15 @@ class BoundOfDesign(QObject):
 
 def _in_words(bound: "Bound", task: Task) -> str:
     """The bound in a few words; meant for the thread, which leaves it once it shall stop."""
+    from workbench.extended.bound import percent  # late: takes long to import
+
     for _ in bound.finding():
         if task.stopped:
             return ""
-    return bound.short
+    search = bound.finding_half_as_wide()
+    while not task.stopped:
+        try:
+            next(search)
+        except StopIteration as end:
+            return f"{bound.short}; {percent(end.value)} with a source half as wide"
+    return ""

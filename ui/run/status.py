@@ -55,7 +55,7 @@ class RunStatus:
         self._bound = _passing(
             bar,
             "The least relative L2 error that any design can reach with a source of this size, "
-            "certified. freeform bound tells more",
+            "certified; and what one half as wide would allow. freeform bound tells more",
         )
         self._light = _figure(
             bar,

@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from workbench.extended.blur import Blur, one_over_the_lens
 from workbench.extended.blurring import Blurring
-from workbench.extended.deblur import Deblurred, deblur, deblurring, error_allowed
+from workbench.extended.deblur import Deblurred, deblur, deblurring, error_allowed, error_allowing
 from workbench.scene import Scene
 
 Array = npt.NDArray[np.float64]
@@ -70,8 +70,15 @@ class Bound:
     @cached_property
     def half_as_wide(self) -> float:
         """The error that the blur of a source half as wide allows."""
-        narrower = self.blur.scaled(0.5).seen_in(self.scene.receiver.pixels)
-        return error_allowed(self.target, narrower)
+        return error_allowed(self.target, self._narrower)
+
+    def finding_half_as_wide(self) -> Generator[None, None, float]:
+        """Find `half_as_wide` step by step, so that one can leave it."""
+        return error_allowing(self.target, self._narrower)
+
+    @property
+    def _narrower(self) -> Blur:
+        return self.blur.scaled(0.5).seen_in(self.scene.receiver.pixels)
 
     @cached_property
     def on_receiver(self) -> float:

@@ -18,7 +18,7 @@ says how far the result is from the best at most, and when to stop.
 import math
 from collections.abc import Callable, Generator, Iterator, Sequence
 from itertools import count, islice
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -29,6 +29,7 @@ from workbench.extended.certificate import Certifier
 from workbench.interruption import check_interruption
 
 Array = npt.NDArray[np.float64]
+Found = TypeVar("Found")
 
 # Weights of the copies of image and light, and over-relaxation. Where steps are many, that of light
 # falls, every so many of them, from the first value to the last: 60 steps leave a letter in the sun
@@ -102,12 +103,16 @@ def deblur(target: Array, blur: Blur) -> Deblurred:
     >>> deblur(pixel, Blur((1.0, 1.0))).bound
     0.0
     """
-    steps = deblurring(target, blur)
+    return _last_of(deblurring(target, blur))
+
+
+def _last_of(steps: Generator[None, None, Found]) -> Found:
+    """What steps that nobody leaves come to."""
     while True:
         try:
             next(steps)
         except StopIteration as end:
-            found: Deblurred = end.value
+            found: Found = end.value
             return found
 
 
@@ -166,11 +171,17 @@ def error_allowed(target: Array, blur: Blur) -> float:
     target, blur
         As for `deblur`.
     """
+    return _last_of(error_allowing(target, blur))
+
+
+def error_allowing(target: Array, blur: Blur) -> Generator[None, None, float]:
+    """`error_allowed` step by step, as `deblurring`."""
     if blur.within_a_pixel:
         return 0.0
     wanted = target / target.sum()
     search = _search(blur.kernels().astype(np.float32), wanted.astype(np.float32))
-    image = next(islice(search, _SPREAD_STEPS - 1, None))().image
+    yield from (None for _ in islice(search, _SPREAD_STEPS - 1))
+    image = next(search)().image
     return float(np.linalg.norm(image - wanted) / np.linalg.norm(wanted))
 
 

@@ -1,5 +1,6 @@
 """The bound of the open design, in the status bar."""
 
+import re
 import time
 
 import pytest
@@ -33,6 +34,8 @@ def test_bound_of_an_edited_source_is_said(bound, said, document, make_scene, qt
     document.edit(make_scene({"source": GRID}), "source", "")
     qtbot.waitUntil(lambda: said[-1] != "", timeout=30_000)
     assert said[-1].startswith("no lens of this size below ")
+    least, allowed = (float(part) for part in re.findall(r"([\d.]+) %", said[-1]))
+    assert said[-1].endswith("with a source half as wide") and 0 < allowed < least
     document.undo_stack.undo()
     assert said[-1] == ""
 
