@@ -21,7 +21,8 @@ class Evaluation(NamedTuple, Generic[Seen]):
 
 Objective = Callable[[Tensor], Evaluation[Seen]]
 
-_MEMORY = 20
+MEMORY = 20
+"""Steps whose curvature is remembered."""
 _ARMIJO = 1e-4
 _CAUTION = 0.1
 _MAX_TRIALS = 12
@@ -58,7 +59,7 @@ def minimise(
     algorithms 7.4 and 3.1). The very first step is a tenth of Polyak's, value / |gradient|², the
     one that would reach 0 if the objective fell on at this rate: no length to be set by hand.
     """
-    pairs: deque[tuple[Tensor, Tensor]] = deque(maxlen=_MEMORY)
+    pairs: deque[tuple[Tensor, Tensor]] = deque(maxlen=MEMORY)
     here = objective(x)
     while True:
         while (yield x, here):

@@ -107,7 +107,23 @@ def image_of(
     blur : Blur, optional
         As for `WideImage`; see `even_blur_of`.
     """
-    origins = 1 if blur else _origins(scene)
+    cells = cells_of(level, scene, mirrored, sharp=blur is not None)
+    return WideImage(scene, target, cells, light_extent, mirrored, blur)
+
+
+def cells_of(
+    level: Level, scene: Scene, mirrored: tuple[bool, bool] = (False, False), sharp: bool = False
+) -> Corners:
+    """Cells of the image by which a level compares lenses.
+
+    Parameters
+    ----------
+    level, scene, mirrored
+        As for `image_of`.
+    sharp : bool
+        Whether light of the middle of the source stands for all of it, as with a blur.
+    """
+    origins = 1 if sharp else _origins(scene)
     count = scene.source.point_count * origins
     finer = _MIRRORED ** sum(mirrored) / count**level.thinning
     least = _SEEN if count > 1 else 0.0
@@ -119,7 +135,7 @@ def image_of(
     cells = [number / finest for number in cells]
     # An even number makes a mirrored lens a mirrored image, of which half need be traced.
     m_x, m_y = (min(max(2 * math.ceil(count / 2), _FEWEST_CELLS), _MOST_CELLS) for count in cells)
-    return WideImage(scene, target, Corners(m_x, m_y, origins), light_extent, mirrored, blur)
+    return Corners(m_x, m_y, origins)
 
 
 def images_of(

@@ -11,6 +11,7 @@ from workbench.design.auto import auto_steps
 from workbench.design.filtered_image import FilteredImage
 from workbench.design.heights import Mask
 from workbench.design.levels import FINE, images_of
+from workbench.design.memory import check_auto, memory_notes
 from workbench.design.paper import check_paper, paper_steps
 from workbench.design.room import Room
 from workbench.design.step import Step
@@ -45,11 +46,14 @@ class Method(NamedTuple):
         and control points that they have in common.
     check : callable
         Refuses a scene that it cannot design.
+    notes : callable
+        What a run of a scene says of itself from the beginning.
     """
 
     steps: Callable[[Room], Generator[Step, None, str]]
     image: Callable[[Scene, Array, Heights, Mask | None], Image]
     check: Callable[[Scene], None]
+    notes: Callable[[Scene], tuple[str, ...]]
 
 
 def method_of(scene: Scene) -> Method:
@@ -62,10 +66,11 @@ def _finest(scene: Scene, target: Array, heights: Heights, locked: Mask | None) 
 
 
 _METHODS = {
-    "auto": Method(auto_steps, _finest, check=lambda scene: None),
+    "auto": Method(auto_steps, _finest, check_auto, memory_notes),
     "paper": Method(
         paper_steps,
         lambda scene, target, heights, locked: FilteredImage(scene, target, locked),
-        check=check_paper,
+        check_paper,
+        notes=lambda scene: (),
     ),
 }

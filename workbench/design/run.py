@@ -90,7 +90,8 @@ def run(
         # The first lens of a later stage counts as an iteration: its loss is one of another task.
         most = 1 if done else part.run.iterations + (stage == first)
         room = Room(part, target, start, locked)
-        steps = method_of(part).steps(room)
+        method = method_of(part)
+        steps, notes = method.steps(room), (*_scene_notes(scene), *method.notes(part))
         lowest = math.inf
         best_heights: ControlHeights | None = None
         for _ in range(most):
@@ -120,7 +121,7 @@ def run(
                 best=best,
                 stage=stage,
                 stages=len(parts),
-                notes=(*_scene_notes(scene), *step.notes, *room.notes),
+                notes=(*notes, *step.notes, *room.notes),
             )
             iteration += 1
         else:

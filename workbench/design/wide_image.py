@@ -24,7 +24,7 @@ Array = npt.NDArray[np.float64]
 
 # Parts of the screen's width that the image reaches beyond it on each side: as far as the light of
 # the first lens falls, within these.
-_MARGINS = 0.05, 1.0
+MARGINS = 0.05, 1.0
 
 
 class WideImage:
@@ -125,6 +125,6 @@ def _margin(extent: float, pixels: int, farthest: float) -> int:
 
     There is no light beyond ``farthest``.
     """
-    least, most = _MARGINS
+    least, most = MARGINS
     wanted = math.ceil(min(max((extent - 1) / 2, least), most) * pixels)
     return wanted if math.isinf(farthest) else min(wanted, int((farthest - 1) / 2 * pixels))

@@ -6,7 +6,7 @@ that could not do. A goal says the ways; see `workbench.design.transport.two_fac
 `workbench.design.transport.lines`.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Protocol
 
 import numpy as np
@@ -17,7 +17,7 @@ from workbench.design.transport.back_and_forth import MOST_ROUNDS, Transport
 from workbench.design.transport.face import SlopeFit
 from workbench.design.transport.start import FEW_ROUNDS, UPRIGHT, wanted_cells
 from workbench.design.transport.two_face_light import LightInLens, TwoFaceLight
-from workbench.geometry.surface import freeform_nets
+from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.interruption import check_interruption
 from workbench.scene import Scene, WantedImage
 
@@ -62,7 +62,7 @@ class BothFaces:
     def __init__(self, scene: Scene) -> None:
         nets = freeform_nets(scene.optic)
         self._index, self._limits = scene.optic.index, HeightLimits.of_faces(bounded(scene))
-        self._cells = max(_CELLS, 2 * max(max(net.shape) for net in nets.values()))
+        self._cells = cells_for(nets)
         self._light = TwoFaceLight(scene, self._cells)
         self._fits = {face: SlopeFit(net, self._cells) for face, net in nets.items()}
         self._plate = {
@@ -143,6 +143,11 @@ class BothFaces:
         bends = _slopes(traced.glass, goal.behind(traced), self._index, 1.0)
         bent = self._fits["exit"].heights(*self._light.evenly(bends, "exit", traced.exit))
         return self._limits["exit"].placed(bent)
+
+
+def cells_for(nets: Mapping[str, ControlNet]) -> int:
+    """Cells along each axis of a first lens on the nets of its faces."""
+    return max(_CELLS, 2 * max(max(net.shape) for net in nets.values()))
 
 
 def _slopes(before: Vector, behind: Vector, index: float, other: float) -> tuple[Array, Array]:

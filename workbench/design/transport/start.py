@@ -78,7 +78,7 @@ def transport_start(scene: Scene, target: Array) -> Array | None:
         no light leaves the lens even where its faces are parallel.
     """
     net = ControlNet.of(scene.optic)
-    cells = max(CELLS, 2 * max(net.shape))
+    cells = cells_for(net)
     fit = SlopeFit(net, cells)
     light = _Light(scene, net, fit, cells)
     limits = HeightLimits.of(bounded(scene), net)
@@ -128,6 +128,11 @@ class _Judged(NamedTuple):
 
     def __lt__(self, other: object) -> bool:
         return isinstance(other, _Judged) and self.error < other.error
+
+
+def cells_for(net: ControlNet) -> int:
+    """Cells along each axis of a first lens on a net."""
+    return max(CELLS, 2 * max(net.shape))
 
 
 def wanted_cells(scene: Scene, target: Array, cells: int) -> tuple[Array, tuple[float, float]]:

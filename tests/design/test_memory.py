@@ -1,0 +1,104 @@
+"""Memory of a run, computed before it and measured."""
+
+import sys
+from pathlib import Path
+
+import pytest
+import torch
+
+from workbench.analysis.benchmark.examples import wavy
+from workbench.design import memory
+from workbench.design.levels import FINE, image_of
+from workbench.design.memory import auto_memory, check_auto, memory_notes
+from workbench.design.run import run
+from workbench.errors import Refused
+from workbench.extended.blur import Blur
+from workbench.geometry.surface import freeform_nets
+from workbench.system_memory import as_bytes, release_freed_memory
+from workbench.targets import load_target
+
+needs_account = pytest.mark.skipif(
+    sys.platform != "linux", reason="needs the account of Linux's kernel"
+)
+
+
+def status(name):
+    """A number of bytes that the kernel knows of this process."""
+    text = Path("/proc/self/status").read_text("ascii")
+    return 1024 * int(text.split(f"{name}:")[1].split()[0])
+
+
+def peak_of(work):
+    """Bytes that work takes beyond what there was before, at most."""
+    release_freed_memory()
+    before = status("VmRSS")
+    Path("/proc/self/clear_refs").write_text("5")  # the peak counts anew
+    work()
+    return status("VmHWM") - before
+
+
+SCENES = {
+    "far": {"source": {"kind": "collimated", "rays": [16, 16]}},
+    "sun": {"source": {"kind": "collimated", "rays": [16, 16], "angular_diameter": 0.533}},
+    "point": {"source": {"kind": "point", "position": [0, 0, -30], "rays": 256}},
+    "two faces": {"lens.entrance": {"shape": "freeform"}},
+}
+
+
+@needs_account
+@pytest.mark.parametrize("name", SCENES)
+def test_an_evaluation_takes_the_memory_that_was_computed(make_scene, name):
+    scene = make_scene({"version": 2, "screen.pixels": [288, 288], **SCENES[name]})
+    target = load_target(scene, None)
+    heights = {
+        face: torch.as_tensor(wavy(scene.with_net(net.shape)) - (0.3 if face == "entrance" else 0))
+        for face, net in freeform_nets(scene.optic).items()
+    }
+    blur = Blur.of(scene) if name == "sun" else None
+    image = image_of(FINE, scene, target, scene.receiver.half_extent, blur=blur)
+
+    def evaluate():
+        given = {face: each.clone().requires_grad_() for face, each in heights.items()}
+        error, _ = image.compare(given)
+        torch.autograd.grad(error.square().sum(), list(given.values()))
+
+    evaluate()  # what is loaded and kept once
+    measured = peak_of(evaluate)
+    computed = memory._of_nodes(scene, blur.parts, sharp=True) if blur else memory._of_image(scene)
+    assert 0.9 * measured < computed < 1.25 * measured
+
+
+@pytest.fixture
+def large(make_scene):
+    """The smallest task with a net whose runs take 1 GB or more."""
+    return make_scene({"screen.pixels": [1024, 1024], "lens.control_points": [64, 64]})
+
+
+def test_a_run_that_does_not_fit_is_refused_before_anything_is_made(large, monkeypatch):
+    needed = auto_memory(large)
+    monkeypatch.setattr(memory, "available_memory", lambda: needed - 1)
+    monkeypatch.setattr("workbench.design.run.Room", lambda *_: pytest.fail("was made"))
+    with pytest.raises(Refused) as refused:
+        next(run(large, load_target(large, None)))
+    assert refused.value.path == "screen.pixels"
+    assert refused.value.reason == (
+        f"1024 × 1024 pixels with 64 × 64 control points need about {as_bytes(needed)} of memory, "
+        f"and {as_bytes(needed - 1)} are free; take fewer of both, or close other programs"
+    )
+    monkeypatch.setattr(memory, "available_memory", lambda: needed)
+    check_auto(large)
+
+
+def test_a_run_says_its_memory_where_it_is_large(large, make_scene):
+    assert memory_notes(large) == (f"memory: about {as_bytes(auto_memory(large))}",)
+    small = make_scene()
+    assert memory_notes(small) == ()
+    assert not any("memory" in note for note in next(run(small, load_target(small, None))).notes)
+
+
+def test_memory_grows_with_pixels_control_points_and_images(make_scene, large):
+    fewer = make_scene({"screen.pixels": [512, 512], "lens.control_points": [64, 64]})
+    # Nodes and pixels alone count there: four times as many, and what the program itself needs.
+    assert auto_memory(large) / auto_memory(fewer) == pytest.approx(3.5, abs=0.5)
+    finer = make_scene({"screen.pixels": [512, 512], "lens.control_points": [512, 512]})
+    assert auto_memory(finer) > 1.5 * auto_memory(fewer)

@@ -1,0 +1,135 @@
+"""The memory of a run of ``auto``, from the sizes of its arrays, before any of them is made.
+
+Two of its parts take turns: the first lens by transport, on grids of cells, and the descent on the
+finest image, with the nodes between cells of light, what triangles between them keep for the way
+back, the image, and the steps that L-BFGS remembers. Measured and computed, GB beyond the program
+itself, for a photograph:
+
+| scene | measured | computed |
+|---|---|---|
+| 256 x 256 pixels | 0.26 | 0.30 |
+| 512 x 512 | 0.97 | 1.02 |
+| 1024 x 1024 | 2.01 | 2.23 |
+| 512 x 512, point source | 1.43 | 1.41 |
+| 512 x 512, in the sun | 0.81 | 0.77 |
+| 256 x 256, two faces | 0.72 | 0.81 |
+| 512 x 512, two faces | 2.62 | 2.89 |
+"""
+
+import math
+
+from workbench.design.lbfgs import MEMORY
+from workbench.design.levels import FINE, cells_of
+from workbench.design.transport import both_faces, start
+from workbench.design.wide_image import MARGINS
+from workbench.errors import Refused
+from workbench.extended.blur import Blur, one_over_the_lens
+from workbench.geometry.surface import ControlNet, freeform_nets
+from workbench.optics.path import Path
+from workbench.optics.precision import precision_of
+from workbench.optics.samples import Corners
+from workbench.optics.ways import beam_kernel_of
+from workbench.scene import Scene
+from workbench.system_memory import as_bytes, available_memory
+
+# Compiled kernels, and libraries that a run is the first to need.
+_PROGRAM = 120e6
+_REAL = 8  # bytes of a float64
+# Arrays of all cells of a first lens that are there at the same time, by whether light comes from
+# far away, and with two faces; pieces that are freed between others count as long as it is sought.
+_FAR, _NEAR, _BOTH = 26, 58, 125
+# Numbers of a node: those of hits and flux, the same on the wide image, and both cotangents, in the
+# precision of the trace; and in float64 hits, densities of triangles, and cotangents of these.
+_TRACED, _DRAWN = 9, 9
+# More of them in the precision of the trace: areas, depths and room to the rim on two faces; and
+# all that torch keeps where no kernel traces.
+_OF_TWO_FACES, _WITHOUT_KERNEL = 6, 60
+# Images that there are at the same time: steps and slivers of each thread, sums, cotangents.
+_IMAGES = 4
+# More of them where light is blurred: waves of the image, of the blur, and of both.
+_BLURRED = 2
+# Vectors of L-BFGS besides the two of each step that it remembers.
+_VECTORS = 12
+# Over a run, pieces that are freed between others take more than what is in use.
+_SCATTERED = 1.15
+# Cells of a path that is only to be looked at.
+_A_FEW = Corners(4, 4)
+# From here on a log says it.
+_LARGE = 1e9
+
+
+def auto_memory(scene: Scene) -> int:
+    """Bytes that a run of ``auto`` takes beyond what the program has, about.
+
+    Parameters
+    ----------
+    scene : Scene
+        The design task, without stages, on a definite net.
+    """
+    return round(_PROGRAM + max(_of_start(scene), _of_descent(scene)))
+
+
+def memory_notes(scene: Scene) -> tuple[str, ...]:
+    """What the log of a run says of its memory, if it needs much."""
+    needed = auto_memory(scene) if scene.run.device == "cpu" else 0
+    return (f"memory: about {as_bytes(needed)}",) if needed >= _LARGE else ()
+
+
+def check_auto(scene: Scene) -> None:
+    """Refuse a run that would not fit into memory, before it begins.
+
+    Raises
+    ------
+    Refused
+        With what takes it, what is needed, what is there, and what would fit.
+    """
+    if scene.run.device != "cpu":
+        return  # what a run takes there has not been measured
+    needed, available = auto_memory(scene), available_memory()
+    if needed <= available:
+        return
+    (n_x, n_y), (n_u, n_v) = scene.receiver.pixels, scene.optic.net_shape
+    raise Refused(
+        f"{scene.receiver.called}.pixels",
+        f"{n_x} × {n_y} pixels with {n_u} × {n_v} control points need about {as_bytes(needed)} of "
+        f"memory, and {as_bytes(available)} are free; take fewer of both, or close other programs",
+    )
+
+
+def _of_start(scene: Scene) -> float:
+    """Bytes of a first lens by transport."""
+    nets = freeform_nets(scene.optic)
+    if "entrance" in nets:
+        return _BOTH * _REAL * both_faces.cells_for(nets) ** 2
+    arrays = _FAR if scene.source.place is None else _NEAR
+    return arrays * _REAL * start.cells_for(ControlNet.of(scene.optic)) ** 2
+
+
+def _of_descent(scene: Scene) -> float:
+    """Bytes of a step on the finest images, all of which are there at the same time."""
+    heights = sum(math.prod(net.shape) for net in freeform_nets(scene.optic).values())
+    steps = _REAL * heights * (2 * MEMORY + _VECTORS)
+    return _SCATTERED * (steps + sum(map(_of_image, scene.single)))
+
+
+def _of_image(scene: Scene) -> float:
+    """Bytes of one evaluation of a lens in an image, with its gradient."""
+    blur = Blur.of(scene)
+    # Only a trace tells whether all parts of the lens blur the source alike.
+    even = not blur.within_a_pixel and one_over_the_lens(scene)
+    return max(_of_nodes(scene, 1), _of_nodes(scene, blur.parts, sharp=True) if even else 0.0)
+
+
+def _of_nodes(scene: Scene, finer: int, *, sharp: bool = False) -> float:
+    """The same with so many times finer pixels, by light of all of the source or of its middle."""
+    cells = cells_of(FINE, scene, sharp=sharp)
+    grids = cells.origins * scene.source.point_count
+    nodes = (cells.x + 1) * (cells.y + 1) * grids
+    traced = _TRACED + _OF_TWO_FACES * ("entrance" in freeform_nets(scene.optic))
+    if beam_kernel_of(Path.of(scene, ControlNet.of(scene.optic), samples=_A_FEW)) is None:
+        traced += _WITHOUT_KERNEL
+    drawn = _DRAWN if grids == 1 else 0  # several are drawn one after the other
+    pixels = math.prod(finer * n * (1 + 2 * MARGINS[0]) for n in scene.receiver.pixels)
+    numbers = traced * precision_of(scene).itemsize + drawn * _REAL
+    images = _IMAGES + _BLURRED * sharp
+    return nodes * numbers + images * _REAL * pixels
