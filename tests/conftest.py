@@ -55,6 +55,8 @@ def pytest_xdist_make_scheduler(config, log):
 
 def pytest_configure(config):
     """Give each of several processes a screen of its own."""
+    # Threads of kernels that wait would keep cores from other processes: half of all CPU.
+    os.environ.setdefault("OMP_WAIT_POLICY", "PASSIVE")  # read where torch is first imported
     if _XVFB and hasattr(config, "workerinput"):
         config.add_cleanup(_new_screen())
 

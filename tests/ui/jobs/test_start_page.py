@@ -13,6 +13,7 @@ from workbench.files.scene import read_scene, write_scene
 from workbench.jobs import JOBS
 from workbench.jobs.sun_plate import SunPlate
 from workbench.jobs.torch import Torch
+from workbench.jobs.wall_washer import WallWasher
 from workbench.scene.kinds import title_of
 
 
@@ -133,6 +134,7 @@ def test_an_image_takes_the_aspect_of_the_picture_that_is_chosen(page, tmp_path,
 
 
 def test_figures_come_without_blocking_the_page(page, qtbot):
+    choose(page, WallWasher)  # its picture at best is found soon
     qtbot.waitUntil(lambda: "Error at best" in page._outlook.text, timeout=90_000)
     said = page._outlook.text
     for name in ("Blur of the light", "Diffraction", "Largest slope", "Étendue", "Proposed"):
