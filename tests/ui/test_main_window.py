@@ -424,7 +424,7 @@ def test_a_cancelled_close_leaves_the_run_running(built, qtbot, answers):
 
 def test_the_camera_turns_to_an_axis_and_back(built, qtbot):
     view = built.loaded.views.scene
-    qtbot.waitUntil(lambda: view._picture is not None, timeout=20_000)
+    qtbot.waitUntil(lambda: view._contents.picture is not None, timeout=20_000)
     camera = view._plotter.camera
     before = camera.direction
     for name, direction in (("side", (1, 0, 0)), ("top", (0, -1, 0)), ("axis", (0, 0, -1))):

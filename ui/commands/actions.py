@@ -7,8 +7,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
 from PySide6.QtWidgets import QMainWindow, QMenu, QMenuBar, QToolBar, QToolButton
 
+from ui.commands.menus import CHOICES, LABELLED, MENUS, TOOLBAR
 from ui.commands.palette import SEPARATOR
-from ui.commands.table import CHOICES, COMMANDS, LABELLED, MENUS, TOOLBAR, Command
+from ui.commands.table import COMMANDS, Command
 from ui.widgets import theme
 
 

@@ -16,6 +16,7 @@
 9. Tools change what is shown by the methods here and never draw: an `_ask` is drawn in its turn.
 """
 
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -24,29 +25,24 @@ from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QCloseEvent, QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import QGridLayout, QLabel, QSizePolicy, QWidget
 
-from ui.shown.frame import same_task, some_rays
-from ui.views.face_nets import FaceNets
+from ui.shown.frame import same_task
+from ui.views.scene_contents import SceneContents, SceneLook
 from ui.views.tools.steer import steer
 from ui.views.tools.tool import Pointer, Tool
 from ui.views.tools.tool_input import ToolInput
 from ui.views.view import View
 from ui.widgets.native import make_native
 from workbench.design.limits import bounded
-from workbench.pictures.images import LIGHT
 
 if TYPE_CHECKING:
     from ui.shown.frame import Frame
     from workbench.files.session import Session
     from workbench.geometry.faces import ControlHeights
-    from workbench.pictures.dots import Dots
     from workbench.pictures.face_look import FaceColours
-    from workbench.pictures.lens import LensPicture
     from workbench.pictures.sight import Sight
     from workbench.pictures.source_handles import SourceHandles
     from workbench.scene import Optic, Scene, Source
 
-_SPOT = 5.0  # pixels
-_SPOTS = {True: "#ff5a5a", False: "#c81e1e"}  # by dark; as rays that are lost
 _NOTCH = 1.2  # times as large, by a notch of the wheel
 
 
@@ -70,23 +66,15 @@ class SceneView(View):
         super().__init__(parent)
         make_native(self)
         self._plotter: Any = None
-        self._picture: LensPicture | None = None
-        self._handles: SourceHandles | None = None
-        self._sight: Sight | None = None
-        self.nets = FaceNets(self)
+        self._contents = SceneContents(self)
+        self.nets = self._contents.nets
         self.nets.changed.connect(self._ask)
+        self._look = SceneLook()
         self._tool: Tool | None = None
         self._shown: Session | None = None
-        self._spots: tuple[ControlHeights, npt.NDArray[np.float64]] | None = None
-        self._dots: Dots | None = None
         self._held: npt.NDArray[np.float64] | None = None  # what the camera was turned to
         self._placement: dict[str, Any] | None = None  # of the camera, once the design is there
         self._closed = False
-        self._rays = 15
-        self._exploded = False
-        self._perspective = False
-        self._by_weight = False
-        self._faces: tuple[FaceColours, bool] = "material", False
         self._tool_input = ToolInput(self)
         self._tool_input.clicked.connect(self._pick)
         self._tool_input.wheeled.connect(self._zoom)
@@ -100,11 +88,10 @@ class SceneView(View):
         self._over = QGridLayout()
         self._over.addWidget(self._hint, 0, 0, Qt.AlignmentFlag.AlignBottom)
         self._box.addLayout(self._over, 1)
-        self._colours = LIGHT
 
     def show_colours(self, name: str) -> None:
         """Show light in one of `workbench.pictures.maps.UNSIGNED`."""
-        self._colours = name
+        self._look = replace(self._look, colours=name)
         self._ask()
 
     @property
@@ -125,7 +112,7 @@ class SceneView(View):
     @property
     def exploded(self) -> bool:
         """Whether distances are not drawn to scale."""
-        return self._exploded
+        return self._look.exploded
 
     @property
     def unit(self) -> str:
@@ -135,12 +122,12 @@ class SceneView(View):
     @property
     def handles(self) -> "SourceHandles | None":
         """The handles of the source; None before the first drawing."""
-        return self._handles
+        return self._contents.handles
 
     @property
     def sight(self) -> "Sight | None":
         """What is seen where; None before the first drawing."""
-        return self._sight
+        return self._contents.sight
 
     def use(self, tool: Tool | None) -> None:
         """Give the left button to another tool, or to the camera alone."""
@@ -173,8 +160,9 @@ class SceneView(View):
 
     def camera(self) -> dict[str, Any] | None:
         """Where the camera stands, as plain data; None before the first drawing."""
-        if self._placement is None and self._picture is not None:
-            return self._picture.camera.placement()
+        picture = self._contents.picture
+        if self._placement is None and picture is not None:
+            return picture.camera.placement()
         return self._placement
 
     def set_camera(self, placement: dict[str, Any]) -> None:
@@ -193,62 +181,61 @@ class SceneView(View):
 
     def see_in_perspective(self, perspective: bool) -> None:
         """See in perspective, or in parallel."""
-        self._perspective = perspective
-        if self._picture is not None:
-            self._picture.project(perspective)
+        self._look = replace(self._look, perspective=perspective)
+        if self._contents.picture is not None:
+            self._contents.picture.project(perspective)
             self._plotter.update()
 
     def colour_rays(self, by_weight: bool) -> None:
         """Colour rays by the part of their light that arrives, or by where they end."""
-        self._by_weight = by_weight
-        if self._picture is not None:
-            self._picture.colour_rays(by_weight)
+        self._look = replace(self._look, by_weight=by_weight)
+        if self._contents.picture is not None:
+            self._contents.picture.colour_rays(by_weight)
             self._plotter.update()
 
     def colour_faces(self, by: "FaceColours") -> None:
         """Colour freeform faces by what `workbench.pictures.face_look` knows."""
-        self._faces = by, self._faces[1]
+        self._look = replace(self._look, faces=by)
         self._ask()
 
     def exaggerate_relief(self, exaggerated: bool) -> None:
         """Light the relief of freeform faces as if it were higher, or as it is."""
-        self._faces = self._faces[0], exaggerated
+        self._look = replace(self._look, exaggerated=exaggerated)
         self._ask()
 
     def picture(self, times: int) -> "npt.NDArray[np.uint8] | None":
         """What is seen now, so many times as large, shape (rows, columns, 3); None before that."""
-        if self._picture is None:
+        if self._contents.picture is None:
             return None
         taken = self._plotter.screenshot(return_img=True, scale=times)
         return np.ascontiguousarray(taken[..., :3])
 
     def show_rays(self, rays: int) -> None:
         """Show so many of the rays along each axis: a divisor of `RAYS`, or none."""
-        self._rays = rays
+        self._look = replace(self._look, rays=rays)
         self._ask()
 
     def show_spots(self, heights: "ControlHeights", places: npt.NDArray[np.float64]) -> None:
         """Mark places of a lens with these heights, shape (n, 3), as long as it is on show."""
-        self._spots = heights, places
+        self._contents.mark(heights, places)
         self._ask()
 
     def explode(self, exploded: bool) -> None:
         """Draw long distances short and a large screen small, or all to scale."""
-        self._exploded = exploded
+        self._look = replace(self._look, exploded=exploded)
         self._shown = None
         self._ask()
 
     def fit(self, view: str = "") -> None:
         """Turn to a view of `workbench.pictures.camera.FittedCamera.fit`, or to the default one."""
-        if self._picture is not None:
-            self._picture.fit(view)
+        if self._contents.picture is not None:
+            self._contents.picture.fit(view)
             self._plotter.update()
 
     def close_plotter(self) -> None:
         """Free what VTK holds; the view stays empty from then on. Safe to call twice."""
         self._closed = True
-        self._picture = self._handles = self._sight = self._dots = None
-        self.nets.close()
+        self._contents.close()
         if self._plotter is not None:
             self._plotter.close()
             self._plotter.deleteLater()
@@ -257,8 +244,9 @@ class SceneView(View):
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Keep the default view fitted."""
         super().resizeEvent(event)
-        if self._picture is not None and self._picture.fitted:
-            self._picture.fit_again()
+        picture = self._contents.picture
+        if picture is not None and picture.fitted:
+            picture.fit_again()
             self._plotter.update()  # the plotter may have been painted before the frame came
 
     def closeEvent(self, event: QCloseEvent) -> None:
@@ -274,7 +262,8 @@ class SceneView(View):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Look from elsewhere, by a key that no tool has taken."""
-        if self._picture is not None and steer(self._picture.camera, event):
+        picture = self._contents.picture
+        if picture is not None and steer(picture.camera, event):
             self._plotter.update()
         else:
             super().keyPressEvent(event)
@@ -286,8 +275,9 @@ class SceneView(View):
 
     def _zoom(self, at: Pointer, notches: float) -> None:
         """Come nearer to what is under the pointer, or go away from it."""
-        if self._picture is not None and self._sight is not None:
-            self._picture.camera.zoom(_NOTCH**notches, self._sight.point(at.x, at.y))
+        picture, sight = self._contents.picture, self._contents.sight
+        if picture is not None and sight is not None:
+            picture.camera.zoom(_NOTCH**notches, sight.point(at.x, at.y))
             self._plotter.update()
 
     def _draw(self, session: "Session", frame: "Frame | None") -> None:
@@ -299,34 +289,19 @@ class SceneView(View):
             self._begin(session)
         self._shown = session
         self._place_camera(session)
-        if self._picture is not None and frame is not None:
-            lit, paths = frame.state.irradiance, some_rays(frame.paths, self._rays)
-            further = [light.irradiance for light in frame.state.further]
-            self._picture.set_colours(self._colours)
-            self._picture.set_faces(*self._faces)
-            self._picture.update(frame.surfaces, paths, lit, frame.source, further)
         if frame is not None:
-            self._draw_tools(frame)
+            if self._tool is not None:
+                self._hint.setText(self._tool.hint)
+            self._contents.draw(frame, self._look, self._tool)
         self._plotter.repaint()
 
     def _place_camera(self, session: "Session") -> None:
         """Stand where it was asked for, as soon as the design is there that this was said of."""
         latest = self._session is None or same_task(session, self._session)
-        if self._placement is not None and self._picture is not None and latest:
-            self._picture.camera.place(self._placement)
+        picture = self._contents.picture
+        if self._placement is not None and picture is not None and latest:
+            picture.camera.place(self._placement)
             self._placement = None
-
-    def _draw_tools(self, frame: "Frame") -> None:
-        handles, tool = self._handles, self._tool
-        assert handles is not None  # made with the picture
-        if tool is not None:
-            self._hint.setText(tool.hint)
-        if self._dots is not None:
-            spots = self._spots
-            here = spots is not None and spots[0] == frame.state.heights
-            self._dots.place(spots[1] if spots is not None and here else np.zeros((0, 3)))
-        self.nets.draw(frame.state.heights, tool is not None and tool.shows_net)
-        handles.show(frame.source if tool is not None and tool.shows_handles else None)
 
     def _open_plotter(self) -> None:
         from pyvistaqt import QtInteractor
@@ -348,45 +323,19 @@ class SceneView(View):
             self._plotter.setCursor(self._tool.cursor)
 
     def _begin(self, session: "Session") -> None:
-        from workbench.pictures.dots import Dots
-        from workbench.pictures.lens import LensPicture
-        from workbench.pictures.sight import Sight
-        from workbench.pictures.source_handles import SourceHandles
-
-        scene, dark = session.scene, self.is_dark()
-        space = self._space(scene)
+        space = self._space(session.scene)
         moved = self._held is None or not np.array_equal(self._held, space)
         self._held = space
-        self._plotter.clear_actors()
-        self._picture = LensPicture(
-            self._plotter,
-            scene,
-            session.target,
-            dark=dark,
-            explode=self._exploded,
-            perspective=self._perspective,
-            by_weight=self._by_weight,
-        )
-        self.nets.begin(self._plotter, scene.optic, dark=dark)
-        self._handles = SourceHandles(self._plotter, dark=dark)
-        self._dots = Dots(self._plotter, _SPOT)
-        self._dots.colour(_SPOTS[dark])
-        self._sight = Sight(self._plotter)
+        picture = self._contents.begin(self._plotter, session, self._look, dark=self.is_dark())
         if moved:
-            self._picture.fit()
+            picture.fit()
 
     def _space(self, scene: "Scene") -> npt.NDArray[np.float64]:
         """What the picture of a scene has to hold."""
         from workbench.pictures.camera import space
         from workbench.pictures.exploded import exploded
 
-        return space(exploded(scene) if self._exploded else scene)
+        return space(exploded(scene) if self._look.exploded else scene)
 
     def _recolour(self) -> None:
-        if self._picture is not None:
-            self._picture.recolour(self.is_dark())
-        if self._dots is not None:
-            self._dots.colour(_SPOTS[self.is_dark()])
-        self.nets.recolour(self.is_dark())
-        if self._handles is not None:
-            self._handles.recolour(self.is_dark())
+        self._contents.recolour(dark=self.is_dark())

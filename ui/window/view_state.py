@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping
 from typing import Any, Protocol
 
 from ui.commands.actions import Commands
-from ui.commands.table import LOOK
+from ui.commands.menus import LOOK
 from ui.window.layout import Layout
 
 _LAYOUT, _ON, _CAMERA = "layout", "on", "camera"

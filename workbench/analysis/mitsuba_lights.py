@@ -15,14 +15,13 @@ from workbench.measured.lamps import intensity_of
 from workbench.scene import (
     AreaSource,
     CollimatedSource,
-    GridSource,
     LightOfPoints,
     Optic,
     PhotometricSource,
-    PointSource,
     RayFileSource,
     Source,
 )
+from workbench.scene.kinds import row_of
 
 # In half-widths of the lens: how far before it parallel light starts.
 _BEFORE = 0.1
@@ -56,7 +55,7 @@ def mitsuba_lights(
     rays, seed : int
         How many rays to draw, and how, of light that is given by its rays.
     """
-    return _LIGHTS[type(source)](mi, source, optic, unit, rays, seed)
+    return row_of(_LIGHTS, source)(mi, source, optic, unit, rays, seed)
 
 
 def check_known(source: Source) -> None:
@@ -67,7 +66,7 @@ def check_known(source: Source) -> None:
     Refused
         If its kind has none.
     """
-    if type(source) not in _LIGHTS:
+    if not isinstance(source, tuple(_LIGHTS)):
         raise Refused("source.kind", f"{source.kind!r} is no light that Mitsuba is given")
 
 
@@ -185,8 +184,7 @@ def _slide(
 _LIGHTS: Mapping[type, Callable[[Any, Any, Optic, float, int, int], Lights]] = {
     CollimatedSource: _sheets,
     AreaSource: _emitter,
-    PointSource: _points,
-    GridSource: _points,
+    LightOfPoints: _points,
     PhotometricSource: _lamp,
     RayFileSource: rays_as_light,
 }

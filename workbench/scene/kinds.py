@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from workbench.scene.task import Scene
 
 AnyPart = TypeVar("AnyPart", bound=Part)
+Row = TypeVar("Row")
 
 
 @dataclass(frozen=True)
@@ -89,6 +90,11 @@ class Kinds:
         given = kept | kind.defaults_for(scene)
         needed = {name for name, field in kind.model_fields.items() if field.is_required()}
         return None if needed - given.keys() else kind.model_validate(given)
+
+
+def row_of(table: Mapping[type, Row], part: Part) -> Row:
+    """The row for a part in a table by kinds: that of its kind, or of what all such kinds are."""
+    return next(table[kind] for kind in type(part).__mro__ if kind in table)
 
 
 def only(parts: Mapping[str, AnyPart | None]) -> AnyPart:

@@ -24,7 +24,7 @@ def test_there_is_a_command_for_each_choice_of_colours():
 def test_colours_reach_all_views_and_the_next_window(window, settings, qtbot):
     assert window.commands["colours_inferno"].isChecked()
     window.commands["colours_cividis"].trigger()
-    assert window.loaded.views.link.colours == window.loaded.views.scene._colours == "cividis"
+    assert window.loaded.views.link.colours == window.loaded.views.scene._look.colours == "cividis"
     irradiance = window.loaded.views.docked["irradiance"]
     qtbot.waitUntil(lambda: not irradiance.empty, timeout=30_000)
     shown = irradiance._content.image.artists[0]

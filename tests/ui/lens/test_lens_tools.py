@@ -321,9 +321,9 @@ def test_keys_without_a_tool_move_the_camera(tools, qtbot):
     assert view.nets.brush and camera.focal_point == middle
     qtbot.keyClick(view._plotter, Qt.Key.Key_Plus)
     assert camera.parallel_scale == pytest.approx(scale / 1.25)
-    assert not view._picture.fitted
+    assert not view._contents.picture.fitted
     qtbot.keyClick(view._plotter, Qt.Key.Key_Home)
-    assert camera.position == pytest.approx(fitted) and view._picture.fitted
+    assert camera.position == pytest.approx(fitted) and view._contents.picture.fitted
 
 
 def test_arrows_move_the_brush_from_where_it_was(sculpting, qtbot):
@@ -469,14 +469,14 @@ def test_projection_and_ray_colours_stay_for_another_design(tools, qtbot):
     assert not view._plotter.camera.parallel_projection
     data = document.session.scene.to_data()
     farther = Scene.from_data({**data, "screen": {**data["screen"], "z": 9.0}})
-    old = view._picture
+    old = view._contents.picture
     document.edit(farther, "distance", "z")
-    qtbot.waitUntil(lambda: view._picture is not old, timeout=20_000)
+    qtbot.waitUntil(lambda: view._contents.picture is not old, timeout=20_000)
     assert not view._plotter.camera.parallel_projection
-    assert view._picture._by_weight
+    assert view._contents.picture._by_weight
     view.see_in_perspective(False)
     view.colour_rays(by_weight=False)
-    assert view._plotter.camera.parallel_projection and not view._picture._by_weight
+    assert view._plotter.camera.parallel_projection and not view._contents.picture._by_weight
 
 
 def test_in_the_window(display, make_session, open_window, tmp_path, drag, qtbot, monkeypatch):

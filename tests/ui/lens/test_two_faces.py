@@ -139,9 +139,9 @@ def test_marked_places_are_shown_with_their_lens_alone(sculpting, drag, qtbot):
     tools, view = sculpting, sculpting.view
     places = np.array([[0.2, 0.1, 0.5], [0.3, 0.1, 0.5]])
     view.show_spots(view.frame.state.heights, places)
-    qtbot.waitUntil(lambda: bool(view._dots._actor.visibility))
-    np.testing.assert_allclose(view._dots._mesh.points, places)
+    qtbot.waitUntil(lambda: bool(view._contents._dots._actor.visibility))
+    np.testing.assert_allclose(view._contents._dots._mesh.points, places)
     held = drag(view, control_point(tools, (6, 5)))
     held.move(upwards(view, 0.05))
     held.release()
-    qtbot.waitUntil(lambda: not view._dots._actor.visibility, timeout=20_000)
+    qtbot.waitUntil(lambda: not view._contents._dots._actor.visibility, timeout=20_000)

@@ -442,17 +442,17 @@ def test_the_3d_scene_of_nothing_has_a_dark_screen(display, session, frame, qtbo
     view.show_frame(frame(3))
     with qtbot.waitExposed(window):
         window.show()
-    qtbot.waitUntil(lambda: view._picture is not None)
-    lit = view._picture
+    qtbot.waitUntil(lambda: view._contents.picture is not None)
+    lit = view._contents.picture
     assert lit._receivers[0]._texels.point_data["colour"].max() > 100
     view.show_nothing(session)
-    qtbot.waitUntil(lambda: view._picture is not lit)
-    assert view._picture._receivers[0]._texels.point_data["colour"].max() < 10
+    qtbot.waitUntil(lambda: view._contents.picture is not lit)
+    assert view._contents.picture._receivers[0]._texels.point_data["colour"].max() < 10
     view.close_plotter()
 
 
 def lines_of(view):
-    picture = view._picture
+    picture = view._contents.picture
     return picture._rays.n_lines if picture._light.visibility else 0
 
 
@@ -466,7 +466,7 @@ def test_the_number_of_rays_is_adjustable_without_another_frame(display, frame, 
         view.show_rays(rays)
         qtbot.waitUntil(lambda count=count: draws[SceneView] == count, timeout=20_000)
         assert lines_of(view) == rays**2
-        ends = np.asarray(view._picture._rays.points).reshape(-1, 4, 3)[:, 3]
+        ends = np.asarray(view._contents.picture._rays.points).reshape(-1, 4, 3)[:, 3]
         assert not rays or np.isclose(ends, middle[3]).all(axis=1).any()
     view.close_plotter()
 

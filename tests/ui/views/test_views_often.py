@@ -22,7 +22,7 @@ def test_fifty_windows(display, session, as_run, qtbot):
             runner.frame_ready.connect(view.show_frame)
         window.show()
         runner.start(session, continue_run=False)
-        qtbot.waitUntil(lambda scene=scene: scene._picture is not None)
+        qtbot.waitUntil(lambda scene=scene: scene._contents.picture is not None)
         runner.shutdown()
         scene.close_plotter()
         window.close()

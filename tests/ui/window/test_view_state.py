@@ -51,7 +51,7 @@ def test_colours_of_a_design_are_not_those_of_the_next_window(open_window, setti
     save(window, path)
     window.commands["colours_gray"].trigger()
     assert window.files.open(path)
-    assert window.loaded.views.link.colours == window.loaded.views.scene._colours == "viridis"
+    assert window.loaded.views.link.colours == window.loaded.views.scene._look.colours == "viridis"
     assert settings.value("view/colours") == "gray"
 
 

@@ -22,13 +22,13 @@ from workbench.optics.sources.ray_file import RayFileEmitter
 from workbench.scene import (
     AreaSource,
     CollimatedSource,
-    GridSource,
+    LightOfPoints,
     Optic,
     PhotometricSource,
-    PointSource,
     RayFileSource,
     Source,
 )
+from workbench.scene.kinds import row_of
 
 Array = npt.NDArray[np.float64]
 
@@ -110,8 +110,7 @@ def _collimated(source: CollimatedSource, optic: Optic, samples: Samples | None)
 _EMITTERS: Mapping[type, Callable[[Any, Optic, Samples | None], Emitter]] = {
     CollimatedSource: _collimated,
     AreaSource: AreaEmitter,
-    PointSource: PointEmitter,
-    GridSource: PointEmitter,
+    LightOfPoints: PointEmitter,
     PhotometricSource: PhotometricEmitter,
     RayFileSource: RayFileEmitter,
 }
@@ -128,4 +127,4 @@ def emitter_of(source: Source, optic: Optic, samples: Samples | None = None) -> 
         Rays along x and y that are wanted in place of the source's own. A source whose
         rays are drawn at random keeps them.
     """
-    return _EMITTERS[type(source)](source, optic, samples)
+    return row_of(_EMITTERS, source)(source, optic, samples)

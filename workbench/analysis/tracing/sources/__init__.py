@@ -18,13 +18,13 @@ from workbench.analysis.tracing.sources.ray_file import RayFileLight
 from workbench.scene import (
     AreaSource,
     CollimatedSource,
-    GridSource,
+    LightOfPoints,
     Optic,
     PhotometricSource,
-    PointSource,
     RayFileSource,
     Source,
 )
+from workbench.scene.kinds import row_of
 
 
 def _collimated(
@@ -38,8 +38,7 @@ def _collimated(
 _SOURCES: Mapping[type, Callable[[Any, Optic, Pose, int, int], LightSource]] = {
     CollimatedSource: _collimated,
     AreaSource: AreaLight,
-    PointSource: PointLight,
-    GridSource: PointLight,
+    LightOfPoints: PointLight,
     PhotometricSource: PhotometricLight,
     RayFileSource: RayFileLight,
 }
@@ -59,4 +58,4 @@ def light_source(source: Source, optic: Optic, pose: Pose, rays: int, seed: int)
     rays, seed : int
         How many rays are drawn at least, and which.
     """
-    return _SOURCES[type(source)](source, optic, pose, rays, seed)
+    return row_of(_SOURCES, source)(source, optic, pose, rays, seed)
