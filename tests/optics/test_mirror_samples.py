@@ -5,8 +5,10 @@ import pytest
 import torch
 
 from workbench.geometry.surface import ControlNet
+from workbench.optics.interfaces import Passed, Reflection
 from workbench.optics.mirror_samples import MirrorSamples, SharedMirror
 from workbench.optics.path import Path
+from workbench.optics.reference import Reference
 from workbench.optics.samples import Corners
 from workbench.scene import Scene
 
@@ -83,3 +85,20 @@ def _solid_angle(scene, slope):
     facing = (away[2] - slope * away[0]) / distance
     weight = away[2] / distance if scene.source.emission == "lambertian" else 1.0
     return (weight * facing / distance**2).sum()
+
+
+def test_a_mirror_is_sampled_whatever_it_does_to_light(monkeypatch):
+    """A kind of interface that no kernel knows begins with the samples as well."""
+
+    class Dark:
+        def turn(self, rays, meeting):
+            passed = Reflection(1.0, "absorbed_mirror").turn(rays, meeting).rays
+            return Passed(passed._replace(flux=0 * passed.flux), {"absorbed_mirror": passed.flux})
+
+    monkeypatch.setattr("workbench.optics.steps.Reflection", lambda *_: Dark())
+    net = ControlNet((9, 7), (3, 3), (1.0, 0.8))
+    path = Path.of(scene_of("point"), net, torch.float64, samples=(20, 16))
+    arrival = Reference(path).arrival({"mirror": torch.zeros(9, 7, dtype=torch.float64)})
+    assert arrival.rays.flux.shape == (20, 16)
+    lost = sum(part.item() for part in arrival.lost.values())
+    assert lost == pytest.approx(1, abs=1e-9)

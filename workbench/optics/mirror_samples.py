@@ -13,7 +13,6 @@ from torch import Tensor
 
 from workbench.geometry.surface import ControlNet
 from workbench.optics.arrival import Arrival
-from workbench.optics.interfaces import Reflection
 from workbench.optics.lit_face import LitFace
 from workbench.optics.path import Path
 from workbench.optics.samples import Corners, Places, Samples, places, splits_side_by_side
@@ -54,7 +53,7 @@ class SharedMirror(NamedTuple):
         if not isinstance(samples, Corners) and emitter.by_area:
             return None
         match path.steps:
-            case (FaceStep(BSplineSurface(net=net, subdivisions=None), Reflection()) as step,):
+            case (FaceStep(BSplineSurface(net=net, subdivisions=None)) as step,):
                 return cls(emitter.origins, samples, net, step)
         return None
 
