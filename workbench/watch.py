@@ -5,12 +5,13 @@ from contextlib import closing
 from typing import TypeVar
 
 T = TypeVar("T")
+Step = TypeVar("Step")
 
 Watch = Callable[[float], None]
 """Called now and then with the part that is done, from 0 to 1."""
 
 
-def unwatched(part: float) -> None:
+def unwatched(step: object) -> None:
     """Take no notice."""
 
 
@@ -19,8 +20,8 @@ def part_of(watch: Watch, before: int, count: int, of: int) -> Watch:
     return lambda part: watch((before + count * part) / of)
 
 
-def finished(steps: Generator[float, None, T], watch: Watch = unwatched) -> T:
-    """Take steps that yield the part of them that is done, to their end."""
+def finished(steps: Generator[Step, None, T], watch: Callable[[Step], object] = unwatched) -> T:
+    """Take steps to their end; those that yield the part of them that is done can be watched."""
     with closing(steps):
         while True:
             try:

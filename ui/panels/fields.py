@@ -210,8 +210,13 @@ class TextRow(Row):
         """Show the scene's text, its end first, which in a path says most."""
         super().show_scene(scene, pending)
         if self.path not in pending:
-            self.editor.show_value(value_at(scene, self.path))
+            self.editor.show_value(self.text_of(value_at(scene, self.path)))
             self.editor.end(False)
+
+    def text_of(self, value: Any) -> str:
+        """What a person reads for the scene's value."""
+        text: str = value
+        return text
 
 
 class ChoiceRow(Row):

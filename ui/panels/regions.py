@@ -3,7 +3,6 @@
 from collections.abc import Set
 from typing import Any
 
-from ui.panels.edits import value_at
 from ui.panels.fields import Row, TextRow
 from ui.panels.listed import ListedPanel
 from ui.panels.region_list import RegionListRow
@@ -46,12 +45,14 @@ class CornersRow(TextRow):
     """Places as text: two numbers each, with a semicolon between places."""
 
     def show_scene(self, scene: Any, pending: Set[str]) -> None:
-        """Show the scene's places."""
-        Row.show_scene(self, scene, pending)
+        """Show the scene's places, the first ones where there is no room for all."""
+        super().show_scene(scene, pending)
         if self.path not in pending:
-            places = value_at(scene, self.path)
-            self.editor.show_value("; ".join(f"{x:.6g}, {y:.6g}" for x, y in places))
             self.editor.home(False)
+
+    def text_of(self, value: Any) -> str:
+        """Numbers and semicolons."""
+        return "; ".join(f"{x:.6g}, {y:.6g}" for x, y in value)
 
     def _tell(self, path: str, changes: dict[str, object]) -> None:
         super()._tell(path, {path: _places(str(changes[path]))})

@@ -62,13 +62,9 @@ def _in_words(bound: "Bound", task: Task) -> str:
     """The bound in a few words; meant for the thread, which leaves it once it shall stop."""
     from workbench.extended.bound import percent  # late: takes long to import
 
-    for _ in bound.finding():
-        if task.stopped:
-            return ""
-    search = bound.finding_half_as_wide()
-    while not task.stopped:
-        try:
-            next(search)
-        except StopIteration as end:
-            return f"{bound.short}; {percent(end.value)} with a source half as wide"
-    return ""
+    if task.follow(bound.finding()) is None:
+        return ""
+    allowed = task.follow(bound.finding_half_as_wide())
+    if allowed is None:
+        return ""
+    return f"{bound.short}; {percent(allowed)} with a source half as wide"

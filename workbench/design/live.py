@@ -24,7 +24,7 @@ import numpy.typing as npt
 from workbench.design.lens_state import LensState
 from workbench.design.loss import relative_error
 from workbench.design.run import run
-from workbench.design.session import Session
+from workbench.design.session import BESIDE_THE_LENS, Session
 from workbench.design.snapshot import History, Snapshot
 from workbench.errors import RunFailed
 from workbench.geometry.faces import NO_LOCKS, ControlHeights, Locks
@@ -178,4 +178,4 @@ def _wanted(scene: Scene) -> tuple[object, ...]:
     """What tells which lens is the best one."""
     run = scene.run
     shop = run.smoothness, run.min_radius, run.min_tool_radius
-    return scene.model_copy(update={"run": None, "regions": ()}), *shop
+    return scene.model_copy(update=BESIDE_THE_LENS), *shop

@@ -273,6 +273,10 @@ def _on_net(scene: Scene, target: Array, there: tuple[int, ...] | None) -> Scene
     return definite(scene, target)
 
 
+BESIDE_THE_LENS: dict[str, object] = {"run": None, "regions": ()}
+"""Fields of a scene that say nothing of what a lens shall do, each with what stands for none."""
+
+
 def task_of(scene: Scene) -> Scene:
     """What a result is one for: all but how it was searched for, where, and on which control net.
 
@@ -283,7 +287,7 @@ def task_of(scene: Scene) -> Scene:
     entrance = optic.entrance.shape, optic.front_z
     known = {name: None for name in searched if hasattr(optic, name)}
     optic = optic.model_copy(update=known | {"entrance": entrance})
-    return scene.with_optic(optic).model_copy(update={"run": None, "unit": None, "regions": ()})
+    return scene.with_optic(optic).model_copy(update=BESIDE_THE_LENS | {"unit": None})
 
 
 def _within(scene: Scene, heights: ControlHeights) -> ControlHeights:

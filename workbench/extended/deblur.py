@@ -18,7 +18,7 @@ says how far the result is from the best at most, and when to stop.
 import math
 from collections.abc import Callable, Generator, Iterator, Sequence
 from itertools import count, islice
-from typing import NamedTuple, TypeVar
+from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -27,9 +27,9 @@ from workbench.extended.blur import Blur
 from workbench.extended.blurring import Blurring
 from workbench.extended.certificate import Certifier
 from workbench.interruption import check_interruption
+from workbench.watch import finished
 
 Array = npt.NDArray[np.float64]
-Found = TypeVar("Found")
 
 # Weights of the copies of image and light, and over-relaxation. Where steps are many, that of light
 # falls, every so many of them, from the first value to the last: 60 steps leave a letter in the sun
@@ -103,17 +103,7 @@ def deblur(target: Array, blur: Blur) -> Deblurred:
     >>> deblur(pixel, Blur((1.0, 1.0))).bound
     0.0
     """
-    return _last_of(deblurring(target, blur))
-
-
-def _last_of(steps: Generator[None, None, Found]) -> Found:
-    """What steps that nobody leaves come to."""
-    while True:
-        try:
-            next(steps)
-        except StopIteration as end:
-            found: Found = end.value
-            return found
+    return finished(deblurring(target, blur))
 
 
 _kept: dict[tuple[object, ...], Deblurred] = {}
@@ -171,7 +161,7 @@ def error_allowed(target: Array, blur: Blur) -> float:
     target, blur
         As for `deblur`.
     """
-    return _last_of(error_allowing(target, blur))
+    return finished(error_allowing(target, blur))
 
 
 def error_allowing(target: Array, blur: Blur) -> Generator[None, None, float]:

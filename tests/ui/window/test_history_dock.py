@@ -6,10 +6,10 @@ from PySide6.QtWidgets import QStyleOptionViewItem
 from tests.ui.hands import move_screen
 from ui.document.undo_steps import UndoSteps
 
-STEPS = 1000
+STEPS = 300
 
 
-def test_a_thousand_steps_are_listed_and_gone_through_by_keyboard(window, qtbot, monkeypatch):
+def test_hundreds_of_steps_are_listed_and_gone_through_by_keyboard(window, qtbot, monkeypatch):
     # Neither forms that show each of them nor the account of memory are tried here.
     window.document.blockSignals(True)
     monkeypatch.setattr(UndoSteps, "_forget_oldest", lambda self: None)
