@@ -70,7 +70,7 @@ def test_a_run_sees_the_error_that_the_check_finds(make_scene, uneven):
     wide = {**FREEFORM, "screen.half_width": [1.8, 1.8], "screen.z": 9.0, "run.iterations": 12}
     scene = make_scene({**wide, "lens.control_points": [24, 24]})
     *_, last = run(scene, uneven)
-    assert last.state.account.lost["left_side"] > 2e-3
+    assert last.state.account.lost["left_side"] > 1e-3
     found = validate(scene, uneven, last.state.heights, 20_000, accuracy=2e-3).by_cells
     assert found is not None
     assert last.state.loss == pytest.approx(found.loss, rel=0.05)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from workbench.design.limits import HeightLimits, undesigned
+from workbench.design.limits import HeightLimits, bounded, undesigned
 from workbench.errors import Refused
 from workbench.geometry.surface import freeform_nets
 from workbench.scene import FlatEntrance, FreeformEntrance, Scene
@@ -60,6 +60,15 @@ def test_an_automatic_entrance_face_shares_the_glass_with_the_exit_face(make_sce
     assert lens.front_z == 0.0
     assert lens.entrance_range == pytest.approx((0.0, room))
     assert lens.floor == pytest.approx(room + 0.05)
+
+
+def test_an_automatic_entrance_face_rises_by_no_more_than_half_the_way_from_the_source(make_scene):
+    near = {"source": {"kind": "point", "position": [0, 0, -0.2]}}
+    automatic = bounded(make_scene({"lens.entrance": FREEFORM, **near}))
+    assert automatic.entrance_range == pytest.approx((0.0, 0.1))
+    assert automatic.floor == pytest.approx(0.1 + 0.05)
+    own = {**FREEFORM, "height_range": [-0.1, 0.3]}
+    assert bounded(make_scene({"lens.entrance": own, **near})).entrance_range == (-0.1, 0.3)
 
 
 @pytest.mark.parametrize("entrance", [FREEFORM, {**FREEFORM, "height_range": [-0.2, 0.3]}])

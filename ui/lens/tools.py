@@ -276,4 +276,4 @@ class LensTools(QObject):
 def _lens_of(session: "Session") -> "ControlHeights":
     """Heights of the lens as it stands, or of the one before any design."""
     heights = session.heights
-    return undesigned(session.scene.optic) if heights is None else heights
+    return undesigned(bounded(session.scene)) if heights is None else heights

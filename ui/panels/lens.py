@@ -8,6 +8,7 @@ from ui.panels.edits import value_at
 from ui.panels.fields import Changes, ChoiceRow, NumberRow, Row
 from ui.panels.panel import PartPanel
 from ui.panels.rows import Make, value_row
+from workbench.design.limits import bounded
 from workbench.geometry.surface import ControlNet
 from workbench.materials import CATALOGUE
 from workbench.scene import FieldDescription, Scene
@@ -76,7 +77,7 @@ class LensPanel(PartPanel):
         if choice == _AUTOMATIC:
             return {path: None}
         if path not in _FACE_RANGES:
-            return {path: list(optic.entrance_offsets)}
+            return {path: list(bounded(self.session.scene).entrance_offsets)}
         half = 0.3 * max(optic.half_width)
         if heights is not None:
             x, y = ControlNet.of(optic).positions

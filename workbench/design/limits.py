@@ -154,4 +154,5 @@ def bounded(scene: Scene) -> Optic:
     """The optic of a scene with all that limits its heights; see `Optic.bounded`."""
     optic = scene.optic
     ends = (receiver.nearest_to(optic) for receiver in scene.receivers)
-    return optic.bounded(min(ends, key=lambda z: optic.onwards * z))
+    nearest = min(ends, key=lambda z: optic.onwards * z)
+    return optic.bounded(scene.source.nearest_z, nearest)

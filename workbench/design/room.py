@@ -122,7 +122,7 @@ class Room:
 
         An automatic range is what thickness and source leave.
         """
-        limits, allowed = self.limits.get("entrance"), self._lens.entrance.height_range
+        limits, allowed = self.limits.get("entrance"), self.scene.optic.entrance.height_range
         if limits is None or allowed is None:
             return None
         free = limits.shaping & ~self.locked.get("entrance", np.zeros_like(limits.shaping))

@@ -195,7 +195,7 @@ class Session:
         if start is not None and others != nets:
             carry = ControlNet.refine if exact else project
             carried = {face: carry(nets[face], start[face], others[face]) for face in kept}
-            new = {face: z for face, z in undesigned(scene.optic).items() if face not in kept}
+            new = {face: z for face, z in undesigned(bounded(scene)).items() if face not in kept}
             start = FaceArrays(new | carried)
             result = result and result.with_state(heights=start)
         if scene.optic.half_width != self.scene.optic.half_width:

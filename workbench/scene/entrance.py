@@ -67,7 +67,7 @@ class FreeformEntrance(Part):
         about(
             "Entrance range",
             "How far the entrance face may be from its place on the axis, towards the source and "
-            "away from it. Automatic leaves it room behind that place, as far as the glass allows.",
+            "away from it. Automatic leaves it room behind that place, as glass and source allow.",
         ),
     ] = None
 

@@ -19,6 +19,17 @@ from workbench.scene.part import NonNegative, Positive
 Reflectance = Annotated[float, Field(ge=0, lt=1)]
 # An automatic entrance face may rise by this part of the lens's half-width.
 _RISE = 0.25
+# And by this part of the way from a source to it: what it may rise is glass that the exit face
+# stands on, in which light of near sources spreads. An LED 10 mm before a lens 120 mm wide, error
+# and light on the screen:
+#
+# | rise | error | light |
+# |---|---|---|
+# | flat entrance face | 24.5 % | 70 % |
+# | 3 mm | 9.6 % | 69 % |
+# | 6 mm | 8.8 % | 68 % |
+# | 15 mm, a quarter of the half-width | 13.7 % | 49 % |
+_NEAR_RISE = 0.5
 # Room behind a lens before a receiver that is infinitely far, in half-widths of the lens.
 _ROOM = 8.0
 
@@ -303,17 +314,21 @@ class Lens(Optic):
         """The stock, or the screen."""
         return "screen" if self.max_thickness is None else "max_thickness"
 
-    def bounded(self, receiver_z: float) -> Self:
+    def bounded(self, source_z: float, receiver_z: float) -> Self:
         """The exit face stays in the nearer half of the way to the receiver, if nothing else says.
 
-        Where the receiver is infinitely far, it stays below some widths of the lens.
+        Where the receiver is infinitely far, it stays below some widths of the lens. An automatic
+        entrance face rises by no more than a part of the way from the source.
         """
+        rise = min(self._room_at_entrance, _NEAR_RISE * (self.entrance_z - source_z))
+        entrance = self.entrance.within(self.entrance.offsets(rise))
+        lens = self.model_copy(update={"entrance": entrance})
         if self.height_range is not None or self.max_thickness is not None:
-            return self
+            return lens
         if math.isinf(receiver_z):
-            receiver_z = self.highest + _ROOM * max(self.half_width)
-        thickness = (self.highest + receiver_z) / 2 - self.front_z
-        return self.model_copy(update={"max_thickness": thickness})
+            receiver_z = lens.highest + _ROOM * max(self.half_width)
+        thickness = (lens.highest + receiver_z) / 2 - self.front_z
+        return lens.model_copy(update={"max_thickness": thickness})
 
     def ranged(self, low: float, high: float) -> Self:
         """See `Optic.ranged`: the entrance face keeps the room that it has now."""

@@ -177,7 +177,7 @@ class Mirror(Optic):
         """The most that the range may automatically be."""
         return "height_range"
 
-    def bounded(self, receiver_z: float) -> Self:
+    def bounded(self, source_z: float, receiver_z: float) -> Self:
         """Itself: the range of its heights is finite anyway."""
         return self
 

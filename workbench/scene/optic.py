@@ -125,8 +125,14 @@ class Optic(Part):
         """What keeps its face below, if no height range does."""
 
     @abstractmethod
-    def bounded(self, receiver_z: float) -> Self:
-        """The optic with all that limits its heights, before a receiver that begins at a z."""
+    def bounded(self, source_z: float, receiver_z: float) -> Self:
+        """The optic with all that limits its heights.
+
+        Parameters
+        ----------
+        source_z, receiver_z : float
+            Where its source and its receiver are nearest to it; infinite if they are.
+        """
 
     def ranged(self, low: float, high: float) -> Self:
         """The optic with another height range; nothing else of it moves."""

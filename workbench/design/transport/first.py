@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from workbench.design.limits import HeightLimits, bounded
+from workbench.design.limits import bounded
 from workbench.design.transport.lines import line_start
 from workbench.design.transport.start import first_error, transport_start
 from workbench.design.transport.two_faces import split_start
@@ -21,6 +21,9 @@ _LINES = "both faces along lines through all images"
 # Light that both faces bend meets them less steeply, and a descent improves both: worth so much.
 # What one face has made good of several images is soon at its best.
 _ONE_FACE = 1.8
+# Where in its range an entrance face begins that is flat: in the middle, but near to a source that
+# is nearer than half the lens's width, so that more of its light meets the lens.
+_PLACE, _NEAR_PLACE = 0.5, 0.1
 _HANDICAP = {_ALONE: _ONE_FACE}
 
 
@@ -119,9 +122,11 @@ def first_of_several(
 
 def behind_flat_entrance(scene: Scene) -> Scene:
     """The task for the exit face alone, with as much room as beside a freeform entrance face."""
-    limits = HeightLimits.of_faces(bounded(scene))["entrance"]
-    z = float(limits.lower.min() + limits.upper.max()) / 2
-    clear = scene.optic.floor - z
+    lens = bounded(scene)
+    low, high = lens.entrance_range
+    near = lens.front_z - scene.source.nearest_z < max(lens.half_width)
+    z = low + (_NEAR_PLACE if near else _PLACE) * (high - low)
+    clear = lens.floor - z
     flat = {"entrance": FlatEntrance(), "entrance_z": z, "min_thickness": clear}
     return scene.with_optic(scene.optic.model_copy(update=flat))
 
