@@ -13,14 +13,13 @@ from workbench.jobs.fields import (
     Size,
     Thickness,
 )
-from workbench.jobs.job import Job
-from workbench.jobs.parts import lens, screen, written
-from workbench.jobs.proposals import proposed
+from workbench.jobs.lens_job import LensJob
+from workbench.jobs.parts import screen
 from workbench.scene import Positive, Scene, TopHatTarget
 from workbench.scene.fields import LENGTH, about
 
 
-class BeamShaper(Job):
+class BeamShaper(LensJob):
     """A Gaussian laser beam becomes an even disc, a rectangle or any other shape."""
 
     model_config = ConfigDict(title="Laser beam shaper")
@@ -50,12 +49,8 @@ class BeamShaper(Job):
     def scene(self) -> Scene:
         """A straight beam about the axis."""
         profile = {"kind": "gaussian", "radius": self.beam_diameter / 2}
-        return proposed(
-            {
-                "lens": lens(self.size, self.material, self.wavelength / 1000),
-                "source": {"kind": "collimated", "profile": profile},
-                "screen": screen(self.distance, self.image_size),
-                "target": written(self.target),
-            },
-            self.thickness,
+        return self.through_lens(
+            {"kind": "collimated", "profile": profile},
+            wavelength_um=self.wavelength / 1000,
+            screen=screen(self.distance, self.image_size),
         )

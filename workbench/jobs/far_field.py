@@ -6,16 +6,15 @@ from pydantic import ConfigDict, Field
 
 import resources
 from workbench.jobs.fields import LampDistance, Material, Picture, Size, Thickness
-from workbench.jobs.job import Job
-from workbench.jobs.parts import halves, lens, written
-from workbench.jobs.proposals import proposed
+from workbench.jobs.lens_job import LensJob
+from workbench.jobs.parts import halves
 from workbench.scene import RectangleTarget, Scene
 from workbench.scene.fields import ANGLE, FILE, about
 
 _Angle = Annotated[float, Field(gt=0, le=170)]
 
 
-class StreetLight(Job):
+class StreetLight(LensJob):
     """A lamp of a photometric file sends its light into wanted directions, far away."""
 
     model_config = ConfigDict(title="Far field of a lamp")
@@ -44,12 +43,5 @@ class StreetLight(Job):
     def scene(self) -> Scene:
         """The lamp on the axis, whose nadir looks along it."""
         lamp = {"file": self.file, "position": [0.0, 0.0, -self.lamp_distance]}
-        return proposed(
-            {
-                "lens": lens(self.size, self.material),
-                "source": {"kind": "photometric", **lamp},
-                "far_field": {"half_angle": halves(self.image_angles)},
-                "target": written(self.target),
-            },
-            self.thickness,
-        )
+        field = {"half_angle": halves(self.image_angles)}
+        return self.through_lens({"kind": "photometric", **lamp}, far_field=field)

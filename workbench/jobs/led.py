@@ -14,14 +14,13 @@ from workbench.jobs.fields import (
     Size,
     Thickness,
 )
-from workbench.jobs.job import Job
-from workbench.jobs.parts import emitter, lens, screen, written
-from workbench.jobs.proposals import proposed
+from workbench.jobs.lens_job import LensJob
+from workbench.jobs.parts import emitter, screen
 from workbench.scene import RectangleTarget, Scene
 from workbench.scene.fields import LENGTH, about
 
 
-class LedRectangle(Job):
+class LedRectangle(LensJob):
     """An LED close to its lens lights a rectangle or another shape evenly."""
 
     model_config = ConfigDict(title="LED close by")
@@ -41,12 +40,5 @@ class LedRectangle(Job):
 
     def scene(self) -> Scene:
         """The LED's face on the axis, which shines into the whole half-space."""
-        return proposed(
-            {
-                "lens": lens(self.size, self.material),
-                "source": emitter(self.lamp_distance, self.lamp_size),
-                "screen": screen(self.distance, self.image_size),
-                "target": written(self.target),
-            },
-            self.thickness,
-        )
+        light = emitter(self.lamp_distance, self.lamp_size)
+        return self.through_lens(light, screen=screen(self.distance, self.image_size))

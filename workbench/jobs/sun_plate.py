@@ -12,13 +12,12 @@ from workbench.jobs.fields import (
     Thickness,
     shipped,
 )
-from workbench.jobs.job import Job
-from workbench.jobs.parts import lens, screen, written
-from workbench.jobs.proposals import proposed
+from workbench.jobs.lens_job import LensJob
+from workbench.jobs.parts import screen
 from workbench.scene import Scene
 
 
-class SunPlate(Job):
+class SunPlate(LensJob):
     """A clear plate in the sun throws a picture onto a wall or table nearby."""
 
     model_config = ConfigDict(title="Sunlit plate")
@@ -32,12 +31,5 @@ class SunPlate(Job):
 
     def scene(self) -> Scene:
         """Light of the sun's disc, straight onto the plate."""
-        return proposed(
-            {
-                "lens": lens(self.size, self.material),
-                "source": {"kind": "collimated", "angular_diameter": SUN},
-                "screen": screen(self.distance, self.image_size),
-                "target": written(self.target),
-            },
-            self.thickness,
-        )
+        light = {"kind": "collimated", "angular_diameter": SUN}
+        return self.through_lens(light, screen=screen(self.distance, self.image_size))

@@ -15,14 +15,13 @@ from workbench.jobs.fields import (
     Thickness,
     shipped,
 )
-from workbench.jobs.job import Job
-from workbench.jobs.parts import emitter, lens, screen, written
-from workbench.jobs.proposals import proposed
+from workbench.jobs.lens_job import LensJob
+from workbench.jobs.parts import emitter, screen
 from workbench.scene import Scene
 from workbench.scene.fields import LENGTH, about
 
 
-class Torch(Job):
+class Torch(LensJob):
     """The light of a telephone or a torch throws a picture onto a wall."""
 
     model_config = ConfigDict(title="Torch or phone")
@@ -42,12 +41,5 @@ class Torch(Job):
 
     def scene(self) -> Scene:
         """A small bright face on the axis."""
-        return proposed(
-            {
-                "lens": lens(self.size, self.material),
-                "source": emitter(self.lamp_distance, self.lamp_size),
-                "screen": screen(self.distance, self.image_size),
-                "target": written(self.target),
-            },
-            self.thickness,
-        )
+        light = emitter(self.lamp_distance, self.lamp_size)
+        return self.through_lens(light, screen=screen(self.distance, self.image_size))

@@ -6,14 +6,13 @@ from typing import Annotated, Any, ClassVar
 from pydantic import ConfigDict
 
 from workbench.jobs.fields import LampDistance, Material, Pair, Picture, Size, Thickness
-from workbench.jobs.job import Job
-from workbench.jobs.parts import emitter, halves, lens, written
-from workbench.jobs.proposals import proposed
+from workbench.jobs.lens_job import LensJob
+from workbench.jobs.parts import emitter, halves
 from workbench.scene import Positive, RectangleTarget, Scene
 from workbench.scene.fields import LENGTH, about
 
 
-class WallWasher(Job):
+class WallWasher(LensJob):
     """A lamp at the ceiling, or on the floor, lights a wall evenly from the side."""
 
     model_config = ConfigDict(title="Wall washer")
@@ -55,15 +54,8 @@ class WallWasher(Job):
 
     def scene(self) -> Scene:
         """The wall as a screen that is turned about x, since the lamp looks at it aslant."""
-        return proposed(
-            {
-                "lens": lens(self.size, self.material),
-                "source": emitter(self.lamp_distance, self.lamp_size),
-                "screen": self._wall(),
-                "target": written(self.target),
-            },
-            self.thickness,
-        )
+        light = emitter(self.lamp_distance, self.lamp_size)
+        return self.through_lens(light, screen=self._wall())
 
     def _wall(self) -> dict[str, Any]:
         """The wall as the lamp sees it, which looks half-way between its lower and upper edge."""
