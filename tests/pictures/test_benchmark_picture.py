@@ -74,6 +74,7 @@ def test_courses_have_a_panel_each_scene_and_a_line_each_method():
     for course in COURSES[:2]:
         np.testing.assert_array_equal(lines[course.method].get_xdata(), course.times)
         np.testing.assert_array_equal(lines[course.method].get_ydata(), course.errors)
+        assert lines[course.method].get_drawstyle() == "steps-post"  # better lenses come at once
     own = flame.lines[-1]
     assert own.get_color() == lines["auto"].get_color()
     np.testing.assert_array_equal(own.get_xydata(), COURSES[1].own_curve)
@@ -120,3 +121,15 @@ def test_the_page_is_drawn_from_some_of_the_experiments(kept, designs, derivativ
     page(rows).savefig(tmp_path / "page.png", dpi=30)
     with Image.open(tmp_path / "page.png") as picture:
         assert picture.width > 100
+
+
+@pytest.mark.parametrize("count", [1, 4])
+def test_what_is_said_below_courses_fits_their_width(count):
+    figure = benchmark.courses(
+        [dataclasses.replace(COURSES[1], scene=str(k)) for k in range(count)]
+    )
+    figure.draw_without_rendering()
+    said = figure.get_supxlabel()
+    (text,) = [each for each in figure.texts if each.get_text() == said]
+    box, whole = text.get_window_extent(), figure.bbox
+    assert whole.x0 <= box.x0 and box.x1 <= whole.x1

@@ -4,6 +4,7 @@ What is drawn has the attributes that the protocols name; see `workbench.analysi
 """
 
 import math
+import textwrap
 from collections.abc import Callable, Sequence
 from itertools import groupby
 from typing import Any, BinaryIO, Protocol
@@ -15,6 +16,7 @@ from matplotlib.ticker import FuncFormatter
 from workbench.pictures.experiments import page
 
 _FONT = 8
+_LETTERS = 16  # of that font, that an inch holds
 _DPI = 130
 _COLUMNS = 3
 COLOURS = {
@@ -116,7 +118,17 @@ def courses(rows: Sequence[DrawnCourse]) -> Figure:
         for row in rows:
             if row.scene == scene and row.times:
                 colour = COLOURS.get(row.method)
-                axes.plot(row.times, row.errors, "o-", ms=3, lw=1.4, color=colour, label=row.method)
+                # The best lens so far stays until there is a better one.
+                axes.plot(
+                    row.times,
+                    row.errors,
+                    "o-",
+                    ms=3,
+                    lw=1.4,
+                    drawstyle="steps-post",
+                    color=colour,
+                    label=row.method,
+                )
                 if row.own_curve:
                     axes.plot(*zip(*row.own_curve, strict=True), ".", ms=2, alpha=0.5, color=colour)
         axes.set_xscale("log")
@@ -129,11 +141,12 @@ def courses(rows: Sequence[DrawnCourse]) -> Figure:
         axes.grid(which="both", linewidth=0.5, alpha=0.3)
         if axes.lines:
             axes.legend(fontsize=_FONT, frameon=False)
-    figure.supxlabel(
+    text = (
         "Relative L2 error of the best lens so far. Lines: traced anew by other means; dots: own "
-        "error of the run, after each iteration.",
-        fontsize=_FONT,
+        "error of the run, after each iteration."
     )
+    width = round(_LETTERS * figure.get_figwidth())
+    figure.supxlabel(textwrap.fill(text, width), fontsize=_FONT)
     return figure
 
 
