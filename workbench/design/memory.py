@@ -36,8 +36,10 @@ from workbench.system_memory import as_bytes, available_memory
 _PROGRAM = 120e6
 _REAL = 8  # bytes of a float64
 # Arrays of all cells of a first lens that are there at the same time, by whether light comes from
-# far away, and with two faces; pieces that are freed between others count as long as it is sought.
-_FAR, _NEAR, _BOTH = 26, 58, 125
+# far away, and with two faces. Those below 32 MB are cut out of one heap, and of the many of a near
+# source and two faces pieces that are freed between others count as long as the lens is sought.
+_FAR, _NEAR, _BOTH = 26, 36, 76
+_CUT_OUT, _IN_PIECES = 32 << 20, 1.6
 # Numbers of a node: those of hits and flux, the same on the wide image, and both cotangents, in the
 # precision of the trace; and in float64 hits, densities of triangles, and cotangents of these.
 _TRACED, _DRAWN = 9, 9
@@ -98,11 +100,13 @@ def check_auto(scene: Scene) -> None:
 
 def _of_start(scene: Scene) -> float:
     """Bytes of a first lens by transport."""
-    nets = freeform_nets(scene.optic)
-    if "entrance" in nets:
-        return _BOTH * _REAL * both_faces.cells_for(nets) ** 2
-    arrays = _FAR if scene.source.place is None else _NEAR
-    return arrays * _REAL * start.cells_for(ControlNet.of(scene.optic)) ** 2
+    nets, far = freeform_nets(scene.optic), scene.source.place is None
+    both = "entrance" in nets
+    cells = both_faces.cells_for(nets) if both else start.cells_for(nets[scene.optic.face])
+    array = _REAL * cells**2
+    if far and not both:
+        return _FAR * array
+    return (_BOTH if both else _NEAR) * array * (_IN_PIECES if array < _CUT_OUT else 1.0)
 
 
 def _of_descent(scene: Scene) -> float:
