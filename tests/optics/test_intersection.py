@@ -129,7 +129,7 @@ def test_roots_are_those_of_bisection_and_no_ray_is_lost(net, kind, rng):
 def test_the_first_of_several_roots(rng, degree, before):
     net = ControlNet((24, 20), degree, (1.0, 1.0))
     heights = rng.uniform(0.2, 0.8, size=net.shape)
-    bundle = rays(rng, 3000, net.half_width, 0.9)
+    bundle = rays(rng, 1200, net.half_width, 0.9)
     reference = Reference(net, heights, bundle)
     roots, expected = reference.first_roots(3000)
     depth, found = meet(

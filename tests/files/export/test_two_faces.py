@@ -16,7 +16,7 @@ from workbench.files.export.tessellation import Tessellation
 NETS = {
     "the same net": {"shape": "freeform"},
     "another net": {"shape": "freeform", "control_points": [7, 9]},
-    "another degree": {"shape": "freeform", "control_points": [5, 30], "degree": [1, 5]},
+    "another degree": {"shape": "freeform", "control_points": [5, 14], "degree": [1, 5]},
 }
 # OpenCASCADE integrates by Gauss's formula, to which edges and ends within a span are foreign.
 EXACT = {"rectangle": 1e-4, "ellipse": 4e-4}
@@ -47,8 +47,8 @@ def volume_within(volume):
     def integral(design):
         if design.outline.whole:
             return volume(design)
-        nodes, weights = np.polynomial.legendre.leggauss(200)
-        angle = np.linspace(0, 2 * np.pi, 1000, endpoint=False)
+        nodes, weights = np.polynomial.legendre.leggauss(100)
+        angle = np.linspace(0, 2 * np.pi, 400, endpoint=False)
         radius = ((nodes + 1) / 2)[:, None]
         r_x, r_y = design.net.half_width
         x, y = r_x * radius * np.cos(angle), r_y * radius * np.sin(angle)
