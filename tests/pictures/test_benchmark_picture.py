@@ -7,6 +7,7 @@ import pytest
 from PIL import Image
 
 from workbench.analysis.benchmark import experiments
+from workbench.analysis.benchmark.bounds import Reached
 from workbench.analysis.benchmark.comparison import Measured
 from workbench.analysis.benchmark.examples import Example
 from workbench.analysis.benchmark.frontier import Course
@@ -28,6 +29,7 @@ MEASURED = [
     Measured("how far", "near", 1.0, 1.0, 1000, None),
 ]
 DIFFERENCES = [Difference("flame", 1e-6, 1e-7, 1e-5), Difference("ball", 2e-6, 2e-7, 2e-5)]
+REACHED = [Reached("letter", sharp=0.12, bound=0.048, light=0.049, lens=0.057)]
 
 
 @pytest.fixture(scope="module")
@@ -56,7 +58,8 @@ def test_every_benchmark_has_a_picture():
 
 
 @pytest.mark.parametrize(
-    ("name", "rows"), [("quick", COURSES), ("kernels", MEASURED), ("precision", DIFFERENCES)]
+    ("name", "rows"),
+    [("quick", COURSES), ("kernels", MEASURED), ("precision", DIFFERENCES), ("bound", REACHED)],
 )
 def test_writes_a_png(name, rows):
     file = BytesIO()

@@ -28,6 +28,7 @@ COLOURS = {
 }
 _BAR = "#2f86d1"
 _KINDS = (("image", "o"), ("loss", "s"), ("gradient", "^"))
+_ERRORS = (("sharp", "s"), ("bound", "|"), ("light", "o"), ("lens", "^"))
 
 
 class DrawnCourse(Protocol):
@@ -92,6 +93,30 @@ class DrawnDifference(Protocol):
     @property
     def gradient(self) -> float:
         """The same of the gradient."""
+
+
+class DrawnReached(Protocol):
+    """Errors of a lens and of what it could be."""
+
+    @property
+    def scene(self) -> str:
+        """Name of the scene."""
+
+    @property
+    def sharp(self) -> float:
+        """Of the sharp lens, blurred."""
+
+    @property
+    def bound(self) -> float:
+        """What no lens is below."""
+
+    @property
+    def light(self) -> float:
+        """Of the best light."""
+
+    @property
+    def lens(self) -> float:
+        """Of the designed lens."""
 
 
 def draw(name: str, rows: Sequence[Any], file: BinaryIO) -> None:
@@ -174,15 +199,25 @@ def comparisons(rows: Sequence[DrawnTime]) -> Figure:
 
 def differences(rows: Sequence[DrawnDifference]) -> Figure:
     """Relative differences as marks on one logarithmic scale."""
+    return _marks(rows, _KINDS, "relative difference of float32 from float64")
+
+
+def reached(rows: Sequence[DrawnReached]) -> Figure:
+    """Errors of lenses beside their bounds as marks on one logarithmic scale."""
+    return _marks(rows, _ERRORS, "relative L2 error")
+
+
+def _marks(rows: Sequence[Any], kinds: Sequence[tuple[str, str]], label: str) -> Figure:
+    """Figures of scenes, each kind by a mark of its own."""
     figure = Figure(figsize=(7, 1.2 + 0.35 * len(rows)), layout="constrained")
     axes = figure.subplots()
     places = range(len(rows))
-    for kind, mark in _KINDS:
+    for kind, mark in kinds:
         axes.plot([getattr(row, kind) for row in rows], places, mark, label=kind)
     axes.set_xscale("log")
     axes.set_yticks(places, [row.scene for row in rows])
     axes.invert_yaxis()
-    axes.set_xlabel("relative difference of float32 from float64", fontsize=_FONT)
+    axes.set_xlabel(label, fontsize=_FONT)
     axes.tick_params(labelsize=_FONT)
     axes.grid(linewidth=0.5, alpha=0.4)
     axes.legend(fontsize=_FONT)
@@ -215,5 +250,6 @@ _DRAWN: dict[str, Callable[[Sequence[Any]], Figure]] = {
     "kernels": comparisons,
     "precision": differences,
     "skips": comparisons,
+    "bound": reached,
     "paper": page,
 }

@@ -7,6 +7,7 @@ BENCHMARKS = {
     "kernels": "loss and gradient by tracer, float type, intersection, rays, filter, net, threads",
     "precision": "float32 against float64: image, loss and gradient of the examples",
     "skips": "what is saved by leaving out what a scene does not need",
+    "bound": "lenses for four pictures in the sun, and what no lens is below",
     "paper": "all experiments of the paper: a table, and a page of pictures",
 }
 """What each measures."""

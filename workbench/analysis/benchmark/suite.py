@@ -4,6 +4,7 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import Any, NamedTuple
 
 from workbench.analysis.benchmark import (
+    bounds,
     comparison,
     experiments,
     frontier,
@@ -50,6 +51,7 @@ SUITE = {
         skips.measurements,
         lambda rows: (comparison.table("What each skip saves, the skip first", rows),),
     ),
+    "bound": Benchmark(bounds.lenses, lambda rows: (bounds.table(rows),)),
     "paper": Benchmark(experiments.experiments, experiments.tables),
 }
 """What `names.BENCHMARKS` lists."""

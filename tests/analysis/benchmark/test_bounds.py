@@ -1,0 +1,19 @@
+"""Lenses for the sun and their bounds."""
+
+from workbench.analysis.benchmark.bounds import reached, table
+from workbench.analysis.benchmark.examples import Example
+
+
+def test_a_lens_for_the_sun_lies_between_its_bound_and_a_sharp_lens():
+    small = {
+        "screen": {"pixels": [24, 24]},
+        "lens": {"control_points": [32, 32]},
+        "source": {"angular_diameter": 5.0},
+    }
+    told = []
+    example = Example.of("sun-plate", run={"iterations": 4}, **small)
+    found = reached("photo", example, lambda case, state: told.append((case, state)))
+    assert 0 < found.bound <= found.light < found.lens < found.sharp
+    assert found.ratio == found.lens / found.bound
+    assert told[0] == ("photo", "its bound") and told[-1] == ("photo", "iteration 4")
+    assert "| photo | " in table([found]).to_markdown()

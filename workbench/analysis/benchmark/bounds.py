@@ -1,0 +1,103 @@
+"""How near lenses for the sun come to what no lens is below."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+from scipy.signal import fftconvolve
+
+from workbench.analysis.benchmark.examples import Example, Notify
+from workbench.analysis.benchmark.table import Table, TableColumn
+from workbench.analysis.validation import validate
+from workbench.design.run import run
+from workbench.design.snapshot import Snapshot
+from workbench.extended.bound import Bound
+
+Array = npt.NDArray[np.float64]
+
+_PICTURES = ("letter", "photo", "ball", "flame")
+_RAYS = 1 << 20
+
+
+@dataclass(frozen=True)
+class Reached:
+    """A lens beside its bound; errors are relative L2.
+
+    Attributes
+    ----------
+    scene : str
+        The picture.
+    sharp : float
+        The error of the target itself, blurred as the source blurs it.
+    bound : float
+        What no lens is below, certified.
+    light : float
+        The error of the best light that is known.
+    lens : float
+        The verified error of the designed lens.
+    """
+
+    scene: str
+    sharp: float
+    bound: float
+    light: float
+    lens: float
+
+    @property
+    def ratio(self) -> float:
+        """The lens over its bound."""
+        return self.lens / self.bound
+
+    @property
+    def to_light(self) -> float:
+        """The lens over the best light."""
+        return self.lens / self.light
+
+
+def lenses(iterations: int | None, notify: Notify) -> Iterator[Reached]:
+    """Design the plate of the example *Sun plate* for four pictures."""
+    for picture in _PICTURES:
+        changes: dict[str, Any] = {"target": {"image": f"../targets/{picture}-256.png"}}
+        if iterations is not None:
+            changes["run"] = {"iterations": iterations}
+        yield reached(picture, Example.of("sun-plate", **changes), notify)
+
+
+def reached(name: str, example: Example, notify: Notify) -> Reached:
+    """The bound of an example, and a lens beside it."""
+    scene, target = example.scene, example.target
+    notify(name, "its bound")
+    bound = Bound(scene, target)
+    spread = bound.blur.seen_in(scene.receiver.pixels).spread()[0]
+    blurred = fftconvolve(target, spread, mode="same")
+    found = bound.deblurred
+    best: Snapshot | None = None
+    for snapshot in run(scene, target):
+        notify(name, f"iteration {snapshot.iteration}")
+        best = snapshot if snapshot.best else best
+    assert best is not None  # a run begins with a lens
+    seen = validate(scene, target, best.state.heights, _RAYS)
+    return Reached(
+        name, _error(blurred, target), found.bound, found.error, seen.relative_l2_corrected
+    )
+
+
+def table(found: Sequence[Reached]) -> Table:
+    """Lenses as rows."""
+    columns = (
+        TableColumn("scene", "picture"),
+        TableColumn("sharp", "its sharp lens, blurred", ".1%"),
+        TableColumn("bound", "no lens is below", ".2%"),
+        TableColumn("light", "best light", ".2%"),
+        TableColumn("lens", "this lens", ".2%"),
+        TableColumn("ratio", "over the bound", ".2f"),
+        TableColumn("to_light", "over the best light", ".2f"),
+    )
+    return Table("Lenses for the sun and their bounds", columns, found)
+
+
+def _error(image: Array, target: Array) -> float:
+    share, wanted = image / image.sum(), target / target.sum()
+    return float(np.linalg.norm(share - wanted) / np.linalg.norm(wanted))
