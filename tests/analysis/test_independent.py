@@ -12,6 +12,7 @@ from workbench.analysis.independent import tracing_independently
 from workbench.analysis.metrics import relative_l2
 from workbench.analysis.scatter import Unscattered
 from workbench.analysis.tracing.pose import Pose
+from workbench.analysis.tracing.sources.cells import BATCHES
 from workbench.analysis.tracing.train import OpticalTrain
 from workbench.analysis.validation import validate
 from workbench.watch import finished
@@ -116,3 +117,13 @@ def test_rays_of_a_file_tell_how_far_they_may_be_from_their_lamp(make_scene, tmp
     assert few.verified.independent.rays == 60_000
     assert few.by_cells.noise > 0
     assert few.by_cells.less_exact.endswith("that needs more rays")
+
+
+def test_images_that_are_evener_than_independent_ones_do_not_prove_that_there_is_no_error():
+    target = np.ones((8, 8))
+    scatter = np.random.default_rng(3).normal(0, 0.3, (BATCHES // 2, 8, 8))
+    # Each image has another one with the opposite scatter, as parts of rays laid out evenly have.
+    found = Unscattered.of_pairs([*(1 + scatter), *(1 - scatter)], target)
+    low, high = found.interval
+    assert found.square < 0 and found.distance == low == 0
+    assert high**2 >= abs(found.square)

@@ -29,7 +29,7 @@ class Unscattered(NamedTuple):
         scatter independently, so the mean of the product has no scatter in it; a negative one
         counts as 0.
     interval : tuple[float, float]
-        Where it lies: at least 95 % confidence.
+        Where it lies: at least 95 % confidence, also where images are evener than independent ones.
     square : float
         Its square; scatter may make it negative.
     """
@@ -77,7 +77,10 @@ class Unscattered(NamedTuple):
 
     @classmethod
     def _of(cls, square: float, spread: float) -> "Unscattered":
-        return cls(root(square), (root(square - spread), root(square + spread)), square)
+        # A square below 0 by more than its spread tells that images are evener together than ones
+        # that are independent, as parts of a file whose rays are laid out evenly: by so much the
+        # true one may be above 0 as well.
+        return cls(root(square), (root(square - spread), root(abs(square) + spread)), square)
 
     @property
     def off(self) -> float:

@@ -44,8 +44,10 @@ _CUT = 4.0
 # A level ends when steps together make the image better by less than this part: five steps with so
 # many beams, or more where each costs less.
 _GAIN, _STEPS, _BEAMS, _MOST_STEPS = 0.05, 5, 768**2, 8
-# The same of blurred light: what a blur hides is found by smaller steps, and they cost little. With
-# the sun the first five make a letter's error 6 % less, the next fifteen another 3 %.
+# The same of blurred light: what a blur hides is found by smaller steps. With the sun the first
+# five make a letter's error 6 % less, the next fifteen another 3 %. With an LED close by, the
+# example *Phone torch* is 10.6 % off after 36 steps where it was 11.0 % after 22, and *LED to a
+# rectangle* 5.8 % where it was 6.8 %.
 _BLURRED_GAIN = 0.01
 # A coarse level ends as soon as its error differs from the true one by more than this part of it.
 _TRUSTED = 0.15

@@ -33,7 +33,7 @@ class SeveralImages:
     beams : int
         Cells that are traced for all of them.
     blurred : bool
-        Whether any is light of the middle of the source, blurred.
+        Whether any is the light of a source whose size blurs it.
     """
 
     def __init__(self, images: Sequence[WideImage], wanted: Sequence[WantedImage]) -> None:

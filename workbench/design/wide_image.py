@@ -51,7 +51,7 @@ class WideImage:
     beams : int
         Cells that are traced, those of all origins together.
     blurred : bool
-        Whether it is light of the middle of the source, blurred.
+        Whether it is the light of a source whose size blurs it.
     """
 
     def __init__(
@@ -73,9 +73,10 @@ class WideImage:
             if blur
             else BeamPlan(scene, cells, mirrored=mirrored)
         )
-        self.blurred, self._margin = blur is not None, (m_x, m_y)
+        self._margin = m_x, m_y
         halves = 2 ** sum(mirrored)
         corners = Corners(*cells)
+        self.blurred = blur is not None or corners.origins > 1
         origins = corners.origins * scene.source.point_count
         self.beams = corners.x * corners.y * origins // halves
         self._pixel_measure = receiver.pixel_measure
