@@ -64,13 +64,8 @@ class FlatGlass:
     def light(self, radius2: Tensor, depth: Tensor) -> LightInGlass:
         """The light at places ``radius2`` = ρ² from the axis, at depths t ≥ 0; smooth in t."""
         with torch.no_grad():
-            fixed = depth.detach()
-            part = self._start(radius2, fixed)
-            widest = radius2.max().sqrt().item()
-            for _ in range(self.steps(widest, fixed.max().item(), depth.dtype)):
-                excess, spread = self._excess(part, radius2, fixed)
-                part = part - excess / spread
-            spread = self._excess(part, radius2, fixed)[1]
+            part = self._part(radius2, depth.detach())
+            spread = self._excess(part, radius2, depth.detach())[1]
         # One step more with a constant slope has the derivative of the root.
         part = part - self._excess(part, radius2, depth)[0] / spread
 
@@ -82,6 +77,21 @@ class FlatGlass:
             behind = behind * cos
         spread = self._excess(part, radius2, depth)[1]
         return LightInGlass(part, steepness, behind * part / spread)
+
+    def slope(self, radius2: Tensor, depth: Tensor) -> Tensor:
+        """Slope over ρ of the ray through places as in `light`, r g; without a derivative."""
+        with torch.no_grad():
+            part = self._part(radius2, depth)
+            return part * self._steepness(part, radius2)
+
+    def _part(self, radius2: Tensor, depth: Tensor) -> Tensor:
+        """The r of places, to rounding."""
+        part = self._start(radius2, depth)
+        widest = radius2.max().sqrt().item()
+        for _ in range(self.steps(widest, depth.max().item(), depth.dtype)):
+            excess, spread = self._excess(part, radius2, depth)
+            part = part - excess / spread
+        return part
 
     def steps(self, widest: float, deepest: float, dtype: torch.dtype) -> int:
         """How many steps of Newton's method reach rounding at all radii and depths up to these.

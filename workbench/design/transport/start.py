@@ -286,8 +286,8 @@ class _Light:
         if self._glass is None:
             return _unit(self._away_x, self._away_y, z - self._from_z)
         depth = torch.as_tensor((z - self._entrance_z).clip(0))
-        light = self._glass.light(torch.as_tensor(self._away_x**2 + self._away_y**2), depth)
-        slope = (light.part * light.steepness).numpy()
+        radius2 = torch.as_tensor(self._away_x**2 + self._away_y**2)
+        slope = self._glass.slope(radius2, depth).numpy()
         return _unit(self._away_x * slope, self._away_y * slope, np.ones_like(z))
 
 
