@@ -6,19 +6,23 @@ from itertools import islice
 
 import numpy as np
 import pytest
+import torch
 
 from resources import path
 from tests.scenes import changed
 from workbench.analysis.validation import validate
+from workbench.design.levels import asked_light_of
 from workbench.design.limits import HeightLimits, bounded, undesigned
 from workbench.design.net import definite
 from workbench.design.run import run
 from workbench.design.session import Session
 from workbench.design.snapshot import History
 from workbench.design.transport import behind_flat_entrance, first_of
+from workbench.design.wide_image import WideImage
 from workbench.files.session import read_session, write_session
 from workbench.geometry.faces import FaceArrays
 from workbench.interruption import interrupted_when
+from workbench.optics.beam_plan import BeamPlan
 from workbench.scene import Scene
 from workbench.targets import load_target
 
@@ -252,3 +256,21 @@ def test_near_an_led_two_faces_make_a_better_image_of_more_light_than_one():
     )
     assert two_at_most < one_at_least / 1.5
     assert two.efficiency > one.efficiency
+
+
+def test_two_faces_close_to_a_source_are_asked_for_more_light_than_the_first_lens_sends(make_scene):
+    near = make_scene({**FREEFORM, "source": {"kind": "point", "position": [0, 0, -0.5]}})
+    far = make_scene({**FREEFORM, "source": {"kind": "point", "position": [0, 0, -4.0]}})
+    heights = {face: torch.tensor(z) for face, z in undesigned(bounded(near)).items()}
+    arrived = BeamPlan(near, (128, 128)).trace(heights).account.arrived
+    asked = asked_light_of(near, heights)
+    assert asked > 1.01 * arrived
+    assert asked_light_of(far, heights) is None
+    assert asked_light_of(near, {"exit": heights["exit"]}) is None
+    target = np.ones((32, 32))
+    least, more = (
+        WideImage(near, target, (32, 32), (1.0, 1.0), asked_light=light).compare(heights)[0]
+        for light in (None, 2 * arrived)
+    )
+    # Compared with twice the light, an image is half as bright: what it lacks is the wanted one.
+    assert (least - 2 * more).norm().item() == pytest.approx(1, abs=1e-5)

@@ -73,6 +73,16 @@ _SEEN = 1.5
 _MOST_BEAMS = 1 << 22
 # Cells that tell how far the light of a lens reaches.
 _FEW_CELLS = (128, 128)
+# Two faces close to a source are asked for so much more light than the first lens sends. Error and
+# light on the screen after 110 to 200 steps, of an LED 10 mm before a lens 120 mm wide, and of one
+# 5 mm before a lens of 20 mm; with 1.1 that of the first is 5.0 % and 68.7 %:
+#
+# | asked for | lens of 120 mm | lens of 20 mm |
+# |---|---|---|
+# | what arrives | 3.3 %, 61.9 % | 6.5 %, 62.9 % |
+# | 1.05 | 4.3 %, 67.1 % | 5.9 %, 65.1 % |
+# | one face, what arrives | 5.3 %, 65.1 % | 12.4 %, 62.9 % |
+_MORE_LIGHT = 1.05
 # Cells of each of many origins, and of the middle of the source, that tell how it is blurred and
 # whether that is the same all over a lens: as many, for light is spread over them too. And the
 # greatest part of the image by which it may differ.
@@ -89,6 +99,7 @@ def image_of(
     light_extent: tuple[float, float],
     mirrored: tuple[bool, bool] = (False, False),
     blur: Blur | None = None,
+    asked_light: float | None = None,
 ) -> WideImage:
     """The image by which a level compares lenses.
 
@@ -106,9 +117,11 @@ def image_of(
         As for `WideImage`.
     blur : Blur, optional
         As for `WideImage`; see `even_blur_of`.
+    asked_light : float, optional
+        As for `WideImage`; see `asked_light_of`.
     """
     cells = cells_of(level, scene, mirrored, sharp=blur is not None)
-    return WideImage(scene, target, cells, light_extent, mirrored, blur)
+    return WideImage(scene, target, cells, light_extent, mirrored, blur, asked_light)
 
 
 def cells_of(
@@ -165,7 +178,8 @@ def _images_of_one(
 ) -> Callable[[Level], WideImage]:
     """`images_of` with a scene of one image."""
     extent, blur = light_extent_of(scene, heights), even_blur_of(scene, heights)
-    return cache(lambda level: image_of(level, scene, target, extent, mirrored, blur))
+    asked = asked_light_of(scene, heights)
+    return cache(lambda level: image_of(level, scene, target, extent, mirrored, blur, asked))
 
 
 def levels_of(scene: Scene) -> tuple[Level, ...]:
@@ -201,6 +215,21 @@ def _origins(scene: Scene) -> int:
 def light_extent_of(scene: Scene, heights: Mapping[str, Tensor]) -> tuple[float, float]:
     """How far from the receiver's middle the light of a lens falls, in its coordinates."""
     return BeamPlan(scene, _FEW_CELLS).light_extent(heights)
+
+
+def asked_light_of(scene: Scene, heights: Mapping[str, Tensor]) -> float | None:
+    """What two faces close to a source shall send to the receiver; None for other lenses.
+
+    There the faces decide how much light comes through, and two of them have a choice: an image
+    that is compared with as much light as arrives gets better by losing what is hard to place.
+    """
+    optic = scene.optic
+    near = optic.front_z - scene.source.nearest_z < max(optic.half_width)
+    if len(heights) == 1 or not near:
+        return None
+    with torch.no_grad():
+        arrived = BeamPlan(scene, _FEW_CELLS).trace(heights).account.arrived
+    return _MORE_LIGHT * arrived or None
 
 
 def even_blur_of(scene: Scene, heights: Mapping[str, Tensor]) -> Blur | None:

@@ -45,6 +45,8 @@ class WideImage:
     blur : Blur, optional
         What each part of the lens makes of the source, if that is the same everywhere: light of
         its middle is traced then, and blurred.
+    asked_light : float, optional
+        Flux that the image shall have. By default what arrives, however much that is.
 
     Attributes
     ----------
@@ -62,6 +64,7 @@ class WideImage:
         light_extent: tuple[float, float],
         mirrored: tuple[bool, bool] = (False, False),
         blur: Blur | None = None,
+        asked_light: float | None = None,
     ) -> None:
         self._scene, receiver = scene, scene.receiver
         (n_x, n_y), r, most = receiver.pixels, receiver.half_extent, receiver.farthest
@@ -73,7 +76,7 @@ class WideImage:
             if blur
             else BeamPlan(scene, cells, mirrored=mirrored)
         )
-        self._margin = m_x, m_y
+        self._margin, self._asked_light = (m_x, m_y), asked_light
         halves = 2 ** sum(mirrored)
         corners = Corners(*cells)
         self.blurred = blur is not None or corners.origins > 1
@@ -103,7 +106,8 @@ class WideImage:
         traced = self._plan.trace(heights, self._margin)
         check_light(traced.flux.detach(), traced.account, self._scene)
         step = self._step(heights, traced)
-        error = traced.flux / traced.account.arrived / self._wide_relative - self._wanted
+        light = self._asked_light or traced.account.arrived
+        error = traced.flux / light / self._wide_relative - self._wanted
         return error / self._scale, step
 
     def step(self, heights: Mapping[str, Tensor]) -> Step:
