@@ -11,6 +11,7 @@ itself, for a photograph:
 | 512 x 512 | 0.97 | 1.02 |
 | 1024 x 1024 | 2.01 | 2.23 |
 | 512 x 512, point source | 1.43 | 1.41 |
+| 1024 x 1024, point source | 2.74 | 2.67 |
 | 512 x 512, in the sun | 0.81 | 0.77 |
 | 256 x 256, two faces | 0.72 | 0.81 |
 | 512 x 512, two faces | 2.62 | 2.89 |
@@ -35,11 +36,11 @@ from workbench.system_memory import as_bytes, available_memory
 # Compiled kernels, and libraries that a run is the first to need.
 _PROGRAM = 120e6
 _REAL = 8  # bytes of a float64
-# Arrays of all cells of a first lens that are there at the same time, by whether light comes from
-# far away, and with two faces. Those below 32 MB are cut out of one heap, and of the many of a near
-# source and two faces pieces that are freed between others count as long as the lens is sought.
-_FAR, _NEAR, _BOTH = 26, 36, 76
-_CUT_OUT, _IN_PIECES = 32 << 20, 1.6
+# Arrays of all cells of a first lens that are there at the same time, as measured: below 32 MB,
+# where they are cut out of one heap and leave pieces there, and from 32 MB on, where they are not.
+# Of light from far away, of that of a near source, and with two faces.
+_MAPPED = 32 << 20
+_FAR, _NEAR, _BOTH = (26, 26), (58, 76), (122, 76)
 # Numbers of a node: those of hits and flux, the same on the wide image, and both cotangents, in the
 # precision of the trace; and in float64 hits, densities of triangles, and cotangents of these.
 _TRACED, _DRAWN = 9, 9
@@ -104,9 +105,8 @@ def _of_start(scene: Scene) -> float:
     both = "entrance" in nets
     cells = both_faces.cells_for(nets) if both else start.cells_for(nets[scene.optic.face])
     array = _REAL * cells**2
-    if far and not both:
-        return _FAR * array
-    return (_BOTH if both else _NEAR) * array * (_IN_PIECES if array < _CUT_OUT else 1.0)
+    arrays = _BOTH if both else _FAR if far else _NEAR
+    return float(arrays[array >= _MAPPED] * array)
 
 
 def _of_descent(scene: Scene) -> float:
