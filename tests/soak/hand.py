@@ -8,6 +8,7 @@ import json
 import subprocess
 import sys
 import time
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -30,6 +31,10 @@ class SeenWidgets(QObject):
         self._look = QTimer(self, interval=_EVERY_MS)
         self._look.timeout.connect(self._write)
         self._look.start()
+
+    def stop(self) -> None:
+        """Look no more: it takes the program some time."""
+        self._look.stop()
 
     def _write(self) -> None:
         seen = [
@@ -88,10 +93,17 @@ class Hand:
         Factor of the user interface.
     theme : str
         "light" or "dark".
+    program : sequence, optional
+        Module and its arguments; by default this one, which writes down what is seen.
     """
 
     def __init__(
-        self, screen: Screen, folder: Path, scale: str = "1", theme: str = "light"
+        self,
+        screen: Screen,
+        folder: Path,
+        scale: str = "1",
+        theme: str = "light",
+        program: Sequence[object] = (),
     ) -> None:
         self._screen, self.folder = screen, folder
         self._file = folder / "seen.json"
@@ -105,7 +117,7 @@ class Hand:
         environment |= {"HOME": str(home), "QT_SCALE_FACTOR": scale}
         self._log = (folder / "program.log").open("w")
         self.program = subprocess.Popen(
-            [sys.executable, "-m", "tests.soak.hand", str(self._file)],
+            [sys.executable, "-m", *map(str, program or ("tests.soak.hand", self._file))],
             env=environment,
             stdout=self._log,
             stderr=subprocess.STDOUT,
@@ -155,7 +167,7 @@ class Hand:
 
     def click(self, text: str, kind: str = "", times: int = 1) -> None:
         """Click in the middle of something."""
-        self.click_at(*_middle(self.wait(text, kind=kind)["place"]), times=times)
+        self.click_at(*middle(self.wait(text, kind=kind)["place"]), times=times)
 
     def click_at(self, x: int, y: int, times: int = 1) -> None:
         """Click somewhere."""
@@ -174,6 +186,10 @@ class Hand:
     def fill(self, name: str, text: str, kind: str = "QLineEdit") -> None:
         """Type into a field in place of what it holds, and enter it."""
         self.click(name, kind, times=3)
+        self.type(text)
+
+    def type(self, text: str) -> None:
+        """Type into the field that has the keyboard, in place of what it holds, and enter it."""
         self.press("ctrl+a")
         self._screen.do("type", "--delay", 15, text)
         self.press("Tab")
@@ -198,7 +214,8 @@ class Hand:
         return path
 
 
-def _middle(place: list[int]) -> tuple[int, int]:
+def middle(place: list[int]) -> tuple[int, int]:
+    """The middle of a place, as `Hand.seen` gives it."""
     x, y, width, height = place
     return x + width // 2, y + height // 2
 
