@@ -4,8 +4,7 @@ import numpy as np
 import pytest
 import torch
 
-from workbench.design import auto, levels
-from workbench.design.levels import COARSE, FINE, image_of
+from workbench.design import auto
 from workbench.design.loss import share
 from workbench.design.run import run
 from workbench.optics.beam_plan import BeamPlan
@@ -69,7 +68,7 @@ def test_light_of_points_reaches_the_screen(make_scene, letter, kind):
     assert lost < 0.03 * found.state.account.on_screen
 
 
-def test_all_lenses_are_judged_by_the_finest_image(make_scene, letter):
+def test_losses_are_those_of_the_finest_image(make_scene, letter):
     scene = make_scene({"lens.control_points": [24, 24], "run.iterations": 60})
     wanted = share(letter)
     plan = BeamPlan(scene, (500, 500), dtype=torch.float64)
@@ -79,23 +78,6 @@ def test_all_lenses_are_judged_by_the_finest_image(make_scene, letter):
         ).flux.numpy()
         error = np.linalg.norm(image / image.sum() - wanted) / 32
         assert snapshot.state.loss == pytest.approx(error, rel=0.02)
-
-
-def test_a_coarse_image_is_left_where_it_differs_from_the_fine_one(make_scene, letter, monkeypatch):
-    scene = make_scene({"lens.control_points": [24, 24], "run.iterations": 60})
-    found = best(scene, letter)
-    seen = []
-
-    def look(level, *task):
-        seen.append(level)
-        return image_of(level, *task)
-
-    monkeypatch.setattr(levels, "image_of", look)
-    monkeypatch.setattr(auto, "_TRUSTED", 0.0)
-    lenses = run(scene, letter, found.state.heights)
-    for _ in range(3):  # the first one again, then one of each level
-        next(lenses)
-    assert seen == [FINE, COARSE]
 
 
 def test_the_widened_image_may_exceed_the_largest_screen(make_scene):

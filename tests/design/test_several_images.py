@@ -10,7 +10,7 @@ from workbench.analysis.metrics import paper_loss, relative_l2
 from workbench.analysis.tolerance_fields import Tolerances
 from workbench.analysis.validation import validate
 from workbench.design.evaluation import Evaluator
-from workbench.design.levels import COARSE, images_of
+from workbench.design.levels import finest_image
 from workbench.design.limits import bounded
 from workbench.design.loss import relative_error
 from workbench.design.run import run
@@ -89,9 +89,8 @@ def test_the_gradient_is_that_of_the_weighted_sum_of_images(make_scene, tmp_path
 
     def gradient(scene, target):
         z = torch.tensor(heights, requires_grad=True)
-        error, _ = images_of(scene, target, {"exit": torch.tensor(heights)})(COARSE).compare(
-            {"exit": z}
-        )
+        image = finest_image(scene, target, {"exit": torch.tensor(heights)})
+        error, _ = image.compare({"exit": z})
         error.square().sum().backward()
         return z.grad.numpy()
 

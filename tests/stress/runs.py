@@ -1,6 +1,5 @@
 """What has to hold for every run of the best method, however extreme its task."""
 
-from contextlib import suppress
 from typing import Any
 
 import numpy as np
@@ -45,19 +44,15 @@ def check_within(heights: npt.NDArray[np.float64], allowed: HeightLimits) -> Non
 
 def check_run(case: Case, image: str, monkeypatch: pytest.MonkeyPatch) -> str:
     """Run a few iterations; returns the sentence with which the run refused or failed, or none."""
-    levels: list[list[float]] = []
+    descents: list[list[float]] = []
     minimise = auto.minimise
 
     def watched(*args: Any) -> Any:
-        steps, changed = minimise(*args), None
-        levels.append([])
-        with suppress(StopIteration):
-            while True:
-                x, found = steps.send(changed)
-                if changed:  # the same lens by another image
-                    levels.append([])
-                levels[-1].append(found.value)
-                changed = yield x, found
+        values: list[float] = []
+        descents.append(values)
+        for x, found in minimise(*args):
+            values.append(found.value)
+            yield x, found
 
     monkeypatch.setattr(auto, "minimise", watched)
     scene = case.scene
@@ -83,6 +78,6 @@ def check_run(case: Case, image: str, monkeypatch: pytest.MonkeyPatch) -> str:
         assert said.strip()
         assert "\n" not in said
     assert (np.diff(best) < 0).all()
-    for values in levels:
+    for values in descents:
         assert (np.diff(values) <= 0).all()
     return said

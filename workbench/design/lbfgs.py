@@ -2,7 +2,7 @@
 
 import math
 from collections import deque
-from collections.abc import Callable, Generator
+from collections.abc import Callable, Iterator
 from typing import Generic, NamedTuple, TypeVar
 
 import torch
@@ -24,7 +24,6 @@ Objective = Callable[[Tensor], Evaluation[Seen]]
 MEMORY = 20
 """Steps whose curvature is remembered."""
 _ARMIJO = 1e-4
-_CAUTION = 0.1
 _MAX_TRIALS = 12
 
 
@@ -33,7 +32,7 @@ def minimise(
     x: Tensor,
     max_step: float = math.inf,
     length: Callable[[Tensor], float] = lambda step: step.abs().max().item(),
-) -> Generator[tuple[Tensor, Evaluation[Seen]], bool | None, None]:
+) -> Iterator[tuple[Tensor, Evaluation[Seen]]]:
     """Descend from ``x`` until no step along the search direction goes further down.
 
     Parameters
@@ -50,20 +49,18 @@ def minimise(
     Yields
     ------
     tuple[Tensor, Evaluation]
-        The beginning, then each accepted point. Whoever has changed the objective sends True, and
-        gets the same point with its new value; the curvature is taken to be about the same.
+        The beginning, then each accepted point.
 
     Notes
     -----
     Two-loop recursion with backtracking (Nocedal & Wright, Numerical Optimization, 2006,
-    algorithms 7.4 and 3.1). The very first step is a tenth of Polyak's, value / |gradient|², the
-    one that would reach 0 if the objective fell on at this rate: no length to be set by hand.
+    algorithms 7.4 and 3.1). The very first step is Polyak's, value / |gradient|², the one that
+    would reach 0 if the objective fell on at this rate: no length to be set by hand.
     """
     pairs: deque[tuple[Tensor, Tensor]] = deque(maxlen=MEMORY)
     here = objective(x)
     while True:
-        while (yield x, here):
-            here = objective(x)
+        yield x, here
         direction = _direction(pairs, here)
         slope = torch.dot(here.gradient, direction).item()
         if not slope < 0:
@@ -91,7 +88,7 @@ def _direction(pairs: deque[tuple[Tensor, Tensor]], here: Evaluation[Seen]) -> T
     """Minus the inverse of the Hessian as the pairs know it, times the gradient."""
     if not pairs:
         square = here.gradient.square().sum().clamp_min(1e-300)
-        return here.gradient * (-_CAUTION * here.value / square)
+        return here.gradient * (-here.value / square)
     q = here.gradient.clone()
     factors = []
     for moved, turned in reversed(pairs):

@@ -1,9 +1,8 @@
-"""How finely `workbench.design.auto` looks at lenses: from few beams of light to many."""
+"""How many beams of light make the images by which lenses are compared."""
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from functools import cache
 
 import numpy as np
 import numpy.typing as npt
@@ -41,8 +40,10 @@ class Level:
 
 
 COARSE = Level(per_pixel=1.5, per_control_point=1.2, thinning=0.5)
+"""Tells which of two first lenses is the better one."""
+
 FINE = Level(per_pixel=3.0, per_control_point=2.2, thinning=0.25)
-"""The last level, by whose image all lenses are judged."""
+"""All lenses of a run are judged by it, so that their losses can be compared."""
 
 _MOST_CELLS = 8192
 # What symmetry saves goes in part into cells, by this factor along each axis for each mirror: the
@@ -151,13 +152,13 @@ def cells_of(
     return Corners(m_x, m_y, origins)
 
 
-def images_of(
+def finest_image(
     scene: Scene,
     target: Array,
     heights: Mapping[str, Tensor],
     mirrored: tuple[bool, bool] = (False, False),
-) -> Callable[[Level], AnyImage]:
-    """The images by which levels compare lenses like one that is there, each made once.
+) -> AnyImage:
+    """The image by which a run compares lenses like one that is there.
 
     Parameters
     ----------
@@ -167,29 +168,19 @@ def images_of(
         Control heights of that lens; they say how far its light falls and how it is blurred.
     """
     images = scene.images(target)
-    each = [_images_of_one(image.scene, image.target, heights, mirrored) for image in images]
-    if len(each) == 1:
-        return each[0]
-    return cache(lambda level: SeveralImages([image_for(level) for image_for in each], images))
-
-
-def _images_of_one(
-    scene: Scene, target: Array, heights: Mapping[str, Tensor], mirrored: tuple[bool, bool]
-) -> Callable[[Level], WideImage]:
-    """`images_of` with a scene of one image."""
-    extent, blur = light_extent_of(scene, heights), even_blur_of(scene, heights)
-    asked = asked_light_of(scene, heights)
-    return cache(lambda level: image_of(level, scene, target, extent, mirrored, blur, asked))
-
-
-def levels_of(scene: Scene) -> tuple[Level, ...]:
-    """The levels that a descent goes through, one after the other.
-
-    Light of a source of some size has no use for a coarse one: its own image blurs what that would
-    leave out, and 30 of 55 steps with the sun were spent there for a tenth of the gain.
-    """
-    many = scene.source.point_count * max(map(_origins, scene.single)) > 1
-    return (FINE,) if many else (COARSE, FINE)
+    made = [
+        image_of(
+            FINE,
+            image.scene,
+            image.target,
+            light_extent_of(image.scene, heights),
+            mirrored,
+            even_blur_of(image.scene, heights),
+            asked_light_of(image.scene, heights),
+        )
+        for image in images
+    ]
+    return made[0] if len(made) == 1 else SeveralImages(made, images)
 
 
 def _origins(scene: Scene) -> int:

@@ -10,7 +10,7 @@ from torch import Tensor
 from workbench.design.auto import auto_steps
 from workbench.design.filtered_image import FilteredImage
 from workbench.design.heights import Mask
-from workbench.design.levels import FINE, images_of
+from workbench.design.levels import finest_image
 from workbench.design.memory import check_auto, memory_notes
 from workbench.design.paper import check_paper, paper_steps
 from workbench.design.room import Room
@@ -62,7 +62,7 @@ def method_of(scene: Scene) -> Method:
 
 
 def _finest(scene: Scene, target: Array, heights: Heights, locked: Mask | None) -> Image:
-    return images_of(scene, target, heights)(FINE)
+    return finest_image(scene, target, heights)
 
 
 _METHODS = {

@@ -1,7 +1,21 @@
 """Changes of a control net as cosine waves, scaled so that a descent finds the long ones easy.
 
 Irradiance answers to the second derivatives of the face. Short waves of the same height change it
-far more than long ones, and a descent that treats all heights alike spends its steps on them.
+far more than long ones, and a descent that treats all heights alike spends its steps on them. A
+wave is made small in proportion to a power of its periods per lens. Errors as the run sees them of
+256 × 256 pixels after 2 s (top hat) and 4 s (all others) of evaluations on one core:
+
+| power | top hat | ball | flame | letter |
+|---|---|---|---|---|
+| 1, of waves with more than 4 periods | 0.43 % | 0.51 % | 1.57 % | 1.07 % |
+| 1.25, of waves with more than 4 periods | 0.40 % | 0.49 % | 1.56 % | 1.07 % |
+| 1.25, of waves with more than 2 periods | 0.37 % | 0.47 % | 1.54 % | 1.07 % |
+| 1.5, of waves with more than 4 periods | 0.38 % | 0.49 % | 1.69 % | 1.10 % |
+| 1.1 | 0.38 % | 0.48 % | 1.52 % | – |
+| 1.25 | 0.36 % | 0.46 % | 1.55 % | – |
+
+Where the size of the source blurs the image, short waves are what is left to gain: the example *Sun
+plate* is 1.91 % off with a power of 1 where it is 2.01 % with 1.25.
 """
 
 from collections.abc import Mapping
@@ -19,13 +33,13 @@ class Waves:
     ----------
     like : Tensor, shape (n_u, n_v)
         Gives size, float type and device.
-    cut : float
-        Waves with more periods per lens than this are made small in proportion.
+    power : float
+        Waves are made small in proportion to this power of their periods per lens.
     mirrored : tuple[bool, bool]
         Whether to leave out all waves that are not mirror images of themselves in u, in v.
     """
 
-    def __init__(self, like: Tensor, cut: float, mirrored: tuple[bool, bool]) -> None:
+    def __init__(self, like: Tensor, power: float, mirrored: tuple[bool, bool]) -> None:
         self._waves, periods = [], []
         for count, even in zip(like.shape, mirrored, strict=True):
             numbers = np.arange(0, count, 2 if even else 1)
@@ -33,7 +47,7 @@ class Waves:
             self._waves.append(torch.as_tensor(waves).to(like))
             periods.append(torch.as_tensor(numbers / 2).to(like))
         periods2 = periods[0][:, None].square() + periods[1][None, :].square()
-        self._size = (1 + periods2 / cut**2).rsqrt()
+        self._size = (1 + periods2) ** (-power / 2)
         self.nothing = torch.zeros_like(self._size).flatten()
 
     def change(self, amplitudes: Tensor) -> Tensor:
@@ -49,7 +63,7 @@ class FaceWaves:
     ----------
     like : mapping of str to Tensor, shape (n_u, n_v)
         Gives size, float type and device for each face.
-    cut, mirrored
+    power, mirrored
         See `Waves`.
     widths : mapping of str to float
         By how much about heights change with a parameter of each face. A wave of any face then
@@ -64,11 +78,11 @@ class FaceWaves:
     def __init__(
         self,
         like: Mapping[str, Tensor],
-        cut: float,
+        power: float,
         mirrored: tuple[bool, bool],
         widths: Mapping[str, float],
     ) -> None:
-        self._waves = {face: Waves(each, cut, mirrored) for face, each in like.items()}
+        self._waves = {face: Waves(each, power, mirrored) for face, each in like.items()}
         widest = max(widths.values())
         self._factors = {face: widest / widths[face] for face in like}
         self.nothing = torch.cat([each.nothing for each in self._waves.values()])
