@@ -6,7 +6,7 @@ seed does the same again as far as time allows. Settings, recovery files and wha
 in FOLDER, and so does ``monkey.log``: each step before it is done, and every problem.
 
 Every minute it rests: one window with the first example, nothing on. There it measures memory.
-After five minutes of warm-up the lowest of any five rests must not be more than 200 MB higher:
+After ten minutes of warm-up the lowest of any five rests must not be more than 200 MB higher:
 what can be undone, and caches, take more now and then, and give it back.
 """
 
@@ -38,7 +38,7 @@ from ui.main_window import MainWindow
 from ui.windows import Windows
 
 REST_SECONDS = 60.0
-WARM_UP_SECONDS = 300.0  # until every library has been loaded that something needs
+WARM_UP_SECONDS = 600.0  # until every library has been loaded that something needs
 GROWTH_MB, RESTS = 200.0, 5  # from then on, and so many rests of which the lowest counts
 _THREADS = 2  # at rest: the window's and the watchdog
 _PATIENCE = 120.0  # seconds until a run has stopped or a window has closed, on a busy machine

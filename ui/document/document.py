@@ -155,6 +155,11 @@ class Document(QObject):
         self.change(after, text, key)
         self.edited.emit(old, after)
 
+    def after_edit(self, scene: Scene) -> Session:
+        """The session that an edit would lead to, which stays as it is; see `edit`."""
+        scene = with_absolute_files(scene, self.suggested_path)
+        return with_task(self._session, scene, self.suggested_path.parent)
+
     def before(self, key: str) -> Session:
         """Where a step with this key begins, which may become part of the last one."""
         return self.undo_stack.origin(key) or self._session

@@ -1,6 +1,5 @@
 """All forms: they turn edits into scenes, and show each refusal where it was caused."""
 
-from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
@@ -69,7 +68,7 @@ class Forms(QScrollArea):
         self._editing = self._running = False
         self._run_hint = ""
         self._later: list[Edit] = []  # made during a run
-        self._next: Scene | None = None  # with these
+        self._next: Session | None = None  # with these
         self.panels = self._make_panels()
         self._chooser: TargetPanel | ImagesPanel = self._target
         self._lay_out()
@@ -265,15 +264,14 @@ class Forms(QScrollArea):
 
     def _postpone(self, edits: list[Edit], scene: Scene) -> None:
         if scene != self._session.scene:
+            self._next = self._document.after_edit(scene)
             self._later += edits
-            self._next = scene
             self.postponed.emit(self.postponed_text)
 
     @property
     def _session(self) -> Session:
         """The document's session as it will be after the edits that wait for the run."""
-        session = self._document.session
-        return session if self._next is None else replace(session, scene=self._next)
+        return self._document.session if self._next is None else self._next
 
     @property
     def postponed_text(self) -> str:

@@ -57,6 +57,17 @@ def test_an_image_is_added_farther_away_and_its_target_is_drawn(begin, qtbot):
     assert not images(document)
 
 
+def test_an_image_added_during_a_run_is_shown_and_waits_for_its_end(begin, qtbot):
+    document, forms = begin({"lens.control_points": "auto"})
+    forms.set_running(True)
+    click(qtbot, forms, "Add")
+    assert not images(document) and len(listed(forms)) == 1
+    forms.set_running(False)
+    forms.make_postponed_edits()
+    (image,) = images(document)
+    np.testing.assert_array_equal(image.wanted, document.session.target)
+
+
 def test_place_weight_and_target_of_the_chosen_image_are_edited(begin, qtbot):
     document, forms = begin()
     click(qtbot, forms, "Add")
