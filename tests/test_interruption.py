@@ -8,25 +8,42 @@ from workbench.design.limits import undesigned
 from workbench.design.transport import transport_start
 from workbench.extended.blur import Blur
 from workbench.extended.deblur import spread_light
-from workbench.interruption import Interrupted, check_interruption, interrupted_when
-
-
-@pytest.mark.parametrize(
-    "work",
-    [
-        lambda scene: manufacture(scene.optic, undesigned(scene.optic)),
-        lambda scene: transport_start(scene, np.eye(16)),
-        lambda scene: spread_light(np.eye(16), Blur((3.0, 3.0))),
-    ],
-    ids=["manufacture", "first lens", "light to be blurred"],
+from workbench.interruption import (
+    Interrupted,
+    check_given_up,
+    check_interruption,
+    given_up_when,
+    interrupted_when,
 )
-def test_long_work_ends_when_it_is_interrupted(make_scene, work):
-    scene, asked = make_scene({"screen.pixels": [16, 16]}), []
+
+WORK = {
+    "manufacture": lambda scene: manufacture(scene.optic, undesigned(scene.optic)),
+    "first lens": lambda scene: transport_start(scene, np.eye(16)),
+    "light to be blurred": lambda scene: spread_light(np.eye(16), Blur((3.0, 3.0))),
+}
+
+
+@pytest.fixture
+def scene(make_scene):
+    return make_scene({"screen.pixels": [16, 16]})
+
+
+@pytest.mark.parametrize("work", WORK.values(), ids=WORK)
+def test_long_work_ends_when_nobody_wants_it(scene, work):
+    asked = []
 
     def second_time():
         asked.append(None)
         return len(asked) == 2
 
-    with pytest.raises(Interrupted), interrupted_when(second_time):
+    with pytest.raises(Interrupted), given_up_when(second_time):
         work(scene)
-    check_interruption()  # nothing is interrupted any more
+    check_interruption()  # nothing is given up any more
+
+
+def test_a_first_lens_is_found_though_its_run_is_to_end(scene):
+    with interrupted_when(lambda: True):
+        assert WORK["first lens"](scene) is not None
+        with pytest.raises(Interrupted):
+            check_interruption()
+        check_given_up()

@@ -13,26 +13,54 @@ def _never() -> bool:
     return False
 
 
-_wanted: ContextVar[Callable[[], bool]] = ContextVar("wanted", default=_never)
+Question = ContextVar[Callable[[], bool]]
+_asked_to_end: Question = ContextVar("asked_to_end", default=_never)
+_given_up: Question = ContextVar("given_up", default=_never)
 
 
 @contextmanager
-def interrupted_when(wanted: Callable[[], bool]) -> Iterator[None]:
-    """Let the work of this thread be interrupted as soon as ``wanted`` is true."""
-    before = _wanted.set(wanted)
+def _answered(question: Question, answer: Callable[[], bool]) -> Iterator[None]:
+    before = question.set(answer)
     try:
         yield
     finally:
-        _wanted.reset(before)
+        question.reset(before)
+
+
+@contextmanager
+def interrupted_when(asked_to_end: Callable[[], bool]) -> Iterator[None]:
+    """Let the work of this thread end soon once that is true; what it has by then is wanted."""
+    with _answered(_asked_to_end, asked_to_end):
+        yield
+
+
+@contextmanager
+def given_up_when(given_up: Callable[[], bool]) -> Iterator[None]:
+    """Let the work of this thread end at once when that is true: nobody wants any of it."""
+    with _answered(_given_up, given_up):
+        yield
 
 
 def check_interruption() -> None:
-    """Called now and then by long work.
+    """Called now and then by long work that can do without the rest of it.
 
     Raises
     ------
     Interrupted
         If it is to end.
     """
-    if _wanted.get()():
+    if _asked_to_end.get()():
+        raise Interrupted
+    check_given_up()
+
+
+def check_given_up() -> None:
+    """Called now and then by long work without whose end there is nothing to show.
+
+    Raises
+    ------
+    Interrupted
+        If nobody wants it any more.
+    """
+    if _given_up.get()():
         raise Interrupted

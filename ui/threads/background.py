@@ -14,7 +14,7 @@ from typing import TypeVar
 
 from PySide6.QtCore import QObject, QThread, Signal, Slot
 
-from workbench.interruption import Interrupted, interrupted_when
+from workbench.interruption import Interrupted, given_up_when
 
 Step = TypeVar("Step")
 End = TypeVar("End")
@@ -87,7 +87,7 @@ class Task:
     def run(self) -> None:
         """Do the work, or leave it as soon as nobody wants it; meant for its thread."""
         try:
-            with interrupted_when(lambda: not self.wanted):
+            with given_up_when(lambda: not self.wanted):
                 self.result = self._work(self)
         except Interrupted:
             pass

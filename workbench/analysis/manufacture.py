@@ -19,7 +19,7 @@ from workbench.geometry.bounds import equal_parts
 from workbench.geometry.curvature import local_shape
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import ControlNet, freeform_nets
-from workbench.interruption import check_interruption
+from workbench.interruption import check_given_up
 from workbench.scene import Optic
 
 Array = npt.NDArray[np.float64]
@@ -236,7 +236,7 @@ def _figures(
     spans = [n - p for n, p in zip(net.shape, net.degree, strict=True)]
     parts_x, parts_y = (math.ceil(_PARTS / n) for n in spans)
     count = 2 * parts_x * spans[0] + 1, 2 * parts_y * spans[1] + 1
-    check_interruption()
+    check_given_up()
     maps = surface_maps(optic, heights, count, face)
     ends = equal_parts(net, 0, parts_x), equal_parts(net, 1, parts_y)
     bounds = shape_bounds(net, outward, (parts_x, parts_y), _with_glass(optic, ends))
@@ -277,7 +277,7 @@ def _thicknesses(optic: Optic, heights: Mapping[str, Array]) -> tuple[float, flo
     if len(faces) == 1:
         flat = np.full((2, 2), optic.flat_z(heights[optic.face]))
         faces.append((ControlNet((2, 2), (1, 1), optic.half_width), flat))
-    check_interruption()
+    check_given_up()
     low, high, ends = difference_range(faces[0], faces[1], _PARTS)
     glass = _with_glass(optic, ends)
     lowest, highest = sorted(

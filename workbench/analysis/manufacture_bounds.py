@@ -15,7 +15,7 @@ from scipy.sparse import csr_array
 
 from workbench.geometry.bounds import equal_parts, to_bernstein
 from workbench.geometry.surface import ControlNet
-from workbench.interruption import check_interruption
+from workbench.interruption import check_given_up
 
 Array = npt.NDArray[np.float64]
 Mask = npt.NDArray[np.bool_]
@@ -66,7 +66,7 @@ def shape_bounds(
     most = [0.0, 0.0, 0.0]
     first = 0
     for p, q, r, s, t in _coefficients(net, heights, parts):
-        check_interruption()
+        check_given_up()
         last = first + len(p)
         seen = True if where is None else where[first:last, None, :, None]
         first = last

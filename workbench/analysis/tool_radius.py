@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from workbench.interruption import check_interruption
+from workbench.interruption import check_given_up
 
 Array = npt.NDArray[np.float64]
 
@@ -67,7 +67,7 @@ def blocked_radius(face: GridFace, radius: float) -> tuple[float, tuple[float, f
     finest = True
     while min(face.height.shape) > 1:
         for i, j in _offsets(face.height.shape, finest):
-            check_interruption()
+            check_given_up()
             apart = math.hypot(i * (face.x[1] - face.x[0]), j * (face.y[1] - face.y[0]))
             if apart >= 2 * radius * above:
                 continue  # nothing so far away is in the way of a ball of this size

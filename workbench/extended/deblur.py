@@ -26,7 +26,7 @@ import numpy.typing as npt
 from workbench.extended.blur import Blur
 from workbench.extended.blurring import Blurring
 from workbench.extended.certificate import Certifier
-from workbench.interruption import check_interruption
+from workbench.interruption import check_given_up
 from workbench.watch import finished
 
 Array = npt.NDArray[np.float64]
@@ -233,7 +233,7 @@ def _search(
         )
 
     for step in count():
-        check_interruption()
+        check_given_up()
         now, begins = divmod(step, _FALLS_EVERY)
         if begins == 0 and now < len(weights):
             weight = _IMAGE / (weights[now] * math.sqrt(len(kernels)))

@@ -7,7 +7,7 @@ from PySide6.QtCore import QThread
 
 from ui.threads.background import Background, Task
 from workbench.errors import Refused
-from workbench.interruption import check_interruption
+from workbench.interruption import check_given_up
 
 
 @pytest.fixture
@@ -119,7 +119,7 @@ def test_closing_leaves_work_between_two_of_its_steps(qapp):
 
     def without_end(_):
         while True:
-            check_interruption()
+            check_given_up()
             begun.set()
 
     background = Background("turning round", None)

@@ -13,7 +13,7 @@ from scipy.fft import dctn, idctn
 
 from workbench.design.transport.envelope import c_transform
 from workbench.design.transport.push import mapped, push
-from workbench.interruption import check_interruption
+from workbench.interruption import check_given_up
 
 Array = npt.NDArray[np.float64]
 
@@ -75,7 +75,7 @@ class Transport:
         step, step_back = self._steps
         nearest, idle = math.inf, 0
         for _ in range(rounds):
-            check_interruption()
+            check_given_up()
             before = step, step_back
             there, back, value, step, far = self._climb(there, back, source, target, value, step)
             back, there, value, step_back, far_back = self._climb(
