@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QWidget
 from ui.views.image_choice import ImageChoice
 from ui.views.image_link import ImageLink
 from ui.views.view import View
-from workbench.optics.account import LOSSES, words_for
+from workbench.optics.account import LOSSES, losses_in, words_for
 from workbench.scene import Screen
 
 if TYPE_CHECKING:
@@ -58,10 +58,10 @@ class LightView(View):
         self._choice.show_scene(session.scene)
         number = self._link.number_in(session.scene)
         session, frame = session.of_image(number), frame and frame.of_image(number)
+        there = losses_in(session.scene)
         for name, text in words_for(session.scene.receiver).items():
             self._rows[name].call(*text)
-            loss = LOSSES.get(name)
-            self._rows[name].show(loss is None or loss.optic in ("", session.scene.optic.called))
+            self._rows[name].show(name not in LOSSES or name in there)
         if frame is None:
             for line in (*self._rows.values(), self._sum):
                 line.clear()

@@ -1,48 +1,16 @@
 """The account of all light: what is on the screen, and what is lost, by name.
 
-A new way to lose light is an entry in `LOSSES`, and its name where an element finds it. Dock,
-report, figures and files take all they say of it from here.
+A new way to lose light is an entry in the losses of its optic, and its name where an element finds
+it. Dock, report, figures and files take all they say of it from here.
 """
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import NamedTuple
 
-from workbench.scene import AnyReceiver, Scene
+from workbench.scene import AnyReceiver, Lens, Mirror, Scene
+from workbench.scene.losses import Loss
 
-
-class Loss(NamedTuple):
-    """What is said of a way to lose light.
-
-    Attributes
-    ----------
-    title, tip : str
-        Its name for people, and what it is; "{receiver}" stands for what the receiver is called.
-    where : str
-        Where such light goes, after "of the light, 10 %".
-    cure : str
-        What brings it to the receiver, as a sentence without its end; "{flatter}" stands for a
-        flatter base, where there is one.
-    always : bool
-        Whether every account has it, and with that every file of version 1.
-    optic : str
-        Which kind of optic loses light so, as that is called; empty for all.
-    """
-
-    title: str
-    tip: str
-    where: str
-    cure: str
-    always: bool = False
-    optic: str = ""
-
-    def cure_in(self, scene: Scene) -> str:
-        """The cure for a scene."""
-        flatter = "" if scene.optic.base.shape == "flat" else "a flatter base, "
-        return self.cure.format(receiver=scene.receiver.called, flatter=flatter)
-
-
-LOSSES: Mapping[str, Loss] = {
+_AT_RECEIVERS: Mapping[str, Loss] = {
     "off_screen": Loss(
         "Missed the {receiver}",
         "Light that passes the optic and the {receiver} by. One that sends much light here "
@@ -51,71 +19,14 @@ LOSSES: Mapping[str, Loss] = {
         "a larger {receiver} catches it",
         always=True,
     ),
-    "missed_lens": Loss(
-        "Missed the lens",
-        "Light that passes the entrance face by. The cone of a point source is round and just "
-        "covers the rectangle around the face; of that, an elliptic lens leaves the corners open.",
-        "misses the lens",
-        "a larger lens catches it",
-        always=True,
-        optic="lens",
-    ),
-    "missed_mirror": Loss(
-        "Missed the mirror",
-        "Light that passes the mirror by: between it and the rim of the light's cone, and through "
-        "the corners of the rectangle around an elliptic mirror.",
-        "misses the mirror",
-        "a larger mirror catches it",
-        optic="mirror",
-    ),
-    "absorbed_mirror": Loss(
-        "Absorbed by the mirror",
-        "The part of the light on the mirror that it does not reflect.",
-        "is absorbed by the mirror",
-        "a coating with a higher reflectance reflects it",
-        optic="mirror",
-    ),
-    "left_side": Loss(
-        "Out of the side",
-        "Light that entered the lens so slanted that it meets a side wall before the exit face.",
-        "leaves by the side",
-        "a thinner lens, or a source farther away or nearer to the axis, keeps it",
-        always=True,
-        optic="lens",
-    ),
-    "total_reflection": Loss(
-        "Totally reflected",
-        "Light that meets the exit face too steeply to leave the lens there.",
-        "is totally reflected",
-        "{flatter}thicker stock, a lower index or a target that needs less bending lets it out",
-        always=True,
-        optic="lens",
-    ),
-    "fresnel_entrance": Loss(
-        "Reflected on entry",
-        "The part that the entrance face reflects of the light that it refracts.",
-        "is reflected at the entrance",
-        "a source nearer to the axis lets it in",
-        always=True,
-        optic="lens",
-    ),
-    "absorbed": Loss(
-        "Absorbed",
-        "The part that the glass absorbs of the light that comes to the exit face.",
-        "is absorbed by the glass",
-        "a thinner lens or a clearer glass lets more of it through",
-        optic="lens",
-    ),
-    "fresnel_exit": Loss(
-        "Reflected on exit",
-        "The part that the exit face reflects of the light that it refracts.",
-        "is reflected at the exit",
-        "{flatter}thicker stock, a lower index or a target that needs less bending lets it out",
-        always=True,
-        optic="lens",
-    ),
 }
+LOSSES: Mapping[str, Loss] = {**_AT_RECEIVERS, **Lens.losses, **Mirror.losses}
 """All losses by name, in the order in which they are listed."""
+
+
+def losses_in(scene: Scene) -> Mapping[str, Loss]:
+    """The losses that there can be in a scene, by name."""
+    return {**_AT_RECEIVERS, **scene.optic.losses}
 
 
 def words_for(receiver: AnyReceiver | type[AnyReceiver]) -> dict[str, tuple[str, str]]:

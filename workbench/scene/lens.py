@@ -12,6 +12,7 @@ from workbench.scene import limits
 from workbench.scene.base import Base, FlatBase
 from workbench.scene.entrance import Entrance, FlatEntrance
 from workbench.scene.fields import LENGTH, PLACE, RANGE, SINCE_2, Choices, Measure, about
+from workbench.scene.lens_losses import LENS_LOSSES
 from workbench.scene.net import ControlPoints, Degree
 from workbench.scene.optic import Array, Optic, relative
 from workbench.scene.part import NonNegative, Positive
@@ -56,6 +57,7 @@ class Lens(Optic):
     body_called = "body of glass"
     front_called = "the entrance face"
     onwards = 1
+    losses = LENS_LOSSES
 
     half_width: Annotated[
         tuple[Positive, Positive],

@@ -8,9 +8,26 @@ from pydantic import Field
 from workbench.scene.base import Base, FlatBase
 from workbench.scene.entrance import FlatEntrance
 from workbench.scene.fields import LENGTH, RANGE, Version, about
+from workbench.scene.losses import Loss
 from workbench.scene.net import ControlPoints, Degree
 from workbench.scene.optic import Array, Optic, relative
 from workbench.scene.part import Positive
+
+_LOSSES = {
+    "missed_mirror": Loss(
+        "Missed the mirror",
+        "Light that passes the mirror by: between it and the rim of the light's cone, and through "
+        "the corners of the rectangle around an elliptic mirror.",
+        "misses the mirror",
+        "a larger mirror catches it",
+    ),
+    "absorbed_mirror": Loss(
+        "Absorbed by the mirror",
+        "The part of the light on the mirror that it does not reflect.",
+        "is absorbed by the mirror",
+        "a coating with a higher reflectance reflects it",
+    ),
+}
 
 
 class Mirror(Optic):
@@ -27,6 +44,7 @@ class Mirror(Optic):
     body_called = "mirror"
     front_called = "the mirror"
     onwards = -1
+    losses = _LOSSES
 
     half_width: Annotated[
         tuple[Positive, Positive],

@@ -2,7 +2,7 @@
 
 import math
 from abc import abstractmethod
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any, ClassVar, Literal, Self
 
 import numpy as np
@@ -13,6 +13,7 @@ from workbench.scene import limits
 from workbench.scene.auto_net import AutoNet
 from workbench.scene.base import Base
 from workbench.scene.entrance import Entrance
+from workbench.scene.losses import Loss
 from workbench.scene.net import check_net
 from workbench.scene.part import Part
 
@@ -36,6 +37,8 @@ class Optic(Part):
     """What light meets first, within a sentence."""
     onwards: ClassVar[int]
     """1 if light goes on to +z behind it, -1 if it goes back to -z."""
+    losses: ClassVar[Mapping[str, Loss]]
+    """How light is lost at it, by the names that elements have for that."""
 
     if TYPE_CHECKING:  # each kind has these fields, at their places in the file
         half_width: tuple[float, float]

@@ -1,0 +1,34 @@
+"""What is said of a way to lose light."""
+
+from typing import TYPE_CHECKING, NamedTuple
+
+if TYPE_CHECKING:
+    from workbench.scene.task import Scene
+
+
+class Loss(NamedTuple):
+    """What is said of a way to lose light.
+
+    Attributes
+    ----------
+    title, tip : str
+        Its name for people, and what it is; "{receiver}" stands for what the receiver is called.
+    where : str
+        Where such light goes, after "of the light, 10 %".
+    cure : str
+        What brings it to the receiver, as a sentence without its end; "{flatter}" stands for a
+        flatter base, where there is one.
+    always : bool
+        Whether every account has it, and with that every file of version 1.
+    """
+
+    title: str
+    tip: str
+    where: str
+    cure: str
+    always: bool = False
+
+    def cure_in(self, scene: "Scene") -> str:
+        """The cure for a scene."""
+        flatter = "" if scene.optic.base.shape == "flat" else "a flatter base, "
+        return self.cure.format(receiver=scene.receiver.called, flatter=flatter)
