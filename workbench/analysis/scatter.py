@@ -80,7 +80,8 @@ class Unscattered(NamedTuple):
         # A square below 0 by more than its spread tells that images are evener together than ones
         # that are independent, as parts of a file whose rays are laid out evenly: by so much the
         # true one may be above 0 as well.
-        return cls(root(square), (root(square - spread), root(abs(square) + spread)), square)
+        most = square if square >= -spread else -square
+        return cls(root(square), (root(square - spread), root(most + spread)), square)
 
     @property
     def off(self) -> float:
