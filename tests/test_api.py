@@ -34,14 +34,14 @@ def test_importing_the_package_loads_nothing_slow_and_the_page_no_torch():
 
 
 def test_the_lines_of_the_manual_run_as_they_stand(tmp_path, monkeypatch, capsys):
-    section = (ROOT / "resources" / "manual.md").read_text().split("\n## From Python\n")[1]
-    (lines,) = re.findall(r"```python\n(.*?)```", section.split("\n## ")[0], re.DOTALL)
+    page = (ROOT / "resources" / "manual" / "python.md").read_text("utf-8")
+    (lines,) = re.findall(r"```python\n(.*?)```", page, re.DOTALL)
     for number, fewer in (("=300", "=2"), ("16_000_000", "1_000_000")):
         assert lines.count(number) == 1
         lines = lines.replace(number, fewer)
     (tmp_path / "resources").symlink_to(ROOT / "resources")
     monkeypatch.chdir(tmp_path)
-    exec(compile(lines, "manual.md", "exec"), {})
+    exec(compile(lines, "python.md", "exec"), {})
     *snapshots, error = capsys.readouterr().out.splitlines()
     assert [line.split()[0] for line in snapshots] == ["0", "1", "2"]
     assert re.fullmatch(r"error \d+\.\d\d%, 92\.\d% on the screen", error)

@@ -50,7 +50,7 @@ def test_the_wheel_holds_every_module_and_every_resource(wheel):
         for package in PACKAGES
         for path in (ROOT / package).rglob("*.py")
     }
-    known = ("examples/tophat.json", "scene.schema.json", "manual.md")
+    known = ("examples/tophat.json", "scene.schema.json", "manual/index.md")
     assert {f"resources/{name}" for name in known} <= resource_files()
     assert modules | resource_files() <= held
     assert not any("readme" in name for name in held)

@@ -1,10 +1,56 @@
-"""The manual, to read beside the window."""
+"""The manual, to read beside the window: a list of its pages, the page, and a search in all."""
 
-from PySide6.QtWidgets import QDialog, QDialogButtonBox, QTextBrowser, QVBoxLayout, QWidget
+from collections.abc import Iterator
 
-from resources import path
+from PySide6.QtCore import QSize, Qt, QUrl
+from PySide6.QtGui import QImage, QResizeEvent, QTextCursor, QTextDocument
+from PySide6.QtWidgets import (
+    QDialog,
+    QDialogButtonBox,
+    QHBoxLayout,
+    QLineEdit,
+    QListWidget,
+    QTextBrowser,
+    QTextEdit,
+    QVBoxLayout,
+    QWidget,
+)
 
-_COLUMNS, _ROWS = 100, 40  # characters and lines seen at once
+from resources.manual_pages import Page, pages
+
+_COLUMNS, _ROWS = 130, 45  # characters and lines seen at once
+_LIST_COLUMNS = 28
+_MARGIN = 24  # pixels beside a picture
+
+
+class PageView(QTextBrowser):
+    """A page whose pictures are as wide as the view at the most."""
+
+    def __init__(self) -> None:
+        super().__init__(openExternalLinks=True)
+        # One that came with a long page would change the width while that page is being read.
+        self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOn)
+
+    def loadResource(self, kind: int, name: QUrl) -> object:
+        """Pictures fit into the view; they are sharp where its pixels are small."""
+        found = super().loadResource(kind, name)
+        if kind != QTextDocument.ResourceType.ImageResource.value:
+            return found
+        image = QImage(name.toLocalFile() or self.source().resolved(name).toLocalFile())
+        ratio = self.devicePixelRatioF()
+        wide = round(ratio * max(self.viewport().width() - _MARGIN, 1))
+        if image.width() > wide:
+            image = image.scaledToWidth(wide, Qt.TransformationMode.SmoothTransformation)
+            image.setDevicePixelRatio(ratio)
+        return image
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Fit the pictures anew."""
+        super().resizeEvent(event)
+        if event.size().width() != event.oldSize().width() and not self.source().isEmpty():
+            place = self.verticalScrollBar().value()
+            self.reload()
+            self.verticalScrollBar().setValue(place)
 
 
 class Manual(QDialog):
@@ -19,14 +65,104 @@ class Manual(QDialog):
     def __init__(self, window: QWidget) -> None:
         super().__init__(window)
         self.setWindowTitle("Manual")
-        text = QTextBrowser(openExternalLinks=True)
-        text.setAccessibleName("Manual")
-        text.setMarkdown(path("manual.md").read_text("utf-8"))
-        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
-        buttons.rejected.connect(self.reject)
-        column = QVBoxLayout(self)
-        for widget in (text, buttons):
-            column.addWidget(widget)
+        self._pages: list[Page] = pages()
+        self._places: list[QTextCursor] = []  # of what is searched for, on this page
+        self._search = QLineEdit(placeholderText="Search", clearButtonEnabled=True)
+        self._search.setAccessibleName("Search the manual")
+        self._search.setToolTip("Words that a page must hold; Return goes to the next place")
+        self._list = QListWidget()
+        self._list.setAccessibleName("Pages of the manual")
+        self._list.addItems([page.title for page in self._pages])
+        self._text = PageView()
+        self._text.setAccessibleName("Manual")
+        self._search.textChanged.connect(self._find)
+        self._search.returnPressed.connect(self._find_next)
+        self._list.currentRowChanged.connect(self._open)
+        self._text.sourceChanged.connect(self._follow)
+        self._lay_out()
         font = self.fontMetrics()
         wanted = font.averageCharWidth() * _COLUMNS, font.lineSpacing() * _ROWS
-        self.resize(min(wanted[0], window.width()), min(wanted[1], window.height()))
+        self.resize(QSize(*wanted).boundedTo(window.size()))
+        self._list.setCurrentRow(0)
+
+    def _lay_out(self) -> None:
+        aside = QWidget()
+        aside.setFixedWidth(self.fontMetrics().averageCharWidth() * _LIST_COLUMNS)
+        left = QVBoxLayout(aside)
+        left.setContentsMargins(0, 0, 0, 0)
+        left.addWidget(self._search)
+        left.addWidget(self._list)
+        line = QHBoxLayout()
+        line.addWidget(aside)
+        line.addWidget(self._text, 1)
+        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
+        buttons.rejected.connect(self.reject)
+        for button in buttons.buttons():
+            button.setAutoDefault(False)  # Return goes on searching
+        whole = QVBoxLayout(self)
+        whole.addLayout(line, 1)
+        whole.addWidget(buttons)
+
+    def _open(self, row: int) -> None:
+        if row >= 0:
+            url = QUrl.fromLocalFile(str(self._pages[row].file))
+            if self._text.source() != url:
+                self._text.setSource(url)
+            self._mark()
+
+    def _follow(self, source: QUrl) -> None:
+        """A link has led to another page: the list says which."""
+        names = [page.file.name for page in self._pages]
+        if (name := source.fileName()) in names:
+            self._list.setCurrentRow(names.index(name))
+
+    def _find(self, words: str) -> None:
+        """List the pages that hold some words, and show the first of them."""
+        for row, page in enumerate(self._pages):
+            self._list.item(row).setHidden(not page.holds(words))
+        shown = [row for row in range(self._list.count()) if not self._list.item(row).isHidden()]
+        if shown and self._list.currentRow() not in shown:
+            self._list.setCurrentRow(shown[0])
+        else:
+            self._mark()
+
+    def _mark(self) -> None:
+        """Mark what is searched for on this page, and go to the first of it."""
+        self._places = sorted(self._found(), key=QTextCursor.position)
+        marks = []
+        for place in self._places:
+            mark = QTextEdit.ExtraSelection()
+            mark.cursor = place
+            mark.format.setBackground(self.palette().highlight())
+            mark.format.setForeground(self.palette().highlightedText())
+            marks.append(mark)
+        self._text.setExtraSelections(marks)
+        if self._places:
+            self._go_to(self._places[0])
+
+    def _found(self) -> Iterator[QTextCursor]:
+        document = self._text.document()
+        for word in self._search.text().split():
+            place = document.find(word)
+            while not place.isNull():
+                yield place
+                place = document.find(word, place)
+
+    def _find_next(self) -> None:
+        """Go to the next place after the cursor, then to the next page."""
+        at = self._text.textCursor().position()
+        after = next((place for place in self._places if place.position() > at), None)
+        if after is not None:
+            self._go_to(after)
+            return
+        rows = [row for row in range(self._list.count()) if not self._list.item(row).isHidden()]
+        if rows:
+            later = [row for row in rows if row > self._list.currentRow()]
+            self._list.setCurrentRow((later or rows)[0])
+            self._mark()
+
+    def _go_to(self, place: QTextCursor) -> None:
+        cursor = QTextCursor(place)
+        cursor.clearSelection()  # the mark is seen, not the selection above it
+        self._text.setTextCursor(cursor)
+        self._text.ensureCursorVisible()

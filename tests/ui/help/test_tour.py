@@ -1,14 +1,11 @@
-"""The tour, the table of shortcuts and the manual, by keyboard in the real window."""
+"""The tour and the table of shortcuts, by keyboard in the real window."""
 
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeySequence
-from PySide6.QtWidgets import QTextBrowser
 
-from resources import path
 from ui.commands.shortcuts import Shortcuts
 from ui.commands.table import COMMANDS
-from ui.help.manual import Manual
 from ui.help.tour import STOPS, Bubble
 
 
@@ -99,21 +96,4 @@ def test_all_shortcuts_are_listed_and_found_by_name_or_key(window, qtbot):
         dialog._field.clear()
         qtbot.keyClicks(dialog._field, typed)
         assert [row.text(0) for row in rows if not row.isHidden()] == [found]
-    dialog.reject()
-
-
-def test_the_manual_is_opened_by_its_key_and_shows_headings_and_tables(window, qtbot):
-    qtbot.keyClick(window, Qt.Key.Key_F1)
-    dialog = window.findChild(Manual)
-    qtbot.waitUntil(dialog.isVisible)
-    document = dialog.findChild(QTextBrowser).document()
-    text = document.toPlainText()
-    for heading in ("Installing", "The window", "From Python", "What a scene can be", "Measured"):
-        assert f"\n{heading}\n" in text
-    assert "freeform manufacture" in text and "**" not in text
-    tables = [frame for frame in document.rootFrame().childFrames() if hasattr(frame, "columns")]
-    written = path("manual.md").read_text("utf-8").splitlines()
-    assert [table.columns() for table in tables] == [
-        line.count("|") - 1 for line in written if line.startswith("|---")
-    ]
     dialog.reject()
