@@ -32,12 +32,17 @@ if sys.platform == "linux" and not (os.environ.get("DISPLAY") or os.environ.get(
 _PATIENCE_MS = 30_000
 
 
-@pytest.fixture(scope="session", autouse=True)
-def libraries_stay():
+# A session within a test is to leave nothing: it begins with what that of the test has kept.
+_modules_kept = len(sys.modules) if gc.get_freeze_count() else 0
+
+
+def keep_what_imports_made():
     """What imports have made lives for good; it is not searched again after every test."""
-    if not gc.get_freeze_count():  # a session within a test is to leave nothing
+    global _modules_kept
+    if len(sys.modules) > _modules_kept:  # the slow libraries come with the first test that draws
         gc.collect()
         gc.freeze()
+        _modules_kept = len(sys.modules)
 
 
 @pytest.fixture(scope="session", autouse=True)
@@ -60,6 +65,7 @@ def kernels():
 @pytest.fixture(autouse=True)
 def nothing_left_behind():
     """Fail a test that leaves something behind."""
+    keep_what_imports_made()
     before = living()
     yield
     left = left_behind(before)
