@@ -32,14 +32,14 @@ if sys.platform == "linux" and not (os.environ.get("DISPLAY") or os.environ.get(
 _PATIENCE_MS = 30_000
 
 
-# A session within a test is to leave nothing: it begins with what that of the test has kept.
-_modules_kept = len(sys.modules) if gc.get_freeze_count() else 0
+_WITHIN_A_TEST = gc.get_freeze_count() > 0  # a session of its own, which is to leave nothing
+_modules_kept = 0
 
 
 def keep_what_imports_made():
     """What imports have made lives for good; it is not searched again after every test."""
     global _modules_kept
-    if len(sys.modules) > _modules_kept:  # the slow libraries come with the first test that draws
+    if not _WITHIN_A_TEST and len(sys.modules) > _modules_kept:
         gc.collect()
         gc.freeze()
         _modules_kept = len(sys.modules)
