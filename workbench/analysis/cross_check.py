@@ -13,7 +13,8 @@ from workbench.analysis.mitsuba import MitsubaScene
 from workbench.analysis.through_focus import through_focus
 from workbench.errors import RunFailed
 from workbench.geometry.body import check_body
-from workbench.scene import Scene
+from workbench.scene import Lens, Scene
+from workbench.scene.losses import TakesLight
 from workbench.watch import Watch, part_of, unwatched
 
 Array = npt.NDArray[np.float64]
@@ -98,7 +99,7 @@ def cross_check(
 
     Mitsuba takes Fresnel's equations for unpolarised light; where the scene takes Schlick's
     approximation, the difference is in the result. In both what is reflected is lost. Coatings,
-    faces that reflect nothing and absorption are left out of both.
+    faces that reflect nothing, and fields of a lens that take light are left out of both.
 
     Parameters
     ----------
@@ -164,16 +165,13 @@ def bare_and_clear(scene: Scene) -> tuple[Scene, tuple[str, ...]]:
     lens = scene.lens
     if lens is None:
         return scene, ()
-    left_out = {
-        "coating": lens.coating is not None,
-        "faces that reflect nothing": lens.coating is None and lens.reflection == "none",
-        "absorption": lens.absorption > 0,
-    }
-    reflection = lens.reflection
-    if left_out["coating"] or left_out["faces that reflect nothing"]:
-        reflection = "fresnel"
-    lens = lens.altered(coating=None, absorption=0.0, reflection=reflection)
-    return scene.altered(lens=lens), tuple(name for name, there in left_out.items() if there)
+    lossy = [field.name for field in lens.fields() if field.mark(TakesLight)]
+    without = {name: Lens.model_fields[name].default for name in lossy}
+    left_out = [name for name in lossy if getattr(lens, name) != without[name]]
+    if lens.coating is not None or lens.reflection == "none":
+        without |= {"coating": None, "reflection": "fresnel"}
+        left_out.insert(0, "coating" if lens.coating is not None else "faces that reflect nothing")
+    return scene.altered(lens=lens.altered(**without)), tuple(left_out)
 
 
 def _seen(halves: list[Array], target: Array) -> TracerResult:

@@ -1,7 +1,7 @@
 """The account of all light: what is on the screen, and what is lost, by name.
 
-A new way to lose light is an entry in the losses of its optic, and its name where an element finds
-it. Dock, report, figures and files take all they say of it from here.
+A new way to lose light is a mark of the field that it comes from, `TakesLight`, and its name where
+an element finds it. Dock, report, figures and files take all they say of it from here.
 """
 
 from collections.abc import Mapping
@@ -20,13 +20,13 @@ _AT_RECEIVERS: Mapping[str, Loss] = {
         always=True,
     ),
 }
-LOSSES: Mapping[str, Loss] = {**_AT_RECEIVERS, **Lens.losses, **Mirror.losses}
+LOSSES: Mapping[str, Loss] = {**_AT_RECEIVERS, **Lens.all_losses(), **Mirror.all_losses()}
 """All losses by name, in the order in which they are listed."""
 
 
 def losses_in(scene: Scene) -> Mapping[str, Loss]:
     """The losses that there can be in a scene, by name."""
-    return {**_AT_RECEIVERS, **scene.optic.losses}
+    return {**_AT_RECEIVERS, **scene.optic.all_losses()}
 
 
 def words_for(receiver: AnyReceiver | type[AnyReceiver]) -> dict[str, tuple[str, str]]:

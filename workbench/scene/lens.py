@@ -13,6 +13,7 @@ from workbench.scene.base import Base, FlatBase
 from workbench.scene.entrance import Entrance, FlatEntrance
 from workbench.scene.fields import LENGTH, PLACE, RANGE, SINCE_2, Choices, Measure, about
 from workbench.scene.lens_losses import LENS_LOSSES
+from workbench.scene.losses import Loss, TakesLight
 from workbench.scene.net import ControlPoints, Degree
 from workbench.scene.optic import Array, Optic, relative
 from workbench.scene.part import NonNegative, Positive
@@ -95,6 +96,15 @@ class Lens(Optic):
     absorption: Annotated[
         NonNegative,
         Measure(power=-1),
+        TakesLight(
+            "absorbed",
+            Loss(
+                "Absorbed",
+                "The part that the glass absorbs of the light that comes to the exit face.",
+                "is absorbed by the glass",
+                "a thinner lens or a clearer glass lets more of it through",
+            ),
+        ),
         SINCE_2,
         about(
             "Absorption",

@@ -1,4 +1,4 @@
-"""How light is lost at a lens."""
+"""How light is lost at any lens."""
 
 from collections.abc import Mapping
 
@@ -33,12 +33,6 @@ LENS_LOSSES: Mapping[str, Loss] = {
         "is reflected at the entrance",
         "a source nearer to the axis lets it in",
         always=True,
-    ),
-    "absorbed": Loss(
-        "Absorbed",
-        "The part that the glass absorbs of the light that comes to the exit face.",
-        "is absorbed by the glass",
-        "a thinner lens or a clearer glass lets more of it through",
     ),
     "fresnel_exit": Loss(
         "Reflected on exit",

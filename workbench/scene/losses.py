@@ -1,5 +1,6 @@
 """What is said of a way to lose light."""
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, NamedTuple
 
 if TYPE_CHECKING:
@@ -32,3 +33,19 @@ class Loss(NamedTuple):
         """The cure for a scene."""
         flatter = "" if scene.optic.base.shape == "flat" else "a flatter base, "
         return self.cure.format(receiver=scene.receiver.called, flatter=flatter)
+
+
+@dataclass(frozen=True)
+class TakesLight:
+    """Mark of a field that takes light unless it has its default.
+
+    Attributes
+    ----------
+    name : str
+        Of what it takes, in the light account.
+    loss : Loss
+        What is said of it.
+    """
+
+    name: str
+    loss: Loss

@@ -8,7 +8,7 @@ from pydantic import Field
 from workbench.scene.base import Base, FlatBase
 from workbench.scene.entrance import FlatEntrance
 from workbench.scene.fields import LENGTH, RANGE, Version, about
-from workbench.scene.losses import Loss
+from workbench.scene.losses import Loss, TakesLight
 from workbench.scene.net import ControlPoints, Degree
 from workbench.scene.optic import Array, Optic, relative
 from workbench.scene.part import Positive
@@ -20,12 +20,6 @@ _LOSSES = {
         "the corners of the rectangle around an elliptic mirror.",
         "misses the mirror",
         "a larger mirror catches it",
-    ),
-    "absorbed_mirror": Loss(
-        "Absorbed by the mirror",
-        "The part of the light on the mirror that it does not reflect.",
-        "is absorbed by the mirror",
-        "a coating with a higher reflectance reflects it",
     ),
 }
 
@@ -61,6 +55,15 @@ class Mirror(Optic):
     ] = "rectangle"
     reflectance: Annotated[
         float,
+        TakesLight(
+            "absorbed_mirror",
+            Loss(
+                "Absorbed by the mirror",
+                "The part of the light on the mirror that it does not reflect.",
+                "is absorbed by the mirror",
+                "a coating with a higher reflectance reflects it",
+            ),
+        ),
         about(
             "Reflectance",
             "Part of the light that the mirror reflects, at all angles: about 0.9 for aluminium, "

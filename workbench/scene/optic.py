@@ -13,7 +13,7 @@ from workbench.scene import limits
 from workbench.scene.auto_net import AutoNet
 from workbench.scene.base import Base
 from workbench.scene.entrance import Entrance
-from workbench.scene.losses import Loss
+from workbench.scene.losses import Loss, TakesLight
 from workbench.scene.net import check_net
 from workbench.scene.part import Part
 
@@ -38,7 +38,7 @@ class Optic(Part):
     onwards: ClassVar[int]
     """1 if light goes on to +z behind it, -1 if it goes back to -z."""
     losses: ClassVar[Mapping[str, Loss]]
-    """How light is lost at it, by the names that elements have for that."""
+    """How light is lost at any of its kind, by the names that elements have for that."""
 
     if TYPE_CHECKING:  # each kind has these fields, at their places in the file
         half_width: tuple[float, float]
@@ -201,6 +201,15 @@ class Optic(Part):
         low, high = self.height_range or (-math.inf, math.inf)
         base = self.base.height_at(x, y)
         return np.maximum(base + low, self.floor), np.minimum(base + high, self.ceiling)
+
+    @classmethod
+    def all_losses(cls) -> dict[str, Loss]:
+        """Its losses, and those that its fields bring, by name."""
+        losses = dict(cls.losses)
+        for field in cls.fields():
+            if mark := field.mark(TakesLight):
+                losses[mark.name] = mark.loss
+        return losses
 
     def check_face(self, heights: list[tuple[str, float]]) -> None:
         """Refuse a face that cannot be computed with.
