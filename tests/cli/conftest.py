@@ -59,6 +59,7 @@ def fake_run(monkeypatch, rng):
                     iteration=i,
                     iterations=scene.run.iterations,
                     seconds=float(i),
+                    merit=1 / (i + 1),
                     best=True,
                 )
             return "all iterations are done"

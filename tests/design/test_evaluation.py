@@ -76,12 +76,13 @@ def test_an_evaluator_suits_lenses_with_its_own_locked_heights(make_scene, targe
     evaluator = Evaluator(scene, target, flat, locked)
     free = FaceArrays({"exit": np.where(mask, 0.5, 0.6)})
     moved = FaceArrays({"exit": np.where(mask, 0.6, 0.5)})
-    assert evaluator.suits(scene, free, locked)
-    assert not evaluator.suits(scene, moved, locked)
-    assert not evaluator.suits(scene, free)
-    assert not evaluator.suits(make_scene({"screen.z": 6.0}), free, locked)
+    assert evaluator.suits(scene, target, free, locked)
+    assert not evaluator.suits(scene, target, moved, locked)
+    assert not evaluator.suits(scene, target, free)
+    assert not evaluator.suits(make_scene({"screen.z": 6.0}), target, free, locked)
+    assert not evaluator.suits(scene, target.copy(), free, locked)
     unlocked = Evaluator(scene, target, flat)
-    assert unlocked.suits(scene, moved)
+    assert unlocked.suits(scene, target, moved)
 
 
 def test_a_snapshot_counts_on_from_an_earlier_result(make_scene, scene_data, target):

@@ -1,5 +1,6 @@
 """Lenses for a task that is edited: from the one that is there, or from transport."""
 
+import math
 from dataclasses import replace
 from pathlib import Path
 
@@ -15,6 +16,8 @@ from workbench.design.snapshot import History
 from workbench.design.task import begin
 from workbench.geometry.faces import FaceArrays
 from workbench.scene import Scene, Stage
+
+EVEN = {"version": 2, "target": {"builtin": "rectangle", "width": 1, "height": 1}}
 
 
 @pytest.fixture(scope="module")
@@ -89,6 +92,28 @@ def test_a_lens_by_transport_that_is_worse_than_the_present_one_is_not_the_best(
     _, first = lenses(live, designed, 2)
     assert first.state.loss == pytest.approx(worst.state.loss)
     assert not first.best
+
+
+def test_an_undesigned_lens_that_nobody_saw_is_no_measure_of_the_best(designed):
+    # All of the screen evenly lit is what the flat plate does; its error is 0.
+    task = begin(Scene.from_data(designed.scene.to_data() | EVEN), Path())
+    edited = designed.with_scene(task.scene, task.target)
+    present, first = lenses(LiveDesign(), edited, 2)
+    assert relative_error(present.state, edited.target) > 1
+    assert relative_error(first.state, edited.target) < 0.01
+    assert first.best
+
+
+def test_the_best_lens_is_told_by_all_that_the_scene_asks_of_it(designed):
+    settings = designed.scene.run.model_copy(update={"smoothness": 3.0})
+    task = designed.scene.model_copy(update={"run": settings})
+    snapshots = lenses(LiveDesign(), moved(replace(designed, scene=task), 9), 8)
+    lowest = math.inf
+    for snapshot in snapshots:
+        assert snapshot.merit > snapshot.state.loss
+        assert snapshot.best is (snapshot.merit < lowest)
+        lowest = min(lowest, snapshot.merit)
+    assert any(each.best for each in snapshots[1:])
 
 
 def test_what_transport_is_worth_is_learnt_from_the_last_lens_by_it(designed):

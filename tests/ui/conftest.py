@@ -134,6 +134,7 @@ def snapshots(session):
             iteration=iteration,
             iterations=iterations,
             seconds=0.1 * iteration,
+            merit=1.0 / (1 + iteration),
             best=True,
         )
 

@@ -84,11 +84,12 @@ class LiveLens(QObject):
         """Meant for the thread, which alone touches the evaluator."""
         leave_core_for_window()
         session, heights = draft.session, draft.heights
-        scene, locked = session.scene, session.locked
+        scene, target, locked = session.scene, session.target, session.locked
         with without_waiting():
-            if self._evaluator is None or not self._evaluator.suits(scene, heights, locked):
-                self._evaluator = Evaluator(scene, session.target, heights, locked)
-            snapshot = self._evaluator.snapshot(heights, draft.earlier)
+            there = self._evaluator
+            if there is None or not there.suits(scene, target, heights, locked):
+                self._evaluator = there = Evaluator(scene, target, heights, locked)
+            snapshot = there.snapshot(heights, draft.earlier)
         return make_frame(session, snapshot, History(draft.earlier))
 
     def _give_up(self, draft: Draft, error: Exception) -> None:

@@ -20,6 +20,7 @@ from ui.lens.live import Draft, LiveLens
 from ui.lens.lock import Lock
 from ui.lens.move_source import MoveSource
 from ui.lens.sculpt import Sculpt
+from ui.shown.frame import same_task
 from ui.views.drawing_queue import drawing_queue
 from workbench.design.limits import bounded, undesigned
 from workbench.errors import Refused
@@ -213,7 +214,7 @@ class LensTools(QObject):
 
     def _take(self, draft: Draft, frame: "Frame") -> None:
         shown = self._view.frame
-        if shown is not None:
+        if shown is not None and _differ_by_source(shown.session, draft.session):
             # Views begin anew with another session. While a source is dragged they need not: all
             # that changes is in the frame.
             frame = replace(frame, session=shown.session)
@@ -271,6 +272,12 @@ class LensTools(QObject):
             self._view.drop()
             self._settling = None  # what is taken back settles where it began
             self._live.forget()
+
+
+def _differ_by_source(one: "Session", other: "Session") -> bool:
+    """Whether pictures of both differ in nothing but light, and where it comes from."""
+    lit = other.scene.model_copy(update={"source": one.scene.source})
+    return same_task(one, replace(other, scene=lit))
 
 
 def _lens_of(session: "Session") -> "ControlHeights":

@@ -60,8 +60,8 @@ class RunStatus:
         self._light = _figure(
             bar,
             "How far the image is from the target, as the design sees it (relative L2), and how "
-            "much of the light lands where it is wanted: on the screen, or in the far field; of "
-            "several images, of each",
+            "much of the light lands where it is wanted: on the screen, or in the far field. Of "
+            "several images, both are told of each",
             "Error 00.0 % · light in the far field 000.0 %",
         )
         self._loss = _figure(bar, "What the design makes as small as it can", "loss 0.000e-00")
@@ -98,9 +98,6 @@ class RunStatus:
 
     def show_frame(self, frame: "Frame", running: bool) -> None:
         """Show the figures of a lens; progress only while it is being designed."""
-        from workbench.design.loss import relative_error  # late: takes long to import
-        from workbench.extended.bound import percent
-
         snapshot = frame.snapshot
         done, all_of_it = snapshot.iteration, snapshot.iterations
         self._progress.setVisible(running)
@@ -116,8 +113,8 @@ class RunStatus:
         self._loss.setText(f"loss {snapshot.state.loss:.3e}")
         scene = frame.session.scene
         landed = (f"{100 * light.account.efficiency:.1f} %" for light in snapshot.state.lights)
-        error = percent(relative_error(snapshot.state, frame.session.target))
-        self._light.setText(f"Error {error} · light {scene.receiver.place} {', '.join(landed)}")
+        errors = ", ".join(_errors(frame))
+        self._light.setText(f"Error {errors} · light {scene.receiver.place} {', '.join(landed)}")
         self._elapsed.setText(f"{clock(snapshot.seconds)} elapsed" if counting else "")
         may_stop = scene.run.method == "auto"
         at_most = "at most " if may_stop else ""
@@ -170,6 +167,16 @@ def _label(bar: QStatusBar, tip: str) -> QLabel:
     label.setContentsMargins(label.fontMetrics().averageCharWidth(), 0, 0, 0)
     bar.addPermanentWidget(label)
     return label
+
+
+def _errors(frame: "Frame") -> list[str]:
+    """How far each image is from its target."""
+    from workbench.design.loss import relative_error  # late: takes long to import
+    from workbench.extended.bound import percent
+
+    further = len(frame.session.scene.further_images)
+    alone = [frame.of_image(number) for number in range(1 + further)] if further else [frame]
+    return [percent(relative_error(each.snapshot.state, each.session.target)) for each in alone]
 
 
 def clock(seconds: float) -> str:

@@ -190,6 +190,7 @@ def _as_snapshot(result: Result, run: "Run") -> Snapshot:
         iteration=result.iterations,
         iterations=max(run.iterations, result.iterations),
         seconds=result.seconds,
+        merit=result.state.loss,
         best=True,
         stage=max(0, len(run.stages) - result.stages_left),
         stages=1 + len(run.stages),

@@ -39,16 +39,18 @@ class Evaluator:
     def __init__(
         self, scene: Scene, target: Array, heights: ControlHeights, locked: Locks = NO_LOCKS
     ) -> None:
-        self._scene, self._locked = scene, locked
+        self._scene, self._target, self._locked = scene, target, locked
         self._kept = heights
         self._device = device_of(scene)
         self._image = method_of(scene).image(
             scene, target, self._tensors(heights), locked.get(scene.optic.face)
         )
 
-    def suits(self, scene: Scene, heights: ControlHeights, locked: Locks = NO_LOCKS) -> bool:
-        """Whether it can judge a lens of this scene, with these locked control points."""
-        if scene is not self._scene or locked != self._locked:
+    def suits(
+        self, scene: Scene, target: Array, heights: ControlHeights, locked: Locks = NO_LOCKS
+    ) -> bool:
+        """Whether it can judge a lens of this scene and target, with these locks."""
+        if scene is not self._scene or target is not self._target or locked != self._locked:
             return False
         return all(
             np.array_equal(heights[face][mask], self._kept[face][mask])
@@ -78,6 +80,7 @@ class Evaluator:
             iteration=count,
             iterations=max(scene.run.iterations, count),
             seconds=earlier.seconds if earlier else 0.0,
+            merit=step.state.loss if step.merit is None else step.merit,
             best=True,
             stage=len(scene.run.stages),
             stages=1 + len(scene.run.stages),

@@ -118,6 +118,7 @@ def run(
                 iteration=iteration,
                 iterations=scene.run.iterations,
                 seconds=seconds,
+                merit=merit,
                 best=best,
                 stage=stage,
                 stages=len(parts),

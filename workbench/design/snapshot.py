@@ -27,6 +27,9 @@ class Snapshot:
         Steps that the run will take at most.
     seconds : float
         Run time up to here.
+    merit : float
+        What tells the best lens of a stage, less being better: its loss, and what else the scene
+        asks of it.
     best : bool
         Whether this is the best lens of its stage so far.
     stage : int
@@ -41,6 +44,7 @@ class Snapshot:
     iteration: int
     iterations: int
     seconds: float
+    merit: float
     best: bool
     stage: int = 0
     stages: int = 1

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QApplication
 from tests.ui.hands import move_screen
 from tests.ui.lens.tool_window import control_point, seen_at, upwards
 from ui.files.scene_pictures import ScenePictures
+from workbench.analysis.metrics import paper_loss
 from workbench.optics.plan import Plan
 from workbench.scene import Scene
 
@@ -57,6 +58,25 @@ def test_dragging_a_point_is_one_step_with_its_light(sculpting, drag, qtbot):
     assert np.ptp(result.state.irradiance) > 5 * np.ptp(flat.snapshot.state.irradiance[4:-4, 4:-4])
     document.undo_stack.undo()
     assert document.session.result is None
+
+
+def test_a_drag_right_after_an_edit_of_the_target_is_shown_against_the_new_one(
+    sculpting, drag, make_session, qtbot
+):
+    tools, view, document = sculpting, sculpting.view, sculpting.document
+    frames = []
+    tools.control.runner.frame_ready.connect(frames.append)
+    document.edit(make_session({"target": {"builtin": "ball"}}).scene, "another target", "")
+    tools.control._preview.stop()  # whose frame has not come yet
+    held = drag(view, control_point(tools, (6, 5)))
+    held.move(upwards(view, 0.05))
+    qtbot.waitUntil(lambda: bool(frames), timeout=20_000)
+    frame = frames[-1]
+    assert frame.session.target is document.session.target
+    seen = paper_loss(frame.state.irradiance, frame.session.target)
+    assert frame.state.loss == pytest.approx(seen, rel=1e-3)
+    held.release()
+    qtbot.waitUntil(lambda: document.session.result is not None, timeout=20_000)
 
 
 def test_shift_moves_finely_and_escape_undoes_the_drag(sculpting, drag, qtbot):

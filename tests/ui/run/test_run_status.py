@@ -5,9 +5,15 @@ from types import SimpleNamespace
 import pytest
 from PySide6.QtWidgets import QStatusBar
 
+from tests.accounts import account_of
+from tests.scene.test_further_image import SECOND
 from ui.run.pace import Pace
 from ui.run.status import RunStatus
+from workbench.analysis.metrics import relative_l2
+from workbench.design.lens_state import FurtherLight
 from workbench.design.loss import relative_error
+from workbench.design.task import begin
+from workbench.pictures.images import target_irradiance
 
 
 def test_the_pace_is_that_of_the_last_seconds():
@@ -75,6 +81,20 @@ def test_a_lens_at_rest_has_no_pace(bar, session, snapshots):
     status.show_frame(frame(session, snapshots(7)), running=False)
     assert status._iteration.text() == "iteration 7 of 10"
     assert status._left.text() == ""
+
+
+def test_of_several_images_the_error_of_each_is_told(bar, make_scene, frames, tmp_path):
+    session = begin(make_scene({"further_images": [SECOND]}), tmp_path)
+    scene, wanted, _ = session.scene.images(session.target)[1]
+    upside_down = target_irradiance(scene, wanted)[::-1] + 0.1
+    further = FurtherLight(upside_down, 0.1, account_of(1.0, 0.3, 0.62, 0.0, 0.0, 0.0, 0.04, 0.04))
+    exact = target_irradiance(session.scene, session.target)
+    status = RunStatus(bar)
+    status.show_frame(frames(1, session, irradiance=exact, further=(further,)), running=False)
+    error = relative_l2(upside_down, wanted)
+    assert error > 0.1
+    said = f"Error 0.00 %, {100 * error:.1f} % · light on the screen 92.0 %, 30.0 %"
+    assert status._light.text() == said
 
 
 def test_verified_figures_are_there_only_when_there_are_some(bar):
