@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 
 import workbench
 from ui.startup.display import why_no_window
+from workbench.library_threads import calm_library_threads
 from workbench.system_libraries import keep_shaders_in_memory
 
 if TYPE_CHECKING:
@@ -90,8 +91,7 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _prepare_environment() -> None:
-    # Threads of the optimiser that wait must sleep, or the window stutters on few cores.
-    os.environ.setdefault("OMP_WAIT_POLICY", "PASSIVE")
+    calm_library_threads()
     keep_shaders_in_memory()
     # Torch's CUDA builds would load it for `paper`. It brings an LLVM of its own, which crashes
     # where that of Mesa draws already; nothing here uses it.

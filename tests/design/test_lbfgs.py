@@ -55,3 +55,11 @@ def test_no_step_is_longer_than_its_limit():
     ]
     steps = [(later - earlier).abs().max().item() for earlier, later in pairwise(points)]
     assert max(steps) == pytest.approx(0.01)
+
+
+def test_an_eased_descent_is_one_in_other_coordinates(rng):
+    way = torch.as_tensor(rng.normal(size=(6, 6)))
+    there = minimise(objective(lambda a: rosenbrock(way @ a)), torch.zeros(6).double())
+    here = minimise(objective(rosenbrock), torch.zeros(6).double(), eased=(way @ way.T).__matmul__)
+    for (amplitudes, _), (x, _) in islice(zip(there, here, strict=True), 12):
+        assert torch.allclose(way @ amplitudes, x, rtol=0, atol=1e-9)

@@ -1,39 +1,58 @@
 """Changes of a net as cosine waves."""
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 import torch
 
-from workbench.design.waves import Waves
+from workbench.design.waves import FaceWaves, Waves
+
+SHAPE = 9, 6
 
 
-@pytest.fixture
-def like():
-    return torch.zeros(9, 6, dtype=torch.float64)
+def wave(p, q):
+    """The cosine wave of p and q half periods over a net, of length 1."""
+    along = [
+        torch.cos(torch.pi * k * (torch.arange(n).double() + 0.5) / n)
+        for k, n in zip((p, q), SHAPE, strict=True)
+    ]
+    each = torch.outer(*along)
+    return each / each.norm()
 
 
-def change(waves, number):
-    amplitudes = waves.nothing.clone()
-    amplitudes[number] = 1
-    return waves.change(amplitudes)
-
-
-def test_waves_are_perpendicular_and_long_ones_are_large(like):
-    waves = Waves(like, 1.25, (False, False))
-    all_waves = torch.stack([change(waves, k).flatten() for k in range(54)])
-    products = all_waves @ all_waves.T
-    sizes = products.diagonal().sqrt()
-    assert torch.allclose(products, torch.diag(products.diagonal()), atol=1e-14)
+def test_waves_stay_themselves_and_long_ones_are_large():
+    waves = Waves(SHAPE, 1.25, (False, False))
+    for p, q in np.ndindex(SHAPE):
+        square = (1 + (p / 2) ** 2 + (q / 2) ** 2) ** -1.25
+        assert torch.allclose(waves.eased(wave(p, q)), square * wave(p, q), rtol=0, atol=1e-14)
+    sizes = [waves.eased(wave(0, q)).norm().item() for q in range(SHAPE[1])]
     assert sizes[0] == pytest.approx(1.0)
-    assert sizes[1] == pytest.approx((1 + 0.5**2) ** -0.625)  # half a period along v
-    assert (torch.diff(sizes[:6]) < 0).all()
+    assert all(longer > shorter for longer, shorter in pairwise(sizes))
 
 
 @pytest.mark.parametrize("mirrored", [(True, False), (False, True), (True, True)])
-def test_only_even_waves_are_left_of_a_mirrored_net(like, mirrored, rng):
-    waves = Waves(like, 1.25, mirrored)
-    made = waves.change(torch.as_tensor(rng.normal(size=waves.nothing.numel())))
-    for axis, even in enumerate(mirrored):
-        assert torch.allclose(made, made.flip(axis), atol=1e-12) == even
-    half = [(n + 1) // 2 if even else n for n, even in zip(like.shape, mirrored, strict=True)]
-    assert waves.nothing.numel() == np.prod(half)
+def test_only_even_waves_are_left_of_a_mirrored_net(mirrored, rng):
+    waves, every = (Waves(SHAPE, 1.25, each) for each in (mirrored, (False, False)))
+    some = torch.as_tensor(rng.normal(size=SHAPE))
+    made, even = waves.eased(some), every.eased(some)
+    for axis, each in enumerate(mirrored):
+        assert torch.allclose(made, made.flip(axis), atol=1e-12) == each
+        even = (even + even.flip(axis)) / 2 if each else even
+    assert torch.allclose(made, even, rtol=0, atol=1e-13)
+
+
+def test_heights_of_two_faces_change_as_easily(rng):
+    nets = {"entrance": torch.zeros(4, 5).double(), "exit": torch.zeros(SHAPE).double()}
+    widths = {"entrance": 0.5, "exit": 2.0}
+    waves = FaceWaves(nets, 1.25, (False, False), widths)
+    values = torch.as_tensor(rng.normal(size=20 + 54))
+    found = waves.nets(values)
+    assert {face: each.shape for face, each in found.items()} == {"entrance": (4, 5), "exit": SHAPE}
+    assert torch.equal(waves.values(found), values)
+    # A parameter of a face changes its heights by a width: so does a descent along its gradient.
+    gradient = waves.values({face: widths[face] * torch.ones_like(nets[face]) for face in nets})
+    change = waves.nets(waves.eased(gradient))
+    moved = {face: widths[face] * each for face, each in change.items()}
+    assert torch.allclose(moved["entrance"], torch.full((4, 5), 4.0).double())
+    assert torch.allclose(moved["exit"], torch.full(SHAPE, 4.0).double())

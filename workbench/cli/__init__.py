@@ -17,6 +17,7 @@ from workbench.cli.interruption import Interruptible, number_of
 from workbench.cli.streams import Streams
 from workbench.defects import unexpected
 from workbench.errors import Refused, RunFailed, visible
+from workbench.library_threads import calm_library_threads
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -32,6 +33,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     int
         Exit status.
     """
+    calm_library_threads()
     with Streams() as streams, _logging(), seldom_collected():
         try:
             with Interruptible():

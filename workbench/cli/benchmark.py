@@ -1,7 +1,6 @@
 """``freeform benchmark``."""
 
 import json
-import os
 import sys
 import time
 from collections.abc import Sequence
@@ -45,7 +44,6 @@ def benchmark(
         After Ctrl-C; what was finished is written.
     """
     _check(names, folder, against)
-    os.environ.setdefault("OMP_WAIT_POLICY", "PASSIVE")  # as for a design
     from workbench.analysis.benchmark.machine import Machine  # late: torch
 
     earlier = _earlier(against)

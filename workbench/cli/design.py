@@ -1,7 +1,6 @@
 """``freeform design``."""
 
 import json
-import os
 import sys
 import time
 from contextlib import closing
@@ -59,8 +58,6 @@ def design(path: Path, output: Path, iterations: int | None, seconds: float, as_
     keeper = Keeper(output, lambda result: replace(session, result=result))
     _tell_left_behind(keeper, path)
     with Interruption() as interruption:
-        # Threads of the tracer that wait must sleep: spinning, they take the cores from each other.
-        os.environ.setdefault("OMP_WAIT_POLICY", "PASSIVE")
         end = time.perf_counter() + seconds
         try:
             with (

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 
 # New objects, searches of these, and of those again, before the next wider search.
-_THRESHOLDS = 100_000, 50, 1000
+_THRESHOLDS = 400_000, 50, 1000
 
 
 @contextmanager

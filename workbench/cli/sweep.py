@@ -56,8 +56,6 @@ def sweep(
         After Ctrl-C; what is finished is kept.
     """
     points = points_of(scenes, [Variation.parse(text) for text in vary])
-    # Threads of the tracer that wait must sleep: spinning, they take the cores from each other.
-    os.environ.setdefault("OMP_WAIT_POLICY", "PASSIVE")
     store = Store(folder)
     with store.locked():
         table, stop = _work(points, store, _workers(jobs, dask, len(points)), rays)

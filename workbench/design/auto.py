@@ -122,13 +122,13 @@ def _descend(
 
     def objective(x: Tensor) -> Evaluation[Step]:
         x = x.detach().requires_grad_()
-        moved = {face: parameters[face] + each for face, each in waves.change(x).items()}
-        return evaluated(x, moved)
+        return evaluated(x, waves.nets(x))
 
     patience = min(max(_STEPS, round(_STEPS * _BEAMS / image.beams)), _MOST_STEPS)
     gain = _BLURRED_GAIN if image.blurred else _GAIN
     squares: list[float] = []  # of the errors
-    for _, found in islice(minimise(objective, waves.nothing, _MAX_STEP, waves.longest), left):
+    start = waves.values(parameters)
+    for _, found in islice(minimise(objective, start, _MAX_STEP, waves.eased), left):
         yield found.seen
         squares.append(found.value)
         if found.value < _SMALLEST**2:

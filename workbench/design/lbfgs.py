@@ -27,11 +27,27 @@ _ARMIJO = 1e-4
 _MAX_TRIALS = 12
 
 
+class _Pair(NamedTuple):
+    """A step, and what it did to the gradient.
+
+    Attributes
+    ----------
+    moved, turned : Tensor, shape (n,)
+        The step, and the difference of both gradients.
+    product : float
+        Their scalar product.
+    """
+
+    moved: Tensor
+    turned: Tensor
+    product: float
+
+
 def minimise(
     objective: Objective[Seen],
     x: Tensor,
     max_step: float = math.inf,
-    length: Callable[[Tensor], float] = lambda step: step.abs().max().item(),
+    eased: Callable[[Tensor], Tensor] = lambda gradient: gradient,
 ) -> Iterator[tuple[Tensor, Evaluation[Seen]]]:
     """Descend from ``x`` until no step along the search direction goes further down.
 
@@ -42,9 +58,11 @@ def minimise(
     x : Tensor, shape (n,)
         Where to begin.
     max_step : float
-        The greatest length of a step.
-    length : callable
-        Length of a step; by default the most by which it changes any coordinate.
+        The most by which a step changes any coordinate.
+    eased : callable
+        Takes a gradient, and gives the direction in which the objective falls most steeply by the
+        measure in which steps are equally easy: linear, symmetric and positive. By default the
+        gradient itself.
 
     Yields
     ------
@@ -55,17 +73,19 @@ def minimise(
     -----
     Two-loop recursion with backtracking (Nocedal & Wright, Numerical Optimization, 2006,
     algorithms 7.4 and 3.1). The very first step is Polyak's, value / |gradient|², the one that
-    would reach 0 if the objective fell on at this rate: no length to be set by hand.
+    would reach 0 if the objective fell on at this rate: no length to be set by hand. With ``eased``
+    the steps are those of a descent in other coordinates, without going there and back: of
+    amplitudes a of a change W a, if it is W Wᵀ.
     """
-    pairs: deque[tuple[Tensor, Tensor]] = deque(maxlen=MEMORY)
+    pairs: deque[_Pair] = deque(maxlen=MEMORY)
     here = objective(x)
     while True:
         yield x, here
-        direction = _direction(pairs, here)
+        direction = _direction(pairs, here, eased)
         slope = torch.dot(here.gradient, direction).item()
         if not slope < 0:
             return
-        step = min(1.0, max_step / length(direction))
+        step = min(1.0, max_step / direction.abs().max().item())
         for _ in range(_MAX_TRIALS):
             there = objective(x + step * direction)
             if there.value <= here.value + _ARMIJO * step * slope:
@@ -79,24 +99,28 @@ def minimise(
             pairs.clear()  # the model of the curvature is stale: once more from the gradient
             continue
         moved, turned = step * direction, there.gradient - here.gradient
-        if torch.dot(moved, turned) > 1e-10 * moved.norm() * turned.norm():
-            pairs.append((moved, turned))
+        product = torch.dot(moved, turned).item()
+        if product > 1e-10 * (moved.norm() * turned.norm()).item():
+            pairs.append(_Pair(moved, turned, product))
         x, here = x + moved, there
 
 
-def _direction(pairs: deque[tuple[Tensor, Tensor]], here: Evaluation[Seen]) -> Tensor:
+def _direction(
+    pairs: deque[_Pair], here: Evaluation[Seen], eased: Callable[[Tensor], Tensor]
+) -> Tensor:
     """Minus the inverse of the Hessian as the pairs know it, times the gradient."""
     if not pairs:
-        square = here.gradient.square().sum().clamp_min(1e-300)
-        return here.gradient * (-here.value / square)
-    q = here.gradient.clone()
+        steepest = eased(here.gradient)
+        square = torch.dot(here.gradient, steepest).clamp_min(1e-300)
+        return steepest * (-here.value / square)
+    q = -here.gradient
     factors = []
-    for moved, turned in reversed(pairs):
-        factor = torch.dot(moved, q) / torch.dot(moved, turned)
+    for moved, turned, product in reversed(pairs):
+        factor = torch.dot(moved, q).item() / product
         factors.append(factor)
-        q -= factor * turned
-    moved, turned = pairs[-1]
-    q *= torch.dot(moved, turned) / turned.square().sum()
-    for (moved, turned), factor in zip(pairs, reversed(factors), strict=True):
-        q += (factor - torch.dot(turned, q) / torch.dot(moved, turned)) * moved
-    return -q
+        q.sub_(turned, alpha=factor)
+    _, turned, product = pairs[-1]
+    q = eased(q) * (product / torch.dot(turned, eased(turned)))
+    for (moved, turned, product), factor in zip(pairs, reversed(factors), strict=True):
+        q.add_(moved, alpha=factor - torch.dot(turned, q).item() / product)
+    return q

@@ -135,7 +135,7 @@ class Room:
         looked = self._found is not None
         if not looked and self._lens.height_range is None:
             return None  # nothing has been chosen yet that heights could be at an end of
-        low, high = HeightLimits.of(self._ranged, self._net).ends(heights, _END)
+        low, high = self._ranged_limits.ends(heights, _END)
         if (locked := self.locked.get(self._face)) is not None:
             low, high = low & ~locked, high & ~locked
         share = float((low | high).mean())
@@ -170,9 +170,8 @@ class Room:
 
     def _held(self, low: Mask, high: Mask, share: float) -> Shortfall:
         """What keeps most of the heights that are at an end."""
-        optic = self._ranged
+        optic, limits = self._ranged, self._ranged_limits
         assert optic.height_range is not None
-        limits = HeightLimits.of(optic, self._net)
         thin, thick = low & (limits.lower == optic.floor), high & (limits.upper == optic.ceiling)
         held: dict[Cause, int] = {
             optic.held_by: int(thick.sum()),
@@ -199,6 +198,11 @@ class Room:
         most = max(float(np.abs(z - self._base).max()) for z in faces)
         half = max(_TIMES * most, _LEAST * _natural(self.scene))
         return self._lens.ranged(-half, half)
+
+    @cached_property
+    def _ranged_limits(self) -> HeightLimits:
+        """What it allows at the face that the task shapes."""
+        return HeightLimits.of(self._ranged, self._net)
 
 
 def _natural(scene: Scene) -> float:

@@ -18,11 +18,12 @@ Where the size of the source blurs the image, short waves are what is left to ga
 plate* is 1.91 % off with a power of 1 where it is 2.01 % with 1.25.
 """
 
-from collections.abc import Mapping
+import math
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 import torch
-from scipy.fft import dct
+from scipy.fft import dctn, idctn
 from torch import Tensor
 
 
@@ -31,48 +32,47 @@ class Waves:
 
     Parameters
     ----------
-    like : Tensor, shape (n_u, n_v)
-        Gives size, float type and device.
+    shape : sequence of int
+        (n_u, n_v) of the net.
     power : float
         Waves are made small in proportion to this power of their periods per lens.
     mirrored : tuple[bool, bool]
         Whether to leave out all waves that are not mirror images of themselves in u, in v.
     """
 
-    def __init__(self, like: Tensor, power: float, mirrored: tuple[bool, bool]) -> None:
-        self._waves, periods = [], []
-        for count, even in zip(like.shape, mirrored, strict=True):
-            numbers = np.arange(0, count, 2 if even else 1)
-            waves = dct(np.eye(count), axis=0, norm="ortho")[numbers]
-            self._waves.append(torch.as_tensor(waves).to(like))
-            periods.append(torch.as_tensor(numbers / 2).to(like))
-        periods2 = periods[0][:, None].square() + periods[1][None, :].square()
-        self._size = (1 + periods2) ** (-power / 2)
-        self.nothing = torch.zeros_like(self._size).flatten()
+    def __init__(self, shape: Sequence[int], power: float, mirrored: tuple[bool, bool]) -> None:
+        self.shape = tuple(shape)
+        along_u, along_v = (np.arange(count) / 2 for count in shape)
+        self._squares = (1 + along_u[:, None] ** 2 + along_v**2) ** -power  # of sizes
+        if mirrored[0]:
+            self._squares[1::2] = 0.0
+        if mirrored[1]:
+            self._squares[:, 1::2] = 0.0
 
-    def change(self, amplitudes: Tensor) -> Tensor:
-        """Change of the net, shape (n_u, n_v), of amplitudes of shape (waves,)."""
-        along_u, along_v = self._waves
-        return along_u.T @ (self._size * amplitudes.view_as(self._size)) @ along_v
+    def eased(self, gradient: Tensor) -> Tensor:
+        """What a descent along the amplitudes of waves changes the net by.
+
+        Parameters
+        ----------
+        gradient : Tensor, shape (n_u, n_v)
+            Gradient with respect to the net.
+        """
+        amplitudes = self._squares * dctn(gradient.cpu().numpy(), norm="ortho")
+        return torch.as_tensor(idctn(amplitudes, norm="ortho")).to(gradient)
 
 
 class FaceWaves:
-    """Waves over the nets of several faces, their amplitudes one after the other.
+    """Waves over the nets of several faces, whose values lie one after the other.
 
     Parameters
     ----------
     like : mapping of str to Tensor, shape (n_u, n_v)
-        Gives size, float type and device for each face.
+        A net of each face.
     power, mirrored
         See `Waves`.
     widths : mapping of str to float
         By how much about heights change with a parameter of each face. A wave of any face then
         changes heights by as much: light does not mind how wide the range of a face is.
-
-    Attributes
-    ----------
-    nothing : Tensor, shape (waves,)
-        Amplitudes of no change.
     """
 
     def __init__(
@@ -82,17 +82,27 @@ class FaceWaves:
         mirrored: tuple[bool, bool],
         widths: Mapping[str, float],
     ) -> None:
-        self._waves = {face: Waves(each, power, mirrored) for face, each in like.items()}
+        self._waves = {face: Waves(each.shape, power, mirrored) for face, each in like.items()}
         widest = max(widths.values())
         self._factors = {face: widest / widths[face] for face in like}
-        self.nothing = torch.cat([each.nothing for each in self._waves.values()])
 
-    def change(self, amplitudes: Tensor) -> dict[str, Tensor]:
-        """Change of the net of each face, of amplitudes of shape (waves,)."""
-        counts = [len(each.nothing) for each in self._waves.values()]
-        parts = zip(self._waves.items(), torch.split(amplitudes, counts), strict=True)
-        return {face: self._factors[face] * waves.change(part) for (face, waves), part in parts}
+    def values(self, nets: Mapping[str, Tensor]) -> Tensor:
+        """The values of the net of each face one after the other, shape (points,)."""
+        return torch.cat([nets[face].flatten() for face in self._waves])
 
-    def longest(self, amplitudes: Tensor) -> float:
-        """The most by which amplitudes change anything."""
-        return max(change.abs().max().item() for change in self.change(amplitudes).values())
+    def nets(self, values: Tensor) -> dict[str, Tensor]:
+        """The net of each face, shape (n_u, n_v), of all values: the inverse of `values`."""
+        shapes = [each.shape for each in self._waves.values()]
+        parts = torch.split(values, [math.prod(shape) for shape in shapes])
+        views = (part.view(shape) for part, shape in zip(parts, shapes, strict=True))
+        return dict(zip(self._waves, views, strict=True))
+
+    def eased(self, gradient: Tensor) -> Tensor:
+        """See `Waves`; shape (points,) for all faces."""
+        nets = self.nets(gradient)
+        return self.values(
+            {
+                face: self._factors[face] ** 2 * each.eased(nets[face])
+                for face, each in self._waves.items()
+            }
+        )
