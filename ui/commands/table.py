@@ -146,6 +146,10 @@ COMMANDS = {
     "restore_run": Command(
         "&Restore run", "Give the design task and {optic} of the run chosen in the dock Runs"
     ),
+    "compare_runs": Command(
+        "&Compare runs",
+        "See the two runs chosen in the dock Runs beside each other: light, figures, fields",
+    ),
     "delete_run": Command("&Delete runs", "Forget the runs chosen in the dock Runs"),
     "check": Command(
         "&Check {optic}",

@@ -8,6 +8,7 @@ from PySide6.QtCore import QObject, Signal
 
 from ui.check.checking import CheckedLens, verified_error
 from ui.document.document import Document
+from ui.run.comparison import RunComparison
 from ui.run.control import RunControl
 from ui.run.kept import renamed, restored, without
 from ui.run.run_check import RunCheck
@@ -36,6 +37,8 @@ class Runs(QObject):
         For a dock.
     check : RunCheck
         Of the run that goes on.
+    comparison : RunComparison, optional
+        Shows two runs; None before it is asked for.
     compared : Signal(list of LossCourse)
         Other runs shall be drawn beside this one.
     refused : Signal(str)
@@ -49,6 +52,7 @@ class Runs(QObject):
         super().__init__(parent)
         self._document, self._control = document, control
         self._drawn: list[KeptRun] = []
+        self.comparison: RunComparison | None = None  # once it is asked for
         self.table = table = RunTable(self._verified_error)
         self.check = RunCheck(document, control, self)
         self.check.checked.connect(self.note_check)
@@ -56,6 +60,7 @@ class Runs(QObject):
         table.renamed.connect(self._rename)
         table.restored.connect(self._restore)
         table.deleted.connect(self._delete)
+        table.pair_chosen.connect(self._show_pair)
         document.session_changed.connect(self.show)
         control.runner.state_changed.connect(self._follow)
         self.show()
@@ -65,6 +70,7 @@ class Runs(QObject):
         return {
             "restore_run": lambda: self._with_choice(self.table.restore, "one run"),
             "delete_run": lambda: self._with_choice(self.table.delete, "runs"),
+            "compare_runs": self._compare_chosen,
         }
 
     def note_check(self, lens: CheckedLens, found: "Validation") -> None:
@@ -73,10 +79,25 @@ class Runs(QObject):
             if _is_lens_of(run, lens):
                 self._document.verified.note(run.result, found)
         self.table.show_verified()
+        if self.comparison is not None:
+            self.comparison.show_figures()
 
     def close(self) -> None:
         """Wait for the check; safe to call twice."""
         self.check.close()
+
+    def _compare_chosen(self) -> None:
+        if len(self.table.chosen) == 2:
+            self.table.compare()
+        else:
+            self.refused.emit("Choose two runs in View > Runs first: Ctrl and a click.")
+
+    def _show_pair(self, pair: tuple[KeptRun, KeptRun]) -> None:
+        if self.comparison is None:
+            self.comparison = RunComparison(self._verified_error, self.table.window())
+        self.comparison.show_pair(pair)
+        self.comparison.show()
+        self.comparison.raise_()
 
     def _with_choice(self, act: Callable[[], None], what: str) -> None:
         if self.table.chosen:

@@ -3,8 +3,8 @@
 from collections.abc import Callable, Sequence
 from functools import partial
 
-from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QSignalBlocker, Qt, Signal
-from PySide6.QtGui import QAction, QKeySequence
+from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QSignalBlocker, QSize, Qt, Signal
+from PySide6.QtGui import QAction, QIcon, QKeySequence
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHBoxLayout,
@@ -21,24 +21,29 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from ui.run.status import clock
+from ui.run.run_figures import figures_of, thumbnail_of
 from workbench.design.session import LONGEST_NAME
 from workbench.files.session import KeptRun
 
 _NOTHING = "Each run that ends is kept here, to be compared with others and gone back to."
 _COLUMNS = {
-    "Name": "What the run is called; a check mark draws its loss beside that of this run",
+    "Name": "What the run is called, with its light; a check mark draws its loss beside that of "
+    "this run",
+    "Target": "The image that the light should draw: its file, or what it is",
+    "Error": "Relative L2 error of its best result, as the run saw it",
     "Verified": "Relative L2 error of its result, by an independent trace with other rays",
-    "Loss": "Loss of its best result, as the run saw it",
     "On screen": "Part of the light that lands on the screen, or in the far field",
     "Time": "Run time",
     "Iterations": "Iterations taken, those of runs that it continued included",
     "Net": "Numbers of control points along x and y",
     "Method": "How the result was searched for",
+    "Loss": "Loss of its best result, as the run saw it",
     "Ended": "Why the run ended",
 }
+_LEFT = ("Target", "Ended")  # words; numbers stand at the right
+_PICTURE = 40  # pixels of the light beside the name
 _WIDEST = 32  # characters of a column; longer texts are cut, and whole in a tip
-_VERIFIED, _ENDED = 1, len(_COLUMNS) - 1
+_VERIFIED = list(_COLUMNS).index("Verified")
 
 
 class RunTable(QWidget):
@@ -59,18 +64,22 @@ class RunTable(QWidget):
         The design shall have a run's task and lens.
     deleted : Signal(tuple of KeptRun)
         Runs shall be forgotten.
+    pair_chosen : Signal(tuple of KeptRun)
+        Two runs shall be shown beside each other.
     """
 
     compared = Signal()
     renamed = Signal(object, str)
     restored = Signal(object)
     deleted = Signal(object)
+    pair_chosen = Signal(object)
 
     def __init__(self, verified: Callable[[KeptRun], str], parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._verified = verified
         self._runs: tuple[KeptRun, ...] = ()
         self._marked: set[int] = set()  # ids of results, which outlive other names
+        self._pictures: dict[int, QIcon] = {}  # by the same
         self._hint = QLabel(_NOTHING, alignment=Qt.AlignmentFlag.AlignCenter)
         self._hint.setWordWrap(True)
         self._hint.setMargin(self.fontMetrics().height())
@@ -78,6 +87,7 @@ class RunTable(QWidget):
         self.table.setAccessibleName("Kept runs")
         self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.table.setAlternatingRowColors(True)
+        self.table.setIconSize(QSize(_PICTURE, _PICTURE))
         self.table.setFrameShape(QTableWidget.Shape.NoFrame)
         for column, (title, tip) in enumerate(_COLUMNS.items()):
             heading = QTableWidgetItem(title)
@@ -101,12 +111,16 @@ class RunTable(QWidget):
             "Restore", "Give the design this run's task and result", self.restore
         )
         self._delete = _button("Delete", "Forget the chosen runs", self.delete)
+        self._compare = _button(
+            "Compare", "See two chosen runs beside each other: light, figures, fields", self.compare
+        )
         self._editable = True
         buttons = QHBoxLayout()
         buttons.setContentsMargins(6, 4, 6, 4)
         buttons.setSpacing(6)
         buttons.addWidget(self._restore)
         buttons.addWidget(self._delete)
+        buttons.addWidget(self._compare)
         buttons.addStretch(1)
         column_of_all = QVBoxLayout(self)
         column_of_all.setContentsMargins(0, 0, 0, 0)
@@ -131,7 +145,9 @@ class RunTable(QWidget):
         """Show runs; the one whose lens is the design's stands out."""
         stays = self.table.currentRow()
         self._runs = tuple(runs)
-        self._marked &= {id(run.result) for run in runs}
+        there = {id(run.result) for run in runs}
+        self._marked &= there
+        self._pictures = {key: each for key, each in self._pictures.items() if key in there}
         with QSignalBlocker(self.table):
             self.table.setRowCount(len(runs))
             for row, run in enumerate(runs):
@@ -171,35 +187,35 @@ class RunTable(QWidget):
         if self._editable and self.chosen:
             self.deleted.emit(self.chosen)
 
+    def compare(self) -> None:
+        """Tell that the two chosen runs shall be shown beside each other, with their losses."""
+        if len(self.chosen) == 2:
+            self.pair_chosen.emit(self.chosen)
+
     def _fill(self, row: int, run: KeptRun, is_current: bool) -> None:
-        result, (n_u, n_v) = run.result, run.scene.optic.net_shape
-        texts = [
-            run.name,
-            self._verified(run) or "–",
-            f"{result.state.loss:.3e}",
-            f"{100 * result.state.account.efficiency:.1f} %",
-            clock(result.seconds),
-            f"{result.iterations}",
-            f"{n_u} × {n_v}",
-            run.scene.run.method,
-            result.ended or "–",
-        ]
-        for column, text in enumerate(texts):
+        name = QTableWidgetItem(self._picture(run), run.name)
+        marked = id(run.result) in self._marked
+        name.setCheckState(Qt.CheckState.Checked if marked else Qt.CheckState.Unchecked)
+        font = name.font()
+        font.setBold(is_current)
+        name.setFont(font)
+        name.setToolTip(f"{run.name}\nThe one of the design" if is_current else run.name)
+        self.table.setItem(row, 0, name)
+        for column, (title, text) in enumerate(figures_of(run, self._verified(run)), start=1):
             item = QTableWidgetItem(text)
-            if column == 0:
-                marked = id(result) in self._marked
-                item.setCheckState(Qt.CheckState.Checked if marked else Qt.CheckState.Unchecked)
-                font = item.font()
-                font.setBold(is_current)
-                item.setFont(font)
-                item.setToolTip(f"{text}\nThe one of the design" if is_current else text)
-            else:
-                item.setFlags(item.flags() & ~Qt.ItemFlag.ItemIsEditable)
-                sides = Qt.AlignmentFlag
-                side = sides.AlignLeft if column == _ENDED else sides.AlignRight
-                item.setTextAlignment(side | sides.AlignVCenter)
-                item.setToolTip(text)
+            item.setFlags(item.flags() & ~Qt.ItemFlag.ItemIsEditable)
+            sides = Qt.AlignmentFlag
+            side = sides.AlignLeft if title in _LEFT else sides.AlignRight
+            item.setTextAlignment(side | sides.AlignVCenter)
+            item.setToolTip(text)
             self.table.setItem(row, column, item)
+
+    def _picture(self, run: KeptRun) -> QIcon:
+        """The light of a run, drawn once."""
+        result = id(run.result)
+        if result not in self._pictures:
+            self._pictures[result] = QIcon(thumbnail_of(run, _PICTURE))
+        return self._pictures[result]
 
     def _take_change(self, item: QTableWidgetItem) -> None:
         """A check mark or the name of a run is another one."""
@@ -216,6 +232,7 @@ class RunTable(QWidget):
         chosen = len(self.chosen)
         self._restore.setEnabled(self._editable and chosen == 1)
         self._delete.setEnabled(self._editable and chosen > 0)
+        self._compare.setEnabled(chosen == 2)
 
 
 class _NameDelegate(QStyledItemDelegate):

@@ -270,6 +270,27 @@ class LossPicture:
         return True
 
 
+def draw_courses(axes: "Axes", runs: Sequence[LossCourse]) -> None:
+    """Draw the losses of runs, none of which stands out, against iterations.
+
+    Parameters
+    ----------
+    axes : matplotlib.axes.Axes
+        Empty axes.
+    runs : sequence of LossCourse
+        As many as there are colours, at most.
+    """
+    axes.set_xlabel("iteration", fontsize=_FONT, labelpad=2)
+    axes.set_ylabel("loss", fontsize=_FONT, labelpad=2)
+    axes.set_yscale("log")
+    axes.tick_params(which="both", labelsize=_FONT)
+    axes.grid(visible=True, which="major", linewidth=0.6, alpha=0.35)
+    for run, (colour, stroke) in zip(runs, ((_THIS_RUN, "-"), *_OTHERS), strict=False):
+        places = np.arange(1, run.losses.size + 1)
+        axes.plot(places, run.losses, color=colour, linestyle=stroke, label=run.name)
+    axes.legend(fontsize=_FONT, frameon=False, labelcolor="linecolor")
+
+
 def _set_ticks(axis: "Axis", logarithmic: bool, low: float, high: float) -> None:
     """Few enough labels for a low dock, and still two on a short range."""
     if logarithmic:

@@ -1,13 +1,31 @@
 """All fields of a scene with their units."""
 
 from collections.abc import Iterator
-from typing import Any
+from typing import Any, NamedTuple
 
 from workbench.report.content import Fact
 from workbench.scene import FieldDescription, Part, Scene
-from workbench.scene.fields import Since
+from workbench.scene.fields import Since, Version
 
 _FILE = {"format", "version"}
+
+
+class FieldRow(NamedTuple):
+    """A field of a scene that has a value.
+
+    Attributes
+    ----------
+    path : str
+        As files and refusals name it.
+    title : str
+        As forms name it, with the titles of the parts that it is in.
+    value : str
+        With its unit.
+    """
+
+    path: str
+    title: str
+    value: str
 
 
 def scene_rows(scene: Scene) -> tuple[Fact, ...]:
@@ -15,26 +33,33 @@ def scene_rows(scene: Scene) -> tuple[Fact, ...]:
 
     Fields that the scene's file leaves out, as its version does not know them, have none.
     """
-    return tuple(_rows(scene, "", scene))
+    return tuple(Fact(row.path, row.value) for row in field_rows(scene, scene.needed_version))
 
 
-def _rows(part: Part, path: str, scene: Scene) -> Iterator[Fact]:
+def field_rows(scene: Scene, version: Version) -> Iterator[FieldRow]:
+    """A row for each field of a scene that has a value and that files of a version know."""
+    return _rows(scene, "", "", scene, version)
+
+
+def _rows(part: Part, path: str, title: str, scene: Scene, version: Version) -> Iterator[FieldRow]:
     """Rows of a part, as deep as there are names."""
     remarks = part.remarks()
     for field in part.fields():
         since = field.mark(Since)
-        if since is not None and since.version > scene.needed_version:
+        if since is not None and since.version > version:
             continue
         value, place = getattr(part, field.name), f"{path}{field.name}"
+        called = f"{title}{field.title}"
         if isinstance(value, Part):
-            yield from _rows(value, f"{place}.", scene)
+            yield from _rows(value, f"{place}.", f"{called} · ", scene, version)
         elif field.listed:
             for number, each in enumerate(value):
-                yield from _rows(each, f"{place}[{number}].", scene)
+                where = f"{place}[{number}].", f"{called} {number + 1} · "
+                yield from _rows(each, *where, scene, version)
         elif value is not None and place not in _FILE:
             text = f"{_text(value, field)} {field.measure.words_in(scene.unit)}".rstrip()
             remark = remarks.get(field.name)
-            yield Fact(place, f"{text} ({remark})" if remark else text)
+            yield FieldRow(place, called, f"{text} ({remark})" if remark else text)
 
 
 def _text(value: Any, field: FieldDescription) -> str:

@@ -1,12 +1,13 @@
 """The wanted image."""
 
+from pathlib import PurePath
 from typing import Annotated, ClassVar, Literal
 
 from pydantic import ConfigDict, Field
 
 from workbench.errors import Refused
 from workbench.scene.fields import FILE, PLACE, SINCE_2, Choices, Measure, Version, about
-from workbench.scene.kinds import Kinds
+from workbench.scene.kinds import Kinds, title_of
 from workbench.scene.part import Part
 
 
@@ -41,6 +42,11 @@ class Finish(Part):
     def file(self) -> str | None:
         """The image file; None for a built-in shape."""
         return None
+
+    @property
+    def called(self) -> str:
+        """What people know the target by."""
+        return title_of(type(self))
 
 
 _Cut = Annotated[float, Field(ge=0, lt=1)]
@@ -114,6 +120,11 @@ class ImageTarget(Finish):
     def file(self) -> str | None:
         """The image file."""
         return self.image
+
+    @property
+    def called(self) -> str:
+        """The name of the file."""
+        return PurePath(self.image).name
 
     def check(self) -> None:
         """Refuse to cut all of the picture away."""
@@ -226,6 +237,11 @@ class TextTarget(Finish):
         str,
         about("Text", "The words; \\n begins a new line.", min_length=1, max_length=200),
     ] = "Light"
+
+    @property
+    def called(self) -> str:
+        """The words."""
+        return f"“{' '.join(self.text.split())}”"
 
 
 Target = Annotated[

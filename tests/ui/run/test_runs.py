@@ -5,11 +5,13 @@ from dataclasses import replace
 from types import SimpleNamespace
 
 import pytest
+from matplotlib.backend_bases import MouseEvent
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QLineEdit, QToolTip
 
 from tests.ui.hands import move_screen
 from ui.check.checking import CheckedLens
+from workbench.design.loss import relative_error
 from workbench.geometry.faces import FaceArrays
 from workbench.scene import Stage
 
@@ -82,7 +84,13 @@ def names(window):
 
 
 def texts(window, row):
-    return [table(window).item(row, column).text() for column in range(9)]
+    lines = table(window)
+    return [lines.item(row, column).text() for column in range(lines.columnCount())]
+
+
+def verified(window):
+    """What stands in the column of verified errors."""
+    return [texts(window, row)[3] for row in range(table(window).rowCount())]
 
 
 def test_each_run_is_kept_in_one_step_with_its_result(window, run):
@@ -92,9 +100,11 @@ def test_each_run_is_kept_in_one_step_with_its_result(window, run):
     assert window.document.undo_stack.count() == 1
     run("continue")
     assert names(window) == ["Run 1: auto, 12 × 10", "Run 2: auto, 12 × 10"]
-    figures = ["1.25 %", "1.429e-01", "92.0 %", "0:01", "12", "12 × 10", "auto"]
-    figures.append("all iterations are done")
-    assert texts(window, 1)[1:] == figures
+    session = window.document.session
+    error = f"{100 * relative_error(session.result.state, session.target):.1f} %"
+    figures = ["Top hat", error, "1.25 %", "92.0 %", "0:01", "12", "12 × 10", "auto"]
+    assert texts(window, 1)[1:] == [*figures, "1.429e-01", "all iterations are done"]
+    assert not table(window).item(1, 0).icon().isNull()
     window.commands["undo"].trigger()
     window.commands["undo"].trigger()
     assert names(window) == [] and window.document.session.result is None
@@ -205,6 +215,42 @@ def test_deleting_runs_can_be_undone(two_runs, qtbot):
     assert two_runs.document.session.result is not None
 
 
+def test_two_chosen_runs_are_shown_beside_each_other(two_runs, qtbot):
+    runs, lines = two_runs.loaded.runs, table(two_runs)
+    compare = runs.table._compare
+    lines.selectRow(0)
+    assert not compare.isEnabled()
+    two_runs.commands["compare_runs"].trigger()
+    assert "Choose two runs" in two_runs.messages.text and runs.comparison is None
+    lines.selectAll()
+    qtbot.mouseClick(compare, Qt.MouseButton.LeftButton)
+    shown = runs.comparison
+    assert shown.isVisible() and shown.pair == two_runs.document.session.runs
+    cells = {shown.table.item(row, 0).text(): row for row in range(shown.table.rowCount())}
+    differ = cells["Fields of the scenes that differ"]
+    assert list(cells)[differ + 1 :] == ["Screen · At z"]
+    at_z = [shown.table.item(cells["Screen · At z"], column).text() for column in (1, 2)]
+    assert at_z == ["5 cm", "7 cm"]
+    session = two_runs.document.session
+    runs.note_check(CheckedLens(session, session.heights), found(0.03))
+    errors = [shown.table.item(cells["Verified"], column).text() for column in (1, 2)]
+    assert errors == ["1.25 %", "3.00 %"]
+
+
+def test_the_light_under_the_pointer_is_told_of_both_runs(two_runs, qtbot):
+    table(two_runs).selectAll()
+    two_runs.commands["compare_runs"].trigger()
+    shown = two_runs.loaded.runs.comparison
+    axes = shown._figure.axes[0]
+    place = axes.transData.transform((0.5, 0.25))
+    MouseEvent("motion_notify_event", shown._canvas, *place)._process()
+    assert shown.readout == "0.25 → 0.25 / cm² at x = 0.5 cm, y = 0.25 cm"
+    loss = shown._figure.axes[3]
+    place = loss.transAxes.transform((0.5, 0.5))
+    MouseEvent("motion_notify_event", shown._canvas, *place)._process()
+    assert shown.readout == "Point at an image to read its light"
+
+
 def test_commands_without_a_choice_say_what_is_missing(two_runs):
     table(two_runs).clearSelection()
     two_runs.commands["restore_run"].trigger()
@@ -217,14 +263,14 @@ def test_kept_runs_are_saved_with_the_file(two_runs, tmp_path):
     two_runs.document.open(path)
     assert names(two_runs) == ["Run 1: auto, 12 × 10", "Run 2: auto, 12 × 10"]
     assert [table(two_runs).item(row, 0).font().bold() for row in (0, 1)] == [False, True]
-    assert [texts(two_runs, row)[1] for row in (0, 1)] == ["1.25 %", "1.25 %"]
+    assert verified(two_runs) == ["1.25 %", "1.25 %"]
     session = two_runs.document.session
     two_runs.loaded.runs.note_check(CheckedLens(session, session.heights), found(0.03))
     assert not two_runs.document.dirty  # a check is no edit
-    assert [texts(two_runs, row)[1] for row in (0, 1)] == ["1.25 %", "3.00 %"]
+    assert verified(two_runs) == ["1.25 %", "3.00 %"]
     two_runs.document.save(path)
     two_runs.document.open(path)
-    assert [texts(two_runs, row)[1] for row in (0, 1)] == ["1.25 %", "3.00 %"]
+    assert verified(two_runs) == ["1.25 %", "3.00 %"]
 
 
 def test_the_lens_of_a_run_is_checked_at_its_end(window, run, checks, qtbot):
@@ -233,12 +279,12 @@ def test_the_lens_of_a_run_is_checked_at_its_end(window, run, checks, qtbot):
     heights, rays, threads = checks.asked[-1]
     assert heights is result.state.heights and rays == 4_000_000 and threads is None
     assert window.status._verified.text() == "Checked error 1.25 % at 6"
-    assert texts(window, 0)[1] == "1.25 %"
+    assert verified(window)[0] == "1.25 %"
     (point,) = window.loaded.views.loss._verified
     assert (point.iteration, point.loss) == (6, 0.1)
     move_screen(window.document, 7)
     assert window.status._verified.text() == "" and window.loaded.views.loss._verified == ()
-    assert texts(window, 0)[1] == "1.25 %"
+    assert verified(window)[0] == "1.25 %"
 
 
 def test_a_lens_changed_by_hand_is_not_the_one_that_was_checked(window, run, checks):
@@ -316,6 +362,6 @@ def test_a_check_of_another_task_is_not_that_of_the_run(window, run, checks):
     )
     assert moved.start is session.result.state.heights
     window.loaded.runs.note_check(CheckedLens(moved, moved.start), found(0.5))
-    assert texts(window, 0)[1] == "1.25 %"
+    assert verified(window)[0] == "1.25 %"
     window.loaded.runs.note_check(CheckedLens(replace(session, runs=()), moved.start), found(0.5))
-    assert texts(window, 0)[1] == "50.00 %"
+    assert verified(window)[0] == "50.00 %"

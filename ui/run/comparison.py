@@ -1,0 +1,160 @@
+"""Two kept runs beside each other: light, difference, losses, figures, and fields that differ."""
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from matplotlib.backends.backend_qtagg import FigureCanvasQTAgg
+from matplotlib.figure import Figure
+from PySide6.QtCore import QEvent, QSize, Qt
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QDialog,
+    QHBoxLayout,
+    QHeaderView,
+    QLabel,
+    QSplitter,
+    QTableWidget,
+    QTableWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
+
+from ui.run.run_figures import figures_of
+from workbench.design.session import KeptRun
+from workbench.pictures.comparison import Comparison
+from workbench.pictures.style import paint
+from workbench.report.differences import differences
+
+_SIZE = QSize(1180, 740)
+_SHARES = (64, 36)  # of the pictures and the table
+_SAME = "The scenes are the same"
+_DIFFER = "Fields of the scenes that differ"
+_POINT = "Point at an image to read its light"
+
+Pair = tuple[KeptRun, KeptRun]
+
+
+class RunComparison(QDialog):
+    """Shows a pair of runs, and stays open beside the window.
+
+    Parameters
+    ----------
+    verified : Callable
+        What checks said of a run's lens; empty for nothing.
+    window : QWidget
+        It stands over this.
+    """
+
+    def __init__(self, verified: Callable[[KeptRun], str], window: QWidget) -> None:
+        super().__init__(window)
+        self.setWindowTitle("Comparison of two runs")
+        self._verified = verified
+        self._pair: Pair | None = None
+        self._picture: Comparison | None = None
+        self._readout = QLabel(_POINT)
+        self._readout.setAccessibleName("Light under the pointer")
+        self._figure = Figure()
+        self._canvas = FigureCanvasQTAgg(self._figure)
+        self._canvas.mpl_connect("motion_notify_event", self._read)
+        self._canvas.mpl_connect("axes_leave_event", lambda _: self._readout.setText(_POINT))
+        self.table = _table()
+        pictures = QWidget()
+        column = QVBoxLayout(pictures)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.addWidget(self._canvas, 1)
+        column.addWidget(self._readout)
+        parts = QSplitter(Qt.Orientation.Horizontal)
+        parts.setChildrenCollapsible(False)
+        parts.addWidget(pictures)
+        parts.addWidget(self.table)
+        for number, share in enumerate(_SHARES):
+            parts.setStretchFactor(number, share)
+        parts.setSizes([share * _SIZE.width() // 100 for share in _SHARES])
+        row = QHBoxLayout(self)
+        row.setContentsMargins(8, 8, 8, 8)
+        row.addWidget(parts)
+        self.resize(_SIZE.boundedTo(window.size()))
+
+    @property
+    def pair(self) -> Pair | None:
+        """The runs on show."""
+        return self._pair
+
+    @property
+    def readout(self) -> str:
+        """What is said of the place under the pointer."""
+        return self._readout.text()
+
+    def show_pair(self, pair: Pair) -> None:
+        """Show two runs."""
+        self._pair = pair
+        self._picture = Comparison(self._figure, pair)
+        self._recolour()
+        self.show_figures()
+
+    def show_figures(self) -> None:
+        """Show figures as they are known by now."""
+        if self._pair is None:
+            return
+        own = zip(*(figures_of(run, self._verified(run)) for run in self._pair), strict=True)
+        rows = [(name, (one, other)) for (name, one), (_, other) in own]
+        one, other = (run.scene for run in self._pair)
+        apart = [(each.title, each.values) for each in differences(one, other)]
+        self.table.setHorizontalHeaderLabels(["", *(run.name for run in self._pair)])
+        self.table.setRowCount(0)
+        self.table.clearSpans()
+        self._add(rows)
+        self._add_heading(_DIFFER if apart else _SAME)
+        self._add(apart)
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Follow the palette between light and dark."""
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange and self._picture is not None:
+            self._recolour()
+
+    def _recolour(self) -> None:
+        palette = self.palette()
+        paint(self._figure, palette.windowText().color().name(), palette.window().color().name())
+        self._canvas.draw_idle()
+
+    def _read(self, event: Any) -> None:
+        if self._picture is None or event.inaxes is None:
+            return
+        words = self._picture.in_words(event.inaxes, event.xdata, event.ydata)
+        self._readout.setText(words or _POINT)
+
+    def _add(self, rows: Sequence[tuple[str, tuple[str, str]]]) -> None:
+        for name, values in rows:
+            row = self.table.rowCount()
+            self.table.insertRow(row)
+            for column, text in enumerate((name, *values)):
+                item = QTableWidgetItem(text)
+                item.setToolTip(text)
+                self.table.setItem(row, column, item)
+
+    def _add_heading(self, text: str) -> None:
+        row = self.table.rowCount()
+        self.table.insertRow(row)
+        item = QTableWidgetItem(text)
+        font = item.font()
+        font.setBold(True)
+        item.setFont(font)
+        self.table.setItem(row, 0, item)
+        self.table.setSpan(row, 0, 1, self.table.columnCount())
+
+
+def _table() -> QTableWidget:
+    table = QTableWidget(0, 3)
+    table.setAccessibleName("Figures of both runs")
+    table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+    table.setAlternatingRowColors(True)
+    table.setShowGrid(False)
+    table.setFrameShape(QTableWidget.Shape.NoFrame)
+    table.verticalHeader().hide()
+    header = table.horizontalHeader()
+    header.setSectionResizeMode(0, QHeaderView.ResizeMode.ResizeToContents)
+    for column in (1, 2):
+        header.setSectionResizeMode(column, QHeaderView.ResizeMode.Stretch)
+    header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
+    return table

@@ -1,0 +1,45 @@
+"""What a kept run came to, in words and as a small picture."""
+
+import numpy as np
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QImage, QPixmap
+
+from ui.run.status import clock
+from workbench.design.loss import relative_error
+from workbench.design.session import KeptRun
+from workbench.extended.bound import percent
+from workbench.pictures.images import full_scale, to_colours
+
+
+def figures_of(run: KeptRun, verified: str) -> list[tuple[str, str]]:
+    """Figures by what people call them; ``verified`` is what checks said, empty for nothing."""
+    result, (n_u, n_v) = run.result, run.scene.optic.net_shape
+    return [
+        ("Target", run.scene.target.called),
+        ("Error", percent(relative_error(result.state, run.target))),
+        ("Verified", verified or "–"),
+        ("On screen", f"{100 * result.state.account.efficiency:.1f} %"),
+        ("Time", clock(result.seconds)),
+        ("Iterations", f"{result.iterations}"),
+        ("Net", f"{n_u} × {n_v}"),
+        ("Method", run.scene.run.method),
+        ("Loss", f"{result.state.loss:.3e}"),
+        ("Ended", result.ended or "–"),
+    ]
+
+
+def thumbnail_of(run: KeptRun, side: int) -> QPixmap:
+    """The light of a run, so many pixels wide or high."""
+    receiver, light = run.scene.receiver, run.result.state.irradiance
+    top = full_scale(run.scene, run.target, receiver.total(light))
+    step = max(1, max(light.shape) // (2 * side))
+    colours = np.ascontiguousarray(to_colours(light[::step, ::step], top))
+    rows, columns, _ = colours.shape
+    image = QImage(colours.data, columns, rows, 3 * columns, QImage.Format.Format_RGB888)
+    (r_x, r_y) = receiver.half_extent
+    width, height = (round(side * r / max(r_x, r_y)) or 1 for r in (r_x, r_y))
+    stretched, smooth = (
+        Qt.AspectRatioMode.IgnoreAspectRatio,
+        Qt.TransformationMode.SmoothTransformation,
+    )
+    return QPixmap.fromImage(image.scaled(width, height, stretched, smooth))

@@ -1,0 +1,174 @@
+"""The light of two runs side by side on one scale, what differs between them, and their losses."""
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Self
+
+import numpy as np
+import numpy.typing as npt
+from matplotlib.figure import Figure
+
+from workbench.design.session import KeptRun, Session
+from workbench.pictures.images import LIGHT, full_scale, receiver_map
+from workbench.pictures.loss import LossCourse, draw_courses
+from workbench.pictures.maps import SIGNED, Extent, colour_bar, pixel_at, settled_scale
+from workbench.scene import Scene
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+Array = npt.NDArray[np.float64]
+
+_FONT = 8
+_LONGEST = 34  # letters of a title
+
+
+@dataclass(frozen=True, eq=False)
+class Light:
+    """The first image of a run.
+
+    Attributes
+    ----------
+    name : str
+        Of the run.
+    scene : Scene
+        Its task.
+    target, irradiance : ndarray, shape (n_y, n_x)
+        Target and light.
+    """
+
+    name: str
+    scene: Scene
+    target: Array
+    irradiance: Array
+
+    @classmethod
+    def of(cls, run: KeptRun, unit: Any) -> Self:
+        """The light of a run, with lengths in a unit."""
+        session = Session(run.scene, run.target, run.result).of_image(0).in_unit(unit)
+        assert session.result is not None
+        return cls(run.name, session.scene, session.target, session.result.state.irradiance)
+
+    @property
+    def density(self) -> str:
+        """Unit of the light."""
+        return self.scene.receiver.density_words(self.scene.unit)
+
+    @property
+    def top(self) -> float:
+        """End of a scale for it."""
+        flux = self.scene.receiver.total(self.irradiance)
+        return full_scale(self.scene, self.target, flux)
+
+    def at(self, x: float, y: float) -> float | None:
+        """The light at a place; None beside the receiver."""
+        pixel = pixel_at(self.scene.receiver.bounds, self.irradiance.shape, x, y)
+        return None if pixel is None else float(self.irradiance[pixel])
+
+
+class Comparison:
+    """Draws two runs on a figure that the caller owns.
+
+    Light is drawn on one scale where both are per area, or both per solid angle. The difference,
+    second minus first, needs images of the same part of the same receiver; the second is averaged
+    over the pixels of the first.
+
+    Parameters
+    ----------
+    figure : Figure
+        What was on it gives way.
+    runs : tuple[KeptRun, KeptRun]
+        The runs; lengths are in the unit of the first.
+
+    Attributes
+    ----------
+    lights : tuple[Light, Light]
+        Their light.
+    difference : ndarray, shape (n_y, n_x), optional
+        Second minus first; None where the receivers cover different places.
+    """
+
+    def __init__(self, figure: Figure, runs: tuple[KeptRun, KeptRun]) -> None:
+        one, other = (Light.of(run, runs[0].scene.unit) for run in runs)
+        self.lights = one, other
+        self.difference = difference(one, other)
+        figure.clear()
+        figure.set_layout_engine("constrained")
+        (first, second), (third, fourth) = figure.subplots(2, 2)
+        alike = one.density == other.density
+        top = max(one.top, other.top)
+        self._places = dict(zip((first, second), self.lights, strict=True))
+        for axes, light in self._places.items():
+            image = receiver_map(axes, light.name, light.scene, LIGHT)
+            image.set_data(light.irradiance)
+            image.set_clim(0, top if alike else light.top)
+            colour_bar(axes, image, light.density, extend="max")
+            _title(axes, light.name)
+        self._draw_difference(third)
+        _title(fourth, "Loss")
+        draw_courses(
+            fourth, [LossCourse(run.name, run.result.losses, run.result.times()) for run in runs]
+        )
+
+    def in_words(self, axes: "Axes | None", x: float, y: float) -> str:
+        """What is at a place of one of the images; empty beside all of them."""
+        one, other = self.lights
+        light = one if axes is not None and axes is self._third else self._places.get(axes)
+        if light is None or light.at(x, y) is None:
+            return ""
+        extent = Extent.of_receiver(light.scene)
+        at = f"at {extent.in_words(0, x)}, {extent.in_words(1, y)}"
+        if self.difference is None:
+            return f"{light.at(x, y):.4g} {light.density.removeprefix('flux ')} {at}"
+        return f"{one.at(x, y):.4g} → {other.at(x, y):.4g} {one.density.removeprefix('flux ')} {at}"
+
+    def _draw_difference(self, axes: "Axes") -> None:
+        one, _ = self.lights
+        self._third = axes
+        _title(axes, "Second minus first")
+        if self.difference is None:
+            axes.set_axis_off()
+            why = "The receivers cover different\nplaces: nothing to subtract."
+            axes.text(0.5, 0.5, why, ha="center", va="center", transform=axes.transAxes)
+            return
+        image = receiver_map(axes, "difference", one.scene, SIGNED)
+        image.set_data(self.difference)
+        scale = settled_scale(self.difference, 0.0)
+        image.set_clim(-scale, scale)
+        colour_bar(axes, image, one.density, extend="both")
+
+
+def difference(one: Light, other: Light) -> Array | None:
+    """Second minus first, shape as the first; None where their receivers cover different places."""
+    receiver, second = one.scene.receiver, other.scene.receiver
+    same_place = np.allclose(receiver.bounds, second.bounds, rtol=1e-9)
+    if not same_place or one.density != other.density:
+        return None
+    return averaged(other.irradiance, one.irradiance.shape) - one.irradiance
+
+
+def averaged(image: Array, shape: tuple[int, ...]) -> Array:
+    """An image averaged over the pixels of another raster that covers the same.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> averaged(np.array([[1.0, 3.0], [5.0, 7.0]]), (1, 4))
+    array([[3., 3., 5., 5.]])
+    """
+    if image.shape == shape:
+        return image
+    down, across = (_parts(old, new) for old, new in zip(image.shape, shape, strict=True))
+    return np.asarray(down @ image @ across.T)
+
+
+def _parts(old: int, new: int) -> Array:
+    """Which part of each new pixel is within each old one, shape (new, old)."""
+    before, after = np.linspace(0, 1, old + 1), np.linspace(0, 1, new + 1)
+    low = np.maximum(before[:-1], after[:-1, None])
+    high = np.minimum(before[1:], after[1:, None])
+    return np.asarray((high - low).clip(0) * new)
+
+
+def _title(axes: "Axes", name: str) -> None:
+    short = name if len(name) <= _LONGEST else f"{name[: _LONGEST - 1]}…"
+    axes.set_title(short, fontsize=_FONT + 1)

@@ -1,0 +1,50 @@
+"""The fields in which two scenes differ."""
+
+from typing import NamedTuple
+
+from workbench.report.scene_rows import field_rows
+from workbench.scene import Scene
+
+_NONE = "–"
+
+
+class Difference(NamedTuple):
+    """A field that has another value, or is there in one scene alone.
+
+    Attributes
+    ----------
+    title : str
+        Of the field, with the parts that it is in.
+    values : tuple[str, str]
+        What each scene says of it; a dash for nothing.
+    """
+
+    title: str
+    values: tuple[str, str]
+
+
+def differences(one: Scene, other: Scene) -> tuple[Difference, ...]:
+    """Fields in which scenes differ, in the order of the first one; lengths in its unit.
+
+    Examples
+    --------
+    >>> from resources import path
+    >>> from workbench.files.scene import read_scene
+    >>> scene = read_scene(path("examples", "tophat.json"))
+    >>> other = scene.altered(screen=scene.screen.altered(z=6.0))
+    >>> differences(scene, other)
+    (Difference(title='Screen · At z', values=('5 cm', '6 cm')),)
+    """
+    version = max(one.needed_version, other.needed_version)
+    found = [
+        {row.path: row for row in field_rows(scene, version)}
+        for scene in (one, other.in_unit(one.unit))
+    ]
+    if other.unit != one.unit:
+        found[1]["unit"] = found[1]["unit"]._replace(value=other.unit)
+    differ = []
+    for path, row in (found[0] | {p: r for p, r in found[1].items() if p not in found[0]}).items():
+        values = tuple(rows[path].value if path in rows else _NONE for rows in found)
+        if values[0] != values[1]:
+            differ.append(Difference(row.title, (values[0], values[1])))
+    return tuple(differ)
