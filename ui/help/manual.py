@@ -10,6 +10,7 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QLineEdit,
     QListWidget,
+    QPushButton,
     QTextBrowser,
     QTextEdit,
     QVBoxLayout,
@@ -31,12 +32,11 @@ class PageView(QTextBrowser):
         # One that came with a long page would change the width while that page is being read.
         self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOn)
 
-    def loadResource(self, kind: int, name: QUrl) -> object:
+    def loadResource(self, kind: int, name: QUrl | str) -> object:
         """Pictures fit into the view; they are sharp where its pixels are small."""
-        found = super().loadResource(kind, name)
         if kind != QTextDocument.ResourceType.ImageResource.value:
-            return found
-        image = QImage(name.toLocalFile() or self.source().resolved(name).toLocalFile())
+            return super().loadResource(kind, name)
+        image = QImage(self.source().resolved(QUrl(name)).toLocalFile())
         ratio = self.devicePixelRatioF()
         wide = round(ratio * max(self.viewport().width() - _MARGIN, 1))
         if image.width() > wide:
@@ -97,7 +97,7 @@ class Manual(QDialog):
         line.addWidget(self._text, 1)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         buttons.rejected.connect(self.reject)
-        for button in buttons.buttons():
+        for button in buttons.findChildren(QPushButton):
             button.setAutoDefault(False)  # Return goes on searching
         whole = QVBoxLayout(self)
         whole.addLayout(line, 1)
