@@ -24,6 +24,15 @@ def test_each_distance_as_if_the_screen_stood_there(lens):
         assert each.irradiance == pytest.approx(alone.irradiance, rel=1e-9)
 
 
+def test_a_net_that_the_program_has_chosen_stays(lens, make_scene):
+    scene, target, heights = lens
+    asked = make_scene({"version": 2, "lens.control_points": "auto", "screen.pixels": [16, 12]})
+    chosen = asked.with_optic(asked.optic.with_net(scene.optic.net_shape))
+    (found,) = focus_series(chosen, target, heights, (6.0,), 5_000)
+    assert found.efficiency == pytest.approx(0.9, abs=0.1)
+    assert with_screen_at(chosen, 6.0).optic.net_shape == scene.optic.net_shape
+
+
 def test_some_at_a_time_is_the_same(lens, monkeypatch):
     at_once = [each.to_data() for each in focus_series(*lens, (3, 4, 5, 6, 7), 5_000)]
     monkeypatch.setattr(focus, "_LARGEST_IMAGES", 2 * 16 * 12 * 8)

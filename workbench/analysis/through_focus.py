@@ -65,6 +65,4 @@ def with_screen_at(scene: Scene, z: float) -> Scene:
     Refused
         If the screen may touch the lens there, or the receiver is at no distance.
     """
-    data = scene.to_data()
-    data["screen"] = scene.receiver.moved_to(z).model_dump(mode="json")
-    return Scene.from_data(data).with_contents_of(scene)
+    return scene.altered(screen=scene.receiver.moved_to(z))
