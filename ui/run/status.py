@@ -52,11 +52,7 @@ class RunStatus:
             "Relative L2 error of the design on show, by an independent trace with rays that the "
             "design never saw; the scatter of these rays is left out. The log tells more",
         )
-        self._bound = _passing(
-            bar,
-            "The least relative L2 error that any design can reach with a source of this size, "
-            "certified; and what one half as wide would allow. freeform bound tells more",
-        )
+        self._bound = _passing(bar, "")
         self._light = _figure(
             bar,
             "How far the image is from the target, as the design sees it (relative L2), and how "
@@ -130,9 +126,10 @@ class RunStatus:
         self._check.setText(figures)
         self._check.setVisible(bool(figures))
 
-    def show_bound(self, figures: str) -> None:
-        """Show what no lens can be better than; empty for nothing."""
+    def show_bound(self, figures: str, sentence: str) -> None:
+        """Show what no lens can be better than, the sentence as a tip; empty for nothing."""
         self._bound.setText(figures)
+        self._bound.setToolTip(f"<p>{sentence}</p>")
         self._bound.setVisible(bool(figures))
 
     def show_nothing(self) -> None:

@@ -23,28 +23,30 @@ def said():
 def bound(document, said, qapp):
     parent = QObject()
     bound = BoundOfDesign(document, parent)
-    bound.figures_changed.connect(said.append)
+    bound.figures_changed.connect(lambda *words: said.append(words))
     bound.follow(document.session)
     yield bound
     bound.close()
 
 
 def test_bound_of_an_edited_source_is_said(bound, said, document, make_scene, qtbot):
-    assert said == [""]
+    assert said == [("", "")]
     document.edit(make_scene({"source": GRID}), "source", "")
-    qtbot.waitUntil(lambda: said[-1] != "", timeout=30_000)
-    assert said[-1].startswith("no lens of this size below ")
-    least, allowed = (float(part) for part in re.findall(r"([\d.]+) %", said[-1]))
-    assert said[-1].endswith("with a source half as wide") and 0 < allowed < least
+    qtbot.waitUntil(lambda: said[-1] != ("", ""), timeout=30_000)
+    short, sentence = said[-1]
+    assert sentence.startswith("There can be no lens of this size below ")
+    least, allowed = (float(part) for part in re.findall(r"([\d.]+) %", sentence))
+    assert "with a source half as wide" in sentence and 0 < allowed < least
+    assert short == f"at best {least:g} %"
     document.undo_stack.undo()
-    assert said[-1] == ""
+    assert said[-1] == ("", "")
 
 
 def test_edit_that_leaves_the_source_as_it_looks_asks_for_nothing(
     bound, said, document, make_scene, qtbot
 ):
     document.edit(make_scene({"source": GRID}), "source", "")
-    qtbot.waitUntil(lambda: said[-1] != "", timeout=30_000)
+    qtbot.waitUntil(lambda: said[-1] != ("", ""), timeout=30_000)
     count = len(said)
     document.edit(make_scene({"source": GRID, "run.iterations": 7}), "run", "")
     assert len(said) == count
@@ -76,7 +78,7 @@ def test_status_shows_a_bound_only_where_there_is_one(qtbot):
     bar = QStatusBar()
     qtbot.addWidget(bar)
     status = RunStatus(bar)
-    status.show_bound("no lens of this size below 12.9 %")
-    assert not status._bound.isHidden()
-    status.show_bound("")
+    status.show_bound("at best 12.9 %", "No lens is below 12.9 %.")
+    assert not status._bound.isHidden() and "No lens" in status._bound.toolTip()
+    status.show_bound("", "")
     assert status._bound.isHidden()
