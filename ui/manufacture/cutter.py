@@ -47,6 +47,7 @@ _LENGTHS = {
         "How far over its highest cut the cutter travels.",
     ),
 }
+_NEGLIGIBLE = 0.01  # a cut into the face of this part of the ridges' height is rounding
 _ABOUT = (
     "A finishing pass of a ball cutter as G-code in millimetres (GRBL, LinuxCNC). The "
     "cut is simulated before it is written: a cutter that cuts into the face is refused."
@@ -209,10 +210,11 @@ def _look(session: "Session", cutting: Cutting, task: Task) -> str | None:
     plan = task.follow(planning(Design(session.scene, result, cutting=cutting)))
     if plan is None:
         return None
+    deep = f"the cut goes up to {plan.cut_off:.2g} {unit} into the face"
+    whole = plan.cut_off < _NEGLIGIBLE * plan.left
     lines = [
         f"Radius {plan.raster.radius:.4g} {unit}, {plan.raster.tip.size:,} moves. Ridges are up to "
-        f"{plan.left:.2g} {unit} high; the cut goes up to {max(plan.cut_off, 0):.2g} {unit} into "
-        "the face."
+        f"{plan.left:.2g} {unit} high; {'the face is cut into nowhere' if whole else deep}."
     ]
     if cutting.negative:
         return lines[0]
